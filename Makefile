@@ -1,0 +1,130 @@
+# manylight: make demo | test | asan | lint | bench | deps | install | clean
+#
+# A plain `make` only builds ./manylight. `make demo` and `make test` first install what is missing.
+
+CC ?= cc
+CXX ?= c++
+PREFIX ?= /usr/local
+BUILD ?= build
+CFLAGS ?= -O2 -g
+CXXFLAGS ?= $(CFLAGS)
+WERROR ?= -Werror
+
+# The binary of the default build lies at the top; other builds keep theirs in their folder.
+BINARY ?= manylight
+
+VERSION := 0.1
+COMMIT := $(shell git describe --always --dirty 2>/dev/null || echo unknown)
+
+# --- what it is made of ---------------------------------------------------------------------------
+
+SOURCES := $(sort $(wildcard src/*/*.c))
+BRIDGES := $(sort $(wildcard src/*/*.cpp))
+SHADERS := $(sort $(wildcard glsl/*.* glsl/lib/*.* glsl/shared/*.*))
+TESTS := $(patsubst test/%.c,$(BUILD)/test/%,$(sort $(wildcard test/test_*.c)))
+SCENE_TOOL_SOURCES := $(sort $(wildcard scenes/*.c))
+
+# Debian's packages; OpenGL itself (libEGL, libOSMesa) is opened at run time.
+PACKAGES := gcc g++ make pkg-config git libegl-dev libegl1 libgl-dev libgl1-mesa-dri libosmesa6 \
+    libglfw3-dev libtinygltf-dev libstb-dev nlohmann-json3-dev libopenimageio-dev libcglm-dev \
+    libembree-dev libimgui-dev libcmocka-dev gnuplot-nox
+
+PKG := OpenImageIO cglm glfw3
+INCLUDES := -Isrc -Iglsl -I$(BUILD)/include -I/usr/include/imgui
+WARNINGS := -Wall -Wextra $(WERROR)
+C_FLAGS = -std=c11 $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(CFLAGS)
+CXX_FLAGS = -std=c++17 $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
+# System headers: their warnings are not ours.
+PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) 2>/dev/null))
+LIBS := $(shell pkg-config --libs $(PKG) 2>/dev/null) -lembree3 -limgui -lstdc++ -ldl -lpthread -lm
+
+OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(BUILD)/glsl_embedded.o
+MAIN_OBJECT := $(BUILD)/src/main.o
+LIBRARY := $(BUILD)/libmanylight.a
+
+.PHONY: all demo test tests asan lint deps install clean
+.DELETE_ON_ERROR:
+.SECONDARY:
+
+all: $(BINARY)
+
+$(BINARY): $(MAIN_OBJECT) $(LIBRARY)
+	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+
+$(LIBRARY): $(OBJECTS)
+	@rm -f $@
+	ar rcs $@ $^
+
+$(BUILD)/%.o: %.c | $(BUILD)/include/version.h
+	@mkdir -p $(@D)
+	$(CC) $(C_FLAGS) -MMD -MP -c -o $@ $<
+
+$(BUILD)/%.o: %.cpp
+	@mkdir -p $(@D)
+	$(CXX) $(CXX_FLAGS) -MMD -MP -c -o $@ $<
+
+# Rewritten only when it says something new, so that a build without changes does nothing.
+$(BUILD)/include/version.h: FORCE
+	@mkdir -p $(@D)
+	@printf '#define MANYLIGHT_VERSION "%s"\n#define MANYLIGHT_COMMIT "%s"\n' \
+	    $(VERSION) $(COMMIT) > $@.new
+	@cmp -s $@ $@.new && rm $@.new || mv $@.new $@
+FORCE:
+
+# Each shader file becomes one string; gl/program.c reads the table.
+$(BUILD)/glsl_embedded.c: $(SHADERS) Makefile
+	@mkdir -p $(@D)
+	@{ echo '#include "gl/glsl_embedded.h"'; \
+	   echo 'const struct glsl_file glsl_embedded[] = {'; \
+	   for f in $(SHADERS); do \
+	       echo "{\"$${f#glsl/}\","; \
+	       sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/^/"/' -e 's/$$/\\n"/' $$f; \
+	       echo '},'; \
+	   done; \
+	   echo '{0, 0}};'; } > $@
+
+$(BUILD)/glsl_embedded.o: $(BUILD)/glsl_embedded.c
+	$(CC) $(C_FLAGS) -c -o $@ $<
+
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+
+# --- scenes ---------------------------------------------------------------------------------------
+
+SCENE_TOOL := $(BUILD)/scenes/make_scenes
+
+$(SCENE_TOOL): $(SCENE_TOOL_SOURCES:%.c=$(BUILD)/%.o) $(LIBRARY)
+	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+
+# --- tests ----------------------------------------------------------------------------------------
+
+$(BUILD)/test/%: $(BUILD)/test/%.o $(BUILD)/test/support.o $(LIBRARY)
+	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka
+
+tests: $(BINARY) $(TESTS)
+	@MANYLIGHT_BUILD=$(BUILD) MANYLIGHT_BINARY=$(if $(findstring /,$(BINARY)),,./)$(BINARY) test/run $(TESTS)
+
+# --- set-up ---------------------------------------------------------------------------------------
+
+deps:
+	@test/install-packages $(PACKAGES)
+
+demo: deps
+	@$(MAKE) --no-print-directory all
+	./manylight render scenes/cornell-box.glb -o cornell-box.png -o cornell-box.exr --stats
+
+test: deps
+	@$(MAKE) --no-print-directory tests
+
+SANITIZE := -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined
+asan: deps
+	@$(MAKE) --no-print-directory tests BUILD=build/asan BINARY=build/asan/manylight \
+	    CFLAGS="-O1 -g $(SANITIZE)" LDFLAGS="$(SANITIZE)"
+
+lint:
+	@test/lint
+
+install: all
+	install -D -m 755 manylight $(DESTDIR)$(PREFIX)/bin/manylight
+
+clean:
+	rm -rf build manylight

@@ -1,0 +1,8 @@
+/* The subcommands. Each parses its own arguments, prints errors and returns the exit status:
+ * 0 ok, 1 failed, 2 usage. argv[0] is the subcommand's name. */
+#ifndef APPS_APPS_H
+#define APPS_APPS_H
+
+int app_compare(int argc, char **argv);
+
+#endif

@@ -1,0 +1,36 @@
+#include "base/error.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { MESSAGE_SIZE = 2048 };
+
+static _Thread_local char message[MESSAGE_SIZE];
+
+bool error_set(const char *format, ...) {
+    /* The arguments may point into the old message, so the new one is composed beside it. */
+    char composed[MESSAGE_SIZE];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(composed, sizeof composed, format, args);
+    va_end(args);
+    memcpy(message, composed, sizeof message);
+    return false;
+}
+
+bool error_prefix(const char *format, ...) {
+    char context[MESSAGE_SIZE], composed[2 * MESSAGE_SIZE + 2];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(context, sizeof context, format, args);
+    va_end(args);
+    snprintf(composed, sizeof composed, "%s: %s", context, message);
+    composed[MESSAGE_SIZE - 1] = '\0';
+    memcpy(message, composed, sizeof message);
+    return false;
+}
+
+const char *error_get(void) {
+    return message;
+}

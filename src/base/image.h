@@ -1,0 +1,44 @@
+/* A picture in memory: floats in named channels, interleaved, row 0 at the top.
+ *
+ * Channel names follow OpenEXR: "R" "G" "B" "A" "Z" for the beauty layer, "indirect.R" for layers.
+ */
+#ifndef BASE_IMAGE_H
+#define BASE_IMAGE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { IMAGE_NAME_SIZE = 32 };
+
+struct image {
+    int width, height, channel_count;
+    char (*names)[IMAGE_NAME_SIZE]; /* channel_count of them */
+    float *pixels;                  /* height x width x channel_count */
+};
+
+/* An 8-bit RGBA picture, row 0 at the top: glTF textures, display-referred pictures. */
+struct bitmap {
+    int width, height;
+    unsigned char *rgba; /* height x width x 4 */
+};
+
+/* Zero pixels; names as in "R G B direct.R direct.G direct.B". Sizes must be positive. */
+void image_init(struct image *image, int width, int height, const char *channel_names);
+
+/* Accepts zeroed structs. */
+void image_free(struct image *image);
+void bitmap_free(struct bitmap *bitmap);
+
+static inline float *image_at(const struct image *image, int x, int y) {
+    return image->pixels +
+           ((size_t)y * (size_t)image->width + (size_t)x) * (size_t)image->channel_count;
+}
+
+/* The index of the channel, or -1. */
+int image_find_channel(const struct image *image, const char *name);
+
+/* The indices of LAYER.R, LAYER.G and LAYER.B (R, G, B where layer is "" or "beauty"; a grey file's
+ * Y three times); an error that lists the layers there are when one is missing. */
+bool image_find_layer(const struct image *image, const char *layer, int channels[3]);
+
+#endif

@@ -1,0 +1,15 @@
+/* Notes and warnings on stderr. Results go to stdout, errors through base/error.h. */
+#ifndef BASE_LOG_H
+#define BASE_LOG_H
+
+enum log_level { LOG_QUIET, LOG_NORMAL, LOG_VERBOSE };
+
+/* Quiet drops notes; warnings always show. Default LOG_NORMAL. */
+void log_set_level(enum log_level level);
+enum log_level log_get_level(void);
+
+void log_detail(const char *format, ...) __attribute__((format(printf, 1, 2))); /* verbose only */
+void log_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
+void log_warning(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+#endif

@@ -1,0 +1,280 @@
+#include "base/option.h"
+
+#include "base/error.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void *field(const struct option *option, const void *values) {
+    return (char *)values + option->offset;
+}
+
+void options_set_defaults(const struct option *table, void *values) {
+    for (const struct option *o = table; o->name; o++) {
+        void *at = field(o, values);
+        switch (o->type) {
+        case OPTION_FLAG:
+            *(bool *)at = o->default_value != 0;
+            break;
+        case OPTION_INT:
+        case OPTION_CHOICE:
+            *(int *)at = (int)o->default_value;
+            break;
+        case OPTION_FLOAT:
+            *(float *)at = (float)o->default_value;
+            break;
+        case OPTION_TEXT:
+            *(const char **)at = NULL;
+            break;
+        case OPTION_LIST:
+            ((struct text_list *)at)->count = 0;
+            break;
+        case OPTION_SIZE:
+            ((int *)at)[0] = ((int *)at)[1] = (int)o->default_value;
+            break;
+        }
+    }
+}
+
+const struct option *option_find(const struct option *table, const char *name) {
+    for (const struct option *o = table; o->name; o++)
+        if (strcmp(o->name, name) == 0)
+            return o;
+    return NULL;
+}
+
+static bool refuse(const struct option *option, const char *text) {
+    char allowed[512] = "";
+    size_t used = 0;
+    switch (option->type) {
+    case OPTION_FLAG:
+        snprintf(allowed, sizeof allowed, "on or off");
+        break;
+    case OPTION_INT:
+        snprintf(allowed, sizeof allowed, "a whole number from %.0f to %.0f", option->minimum,
+                 option->maximum);
+        break;
+    case OPTION_FLOAT:
+        snprintf(allowed, sizeof allowed, "a number from %g to %g", option->minimum,
+                 option->maximum);
+        break;
+    case OPTION_CHOICE:
+        for (const char *const *c = option->choices; *c && used < sizeof allowed; c++)
+            used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s",
+                                     c == option->choices ? "one of " : ", ", *c);
+        break;
+    case OPTION_SIZE:
+        snprintf(allowed, sizeof allowed, "WIDTHxHEIGHT, each from %.0f to %.0f", option->minimum,
+                 option->maximum);
+        break;
+    case OPTION_TEXT:
+    case OPTION_LIST:
+        break;
+    }
+    return error_set("%s: '%s' is not %s", option->name, text, allowed);
+}
+
+static bool parse_int(const char **text, const struct option *option, int *value) {
+    char *end;
+    errno = 0;
+    long number = strtol(*text, &end, 10);
+    if (end == *text || errno || number < option->minimum || number > option->maximum)
+        return false;
+    *value = (int)number;
+    *text = end;
+    return true;
+}
+
+static bool parse_float(const char *text, const struct option *option, float *value) {
+    char *end;
+    double number = strtod(text, &end);
+    if (end == text || *end || !isfinite(number) || number < option->minimum ||
+        number > option->maximum)
+        return false;
+    *value = (float)number;
+    return true;
+}
+
+static bool parse_flag(const char *text, bool *value) {
+    static const char *const words[] = {"off", "on", "false", "true", "no", "yes", "0", "1"};
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (strcmp(text, words[i]) == 0) {
+            *value = i % 2;
+            return true;
+        }
+    return false;
+}
+
+bool option_parse(const struct option *option, void *values, const char *text) {
+    void *at = field(option, values);
+    const char *rest = text;
+    int size[2];
+    switch (option->type) {
+    case OPTION_FLAG:
+        return parse_flag(text, at) || refuse(option, text);
+    case OPTION_INT:
+        if (!parse_int(&rest, option, &size[0]) || *rest)
+            return refuse(option, text);
+        *(int *)at = size[0];
+        return true;
+    case OPTION_FLOAT:
+        return parse_float(text, option, at) || refuse(option, text);
+    case OPTION_CHOICE:
+        for (int i = 0; option->choices[i]; i++)
+            if (strcmp(text, option->choices[i]) == 0) {
+                *(int *)at = i;
+                return true;
+            }
+        return refuse(option, text);
+    case OPTION_TEXT:
+        *(const char **)at = text;
+        return true;
+    case OPTION_LIST: {
+        struct text_list *list = at;
+        if (list->count == TEXT_LIST_MAX)
+            return error_set("%s: given more than %d times", option->name, TEXT_LIST_MAX);
+        list->items[list->count++] = text;
+        return true;
+    }
+    case OPTION_SIZE:
+        if (!parse_int(&rest, option, &size[0]) || *rest++ != 'x' ||
+            !parse_int(&rest, option, &size[1]) || *rest)
+            return refuse(option, text);
+        memcpy(at, size, sizeof size);
+        return true;
+    }
+    return false;
+}
+
+void option_format(const struct option *option, const void *values, char *text, size_t size) {
+    const void *at = field(option, values);
+    switch (option->type) {
+    case OPTION_FLAG:
+        snprintf(text, size, "%s", *(const bool *)at ? "on" : "off");
+        break;
+    case OPTION_INT:
+        snprintf(text, size, "%d", *(const int *)at);
+        break;
+    case OPTION_FLOAT:
+        snprintf(text, size, "%.9g", (double)*(const float *)at);
+        break;
+    case OPTION_CHOICE:
+        snprintf(text, size, "%s", option->choices[*(const int *)at]);
+        break;
+    case OPTION_TEXT:
+        snprintf(text, size, "%s", *(const char *const *)at ? *(const char *const *)at : "");
+        break;
+    case OPTION_LIST:
+        snprintf(text, size, "%d items", ((const struct text_list *)at)->count);
+        break;
+    case OPTION_SIZE:
+        snprintf(text, size, "%dx%d", ((const int *)at)[0], ((const int *)at)[1]);
+        break;
+    }
+}
+
+bool option_assign(const struct option *table, void *values, const char *assignment) {
+    const char *equals = strchr(assignment, '=');
+    if (!equals)
+        return error_set("'%s' is not key=value", assignment);
+    char name[64];
+    snprintf(name, sizeof name, "%.*s", (int)(equals - assignment), assignment);
+    const struct option *option = option_find(table, name);
+    if (!option)
+        return error_set("no setting is called '%s' (--help lists them)", name);
+    return option_parse(option, values, equals + 1);
+}
+
+static const struct option *find_argument(const struct option *table, const char *argument,
+                                          const char **value) {
+    *value = NULL;
+    if (argument[1] != '-') {
+        for (const struct option *o = table; o->name; o++)
+            if (o->letter && o->letter == argument[1]) {
+                *value = argument[2] ? argument + 2 : NULL;
+                return o;
+            }
+        return NULL;
+    }
+    char name[64];
+    size_t length = strcspn(argument + 2, "=");
+    snprintf(name, sizeof name, "%.*s", length < sizeof name ? (int)length : 0, argument + 2);
+    *value = argument[2 + length] ? argument + 2 + length + 1 : NULL;
+    return option_find(table, name);
+}
+
+bool options_parse_arguments(const struct option *table, void *values, int argc, char **argv,
+                             const char **positional, int max_positional, int *positional_count) {
+    bool only_positional = false;
+    *positional_count = 0;
+    for (int i = 1; i < argc; i++) {
+        const char *argument = argv[i], *value;
+        if (!only_positional && strcmp(argument, "--") == 0) {
+            only_positional = true;
+        } else if (only_positional || argument[0] != '-' || argument[1] == '\0') {
+            if (*positional_count == max_positional)
+                return error_set("one argument too many: '%s'", argument);
+            positional[(*positional_count)++] = argument;
+        } else {
+            const struct option *option = find_argument(table, argument, &value);
+            if (!option)
+                return error_set("unknown option '%s' (--help lists them)", argument);
+            if (!value && option->type == OPTION_FLAG)
+                value = "on";
+            else if (!value && i + 1 < argc)
+                value = argv[++i];
+            if (!value)
+                return error_set("--%s needs a value", option->name);
+            if (!option_parse(option, values, value))
+                return false;
+        }
+    }
+    return true;
+}
+
+static void describe_range(const struct option *o, char *text, size_t size) {
+    text[0] = '\0';
+    size_t used = 0;
+    switch (o->type) {
+    case OPTION_INT:
+    case OPTION_FLOAT:
+        snprintf(text, size, " [%g; %g to %g]", o->default_value, o->minimum, o->maximum);
+        break;
+    case OPTION_SIZE:
+        snprintf(text, size, " [%gx%g]", o->default_value, o->default_value);
+        break;
+    case OPTION_CHOICE:
+        used = (size_t)snprintf(text, size, " [%s", o->choices[(int)o->default_value]);
+        for (int i = 0; o->choices[i] && used < size; i++)
+            used += (size_t)snprintf(text + used, size - used, "%s%s", i ? ", " : "; one of ",
+                                     o->choices[i]);
+        if (used < size)
+            snprintf(text + used, size - used, "]");
+        break;
+    case OPTION_FLAG:
+        if (o->default_value != 0)
+            snprintf(text, size, " [on]");
+        break;
+    case OPTION_TEXT:
+    case OPTION_LIST:
+        break;
+    }
+}
+
+void options_print_help(FILE *out, const struct option *table, const char *prefix) {
+    static const char *const value_names[] = {"", "N", "X", "NAME", "TEXT", "TEXT", "WxH"};
+    for (const struct option *o = table; o->name; o++) {
+        char left[96], range[512], letter[8] = "";
+        if (o->letter)
+            snprintf(letter, sizeof letter, "-%c, ", o->letter);
+        const char *value = o->value_name ? o->value_name : value_names[o->type];
+        bool shown = *value && *prefix;
+        snprintf(left, sizeof left, "%s%s%s%s%s", letter, prefix, o->name, shown ? " " : "",
+                 shown ? value : "");
+        describe_range(o, range, sizeof range);
+        fprintf(out, "  %-26s %s%s\n", left, o->help, range);
+    }
+}

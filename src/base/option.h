@@ -1,0 +1,68 @@
+/* Options as one table: name, help, type, default and range of each field of a struct of values.
+ *
+ * The same kind of table feeds the command line of every subcommand, the renderer's settings
+ * (--set key=value), the viewer's panel, the benchmark's sweeps and --help.
+ */
+#ifndef BASE_OPTION_H
+#define BASE_OPTION_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+enum option_type {
+    OPTION_FLAG,   /* bool; on the command line without a value; "on"/"off" as text */
+    OPTION_INT,    /* int */
+    OPTION_FLOAT,  /* float */
+    OPTION_CHOICE, /* int, an index into choices */
+    OPTION_TEXT,   /* const char *, not owned; NULL by default */
+    OPTION_LIST,   /* struct text_list: may be given several times */
+    OPTION_SIZE,   /* int[2]: WxH, each within the range */
+};
+
+enum { TEXT_LIST_MAX = 64 };
+
+struct text_list {
+    const char *items[TEXT_LIST_MAX];
+    int count;
+};
+
+struct option {
+    const char *name; /* "val-count": as after --, and in --set */
+    char letter;      /* 'o' for -o; 0 = none */
+    enum option_type type;
+    size_t offset; /* of the field in the struct of values */
+    double default_value, minimum, maximum;
+    const char *const *choices; /* OPTION_CHOICE: null-terminated */
+    const char *value_name;     /* in --help: "FILE"; NULL = by type */
+    const char *help;
+    bool reinit; /* a change allocates or compiles anew */
+};
+
+/* A table ends with a row whose name is NULL. */
+
+/* Sets every field to its default. OPTION_SIZE takes the default for both. */
+void options_set_defaults(const struct option *table, void *values);
+
+/* The row of that name, or NULL. */
+const struct option *option_find(const struct option *table, const char *name);
+
+/* Sets one field from text. Error: names the option, the text and what is allowed. */
+bool option_parse(const struct option *option, void *values, const char *text);
+
+/* The field as text that option_parse reads back. */
+void option_format(const struct option *option, const void *values, char *text, size_t size);
+
+/* Parses "key=value" into a table of settings. */
+bool option_assign(const struct option *table, void *values, const char *assignment);
+
+/* Parses a command line: --name value, --name=value, -o value, flags, and up to max_positional
+ * other arguments ("--" ends the options). argv[0] is skipped. Error: unknown option, missing
+ * value... */
+bool options_parse_arguments(const struct option *table, void *values, int argc, char **argv,
+                             const char **positional, int max_positional, int *positional_count);
+
+/* A line or two per row, for --help. prefix is "--" on a command line and "" in a --set table. */
+void options_print_help(FILE *out, const struct option *table, const char *prefix);
+
+#endif

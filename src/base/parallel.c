@@ -1,0 +1,46 @@
+#define _GNU_SOURCE /* sched_getaffinity */
+#include "base/parallel.h"
+
+#include <pthread.h>
+#include <sched.h>
+#include <stdatomic.h>
+
+enum { MAX_THREADS = 256 };
+
+struct loop {
+    size_t count;
+    atomic_size_t next;
+    void (*body)(void *context, size_t i);
+    void *context;
+};
+
+int parallel_core_count(void) {
+    cpu_set_t set;
+    if (sched_getaffinity(0, sizeof set, &set) != 0)
+        return 1;
+    int count = CPU_COUNT(&set);
+    return count < 1 ? 1 : count;
+}
+
+static void *run(void *argument) {
+    struct loop *loop = argument;
+    for (size_t i; (i = atomic_fetch_add(&loop->next, 1)) < loop->count;)
+        loop->body(loop->context, i);
+    return NULL;
+}
+
+void parallel_for(size_t count, int threads, void (*body)(void *context, size_t i), void *context) {
+    struct loop loop = {.count = count, .body = body, .context = context};
+    if (threads <= 0)
+        threads = parallel_core_count();
+    if (threads > MAX_THREADS)
+        threads = MAX_THREADS;
+    pthread_t helpers[MAX_THREADS];
+    int started = 0;
+    /* The calling thread works too; a helper that cannot start only costs time. */
+    while (started < threads - 1 && pthread_create(&helpers[started], NULL, run, &loop) == 0)
+        started++;
+    run(&loop);
+    for (int i = 0; i < started; i++)
+        pthread_join(helpers[i], NULL);
+}

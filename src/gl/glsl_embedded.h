@@ -1,0 +1,12 @@
+/* The shader files, embedded by the Makefile; ends with a null name. */
+#ifndef GL_GLSL_EMBEDDED_H
+#define GL_GLSL_EMBEDDED_H
+
+struct glsl_file {
+    const char *name; /* path below glsl/ */
+    const char *text;
+};
+
+extern const struct glsl_file glsl_embedded[];
+
+#endif

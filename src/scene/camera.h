@@ -1,0 +1,26 @@
+/* A camera placed in the world. */
+#ifndef SCENE_CAMERA_H
+#define SCENE_CAMERA_H
+
+#include "scene/scene.h"
+
+struct camera {
+    bool orthographic;
+    float eye[3];
+    float right[3], up[3], forward[3]; /* orthonormal; forward is where it looks */
+    float fov_y;                       /* radians, vertical */
+    float y_extent;                    /* orthographic: half the height, metres */
+};
+
+/* Places the scene's n-th camera node. Asserts that there is one. */
+void camera_place(struct camera *camera, const struct scene *scene, int n, double time);
+
+int camera_find(const struct scene *scene, const char *text);
+int camera_node_count(const struct scene *scene);
+
+/* The ray through a point of the picture, x and y in [0, 1] from the top left corner. The direction
+ * is unit. aspect = width / height. */
+void camera_ray(const struct camera *camera, float x, float y, float aspect, float origin[3],
+                float direction[3]);
+
+#endif

@@ -1,0 +1,35 @@
+/* A light placed in the world, and its radiometry.
+ *
+ * KHR_lights_punctual: candela is read as W/sr, lux as W/m2. A spot's cone falls off as
+ * clamp((cos a - cos outer) / max(0.001, cos inner - cos outer), 0, 1)^2.
+ */
+#ifndef SCENE_LIGHT_H
+#define SCENE_LIGHT_H
+
+#include "scene/scene.h"
+
+struct light {
+    enum light_type type;
+    float intensity[3];         /* W/sr on the axis; W/m2 for a directional light */
+    float position[3];          /* spot and point */
+    float direction[3];         /* unit: where it shines */
+    float right[3], up[3];      /* with -direction a right-handed orthonormal frame */
+    float cos_inner, cos_outer; /* spot */
+};
+
+/* Places the scene's n-th light node (in node order). Asserts that there is one. */
+void light_place(struct light *light, const struct scene *scene, int n, double time);
+
+/* The n of a light by name or number in text; -1 and an error when there is none such. */
+int light_find(const struct scene *scene, const char *text);
+
+int light_node_count(const struct scene *scene);
+
+/* The spot's falloff in [0, 1] for the cosine of the angle to its axis; 1 for the other types. */
+float light_cone(const struct light *light, float cos_angle);
+
+/* Solid angle the light shines into: 2 pi (1 - cos outer) for a spot, 4 pi for a point, steradians.
+ */
+double light_solid_angle(const struct light *light);
+
+#endif

@@ -1,0 +1,102 @@
+/* What a glTF file holds, on the CPU: a node tree, meshes, materials, lights and cameras.
+ *
+ * A scene is only a description. scene/geometry.h turns it into world-space triangles at one time;
+ * scene/light.h and scene/camera.h place a light and a camera. Metres, +Y up, as glTF has it.
+ * Everything is an index into an array of the scene; -1 is none. Nodes come parents first.
+ */
+#ifndef SCENE_SCENE_H
+#define SCENE_SCENE_H
+
+#include "base/image.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { SCENE_NAME_SIZE = 64 };
+
+/* Triangles of one material. Attributes are per vertex; uv and color may be NULL. */
+struct primitive {
+    int vertex_count, index_count;
+    float (*position)[3];
+    float (*normal)[3]; /* unit; computed flat where the file has none */
+    float (*uv)[2];     /* TEXCOORD of the base colour texture, KHR_texture_transform applied */
+    float (*color)[4];  /* linear RGBA, multiplies the base colour */
+    uint32_t *indices;  /* index_count = 3 x triangles; strips and fans are unrolled */
+    int material;       /* never -1: the default material stands in */
+};
+
+struct mesh {
+    char name[SCENE_NAME_SIZE];
+    struct primitive *primitives;
+    int primitive_count;
+};
+
+/* Diffuse: albedo = base colour factor x texture x vertex colour. */
+struct material {
+    char name[SCENE_NAME_SIZE];
+    float base_color[4]; /* linear */
+    int texture;         /* base colour; -1 = none */
+    bool alpha_mask;     /* alpha below the cutoff is a hole */
+    float alpha_cutoff;
+    bool double_sided; /* else: not drawn for the camera and not reflecting from behind */
+};
+
+enum texture_wrap { TEXTURE_WRAP_REPEAT, TEXTURE_WRAP_CLAMP, TEXTURE_WRAP_MIRROR };
+
+struct scene_texture {
+    struct bitmap bitmap; /* RGB sRGB-encoded, A linear */
+    enum texture_wrap wrap_u, wrap_v;
+    bool nearest; /* no filtering; else linear with MIP maps */
+};
+
+enum light_type { LIGHT_SPOT, LIGHT_POINT, LIGHT_DIRECTIONAL };
+
+/* KHR_lights_punctual, in radiometric units. Shines along the node's -Z. */
+struct scene_light {
+    char name[SCENE_NAME_SIZE];
+    enum light_type type;
+    float intensity[3]; /* colour x intensity: W/sr; W/m2 for a directional light */
+    float inner, outer; /* spot: half angles of the cone, radians */
+};
+
+/* Looks along the node's -Z, +Y up. */
+struct scene_camera {
+    char name[SCENE_NAME_SIZE];
+    bool orthographic;
+    float fov_y;    /* perspective: radians */
+    float y_extent; /* orthographic: half the height, metres */
+    float near, far;
+};
+
+struct node {
+    char name[SCENE_NAME_SIZE];
+    int parent; /* < own index; -1 = a root */
+    int mesh, light, camera;
+    /* The local transform: a matrix (column-major), or TRS when has_matrix is false. */
+    bool has_matrix;
+    float matrix[16];
+    float translation[3], rotation[4] /* x y z w */, scale[3];
+};
+
+struct scene {
+    char *path;
+    struct node *nodes;
+    struct mesh *meshes;
+    struct material *materials;
+    struct scene_texture *textures;
+    struct scene_light *lights;
+    struct scene_camera *cameras;
+    int node_count, mesh_count, material_count, texture_count, light_count, camera_count;
+};
+
+/* Loads a .gltf or .glb file. A scene without camera or light is given a framed camera and a spot,
+ * with a note on stderr. Error: names file, object and reason; the scene is then zeroed. */
+bool scene_load(struct scene *scene, const char *path);
+
+/* Accepts zeroed and half-built scenes. */
+void scene_free(struct scene *scene);
+
+/* World matrices of all nodes at a time in seconds: node_count x 16 floats, column-major. */
+void scene_node_worlds(const struct scene *scene, double time, float (*worlds)[16]);
+
+#endif

@@ -1,0 +1,67 @@
+#define _POSIX_C_SOURCE 200809L
+#include "support.h"
+
+#include "base/error.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+void check_near(const char *what, double value, double expected, double tolerance) {
+    printf("    %-48s %.6g, expected %.6g within %.3g\n", what, value, expected, tolerance);
+    if (!(fabs(value - expected) <= tolerance))
+        fail_msg("%s: %.9g is not within %.3g of %.9g", what, value, tolerance, expected);
+}
+
+void check_at_most(const char *what, double value, double bound) {
+    printf("    %-48s %.6g, at most %.6g\n", what, value, bound);
+    if (!(value <= bound))
+        fail_msg("%s: %.9g is above %.9g", what, value, bound);
+}
+
+void check_ok(const char *what, bool ok) {
+    if (!ok)
+        fail_msg("%s: %s", what, error_get());
+}
+
+int run_command(const char *command, char *output, size_t output_size) {
+    char line[4096];
+    snprintf(line, sizeof line, "%s 2>&1 </dev/null", command);
+    FILE *pipe = popen(line, "r");
+    assert_non_null(pipe);
+    size_t used = 0;
+    char chunk[4096];
+    for (size_t got; (got = fread(chunk, 1, sizeof chunk, pipe)) > 0;) {
+        size_t room = output_size - 1 - used, take = got < room ? got : room;
+        memcpy(output + used, chunk, take);
+        used += take;
+    }
+    output[used] = '\0';
+    int status = pclose(pipe);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+const char *scratch(const char *file_name) {
+    static char paths[8][512];
+    static int next;
+    const char *build = getenv("MANYLIGHT_BUILD");
+    char folder[256];
+    snprintf(folder, sizeof folder, "%s/scratch", build ? build : "build");
+    mkdir(folder, 0777);
+    char *path = paths[next++ % 8];
+    snprintf(path, sizeof paths[0], "%s/%s", folder, file_name);
+    return path;
+}
+
+const char *binary_path(void) {
+    const char *binary = getenv("MANYLIGHT_BINARY");
+    return binary ? binary : "./manylight";
+}
+
+const char *shared_path(void) {
+    return access("../shared/scenes/cornell-box.glb", R_OK) == 0 ? "../shared" : NULL;
+}

@@ -1,0 +1,34 @@
+/* What every test program uses: cmocka, and checks that print their values. */
+#ifndef TEST_SUPPORT_H
+#define TEST_SUPPORT_H
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <setjmp.h>
+#include <cmocka.h>
+
+/* Fails with both values when |value - expected| > tolerance; prints them either way. */
+void check_near(const char *what, double value, double expected, double tolerance);
+
+/* Fails unless value <= bound; prints both either way. NaN fails. */
+void check_at_most(const char *what, double value, double bound);
+
+/* Fails unless call returned true; prints the error message. */
+void check_ok(const char *what, bool ok);
+
+/* Runs a shell command; its exit status, its stdout and stderr together in output (truncated). */
+int run_command(const char *command, char *output, size_t output_size);
+
+/* A file of the test's own folder below the build folder; the folder is made. Static buffer ring
+ * of 8. */
+const char *scratch(const char *file_name);
+
+/* The manylight binary under test. */
+const char *binary_path(void);
+
+/* ../shared when it is there, else NULL: such tests are skipped. */
+const char *shared_path(void);
+
+#endif

@@ -1,0 +1,189 @@
+/* The base floor: errors, Halton points, images and their files. */
+#include "support.h"
+
+#include "base/error.h"
+#include "base/halton.h"
+#include "base/image.h"
+#include "base/image_file.h"
+#include "base/memory.h"
+#include "base/option.h"
+#include "base/parallel.h"
+
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static void test_error_prefix(void **state) {
+    (void)state;
+    assert_false(error_set("cannot open %s", "lion.png"));
+    error_prefix("material %d", 12);
+    error_prefix("sponza.glb");
+    assert_string_equal(error_get(), "sponza.glb: material 12: cannot open lion.png");
+    error_set("again: %s", error_get());
+    assert_string_equal(error_get(), "again: sponza.glb: material 12: cannot open lion.png");
+}
+
+static void test_halton(void **state) {
+    (void)state;
+    const double base2[] = {0, .5, .25, .75, .125}, base3[] = {0, 1. / 3, 2. / 3, 1. / 9, 4. / 9};
+    for (uint32_t i = 0; i < 5; i++) {
+        check_near("Halton base 2", radical_inverse(2, i), base2[i], 0);
+        check_near("Halton base 3", radical_inverse(3, i), base3[i], 1e-15);
+    }
+    /* Any 2^k consecutive points from 0 hit each interval of length 2^-k once. */
+    bool hit[64] = {0};
+    for (uint32_t i = 0; i < 64; i++)
+        hit[(int)(radical_inverse(2, i) * 64)] = true;
+    for (int i = 0; i < 64; i++)
+        assert_true(hit[i]);
+}
+
+static void count_up(void *context, size_t i) {
+    atomic_fetch_add((atomic_size_t *)context, i + 1);
+}
+
+static void test_parallel_for(void **state) {
+    (void)state;
+    for (int threads = 0; threads < 5; threads++) {
+        atomic_size_t sum = 0;
+        parallel_for(1000, threads, count_up, &sum);
+        assert_int_equal(sum, 500500);
+    }
+}
+
+static void test_layers(void **state) {
+    (void)state;
+    struct image image;
+    image_init(&image, 2, 1, "R G B Z indirect.R indirect.G indirect.B");
+    int channels[3];
+    assert_true(image_find_layer(&image, "indirect", channels));
+    assert_int_equal(channels[0], 4);
+    assert_false(image_find_layer(&image, "albedo", channels));
+    assert_string_equal(error_get(), "no layer 'albedo' (there is: beauty indirect)");
+    image_free(&image);
+}
+
+static void test_exr_round_trip(void **state) {
+    (void)state;
+    struct image written, read;
+    image_init(&written, 3, 2, "R G B Z val.id");
+    for (int i = 0; i < 3 * 2 * 5; i++)
+        written.pixels[i] = (float)i / 4;
+    const char *path = scratch("round-trip.exr");
+    check_ok("write", image_write(&written, path));
+    check_ok("read", image_read(&read, path));
+    assert_int_equal(read.channel_count, 5);
+    for (int y = 0; y < 2; y++)
+        for (int x = 0; x < 3; x++)
+            for (int c = 0; c < 5; c++) {
+                int there = image_find_channel(&read, written.names[c]);
+                assert_true(there >= 0);
+                check_near(written.names[c], image_at(&read, x, y)[there],
+                           image_at(&written, x, y)[c], 0);
+            }
+    image_free(&written);
+    image_free(&read);
+}
+
+static void test_png_round_trip(void **state) {
+    (void)state;
+    unsigned char pixels[] = {0, 1, 2, 255, 128, 254, 255, 255};
+    struct bitmap written = {.width = 2, .height = 1, .rgba = pixels}, read;
+    const char *path = scratch("round-trip.png");
+    check_ok("write", bitmap_write(&written, path));
+    static unsigned char file[65536];
+    FILE *f = fopen(path, "rb");
+    assert_non_null(f);
+    size_t size = fread(file, 1, sizeof file, f);
+    fclose(f);
+    check_ok("decode", bitmap_decode(&read, file, size));
+    assert_memory_equal(read.rgba, pixels, sizeof pixels);
+    bitmap_free(&read);
+    assert_false(bitmap_decode(&read, file, size / 2) && read.rgba[4] == 128);
+    bitmap_free(&read);
+    assert_false(bitmap_decode(&read, "nonsense", 8));
+}
+
+static void test_file_refusals(void **state) {
+    (void)state;
+    struct image image;
+    bool is_float;
+    assert_false(image_read(&image, "no/such/file.exr"));
+    printf("    %s\n", error_get());
+    assert_non_null(strstr(error_get(), "no/such/file.exr: "));
+    assert_false(image_format_is_float("picture", &is_float));
+    assert_false(image_format_is_float("picture.xyz", &is_float));
+    printf("    %s\n", error_get());
+    image_init(&image, 1, 1, "R G B");
+    assert_false(image_write(&image, "no/such/folder/x.exr"));
+    printf("    %s\n", error_get());
+    assert_non_null(strstr(error_get(), "no/such/folder/x.exr: "));
+    image_free(&image);
+}
+
+struct values {
+    bool flag;
+    int count, choice, size[2];
+    float scale;
+    const char *text;
+    struct text_list list;
+};
+
+static const char *const colours[] = {"red", "green", NULL};
+
+static const struct option table[] = {
+    {"flag", 'f', OPTION_FLAG, offsetof(struct values, flag), .help = "a flag"},
+    {"count", 0, OPTION_INT, offsetof(struct values, count), 5, 1, 10, .help = "a count"},
+    {"colour", 0, OPTION_CHOICE, offsetof(struct values, choice), 1, .choices = colours,
+     .help = ""},
+    {"size", 0, OPTION_SIZE, offsetof(struct values, size), 800, 1, 16384, .help = "size"},
+    {"scale", 0, OPTION_FLOAT, offsetof(struct values, scale), 1.5, 0, 2, .help = "scale"},
+    {"text", 't', OPTION_TEXT, offsetof(struct values, text), .help = "text"},
+    {"set", 0, OPTION_LIST, offsetof(struct values, list), .help = "list"},
+    {NULL},
+};
+
+static void test_options(void **state) {
+    (void)state;
+    struct values values;
+    options_set_defaults(table, &values);
+    assert_int_equal(values.count, 5);
+    assert_int_equal(values.size[1], 800);
+    char *argv[] = {"x",    "a",     "--count=7", "-f",    "--colour", "red", "--size", "4x5",
+                    "-thi", "--set", "k=1",       "--set", "l=2",      "--",  "-b"};
+    const char *positional[2];
+    int count;
+    check_ok("parse", options_parse_arguments(table, &values, 15, argv, positional, 2, &count));
+    assert_int_equal(count, 2);
+    assert_string_equal(positional[1], "-b");
+    assert_true(values.flag && values.count == 7 && values.choice == 0 && values.size[0] == 4);
+    assert_string_equal(values.text, "hi");
+    assert_string_equal(values.list.items[1], "l=2");
+
+    for (const struct option *o = table; o->type != OPTION_TEXT; o++) {
+        char text[64], again[64];
+        option_format(o, &values, text, sizeof text);
+        check_ok("round trip", option_parse(o, &values, text));
+        option_format(o, &values, again, sizeof again);
+        assert_string_equal(text, again);
+    }
+    static const char *const bad[] = {"count=11",    "count=",     "count=7x",  "scale=nan",
+                                      "colour=blue", "size=4x",    "size=0x4",  "nothing=1",
+                                      "count",       "scale=1e99", "flag=maybe"};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        assert_false(option_assign(table, &values, bad[i]));
+        printf("    %s\n", error_get());
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_error_prefix),   cmocka_unit_test(test_halton),
+        cmocka_unit_test(test_parallel_for),   cmocka_unit_test(test_layers),
+        cmocka_unit_test(test_exr_round_trip), cmocka_unit_test(test_png_round_trip),
+        cmocka_unit_test(test_file_refusals),  cmocka_unit_test(test_options),
+    };
+    return cmocka_run_group_tests_name("base", tests, NULL, NULL);
+}
