@@ -1,0 +1,89 @@
+#include "apps/arguments.h"
+
+#include "base/error.h"
+#include "base/log.h"
+#include "base/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const struct option common_options[] = {
+    {"help", 'h', OPTION_FLAG, offsetof(struct common_values, help), .help = "print this and exit"},
+    {"quiet", 'q', OPTION_FLAG, offsetof(struct common_values, quiet),
+     .help = "no notes, no progress"},
+    {"verbose", 'v', OPTION_FLAG, offsetof(struct common_values, verbose), .help = "more notes"},
+    {NULL},
+};
+
+static size_t row_count(const struct option *table) {
+    size_t count = 0;
+    while (table[count].name)
+        count++;
+    return count;
+}
+
+/* The common rows follow the subcommand's own; the caller frees the table. */
+static struct option *join_common(const struct option *own) {
+    size_t own_count = row_count(own), common_count = row_count(common_options);
+    struct option *table = mem_alloc(own_count + common_count + 1, sizeof *table);
+    memcpy(table, own, own_count * sizeof *table);
+    memcpy(table + own_count, common_options, common_count * sizeof *table);
+    return table;
+}
+
+/* --help wins over any mistake beside it: who asks for help may have made one. */
+static bool asks_for_help(int argc, char **argv) {
+    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++)
+        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0)
+            return true;
+    return false;
+}
+
+static void print_help(const struct arguments *arguments, const struct option *table,
+                       const char *name) {
+    printf("usage: manylight %s %s\n\n%s\n\n", name, arguments->synopsis, arguments->summary);
+    options_print_help(stdout, table, "--");
+    if (arguments->print_more)
+        arguments->print_more(stdout);
+}
+
+static void set_log_level(const struct common_values *common) {
+    if (common->quiet)
+        log_set_level(LOG_QUIET);
+    else if (common->verbose)
+        log_set_level(LOG_VERBOSE);
+}
+
+bool arguments_parse(const struct arguments *arguments, void *values, int argc, char **argv,
+                     const char **positional, int *positional_count, int *status) {
+    for (int i = 0; i < arguments->max_positional; i++)
+        positional[i] = NULL;
+    struct option *table = join_common(arguments->options);
+    options_set_defaults(table, values);
+    bool go_on = false;
+    if (asks_for_help(argc, argv)) {
+        print_help(arguments, table, argv[0]);
+        *status = STATUS_OK;
+    } else if (!options_parse_arguments(table, values, argc, argv, positional,
+                                        arguments->max_positional, positional_count)) {
+        *status = arguments_misuse(argv[0]);
+    } else if (*positional_count < arguments->min_positional) {
+        error_set("arguments are missing: %s", arguments->synopsis);
+        *status = arguments_misuse(argv[0]);
+    } else {
+        set_log_level(values);
+        go_on = true;
+    }
+    free(table);
+    return go_on;
+}
+
+int arguments_fail(const char *name) {
+    fprintf(stderr, "manylight %s: %s\n", name, error_get());
+    return STATUS_FAILED;
+}
+
+int arguments_misuse(const char *name) {
+    arguments_fail(name);
+    return STATUS_USAGE;
+}

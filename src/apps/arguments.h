@@ -1,0 +1,50 @@
+/* What every subcommand does alike with its command line: --help on stdout, the options that all
+ * have, usage errors on stderr, and the exit status.
+ *
+ *     struct values { struct common_values common; int size[2]; };
+ *
+ *     int app_render(int argc, char **argv) {
+ *         struct values values;
+ *         const char *scene;
+ *         int status, count;
+ *         if (!arguments_parse(&arguments, &values, argc, argv, &scene, &count, &status))
+ *             return status;
+ *         ...
+ *         return ok ? STATUS_OK : arguments_fail(argv[0]);
+ *     }
+ */
+#ifndef APPS_ARGUMENTS_H
+#define APPS_ARGUMENTS_H
+
+#include "base/option.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+
+enum status { STATUS_OK, STATUS_FAILED, STATUS_USAGE };
+
+/* The first member of each subcommand's struct of values. */
+struct common_values {
+    bool help, quiet, verbose;
+};
+
+struct arguments {
+    const char *synopsis;         /* "SCENE -o FILE [OPTION ...]" */
+    const char *summary;          /* a line or more, without the last line feed */
+    const struct option *options; /* its own rows, without the common ones */
+    int min_positional, max_positional;
+    void (*print_more)(FILE *out); /* the end of --help; NULL = nothing */
+};
+
+/* Sets values to their defaults, parses, and sets the log level by --quiet and --verbose. The
+ * positional array has room for max_positional; those not given are NULL. False: the subcommand is
+ * over and returns *status, after --help has been printed or a usage error. */
+bool arguments_parse(const struct arguments *arguments, void *values, int argc, char **argv,
+                     const char **positional, int *positional_count, int *status);
+
+/* Prints the present error as "manylight NAME: MESSAGE" on stderr; returns STATUS_FAILED, or
+ * STATUS_USAGE where the arguments are at fault. */
+int arguments_fail(const char *name);
+int arguments_misuse(const char *name);
+
+#endif
