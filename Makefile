@@ -23,6 +23,9 @@ BRIDGES := $(sort $(wildcard src/*/*.cpp))
 SHADERS := $(sort $(wildcard glsl/*.* glsl/lib/*.* glsl/shared/*.*))
 TESTS := $(patsubst test/%.c,$(BUILD)/test/%,$(sort $(wildcard test/test_*.c)))
 SCENE_TOOL_SOURCES := $(sort $(wildcard scenes/*.c))
+SCENE_TOOL := $(BUILD)/scenes/make_scenes
+SCENE_NAMES := cornell-box sphere
+SCENES := $(BUILD)/scenes/made
 
 # Debian's packages; OpenGL itself (libEGL, libOSMesa) is opened at run time.
 PACKAGES := gcc g++ make pkg-config git libegl-dev libegl1 libgl-dev libgl1-mesa-dri libosmesa6 \
@@ -42,11 +45,11 @@ OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(BUILD)/gl
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
-.PHONY: all demo test tests asan lint deps install clean
+.PHONY: all demo test tests asan lint deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
-all: $(BINARY)
+all: $(BINARY) $(SCENES)
 
 $(BINARY): $(MAIN_OBJECT) $(LIBRARY)
 	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
@@ -90,7 +93,11 @@ $(BUILD)/glsl_embedded.o: $(BUILD)/glsl_embedded.c
 
 # --- scenes ---------------------------------------------------------------------------------------
 
-SCENE_TOOL := $(BUILD)/scenes/make_scenes
+# Every build runs its own tool on the one folder: the tool leaves files that would not change alone.
+# A scene that went missing is made again.
+$(SCENES): $(SCENE_TOOL) $(if $(filter-out $(wildcard scenes/*.glb),$(SCENE_NAMES:%=scenes/%.glb)),FORCE)
+	$(SCENE_TOOL) scenes
+	@touch $@
 
 $(SCENE_TOOL): $(SCENE_TOOL_SOURCES:%.c=$(BUILD)/%.o) $(LIBRARY)
 	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
@@ -100,7 +107,7 @@ $(SCENE_TOOL): $(SCENE_TOOL_SOURCES:%.c=$(BUILD)/%.o) $(LIBRARY)
 $(BUILD)/test/%: $(BUILD)/test/%.o $(BUILD)/test/support.o $(LIBRARY)
 	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka
 
-tests: $(BINARY) $(TESTS)
+tests: $(BINARY) $(SCENES) $(TESTS)
 	@MANYLIGHT_BUILD=$(BUILD) MANYLIGHT_BINARY=$(if $(findstring /,$(BINARY)),,./)$(BINARY) test/run $(TESTS)
 
 # --- set-up ---------------------------------------------------------------------------------------
@@ -127,4 +134,4 @@ install: all
 	install -D -m 755 manylight $(DESTDIR)$(PREFIX)/bin/manylight
 
 clean:
-	rm -rf build manylight
+	rm -rf build manylight scenes/*.glb

@@ -1,0 +1,300 @@
+#define _POSIX_C_SOURCE 200809L
+#include "glb.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+
+#include <cglm/cglm.h>
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* Numbers of the glTF and GLB specifications. */
+enum {
+    COMPONENT_UINT16 = 5123,
+    COMPONENT_UINT32 = 5125,
+    COMPONENT_FLOAT = 5126,
+    TARGET_VERTICES = 34962,
+    TARGET_INDICES = 34963,
+    GLB_MAGIC = 0x46546C67,
+    CHUNK_JSON = 0x4E4F534A,
+    CHUNK_BINARY = 0x004E4942,
+};
+
+/* --- bytes and text -------------------------------------------------------------------------- */
+
+static void text_append(struct glb_text *text, const void *bytes, size_t size) {
+    if (text->length + size > text->capacity) {
+        text->capacity = 2 * (text->length + size);
+        text->data = mem_resize(text->data, text->capacity, 1);
+    }
+    memcpy(text->data + text->length, bytes, size);
+    text->length += size;
+}
+
+static void __attribute__((format(printf, 2, 3)))
+text_print(struct glb_text *text, const char *format, ...) {
+    char line[1024];
+    va_list args;
+    va_start(args, format);
+    int length = vsnprintf(line, sizeof line, format, args);
+    va_end(args);
+    text_append(text, line, (size_t)length < sizeof line ? (size_t)length : sizeof line - 1);
+}
+
+/* Begins the next element of an array; returns its index. */
+static int next_element(struct glb_text *array, int *count) {
+    if (*count > 0)
+        text_append(array, ",\n", 2);
+    return (*count)++;
+}
+
+static void text_pad(struct glb_text *text, char with) {
+    while (text->length % 4)
+        text_append(text, &with, 1);
+}
+
+void glb_init(struct glb *glb, const char *name) {
+    *glb = (struct glb){.name = name};
+}
+
+void glb_free(struct glb *glb) {
+    struct glb_text *texts[] = {&glb->nodes, &glb->meshes,  &glb->materials, &glb->accessors,
+                                &glb->views, &glb->cameras, &glb->lights,    &glb->binary};
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
+        free(texts[i]->data);
+    *glb = (struct glb){0};
+}
+
+/* --- materials and meshes --------------------------------------------------------------------- */
+
+int glb_add_material(struct glb *glb, const char *name, const float albedo[3],
+                     enum glb_sides sides) {
+    int index = next_element(&glb->materials, &glb->material_count);
+    text_print(&glb->materials,
+               "{\"name\":\"%s\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[%.9g,%.9g,%.9g,1],"
+               "\"metallicFactor\":0,\"roughnessFactor\":1}%s}",
+               name, albedo[0], albedo[1], albedo[2],
+               sides == GLB_DOUBLE_SIDED ? ",\"doubleSided\":true" : "");
+    return index;
+}
+
+static int add_view(struct glb *glb, const void *bytes, size_t size, int target) {
+    int index = next_element(&glb->views, &glb->view_count);
+    text_print(&glb->views, "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu,\"target\":%d}",
+               glb->binary.length, size, target);
+    text_append(&glb->binary, bytes, size);
+    text_pad(&glb->binary, '\0');
+    return index;
+}
+
+static int add_vectors(struct glb *glb, float (*vectors)[3], uint32_t count, bool with_bounds) {
+    int view = add_view(glb, vectors, count * sizeof *vectors, TARGET_VERTICES);
+    int index = next_element(&glb->accessors, &glb->accessor_count);
+    text_print(&glb->accessors,
+               "{\"bufferView\":%d,\"componentType\":%d,\"count\":%u,\"type\":\"VEC3\"", view,
+               COMPONENT_FLOAT, count);
+    if (with_bounds) {
+        vec3 low, high;
+        glm_vec3_copy(vectors[0], low);
+        glm_vec3_copy(vectors[0], high);
+        for (uint32_t i = 1; i < count; i++) {
+            glm_vec3_minv(low, vectors[i], low);
+            glm_vec3_maxv(high, vectors[i], high);
+        }
+        text_print(&glb->accessors, ",\"min\":[%.9g,%.9g,%.9g],\"max\":[%.9g,%.9g,%.9g]", low[0],
+                   low[1], low[2], high[0], high[1], high[2]);
+    }
+    text_append(&glb->accessors, "}", 1);
+    return index;
+}
+
+/* As 16-bit integers where the vertices allow it. */
+static int add_indices(struct glb *glb, const struct surface *surface) {
+    uint32_t count = surface->index_count;
+    bool small = surface->vertex_count <= UINT16_MAX;
+    int view;
+    if (small) {
+        uint16_t *indices = mem_alloc(count, sizeof *indices);
+        for (uint32_t i = 0; i < count; i++)
+            indices[i] = (uint16_t)surface->indices[i];
+        view = add_view(glb, indices, count * sizeof *indices, TARGET_INDICES);
+        free(indices);
+    } else {
+        view = add_view(glb, surface->indices, count * sizeof *surface->indices, TARGET_INDICES);
+    }
+    int index = next_element(&glb->accessors, &glb->accessor_count);
+    text_print(&glb->accessors,
+               "{\"bufferView\":%d,\"componentType\":%d,\"count\":%u,\"type\":\"SCALAR\"}", view,
+               small ? COMPONENT_UINT16 : COMPONENT_UINT32, count);
+    return index;
+}
+
+void glb_add_mesh(struct glb *glb, const char *name, const struct surface *surface, int material,
+                  const char *extras) {
+    if (surface->index_count == 0)
+        return;
+    int position = add_vectors(glb, surface->position, surface->vertex_count, true);
+    int normal = add_vectors(glb, surface->normal, surface->vertex_count, false);
+    int indices = add_indices(glb, surface);
+    int mesh = next_element(&glb->meshes, &glb->mesh_count);
+    text_print(&glb->meshes,
+               "{\"name\":\"%s\",\"primitives\":[{\"attributes\":{\"POSITION\":%d,\"NORMAL\":%d},"
+               "\"indices\":%d,\"material\":%d}]}",
+               name, position, normal, indices, material);
+    next_element(&glb->nodes, &glb->node_count);
+    text_print(&glb->nodes, "{\"name\":\"%s\",\"mesh\":%d", name, mesh);
+    if (extras)
+        text_print(&glb->nodes, ",\"extras\":%s", extras);
+    text_append(&glb->nodes, "}", 1);
+}
+
+/* --- camera and lights ------------------------------------------------------------------------ */
+
+/* A node at the eye that turns -Z into the direction; `what` is the rest of its JSON. */
+static void add_placed_node(struct glb *glb, const char *name, const float eye[3],
+                            const float direction[3], const char *what) {
+    vec3 back, right;
+    mat3 turn;
+    glm_vec3_scale((float *)direction, -1.0f, back);
+    glm_vec3_normalize(back);
+    /* Straight up or down, any right will do. */
+    vec3 up = {0.0f, 1.0f, 0.0f};
+    if (fabsf(back[1]) > 0.9999f)
+        glm_vec3_copy((vec3){0.0f, 0.0f, 1.0f}, up);
+    glm_vec3_crossn(up, back, right);
+    glm_vec3_copy(right, turn[0]);
+    glm_vec3_cross(back, right, turn[1]);
+    glm_vec3_copy(back, turn[2]);
+    versor q;
+    glm_mat3_quat(turn, q);
+    next_element(&glb->nodes, &glb->node_count);
+    text_print(&glb->nodes,
+               "{\"name\":\"%s\",\"translation\":[%.9g,%.9g,%.9g],"
+               "\"rotation\":[%.9g,%.9g,%.9g,%.9g],%s}",
+               name, eye[0], eye[1], eye[2], q[0], q[1], q[2], q[3], what);
+}
+
+void glb_add_camera(struct glb *glb, const float eye[3], const float direction[3], double fov,
+                    double near, double far) {
+    int camera = next_element(&glb->cameras, &glb->camera_count);
+    text_print(&glb->cameras,
+               "{\"name\":\"camera\",\"type\":\"perspective\",\"perspective\":{\"yfov\":%.9g,"
+               "\"znear\":%.9g,\"zfar\":%.9g}}",
+               fov * GLM_PI / 180.0, near, far);
+    char what[32];
+    snprintf(what, sizeof what, "\"camera\":%d", camera);
+    add_placed_node(glb, "camera", eye, direction, what);
+}
+
+static void add_light_node(struct glb *glb, const char *name, const float eye[3],
+                           const float direction[3], int light) {
+    char what[80];
+    snprintf(what, sizeof what, "\"extensions\":{\"KHR_lights_punctual\":{\"light\":%d}}", light);
+    add_placed_node(glb, name, eye, direction, what);
+}
+
+void glb_add_spot(struct glb *glb, const float eye[3], const float direction[3], double half_angle,
+                  double intensity) {
+    double outer = half_angle * GLM_PI / 180.0;
+    int light = next_element(&glb->lights, &glb->light_count);
+    text_print(&glb->lights,
+               "{\"name\":\"spot\",\"type\":\"spot\",\"color\":[1,1,1],\"intensity\":%.9g,"
+               "\"spot\":{\"innerConeAngle\":%.9g,\"outerConeAngle\":%.9g}}",
+               intensity, outer - 0.005, outer);
+    add_light_node(glb, "spot", eye, direction, light);
+}
+
+void glb_add_point_light(struct glb *glb, const float position[3], double intensity) {
+    int light = next_element(&glb->lights, &glb->light_count);
+    text_print(&glb->lights,
+               "{\"name\":\"point\",\"type\":\"point\",\"color\":[1,1,1],\"intensity\":%.9g}",
+               intensity);
+    add_light_node(glb, "point", position, (const float[]){0.0f, 0.0f, -1.0f}, light);
+}
+
+/* --- the file --------------------------------------------------------------------------------- */
+
+static void append_array(struct glb_text *json, const char *name, const struct glb_text *elements) {
+    text_print(json, ",\n\"%s\":[", name);
+    text_append(json, elements->data, elements->length);
+    text_append(json, "]", 1);
+}
+
+static void compose_json(const struct glb *glb, struct glb_text *json) {
+    text_print(json, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"manylight make_scenes\"},\n"
+                     "\"extensionsUsed\":[\"KHR_lights_punctual\"],\n"
+                     "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[");
+    text_append(json, glb->lights.data, glb->lights.length);
+    text_print(json, "]}},\n\"scene\":0,\"scenes\":[{\"name\":\"%s\",\"nodes\":[", glb->name);
+    for (int i = 0; i < glb->node_count; i++)
+        text_print(json, "%s%d", i > 0 ? "," : "", i);
+    text_print(json, "]}]");
+    append_array(json, "nodes", &glb->nodes);
+    append_array(json, "meshes", &glb->meshes);
+    append_array(json, "materials", &glb->materials);
+    append_array(json, "cameras", &glb->cameras);
+    append_array(json, "accessors", &glb->accessors);
+    append_array(json, "bufferViews", &glb->views);
+    text_print(json, ",\n\"buffers\":[{\"byteLength\":%zu}]}", glb->binary.length);
+    text_pad(json, ' ');
+}
+
+/* GLB is little endian, as are the machines this is built for. */
+static void append_words(struct glb_text *file, uint32_t a, uint32_t b) {
+    text_append(file, &a, 4);
+    text_append(file, &b, 4);
+}
+
+static void compose_file(const struct glb *glb, struct glb_text *file) {
+    struct glb_text json = {0};
+    compose_json(glb, &json);
+    uint32_t total = (uint32_t)(12 + 8 + json.length + 8 + glb->binary.length);
+    append_words(file, GLB_MAGIC, 2);
+    text_append(file, &total, 4);
+    append_words(file, (uint32_t)json.length, CHUNK_JSON);
+    text_append(file, json.data, json.length);
+    append_words(file, (uint32_t)glb->binary.length, CHUNK_BINARY);
+    text_append(file, glb->binary.data, glb->binary.length);
+    free(json.data);
+}
+
+static bool file_holds(const char *path, const struct glb_text *text) {
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return false;
+    /* One byte more than wanted shows a longer file. */
+    char *bytes = mem_alloc(text->length + 1, 1);
+    size_t got = fread(bytes, 1, text->length + 1, file);
+    bool same = got == text->length && memcmp(bytes, text->data, got) == 0;
+    free(bytes);
+    fclose(file);
+    return same;
+}
+
+/* Written beside under a name of this process and renamed: two builds may run at once. */
+static bool write_whole(const char *path, const struct glb_text *text) {
+    char *beside = mem_printf("%s.%ld.new", path, (long)getpid());
+    FILE *file = fopen(beside, "wb");
+    bool ok = file && fwrite(text->data, 1, text->length, file) == text->length;
+    if (file && fclose(file) != 0)
+        ok = false;
+    ok = ok && rename(beside, path) == 0;
+    if (!ok) {
+        error_set("%s: %s", path, strerror(errno));
+        remove(beside);
+    }
+    free(beside);
+    return ok;
+}
+
+bool glb_write(const struct glb *glb, const char *path) {
+    struct glb_text file = {0};
+    compose_file(glb, &file);
+    bool ok = file_holds(path, &file) || write_whole(path, &file);
+    free(file.data);
+    return ok;
+}
