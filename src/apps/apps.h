@@ -4,5 +4,6 @@
 #define APPS_APPS_H
 
 int app_compare(int argc, char **argv);
+int app_info(int argc, char **argv);
 
 #endif

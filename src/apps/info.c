@@ -1,0 +1,108 @@
+/* manylight info: what renders here, and what a scene holds. */
+#include "apps/apps.h"
+#include "apps/arguments.h"
+
+#include "gl/api.h"
+#include "gl/context.h"
+
+#include <stdio.h>
+
+struct values {
+    struct common_values common;
+    bool gl;
+    int context, device;
+};
+
+static const struct option options[] = {
+    {"gl", 0, OPTION_FLAG, offsetof(struct values, gl),
+     .help = "the OpenGL implementation, its limits, and the EGL devices (default without SCENE)"},
+    {"context", 0, OPTION_CHOICE, offsetof(struct values, context), .choices = context_kind_names,
+     .help = "where OpenGL comes from"},
+    {"device", 0, OPTION_INT, offsetof(struct values, device), -1, -1, 999,
+     .help = "EGL device; -1 = the first that works"},
+    {NULL},
+};
+
+static void print_limits(void) {
+    static const struct {
+        const char *name;
+        GLenum limit;
+    } limits[] = {
+        {"texture size", GL_MAX_TEXTURE_SIZE},
+        {"texture layers", GL_MAX_ARRAY_TEXTURE_LAYERS},
+        {"cube map size", GL_MAX_CUBE_MAP_TEXTURE_SIZE},
+        {"buffer texture texels", GL_MAX_TEXTURE_BUFFER_SIZE},
+        {"texture units per stage", GL_MAX_TEXTURE_IMAGE_UNITS},
+        {"texture units in all", GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS},
+        {"draw buffers", GL_MAX_DRAW_BUFFERS},
+        {"framebuffer layers", GL_MAX_FRAMEBUFFER_LAYERS},
+        {"viewports", GL_MAX_VIEWPORTS},
+        {"uniform block bytes", GL_MAX_UNIFORM_BLOCK_SIZE},
+        {"uniform buffer bindings", GL_MAX_UNIFORM_BUFFER_BINDINGS},
+        {"uniform buffer alignment", GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT},
+        {"shader storage bytes", GL_MAX_SHADER_STORAGE_BLOCK_SIZE},
+        {"shader storage bindings", GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS},
+        {"geometry output vertices", GL_MAX_GEOMETRY_OUTPUT_VERTICES},
+        {"geometry invocations", GL_MAX_GEOMETRY_SHADER_INVOCATIONS},
+        {"compute invocations", GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS},
+        {"compute shared bytes", GL_MAX_COMPUTE_SHARED_MEMORY_SIZE},
+    };
+    for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) {
+        GLint64 value = 0;
+        gl.GetInteger64v(limits[i].limit, &value);
+        printf("  %-26s %lld\n", limits[i].name, (long long)value);
+    }
+    GLint bits = 0;
+    gl.GetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
+    printf("  %-26s %d\n", "timestamp bits", bits);
+}
+
+static void print_extensions(void) {
+    static const char *const names[] = {
+        "GL_ARB_shader_viewport_layer_array",
+        "GL_AMD_vertex_shader_layer",
+        "GL_NV_viewport_array2",
+        "GL_EXT_texture_filter_anisotropic",
+        "GL_ARB_seamless_cubemap_per_texture",
+        "GL_ARB_bindless_texture",
+        "GL_ARB_parallel_shader_compile",
+    };
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        printf("  %-36s %s\n", names[i], gl_has_extension(names[i]) ? "yes" : "no");
+}
+
+static bool print_gl(const struct values *values) {
+    char devices[4096];
+    context_list_devices(devices, sizeof devices);
+    printf("ways to a context, in the order tried:\n%s\n", devices);
+    struct context *context = context_create(&(struct context_desc){
+        .kind = (enum context_kind)values->context, .device = values->device});
+    if (!context)
+        return false;
+    printf("context   %s, %s\n", context_description(context),
+           context_is_software(context) ? "software" : "hardware");
+    printf("vendor    %s\n", (const char *)gl.GetString(GL_VENDOR));
+    printf("renderer  %s\n", (const char *)gl.GetString(GL_RENDERER));
+    printf("version   %s\n", (const char *)gl.GetString(GL_VERSION));
+    printf("GLSL      %s\n", (const char *)gl.GetString(GL_SHADING_LANGUAGE_VERSION));
+    printf("limits\n");
+    print_limits();
+    printf("extensions\n");
+    print_extensions();
+    context_free(context);
+    return true;
+}
+
+static const struct arguments arguments = {
+    .synopsis = "[OPTION ...]",
+    .summary = "Tells what renders here.",
+    .options = options,
+};
+
+int app_info(int argc, char **argv) {
+    struct values values;
+    int count, status;
+    if (!arguments_parse(&arguments, &values, argc, argv, NULL, &count, &status))
+        return status;
+    return print_gl(&values) ? STATUS_OK : arguments_fail(argv[0]);
+}
