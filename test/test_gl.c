@@ -1,0 +1,206 @@
+/* The gl floor: contexts and the function table. */
+#include "support.h"
+
+#include "base/error.h"
+#include "gl/api.h"
+#include "gl/context.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct context_desc egl_desc = {.kind = CONTEXT_EGL, .device = -1, .debug = true};
+static const struct context_desc osmesa_desc = {
+    .kind = CONTEXT_OSMESA, .device = -1, .debug = true};
+
+/* A context that is current, or the test is skipped: a machine needs only one of the libraries. */
+static struct context *open_context(const struct context_desc *desc) {
+    struct context *context = context_create(desc);
+    if (!context) {
+        printf("    skipped: %s\n", error_get());
+        skip();
+    }
+    return context;
+}
+
+static GLuint make_texel(const uint8_t colour[4]) {
+    GLuint texture;
+    gl.CreateTextures(GL_TEXTURE_2D, 1, &texture);
+    gl.TextureStorage2D(texture, 1, GL_RGBA8, 1, 1);
+    gl.ClearTexImage(texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, colour);
+    return texture;
+}
+
+static void check_texel(GLuint texture, const uint8_t colour[4]) {
+    uint8_t read[4] = {0};
+    gl.GetTextureImage(texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, sizeof read, read);
+    assert_memory_equal(read, colour, sizeof read);
+}
+
+static const uint8_t orange[4] = {255, 128, 0, 77}, teal[4] = {0, 128, 129, 255};
+
+/* All that is promised of any context. */
+static void check_context(const struct context_desc *desc, const char *description) {
+    struct context *context = open_context(desc);
+    assert_non_null(strstr(context_description(context), description));
+    const char *renderer = (const char *)gl.GetString(GL_RENDERER);
+    printf("    %s: %s\n", context_description(context), renderer);
+    assert_int_equal(context_is_software(context), strstr(renderer, "llvmpipe") != NULL);
+#define CHECK_FUNCTION(type, name) assert_non_null(gl.name);
+    GL_FUNCTIONS(CHECK_FUNCTION)
+#undef CHECK_FUNCTION
+
+    /* By the same call that tells, an extension is there; a part of its name is none. */
+    const char *extension = (const char *)gl.GetStringi(GL_EXTENSIONS, 3);
+    assert_true(gl_has_extension(extension));
+    assert_false(gl_has_extension("GL_ARB_"));
+
+    GLuint texture = make_texel(orange);
+    check_texel(texture, orange);
+    gl.DeleteTextures(1, &texture);
+    assert_int_equal(context_message_count(context), 0);
+    context_free(context);
+    assert_null(gl.CreateTextures);
+}
+
+static void test_egl(void **state) {
+    (void)state;
+    check_context(&egl_desc, "EGL");
+}
+
+static void test_osmesa(void **state) {
+    (void)state;
+    check_context(&osmesa_desc, "OSMesa");
+}
+
+static void check_messages(const struct context_desc *desc) {
+    struct context *context = open_context(desc);
+    GLuint no_such_texture = 4711;
+    gl.TextureStorage2D(no_such_texture, 1, GL_RGBA8, 1, 1);
+    gl.Enable(GL_VENDOR);
+    assert_int_equal(context_message_count(context), 2);
+    gl.PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, "a notification does not count");
+    gl.PopDebugGroup();
+    assert_int_equal(context_message_count(context), 2);
+    context_free(context);
+}
+
+static void test_messages(void **state) {
+    (void)state;
+    check_messages(&egl_desc);
+}
+
+static void test_messages_osmesa(void **state) {
+    (void)state;
+    check_messages(&osmesa_desc);
+}
+
+/* Objects of the same name in two contexts: each context sees its own. */
+static void check_alternation(const struct context_desc *first, const struct context_desc *second) {
+    struct context *a = open_context(first);
+    GLuint texture_a = make_texel(orange);
+    struct context *b = context_create(second);
+    if (!b) {
+        context_free(a);
+        skip();
+    }
+    GLuint texture_b = make_texel(teal);
+    assert_int_equal(texture_a, texture_b);
+    for (int i = 0; i < 3; i++) {
+        context_make_current(a);
+        check_texel(texture_a, orange);
+        context_make_current(b);
+        check_texel(texture_b, teal);
+    }
+    context_free(a); /* not the current one: b goes on */
+    check_texel(texture_b, teal);
+    assert_int_equal(context_message_count(b), 0);
+    context_free(b);
+}
+
+static void test_alternation(void **state) {
+    (void)state;
+    check_alternation(&egl_desc, &egl_desc);
+}
+
+static void test_alternation_with_osmesa(void **state) {
+    (void)state;
+    check_alternation(&egl_desc, &osmesa_desc);
+    check_alternation(&osmesa_desc, &egl_desc);
+}
+
+/* A message of another context goes to its own counter. */
+static void test_messages_of_two(void **state) {
+    (void)state;
+    struct context *a = open_context(&egl_desc), *b = context_create(&egl_desc);
+    gl.Enable(GL_VENDOR);
+    context_make_current(a);
+    assert_int_equal(context_message_count(a), 0);
+    assert_int_equal(context_message_count(b), 1);
+    context_free(b);
+    context_free(a);
+}
+
+static void test_refusals(void **state) {
+    (void)state;
+    char devices[4096];
+    context_list_devices(devices, sizeof devices);
+    printf("%s", devices);
+    const struct context_desc no_such_device = {.kind = CONTEXT_EGL, .device = 99};
+    assert_null(context_create(&no_such_device));
+    printf("    %s\n", error_get());
+    assert_non_null(strstr(error_get(), "no OpenGL 4.5 core context: "));
+    if (!strstr(error_get(), "cannot open"))
+        assert_non_null(strstr(error_get(), "no EGL device 99"));
+}
+
+/* A machine without GPU drivers: the message tells what was tried. */
+static void test_no_driver(void **state) {
+    (void)state;
+    char command[512], output[4096];
+    snprintf(command, sizeof command, "__EGL_VENDOR_LIBRARY_DIRS=/nowhere %s info --context egl",
+             binary_path());
+    assert_int_equal(run_command(command, output, sizeof output), 1);
+    assert_non_null(strstr(output, "manylight info: no OpenGL 4.5 core context: EGL: "));
+}
+
+static void *getproc_without_fences(const char *name) {
+    return strcmp(name, "glFenceSync") == 0 ? NULL : (void *)name;
+}
+
+static void test_missing_function(void **state) {
+    (void)state;
+    assert_null(context_adopt(getproc_without_fences, false));
+    assert_string_equal(error_get(), "window: no function glFenceSync");
+}
+
+static void test_info(void **state) {
+    (void)state;
+    struct context *context =
+        open_context(&(struct context_desc){.kind = CONTEXT_AUTO, .device = -1});
+    char command[512], output[8192], renderer[256];
+    snprintf(renderer, sizeof renderer, "%s", (const char *)gl.GetString(GL_RENDERER));
+    snprintf(command, sizeof command, "%s info --gl", binary_path());
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+    assert_non_null(strstr(output, renderer));
+    assert_non_null(strstr(output, context_description(context)));
+    assert_non_null(strstr(output, "uniform block bytes"));
+    context_free(context);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_egl),
+        cmocka_unit_test(test_osmesa),
+        cmocka_unit_test(test_messages),
+        cmocka_unit_test(test_messages_osmesa),
+        cmocka_unit_test(test_alternation),
+        cmocka_unit_test(test_alternation_with_osmesa),
+        cmocka_unit_test(test_messages_of_two),
+        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_no_driver),
+        cmocka_unit_test(test_missing_function),
+        cmocka_unit_test(test_info),
+    };
+    return cmocka_run_group_tests_name("gl", tests, NULL, NULL);
+}
