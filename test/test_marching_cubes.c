@@ -1,0 +1,230 @@
+/* The polygoniser: closed, oriented, of the right shape, and the same when its memory is reused. */
+#include "support.h"
+
+#include "base/memory.h"
+#include "scene/marching_cubes.h"
+
+#include <cglm/cglm.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- what is measured ------------------------------------------------------------------------- */
+
+struct shape {
+    double area, volume;
+    double worst_normal; /* least cosine between a vertex normal and a face normal at it */
+    int open_edges;      /* directed edges that do not meet exactly one opposite one */
+    int euler;           /* V - E + F */
+};
+
+static int compare_edges(const void *a, const void *b) {
+    uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* Edges as (from, to) and (to, from), sorted, so that a closed surface has two equal lists. */
+static int count_open_edges(const struct surface *surface) {
+    uint32_t count = surface->index_count;
+    uint64_t *forth = mem_alloc(count, sizeof *forth), *back = mem_alloc(count, sizeof *back);
+    for (uint32_t i = 0; i < count; i++) {
+        uint64_t a = surface->indices[i], b = surface->indices[i % 3 == 2 ? i - 2 : i + 1];
+        forth[i] = a << 32 | b;
+        back[i] = b << 32 | a;
+    }
+    qsort(forth, count, sizeof *forth, compare_edges);
+    qsort(back, count, sizeof *back, compare_edges);
+    int open = 0;
+    for (uint32_t i = 0; i < count; i++)
+        open += forth[i] != back[i] || (i > 0 && forth[i] == forth[i - 1]);
+    free(forth);
+    free(back);
+    return open;
+}
+
+static struct shape measure(const struct surface *surface) {
+    struct shape shape = {.worst_normal = 1.0, .open_edges = count_open_edges(surface)};
+    for (uint32_t i = 0; i < surface->index_count; i += 3) {
+        const uint32_t *v = surface->indices + i;
+        float *a = surface->position[v[0]];
+        vec3 ab, ac, cross;
+        glm_vec3_sub(surface->position[v[1]], a, ab);
+        glm_vec3_sub(surface->position[v[2]], a, ac);
+        glm_vec3_cross(ab, ac, cross);
+        shape.area += 0.5 * glm_vec3_norm(cross);
+        shape.volume += glm_vec3_dot(a, cross) / 6.0;
+        glm_vec3_normalize(cross);
+        for (int k = 0; k < 3; k++)
+            shape.worst_normal =
+                fmin(shape.worst_normal, glm_vec3_dot(cross, surface->normal[v[k]]));
+    }
+    /* In a closed surface each edge belongs to two triangles. */
+    shape.euler =
+        (int)surface->vertex_count - (int)surface->index_count / 2 + (int)surface->index_count / 3;
+    return shape;
+}
+
+/* --- fields ----------------------------------------------------------------------------------- */
+
+typedef float (*point_function)(const float point[3]);
+
+struct point_field {
+    point_function value;
+};
+
+static void point_row(const void *context, const float first[3], float step, int count,
+                      float *values) {
+    const struct point_field *field = context;
+    for (int i = 0; i < count; i++)
+        values[i] = field->value((const float[]){first[0] + (float)i * step, first[1], first[2]});
+}
+
+static void point_gradient(const void *context, const float point[3], float gradient[3]) {
+    const struct point_field *field = context;
+    const float h = 1e-3f;
+    for (int k = 0; k < 3; k++) {
+        float high[3] = {point[0], point[1], point[2]}, low[3] = {point[0], point[1], point[2]};
+        high[k] += h;
+        low[k] -= h;
+        gradient[k] = (field->value(high) - field->value(low)) / (2.0f * h);
+    }
+}
+
+static float sphere(const float p[3]) {
+    return 1.0f - sqrtf(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+}
+
+/* Radii 0.8 and 0.3, tilted so that no part lies along the grid. */
+static float torus(const float p[3]) {
+    float x = 0.8f * p[0] + 0.6f * p[1], y = -0.6f * p[0] + 0.8f * p[1];
+    float ring = sqrtf(x * x + p[2] * p[2]) - 0.8f;
+    return 0.3f - sqrtf(ring * ring + y * y);
+}
+
+static void polygonise(struct marching_cubes *cubes, point_function value, int cells,
+                       struct surface *surface) {
+    struct point_field field = {value};
+    struct implicit implicit = {&field, point_row, point_gradient};
+    struct marching_grid grid = {{-1.2f, -1.2f, -1.2f}, 2.4f / (float)cells, {cells, cells, cells}};
+    surface_clear(surface);
+    marching_cubes_polygonise(cubes, &implicit, &grid, surface);
+}
+
+/* --- tests ------------------------------------------------------------------------------------ */
+
+static void test_sphere(void **state) {
+    (void)state;
+    struct marching_cubes cubes;
+    struct surface surface = {0};
+    marching_cubes_init(&cubes);
+    polygonise(&cubes, sphere, 40, &surface);
+    struct shape shape = measure(&surface);
+    check_near("sphere: open edges", shape.open_edges, 0.0, 0.0);
+    check_near("sphere: Euler characteristic", shape.euler, 2.0, 0.0);
+    check_near("sphere: area / 4 pi", shape.area / (4.0 * GLM_PI), 1.0, 0.003);
+    check_near("sphere: volume / (4 pi / 3)", shape.volume / (4.0 * GLM_PI / 3.0), 1.0, 0.003);
+    check_at_most("sphere: 1 - least normal cosine", 1.0 - shape.worst_normal, 0.02);
+    double worst = 0.0;
+    for (uint32_t i = 0; i < surface.vertex_count; i++)
+        worst = fmax(worst, fabs(glm_vec3_norm(surface.normal[i]) - 1.0));
+    check_at_most("sphere: normals' distance from unit", worst, 1e-5);
+    surface_free(&surface);
+    marching_cubes_free(&cubes);
+}
+
+static void test_torus(void **state) {
+    (void)state;
+    struct marching_cubes cubes;
+    struct surface surface = {0};
+    marching_cubes_init(&cubes);
+    polygonise(&cubes, torus, 60, &surface);
+    struct shape shape = measure(&surface);
+    check_near("torus: open edges", shape.open_edges, 0.0, 0.0);
+    check_near("torus: Euler characteristic", shape.euler, 0.0, 0.0);
+    check_near("torus: area / 4 pi^2 R r", shape.area / (4.0 * GLM_PI * GLM_PI * 0.24), 1.0, 0.01);
+    check_near("torus: volume / 2 pi^2 R r^2", shape.volume / (2.0 * GLM_PI * GLM_PI * 0.072), 1.0,
+               0.01);
+    surface_free(&surface);
+    marching_cubes_free(&cubes);
+}
+
+/* Two cells side by side along an axis with one of the 4096 patterns of inside corners, and outside
+ * corners all round. */
+struct pattern {
+    int bits, axis;
+};
+
+static void pattern_row(const void *context, const float first[3], float step, int count,
+                        float *values) {
+    const struct pattern *pattern = context;
+    for (int i = 0; i < count; i++) {
+        int at[3] = {(int)first[0] + i * (int)step, (int)first[1], (int)first[2]};
+        int along = at[pattern->axis], u = at[(pattern->axis + 1) % 3],
+            v = at[(pattern->axis + 2) % 3];
+        bool core = along >= 1 && along <= 3 && u >= 1 && u <= 2 && v >= 1 && v <= 2;
+        int corner = (along - 1) * 4 + (u - 1) * 2 + v - 1;
+        values[i] = core && pattern->bits >> corner & 1 ? 1.0f : -1.0f;
+    }
+}
+
+static void any_gradient(const void *context, const float point[3], float gradient[3]) {
+    (void)context;
+    (void)point;
+    gradient[0] = gradient[1] = gradient[2] = 1.0f;
+}
+
+/* All that two cells can do to each other: the surface closes and no edge is used twice. */
+static void test_every_pattern_is_closed(void **state) {
+    (void)state;
+    struct marching_cubes cubes;
+    struct surface surface = {0};
+    marching_cubes_init(&cubes);
+    int open = 0;
+    for (int axis = 0; axis < 3; axis++)
+        for (int bits = 0; bits < 4096; bits++) {
+            struct pattern pattern = {bits, axis};
+            struct implicit implicit = {&pattern, pattern_row, any_gradient};
+            struct marching_grid grid = {.step = 1.0f, .cells = {3, 3, 3}};
+            grid.cells[axis] = 4;
+            surface_clear(&surface);
+            marching_cubes_polygonise(&cubes, &implicit, &grid, &surface);
+            assert_true((surface.index_count > 0) == (bits > 0));
+            open += count_open_edges(&surface);
+        }
+    check_near("open edges of 3 x 4096 patterns", open, 0.0, 0.0);
+    surface_free(&surface);
+    marching_cubes_free(&cubes);
+}
+
+/* Animation reuses the memory: a large surface before must leave no trace in a small one. */
+static void test_memory_is_reused(void **state) {
+    (void)state;
+    struct marching_cubes cubes;
+    struct surface fresh = {0}, reused = {0};
+    marching_cubes_init(&cubes);
+    polygonise(&cubes, sphere, 20, &fresh);
+    polygonise(&cubes, torus, 48, &reused);
+    const void *position = reused.position, *values = cubes.values[0];
+    polygonise(&cubes, sphere, 20, &reused);
+    assert_ptr_equal(reused.position, position);
+    assert_ptr_equal(cubes.values[0], values);
+    assert_int_equal(reused.vertex_count, fresh.vertex_count);
+    assert_int_equal(reused.index_count, fresh.index_count);
+    assert_memory_equal(reused.position, fresh.position,
+                        fresh.vertex_count * sizeof *fresh.position);
+    assert_memory_equal(reused.indices, fresh.indices, fresh.index_count * sizeof *fresh.indices);
+    surface_free(&fresh);
+    surface_free(&reused);
+    marching_cubes_free(&cubes);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_sphere),
+        cmocka_unit_test(test_torus),
+        cmocka_unit_test(test_every_pattern_is_closed),
+        cmocka_unit_test(test_memory_is_reused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
