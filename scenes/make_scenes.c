@@ -14,6 +14,7 @@ static const struct scene_maker {
 } makers[] = {
     {"cornell-box", make_cornell_box},
     {"sphere", make_sphere},
+    {"metaballs", make_metaballs},
 };
 enum { MAKER_COUNT = sizeof makers / sizeof makers[0] };
 

@@ -1,69 +1,13 @@
-/* The polygoniser: closed, oriented, of the right shape, and the same when its memory is reused. */
+/* The polygoniser: closed, oriented, of the right shape, and the same when its memory is reused;
+ * the metaballs it animates. */
 #include "support.h"
+#include "surface_shape.h"
 
-#include "base/memory.h"
 #include "scene/marching_cubes.h"
+#include "scene/metaballs.h"
 
 #include <cglm/cglm.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-/* --- what is measured ------------------------------------------------------------------------- */
-
-struct shape {
-    double area, volume;
-    double worst_normal; /* least cosine between a vertex normal and a face normal at it */
-    int open_edges;      /* directed edges that do not meet exactly one opposite one */
-    int euler;           /* V - E + F */
-};
-
-static int compare_edges(const void *a, const void *b) {
-    uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
-    return (x > y) - (x < y);
-}
-
-/* Edges as (from, to) and (to, from), sorted, so that a closed surface has two equal lists. */
-static int count_open_edges(const struct surface *surface) {
-    uint32_t count = surface->index_count;
-    uint64_t *forth = mem_alloc(count, sizeof *forth), *back = mem_alloc(count, sizeof *back);
-    for (uint32_t i = 0; i < count; i++) {
-        uint64_t a = surface->indices[i], b = surface->indices[i % 3 == 2 ? i - 2 : i + 1];
-        forth[i] = a << 32 | b;
-        back[i] = b << 32 | a;
-    }
-    qsort(forth, count, sizeof *forth, compare_edges);
-    qsort(back, count, sizeof *back, compare_edges);
-    int open = 0;
-    for (uint32_t i = 0; i < count; i++)
-        open += forth[i] != back[i] || (i > 0 && forth[i] == forth[i - 1]);
-    free(forth);
-    free(back);
-    return open;
-}
-
-static struct shape measure(const struct surface *surface) {
-    struct shape shape = {.worst_normal = 1.0, .open_edges = count_open_edges(surface)};
-    for (uint32_t i = 0; i < surface->index_count; i += 3) {
-        const uint32_t *v = surface->indices + i;
-        float *a = surface->position[v[0]];
-        vec3 ab, ac, cross;
-        glm_vec3_sub(surface->position[v[1]], a, ab);
-        glm_vec3_sub(surface->position[v[2]], a, ac);
-        glm_vec3_cross(ab, ac, cross);
-        shape.area += 0.5 * glm_vec3_norm(cross);
-        shape.volume += glm_vec3_dot(a, cross) / 6.0;
-        glm_vec3_normalize(cross);
-        for (int k = 0; k < 3; k++)
-            shape.worst_normal =
-                fmin(shape.worst_normal, glm_vec3_dot(cross, surface->normal[v[k]]));
-    }
-    /* In a closed surface each edge belongs to two triangles. */
-    shape.euler =
-        (int)surface->vertex_count - (int)surface->index_count / 2 + (int)surface->index_count / 3;
-    return shape;
-}
 
 /* --- fields ----------------------------------------------------------------------------------- */
 
@@ -119,7 +63,7 @@ static void test_sphere(void **state) {
     struct surface surface = {0};
     marching_cubes_init(&cubes);
     polygonise(&cubes, sphere, 40, &surface);
-    struct shape shape = measure(&surface);
+    struct surface_shape shape = measure_surface(&surface);
     check_near("sphere: open edges", shape.open_edges, 0.0, 0.0);
     check_near("sphere: Euler characteristic", shape.euler, 2.0, 0.0);
     check_near("sphere: area / 4 pi", shape.area / (4.0 * GLM_PI), 1.0, 0.003);
@@ -139,7 +83,7 @@ static void test_torus(void **state) {
     struct surface surface = {0};
     marching_cubes_init(&cubes);
     polygonise(&cubes, torus, 60, &surface);
-    struct shape shape = measure(&surface);
+    struct surface_shape shape = measure_surface(&surface);
     check_near("torus: open edges", shape.open_edges, 0.0, 0.0);
     check_near("torus: Euler characteristic", shape.euler, 0.0, 0.0);
     check_near("torus: area / 4 pi^2 R r", shape.area / (4.0 * GLM_PI * GLM_PI * 0.24), 1.0, 0.01);
@@ -219,12 +163,44 @@ static void test_memory_is_reused(void **state) {
     marching_cubes_free(&cubes);
 }
 
+/* Metaballs stay closed and in their box while they move, and come back after a period. */
+static void test_metaballs(void **state) {
+    (void)state;
+    struct metaballs balls = {9, {-1.0f, 0.0f, -2.0f}, {1.0f, 3.0f, 1.0f}, 0.6f, 0.1f, 4.0f};
+    struct marching_cubes cubes;
+    struct surface start = {0}, surface = {0};
+    marching_cubes_init(&cubes);
+    metaballs_polygonise(&balls, 0.0, &cubes, &start);
+    bool moved = false;
+    for (double time = 0.5; time <= balls.period; time += 0.5) {
+        surface_clear(&surface);
+        metaballs_polygonise(&balls, time, &cubes, &surface);
+        struct surface_shape shape = measure_surface(&surface);
+        check_near("metaballs: open edges", shape.open_edges, 0.0, 0.0);
+        check_at_most("metaballs: 1 - least normal cosine", 1.0 - shape.worst_normal, 0.99);
+        assert_true(shape.volume > 1.0);
+        for (uint32_t i = 0; i < surface.vertex_count; i++)
+            for (int axis = 0; axis < 3; axis++)
+                assert_true(surface.position[i][axis] > balls.low[axis] &&
+                            surface.position[i][axis] < balls.high[axis]);
+        moved = moved || surface.vertex_count != start.vertex_count;
+    }
+    assert_true(moved);
+    assert_int_equal(surface.vertex_count, start.vertex_count);
+    assert_memory_equal(surface.position, start.position,
+                        start.vertex_count * sizeof *start.position);
+    surface_free(&start);
+    surface_free(&surface);
+    marching_cubes_free(&cubes);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_sphere),
         cmocka_unit_test(test_torus),
         cmocka_unit_test(test_every_pattern_is_closed),
         cmocka_unit_test(test_memory_is_reused),
+        cmocka_unit_test(test_metaballs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

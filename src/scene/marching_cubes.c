@@ -112,6 +112,7 @@ void marching_cubes_free(struct marching_cubes *cubes) {
         free(cubes->values[i]);
         free(cubes->vertices[i]);
     }
+    free(cubes->wrong);
     *cubes = (struct marching_cubes){0};
 }
 
@@ -193,9 +194,52 @@ static void add_slab_triangles(const struct sweep *sweep, int k) {
         }
 }
 
+/* --- normals ---------------------------------------------------------------------------------- */
+
+static void face_normal(const struct surface *surface, const uint32_t *triangle, vec3 normal) {
+    vec3 ab, ac;
+    glm_vec3_sub(surface->position[triangle[1]], surface->position[triangle[0]], ab);
+    glm_vec3_sub(surface->position[triangle[2]], surface->position[triangle[0]], ac);
+    glm_vec3_cross(ab, ac, normal);
+}
+
+/* Where the surface is finer than the grid, as at the neck of two balls about to part, the gradient
+ * can point to the back of a triangle. Such vertices get the mean normal of their triangles. */
+static void mend_normals(struct marching_cubes *cubes, struct surface *surface,
+                         uint32_t first_vertex, uint32_t first_index) {
+    uint32_t count = surface->vertex_count - first_vertex;
+    if (count > cubes->wrong_capacity) {
+        cubes->wrong_capacity = surface->vertex_capacity;
+        cubes->wrong = mem_resize(cubes->wrong, cubes->wrong_capacity, sizeof *cubes->wrong);
+    }
+    memset(cubes->wrong, 0, count);
+    bool *wrong = cubes->wrong;
+    vec3 normal;
+    for (uint32_t i = first_index; i < surface->index_count; i += 3) {
+        face_normal(surface, surface->indices + i, normal);
+        for (uint32_t k = i; k < i + 3; k++)
+            if (glm_vec3_dot(normal, surface->normal[surface->indices[k]]) < 0.0f)
+                wrong[surface->indices[k] - first_vertex] = true;
+    }
+    for (uint32_t i = 0; i < count; i++)
+        if (wrong[i])
+            glm_vec3_zero(surface->normal[first_vertex + i]);
+    for (uint32_t i = first_index; i < surface->index_count; i++)
+        if (wrong[surface->indices[i] - first_vertex]) {
+            face_normal(surface, surface->indices + i - (i - first_index) % 3, normal);
+            glm_vec3_normalize(normal);
+            glm_vec3_add(surface->normal[surface->indices[i]], normal,
+                         surface->normal[surface->indices[i]]);
+        }
+    for (uint32_t i = 0; i < count; i++)
+        if (wrong[i])
+            glm_vec3_normalize(surface->normal[first_vertex + i]);
+}
+
 void marching_cubes_polygonise(struct marching_cubes *cubes, const struct implicit *implicit,
                                const struct marching_grid *grid, struct surface *surface) {
     struct sweep sweep = {cubes, implicit, grid, surface, grid->cells[0] + 1, grid->cells[1] + 1};
+    uint32_t first_vertex = surface->vertex_count, first_index = surface->index_count;
     size_t points = (size_t)sweep.width * (size_t)sweep.height;
     for (int i = 0; i < 2 && points > cubes->capacity; i++) {
         cubes->values[i] = mem_resize(cubes->values[i], points, sizeof **cubes->values);
@@ -209,4 +253,5 @@ void marching_cubes_polygonise(struct marching_cubes *cubes, const struct implic
         if (k > 0)
             add_slab_triangles(&sweep, k);
     }
+    mend_normals(cubes, surface, first_vertex, first_index);
 }

@@ -12,6 +12,7 @@
 
 #include "scene/surface.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* A function of space, positive inside. Rows, because a field of many parts can skip most of them
@@ -41,12 +42,15 @@ struct marching_cubes {
     float *values[2];
     uint32_t (*vertices[2])[3];
     size_t capacity;
+    bool *wrong; /* of each vertex: its normal does not fit its triangles */
+    size_t wrong_capacity;
 };
 
 void marching_cubes_init(struct marching_cubes *cubes);
 void marching_cubes_free(struct marching_cubes *cubes);
 
-/* Adds the triangles to the surface; normals point outwards. */
+/* Adds the triangles to the surface; normals are
+ * unit and point outwards. */
 void marching_cubes_polygonise(struct marching_cubes *cubes, const struct implicit *implicit,
                                const struct marching_grid *grid, struct surface *surface);
 

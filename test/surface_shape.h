@@ -1,0 +1,65 @@
+/* Measures of a surface: whether it closes, which way it faces, how large it is. */
+#ifndef TEST_SURFACE_SHAPE_H
+#define TEST_SURFACE_SHAPE_H
+
+#include "base/memory.h"
+#include "scene/surface.h"
+
+#include <cglm/cglm.h>
+#include <math.h>
+#include <stdlib.h>
+
+struct surface_shape {
+    double area, volume;
+    double worst_normal; /* least cosine between a vertex normal and a face normal at it */
+    int open_edges;      /* directed edges that do not meet exactly one opposite one */
+    int euler;           /* V - E + F */
+};
+
+static inline int compare_edges(const void *a, const void *b) {
+    uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* Edges as (from, to) and (to, from), sorted, so that a closed surface has two equal lists. */
+static inline int count_open_edges(const struct surface *surface) {
+    uint32_t count = surface->index_count;
+    uint64_t *forth = mem_alloc(count, sizeof *forth), *back = mem_alloc(count, sizeof *back);
+    for (uint32_t i = 0; i < count; i++) {
+        uint64_t a = surface->indices[i], b = surface->indices[i % 3 == 2 ? i - 2 : i + 1];
+        forth[i] = a << 32 | b;
+        back[i] = b << 32 | a;
+    }
+    qsort(forth, count, sizeof *forth, compare_edges);
+    qsort(back, count, sizeof *back, compare_edges);
+    int open = 0;
+    for (uint32_t i = 0; i < count; i++)
+        open += forth[i] != back[i] || (i > 0 && forth[i] == forth[i - 1]);
+    free(forth);
+    free(back);
+    return open;
+}
+
+static inline struct surface_shape measure_surface(const struct surface *surface) {
+    struct surface_shape shape = {.worst_normal = 1.0, .open_edges = count_open_edges(surface)};
+    for (uint32_t i = 0; i < surface->index_count; i += 3) {
+        const uint32_t *v = surface->indices + i;
+        float *a = surface->position[v[0]];
+        vec3 ab, ac, cross;
+        glm_vec3_sub(surface->position[v[1]], a, ab);
+        glm_vec3_sub(surface->position[v[2]], a, ac);
+        glm_vec3_cross(ab, ac, cross);
+        shape.area += 0.5 * glm_vec3_norm(cross);
+        shape.volume += glm_vec3_dot(a, cross) / 6.0;
+        glm_vec3_normalize(cross);
+        for (int k = 0; k < 3; k++)
+            shape.worst_normal =
+                fmin(shape.worst_normal, glm_vec3_dot(cross, surface->normal[v[k]]));
+    }
+    /* In a closed surface each edge belongs to two triangles. */
+    shape.euler =
+        (int)surface->vertex_count - (int)surface->index_count / 2 + (int)surface->index_count / 3;
+    return shape;
+}
+
+#endif
