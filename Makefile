@@ -32,14 +32,14 @@ PACKAGES := gcc g++ make pkg-config git libegl-dev libegl1 libgl-dev libgl1-mesa
     libglfw3-dev libtinygltf-dev libstb-dev nlohmann-json3-dev libopenimageio-dev libcglm-dev \
     libembree-dev libimgui-dev libcmocka-dev gnuplot-nox
 
-PKG := OpenImageIO cglm glfw3
-INCLUDES := -Isrc -Iglsl -I$(BUILD)/include -I/usr/include/imgui
+PKG := OpenImageIO cglm imgui glfw3
+INCLUDES := -Isrc -Iglsl -I$(BUILD)/include
 WARNINGS := -Wall -Wextra $(WERROR)
 C_FLAGS = -std=c11 $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(CFLAGS)
 CXX_FLAGS = -std=c++17 $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
 # System headers: their warnings are not ours.
 PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) 2>/dev/null))
-LIBS := $(shell pkg-config --libs $(PKG) 2>/dev/null) -lembree3 -limgui -lstdc++ -ldl -lpthread -lm
+LIBS := $(shell pkg-config --libs $(PKG) 2>/dev/null) -lembree3 -lstdc++ -ldl -lpthread -lm
 
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(BUILD)/glsl_embedded.o
 MAIN_OBJECT := $(BUILD)/src/main.o

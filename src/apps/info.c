@@ -1,25 +1,22 @@
 /* manylight info: what renders here, and what a scene holds. */
 #include "apps/apps.h"
 #include "apps/arguments.h"
+#include "apps/context_options.h"
 
 #include "gl/api.h"
-#include "gl/context.h"
 
 #include <stdio.h>
 
 struct values {
     struct common_values common;
     bool gl;
-    int context, device;
+    struct context_desc context;
 };
 
 static const struct option options[] = {
     {"gl", 0, OPTION_FLAG, offsetof(struct values, gl),
      .help = "the OpenGL implementation, its limits, and the EGL devices (default without SCENE)"},
-    {"context", 0, OPTION_CHOICE, offsetof(struct values, context), .choices = context_kind_names,
-     .help = "where OpenGL comes from"},
-    {"device", 0, OPTION_INT, offsetof(struct values, device), -1, -1, 999,
-     .help = "EGL device; -1 = the first that works"},
+    CONTEXT_OPTIONS(struct values, context),
     {NULL},
 };
 
@@ -75,8 +72,7 @@ static bool print_gl(const struct values *values) {
     char devices[4096];
     context_list_devices(devices, sizeof devices);
     printf("ways to a context, in the order tried:\n%s\n", devices);
-    struct context *context = context_create(&(struct context_desc){
-        .kind = (enum context_kind)values->context, .device = values->device});
+    struct context *context = context_create(&values->context);
     if (!context)
         return false;
     printf("context   %s, %s\n", context_description(context),

@@ -10,17 +10,17 @@
 #include <stddef.h>
 
 enum context_kind {
-    CONTEXT_AUTO,   /* hardware EGL devices, then EGL surfaceless, then OSMesa */
-    CONTEXT_EGL,    /* hardware EGL devices, then EGL surfaceless */
+    CONTEXT_AUTO,   /* EGL, then OSMesa */
+    CONTEXT_EGL,    /* hardware devices, then surfaceless, then software devices */
     CONTEXT_OSMESA, /* software, one process-wide library */
 };
 
-extern const char
-    *const context_kind_names[]; /* "auto", "egl", "osmesa", NULL: for option tables */
+/* For option tables: "auto", "egl", "osmesa", NULL. */
+extern const char *const context_kind_names[];
 
 struct context_desc {
     enum context_kind kind;
-    int device; /* EGL device number from 0 as context_list_devices counts; -1 = try all in order */
+    int device; /* number of an EGL device, from 0, and that one only; -1 = try all in order */
     bool debug; /* a debug context: every GL message is logged and counted */
 };
 
@@ -29,14 +29,20 @@ struct context;
 /* Makes a context and makes it current. Error: one message that says what was tried and why each
  * attempt failed. */
 struct context *context_create(const struct context_desc *desc);
+
+/* Accepts NULL. The freed context is current no more; another one that is current stays so. */
 void context_free(struct context *context);
+
+/* Lets the present context go and makes this one current: the table `gl` is its own. NULL: none.
+ * A window's context is bound by its owner, after this call. */
 void context_make_current(struct context *context);
 
 /* Makes a context object around one that is already current (a window's): fills `gl` through
  * getproc. */
 struct context *context_adopt(void *(*getproc)(const char *name), bool debug);
 
-/* "EGL device 0 (/dev/dri/card0)", "EGL surfaceless", "OSMesa", "window". */
+/* "EGL device 0 (/dev/dri/card0)", "EGL device 1 (software)", "EGL surfaceless", "OSMesa",
+ * "window". */
 const char *context_description(const struct context *context);
 
 /* Whether the GL implementation renders on the CPU (llvmpipe, softpipe, swrast). */
@@ -45,7 +51,8 @@ bool context_is_software(const struct context *context);
 /* GL debug messages of severity above notification since the context was made. */
 int context_message_count(const struct context *context);
 
-/* Prints the EGL devices that there are, one per line, into text. */
+/* All ways to a context that there are, one per line in the order tried, into text; then why
+ * others are not. */
 void context_list_devices(char *text, size_t size);
 
 #endif
