@@ -11,6 +11,7 @@
 
 struct surface_shape {
     double area, volume;
+    int wrong_normals;   /* corners of triangles whose vertex normal points to the back */
     double worst_normal; /* least cosine between a vertex normal and a face normal at it */
     int open_edges;      /* directed edges that do not meet exactly one opposite one */
     int euler;           /* V - E + F */
@@ -52,9 +53,11 @@ static inline struct surface_shape measure_surface(const struct surface *surface
         shape.area += 0.5 * glm_vec3_norm(cross);
         shape.volume += glm_vec3_dot(a, cross) / 6.0;
         glm_vec3_normalize(cross);
-        for (int k = 0; k < 3; k++)
-            shape.worst_normal =
-                fmin(shape.worst_normal, glm_vec3_dot(cross, surface->normal[v[k]]));
+        for (int k = 0; k < 3; k++) {
+            double cosine = glm_vec3_dot(cross, surface->normal[v[k]]);
+            shape.worst_normal = fmin(shape.worst_normal, cosine);
+            shape.wrong_normals += cosine <= 0.0;
+        }
     }
     /* In a closed surface each edge belongs to two triangles. */
     shape.euler =
