@@ -1,0 +1,39 @@
+#include "scene/camera.h"
+
+#include "scene/node.h"
+
+#include <cglm/cglm.h>
+#include <string.h>
+
+int camera_node_count(const struct scene *scene) {
+    return node_count_carrying(scene, NODE_CAMERA);
+}
+
+int camera_find(const struct scene *scene, const char *text) {
+    return node_find_carrying(scene, NODE_CAMERA, text);
+}
+
+void camera_place(struct camera *camera, const struct scene *scene, int n, double time) {
+    int node = node_carrying(scene, NODE_CAMERA, n);
+    const struct scene_camera *source = &scene->cameras[scene->nodes[node].camera];
+    float world[16];
+    node_world(scene, node, time, world);
+    *camera = (struct camera){
+        .orthographic = source->orthographic, .fov_y = source->fov_y, .y_extent = source->y_extent};
+    memcpy(camera->eye, &world[12], sizeof camera->eye);
+    node_frame(world, camera->right, camera->up, camera->forward);
+}
+
+void camera_ray(const struct camera *camera, float x, float y, float aspect, float origin[3],
+                float direction[3]) {
+    float half = camera->orthographic ? camera->y_extent : tanf(camera->fov_y / 2);
+    float across = (2 * x - 1) * half * aspect, above = (1 - 2 * y) * half;
+    vec3 offset;
+    for (int c = 0; c < 3; c++)
+        offset[c] = across * camera->right[c] + above * camera->up[c];
+    memcpy(origin, camera->eye, sizeof camera->eye);
+    memcpy(direction, camera->forward, sizeof camera->forward);
+    glm_vec3_add(camera->orthographic ? origin : direction, offset,
+                 camera->orthographic ? origin : direction);
+    glm_vec3_normalize(direction);
+}

@@ -1,0 +1,86 @@
+#include "scene/framing.h"
+
+#include "base/log.h"
+#include "base/memory.h"
+#include "scene/geometry.h"
+#include "scene/node.h"
+
+#include <cglm/cglm.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Seen under half of this angle, the bounding sphere just fits the picture. */
+static const float fov_y = 0.7F;
+
+/* Appends a node that stands at eye and looks along -Z at the target. */
+static struct node *add_node(struct scene *scene, const char *name, vec3 eye, vec3 target) {
+    scene->nodes = mem_resize(scene->nodes, (size_t)scene->node_count + 1, sizeof *scene->nodes);
+    struct node *node = &scene->nodes[scene->node_count++];
+    *node = (struct node){.parent = -1, .mesh = -1, .light = -1, .camera = -1, .has_matrix = true};
+    snprintf(node->name, sizeof node->name, "%s", name);
+    mat4 view, world;
+    glm_lookat(eye, target, (vec3){0, 1, 0}, view);
+    glm_mat4_inv(view, world);
+    memcpy(node->matrix, world, sizeof node->matrix);
+    return node;
+}
+
+/* A point on the line from the scene's centre in a direction, at a distance in radii. */
+static void point_around(const struct geometry *geometry, vec3 direction, float radii, vec3 out) {
+    vec3 unit;
+    glm_vec3_normalize_to(direction, unit);
+    glm_vec3_copy((float *)geometry->center, out);
+    glm_vec3_muladds(unit, radii * geometry->radius, out);
+}
+
+static void add_camera(struct scene *scene, const struct geometry *geometry) {
+    vec3 eye, target;
+    point_around(geometry, (vec3){.6F, .45F, 1}, 1 / sinf(fov_y / 2), eye);
+    point_around(geometry, (vec3){0, 1, 0}, 0, target);
+    struct node *node = add_node(scene, "framed camera", eye, target);
+    scene->cameras =
+        mem_resize(scene->cameras, (size_t)scene->camera_count + 1, sizeof *scene->cameras);
+    struct scene_camera *camera = &scene->cameras[scene->camera_count];
+    *camera = (struct scene_camera){
+        .fov_y = fov_y, .near = .01F * geometry->radius, .far = 10 * geometry->radius};
+    snprintf(camera->name, sizeof camera->name, "framed");
+    node->camera = scene->camera_count++;
+    log_note("%s: no camera, so one that frames the scene", scene->path);
+}
+
+/* The spot is as wide as the bounding sphere and gives the centre an irradiance of pi: a white
+ * surface that faces it has radiance 1. */
+static void add_spot(struct scene *scene, const struct geometry *geometry) {
+    const float radii = 2.5F, outer = asinf(1 / radii);
+    vec3 eye, target;
+    point_around(geometry, (vec3){.2F, 1.2F, 1}, radii, eye);
+    point_around(geometry, (vec3){0, 1, 0}, 0, target);
+    struct node *node = add_node(scene, "framed spot", eye, target);
+    scene->lights =
+        mem_resize(scene->lights, (size_t)scene->light_count + 1, sizeof *scene->lights);
+    struct scene_light *light = &scene->lights[scene->light_count];
+    float intensity = GLM_PIf * glm_vec3_distance2(eye, target);
+    *light = (struct scene_light){.type = LIGHT_SPOT,
+                                  .intensity = {intensity, intensity, intensity},
+                                  .inner = .8F * outer,
+                                  .outer = outer};
+    snprintf(light->name, sizeof light->name, "framed");
+    node->light = scene->light_count++;
+    log_note("%s: no light, so a spot from above", scene->path);
+}
+
+bool scene_frame(struct scene *scene) {
+    bool camera = node_count_carrying(scene, NODE_CAMERA) > 0;
+    bool light = node_count_carrying(scene, NODE_LIGHT) > 0;
+    if (camera && light)
+        return true;
+    struct geometry geometry;
+    if (!geometry_init(&geometry, scene, 0))
+        return false;
+    if (!camera)
+        add_camera(scene, &geometry);
+    if (!light)
+        add_spot(scene, &geometry);
+    geometry_free(&geometry);
+    return true;
+}

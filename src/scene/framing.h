@@ -1,0 +1,12 @@
+/* A camera and a light for files that bring none. */
+#ifndef SCENE_FRAMING_H
+#define SCENE_FRAMING_H
+
+#include "scene/scene.h"
+
+/* Adds a camera that sees the whole scene from above its front right corner, and a spot beside it
+ * that lights it, each only where the scene has none. Notes it on stderr. Error: a scene without a
+ * triangle. */
+bool scene_frame(struct scene *scene);
+
+#endif

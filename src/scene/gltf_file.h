@@ -1,0 +1,26 @@
+/* The bytes of a glTF file and of the files that it names. */
+#ifndef SCENE_GLTF_FILE_H
+#define SCENE_GLTF_FILE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct file_bytes {
+    unsigned char *data; /* free() frees */
+    size_t size;
+};
+
+/* Reads a whole regular file of less than 4 GiB. Error: names the path and the reason. */
+bool file_read(struct file_bytes *bytes, const char *path);
+
+/* Reads a file that a glTF names by a relative path. folder is "" or ends in a slash. A name that
+ * leads out of the folder is refused, be it by ".." or by a symbolic link. */
+bool file_read_named(struct file_bytes *bytes, const char *folder, const char *name);
+
+/* Whether the bytes begin like a .glb. */
+bool glb_is(const struct file_bytes *bytes);
+
+/* Checks the container of a .glb: header and chunks. */
+bool glb_check(const struct file_bytes *bytes);
+
+#endif

@@ -1,0 +1,144 @@
+#include "scene/node.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+
+#include <assert.h>
+#include <cglm/cglm.h>
+#include <string.h>
+#include <stdlib.h>
+
+static void local_matrix(const struct node *node, mat4 matrix) {
+    if (node->has_matrix) {
+        memcpy(matrix, node->matrix, sizeof node->matrix);
+        return;
+    }
+    versor rotation = {node->rotation[0], node->rotation[1], node->rotation[2], node->rotation[3]};
+    glm_quat_mat4(rotation, matrix);
+    for (int column = 0; column < 3; column++)
+        for (int row = 0; row < 3; row++)
+            matrix[column][row] *= node->scale[column];
+    memcpy(matrix[3], node->translation, sizeof node->translation);
+}
+
+void scene_node_worlds(const struct scene *scene, double time, float (*worlds)[16]) {
+    (void)time; /* nothing moves yet */
+    for (int i = 0; i < scene->node_count; i++) {
+        const struct node *node = &scene->nodes[i];
+        mat4 world;
+        local_matrix(node, world);
+        if (node->parent >= 0) {
+            assert(node->parent < i);
+            mat4 parent;
+            memcpy(parent, worlds[node->parent], sizeof parent);
+            glm_mat4_mul(parent, world, world);
+        }
+        memcpy(worlds[i], world, sizeof world);
+    }
+}
+
+void node_world(const struct scene *scene, int node, double time, float world[16]) {
+    float(*worlds)[16] = mem_alloc((size_t)scene->node_count, sizeof *worlds);
+    scene_node_worlds(scene, time, worlds);
+    memcpy(world, worlds[node], sizeof *worlds);
+    free(worlds);
+}
+
+int node_carries(const struct node *node, enum node_kind kind) {
+    switch (kind) {
+    case NODE_MESH:
+        return node->mesh;
+    case NODE_LIGHT:
+        return node->light;
+    case NODE_CAMERA:
+        return node->camera;
+    }
+    return -1;
+}
+
+int node_count_carrying(const struct scene *scene, enum node_kind kind) {
+    int count = 0;
+    for (int i = 0; i < scene->node_count; i++)
+        count += node_carries(&scene->nodes[i], kind) >= 0;
+    return count;
+}
+
+int node_carrying(const struct scene *scene, enum node_kind kind, int n) {
+    int node = 0;
+    for (; node < scene->node_count; node++)
+        if (node_carries(&scene->nodes[node], kind) >= 0 && n-- == 0)
+            break;
+    assert(node < scene->node_count);
+    return node;
+}
+
+/* The name of the light, camera or mesh on the node. */
+static const char *carried_name(const struct scene *scene, enum node_kind kind, int node) {
+    int index = node_carries(&scene->nodes[node], kind);
+    switch (kind) {
+    case NODE_LIGHT:
+        return scene->lights[index].name;
+    case NODE_CAMERA:
+        return scene->cameras[index].name;
+    case NODE_MESH:
+        return scene->meshes[index].name;
+    }
+    return "";
+}
+
+static bool matches(const struct scene *scene, enum node_kind kind, int n, const char *text) {
+    int node = node_carrying(scene, kind, n);
+    char *end;
+    long number = strtol(text, &end, 10);
+    return strcmp(scene->nodes[node].name, text) == 0 ||
+           strcmp(carried_name(scene, kind, node), text) == 0 || (!*end && number == n);
+}
+
+int node_find_carrying(const struct scene *scene, enum node_kind kind, const char *text) {
+    static const char *const nouns[] = {"mesh", "light", "camera"};
+    int count = node_count_carrying(scene, kind);
+    for (int n = 0; *text && n < count; n++)
+        if (matches(scene, kind, n, text))
+            return n;
+    error_set("no %s '%s' (there is:", nouns[kind], text);
+    for (int n = 0; n < count && n < 20; n++) {
+        int node = node_carrying(scene, kind, n);
+        const char *name = scene->nodes[node].name;
+        error_set("%s %d%s%s", error_get(), n, *name ? "=" : "", name);
+    }
+    error_set("%s)", error_get());
+    return -1;
+}
+
+/* Writes the vector at unit length; false where it has none. */
+static bool unit(const double v[3], float out[3]) {
+    double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    if (!(length > 1e-30) || !isfinite(length))
+        return false;
+    for (int c = 0; c < 3; c++)
+        out[c] = (float)(v[c] / length);
+    return true;
+}
+
+static void cross(const float a[3], const float b[3], double out[3]) {
+    for (int c = 0; c < 3; c++) {
+        int d = (c + 1) % 3, e = (c + 2) % 3;
+        out[c] = (double)a[d] * b[e] - (double)a[e] * b[d];
+    }
+}
+
+void node_frame(const float world[16], float right[3], float up[3], float forward[3]) {
+    double axis[3] = {-world[8], -world[9], -world[10]};
+    if (!unit(axis, forward))
+        memcpy(forward, (float[3]){0, 0, -1}, sizeof(float[3]));
+    cross(forward, &world[4], axis);
+    if (!unit(axis, right)) {
+        /* No usable +Y: any direction across will do. */
+        float other[3] = {0, 0, 0};
+        other[fabsf(forward[1]) < .9F ? 1 : 0] = 1;
+        cross(forward, other, axis);
+        unit(axis, right);
+    }
+    cross(right, forward, axis);
+    unit(axis, up);
+}

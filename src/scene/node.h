@@ -1,0 +1,30 @@
+/* The node tree: finding nodes, and the frames of what hangs on them. World matrices:
+ * scene_node_worlds of scene/scene.h. */
+#ifndef SCENE_NODE_H
+#define SCENE_NODE_H
+
+#include "scene/scene.h"
+
+/* What a node may carry. */
+enum node_kind { NODE_MESH, NODE_LIGHT, NODE_CAMERA };
+
+/* The index into its array of what the node carries of that kind; -1 = nothing. */
+int node_carries(const struct node *node, enum node_kind kind);
+
+int node_count_carrying(const struct scene *scene, enum node_kind kind);
+
+/* The n-th node that carries one, in node order. Asserts that there is one. */
+int node_carrying(const struct scene *scene, enum node_kind kind, int n);
+
+/* The n of the node whose own name, or that of the light or camera on it, is the text, or n itself
+ * in digits; -1 and an error that lists the names when there is none such. */
+int node_find_carrying(const struct scene *scene, enum node_kind kind, const char *text);
+
+/* The orthonormal axes of a thing that looks along -Z with +Y up. Scale, shear and mirroring are
+ * dropped, as glTF asks for cameras and lights. */
+void node_frame(const float world[16], float right[3], float up[3], float forward[3]);
+
+/* World matrix of one node. */
+void node_world(const struct scene *scene, int node, double time, float world[16]);
+
+#endif

@@ -1,0 +1,24 @@
+/* Steps that make a primitive of scene/scene.h from the arrays of a file. */
+#ifndef SCENE_PRIMITIVE_H
+#define SCENE_PRIMITIVE_H
+
+#include "scene/scene.h"
+
+enum primitive_mode { PRIMITIVE_TRIANGLES = 4, PRIMITIVE_STRIP = 5, PRIMITIVE_FAN = 6 };
+
+/* Refuses positions that are not finite and indices out of range. */
+bool primitive_check(const struct primitive *primitive);
+
+/* Turns the indices of a strip or fan into those of single triangles. Error: a count that makes no
+ * whole triangle. */
+bool primitive_unroll(struct primitive *primitive, enum primitive_mode mode);
+
+/* Gives each triangle vertices of its own with the triangle's normal. */
+void primitive_flatten(struct primitive *primitive);
+
+/* Scales the normals to unit length; one that has no direction becomes the mean of its faces'. */
+void primitive_repair_normals(struct primitive *primitive);
+
+void primitive_free(struct primitive *primitive);
+
+#endif
