@@ -10,6 +10,7 @@ static const struct subcommand {
     const char *name, *help;
     int (*run)(int argc, char **argv);
 } subcommands[] = {
+    {"compare", "error metrics between two pictures", app_compare},
     {"info", "what renders here, and what a scene holds", app_info},
     {NULL, NULL, NULL},
 };

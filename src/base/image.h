@@ -14,6 +14,7 @@ struct image {
     int width, height, channel_count;
     char (*names)[IMAGE_NAME_SIZE]; /* channel_count of them */
     float *pixels;                  /* height x width x channel_count */
+    bool encoded; /* sRGB over [0, 1], as integer formats store it; false = linear */
 };
 
 /* An 8-bit RGBA picture, row 0 at the top: glTF textures, display-referred pictures. */

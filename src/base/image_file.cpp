@@ -84,6 +84,7 @@ extern "C" bool image_read(struct image *image, const char *path) try {
     for (const std::string &name : spec.channelnames)
         names += (names.empty() ? "" : " ") + name.substr(0, IMAGE_NAME_SIZE - 1);
     image_init(image, spec.width, spec.height, names.c_str());
+    image->encoded = !spec.format.is_floating_point();
     if (!in->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, image->pixels)) {
         image_free(image);
         return fail(path, in->geterror());

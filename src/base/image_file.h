@@ -9,8 +9,8 @@ extern "C" {
 #include "base/image.h"
 
 /* Reads any format that OpenImageIO knows, all channels of the first part, as floats. Integer
- * formats come as stored, over [0, 1] and still sRGB-encoded. Error: names the file and the reason.
- */
+ * formats come as stored, over [0, 1] and still sRGB-encoded; image->encoded tells. Error: names
+ * the file and the reason. */
 bool image_read(struct image *image, const char *path);
 
 /* Writes floats; the extension picks the format. EXR: half for colour, 32 bit for Z and for layers

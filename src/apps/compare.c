@@ -1,0 +1,302 @@
+/* manylight compare: error metrics between two pictures, a picture of the error, and an exit status
+ * over a threshold. */
+#include "apps/apps.h"
+#include "apps/arguments.h"
+
+#include "base/error.h"
+#include "base/image_file.h"
+#include "base/json.h"
+#include "base/memory.h"
+#include "metrics/heat_map.h"
+#include "metrics/layer.h"
+#include "metrics/metric.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct values {
+    struct common_values common;
+    const char *layer, *output;
+    struct text_list metrics, bounds;
+    float pixels_per_degree, top;
+    bool json;
+};
+
+static const struct option options[] = {
+    {"layer", 'l', OPTION_TEXT, offsetof(struct values, layer), .value_name = "NAME",
+     .help = "the layer to compare, such as indirect [beauty]"},
+    {"metric", 'm', OPTION_LIST, offsetof(struct values, metrics), .value_name = "NAME",
+     .help = "measure this, or 'all'; may be repeated [see below]"},
+    {"max", 0, OPTION_LIST, offsetof(struct values, bounds), .value_name = "METRIC=VALUE",
+     .help = "exit with 1 when the metric, without its sign, is above; may be repeated"},
+    {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE",
+     .help = "a picture of the error: false colours (PNG ...) or values (EXR ...)"},
+    {"top", 0, OPTION_FLOAT, offsetof(struct values, top), 0, 0, 1e9,
+     .help = "the value at the end of the picture's scale, 0 = by the values"},
+    {"ppd", 0, OPTION_FLOAT, offsetof(struct values, pixels_per_degree), DEFAULT_PIXELS_PER_DEGREE,
+     1, 1000, .help = "pixels per degree of the viewer, for FLIP"},
+    {"json", 0, OPTION_FLAG, offsetof(struct values, json),
+     .help = "print JSON; what is not finite is null"},
+    {NULL},
+};
+
+static void print_metrics(FILE *out) {
+    fprintf(out,
+            "\nMetrics of v = TEST and r = REFERENCE, over pixels and R, G, B in linear light:\n");
+    for (const struct metric *m = metrics; m < metrics + METRIC_COUNT; m++)
+        fprintf(out, "  %-14s %s%s%s\n", m->name, m->help,
+                m->usual_for & METRIC_HDR ? " [float]" : "",
+                m->usual_for & METRIC_LDR ? " [integer]" : "");
+    fprintf(
+        out,
+        "\nWithout --metric: those marked [float] where both files store floats (EXR, PFM ...), "
+        "those\n"
+        "marked [integer] where either stores integers (PNG, JPEG ...). Integers are taken as "
+        "sRGB\n"
+        "and decoded to linear light first. Alpha is ignored. NaN and infinity are errors.\n"
+        "The picture shows the first --metric, or else FLIP.\n"
+        "Exit status: 0; 1 over a --max or where files cannot be compared; 2 for wrong usage.\n");
+}
+
+static const struct arguments arguments = {
+    .synopsis = "TEST REFERENCE [OPTION ...]",
+    .summary = "Measures how much picture TEST differs from picture REFERENCE.",
+    .options = options,
+    .min_positional = 2,
+    .max_positional = 2,
+    .print_more = print_metrics,
+};
+
+/* What is asked about a metric, and what came out. */
+struct measurement {
+    bool asked;
+    double bound; /* infinite = none */
+    double value;
+};
+
+struct report {
+    struct measurement measurements[METRIC_COUNT]; /* as in metrics[] */
+    const struct metric *pictured;                 /* by --output */
+};
+
+static struct measurement *measurement_of(struct report *report, const struct metric *metric) {
+    return &report->measurements[metric - metrics];
+}
+
+/* --metric: by name. */
+static bool ask_named(struct report *report, const struct text_list *names) {
+    for (int i = 0; i < names->count; i++) {
+        bool all = strcmp(names->items[i], "all") == 0;
+        const struct metric *metric = all ? NULL : metric_find(names->items[i]);
+        if (!all && !metric)
+            return error_prefix("metric");
+        for (const struct metric *m = metrics; m < metrics + METRIC_COUNT; m++)
+            if (all || m == metric)
+                measurement_of(report, m)->asked = true;
+        if (!report->pictured)
+            report->pictured = metric;
+    }
+    return true;
+}
+
+/* --max: METRIC=VALUE asks for the metric too. */
+static bool ask_bounded(struct report *report, const char *text) {
+    char name[32];
+    const char *equals = strchr(text, '=');
+    snprintf(name, sizeof name, "%.*s", equals ? (int)(equals - text) : 0, text);
+    if (!equals)
+        return error_set("'%s' is not METRIC=VALUE", text);
+    const struct metric *metric = metric_find(name);
+    if (!metric)
+        return false;
+    if (metric->higher_is_better)
+        return error_set("%s has no upper bound, for higher is better", name);
+    char *end;
+    double bound = strtod(equals + 1, &end);
+    if (end == equals + 1 || *end || !(bound >= 0))
+        return error_set("'%s' is not a number from 0 up", equals + 1);
+    *measurement_of(report, metric) = (struct measurement){.asked = true, .bound = bound};
+    return true;
+}
+
+/* Without --metric: those usual for this kind of picture. */
+static void ask_usual(struct report *report, int kind) {
+    for (const struct metric *m = metrics; m < metrics + METRIC_COUNT; m++)
+        if (m->usual_for & kind)
+            measurement_of(report, m)->asked = true;
+}
+
+/* Everything that the arguments alone can get wrong. */
+static bool report_init(struct report *report, const struct values *values) {
+    *report = (struct report){0};
+    for (int i = 0; i < METRIC_COUNT; i++)
+        report->measurements[i].bound = INFINITY;
+    if (!ask_named(report, &values->metrics))
+        return false;
+    for (int i = 0; i < values->bounds.count; i++)
+        if (!ask_bounded(report, values->bounds.items[i]))
+            return error_prefix("max");
+    bool is_float;
+    if (values->output && !image_format_is_float(values->output, &is_float))
+        return false;
+    if (values->output && report->pictured && report->pictured->higher_is_better)
+        return error_set("%s has no picture; put another --metric first", report->pictured->name);
+    return true;
+}
+
+/* The two layers, linear, and whether either file stores integers. */
+struct pictures {
+    const char *test_path, *reference_path;
+    struct image test, reference;
+    bool any_encoded;
+};
+
+static bool pictures_read(struct pictures *pictures, const char *layer) {
+    bool test_encoded, reference_encoded;
+    struct image *test = &pictures->test, *reference = &pictures->reference;
+    if (!layer_read(test, pictures->test_path, layer, &test_encoded) ||
+        !layer_read(reference, pictures->reference_path, layer, &reference_encoded))
+        return false;
+    pictures->any_encoded = test_encoded || reference_encoded;
+    if (test->width != reference->width || test->height != reference->height)
+        return error_set("%s is %dx%d, but %s is %dx%d", pictures->test_path, test->width,
+                         test->height, pictures->reference_path, reference->width,
+                         reference->height);
+    return true;
+}
+
+static void print_table(const struct report *report) {
+    for (int i = 0; i < METRIC_COUNT; i++) {
+        const struct measurement *m = &report->measurements[i];
+        if (!m->asked)
+            continue;
+        printf("%-14s %12.6g", metrics[i].name, m->value);
+        if (isfinite(m->bound))
+            printf("  (at most %g)", m->bound);
+        printf("\n");
+    }
+}
+
+static void print_json(const struct report *report, const struct values *values,
+                       const struct pictures *pictures) {
+    printf("{\"test\": ");
+    json_print_text(stdout, pictures->test_path);
+    printf(", \"reference\": ");
+    json_print_text(stdout, pictures->reference_path);
+    printf(", \"layer\": ");
+    json_print_text(stdout, values->layer ? values->layer : "beauty");
+    printf(", \"width\": %d, \"height\": %d, \"ppd\": ", pictures->test.width,
+           pictures->test.height);
+    json_print_number(stdout, (double)values->pixels_per_degree);
+    printf(", \"metrics\": {");
+    const char *separator = "";
+    for (int i = 0; i < METRIC_COUNT; i++) {
+        if (!report->measurements[i].asked)
+            continue;
+        printf("%s\"%s\": ", separator, metrics[i].name);
+        json_print_number(stdout, report->measurements[i].value);
+        separator = ", ";
+    }
+    printf("}}\n");
+}
+
+/* False colours in an 8-bit format, the bare values in a float format. */
+static bool write_picture(const struct values *values, const struct metric *metric, double value,
+                          const struct image *size, float *map) {
+    bool is_float;
+    if (!image_format_is_float(values->output, &is_float))
+        return false;
+    if (is_float) {
+        struct image picture;
+        image_init(&picture, size->width, size->height, "Y");
+        memcpy(picture.pixels, map, (size_t)size->width * (size_t)size->height * sizeof *map);
+        bool ok = image_write(&picture, values->output);
+        image_free(&picture);
+        return ok;
+    }
+    char title[64];
+    snprintf(title, sizeof title, "%s %.4g", metric->name, value);
+    struct heat_map heat = {.title = title,
+                            .width = size->width,
+                            .height = size->height,
+                            .values = map,
+                            .top = values->top,
+                            .is_signed = metric->range == RANGE_SIGNED};
+    if (heat.top == 0)
+        heat.top = metric->range == RANGE_UNIT
+                       ? 1
+                       : heat_map_fit_top(map, (size_t)size->width * (size_t)size->height);
+    struct bitmap picture;
+    heat_map_draw(&heat, &picture);
+    bool ok = bitmap_write(&picture, values->output);
+    bitmap_free(&picture);
+    return ok;
+}
+
+static bool measure(struct report *report, const struct values *values,
+                    const struct pictures *pictures) {
+    struct comparison comparison = {.test = &pictures->test,
+                                    .reference = &pictures->reference,
+                                    .pixels_per_degree = values->pixels_per_degree};
+    size_t pixel_count = (size_t)pictures->test.width * (size_t)pictures->test.height;
+    float *map = mem_alloc(pixel_count, sizeof *map);
+    bool ok = true;
+    for (const struct metric *m = metrics; ok && m < metrics + METRIC_COUNT; m++) {
+        struct measurement *measurement = measurement_of(report, m);
+        if (!measurement->asked)
+            continue;
+        measurement->value = metric_measure(m, &comparison, map);
+        if (values->output && m == report->pictured)
+            ok = write_picture(values, m, measurement->value, &pictures->test, map);
+    }
+    free(map);
+    return ok;
+}
+
+/* Says on stderr which metric is over its bound. NaN is. */
+static int check_bounds(const struct report *report, const char *name) {
+    int status = STATUS_OK;
+    for (int i = 0; i < METRIC_COUNT; i++) {
+        const struct measurement *m = &report->measurements[i];
+        if (!m->asked || fabs(m->value) <= m->bound)
+            continue;
+        error_set("%s is %.6g, above %g", metrics[i].name, m->value, m->bound);
+        status = arguments_fail(name);
+    }
+    return status;
+}
+
+static int compare(const struct values *values, struct report *report, struct pictures *pictures,
+                   const char *name) {
+    if (!pictures_read(pictures, values->layer ? values->layer : "beauty"))
+        return arguments_fail(name);
+    int kind = pictures->any_encoded ? METRIC_LDR : METRIC_HDR;
+    if (values->metrics.count == 0)
+        ask_usual(report, kind);
+    if (!report->pictured)
+        report->pictured = metric_find(kind == METRIC_LDR ? "ldr-flip" : "hdr-flip");
+    if (!measure(report, values, pictures))
+        return arguments_fail(name);
+    if (values->json)
+        print_json(report, values, pictures);
+    else
+        print_table(report);
+    return check_bounds(report, name);
+}
+
+int app_compare(int argc, char **argv) {
+    struct values values;
+    const char *paths[2];
+    int path_count, status;
+    if (!arguments_parse(&arguments, &values, argc, argv, paths, &path_count, &status))
+        return status;
+    struct report report;
+    if (!report_init(&report, &values))
+        return arguments_misuse(argv[0]);
+    struct pictures pictures = {.test_path = paths[0], .reference_path = paths[1]};
+    status = compare(&values, &report, &pictures, argv[0]);
+    image_free(&pictures.test);
+    image_free(&pictures.reference);
+    return status;
+}

@@ -1,0 +1,14 @@
+/* Values as JSON text. */
+#ifndef BASE_JSON_H
+#define BASE_JSON_H
+
+#include <stdio.h>
+
+/* In quotes, escaped. */
+void json_print_text(FILE *out, const char *text);
+
+/* With the digits that tell a float from its neighbours; JSON knows no NaN and no infinity, so
+ * these are null. */
+void json_print_number(FILE *out, double number);
+
+#endif

@@ -1,0 +1,110 @@
+#include "metrics/heat_map.h"
+
+#include "base/memory.h"
+#include "metrics/colour.h"
+#include "metrics/label.h"
+#include "metrics/quantile.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    SMALLEST_WIDTH = 256,  /* of the picture: room for the labels */
+    WIDTH_PER_SCALE = 800, /* labels grow by one pixel per dot for each so many pixels */
+    /* Below the map, in dots of the labels. */
+    BAR_TOP = 4,
+    BAR_HEIGHT = 8,
+    BAR_MARGIN = 18, /* left and right: half a label */
+    TICKS_TOP = BAR_TOP + BAR_HEIGHT + 3,
+    TITLE_TOP = TICKS_TOP + LABEL_HEIGHT + 5,
+    LEGEND_HEIGHT = TITLE_TOP + LABEL_HEIGHT + 4,
+    TICK_COUNT = 5,
+};
+
+static const float pi = 3.14159265f;
+
+float heat_map_fit_top(const float *values, size_t count) {
+    float *magnitudes = mem_alloc(count, sizeof *magnitudes);
+    for (size_t i = 0; i < count; i++)
+        magnitudes[i] = fabsf(values[i]);
+    float most = quantile(magnitudes, count, 0.99), largest = magnitudes[count - 1];
+    free(magnitudes);
+    float top = most > 0 ? most : largest;
+    if (!(top > 0 && isfinite(top)))
+        return 1;
+    float power = powf(10, floorf(log10f(top))), leading = top / power;
+    return power * (leading <= 1 ? 1 : leading <= 2 ? 2 : leading <= 5 ? 5 : 10);
+}
+
+static void lch_to_rgb8(float lightness, float chroma, float hue, unsigned char rgb8[3]) {
+    float rgb[3], angle = hue * pi / 180;
+    lab_to_rgb((const float[]){lightness, chroma * cosf(angle), chroma * sinf(angle)}, rgb);
+    for (int c = 0; c < 3; c++)
+        rgb8[c] = (unsigned char)lrintf(255 * srgb_encode(rgb[c]));
+}
+
+/* Black, violet, crimson, orange, pale yellow. */
+static void colour_positive(float t, unsigned char rgb8[3]) {
+    lch_to_rgb8(97 * t, 60 * sinf(pi * t) + 20 * t, 285 + 175 * t, rgb8);
+}
+
+/* Blue below 0, white, red above. */
+static void colour_signed(float t, unsigned char rgb8[3]) {
+    float magnitude = fabsf(t);
+    lch_to_rgb8(97 - 57 * magnitude, 60 * magnitude, t < 0 ? 275 : 35, rgb8);
+}
+
+static void set_pixel(struct bitmap *picture, int x, int y, const struct heat_map *map,
+                      float value) {
+    unsigned char *rgba = picture->rgba + ((size_t)y * (size_t)picture->width + (size_t)x) * 4;
+    float t = value / map->top;
+    if (map->is_signed)
+        colour_signed(fmaxf(-1, fminf(t, 1)), rgba);
+    else
+        colour_positive(clamp_unit(t), rgba);
+}
+
+static void draw_values(const struct heat_map *map, struct bitmap *picture, int zoom) {
+    for (int y = 0; y < map->height * zoom; y++)
+        for (int x = 0; x < map->width * zoom; x++) {
+            size_t at = (size_t)(y / zoom) * (size_t)map->width + (size_t)(x / zoom);
+            set_pixel(picture, x, y, map, map->values[at]);
+        }
+}
+
+static float value_along_bar(const struct heat_map *map, float t) {
+    return map->is_signed ? map->top * (2 * t - 1) : map->top * t;
+}
+
+static void draw_legend(const struct heat_map *map, struct bitmap *picture, int top, int dot) {
+    int left = BAR_MARGIN * dot, length = picture->width - 2 * left;
+    for (int y = 0; y < BAR_HEIGHT * dot; y++)
+        for (int x = 0; x < length; x++)
+            set_pixel(picture, left + x, top + BAR_TOP * dot + y, map,
+                      value_along_bar(map, ((float)x + 0.5f) / (float)length));
+    for (int i = 0; i < TICK_COUNT; i++) {
+        char text[16];
+        float t = (float)i / (TICK_COUNT - 1);
+        snprintf(text, sizeof text, "%.3g", (double)value_along_bar(map, t));
+        int centre = left + (int)lrintf(t * (float)length);
+        label_draw(picture, centre - label_width(text, dot) / 2, top + TICKS_TOP * dot, dot, text);
+    }
+    label_draw(picture, left, top + TITLE_TOP * dot, dot, map->title);
+}
+
+void heat_map_draw(const struct heat_map *map, struct bitmap *picture) {
+    int longest = map->width > map->height ? map->width : map->height;
+    int zoom = longest < SMALLEST_WIDTH ? SMALLEST_WIDTH / longest : 1;
+    int map_width = map->width * zoom, map_height = map->height * zoom;
+    int width = map_width > SMALLEST_WIDTH ? map_width : SMALLEST_WIDTH;
+    int dot = 1 + width / WIDTH_PER_SCALE;
+    *picture = (struct bitmap){.width = width, .height = map_height + LEGEND_HEIGHT * dot};
+    size_t pixel_count = (size_t)picture->width * (size_t)picture->height;
+    picture->rgba = mem_alloc(pixel_count, 4);
+    for (size_t i = 0; i < pixel_count; i++)
+        picture->rgba[4 * i + 3] = 255;
+    draw_values(map, picture, zoom);
+    draw_legend(map, picture, map_height, dot);
+}

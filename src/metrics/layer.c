@@ -1,0 +1,45 @@
+#include "metrics/layer.h"
+
+#include "base/error.h"
+#include "base/image_file.h"
+#include "metrics/colour.h"
+
+#include <math.h>
+
+static bool check_finite(const struct image *picture, const int channels[3]) {
+    for (int y = 0; y < picture->height; y++)
+        for (int x = 0; x < picture->width; x++)
+            for (int c = 0; c < 3; c++) {
+                double value = (double)image_at(picture, x, y)[channels[c]];
+                if (!isfinite(value))
+                    return error_set("%s is %f at pixel %d,%d", picture->names[channels[c]], value,
+                                     x, y);
+            }
+    return true;
+}
+
+bool layer_extract(struct image *layer, const struct image *picture, const char *name) {
+    *layer = (struct image){0};
+    int channels[3];
+    if (!image_find_layer(picture, name, channels) || !check_finite(picture, channels))
+        return false;
+    image_init(layer, picture->width, picture->height, "R G B");
+    for (int y = 0; y < picture->height; y++)
+        for (int x = 0; x < picture->width; x++)
+            for (int c = 0; c < 3; c++) {
+                float value = image_at(picture, x, y)[channels[c]];
+                image_at(layer, x, y)[c] = picture->encoded ? srgb_decode(value) : value;
+            }
+    return true;
+}
+
+bool layer_read(struct image *layer, const char *path, const char *name, bool *was_encoded) {
+    *layer = (struct image){0};
+    struct image picture;
+    if (!image_read(&picture, path))
+        return false;
+    bool ok = layer_extract(layer, &picture, name) || error_prefix("%s", path);
+    *was_encoded = picture.encoded;
+    image_free(&picture);
+    return ok;
+}

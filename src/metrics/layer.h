@@ -1,0 +1,14 @@
+/* One layer of a picture as the metrics take it: R G B, linear, finite. */
+#ifndef METRICS_LAYER_H
+#define METRICS_LAYER_H
+
+#include "base/image.h"
+
+/* Takes the layer ("" or "beauty": R G B) out of a picture and decodes sRGB where the picture is
+ * encoded. Error: no such layer, or a value that is NaN or infinite, with its pixel. */
+bool layer_extract(struct image *layer, const struct image *picture, const char *name);
+
+/* The same from a file, and whether its values were encoded. Error: names the file. */
+bool layer_read(struct image *layer, const char *path, const char *name, bool *was_encoded);
+
+#endif
