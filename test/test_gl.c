@@ -174,20 +174,6 @@ static void test_missing_function(void **state) {
     assert_string_equal(error_get(), "window: no function glFenceSync");
 }
 
-static void test_info(void **state) {
-    (void)state;
-    struct context *context =
-        open_context(&(struct context_desc){.kind = CONTEXT_AUTO, .device = -1});
-    char command[512], output[8192], renderer[256];
-    snprintf(renderer, sizeof renderer, "%s", (const char *)gl.GetString(GL_RENDERER));
-    snprintf(command, sizeof command, "%s info --gl", binary_path());
-    assert_int_equal(run_command(command, output, sizeof output), 0);
-    assert_non_null(strstr(output, renderer));
-    assert_non_null(strstr(output, context_description(context)));
-    assert_non_null(strstr(output, "uniform block bytes"));
-    context_free(context);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_egl),
@@ -200,7 +186,6 @@ int main(void) {
         cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_no_driver),
         cmocka_unit_test(test_missing_function),
-        cmocka_unit_test(test_info),
     };
     return cmocka_run_group_tests_name("gl", tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/context_options.h"
+#include "apps/scene_summary.h"
 
 #include "gl/api.h"
 
@@ -15,7 +16,7 @@ struct values {
 
 static const struct option options[] = {
     {"gl", 0, OPTION_FLAG, offsetof(struct values, gl),
-     .help = "the OpenGL implementation, its limits, and the EGL devices (default without SCENE)"},
+     .help = "the OpenGL implementation, its limits, and the EGL devices"},
     CONTEXT_OPTIONS(struct values, context),
     {NULL},
 };
@@ -90,15 +91,19 @@ static bool print_gl(const struct values *values) {
 }
 
 static const struct arguments arguments = {
-    .synopsis = "[OPTION ...]",
-    .summary = "Tells what renders here.",
+    .synopsis = "[OPTION ...] [SCENE]",
+    .summary = "Tells what a scene holds; without SCENE, or with --gl, what renders here.",
     .options = options,
+    .max_positional = 1,
 };
 
 int app_info(int argc, char **argv) {
     struct values values;
+    const char *scene;
     int count, status;
-    if (!arguments_parse(&arguments, &values, argc, argv, NULL, &count, &status))
+    if (!arguments_parse(&arguments, &values, argc, argv, &scene, &count, &status))
         return status;
-    return print_gl(&values) ? STATUS_OK : arguments_fail(argv[0]);
+    bool ok = (!scene || scene_summary_print(stdout, scene)) &&
+              ((scene && !values.gl) || print_gl(&values));
+    return ok ? STATUS_OK : arguments_fail(argv[0]);
 }

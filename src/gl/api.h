@@ -2,7 +2,7 @@
  *
  * The table belongs to the context that is current; context_make_current (gl/context.h) fills it
  * through the context's own getproc, so that one binary serves EGL, OSMesa and a window. A function
- * that is not in the list yet gets its line in GL_FUNCTIONS.
+ * that is not in the list yet gets its line in GL_FUNCTIONS. One thread uses OpenGL.
  */
 #ifndef GL_API_H
 #define GL_API_H

@@ -1,0 +1,129 @@
+#include "apps/scene_summary.h"
+
+#include "scene/camera.h"
+#include "scene/geometry.h"
+#include "scene/light.h"
+#include "scene/node.h"
+#include "scene/scene.h"
+
+#include <cglm/util.h>
+#include <math.h>
+
+static double degrees(float radians) {
+    return (double)glm_deg(radians);
+}
+
+static void print_vector(FILE *out, const float v[3]) {
+    fprintf(out, "(%.4g, %.4g, %.4g)", v[0] + 0.0, v[1] + 0.0, v[2] + 0.0); /* no "-0" */
+}
+
+/* Of the file, each mesh counted once. */
+static void print_meshes(FILE *out, const struct scene *scene) {
+    int primitives = 0;
+    long vertices = 0, triangles = 0;
+    for (int m = 0; m < scene->mesh_count; m++) {
+        const struct mesh *mesh = &scene->meshes[m];
+        primitives += mesh->primitive_count;
+        for (int p = 0; p < mesh->primitive_count; p++) {
+            vertices += mesh->primitives[p].vertex_count;
+            triangles += mesh->primitives[p].index_count / 3;
+        }
+    }
+    fprintf(out, "nodes      %d\n", scene->node_count);
+    fprintf(out, "meshes     %d (primitives %d), %ld vertices, %ld triangles\n", scene->mesh_count,
+            primitives, vertices, triangles);
+}
+
+/* As drawn: a mesh counts once for each node that shows it. */
+static void print_geometry(FILE *out, const struct geometry *geometry) {
+    fprintf(out, "drawn      %u vertices, %u triangles (%u without alpha mask), batches %d\n",
+            geometry->vertex_count, geometry->index_count / 3, geometry->opaque_index_count / 3,
+            geometry->batch_count);
+    fprintf(out, "bounds     ");
+    print_vector(out, geometry->bounds_min);
+    fprintf(out, " to ");
+    print_vector(out, geometry->bounds_max);
+    fprintf(out, " m, sphere of radius %.4g m\n", (double)geometry->radius);
+}
+
+static void print_materials(FILE *out, const struct scene *scene) {
+    int textured = 0, masked = 0, double_sided = 0;
+    for (int i = 0; i < scene->material_count; i++) {
+        textured += scene->materials[i].texture >= 0;
+        masked += scene->materials[i].alpha_mask;
+        double_sided += scene->materials[i].double_sided;
+    }
+    fprintf(out, "materials  %d (%d textured, %d alpha mask, %d double-sided)\n",
+            scene->material_count, textured, masked, double_sided);
+    double texels = 0;
+    for (int i = 0; i < scene->texture_count; i++)
+        texels += (double)scene->textures[i].bitmap.width * scene->textures[i].bitmap.height;
+    fprintf(out, "textures   %d (%.2f megatexels)\n", scene->texture_count, texels / 1e6);
+}
+
+static void print_light(FILE *out, const struct scene *scene, int n) {
+    static const char *const types[] = {"spot", "point", "directional"};
+    struct light light;
+    light_place(&light, scene, n, 0);
+    int node = node_carrying(scene, NODE_LIGHT, n);
+    fprintf(out, "  %d  %-20s %s ", n, scene->lights[scene->nodes[node].light].name,
+            types[light.type]);
+    print_vector(out, light.intensity);
+    fprintf(out, light.type == LIGHT_DIRECTIONAL ? " W/m2" : " W/sr");
+    if (light.type != LIGHT_DIRECTIONAL) {
+        fprintf(out, " at ");
+        print_vector(out, light.position);
+    }
+    if (light.type != LIGHT_POINT) {
+        fprintf(out, " towards ");
+        print_vector(out, light.direction);
+    }
+    if (light.type == LIGHT_SPOT)
+        fprintf(out, ", cone %.4g to %.4g degrees", degrees(acosf(light.cos_inner)),
+                degrees(acosf(light.cos_outer)));
+    fputc('\n', out);
+}
+
+static void print_camera(FILE *out, const struct scene *scene, int n) {
+    struct camera camera;
+    camera_place(&camera, scene, n, 0);
+    int node = node_carrying(scene, NODE_CAMERA, n);
+    fprintf(out, "  %d  %-20s %s, ", n, scene->cameras[scene->nodes[node].camera].name,
+            camera.orthographic ? "orthographic" : "perspective");
+    if (camera.orthographic)
+        fprintf(out, "%.4g m high", 2 * (double)camera.y_extent);
+    else
+        fprintf(out, "%.4g degrees high", degrees(camera.fov_y));
+    fprintf(out, ", at ");
+    print_vector(out, camera.eye);
+    fprintf(out, " towards ");
+    print_vector(out, camera.forward);
+    fputc('\n', out);
+}
+
+/* Counted as --light and --camera count them: by node. */
+static void print_placed(FILE *out, const struct scene *scene) {
+    int lights = light_node_count(scene), cameras = camera_node_count(scene);
+    fprintf(out, "lights     %d\n", lights);
+    for (int n = 0; n < lights; n++)
+        print_light(out, scene, n);
+    fprintf(out, "cameras    %d\n", cameras);
+    for (int n = 0; n < cameras; n++)
+        print_camera(out, scene, n);
+}
+
+bool scene_summary_print(FILE *out, const char *path) {
+    struct scene scene;
+    struct geometry geometry = {0};
+    bool ok = scene_load(&scene, path) && geometry_init(&geometry, &scene, 0);
+    if (ok) {
+        fprintf(out, "scene      %s\n", path);
+        print_meshes(out, &scene);
+        print_geometry(out, &geometry);
+        print_materials(out, &scene);
+        print_placed(out, &scene);
+    }
+    geometry_free(&geometry);
+    scene_free(&scene);
+    return ok;
+}

@@ -1,0 +1,11 @@
+/* What a scene holds, in lines of text: counts, materials' textures, lights, cameras, bounds. */
+#ifndef APPS_SCENE_SUMMARY_H
+#define APPS_SCENE_SUMMARY_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+/* Error: the scene cannot be loaded, or nothing in it can be drawn. */
+bool scene_summary_print(FILE *out, const char *path);
+
+#endif

@@ -1,0 +1,70 @@
+/* manylight info. */
+#include "support.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static char output[8192];
+
+static int info(const char *arguments) {
+    char command[512];
+    snprintf(command, sizeof command, "%s info %s", binary_path(), arguments);
+    return run_command(command, output, sizeof output);
+}
+
+static void check_says(const char *text) {
+    if (!strstr(output, text))
+        fail_msg("'%s' is not in:\n%s", text, output);
+}
+
+static void test_gl(void **state) {
+    (void)state;
+    if (info("") != 0) {
+        printf("    skipped: %s\n", output);
+        skip();
+    }
+    check_says("context   ");
+    check_says("renderer  ");
+    check_says("uniform block bytes");
+    check_says("GL_EXT_texture_filter_anisotropic");
+}
+
+static void test_scene(void **state) {
+    (void)state;
+    assert_int_equal(info("scenes/cornell-box.glb"), 0);
+    check_says("72 vertices, 36 triangles (36 without alpha mask)");
+    check_says("(-2.78, 0, -2.796) to (2.78, 5.488, 2.796) m");
+    check_says("lights     1\n");
+    check_says("spot (500, 500, 500) W/sr at (1.1, 2.3, 1.9)");
+    check_says("cameras    1\n");
+    check_says("perspective, 39.31 degrees high, at (0, 2.73, 10.8) towards (0, 0, -1)");
+    assert_null(strstr(output, "renderer"));
+}
+
+static void test_point_light(void **state) {
+    (void)state;
+    assert_int_equal(info("scenes/sphere.glb"), 0);
+    check_says("point (3.142, 3.142, 3.142) W/sr at (0, 0, 0)\n");
+}
+
+static void test_refusals(void **state) {
+    (void)state;
+    assert_int_equal(info("no-such-scene.glb"), 1);
+    assert_string_equal(
+        output, "manylight info: cannot open no-such-scene.glb: No such file or directory\n");
+    assert_int_equal(info("one.glb two.glb"), 2);
+    assert_int_equal(info("--context glx"), 2);
+    check_says("one of auto, egl, osmesa");
+    assert_int_equal(info("--context osmesa --device 0"), 1);
+    check_says("no EGL device 0 (there are 0, counted from 0)");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_gl),
+        cmocka_unit_test(test_scene),
+        cmocka_unit_test(test_point_light),
+        cmocka_unit_test(test_refusals),
+    };
+    return cmocka_run_group_tests_name("info", tests, NULL, NULL);
+}
