@@ -53,7 +53,7 @@ static void colour_positive(float t, unsigned char rgb8[3]) {
 /* Blue below 0, white, red above. */
 static void colour_signed(float t, unsigned char rgb8[3]) {
     float magnitude = fabsf(t);
-    lch_to_rgb8(97 - 57 * magnitude, 54 * magnitude, t < 0 ? 275 : 35, rgb8);
+    lch_to_rgb8(97 - 57 * magnitude, 60 * magnitude, t < 0 ? 288 : 35, rgb8);
 }
 
 static void set_pixel(struct bitmap *picture, int x, int y, const struct heat_map *map,
