@@ -147,11 +147,16 @@ static void test_refusals(void **state) {
     context_list_devices(devices, sizeof devices);
     printf("%s", devices);
     const struct context_desc no_such_device = {.kind = CONTEXT_EGL, .device = 99};
+    struct context *current =
+        context_create(&(struct context_desc){.kind = CONTEXT_AUTO, .device = -1});
     assert_null(context_create(&no_such_device));
     printf("    %s\n", error_get());
     assert_non_null(strstr(error_get(), "no OpenGL 4.5 core context: "));
     if (!strstr(error_get(), "cannot open"))
         assert_non_null(strstr(error_get(), "no EGL device 99"));
+    if (current)
+        assert_int_equal(gl.GetError(), GL_NO_ERROR);
+    context_free(current);
 }
 
 /* A machine without GPU drivers: the message tells what was tried. */

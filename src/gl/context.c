@@ -6,7 +6,6 @@
 #include "gl/api.h"
 #include "gl/platform.h"
 
-#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,8 +23,7 @@ struct context {
 /* OpenGL knows a current context, so must we. */
 static struct context *current;
 
-/* --- debug messages ----------------------------------------------------------------------------
- */
+/* --- debug messages --- */
 
 static void APIENTRY on_message(GLenum source, GLenum type, GLuint id, GLenum severity,
                                 GLsizei length, const GLchar *message, const void *user) {
@@ -43,8 +41,7 @@ static void listen(struct context *context) {
     gl.DebugMessageCallback(on_message, context);
 }
 
-/* --- making a context --------------------------------------------------------------------------
- */
+/* --- making a context --- */
 
 static bool is_software(const char *renderer) {
     static const char *const names[] = {"llvmpipe", "softpipe", "swrast", "Software"};
@@ -86,8 +83,7 @@ static struct context *try_candidate(const struct candidate *candidate, bool deb
     return NULL;
 }
 
-/* --- candidates --------------------------------------------------------------------------------
- */
+/* --- candidates --- */
 
 /* Reasons of failure, one after another. */
 struct reasons {
@@ -141,12 +137,15 @@ static struct context *try_device(const struct candidate_list *list, int number,
 struct context *context_create(const struct context_desc *desc) {
     struct candidate_list list;
     struct reasons reasons = {"", 0};
+    struct context *before = current;
     list_candidates(&list, desc->kind, &reasons);
     struct context *context = desc->device < 0
                                   ? try_all(&list, desc->debug, &reasons)
                                   : try_device(&list, desc->device, desc->debug, &reasons);
-    if (!context)
+    if (!context) {
+        context_make_current(before);
         error_set("no OpenGL 4.5 core context: %s", reasons.text);
+    }
     return context;
 }
 
@@ -160,8 +159,7 @@ struct context *context_adopt(void *(*getproc)(const char *name), bool debug) {
     return NULL;
 }
 
-/* --- being current -----------------------------------------------------------------------------
- */
+/* --- being current --- */
 
 /* EGL and OSMesa may share one Mesa, whose notion of the current context would be torn between
  * them: the old context is always let go before another is bound. */
@@ -197,8 +195,7 @@ void context_free(struct context *context) {
     free(context);
 }
 
-/* --- questions ---------------------------------------------------------------------------------
- */
+/* --- questions --- */
 
 const char *context_description(const struct context *context) {
     return context->description;

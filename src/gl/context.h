@@ -27,7 +27,7 @@ struct context_desc {
 struct context;
 
 /* Makes a context and makes it current. Error: one message that says what was tried and why each
- * attempt failed. */
+ * attempt failed; the context that was current still is. */
 struct context *context_create(const struct context_desc *desc);
 
 /* Accepts NULL. The freed context is current no more; another one that is current stays so. */
