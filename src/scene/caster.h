@@ -1,0 +1,43 @@
+/* Shadow casters with short edges, for paraboloid maps.
+ *
+ * A paraboloid map bends straight lines, but a rasteriser draws them straight, so that a large
+ * triangle ends up in the wrong place. Here every edge longer than a bound is split at its middle,
+ * repeatedly. The decision looks at the edge's two ends alone: triangles that share an edge split
+ * it alike, even where they do not share its vertices, and no crack opens.
+ *
+ * The result is a template: it tells of which two vertices each extra one is the midpoint. When the
+ * geometry moves, only the extra positions are filled anew; the triangles stay.
+ */
+#ifndef SCENE_CASTER_H
+#define SCENE_CASTER_H
+
+#include "scene/geometry.h"
+
+struct caster {
+    float max_edge; /* the bound that is kept: what was asked for, or more where the limit bites */
+
+    /* Vertices: the geometry's, then the extra ones. */
+    uint32_t base_count, extra_count;
+    uint32_t (*midpoint_of)[2]; /* extra vertex i lies amid these two, which come before it */
+
+    /* Triangles in the order of the geometry's, in its batches. */
+    uint32_t *indices;
+    uint32_t index_count, opaque_index_count;
+    struct geometry_batch *batches;
+    int batch_count;
+};
+
+/* Beside those that the geometry has, no more triangles than this are made. */
+enum { CASTER_MAX_EXTRA_TRIANGLES = 2000000 };
+
+/* Splits the geometry as it is posed now until no edge is longer than max_edge > 0, or than the
+ * least multiple of it by a power of two that keeps the limit. */
+void caster_init(struct caster *caster, const struct geometry *geometry, float max_edge);
+void caster_free(struct caster *caster);
+
+/* Fills the extra_count extra positions and texture coordinates (unless NULL) from the geometry,
+ * which may have moved since caster_init. */
+void caster_fill(const struct caster *caster, const struct geometry *geometry, float (*position)[3],
+                 float (*uv)[2]);
+
+#endif

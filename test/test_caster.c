@@ -1,0 +1,218 @@
+/* Subdivided shadow casters. */
+#include "support.h"
+
+#include "base/memory.h"
+#include "scene/caster.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A box of 12 triangles, each with vertices of its own, far from the origin and stretched, so that
+ * midpoints round. Two faces are masked. */
+static void make_box(struct geometry *geometry) {
+    static const float axes[3][3] = {{7.3F, .1F, -.2F}, {.3F, 1.1F, .05F}, {-.7F, .2F, .37F}};
+    static const uint8_t faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                        {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+    static const uint8_t corners[6] = {0, 1, 2, 0, 2, 3};
+    *geometry = (struct geometry){.vertex_count = 36, .index_count = 36, .batch_count = 2};
+    geometry->position = mem_alloc(37, sizeof *geometry->position);
+    geometry->uv = mem_alloc(36, sizeof *geometry->uv);
+    geometry->indices = mem_alloc(36, sizeof *geometry->indices);
+    geometry->batches = mem_alloc(2, sizeof *geometry->batches);
+    for (uint32_t i = 0; i < 36; i++) {
+        int bits = faces[i / 6][corners[i % 6]];
+        for (int c = 0; c < 3; c++) {
+            float *x = &geometry->position[i][c];
+            *x = 31.7F;
+            for (int axis = 0; axis < 3; axis++)
+                *x += (float)(bits >> axis & 1) * axes[axis][c];
+            geometry->bounds_max[c] = fmaxf(geometry->bounds_max[c], *x);
+        }
+        geometry->uv[i][0] = geometry->position[i][0];
+        geometry->uv[i][1] = geometry->position[i][1];
+        geometry->indices[i] = i;
+    }
+    geometry->opaque_index_count = 24;
+    geometry->batches[0] = (struct geometry_batch){.material = 3, .index_count = 24};
+    geometry->batches[1] =
+        (struct geometry_batch){.material = 1, .first_index = 24, .index_count = 12};
+}
+
+/* All vertices of the caster, from the geometry as it is posed now. */
+struct pose {
+    float (*position)[3];
+    float (*uv)[2];
+};
+
+static struct pose pose_of(const struct caster *caster, const struct geometry *geometry) {
+    size_t count = caster->base_count + caster->extra_count;
+    struct pose pose = {mem_alloc(count, sizeof *pose.position), mem_alloc(count, sizeof *pose.uv)};
+    memcpy(pose.position, geometry->position, caster->base_count * sizeof *pose.position);
+    memcpy(pose.uv, geometry->uv, caster->base_count * sizeof *pose.uv);
+    caster_fill(caster, geometry, pose.position + caster->base_count, pose.uv + caster->base_count);
+    return pose;
+}
+
+static void pose_free(struct pose *pose) {
+    free(pose->position);
+    free(pose->uv);
+}
+
+static double distance(const float a[3], const float b[3]) {
+    return sqrt(pow(a[0] - b[0], 2) + pow(a[1] - b[1], 2) + pow(a[2] - b[2], 2));
+}
+
+static double area_of(float (*position)[3], const uint32_t *indices, uint32_t first,
+                      uint32_t count) {
+    double area = 0;
+    for (uint32_t k = first; k < first + count; k += 3) {
+        double a = distance(position[indices[k]], position[indices[k + 1]]);
+        double b = distance(position[indices[k + 1]], position[indices[k + 2]]);
+        double c = distance(position[indices[k + 2]], position[indices[k]]), s = (a + b + c) / 2;
+        area += sqrt(fmax(0, s * (s - a) * (s - b) * (s - c)));
+    }
+    return area;
+}
+
+static double longest_edge(float (*position)[3], const struct caster *caster) {
+    double longest = 0;
+    for (uint32_t k = 0; k < caster->index_count; k++) {
+        uint32_t next = k % 3 == 2 ? k - 2 : k + 1;
+        longest =
+            fmax(longest, distance(position[caster->indices[k]], position[caster->indices[next]]));
+    }
+    return longest;
+}
+
+/* An edge by the positions of its ends, the lesser first. */
+struct edge {
+    float ends[6];
+    int direction;
+};
+
+static int compare_edges(const void *a, const void *b) {
+    return memcmp(((const struct edge *)a)->ends, ((const struct edge *)b)->ends, sizeof(float[6]));
+}
+
+/* Edges that are not shared by exactly two triangles that run along them in opposite directions. */
+static int count_open_edges(float (*position)[3], const struct caster *caster) {
+    struct edge *edges = mem_alloc(caster->index_count, sizeof *edges);
+    for (uint32_t k = 0; k < caster->index_count; k++) {
+        const float *a = position[caster->indices[k]];
+        const float *b = position[caster->indices[k % 3 == 2 ? k - 2 : k + 1]];
+        edges[k].direction = memcmp(a, b, 12) < 0 ? 1 : -1;
+        memcpy(edges[k].ends, edges[k].direction > 0 ? a : b, 12);
+        memcpy(edges[k].ends + 3, edges[k].direction > 0 ? b : a, 12);
+    }
+    qsort(edges, caster->index_count, sizeof *edges, compare_edges);
+    int open = 0;
+    for (uint32_t k = 0, end; k < caster->index_count; k = end) {
+        int direction = 0;
+        for (end = k; end < caster->index_count && compare_edges(&edges[k], &edges[end]) == 0;)
+            direction += edges[end++].direction;
+        open += end - k != 2 || direction != 0;
+    }
+    free(edges);
+    return open;
+}
+
+static void test_bound_area_and_cracks(void **state) {
+    (void)state;
+    struct geometry box;
+    make_box(&box);
+    static const float bounds[] = {100, 5, 1.3F, .4F, .05F};
+    for (int i = 0; i < 5; i++) {
+        struct caster caster;
+        caster_init(&caster, &box, bounds[i]);
+        struct pose pose = pose_of(&caster, &box);
+        check_near("bound", caster.max_edge, bounds[i], 0);
+        check_at_most("longest edge", longest_edge(pose.position, &caster), bounds[i] * 1.000001);
+        check_near("area", area_of(pose.position, caster.indices, 0, caster.index_count),
+                   area_of(box.position, box.indices, 0, 36), 1e-3);
+        check_near("open edges", count_open_edges(pose.position, &caster), 0, 0);
+        if (i == 0)
+            assert_int_equal(caster.extra_count, 0);
+        pose_free(&pose);
+        caster_free(&caster);
+    }
+    geometry_free(&box);
+}
+
+static void test_batches(void **state) {
+    (void)state;
+    struct geometry box;
+    make_box(&box);
+    struct caster caster;
+    caster_init(&caster, &box, .5F);
+    struct pose pose = pose_of(&caster, &box);
+    assert_int_equal(caster.batch_count, 2);
+    assert_int_equal(caster.batches[0].material, 3);
+    assert_int_equal(caster.batches[1].material, 1);
+    assert_int_equal(caster.batches[0].first_index, 0);
+    assert_int_equal(caster.batches[0].index_count, caster.opaque_index_count);
+    assert_int_equal(caster.batches[1].first_index, caster.opaque_index_count);
+    assert_int_equal(caster.batches[1].index_count, caster.index_count - caster.opaque_index_count);
+    for (int i = 0; i < 2; i++)
+        check_near("area of a batch",
+                   area_of(pose.position, caster.indices, caster.batches[i].first_index,
+                           caster.batches[i].index_count),
+                   area_of(box.position, box.indices, box.batches[i].first_index,
+                           box.batches[i].index_count),
+                   1e-3);
+    /* The box maps x and y to uv, so must all midpoints. */
+    for (uint32_t i = 0; i < caster.base_count + caster.extra_count; i++)
+        for (int c = 0; c < 2; c++)
+            assert_true(pose.uv[i][c] == pose.position[i][c]);
+    for (uint32_t i = 0; i < caster.extra_count; i++)
+        for (int e = 0; e < 2; e++)
+            assert_true(caster.midpoint_of[i][e] < caster.base_count + i);
+    pose_free(&pose);
+    caster_free(&caster);
+    geometry_free(&box);
+}
+
+/* The template of one pose fits another: no crack opens, and the area is the moved box's. */
+static void test_moved(void **state) {
+    (void)state;
+    struct geometry box;
+    make_box(&box);
+    struct caster caster;
+    caster_init(&caster, &box, .3F);
+    for (int i = 0; i < 36; i++) {
+        float x = box.position[i][0], y = box.position[i][1];
+        box.position[i][0] = .8F * x - .6F * y;
+        box.position[i][1] = .6F * x + .8F * y - 3;
+    }
+    struct pose pose = pose_of(&caster, &box);
+    check_near("area", area_of(pose.position, caster.indices, 0, caster.index_count),
+               area_of(box.position, box.indices, 0, 36), 2e-3);
+    check_near("open edges", count_open_edges(pose.position, &caster), 0, 0);
+    check_at_most("longest edge", longest_edge(pose.position, &caster), .3001);
+    pose_free(&pose);
+    caster_free(&caster);
+    geometry_free(&box);
+}
+
+/* An absurd bound gives way to the limit and ends soon. */
+static void test_limit(void **state) {
+    (void)state;
+    struct geometry box;
+    make_box(&box);
+    struct caster caster;
+    caster_init(&caster, &box, 1e-30F);
+    check_at_most("triangles", caster.index_count / 3, 12 + CASTER_MAX_EXTRA_TRIANGLES);
+    check_at_most("a tenth of the limit", CASTER_MAX_EXTRA_TRIANGLES / 10., caster.index_count / 3);
+    caster_free(&caster);
+    geometry_free(&box);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_bound_area_and_cracks),
+        cmocka_unit_test(test_batches),
+        cmocka_unit_test(test_moved),
+        cmocka_unit_test(test_limit),
+    };
+    return cmocka_run_group_tests_name("caster", tests, NULL, NULL);
+}
