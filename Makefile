@@ -123,10 +123,8 @@ test: deps
 	@$(MAKE) --no-print-directory tests
 
 SANITIZE := -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined
-# Whole stacks, so that test/leaks-of-others can name the library at fault.
 asan: deps
-	@ASAN_OPTIONS=fast_unwind_on_malloc=0 \
-	    LSAN_OPTIONS=suppressions=test/leaks-of-others:print_suppressions=0 \
+	@LSAN_OPTIONS=suppressions=test/leaks-of-others:print_suppressions=0 \
 	    $(MAKE) --no-print-directory tests BUILD=build/asan BINARY=build/asan/manylight \
 	    CFLAGS="-O1 -g $(SANITIZE)" LDFLAGS="$(SANITIZE)"
 
