@@ -50,13 +50,11 @@ static void print_metrics(FILE *out) {
                 m->usual_for & METRIC_LDR ? " [integer]" : "");
     fprintf(
         out,
-        "\nWithout --metric: those marked [float] where both files store floats (EXR, PFM ...), "
-        "those\n"
-        "marked [integer] where either stores integers (PNG, JPEG ...). Integers are taken as "
-        "sRGB\n"
-        "and decoded to linear light first. Alpha is ignored. NaN and infinity are errors.\n"
-        "The picture shows the first --metric, or else FLIP.\n"
-        "Exit status: 0; 1 over a --max or where files cannot be compared; 2 for wrong usage.\n");
+        "\nWithout --metric: those marked [float] where both files store floats (EXR, PFM ...),\n"
+        "those marked [integer] where either stores integers (PNG, JPEG ...). Integers are\n"
+        "taken as sRGB and decoded to linear light first. Alpha is ignored. NaN and infinity\n"
+        "are errors. The picture shows the first --metric, or else FLIP.\n"
+        "Exit status: 0; 1 over a --max or where files do not compare; 2 for wrong usage.\n");
 }
 
 static const struct arguments arguments = {
@@ -201,37 +199,45 @@ static void print_json(const struct report *report, const struct values *values,
     printf("}}\n");
 }
 
-/* False colours in an 8-bit format, the bare values in a float format. */
-static bool write_picture(const struct values *values, const struct metric *metric, double value,
-                          const struct image *size, float *map) {
-    bool is_float;
-    if (!image_format_is_float(values->output, &is_float))
-        return false;
-    if (is_float) {
-        struct image picture;
-        image_init(&picture, size->width, size->height, "Y");
-        memcpy(picture.pixels, map, (size_t)size->width * (size_t)size->height * sizeof *map);
-        bool ok = image_write(&picture, values->output);
-        image_free(&picture);
-        return ok;
-    }
+static bool write_values(const char *path, const struct image *size, const float *map) {
+    struct image picture;
+    image_init(&picture, size->width, size->height, "Y");
+    memcpy(picture.pixels, map, (size_t)size->width * (size_t)size->height * sizeof *map);
+    bool ok = image_write(&picture, path);
+    image_free(&picture);
+    return ok;
+}
+
+static bool write_heat_map(const struct values *values, const struct metric *metric, double value,
+                           const struct image *size, const float *map) {
     char title[64];
     snprintf(title, sizeof title, "%s %.4g", metric->name, value);
-    struct heat_map heat = {.title = title,
-                            .width = size->width,
-                            .height = size->height,
-                            .values = map,
-                            .top = values->top,
-                            .is_signed = metric->range == RANGE_SIGNED};
-    if (heat.top == 0)
-        heat.top = metric->range == RANGE_UNIT
-                       ? 1
-                       : heat_map_fit_top(map, (size_t)size->width * (size_t)size->height);
+    float top = values->top;
+    if (top == 0)
+        top = metric->range == RANGE_UNIT
+                  ? 1
+                  : heat_map_fit_top(map, (size_t)size->width * (size_t)size->height);
     struct bitmap picture;
-    heat_map_draw(&heat, &picture);
+    heat_map_draw(&(struct heat_map){.title = title,
+                                     .width = size->width,
+                                     .height = size->height,
+                                     .values = map,
+                                     .top = top,
+                                     .is_signed = metric->range == RANGE_SIGNED},
+                  &picture);
     bool ok = bitmap_write(&picture, values->output);
     bitmap_free(&picture);
     return ok;
+}
+
+/* False colours in an 8-bit format, the bare values in a float format. */
+static bool write_picture(const struct values *values, const struct metric *metric, double value,
+                          const struct image *size, const float *map) {
+    bool is_float;
+    if (!image_format_is_float(values->output, &is_float))
+        return false;
+    return is_float ? write_values(values->output, size, map)
+                    : write_heat_map(values, metric, value, size, map);
 }
 
 static bool measure(struct report *report, const struct values *values,

@@ -15,6 +15,7 @@ static const float k0 = 0.36f * 2.51f, k1 = 0.6f * 0.03f;
 static const float k3 = 0.36f * 2.43f, k4 = 0.6f * 0.59f, k5 = 0.14f;
 
 static float tone_map(float x) {
+    x = fminf(fmaxf(x, 0), 1e4f); /* long white by then, and its square is finite */
     return clamp_unit((k0 * x * x + k1 * x) / (k3 * x * x + k4 * x + k5));
 }
 
@@ -54,7 +55,7 @@ static void expose_row(void *context, size_t y) {
     const float *in = image_at(picture->scene, 0, (int)y);
     float *out = image_at(picture->shown, 0, (int)y);
     for (int i = 0; i < 3 * picture->scene->width; i++)
-        out[i] = tone_map(fmaxf(in[i], 0) * picture->scale);
+        out[i] = tone_map(in[i] * picture->scale);
 }
 
 static void expose(const struct image *scene, float exposure, int threads, struct image *shown) {
