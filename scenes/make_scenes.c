@@ -13,6 +13,7 @@ static const struct scene_maker {
     void (*make)(struct glb *glb);
 } makers[] = {
     {"cornell-box", make_cornell_box},
+    {"cornell-animal", make_cornell_animal},
     {"sphere", make_sphere},
     {"metaballs", make_metaballs},
 };

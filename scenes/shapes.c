@@ -66,3 +66,20 @@ void add_sphere_inside(struct surface *surface, int n) {
             }
     }
 }
+
+void smooth_normals(struct surface *surface) {
+    for (uint32_t i = 0; i < surface->vertex_count; i++)
+        glm_vec3_zero(surface->normal[i]);
+    for (uint32_t i = 0; i < surface->index_count; i++) {
+        uint32_t first = i - i % 3, at = surface->indices[i];
+        uint32_t b = surface->indices[first + (i + 1 - first) % 3],
+                 c = surface->indices[first + (i + 2 - first) % 3];
+        vec3 ab, ac, normal;
+        glm_vec3_sub(surface->position[b], surface->position[at], ab);
+        glm_vec3_sub(surface->position[c], surface->position[at], ac);
+        glm_vec3_crossn(ab, ac, normal);
+        glm_vec3_muladds(normal, glm_vec3_angle(ab, ac), surface->normal[at]);
+    }
+    for (uint32_t i = 0; i < surface->vertex_count; i++)
+        glm_vec3_normalize(surface->normal[i]);
+}

@@ -16,4 +16,8 @@ void add_block(struct surface *surface, const float top[4][3], float low);
  * exact. 12 n^2 triangles of nearly equal size. */
 void add_sphere_inside(struct surface *surface, int n);
 
+/* Sets all normals to the mean of the triangles around, weighted by their angles at the vertex
+ * [Thuermer and Wuethrich 1998]. */
+void smooth_normals(struct surface *surface);
+
 #endif
