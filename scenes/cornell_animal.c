@@ -9,12 +9,13 @@
 #include <cglm/cglm.h>
 #include <stdlib.h>
 
-/* Larger than life, as the room is; turned so that its head comes towards the camera. */
+/* Larger than life, as the room is; turned so that its head comes towards the camera. Decimation
+ * may have pushed a sole a hair below the floor. */
 static void place(struct surface *surface) {
     const float scale = 1.62f, turn = glm_rad(28.0f), c = cosf(turn), s = sinf(turn);
     for (uint32_t i = 0; i < surface->vertex_count; i++) {
         float *p = surface->position[i], *n = surface->normal[i];
-        glm_vec3_copy((vec3){scale * (c * p[0] - s * p[2]) - 0.55f, scale * p[1],
+        glm_vec3_copy((vec3){scale * (c * p[0] - s * p[2]) - 0.55f, fmaxf(scale * p[1], 0.0f),
                              scale * (s * p[0] + c * p[2]) - 0.95f},
                       p);
         glm_vec3_copy((vec3){c * n[0] - s * n[2], n[1], s * n[0] + c * n[2]}, n);

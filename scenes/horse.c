@@ -135,8 +135,8 @@ static void add_lock(struct soft_body *horse, const float root[3], int number) {
     /* Locks fall to the near side and back, each a little different from its neighbours. */
     float wave = (float)(number % 3 - 1);
     float length = 0.24f + 0.03f * (float)(number % 2);
-    struct bone upper = {.from_radius = 0.036f, .to_radius = 0.034f, .blend = 0.012f};
-    struct bone lower = {.from_radius = 0.034f, .to_radius = 0.010f, .blend = 0.008f};
+    struct bone upper = {.from_radius = 0.036f, .to_radius = 0.034f, .blend = 0.02f};
+    struct bone lower = {.from_radius = 0.034f, .to_radius = 0.010f, .blend = 0.015f};
     glm_vec3_copy((float *)root, upper.from);
     glm_vec3_copy((vec3){root[0] - 0.045f, root[1] - 0.4f * length, root[2] + 0.115f}, upper.to);
     glm_vec3_copy(upper.to, lower.from);
@@ -212,6 +212,6 @@ void shape_horse(struct soft_body *horse) {
     add_mane(horse);
     add_bones(horse, &body_frame, tail, COUNT(tail), SOFT_ONE);
     /* The ground: a very large ellipsoid cuts the soles flat. */
-    const struct muscle ground = {{0.0f, -2.0f, 0.0f}, {40.0f, 2.0f, 40.0f}, 0.0f, 0.0f};
+    const struct muscle ground = {{0.0f, -2.0f, 0.0f}, {400.0f, 2.0f, 400.0f}, 0.0f, 0.0f};
     soft_carve(horse, &body_frame, &ground, SOFT_ONE);
 }

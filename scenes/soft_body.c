@@ -6,7 +6,7 @@
 #include <math.h>
 
 /* Distances beyond this are of no interest: no seam is that wide. */
-static const float far_away = 0.3f;
+static const float far_away = 0.17f;
 
 /* --- distances -------------------------------------------------------------------------------- */
 
@@ -22,13 +22,11 @@ static float bone_distance(const struct bone *bone, vec3 p) {
     return glm_vec3_norm(from) - glm_lerp(bone->from_radius, bone->to_radius, t);
 }
 
-/* First order: the implicit function over the length of its gradient. */
+/* First order: the implicit function over the length of its gradient. p lies in the ellipsoid's own
+ * axes. */
 static float muscle_distance(const struct muscle *muscle, vec3 p) {
-    float c = cosf(glm_rad(muscle->tilt)), s = sinf(glm_rad(muscle->tilt));
-    vec3 d, scaled, gradient;
-    glm_vec3_sub(p, (float *)muscle->center, d);
-    vec3 turned = {c * d[0] + s * d[1], c * d[1] - s * d[0], d[2]};
-    glm_vec3_div(turned, (float *)muscle->radii, scaled);
+    vec3 scaled, gradient;
+    glm_vec3_div(p, (float *)muscle->radii, scaled);
     glm_vec3_div(scaled, (float *)muscle->radii, gradient);
     float length = glm_vec3_norm(scaled), slope = glm_vec3_norm(gradient);
     /* At the centre the formula is 0 / 0; any clearly negative distance will do. */
@@ -117,14 +115,17 @@ struct marching_grid soft_grid(const struct soft_body *body, float step) {
 
 /* --- parts ------------------------------------------------------------------------------------ */
 
+static void to_world(const struct soft_frame *frame, const float local[3], vec3 world) {
+    glm_vec3_copy((float *)frame->origin, world);
+    glm_vec3_muladds((float *)frame->right, local[0], world);
+    glm_vec3_muladds((float *)frame->up, local[1], world);
+    glm_vec3_muladds((float *)frame->front, local[2], world);
+}
+
 /* The box around a ball in the frame, far_away wider, joined to the part's box. */
 static void cover(struct soft_part *part, const float center[3], float radius) {
-    const struct soft_frame *frame = &part->frame;
     vec3 world;
-    glm_vec3_copy((float *)frame->origin, world);
-    glm_vec3_muladds((float *)frame->right, center[0], world);
-    glm_vec3_muladds((float *)frame->up, center[1], world);
-    glm_vec3_muladds((float *)frame->front, center[2], world);
+    to_world(&part->frame, center, world);
     for (int axis = 0; axis < 3; axis++) {
         part->low[axis] = fminf(part->low[axis], world[axis] - radius - far_away);
         part->high[axis] = fmaxf(part->high[axis], world[axis] + radius + far_away);
@@ -160,7 +161,14 @@ static void add_ellipsoid(struct soft_body *body, const struct soft_frame *frame
     struct soft_part *part = next_part(body, frame);
     part->muscle = *muscle;
     part->carve = carve;
-    cover(part, muscle->center, glm_vec3_max((float *)muscle->radii));
+    /* The part's frame is made of the ellipsoid's axes. */
+    float c = cosf(glm_rad(muscle->tilt)), s = sinf(glm_rad(muscle->tilt));
+    to_world(frame, muscle->center, part->frame.origin);
+    for (int k = 0; k < 3; k++) {
+        part->frame.right[k] = c * frame->right[k] + s * frame->up[k];
+        part->frame.up[k] = c * frame->up[k] - s * frame->right[k];
+    }
+    cover(part, (const float[]){0.0f, 0.0f, 0.0f}, glm_vec3_max((float *)muscle->radii));
     if (side == SOFT_BOTH) {
         struct muscle other = *muscle;
         other.center[2] = -other.center[2];

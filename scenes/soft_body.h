@@ -32,7 +32,7 @@ struct soft_frame {
 enum { SOFT_PARTS_MAX = 256 };
 
 struct soft_part {
-    struct soft_frame frame;
+    struct soft_frame frame; /* a bone is placed in it; an ellipsoid's axes are its own */
     bool is_bone, carve;
     struct bone bone;
     struct muscle muscle;

@@ -13,6 +13,7 @@ struct surface_shape {
     double area, volume;
     int wrong_normals;   /* corners of triangles whose vertex normal points to the back */
     double worst_normal; /* least cosine between a vertex normal and a face normal at it */
+    int unpaired_edges;  /* directed edges without an opposite one: a border */
     int open_edges;      /* directed edges that do not meet exactly one opposite one */
     int euler;           /* V - E + F */
 };
@@ -23,7 +24,7 @@ static inline int compare_edges(const void *a, const void *b) {
 }
 
 /* Edges as (from, to) and (to, from), sorted, so that a closed surface has two equal lists. */
-static inline int count_open_edges(const struct surface *surface) {
+static inline void count_edges(const struct surface *surface, struct surface_shape *shape) {
     uint32_t count = surface->index_count;
     uint64_t *forth = mem_alloc(count, sizeof *forth), *back = mem_alloc(count, sizeof *back);
     for (uint32_t i = 0; i < count; i++) {
@@ -33,16 +34,17 @@ static inline int count_open_edges(const struct surface *surface) {
     }
     qsort(forth, count, sizeof *forth, compare_edges);
     qsort(back, count, sizeof *back, compare_edges);
-    int open = 0;
-    for (uint32_t i = 0; i < count; i++)
-        open += forth[i] != back[i] || (i > 0 && forth[i] == forth[i - 1]);
+    for (uint32_t i = 0; i < count; i++) {
+        shape->unpaired_edges += forth[i] != back[i];
+        shape->open_edges += forth[i] != back[i] || (i > 0 && forth[i] == forth[i - 1]);
+    }
     free(forth);
     free(back);
-    return open;
 }
 
 static inline struct surface_shape measure_surface(const struct surface *surface) {
-    struct surface_shape shape = {.worst_normal = 1.0, .open_edges = count_open_edges(surface)};
+    struct surface_shape shape = {.worst_normal = 1.0};
+    count_edges(surface, &shape);
     for (uint32_t i = 0; i < surface->index_count; i += 3) {
         const uint32_t *v = surface->indices + i;
         float *a = surface->position[v[0]];

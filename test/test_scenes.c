@@ -1,0 +1,230 @@
+/* The scenes that make_scenes writes, read back through the loader. */
+#include "support.h"
+#include "surface_shape.h"
+
+#include "scene/camera.h"
+#include "scene/light.h"
+#include "scene/scene.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* What each scene must be. `open` names the nodes that need not be closed solids. */
+static const struct expectation {
+    const char *name;
+    int triangles, tolerance, least_materials;
+    float low[3], high[3];
+    const char *open;
+} expectations[] = {
+#define ROOM                                                                                       \
+    {-2.79f, 0.0f, -2.797f}, {                                                                     \
+        2.79f, 5.489f, 2.797f                                                                      \
+    }
+#define WALLS "|floor|ceiling|back wall|right wall|left wall|lamp|"
+    {"cornell-box", 36, 0, 4, ROOM, WALLS},
+    {"cornell-animal", 17012, 0, 5, ROOM, WALLS},
+    {"metaballs", 5012, 200, 5, ROOM, WALLS},
+    {"sphere", 20172, 0, 1, {-1.0f, -1.0f, -1.0f}, {1.0f, 1.0f, 1.0f}, ""},
+};
+enum { SCENE_COUNT = sizeof expectations / sizeof expectations[0] };
+
+static int run_tool(const char *folder, const char *names, char *output, size_t size) {
+    const char *build = getenv("MANYLIGHT_BUILD");
+    char command[1024];
+    snprintf(command, sizeof command, "mkdir -p %s && %s/scenes/make_scenes %s %s", folder,
+             build ? build : "build", folder, names);
+    return run_command(command, output, size);
+}
+
+/* --- reading back ----------------------------------------------------------------------------- */
+
+struct corner {
+    float position[3];
+    uint32_t vertex;
+};
+
+static int compare_corners(const void *a, const void *b) {
+    return memcmp(a, b, sizeof(float[3]));
+}
+
+/* The primitive with vertices at the same place made one. */
+static struct surface weld(const struct primitive *primitive) {
+    struct surface surface = {0};
+    uint32_t count = (uint32_t)primitive->vertex_count;
+    struct corner *corners = mem_alloc(count, sizeof *corners);
+    uint32_t *welded = mem_alloc(count, sizeof *welded);
+    for (uint32_t i = 0; i < count; i++) {
+        /* Adding 0 makes -0 and 0 the same bytes. */
+        for (int k = 0; k < 3; k++)
+            corners[i].position[k] = primitive->position[i][k] + 0.0f;
+        corners[i].vertex = i;
+    }
+    qsort(corners, count, sizeof *corners, compare_corners);
+    for (uint32_t i = 0; i < count; i++) {
+        if (i == 0 || compare_corners(&corners[i], &corners[i - 1]) != 0)
+            surface_add_vertex(&surface, corners[i].position, primitive->normal[corners[i].vertex]);
+        welded[corners[i].vertex] = surface.vertex_count - 1;
+    }
+    for (int i = 0; i < primitive->index_count; i += 3)
+        surface_add_triangle(&surface, welded[primitive->indices[i]],
+                             welded[primitive->indices[i + 1]], welded[primitive->indices[i + 2]]);
+    free(corners);
+    free(welded);
+    return surface;
+}
+
+static bool may_be_open(const struct expectation *expected, const struct scene *scene,
+                        const struct node *node) {
+    const struct primitive *primitive = &scene->meshes[node->mesh].primitives[0];
+    char quoted[SCENE_NAME_SIZE + 2];
+    snprintf(quoted, sizeof quoted, "|%s|", node->name);
+    return scene->materials[primitive->material].double_sided || strstr(expected->open, quoted);
+}
+
+/* --- checks ----------------------------------------------------------------------------------- */
+
+static void check_materials(const struct expectation *expected, const struct scene *scene) {
+    assert_true(scene->material_count >= expected->least_materials);
+    for (int i = 0; i < scene->material_count; i++)
+        for (int k = 0; k < 3; k++)
+            assert_true(scene->materials[i].base_color[k] > 0.0f &&
+                        scene->materials[i].base_color[k] <= 1.0f);
+}
+
+static void check_vertices(const struct expectation *expected, const struct primitive *primitive) {
+    double worst_length = 0.0;
+    for (int i = 0; i < primitive->vertex_count; i++) {
+        for (int k = 0; k < 3; k++)
+            assert_true(primitive->position[i][k] >= expected->low[k] - 1e-5f &&
+                        primitive->position[i][k] <= expected->high[k] + 1e-5f);
+        worst_length = fmax(worst_length, fabs((double)glm_vec3_norm(primitive->normal[i]) - 1.0));
+    }
+    check_at_most("normals' distance from unit", worst_length, 1e-4);
+}
+
+/* Vertex normals lie on the side that the winding says. In a fold no normal may fit all triangles
+ * around: one corner in 5000 is let pass. */
+static void check_sides(const struct primitive *primitive) {
+    struct surface surface = {.position = primitive->position,
+                              .normal = primitive->normal,
+                              .indices = primitive->indices,
+                              .vertex_count = (uint32_t)primitive->vertex_count,
+                              .index_count = (uint32_t)primitive->index_count};
+    struct surface_shape shape = measure_surface(&surface);
+    check_at_most("corners whose normal points to the back", shape.wrong_normals,
+                  primitive->index_count / 5000);
+    assert_true(shape.area > 0.0);
+}
+
+static void check_mesh(const struct expectation *expected, const struct scene *scene,
+                       const struct node *node) {
+    const struct primitive *primitive = &scene->meshes[node->mesh].primitives[0];
+    printf("  %s, %s: %d triangles\n", expected->name, node->name, primitive->index_count / 3);
+    check_vertices(expected, primitive);
+    check_sides(primitive);
+    if (may_be_open(expected, scene, node))
+        return;
+    struct surface welded = weld(primitive);
+    check_near("open edges", measure_surface(&welded).unpaired_edges, 0.0, 0.0);
+    surface_free(&welded);
+}
+
+static void check_scene(const struct expectation *expected, const char *path) {
+    struct scene scene;
+    check_ok(path, scene_load(&scene, path));
+    int triangles = 0;
+    for (int i = 0; i < scene.node_count; i++)
+        if (scene.nodes[i].mesh >= 0) {
+            check_mesh(expected, &scene, &scene.nodes[i]);
+            triangles += scene.meshes[scene.nodes[i].mesh].primitives[0].index_count / 3;
+        }
+    check_near(expected->name, triangles, expected->triangles, expected->tolerance);
+    check_materials(expected, &scene);
+    assert_int_equal(camera_node_count(&scene), 1);
+    assert_int_equal(light_node_count(&scene), 1);
+    scene_free(&scene);
+}
+
+/* --- tests ------------------------------------------------------------------------------------ */
+
+static void scene_path(const char *name, char *path, size_t size) {
+    snprintf(path, size, "%s/%s.glb", scratch("scenes"), name);
+}
+
+static void test_every_scene(void **state) {
+    (void)state;
+    char output[1024], path[512];
+    assert_int_equal(run_tool(scratch("scenes"), "", output, sizeof output), 0);
+    for (int i = 0; i < SCENE_COUNT; i++) {
+        scene_path(expectations[i].name, path, sizeof path);
+        check_scene(&expectations[i], path);
+    }
+}
+
+/* The bytes are the same in another folder, and a second run leaves the files alone. */
+static void test_the_same_bytes(void **state) {
+    (void)state;
+    char output[1024], command[1024];
+    const char *again = scratch("scenes-again");
+    assert_int_equal(run_tool(again, "cornell-box sphere metaballs", output, sizeof output), 0);
+    for (int i = 0; i < SCENE_COUNT; i++) {
+        snprintf(command, sizeof command, "test ! -f %s/%s.glb || cmp %s/%s.glb %s/%s.glb", again,
+                 expectations[i].name, again, expectations[i].name, scratch("scenes"),
+                 expectations[i].name);
+        assert_int_equal(run_command(command, output, sizeof output), 0);
+    }
+    snprintf(command, sizeof command, "touch -d '2001-01-01' %s/sphere.glb", again);
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+    assert_int_equal(run_tool(again, "sphere", output, sizeof output), 0);
+    snprintf(command, sizeof command, "find %s -newermt '2002-01-01' -name 'sphere*'", again);
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+    assert_string_equal(output, "");
+}
+
+static void test_tool_refuses(void **state) {
+    (void)state;
+    char output[1024];
+    assert_int_equal(run_tool(scratch("scenes"), "no-such-scene", output, sizeof output), 1);
+    assert_non_null(strstr(output, "no-such-scene"));
+    const char *build = getenv("MANYLIGHT_BUILD");
+    snprintf(output, sizeof output, "%s/scenes/make_scenes", build ? build : "build");
+    char command[1024];
+    snprintf(command, sizeof command, "%s", output);
+    assert_int_equal(run_command(command, output, sizeof output), 2);
+    snprintf(command, sizeof command, "%s/scenes/make_scenes /nowhere sphere",
+             build ? build : "build");
+    assert_int_equal(run_command(command, output, sizeof output), 1);
+    assert_non_null(strstr(output, "/nowhere/sphere.glb"));
+}
+
+/* The closed form of the sphere holds to the same degree as its area does. */
+static void test_sphere_is_round(void **state) {
+    (void)state;
+    char output[1024], path[512];
+    assert_int_equal(run_tool(scratch("scenes"), "sphere", output, sizeof output), 0);
+    scene_path("sphere", path, sizeof path);
+    struct scene scene;
+    check_ok(path, scene_load(&scene, path));
+    struct surface welded = weld(&scene.meshes[0].primitives[0]);
+    struct surface_shape shape = measure_surface(&welded);
+    check_near("area / 4 pi", shape.area / (4.0 * GLM_PI), 1.0, 1e-3);
+    /* Negative: seen from outside it is inside out. */
+    check_near("volume / (4 pi / 3)", shape.volume / (4.0 * GLM_PI / 3.0), -1.0, 1e-3);
+    double worst = 0.0;
+    for (uint32_t i = 0; i < welded.vertex_count; i++)
+        for (int k = 0; k < 3; k++)
+            worst = fmax(worst, fabs(welded.position[i][k] + welded.normal[i][k]));
+    check_at_most("normals' distance from -position", worst, 1e-6);
+    surface_free(&welded);
+    scene_free(&scene);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_scene),
+        cmocka_unit_test(test_the_same_bytes),
+        cmocka_unit_test(test_tool_refuses),
+        cmocka_unit_test(test_sphere_is_round),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
