@@ -16,6 +16,10 @@ BINARY ?= manylight
 VERSION := 0.1
 COMMIT := $(shell git describe --always --dirty 2>/dev/null || echo unknown)
 
+# The commands are shown by make V=1.
+Q := $(if $(V),,@)
+say = @$(if $(V),:,printf '  %-4s %s\n')
+
 # --- what it is made of ---------------------------------------------------------------------------
 
 SOURCES := $(sort $(wildcard src/*/*.c))
@@ -35,7 +39,7 @@ PACKAGES := gcc g++ make pkg-config git libegl-dev libegl1 libgl-dev libgl1-mesa
 PKG := OpenImageIO cglm imgui glfw3
 INCLUDES := -Isrc -Iglsl -I$(BUILD)/include
 WARNINGS := -Wall -Wextra $(WERROR)
-C_FLAGS = -std=c11 $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(CFLAGS)
+C_FLAGS = -std=c11 -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(CFLAGS)
 CXX_FLAGS = -std=c++17 $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
 # System headers: their warnings are not ours.
 PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) 2>/dev/null))
@@ -52,19 +56,23 @@ LIBRARY := $(BUILD)/libmanylight.a
 all: $(BINARY) $(SCENES)
 
 $(BINARY): $(MAIN_OBJECT) $(LIBRARY)
-	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+	$(say) LINK $@
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
 $(LIBRARY): $(OBJECTS)
 	@rm -f $@
-	ar rcs $@ $^
+	$(say) AR $@
+	$(Q)ar rcs $@ $^
 
 $(BUILD)/%.o: %.c | $(BUILD)/include/version.h
 	@mkdir -p $(@D)
-	$(CC) $(C_FLAGS) -MMD -MP -c -o $@ $<
+	$(say) CC $@
+	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c -o $@ $<
 
 $(BUILD)/%.o: %.cpp
 	@mkdir -p $(@D)
-	$(CXX) $(CXX_FLAGS) -MMD -MP -c -o $@ $<
+	$(say) CXX $@
+	$(Q)$(CXX) $(CXX_FLAGS) -MMD -MP -c -o $@ $<
 
 # Rewritten only when it says something new, so that a build without changes does nothing.
 $(BUILD)/include/version.h: FORCE
@@ -87,7 +95,8 @@ $(BUILD)/glsl_embedded.c: $(SHADERS) Makefile
 	   echo '{0, 0}};'; } > $@
 
 $(BUILD)/glsl_embedded.o: $(BUILD)/glsl_embedded.c
-	$(CC) $(C_FLAGS) -c -o $@ $<
+	$(say) CC $@
+	$(Q)$(CC) $(C_FLAGS) -c -o $@ $<
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
 
@@ -100,12 +109,14 @@ $(SCENES): $(SCENE_TOOL) $(if $(filter-out $(wildcard scenes/*.glb),$(SCENE_NAME
 	@touch $@
 
 $(SCENE_TOOL): $(SCENE_TOOL_SOURCES:%.c=$(BUILD)/%.o) $(LIBRARY)
-	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+	$(say) LINK $@
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
 # --- tests ----------------------------------------------------------------------------------------
 
 $(BUILD)/test/%: $(BUILD)/test/%.o $(BUILD)/test/support.o $(LIBRARY)
-	$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka
+	$(say) LINK $@
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka
 
 tests: $(BINARY) $(SCENES) $(TESTS)
 	@MANYLIGHT_BUILD=$(BUILD) MANYLIGHT_BINARY=$(if $(findstring /,$(BINARY)),,./)$(BINARY) test/run $(TESTS)
