@@ -308,6 +308,9 @@ struct gl_api {
 #define GL_MEMBER(type, name) type name;
     GL_FUNCTIONS(GL_MEMBER)
 #undef GL_MEMBER
+    /* Made with the context: core profile draws nothing without a vertex array, nor, without a
+     * window, without a framebuffer, even where no attribute is read and nothing is rasterised. */
+    GLuint empty_vertex_array, empty_framebuffer;
 };
 
 /* Of the current context; all NULL while there is none. */

@@ -51,10 +51,18 @@ static bool is_software(const char *renderer) {
     return false;
 }
 
+static void make_empty_objects(struct gl_api *api) {
+    api->CreateVertexArrays(1, &api->empty_vertex_array);
+    api->CreateFramebuffers(1, &api->empty_framebuffer);
+    api->NamedFramebufferParameteri(api->empty_framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, 1);
+    api->NamedFramebufferParameteri(api->empty_framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, 1);
+}
+
 /* Fills in what needs the context to be current, and makes `gl` its table. */
 static bool load(struct context *context, void *(*getproc)(const char *name), bool debug) {
     if (!gl_api_load(&context->api, getproc))
         return false;
+    make_empty_objects(&context->api);
     gl = context->api;
     current = context;
     GLint major = 0, minor = 0;

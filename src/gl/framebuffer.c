@@ -1,0 +1,28 @@
+#include "gl/framebuffer.h"
+
+#include "base/error.h"
+
+bool framebuffer_init(GLuint *framebuffer, const struct framebuffer_desc *desc) {
+    GLenum buffers[FRAMEBUFFER_COLORS_MAX];
+    int count = 0;
+    gl.CreateFramebuffers(1, framebuffer);
+    for (; count < FRAMEBUFFER_COLORS_MAX && desc->colors[count]; count++) {
+        buffers[count] = GL_COLOR_ATTACHMENT0 + (GLenum)count;
+        gl.NamedFramebufferTexture(*framebuffer, buffers[count], desc->colors[count]->id, 0);
+    }
+    if (desc->depth)
+        gl.NamedFramebufferTexture(*framebuffer, GL_DEPTH_ATTACHMENT, desc->depth->id, 0);
+    gl.NamedFramebufferDrawBuffers(*framebuffer, count, buffers);
+    gl.ObjectLabel(GL_FRAMEBUFFER, *framebuffer, -1, desc->label);
+    GLenum status = gl.CheckNamedFramebufferStatus(*framebuffer, GL_DRAW_FRAMEBUFFER);
+    if (status == GL_FRAMEBUFFER_COMPLETE)
+        return true;
+    framebuffer_free(framebuffer);
+    return error_set("framebuffer '%s' is refused by the driver (0x%x)", desc->label, status);
+}
+
+void framebuffer_free(GLuint *framebuffer) {
+    if (*framebuffer)
+        gl.DeleteFramebuffers(1, framebuffer);
+    *framebuffer = 0;
+}

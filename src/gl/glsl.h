@@ -1,0 +1,30 @@
+/* GLSL sources: embedded in the binary, or read from a folder (--glsl DIR).
+ *
+ * Files have no #version line; the version, the defines and #include "lib/..." are put in here.
+ * Each file keeps its number in #line, and glsl_explain turns the numbers of a driver's message
+ * into names.
+ */
+#ifndef GL_GLSL_H
+#define GL_GLSL_H
+
+#include <stdbool.h>
+
+enum { GLSL_FILES_MAX = 32 };
+
+struct glsl_source {
+    char *text;
+    char *files[GLSL_FILES_MAX]; /* by #line's source number */
+    int file_count;
+};
+
+/* Reads shaders from this folder from now on; NULL = embedded. The string is not copied. */
+void glsl_set_folder(const char *folder);
+
+/* defines: "NAME VALUE;NAME VALUE", or NULL. Error: names the file and who includes it. */
+bool glsl_load(struct glsl_source *source, const char *file, const char *defines);
+void glsl_free(struct glsl_source *source);
+
+/* The driver's message with source numbers replaced by file names; to be freed by the caller. */
+char *glsl_explain(const struct glsl_source *source, const char *message);
+
+#endif

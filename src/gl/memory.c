@@ -1,0 +1,66 @@
+#include "gl/memory.h"
+
+#include "base/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct entry {
+    char label[40];
+    size_t bytes;
+    int count;
+};
+
+/* One GL per process in all but tests, so one ledger per process. */
+static struct {
+    struct entry *entries;
+    int count;
+} ledger;
+
+static struct entry *find(const char *label) {
+    for (int i = 0; i < ledger.count; i++)
+        if (strcmp(ledger.entries[i].label, label) == 0)
+            return &ledger.entries[i];
+    ledger.entries = mem_resize(ledger.entries, (size_t)ledger.count + 1, sizeof *ledger.entries);
+    struct entry *entry = &ledger.entries[ledger.count++];
+    *entry = (struct entry){0};
+    snprintf(entry->label, sizeof entry->label, "%s", label);
+    return entry;
+}
+
+void gpu_memory_add(const char *label, ptrdiff_t bytes) {
+    char short_label[sizeof((struct entry *)0)->label];
+    snprintf(short_label, sizeof short_label, "%s", label);
+    struct entry *entry = find(short_label);
+    entry->bytes += (size_t)bytes;
+    entry->count += bytes < 0 ? -1 : 1;
+}
+
+size_t gpu_memory_total(void) {
+    size_t total = 0;
+    for (int i = 0; i < ledger.count; i++)
+        total += ledger.entries[i].bytes;
+    return total;
+}
+
+int gpu_memory_object_count(void) {
+    int total = 0;
+    for (int i = 0; i < ledger.count; i++)
+        total += ledger.entries[i].count;
+    return total;
+}
+
+static int larger_first(const void *a, const void *b) {
+    const struct entry *x = a, *y = b;
+    return (x->bytes < y->bytes) - (x->bytes > y->bytes);
+}
+
+void gpu_memory_print(FILE *out) {
+    const double mib = 1 << 20;
+    qsort(ledger.entries, (size_t)ledger.count, sizeof *ledger.entries, larger_first);
+    for (int i = 0; i < ledger.count; i++)
+        if (ledger.entries[i].count > 0)
+            fprintf(out, "  %-28s %9.2f MiB\n", ledger.entries[i].label,
+                    (double)ledger.entries[i].bytes / mib);
+    fprintf(out, "  %-28s %9.2f MiB\n", "all GPU memory", (double)gpu_memory_total() / mib);
+}

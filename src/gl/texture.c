@@ -1,0 +1,125 @@
+#include "gl/texture.h"
+
+#include "base/error.h"
+#include "gl/memory.h"
+
+#include <assert.h>
+#include <stdio.h>
+
+static size_t texel_bytes(GLenum format) {
+    switch (format) {
+    case GL_R8:
+        return 1;
+    case GL_R16:
+    case GL_R16F:
+    case GL_RG8:
+    case GL_DEPTH_COMPONENT16:
+        return 2;
+    case GL_R32F:
+    case GL_R32UI:
+    case GL_R32I:
+    case GL_RG16:
+    case GL_RG16F:
+    case GL_RGBA8:
+    case GL_SRGB8_ALPHA8:
+    case GL_RGB10_A2:
+    case GL_DEPTH_COMPONENT32F:
+        return 4;
+    case GL_RGBA16:
+    case GL_RGBA16F:
+    case GL_RG32F:
+        return 8;
+    case GL_RGBA32F:
+    case GL_RGBA32UI:
+        return 16;
+    default:
+        assert(!"texture format without a size");
+        return 0;
+    }
+}
+
+static int at_least_one(int n) {
+    return n > 1 ? n : 1;
+}
+
+static size_t storage_bytes(const struct texture_desc *desc) {
+    size_t texels = 0;
+    for (int level = 0; level < desc->levels; level++)
+        texels += (size_t)at_least_one(desc->width >> level) *
+                  (size_t)at_least_one(desc->height >> level) * (size_t)desc->layers;
+    return texels * texel_bytes(desc->format);
+}
+
+static void set_sampling(GLuint id, const struct texture_desc *desc) {
+    static const GLint min_filters[] = {GL_NEAREST, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR,
+                                        GL_LINEAR_MIPMAP_NEAREST};
+    bool nearest = desc->filter == FILTER_NEAREST;
+    gl.TextureParameteri(id, GL_TEXTURE_MIN_FILTER, min_filters[desc->filter]);
+    gl.TextureParameteri(id, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
+    gl.TextureParameteri(id, GL_TEXTURE_WRAP_S, (GLint)desc->wrap_s);
+    gl.TextureParameteri(id, GL_TEXTURE_WRAP_T, (GLint)desc->wrap_t);
+}
+
+static bool fits_limits(const char *label, const struct texture_desc *desc) {
+    GLint size, layers;
+    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
+    gl.GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &layers);
+    if (desc->width <= size && desc->height <= size && desc->layers <= layers)
+        return true;
+    return error_set("texture '%s': %dx%dx%d is above the limit of %dx%dx%d", label, desc->width,
+                     desc->height, desc->layers, size, size, layers);
+}
+
+bool texture_init(struct texture *texture, const struct texture_desc *desc) {
+    assert(desc->label && desc->format && desc->width > 0);
+    *texture = (struct texture){.desc = *desc};
+    snprintf(texture->label, sizeof texture->label, "%s", desc->label);
+    texture->desc.label = NULL; /* the caller's string need not live on */
+    struct texture_desc *resolved = &texture->desc;
+    resolved->target = desc->target ? desc->target : GL_TEXTURE_2D;
+    resolved->height = at_least_one(desc->height);
+    resolved->layers = at_least_one(desc->layers);
+    resolved->levels = at_least_one(desc->levels);
+    resolved->wrap_s = desc->wrap_s ? desc->wrap_s : GL_CLAMP_TO_EDGE;
+    resolved->wrap_t = desc->wrap_t ? desc->wrap_t : GL_CLAMP_TO_EDGE;
+    if (!fits_limits(texture->label, resolved))
+        return false;
+    gl.CreateTextures(resolved->target, 1, &texture->id);
+    while (gl.GetError() != GL_NO_ERROR) /* what follows must be this texture's own error */
+        ;
+    if (resolved->target == GL_TEXTURE_2D)
+        gl.TextureStorage2D(texture->id, resolved->levels, resolved->format, resolved->width,
+                            resolved->height);
+    else
+        gl.TextureStorage3D(texture->id, resolved->levels, resolved->format, resolved->width,
+                            resolved->height, resolved->layers);
+    size_t bytes = storage_bytes(resolved);
+    if (gl.GetError() != GL_NO_ERROR) {
+        texture_free(texture);
+        return error_set("texture '%s': out of GPU memory (%dx%dx%d, %.1f MiB)", desc->label,
+                         resolved->width, resolved->height, resolved->layers,
+                         (double)bytes / (1 << 20));
+    }
+    texture->bytes = bytes;
+    gpu_memory_add(texture->label, (ptrdiff_t)bytes);
+    gl.ObjectLabel(GL_TEXTURE, texture->id, -1, texture->label);
+    set_sampling(texture->id, resolved);
+    return true;
+}
+
+void texture_free(struct texture *texture) {
+    if (texture->id)
+        gl.DeleteTextures(1, &texture->id);
+    if (texture->bytes)
+        gpu_memory_add(texture->label, -(ptrdiff_t)texture->bytes);
+    *texture = (struct texture){0};
+}
+
+int texture_full_levels(int width, int height) {
+    int size = width > height ? width : height, levels = 1;
+    while (size > 1) {
+        size >>= 1;
+        levels++;
+    }
+    return levels;
+}

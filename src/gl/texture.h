@@ -1,0 +1,42 @@
+/* Textures with immutable storage. */
+#ifndef GL_TEXTURE_H
+#define GL_TEXTURE_H
+
+#include "gl/api.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum texture_filter {
+    FILTER_NEAREST,
+    FILTER_LINEAR,
+    FILTER_TRILINEAR,      /* GL_LINEAR_MIPMAP_LINEAR */
+    FILTER_LINEAR_NEAREST, /* bilinear in the nearest level: GL_LINEAR_MIPMAP_NEAREST */
+};
+
+/* Zero means default. */
+struct texture_desc {
+    const char *label;         /* for debug output and the memory ledger; required */
+    GLenum target;             /* GL_TEXTURE_2D */
+    GLenum format;             /* sized internal format; required */
+    int width, height, layers; /* at least 1; height and layers 1 */
+    int levels;                /* 1 */
+    enum texture_filter filter;
+    GLenum wrap_s, wrap_t; /* GL_CLAMP_TO_EDGE */
+};
+
+struct texture {
+    GLuint id;
+    struct texture_desc desc; /* resolved; without the label */
+    char label[40];
+    size_t bytes;
+};
+
+/* Error: out of GPU memory, or larger than the limits; names label and size. */
+bool texture_init(struct texture *texture, const struct texture_desc *desc);
+void texture_free(struct texture *texture);
+
+/* Levels of a full MIP chain. */
+int texture_full_levels(int width, int height);
+
+#endif
