@@ -1,0 +1,20 @@
+// The paraboloid projection of the half space in front of a VAL [Dong 2009 §4.2; Brabec et al. 2002].
+#include "shared/map_view.h"
+
+// World to the view's own frame: z along the axis.
+vec3 paraboloid_local(map_view v, vec3 position) {
+    vec3 bitangent = cross(v.axis.xyz, v.tangent.xyz);
+    vec3 q = position - v.center.xyz;
+    return vec3(dot(q, v.tangent.xyz), dot(q, bitangent), dot(q, v.axis.xyz));
+}
+
+// Where a direction lies, in the unit disc for z >= 0.
+vec2 paraboloid_project(vec3 direction) {
+    return direction.xy / (1.0 + direction.z);
+}
+
+// The unit direction at a place.
+vec3 paraboloid_direction(vec2 p) {
+    float p2 = dot(p, p);
+    return vec3(2.0 * p, 1.0 - p2) / (1.0 + p2);
+}

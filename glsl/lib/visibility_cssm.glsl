@@ -1,0 +1,96 @@
+// Convolution soft shadow maps with parabolic projection [Dong 2009 §4.1-4.2; Dong 2011 ch. 5].
+//
+// All distances are map depths: metres over z_far. Blocked fraction of a filter w:
+//     s(d) = 1/2 + 2 sum_k (sin(c_k d) [w*cos c_k z] - cos(c_k d) [w*sin c_k z]) / c_k
+// and the mean depth of the blockers is the same expansion of z, over s (eq. 5.10, 5.11).
+
+layout(binding = 2) uniform sampler2DArray basis_cos;
+layout(binding = 3) uniform sampler2DArray basis_sin;
+layout(binding = 4) uniform sampler2DArray basis_z_cos;
+layout(binding = 5) uniform sampler2DArray basis_z_sin;
+layout(binding = 6) uniform sampler2DArray basis_z;
+
+const float PI = 3.14159265358979;
+const float BLOCKED_MIN = 0.02; // below it the division by s is noise: lit
+
+// sin and cos of c_k d for the four terms of a group, and 2 / c_k (0 beyond the last term).
+void terms(int group, float d, out vec4 s, out vec4 c, out vec4 weight) {
+    vec4 k = vec4(0.0, 1.0, 2.0, 3.0) + float(4 * group);
+    vec4 frequency = PI * (2.0 * k + 1.0);
+    s = sin(frequency * d);
+    c = cos(frequency * d);
+    weight = mix(vec4(0.0), 2.0 / frequency, lessThan(k, vec4(BASIS_TERMS)));
+}
+
+float blocked_fraction(vec2 uv, int map, float d, float lod) {
+    float sum = 0.5;
+    for (int group = 0; group < BASIS_GROUPS; group++) {
+        vec4 s, c, weight;
+        terms(group, d, s, c, weight);
+        vec3 at = vec3(uv, group * MAP_COUNT + map);
+        vec4 wc = textureLod(basis_cos, at, lod) * 2.0 - 1.0;
+        vec4 ws = textureLod(basis_sin, at, lod) * 2.0 - 1.0;
+        sum += dot(weight, s * wc - c * ws);
+    }
+    return sum;
+}
+
+// The mean depth of what blocks; negative where (almost) nothing does.
+float blocker_depth(vec2 uv, int map, float d, float lod) {
+    float blocked = blocked_fraction(uv, map, d, lod);
+    if (blocked < BLOCKED_MIN)
+        return -1.0;
+    float sum = 0.5 * textureLod(basis_z, vec3(uv, map), lod).r;
+    for (int group = 0; group < BASIS_GROUPS; group++) {
+        vec4 s, c, weight;
+        terms(group, d, s, c, weight);
+        vec3 at = vec3(uv, group * MAP_COUNT + map);
+        sum += dot(weight, s * textureLod(basis_z_cos, at, lod) - c * textureLod(basis_z_sin, at, lod));
+    }
+    return clamp(sum / blocked, 1e-3, d);
+}
+
+// The MIP level whose texel is half a filter of this width (a fraction of the map): a wider one picks
+// up the tilted receiver itself.
+float filter_lod(float width) {
+    return max(0.0, log2(params.map_size * width) - 1.0);
+}
+
+// Width in the map of an angle seen at a place of the paraboloid, by its Jacobian (1 + |p|^2) / 4, or
+// alpha / pi as the paper has it.
+float filter_width(float alpha, vec2 p) {
+#if FILTER_JACOBIAN
+    return alpha * (1.0 + dot(p, p)) * 0.25;
+#else
+    return alpha / PI;
+#endif
+}
+
+float visibility(int map, vec3 position) {
+    map_view v = views[map];
+    vec3 q = paraboloid_local(v, position);
+    if (q.z <= 0.0)
+        return 1.0;
+    float r = length(q);
+    vec3 direction = q / r;
+    vec2 p = paraboloid_project(direction), uv = p * 0.5 + 0.5;
+    float d = r / v.center.w, extent = v.axis.w / v.center.w;
+
+    // The first filter: the VAL's own solid angle seen from the receiver.
+    float initial = extent * sqrt(max(direction.z, 0.05)) / d;
+    float shifted = d - params.shift;
+    float z_average = blocker_depth(uv, map, shifted, filter_lod(filter_width(initial, p)));
+    if (z_average < 0.0)
+        return 1.0;
+    // The penumbra, seen from the centre [Dong 2009 §4.2]: p cos beta = (d - z) extent / z.
+    float penumbra = (d - z_average) * extent / z_average;
+    float alpha = atan(penumbra / d);
+    float blocked = blocked_fraction(uv, map, shifted, filter_lod(filter_width(alpha, p)));
+    // Ringing suppression by shift and scale (thesis Fig. 5.2).
+    float lit = clamp(0.5 - (blocked - 0.5) * params.gain, 0.0, 1.0);
+#if SHARPEN
+    // Contact shadows, thesis eq. 5.9: G(v) = v^(1 + A exp(-B (d - z)))
+    lit = pow(lit, 1.0 + params.sharpen_a * exp(-params.sharpen_b * (d - z_average)));
+#endif
+    return lit;
+}

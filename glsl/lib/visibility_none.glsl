@@ -1,0 +1,3 @@
+float visibility(int map, vec3 position) {
+    return 1.0;
+}

@@ -1,0 +1,75 @@
+/* The parameters of each pass: one block a pass, at BLOCK_PASS. */
+#ifndef SHARED_PARAMS_H
+#define SHARED_PARAMS_H
+
+#include "shared/types.h"
+
+struct direct_params {
+    float bias; /* metres along the normal per metre of a shadow texel */
+    float shadow_size; /* texels */
+    float unused0, unused1;
+};
+
+struct cluster_params {
+    float weight_position; /* w_x over the scene's radius, 1/m */
+    float weight_normal;   /* w_alpha over pi, 1/rad */
+    float val_count, vpl_count;
+    vec4 bounds_min, bounds_max; /* metres */
+    float depth_range; /* map depth of the farthest point of the scene */
+    float near_clip;   /* metres */
+    float unused0, unused1;
+};
+
+struct map_params {
+    vec4 bounds_min, bounds_max; /* metres */
+    float depth_range;
+    float near_clip; /* metres */
+    float first;     /* VPL of the first map */
+    float clip_z;    /* metres above the map's plane */
+};
+
+struct basis_params {
+    float first_term; /* 4 g for group g */
+    float layer_count;
+    float unused0, unused1;
+};
+
+struct gather_params {
+    float interleave;
+    float scale;      /* of the stored irradiance */
+    float tile_width, tile_height;
+    float bias;       /* metres along the receiver's normal */
+    float clamp_at;   /* 1/m2 */
+    float map_size;   /* texels */
+    float shift;      /* of the receiver depth, map depth */
+    float gain;       /* of the blocked fraction about one half */
+    float sharpen_a, sharpen_b;
+    float map_bias;   /* of a hard lookup, metres */
+};
+
+struct blur_params {
+    float interleave; /* of the picture that is read: 1 = plain */
+    float tile_width, tile_height;
+    float radius;     /* taps to each side */
+    vec4 direction;   /* x y: one pixel */
+    float distance2;  /* alpha^2, m2 */
+    float cosine;     /* beta */
+    float unused0, unused1;
+};
+
+struct composite_params {
+    vec4 light;       /* radiance per stored direct value, RGB */
+    float indirect;   /* radiance per stored irradiance */
+    float exposure;   /* factor */
+    float tone_map;   /* 0 clamp, 1 filmic */
+    float layer;      /* what to write, LAYER_... */
+};
+
+#define LAYER_BEAUTY 0
+#define LAYER_DIRECT 1
+#define LAYER_INDIRECT 2
+#define LAYER_ALBEDO 3
+#define LAYER_NORMAL 4
+#define LAYER_DEPTH 5
+
+#endif

@@ -1,0 +1,41 @@
+/* The scene's copy on the GPU, and how it is drawn.
+ *
+ * Shaded draws go batch by batch with the batch's material; casters are drawn for depth alone, all
+ * opaque ones at once, from triangles whose edges are short enough for a paraboloid map.
+ */
+#ifndef SCENE_SCENE_GPU_H
+#define SCENE_SCENE_GPU_H
+
+#include "gl/buffer.h"
+#include "gl/texture.h"
+#include "scene/caster.h"
+#include "scene/geometry.h"
+
+struct scene_gpu {
+    struct buffer positions, normals, uvs, colors, indices, caster_indices, materials;
+    struct texture *textures;
+    int texture_count;
+    GLuint shaded_vertices;    /* vertex arrays: position 0, normal 1, uv 2, color 3 */
+    GLuint caster_vertices;    /* position 0, uv 2 */
+    const struct scene *scene; /* must outlive this */
+    struct geometry_batch *batches, *masked_casters;
+    int batch_count, masked_caster_count;
+    uint32_t opaque_caster_indices;
+    uint32_t vertex_count;
+};
+
+/* Uploads. Error: out of GPU memory. */
+bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
+                    const struct geometry *geometry, const struct caster *caster);
+void scene_gpu_free(struct scene_gpu *gpu);
+
+/* With vertex array shaded_vertices: all batches, or those with an alpha mask. Binds BLOCK_MATERIAL
+ * and texture unit 0. */
+void scene_gpu_draw_shaded(const struct scene_gpu *gpu, int instances);
+void scene_gpu_draw_masked(const struct scene_gpu *gpu, int instances);
+
+/* With vertex array caster_vertices; the masked ones bind as shaded ones do. */
+void scene_gpu_draw_opaque_casters(const struct scene_gpu *gpu, int instances);
+void scene_gpu_draw_masked_casters(const struct scene_gpu *gpu, int instances);
+
+#endif
