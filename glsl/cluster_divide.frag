@@ -1,0 +1,20 @@
+// Sums become means. An empty cluster keeps its centre; a mean normal of zero keeps the old one.
+layout(binding = 0) uniform sampler2D old_positions;
+layout(binding = 1) uniform sampler2D old_normals;
+layout(binding = 2) uniform sampler2D sum_positions;
+layout(binding = 3) uniform sampler2D sum_normals;
+layout(binding = 4) uniform sampler2D sum_fluxes;
+
+layout(location = 0) out vec4 val_position; // w: count
+layout(location = 1) out vec4 val_normal;
+layout(location = 2) out vec4 val_flux;
+
+void main() {
+    ivec2 k = ivec2(gl_FragCoord.xy);
+    vec4 position = texelFetch(sum_positions, k, 0);
+    vec3 normal = texelFetch(sum_normals, k, 0).xyz;
+    float count = position.w, strength = length(normal);
+    val_position = vec4(count > 0.0 ? position.xyz / count : texelFetch(old_positions, k, 0).xyz, count);
+    val_normal = vec4(strength > 1e-6 ? normal / strength : texelFetch(old_normals, k, 0).xyz, 0.0);
+    val_flux = vec4(texelFetch(sum_fluxes, k, 0).rgb, 0.0);
+}

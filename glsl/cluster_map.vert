@@ -1,0 +1,14 @@
+// The mapping C: each VPL is written again with the number of its VAL [Dong 2009 §6].
+#include "lib/val_distance.glsl"
+
+layout(location = 0) in vec4 position;
+layout(location = 1) in vec4 normal;
+layout(location = 2) in vec4 flux;
+
+out vec4 vpl_position, vpl_normal, vpl_flux;
+
+void main() {
+    vpl_position = vec4(position.xyz, float(nearest_val(position.xyz, normal.xyz)));
+    vpl_normal = normal;
+    vpl_flux = flux;
+}

@@ -1,0 +1,11 @@
+flat in vec3 point_position, point_normal, point_flux;
+
+layout(location = 0) out vec4 sum_position; // w: count
+layout(location = 1) out vec4 sum_normal;
+layout(location = 2) out vec4 sum_flux;
+
+void main() {
+    sum_position = vec4(point_position, 1.0);
+    sum_normal = vec4(point_normal, 0.0);
+    sum_flux = vec4(point_flux, 0.0);
+}

@@ -1,0 +1,84 @@
+// Irradiance from a range of VPLs, each with the visibility of its VAL [Dong 2009 §4, §6]:
+//     E = sum_i Phi_i / pi cos_i cos_x / d^2 V_C(i)(x)
+// A draw fills one tile: the pixels of one place in the interleaving pattern, which share their VPLs
+// [Segovia et al. 2006]. VISIBILITY is a file with `float visibility(int map, vec3 position)`.
+#include "lib/surface.glsl"
+#include "shared/params.h"
+#include "shared/vpl.h"
+#include "lib/paraboloid.glsl"
+
+layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
+    view camera;
+};
+layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
+    gather_params params;
+};
+layout(std140, binding = BLOCK_MAPS) uniform map_uniforms {
+    map_view views[MAP_VIEWS_MAX];
+};
+layout(std140, binding = BLOCK_VPLS) uniform vpl_uniforms {
+    vpl vpls[VPLS_PER_BLOCK];
+};
+layout(binding = 0) uniform sampler2DArray depths;
+layout(binding = 1) uniform sampler2DArray normals;
+
+// First VPL and count within the block; the tile's place in the pattern.
+layout(location = 0) uniform ivec4 slot;
+// Samples taken of N: their sum stands for all.
+layout(location = 1) uniform float weight;
+// Which map the block's first VPL has, where each VPL has its own.
+layout(location = 2) uniform int first_map;
+
+layout(location = 0) out vec4 irradiance;
+
+#if VISIBILITY == 0
+#include "lib/visibility_none.glsl"
+#elif VISIBILITY == 1
+#include "lib/visibility_hard.glsl"
+#else
+#include "lib/visibility_cssm.glsl"
+#endif
+
+const float INVERSE_PI = 0.31830988618;
+
+// cos_i cos_x / d^2, bounded as the setting says: near a VPL the point light is no longer the patch
+// that it stands for.
+float geometry_term(vec3 to_vpl, vec3 normal, vec4 vpl_normal) {
+    float distance2 = dot(to_vpl, to_vpl);
+    float cosines = max(dot(normal, to_vpl), 0.0) * max(-dot(vpl_normal.xyz, to_vpl), 0.0);
+    if (cosines <= 0.0)
+        return 0.0;
+#if CLAMP == 0
+    return cosines / (distance2 * distance2);
+#elif CLAMP == 1
+    return min(cosines / (distance2 * distance2), params.clamp_at);
+#else
+    // The form factor of a disk of the VPL's area, facing the receiver.
+    return cosines / (distance2 * (distance2 + vpl_normal.w * INVERSE_PI));
+#endif
+}
+
+void main() {
+    irradiance = vec4(0.0);
+    ivec2 tile = slot.zw;
+    ivec2 origin = tile * ivec2(params.tile_width, params.tile_height);
+    ivec2 pixel = (ivec2(gl_FragCoord.xy) - origin) * int(params.interleave) + tile;
+    surface s = surface_fetch(camera, depths, normals, ivec3(pixel, 0));
+    if (!s.present)
+        return;
+    vec3 receiver = s.position + s.normal * params.bias;
+    vec3 sum = vec3(0.0);
+    for (int i = slot.x; i < slot.x + slot.y; i++) {
+        vpl light = vpls[i];
+        float geometry = geometry_term(light.position.xyz - s.position, s.normal, light.normal);
+        if (geometry * light.flux.w > 0.0) {
+#if MAP_PER_VPL
+            int map = first_map + i;
+#else
+            int map = int(light.position.w);
+#endif
+            sum += light.flux.rgb * (geometry * visibility(map, receiver));
+        }
+    }
+    irradiance = vec4(sum * (INVERSE_PI * weight * params.scale), 1.0);
+}

@@ -1,0 +1,41 @@
+// Writes normal and albedo. Holes of alpha masks are not there; nor, for the camera, is the back of a
+// single-sided surface, which blocks light but reflects none.
+#include "lib/octahedral.glsl"
+#include "shared/material.h"
+
+layout(std140, binding = BLOCK_MATERIAL) uniform material_uniforms {
+    material_block material;
+};
+layout(binding = 0) uniform sampler2D base_color_texture;
+
+in vec3 surface_normal;
+in vec2 surface_uv;
+in vec4 surface_color;
+
+#ifndef DEPTH_ONLY
+layout(location = 0) out vec2 normal_code;
+layout(location = 1) out vec4 albedo_root;
+#endif
+
+void main() {
+    vec4 color = material.base_color * surface_color;
+    if (material.textured > 0.5)
+        color *= texture(base_color_texture, surface_uv);
+    if (color.a < material.alpha_cutoff)
+        discard;
+#ifndef DEPTH_ONLY
+    vec3 normal = normalize(surface_normal);
+    if (!gl_FrontFacing) {
+        if (material.double_sided > 0.5)
+            normal = -normal;
+        else
+#ifdef LIGHT_VIEW
+            color.rgb = vec3(0.0);
+#else
+            discard;
+#endif
+    }
+    normal_code = octahedral_encode(normal);
+    albedo_root = vec4(sqrt(clamp(color.rgb, 0.0, 1.0)), 1.0);
+#endif
+}

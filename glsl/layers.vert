@@ -1,0 +1,13 @@
+// One triangle over the whole viewport in each layer: instance i draws into layer first_layer + i.
+#extension GL_ARB_shader_viewport_layer_array : require
+
+layout(location = 0) uniform int first_layer;
+
+flat out int instance;
+
+void main() {
+    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
+    gl_Position = vec4(corner, 0.0, 1.0);
+    gl_Layer = first_layer + gl_InstanceID;
+    instance = gl_InstanceID;
+}

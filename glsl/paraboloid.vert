@@ -1,0 +1,37 @@
+// Casters into the paraboloid depth maps: instance k draws map k, layer k of the array.
+#extension GL_ARB_shader_viewport_layer_array : require
+#include "lib/paraboloid.glsl"
+
+layout(std140, binding = BLOCK_MAPS) uniform map_uniforms {
+    map_view views[MAP_VIEWS_MAX];
+};
+layout(location = 1) uniform float clip_z; // metres above the plane, where the map begins
+
+layout(location = 0) in vec3 position;
+#ifdef MASKED
+layout(location = 2) in vec2 uv;
+out vec2 surface_uv;
+#endif
+
+out vec3 local;
+flat out vec2 range;
+out float gl_ClipDistance[2];
+
+void main() {
+    map_view v = views[gl_InstanceID];
+    vec3 q = paraboloid_local(v, position);
+    float r = length(q);
+    gl_ClipDistance[0] = q.z - clip_z;
+    // Geometry around the centre would hide all the rest [Dong 2009 Fig. 7].
+    gl_ClipDistance[1] = r - v.tangent.w;
+    // Behind the plane the projection runs off to infinity; what is there is clipped away.
+    vec3 direction = q / max(r, 1e-20);
+    direction.z = max(direction.z, -0.5);
+    gl_Position = vec4(paraboloid_project(direction), r / v.center.w, 1.0);
+    gl_Layer = gl_InstanceID;
+    local = q;
+    range = vec2(v.tangent.w, v.center.w);
+#ifdef MASKED
+    surface_uv = uv;
+#endif
+}

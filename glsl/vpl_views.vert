@@ -1,0 +1,19 @@
+// Vertex i becomes the paraboloid view from VPL first + i: a light without extent.
+#include "lib/frame.glsl"
+#include "lib/map_range.glsl"
+#include "shared/params.h"
+
+layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
+    map_params params;
+};
+layout(location = 0) in vec4 position;
+layout(location = 1) in vec4 normal;
+
+out vec4 view_center, view_axis, view_tangent;
+
+void main() {
+    float z_far = farthest_corner(position.xyz, params.bounds_min.xyz, params.bounds_max.xyz);
+    view_center = vec4(position.xyz, z_far / params.depth_range);
+    view_axis = vec4(normal.xyz, 0.0);
+    view_tangent = vec4(perpendicular(normal.xyz), params.near_clip);
+}

@@ -1,0 +1,28 @@
+/* Fourier bases of the depth maps with MIP maps: what makes a filtered shadow test a lookup
+ * [Dong 2011 §5.2, §5.3.1; Dong 2009 §6]. */
+#ifndef PASSES_BASIS_H
+#define PASSES_BASIS_H
+
+#include "passes/frame.h"
+
+struct basis_desc {
+    int size, count;
+    int terms; /* K, 1 to 16 */
+};
+
+struct basis_pass {
+    GLuint program;
+    GLuint first_framebuffer; /* all five targets */
+    GLuint more_framebuffer;  /* further groups of terms: without z, which has a layer a map only */
+    struct basis_maps maps;
+    struct buffer params[4]; /* one a group */
+};
+
+bool basis_pass_init(struct basis_pass *pass, const struct basis_desc *desc);
+void basis_pass_free(struct basis_pass *pass);
+
+/* From depth to pass->maps. Timers "basis", "mips". */
+void basis_pass_render(const struct basis_pass *pass, const struct frame *frame,
+                       const struct depth_maps *depth);
+
+#endif

@@ -1,0 +1,52 @@
+/* k-means of VPLs into virtual area lights on the GPU [Dong 2009 §5, §6].
+ *
+ * Each iteration draws the N VPLs as points: the vertex shader finds the nearest of M centres and
+ * scatters the VPL to that VAL's pixel with additive blending; a second draw divides by the count.
+ * The start is VPL k N / M, the same each frame, so that VALs move smoothly when the light does
+ * (§5.2). A last pass writes C(i); MAX blending finds the bounding rectangles. The papers leave the
+ * scale of the criterion open: distances are taken over the scene's radius and angles over pi. VPLs
+ * without flux take no part.
+ */
+#ifndef PASSES_CLUSTER_H
+#define PASSES_CLUSTER_H
+
+#include "passes/frame.h"
+
+struct cluster_desc {
+    int vpl_count, val_count;
+    int iterations;
+    float weight_position, weight_normal; /* w_x, w_alpha */
+    float near_clip;                      /* of the VALs' maps, over the scene's radius */
+    float depth_range;                    /* of the VALs' maps */
+};
+
+/* M x 1 RGBA32F: position and count, normal, flux (W). */
+struct val_targets {
+    struct texture position, normal, flux;
+    GLuint framebuffer;
+};
+
+struct cluster_pass {
+    struct cluster_desc desc;
+    GLuint seed_program, scatter_program, divide_program, map_program;
+    GLuint extent_program, views_program;
+    struct val_targets centers[2], sums;
+    struct texture extremes;
+    GLuint extremes_framebuffer;
+    GLuint vpl_texture;     /* buffer texture over the VPLs that come in */
+    struct vpl_buffer vpls; /* the VPLs with C(i) */
+    struct map_views views; /* one a VAL */
+    struct buffer params;
+};
+
+bool cluster_pass_init(struct cluster_pass *pass, const struct cluster_desc *desc);
+void cluster_pass_free(struct cluster_pass *pass);
+
+/* From VPLs to pass->vpls, pass->views and the VALs' targets. Timer "clustering". */
+void cluster_pass_render(struct cluster_pass *pass, const struct frame *frame,
+                         const struct vpl_buffer *vpls);
+
+/* The targets that hold the last means. */
+const struct val_targets *cluster_pass_centers(const struct cluster_pass *pass);
+
+#endif

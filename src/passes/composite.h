@@ -1,0 +1,46 @@
+/* The picture: L = albedo (direct + E / pi), with exposure, tone map and sRGB for a display, or any
+ * layer as linear floats for a file. */
+#ifndef PASSES_COMPOSITE_H
+#define PASSES_COMPOSITE_H
+
+#include "passes/frame.h"
+
+enum tone_map { TONE_MAP_CLAMP, TONE_MAP_FILMIC };
+
+struct composite_desc {
+    int width, height;
+};
+
+struct composite_pass {
+    struct composite_desc desc;
+    GLuint display_program, layer_program;
+    struct texture display; /* RGBA8, sRGB-encoded */
+    GLuint framebuffer;
+    struct buffer params;
+};
+
+/* What the picture is made of. */
+struct composite_inputs {
+    const struct gbuffer *gbuffer;
+    const struct texture *direct;
+    const struct irradiance *indirect;
+    float light[3]; /* radiance of a white surface per stored direct value */
+    float exposure; /* EV */
+    enum tone_map tone_map;
+    int layer; /* LAYER_BEAUTY, LAYER_DIRECT or LAYER_INDIRECT */
+};
+
+bool composite_pass_init(struct composite_pass *pass, const struct composite_desc *desc);
+void composite_pass_free(struct composite_pass *pass);
+
+/* Fills pass->display. Timer "composite". */
+void composite_pass_render(const struct composite_pass *pass, const struct frame *frame,
+                           const struct composite_inputs *inputs);
+
+/* Writes one layer, LAYER_..., into an RGBA32F target of the picture's size: A = 1 where a surface
+ * is. */
+void composite_pass_render_layer(const struct composite_pass *pass, const struct frame *frame,
+                                 const struct composite_inputs *inputs, int layer,
+                                 GLuint framebuffer);
+
+#endif

@@ -1,0 +1,95 @@
+#include "passes/frame.h"
+
+#include "gl/framebuffer.h"
+#include "shared/vpl.h"
+
+#include <stdio.h>
+
+static bool init_layer(struct texture *texture, const char *label, const char *part, GLenum format,
+                       const struct gbuffer *gbuffer) {
+    char full[40];
+    snprintf(full, sizeof full, "%s %s", label, part);
+    return texture_init(texture, &(struct texture_desc){
+                                     .label = full,
+                                     .target = GL_TEXTURE_2D_ARRAY,
+                                     .format = format,
+                                     .width = gbuffer->width,
+                                     .height = gbuffer->height,
+                                     .layers = gbuffer->layers,
+                                 });
+}
+
+bool gbuffer_init(struct gbuffer *gbuffer, const char *label, int width, int height, int layers) {
+    *gbuffer = (struct gbuffer){.width = width, .height = height, .layers = layers};
+    if (init_layer(&gbuffer->normal, label, "normal", GL_RG16, gbuffer) &&
+        init_layer(&gbuffer->albedo, label, "albedo", GL_RGB10_A2, gbuffer) &&
+        init_layer(&gbuffer->depth, label, "depth", GL_DEPTH_COMPONENT32F, gbuffer) &&
+        framebuffer_init(&gbuffer->framebuffer,
+                         &(struct framebuffer_desc){.label = label,
+                                                    .colors = {&gbuffer->normal, &gbuffer->albedo},
+                                                    .depth = &gbuffer->depth}))
+        return true;
+    gbuffer_free(gbuffer);
+    return false;
+}
+
+void gbuffer_free(struct gbuffer *gbuffer) {
+    framebuffer_free(&gbuffer->framebuffer);
+    texture_free(&gbuffer->normal);
+    texture_free(&gbuffer->albedo);
+    texture_free(&gbuffer->depth);
+    *gbuffer = (struct gbuffer){0};
+}
+
+bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {
+    *vpls = (struct vpl_buffer){.count = count};
+    /* A uniform block may begin at any VPL and then reaches a whole block further. */
+    size_t size = ((size_t)count + VPLS_PER_BLOCK) * sizeof(struct vpl);
+    if (!buffer_init(&vpls->buffer, label, size, NULL))
+        return false;
+    gl.CreateVertexArrays(1, &vpls->vertices);
+    gl.VertexArrayVertexBuffer(vpls->vertices, 0, vpls->buffer.id, 0, sizeof(struct vpl));
+    for (GLuint i = 0; i < 3; i++) {
+        gl.VertexArrayAttribFormat(vpls->vertices, i, 4, GL_FLOAT, GL_FALSE, i * sizeof(vec4));
+        gl.VertexArrayAttribBinding(vpls->vertices, i, 0);
+        gl.EnableVertexArrayAttrib(vpls->vertices, i);
+    }
+    return true;
+}
+
+void vpl_buffer_free(struct vpl_buffer *vpls) {
+    if (vpls->vertices)
+        gl.DeleteVertexArrays(1, &vpls->vertices);
+    buffer_free(&vpls->buffer);
+    *vpls = (struct vpl_buffer){0};
+}
+
+bool irradiance_init(struct irradiance *irradiance, const char *label, int width, int height,
+                     int interleave) {
+    *irradiance = (struct irradiance){
+        .width = width,
+        .height = height,
+        .interleave = interleave,
+        .tile_width = (width + interleave - 1) / interleave,
+        .tile_height = (height + interleave - 1) / interleave,
+    };
+    if (texture_init(&irradiance->texture,
+                     &(struct texture_desc){
+                         .label = label,
+                         .format = GL_RGBA16F,
+                         .width = irradiance->tile_width * interleave,
+                         .height = irradiance->tile_height * interleave,
+                     }) &&
+        framebuffer_init(
+            &irradiance->framebuffer,
+            &(struct framebuffer_desc){.label = label, .colors = {&irradiance->texture}}))
+        return true;
+    irradiance_free(irradiance);
+    return false;
+}
+
+void irradiance_free(struct irradiance *irradiance) {
+    framebuffer_free(&irradiance->framebuffer);
+    texture_free(&irradiance->texture);
+    *irradiance = (struct irradiance){0};
+}

@@ -1,0 +1,84 @@
+/* What passes exchange: the data contract of the frame. A pass includes this and no other pass.
+ *
+ * All pictures have row 0 at the bottom, as GL has it.
+ */
+#ifndef PASSES_FRAME_H
+#define PASSES_FRAME_H
+
+#include "gl/buffer.h"
+#include "gl/texture.h"
+#include "gl/timer.h"
+#include "scene/scene_gpu.h"
+
+/* What every pass of one frame may use. BLOCK_VIEW and BLOCK_LIGHT are bound for the whole frame.
+ */
+struct frame {
+    struct timers *timers;
+    const struct scene_gpu *scene;
+    int light_views;                    /* 1 or 6 */
+    float bounds_min[3], bounds_max[3]; /* of the scene, metres */
+    float radius;                       /* of its bounding sphere, metres */
+    float irradiance_scale;             /* stored irradiance = W/m2 times this: a power of two that
+                                           keeps half floats in range at every scale of scene and light */
+};
+
+/* Surfaces seen from the camera (one layer) or from the light (the reflective shadow map: one layer
+ * a view). Arrays of layers: normal  RG16      world normal, octahedral albedo  RGB10_A2  square
+ * root of the albedo; A = 1 where something is depth   D32F      reversed (shared/view.h); 0 where
+ * nothing is */
+struct gbuffer {
+    struct texture normal, albedo, depth;
+    GLuint framebuffer;
+    int width, height, layers;
+};
+
+/* N virtual point lights: struct vpl (shared/vpl.h), padded for whole uniform blocks. */
+struct vpl_buffer {
+    struct buffer buffer;
+    GLuint vertices; /* vertex array: position 0, normal 1, flux 2 */
+    int count;
+};
+
+/* Up to MAP_VIEWS_MAX paraboloid views (shared/map_view.h). */
+struct map_views {
+    struct buffer buffer;
+    int count;
+};
+
+/* Map depth |q| / z_far of the nearest caster; depth_range where there is none. D16, one layer a
+ * view. */
+struct depth_maps {
+    struct texture depth;
+    int size, count;
+    float depth_range; /* map depth of the farthest point of the scene, at most 1 */
+};
+
+/* Fourier bases of the depth maps with MIP maps; layer g x count + k is group g (four terms) of map
+ * k. */
+struct basis_maps {
+    struct texture cos, sin;     /* RGBA8, (b + 1) / 2 */
+    struct texture z_cos, z_sin; /* RGBA16F */
+    struct texture z;            /* R16F, one layer a map */
+    int size, count, groups, terms;
+};
+
+/* RGBA16F irradiance times irradiance_scale; in tiles of equal place in the n x n pattern, or plain
+ * where interleave is 1. */
+struct irradiance {
+    struct texture texture;
+    GLuint framebuffer;
+    int width, height; /* of the picture that it stands for */
+    int interleave, tile_width, tile_height;
+};
+
+bool gbuffer_init(struct gbuffer *gbuffer, const char *label, int width, int height, int layers);
+void gbuffer_free(struct gbuffer *gbuffer);
+
+bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count);
+void vpl_buffer_free(struct vpl_buffer *vpls);
+
+bool irradiance_init(struct irradiance *irradiance, const char *label, int width, int height,
+                     int interleave);
+void irradiance_free(struct irradiance *irradiance);
+
+#endif

@@ -1,0 +1,27 @@
+/* Draws the scene's surfaces into a G-buffer: the camera's, or the light's.
+ *
+ * The light's G-buffer is the reflective shadow map [Dong 2009 §6; Dachsbacher and Stamminger
+ * 2005]: one layer of a spot or a directional light, six of a point light, which the papers keep in
+ * a cube map.
+ */
+#ifndef PASSES_GEOMETRY_H
+#define PASSES_GEOMETRY_H
+
+#include "passes/frame.h"
+
+struct geometry_pass {
+    GLuint camera_program, light_program;
+};
+
+bool geometry_pass_init(struct geometry_pass *pass);
+void geometry_pass_free(struct geometry_pass *pass);
+
+/* Clears and fills the G-buffer through BLOCK_VIEW. Timer "gbuffer". */
+void geometry_pass_render_camera(const struct geometry_pass *pass, const struct frame *frame,
+                                 const struct gbuffer *gbuffer);
+
+/* Clears and fills one layer for each light view through BLOCK_LIGHT. Timer "rsm". */
+void geometry_pass_render_light(const struct geometry_pass *pass, const struct frame *frame,
+                                const struct gbuffer *rsm);
+
+#endif

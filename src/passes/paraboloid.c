@@ -1,0 +1,102 @@
+#include "passes/paraboloid.h"
+
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/map_view.h"
+#include "shared/params.h"
+
+#include <string.h>
+
+/* The plane of the light itself is not a caster: the map begins this far above it, over the radius.
+ */
+static const float clip_fraction = 1e-4f;
+
+bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_desc *desc) {
+    static const char *const varyings[] = {"view_center", "view_axis", "view_tangent", NULL};
+    *pass = (struct paraboloid_pass){
+        .desc = *desc,
+        .maps = {.size = desc->size, .count = desc->count, .depth_range = desc->depth_range},
+    };
+    if (program_init(
+            &pass->opaque_program,
+            &(struct program_desc){.vertex = "paraboloid.vert", .fragment = "paraboloid.frag"}) &&
+        program_init(&pass->masked_program, &(struct program_desc){.vertex = "paraboloid.vert",
+                                                                   .fragment = "paraboloid.frag",
+                                                                   .defines = "MASKED"}) &&
+        program_init(&pass->views_program,
+                     &(struct program_desc){.vertex = "vpl_views.vert", .varyings = varyings}) &&
+        texture_init(&pass->maps.depth,
+                     &(struct texture_desc){
+                         .label = "paraboloid depth",
+                         .target = GL_TEXTURE_2D_ARRAY,
+                         .format = GL_DEPTH_COMPONENT16,
+                         .width = desc->size,
+                         .height = desc->size,
+                         .layers = desc->count,
+                     }) &&
+        framebuffer_init(
+            &pass->framebuffer,
+            &(struct framebuffer_desc){.label = "paraboloid depth", .depth = &pass->maps.depth}) &&
+        buffer_init(&pass->views.buffer, "map views", MAP_VIEWS_MAX * sizeof(struct map_view),
+                    NULL) &&
+        buffer_init(&pass->params, "map parameters", sizeof(struct map_params), NULL))
+        return true;
+    paraboloid_pass_free(pass);
+    return false;
+}
+
+void paraboloid_pass_free(struct paraboloid_pass *pass) {
+    program_free(&pass->opaque_program);
+    program_free(&pass->masked_program);
+    program_free(&pass->views_program);
+    framebuffer_free(&pass->framebuffer);
+    texture_free(&pass->maps.depth);
+    buffer_free(&pass->views.buffer);
+    buffer_free(&pass->params);
+    *pass = (struct paraboloid_pass){0};
+}
+
+void paraboloid_pass_view_vpls(struct paraboloid_pass *pass, const struct frame *frame,
+                               const struct vpl_buffer *vpls, int first, int count) {
+    struct map_params params = {
+        .depth_range = pass->desc.depth_range,
+        .near_clip = pass->desc.near_clip * frame->radius,
+    };
+    memcpy(params.bounds_min, frame->bounds_min, sizeof frame->bounds_min);
+    memcpy(params.bounds_max, frame->bounds_max, sizeof frame->bounds_max);
+    buffer_write(&pass->params, 0, sizeof params, &params);
+    pass->views.count = count;
+    pass_set_state(&(struct pass_state){
+        .name = "depth maps", .program = pass->views_program, .vertex_array = vpls->vertices});
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
+    pass_feedback(pass->views.buffer.id, first, count);
+}
+
+void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct frame *frame,
+                            const struct map_views *views) {
+    struct pass_state state = {
+        .name = "depth maps",
+        .program = pass->opaque_program,
+        .framebuffer = pass->framebuffer,
+        .vertex_array = frame->scene->caster_vertices,
+        .width = pass->maps.size,
+        .height = pass->maps.size,
+        .depth = PASS_DEPTH_LESS,
+        .clip_distances = 2,
+    };
+    pass_begin(frame->timers, &state);
+    gl.ClearNamedFramebufferfv(pass->framebuffer, GL_DEPTH, 0, &pass->maps.depth_range);
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_MAPS, views->buffer.id);
+    gl.ProgramUniform1f(pass->opaque_program, 1, clip_fraction * frame->radius);
+    gl.ProgramUniform1f(pass->opaque_program, 2, (float)pass->maps.size);
+    scene_gpu_draw_opaque_casters(frame->scene, views->count);
+    if (frame->scene->masked_caster_count) {
+        state.program = pass->masked_program;
+        pass_set_state(&state);
+        gl.ProgramUniform1f(pass->masked_program, 1, clip_fraction * frame->radius);
+        gl.ProgramUniform1f(pass->masked_program, 2, (float)pass->maps.size);
+        scene_gpu_draw_masked_casters(frame->scene, views->count);
+    }
+    pass_end(frame->timers);
+}

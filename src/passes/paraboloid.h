@@ -1,0 +1,34 @@
+/* Paraboloid depth maps from VALs or VPLs [Dong 2009 §4.2, §6]: one instanced draw of all casters
+ * into all layers of a depth array; D16, map depth |q| / z_far. */
+#ifndef PASSES_PARABOLOID_H
+#define PASSES_PARABOLOID_H
+
+#include "passes/frame.h"
+
+struct paraboloid_desc {
+    int size, count;
+    float depth_range;
+    float near_clip; /* over the scene's radius; for views made here from VPLs */
+};
+
+struct paraboloid_pass {
+    struct paraboloid_desc desc;
+    GLuint opaque_program, masked_program, views_program;
+    GLuint framebuffer;
+    struct depth_maps maps;
+    struct map_views views; /* made by paraboloid_pass_view_vpls */
+    struct buffer params;
+};
+
+bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_desc *desc);
+void paraboloid_pass_free(struct paraboloid_pass *pass);
+
+/* Fills pass->views with the views from VPLs first .. first + count. */
+void paraboloid_pass_view_vpls(struct paraboloid_pass *pass, const struct frame *frame,
+                               const struct vpl_buffer *vpls, int first, int count);
+
+/* Draws the first views->count maps. Timer "depth maps". */
+void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct frame *frame,
+                            const struct map_views *views);
+
+#endif

@@ -1,0 +1,66 @@
+#include "passes/vpl.h"
+
+#include "base/halton.h"
+#include "base/memory.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static bool upload_halton(struct vpl_pass *pass) {
+    int count = pass->desc.count;
+    float(*points)[2] = mem_alloc((size_t)count, sizeof *points);
+    /* A shift by Halton's own later points: any seed is a new, equally even set. */
+    double shift[2] = {0, 0};
+    if (pass->desc.seed)
+        for (int axis = 0; axis < 2; axis++)
+            shift[axis] = radical_inverse(axis ? 7 : 5, (uint32_t)pass->desc.seed);
+    for (int i = 0; i < count; i++)
+        for (int axis = 0; axis < 2; axis++)
+            points[i][axis] =
+                (float)fmod(radical_inverse(axis ? 3 : 2, (uint32_t)i) + shift[axis], 1);
+    bool ok = buffer_init(&pass->halton, "Halton points", (size_t)count * sizeof *points, points);
+    free(points);
+    return ok;
+}
+
+bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc) {
+    static const char *const varyings[] = {"vpl_position", "vpl_normal", "vpl_flux", NULL};
+    *pass = (struct vpl_pass){.desc = *desc};
+    if (!upload_halton(pass) ||
+        !program_init(&pass->program,
+                      &(struct program_desc){.vertex = "vpl.vert", .varyings = varyings})) {
+        vpl_pass_free(pass);
+        return false;
+    }
+    gl.CreateVertexArrays(1, &pass->vertices);
+    gl.VertexArrayVertexBuffer(pass->vertices, 0, pass->halton.id, 0, 2 * sizeof(float));
+    gl.VertexArrayAttribFormat(pass->vertices, 0, 2, GL_FLOAT, GL_FALSE, 0);
+    gl.VertexArrayAttribBinding(pass->vertices, 0, 0);
+    gl.EnableVertexArrayAttrib(pass->vertices, 0);
+    return true;
+}
+
+void vpl_pass_free(struct vpl_pass *pass) {
+    program_free(&pass->program);
+    if (pass->vertices)
+        gl.DeleteVertexArrays(1, &pass->vertices);
+    buffer_free(&pass->halton);
+    *pass = (struct vpl_pass){0};
+}
+
+void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
+                     const struct gbuffer *rsm, const struct vpl_buffer *vpls) {
+    pass_begin(frame->timers, &(struct pass_state){
+                                  .name = "vpls",
+                                  .program = pass->program,
+                                  .vertex_array = pass->vertices,
+                              });
+    gl.ProgramUniform1i(pass->program, 0, pass->desc.count);
+    gl.BindTextureUnit(0, rsm->depth.id);
+    gl.BindTextureUnit(1, rsm->normal.id);
+    gl.BindTextureUnit(2, rsm->albedo.id);
+    pass_feedback(vpls->buffer.id, 0, pass->desc.count);
+    pass_end(frame->timers);
+}
