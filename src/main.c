@@ -12,6 +12,7 @@ static const struct subcommand {
 } subcommands[] = {
     {"compare", "error metrics between two pictures", app_compare},
     {"info", "what renders here, and what a scene holds", app_info},
+    {"render", "pictures offscreen", app_render},
     {NULL, NULL, NULL},
 };
 

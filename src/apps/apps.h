@@ -5,5 +5,6 @@
 
 int app_compare(int argc, char **argv);
 int app_info(int argc, char **argv);
+int app_render(int argc, char **argv);
 
 #endif

@@ -1,0 +1,65 @@
+/* The frame: G-buffer, direct light, a technique's indirect light, composite.
+ *
+ * All allocation and compilation happen in init; render cannot fail. Two renderers may coexist in
+ * one context.
+ */
+#ifndef RENDERER_RENDERER_H
+#define RENDERER_RENDERER_H
+
+#include "base/image.h"
+#include "passes/composite.h"
+#include "passes/direct.h"
+#include "passes/geometry.h"
+#include "scene/view.h"
+#include "techniques/technique.h"
+
+struct renderer_desc {
+    int width, height;
+    int technique; /* index into techniques */
+    struct settings settings;
+    const struct scene *scene; /* must outlive the renderer, as must the geometry */
+    const struct geometry *geometry;
+    struct light light;
+    struct camera camera;
+    bool timed;    /* measure passes */
+    bool software; /* of the context: how to measure them */
+};
+
+struct renderer {
+    struct renderer_desc desc;
+    struct timers timers;
+    struct caster caster;
+    struct scene_gpu scene;
+    struct gbuffer gbuffer;
+    struct geometry_pass geometry;
+    struct direct_pass direct;
+    struct composite_pass composite;
+    const struct technique *technique;
+    void *technique_state;
+    struct view camera_view;
+    struct light_block light_block;
+    struct buffer view_buffer, light_buffer;
+};
+
+/* Error: driver, shader, size or memory. */
+bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc);
+void renderer_free(struct renderer *renderer);
+
+/* Renders one frame into the composite's display texture. Timer "frame". */
+void renderer_render(struct renderer *renderer);
+
+/* The last frame's layers, row 0 at the top: R G B A, Z, direct.*, indirect.*, albedo.*, normal.*.
+ * Error: out of GPU memory. */
+bool renderer_read_layers(struct renderer *renderer, struct image *image);
+
+/* The last frame as the display shows it, row 0 at the top. */
+void renderer_read_display(const struct renderer *renderer, struct bitmap *bitmap);
+
+/* For reading back: what the passes of the last frame were given, and their bindings. */
+struct frame renderer_frame(struct renderer *renderer);
+struct composite_inputs renderer_composite_inputs(const struct renderer *renderer);
+void renderer_bind_frame(const struct renderer *renderer);
+
+void renderer_outputs(const struct renderer *renderer, struct technique_outputs *outputs);
+
+#endif

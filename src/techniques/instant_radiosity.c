@@ -1,0 +1,75 @@
+/* Instant radiosity with a hard paraboloid shadow map per VPL [Keller 1997; Dong 2009 §7, Fig. 10]:
+ * the brute force that clustered visibility approximates. Maps are drawn in batches, so that N is
+ * bounded by time and not by memory. */
+#include "base/memory.h"
+#include "passes/paraboloid.h"
+#include "techniques/many_lights.h"
+
+#include <stdlib.h>
+
+struct instant_radiosity {
+    struct many_lights lights;
+    struct paraboloid_pass paraboloid;
+};
+
+static void free_state(void *state) {
+    struct instant_radiosity *technique = state;
+    if (technique) {
+        many_lights_free(&technique->lights);
+        paraboloid_pass_free(&technique->paraboloid);
+    }
+    free(technique);
+}
+
+static bool init(void **state, const struct technique_desc *desc) {
+    const struct settings *settings = desc->settings;
+    struct instant_radiosity *technique = *state = mem_alloc(1, sizeof *technique);
+    int batch =
+        settings->map_batch < settings->vpl_count ? settings->map_batch : settings->vpl_count;
+    return many_lights_init(&technique->lights, desc,
+                            &(struct many_lights_visibility){
+                                GATHER_VISIBILITY_HARD, .map_per_vpl = true, .map_count = batch}) &&
+           paraboloid_pass_init(&technique->paraboloid, &(struct paraboloid_desc){
+                                                            .size = settings->map_size,
+                                                            .count = batch,
+                                                            .depth_range = 1,
+                                                            .near_clip = settings->near_clip,
+                                                        });
+}
+
+static void render(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
+    struct instant_radiosity *technique = state;
+    struct many_lights *lights = &technique->lights;
+    struct paraboloid_pass *paraboloid = &technique->paraboloid;
+    many_lights_render_vpls(lights, frame);
+    gather_pass_clear(&lights->gather);
+    int total = lights->vpls.count, batch = paraboloid->desc.count;
+    for (int first = 0; first < total; first += batch) {
+        int count = total - first < batch ? total - first : batch;
+        paraboloid_pass_view_vpls(paraboloid, frame, &lights->vpls, first, count);
+        paraboloid_pass_render(paraboloid, frame, &paraboloid->views);
+        gather_pass_render(&lights->gather, frame, gbuffer,
+                           &(struct gather_inputs){.vpls = &lights->vpls,
+                                                   .first = first,
+                                                   .count = count,
+                                                   .views = &paraboloid->views,
+                                                   .depth = &paraboloid->maps});
+    }
+    blur_pass_render(&lights->blur, frame, gbuffer, &lights->gather.irradiance);
+}
+
+static void outputs(const void *state, struct technique_outputs *outputs) {
+    const struct instant_radiosity *technique = state;
+    many_lights_outputs(&technique->lights, outputs);
+    outputs->depth_maps = &technique->paraboloid.maps;
+}
+
+extern const struct technique instant_radiosity_technique;
+const struct technique instant_radiosity_technique = {
+    .name = "instant-radiosity",
+    .help = "a hard shadow map per VPL",
+    .init = init,
+    .free = free_state,
+    .render = render,
+    .outputs = outputs,
+};

@@ -1,0 +1,81 @@
+#include "techniques/many_lights.h"
+
+static bool init_gather(struct many_lights *lights, const struct technique_desc *desc,
+                        const struct many_lights_visibility *visibility) {
+    const struct settings *settings = desc->settings;
+    return gather_pass_init(&lights->gather, &(struct gather_desc){
+                                                 .width = desc->width,
+                                                 .height = desc->height,
+                                                 .interleave = settings->interleave,
+                                                 .visibility = visibility->kind,
+                                                 .map_per_vpl = visibility->map_per_vpl,
+                                                 .map_size = settings->map_size,
+                                                 .map_count = visibility->map_count,
+                                                 .basis_terms = settings->basis_terms,
+                                                 .clamp = (enum gather_clamp)settings->clamp,
+                                                 .clamp_value = settings->clamp_value,
+                                                 .bias = settings->bias,
+                                                 .map_bias = settings->map_bias,
+                                                 .shift = settings->shift,
+                                                 .gain = settings->gain,
+                                                 .sharpen_a = settings->sharpen_a,
+                                                 .sharpen_b = settings->sharpen_b,
+                                                 .filter_jacobian = settings->filter_jacobian,
+                                             });
+}
+
+static bool init_blur(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct settings *settings = desc->settings;
+    int radius = settings->blur_radius < 0 ? settings->interleave / 2 : settings->blur_radius;
+    return blur_pass_init(&lights->blur, &(struct blur_desc){
+                                             .width = desc->width,
+                                             .height = desc->height,
+                                             .radius = radius,
+                                             .distance = settings->blur_distance,
+                                             .cosine = settings->blur_cosine,
+                                         });
+}
+
+bool many_lights_init(struct many_lights *lights, const struct technique_desc *desc,
+                      const struct many_lights_visibility *visibility) {
+    const struct settings *settings = desc->settings;
+    *lights = (struct many_lights){0};
+    /* Six maps of a cube see the whole sphere: half the size a side is the same density. */
+    int rsm_size = desc->light_views > 1 ? (settings->rsm_size + 1) / 2 : settings->rsm_size;
+    if (gbuffer_init(&lights->rsm, "rsm", rsm_size, rsm_size, desc->light_views) &&
+        geometry_pass_init(&lights->geometry) &&
+        vpl_pass_init(&lights->vpl,
+                      &(struct vpl_desc){.count = settings->vpl_count, .seed = settings->seed}) &&
+        vpl_buffer_init(&lights->vpls, "VPLs", settings->vpl_count) &&
+        init_gather(lights, desc, visibility) && init_blur(lights, desc))
+        return true;
+    many_lights_free(lights);
+    return false;
+}
+
+void many_lights_free(struct many_lights *lights) {
+    gbuffer_free(&lights->rsm);
+    geometry_pass_free(&lights->geometry);
+    vpl_pass_free(&lights->vpl);
+    vpl_buffer_free(&lights->vpls);
+    gather_pass_free(&lights->gather);
+    blur_pass_free(&lights->blur);
+}
+
+void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame) {
+    geometry_pass_render_light(&lights->geometry, frame, &lights->rsm);
+    vpl_pass_render(&lights->vpl, frame, &lights->rsm, &lights->vpls);
+}
+
+float many_lights_depth_range(const struct settings *settings) {
+    return 1 - 1 / (2 * (float)settings->basis_terms);
+}
+
+void many_lights_outputs(const struct many_lights *lights, struct technique_outputs *outputs) {
+    *outputs = (struct technique_outputs){
+        .irradiance = &lights->blur.blurred,
+        .gathered = &lights->gather.irradiance,
+        .rsm = &lights->rsm,
+        .vpls = &lights->vpls,
+    };
+}

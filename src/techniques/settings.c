@@ -1,0 +1,85 @@
+#include "techniques/settings.h"
+
+#include "base/error.h"
+
+#define FIELD(name) offsetof(struct settings, name)
+
+static const char *const visibility_names[] = {"cssm", "hard", NULL};
+static const char *const clamp_names[] = {"none", "value", "disk", NULL};
+static const char *const tone_map_names[] = {"clamp", "filmic", NULL};
+
+/* Columns: name, letter, type, field, default, minimum, maximum. */
+const struct option settings_table[] = {
+    {"vpls", 0, OPTION_INT, FIELD(vpl_count), 1024, 1, 65536, .help = "virtual point lights, N",
+     .reinit = true},
+    {"vals", 0, OPTION_INT, FIELD(val_count), 30, 1, 1024,
+     .help = "virtual area lights (clusters), M", .reinit = true},
+    {"seed", 0, OPTION_INT, FIELD(seed), 0, 0, 1e9,
+     .help = "another set of VPLs; 0 = Halton's points as they are", .reinit = true},
+    {"rsm-size", 0, OPTION_INT, FIELD(rsm_size), 512, 16, 8192,
+     .help = "reflective shadow map, texels a side", .reinit = true},
+    {"shadow-size", 0, OPTION_INT, FIELD(shadow_size), 2048, 16, 16384,
+     .help = "shadow map of the direct light, texels a side", .reinit = true},
+    {"shadow-bias", 0, OPTION_FLOAT, FIELD(shadow_bias), 1.5, 0, 100,
+     .help = "receiver offset along its normal, in shadow texels", .reinit = true},
+    {"iterations", 0, OPTION_INT, FIELD(iterations), 5, 1, 64, .help = "k-means iterations",
+     .reinit = true},
+    {"weight-position", 0, OPTION_FLOAT, FIELD(weight_position), .7, 0, 1000,
+     .help = "clustering weight of distance, w_x", .reinit = true},
+    {"weight-normal", 0, OPTION_FLOAT, FIELD(weight_normal), .3, 0, 1000,
+     .help = "clustering weight of the angle between normals, w_alpha", .reinit = true},
+    {"visibility", 0, OPTION_CHOICE, FIELD(visibility), VISIBILITY_CSSM,
+     .choices = visibility_names, .help = "lookup in a VAL's map: soft, by convolution, or hard",
+     .reinit = true},
+    {"map-size", 0, OPTION_INT, FIELD(map_size), 256, 16, 4096,
+     .help = "paraboloid map, texels a side", .reinit = true},
+    {"terms", 0, OPTION_INT, FIELD(basis_terms), 4, 1, 16, .help = "terms of the Fourier series, K",
+     .reinit = true},
+    {"bias", 0, OPTION_FLOAT, FIELD(bias), .015, 0, 1,
+     .help = "receiver offset along its normal in soft lookups, over the scene's radius",
+     .reinit = true},
+    {"map-bias", 0, OPTION_FLOAT, FIELD(map_bias), .01, 0, 1,
+     .help = "depth bias of hard lookups, over the scene's radius", .reinit = true},
+    {"near-clip", 0, OPTION_FLOAT, FIELD(near_clip), .01, 0, 1,
+     .help = "casters nearer to a VAL's centre are ignored, over the scene's radius",
+     .reinit = true},
+    {"shift", 0, OPTION_FLOAT, FIELD(shift), .25, 0, 2,
+     .help = "ringing suppression: shift of the receiver depth, over 1/(2K)", .reinit = true},
+    {"gain", 0, OPTION_FLOAT, FIELD(gain), 2, .1, 16,
+     .help = "ringing suppression: scale about one half", .reinit = true},
+    {"sharpen-a", 0, OPTION_FLOAT, FIELD(sharpen_a), 0, 0, 1000,
+     .help = "contact sharpening A (thesis eq. 5.9); 0 = off", .reinit = true},
+    {"sharpen-b", 0, OPTION_FLOAT, FIELD(sharpen_b), 10, 0, 1000, .help = "contact sharpening B",
+     .reinit = true},
+    {"filter-jacobian", 0, OPTION_FLAG, FIELD(filter_jacobian), 0,
+     .help = "filter width by the paraboloid's Jacobian, not alpha/pi", .reinit = true},
+    {"map-batch", 0, OPTION_INT, FIELD(map_batch), 64, 1, 1024,
+     .help = "instant-radiosity: maps in memory at once", .reinit = true},
+    {"clamp", 0, OPTION_CHOICE, FIELD(clamp), 2, .choices = clamp_names,
+     .help = "bound of the geometry term near a VPL", .reinit = true},
+    {"clamp-value", 0, OPTION_FLOAT, FIELD(clamp_value), 25, 0, 1e9,
+     .help = "the bound for clamp=value, times the squared scene radius", .reinit = true},
+    {"interleave", 0, OPTION_INT, FIELD(interleave), 8, 1, 16,
+     .help = "n: each pixel of n x n takes its share of the VPLs; 1 = all", .reinit = true},
+    {"blur-radius", 0, OPTION_INT, FIELD(blur_radius), -1, -1, 64,
+     .help = "taps to each side; -1 = half the interleave", .reinit = true},
+    {"blur-distance", 0, OPTION_FLOAT, FIELD(blur_distance), .1, 0, 10,
+     .help = "blur within this distance, over the scene's extent, alpha", .reinit = true},
+    {"blur-cosine", 0, OPTION_FLOAT, FIELD(blur_cosine), .8, -1, 1,
+     .help = "blur within this cosine of the normals, beta", .reinit = true},
+    {"caster-edge", 0, OPTION_FLOAT, FIELD(caster_edge), .3, .005, 10,
+     .help = "longest edge of a caster in paraboloid maps, over the scene's radius",
+     .reinit = true},
+    {"exposure", 0, OPTION_FLOAT, FIELD(exposure), 0, -32, 32, .help = "of the picture, EV"},
+    {"tone-map", 0, OPTION_CHOICE, FIELD(tone_map), 0, .choices = tone_map_names,
+     .help = "of the picture"},
+    {NULL},
+};
+
+bool settings_check(const struct settings *settings) {
+    int slots = settings->interleave * settings->interleave;
+    if (settings->vpl_count < slots)
+        return error_set("interleave=%d needs at least %d VPLs, and vpls=%d", settings->interleave,
+                         slots, settings->vpl_count);
+    return true;
+}

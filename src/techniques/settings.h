@@ -1,0 +1,40 @@
+/* All settings of the renderer, as one option table: --set key=value, the viewer's panel, sweeps.
+ *
+ * Defaults are the paper's where it gives them [Dong 2009 §5-7]. Lengths are fractions of the
+ * scene's radius or extent, so that no setting depends on the scene's units.
+ */
+#ifndef TECHNIQUES_SETTINGS_H
+#define TECHNIQUES_SETTINGS_H
+
+#include "base/option.h"
+
+enum visibility_kind { VISIBILITY_CSSM, VISIBILITY_HARD };
+
+struct settings {
+    int vpl_count, val_count; /* N, M */
+    int seed;
+    int rsm_size, shadow_size;
+    float shadow_bias;
+    int iterations;
+    float weight_position, weight_normal; /* w_x, w_alpha */
+    int visibility;                       /* enum visibility_kind, of `clustered` */
+    int map_size, basis_terms;            /* K */
+    float bias, map_bias, near_clip, shift, gain, sharpen_a, sharpen_b;
+    bool filter_jacobian;
+    int map_batch; /* maps in memory at once, of `instant-radiosity` */
+    int clamp;     /* enum gather_clamp */
+    float clamp_value;
+    int interleave, blur_radius;
+    float blur_distance, blur_cosine; /* alpha, beta */
+    float caster_edge;
+    float exposure;
+    int tone_map;
+};
+
+extern const struct option settings_table[];
+
+/* Checks what single ranges cannot: M <= N, interleave^2 <= N ... Error: a sentence for the user.
+ */
+bool settings_check(const struct settings *settings);
+
+#endif
