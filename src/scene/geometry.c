@@ -74,10 +74,21 @@ static void make_batches(struct geometry *geometry, const struct scene *scene,
     free(count);
 }
 
-static bool mirrors(const float world[16]) {
-    mat4 matrix;
-    memcpy(matrix, world, sizeof matrix);
-    return glm_mat4_det(matrix) < 0;
+/* The cofactors of the world matrix's upper left 3x3, column by column. They are the inverse
+ * transpose times the determinant, but exist for flat scales too. */
+static void cofactors(const float world[16], double out[3][3]) {
+    for (int column = 0; column < 3; column++) {
+        const float *a = &world[(column + 1) % 3 * 4], *b = &world[(column + 2) % 3 * 4];
+        for (int row = 0; row < 3; row++) {
+            int d = (row + 1) % 3, e = (row + 2) % 3;
+            out[column][row] = (double)a[d] * b[e] - (double)a[e] * b[d];
+        }
+    }
+}
+
+/* The determinant's sign is negative: left becomes right. */
+static bool mirrors(const float world[16], double cofactor[3][3]) {
+    return world[0] * cofactor[0][0] + world[1] * cofactor[0][1] + world[2] * cofactor[0][2] < 0;
 }
 
 /* Appends the triangles to the batches of their materials. A mirroring node turns triangles inside
@@ -90,7 +101,9 @@ static void lay_indices(struct geometry *geometry, const struct scene *scene, fl
         const struct primitive *primitive = part_primitive(scene, part);
         struct geometry_batch *batch = batch_of[primitive->material];
         uint32_t *to = geometry->indices + batch->first_index + batch->index_count;
-        int swap = mirrors(worlds[part->node]);
+        double cofactor[3][3];
+        cofactors(worlds[part->node], cofactor);
+        int swap = mirrors(worlds[part->node], cofactor);
         for (int k = 0; k < primitive->index_count; k += 3) {
             to[k] = primitive->indices[k] + part->first_vertex;
             to[k + 1 + swap] = primitive->indices[k + 1] + part->first_vertex;
@@ -101,23 +114,13 @@ static void lay_indices(struct geometry *geometry, const struct scene *scene, fl
     free(batch_of);
 }
 
-/* The matrix that takes normals to the world, up to scale: the cofactors of the upper left 3x3.
- * They equal the inverse transpose times the determinant, so that flat scales work too. */
-static void normal_matrix(const float world[16], double out[3][3]) {
-    double sign = mirrors(world) ? -1 : 1;
-    for (int column = 0; column < 3; column++) {
-        const float *a = &world[(column + 1) % 3 * 4], *b = &world[(column + 2) % 3 * 4];
-        for (int row = 0; row < 3; row++) {
-            int d = (row + 1) % 3, e = (row + 2) % 3;
-            out[column][row] = sign * ((double)a[d] * b[e] - (double)a[e] * b[d]);
-        }
-    }
-}
-
-static void place_normal(double matrix[3][3], const float normal[3], float out[3]) {
+/* Normals go by the inverse transpose, whose direction the cofactors have, but for its sign. */
+static void place_normal(double cofactor[3][3], double sign, const float normal[3], float out[3]) {
     double n[3], length = 0;
     for (int c = 0; c < 3; c++) {
-        n[c] = matrix[0][c] * normal[0] + matrix[1][c] * normal[1] + matrix[2][c] * normal[2];
+        n[c] = 0;
+        for (int column = 0; column < 3; column++)
+            n[c] += sign * cofactor[column][c] * normal[column];
         length += n[c] * n[c];
     }
     length = sqrt(length);
@@ -125,10 +128,12 @@ static void place_normal(double matrix[3][3], const float normal[3], float out[3
         out[c] = length > 0 ? (float)(n[c] / length) : normal[c];
 }
 
+/* False, with an error, when a vertex ends up too far away. */
 static bool place_vertices(struct geometry *geometry, const struct primitive *primitive,
                            const struct geometry_part *part, const float world[16]) {
-    double normals[3][3];
-    normal_matrix(world, normals);
+    double cofactor[3][3];
+    cofactors(world, cofactor);
+    double sign = mirrors(world, cofactor) ? -1 : 1;
     for (uint32_t i = 0; i < part->vertex_count; i++) {
         const float *p = primitive->position[i];
         float *position = geometry->position[part->first_vertex + i];
@@ -136,10 +141,11 @@ static bool place_vertices(struct geometry *geometry, const struct primitive *pr
             position[c] =
                 world[c] * p[0] + world[4 + c] * p[1] + world[8 + c] * p[2] + world[12 + c];
             if (!(fabsf(position[c]) <= max_coordinate))
-                return error_set("node %d '%s': vertex %u lies %g m out", part->node, "", i,
+                return error_set("vertex %u lies %g m from the world's origin", i,
                                  (double)position[c]);
         }
-        place_normal(normals, primitive->normal[i], geometry->normal[part->first_vertex + i]);
+        place_normal(cofactor, sign, primitive->normal[i],
+                     geometry->normal[part->first_vertex + i]);
     }
     return true;
 }
@@ -174,35 +180,44 @@ static void measure(struct geometry *geometry) {
     geometry->radius = fmaxf(sqrtf(farthest), 1e-6F);
 }
 
-bool geometry_init(struct geometry *geometry, const struct scene *scene, double time) {
-    *geometry = (struct geometry){0};
-    if (!list_parts(geometry, scene)) {
-        geometry_free(geometry);
-        return error_prefix("%s", scene->path);
-    }
+static void allocate_arrays(struct geometry *geometry) {
     size_t vertices = geometry->vertex_count;
     geometry->position = mem_alloc(vertices + 1, sizeof *geometry->position);
     geometry->normal = mem_alloc(vertices, sizeof *geometry->normal);
     geometry->uv = mem_alloc(vertices, sizeof *geometry->uv);
     geometry->color = mem_alloc(vertices, sizeof *geometry->color);
     geometry->indices = mem_alloc(geometry->index_count, sizeof *geometry->indices);
-    float(*worlds)[16] = mem_alloc((size_t)scene->node_count, sizeof *worlds);
-    scene_node_worlds(scene, time, worlds);
-    bool good = true;
-    for (int i = 0; good && i < geometry->part_count; i++) {
+}
+
+static bool fill(struct geometry *geometry, const struct scene *scene, float (*worlds)[16]) {
+    for (int i = 0; i < geometry->part_count; i++) {
         const struct geometry_part *part = &geometry->parts[i];
         const struct primitive *primitive = part_primitive(scene, part);
-        good = place_vertices(geometry, primitive, part, worlds[part->node]);
+        if (!place_vertices(geometry, primitive, part, worlds[part->node])) {
+            int mesh = scene->nodes[part->node].mesh;
+            return error_prefix("mesh %d '%s'", mesh, scene->meshes[mesh].name);
+        }
         copy_attributes(geometry, primitive, part);
     }
     lay_indices(geometry, scene, worlds);
-    free(worlds);
-    if (!good) {
-        geometry_free(geometry);
-        return error_prefix("%s", scene->path);
-    }
     measure(geometry);
     return true;
+}
+
+bool geometry_init(struct geometry *geometry, const struct scene *scene, double time) {
+    *geometry = (struct geometry){0};
+    float(*worlds)[16] = mem_alloc((size_t)scene->node_count, sizeof *worlds);
+    scene_node_worlds(scene, time, worlds);
+    bool good = list_parts(geometry, scene);
+    if (good) {
+        allocate_arrays(geometry);
+        good = fill(geometry, scene, worlds);
+    }
+    free(worlds);
+    if (good)
+        return true;
+    geometry_free(geometry);
+    return error_prefix("%s", scene->path);
 }
 
 void geometry_free(struct geometry *geometry) {

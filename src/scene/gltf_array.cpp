@@ -1,41 +1,34 @@
 /* Buffer views and accessors: whatever numbers a file holds, only bytes of its buffers are read. */
 #include "scene/gltf_model.hpp"
 
+#include <cassert>
+
 namespace gltf {
 
-/* The bytes from an offset in a buffer view to its end. */
-bool view_bytes(const Model &model, int view, size_t offset, const unsigned char **bytes,
-                size_t *size) {
-    if (view < 0 || size_t(view) >= model.bufferViews.size())
-        return error_set("there is no buffer view %d", view);
+const unsigned char *view_bytes(const Model &model, int view) {
     const tinygltf::BufferView &v = model.bufferViews[view];
-    if (v.buffer < 0 || size_t(v.buffer) >= model.buffers.size())
-        return error_set("buffer view %d: there is no buffer %d", view, v.buffer);
-    size_t available = model.buffers[v.buffer].data.size();
-    if (v.byteOffset > available || v.byteLength > available - v.byteOffset)
-        return error_set("buffer view %d: %zu bytes at %zu are outside buffer %d of %zu bytes",
-                         view, v.byteLength, v.byteOffset, v.buffer, available);
-    if (offset > v.byteLength)
-        return error_set("offset %zu is outside buffer view %d of %zu bytes", offset, view,
-                         v.byteLength);
-    *bytes = model.buffers[v.buffer].data.data() + v.byteOffset + offset;
-    *size = v.byteLength - offset;
-    return true;
+    const std::vector<unsigned char> &data = model.buffers[v.buffer].data;
+    assert(v.byteOffset <= data.size() && v.byteLength <= data.size() - v.byteOffset);
+    return data.data() + v.byteOffset;
 }
 
 namespace {
 
-const size_t max_elements = size_t(1) << 26;
+/* Elements to be found in a buffer view. */
+struct Run {
+    int view;
+    size_t offset, count, element, stride; /* bytes but for count */
+};
 
-/* Points into the view and checks that count elements at the stride fit. */
-bool view_elements(const Model &model, int view, size_t offset, size_t count, size_t stride,
-                   size_t element, const unsigned char **bytes) {
-    size_t size;
-    if (!view_bytes(model, view, offset, bytes, &size))
-        return false;
-    if (size < element || count - 1 > (size - element) / stride)
-        return error_set("%zu elements of %zu bytes do not fit buffer view %d (%zu bytes left)",
-                         count, element, view, size);
+bool locate(const Model &model, const Run &run, const unsigned char **bytes) {
+    size_t size = model.bufferViews[run.view].byteLength;
+    if (run.stride < run.element)
+        return error_set("a stride of %zu for elements of %zu bytes", run.stride, run.element);
+    if (run.offset > size || size - run.offset < run.element ||
+        run.count - 1 > (size - run.offset - run.element) / run.stride)
+        return error_set("%zu elements of %zu bytes at %zu are outside buffer view %d of %zu bytes",
+                         run.count, run.element, run.offset, run.view, size);
+    *bytes = view_bytes(model, run.view) + run.offset;
     return true;
 }
 
@@ -43,52 +36,40 @@ bool resolve_sparse(const Model &model, const tinygltf::Accessor &a, struct acce
     size_t element = component_size(a.componentType) * size_t(out.components);
     const auto &sparse = a.sparse;
     if (sparse.count < 1 || size_t(sparse.count) > a.count)
-        return error_set("sparse: %d elements replace %zu", sparse.count, a.count);
-    int type = sparse.indices.componentType;
-    if (type != COMPONENT_UBYTE && type != COMPONENT_USHORT && type != COMPONENT_UINT)
-        return error_set("sparse: component type %d is not for indices", type);
-    if (sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0)
-        return error_set("sparse: negative byte offset");
+        return error_set("%d elements replace %zu", sparse.count, a.count);
     out.sparse_count = size_t(sparse.count);
-    out.sparse_index_type = type;
-    size_t index = component_size(type);
-    return (view_elements(model, sparse.indices.bufferView, size_t(sparse.indices.byteOffset),
-                          out.sparse_count, index, index, &out.sparse_indices) &&
-            view_elements(model, sparse.values.bufferView, size_t(sparse.values.byteOffset),
-                          out.sparse_count, element, element, &out.sparse_values)) ||
-           error_prefix("sparse");
+    out.sparse_index_type = sparse.indices.componentType;
+    size_t index = component_size(out.sparse_index_type);
+    Run indices = {sparse.indices.bufferView, size_t(sparse.indices.byteOffset), out.sparse_count,
+                   index, index};
+    Run values = {sparse.values.bufferView, size_t(sparse.values.byteOffset), out.sparse_count,
+                  element, element};
+    return locate(model, indices, &out.sparse_indices) && locate(model, values, &out.sparse_values);
 }
 
 } // namespace
 
 bool resolve_accessor(const Model &model, int index, struct accessor &out) {
-    out = {};
-    if (index < 0 || size_t(index) >= model.accessors.size())
-        return error_set("there is no accessor %d", index);
     const tinygltf::Accessor &a = model.accessors[index];
-    size_t component = component_size(a.componentType);
+    out = {};
     out.components = a.type == TINYGLTF_TYPE_SCALAR ? 1 : a.type;
-    if (component == 0 || out.components < 1 || out.components > 4)
-        return error_set("accessor %d: not a vector of numbers that meshes have", index);
-    if (a.count < 1 || a.count > max_elements)
-        return error_set("accessor %d: a count of %zu", index, a.count);
-    size_t element = component * size_t(out.components);
+    if (out.components > 4)
+        return error_set("accessor %d: it holds matrices", index);
+    if (a.count == 0)
+        return error_set("accessor %d: it has no elements", index);
+    size_t element = component_size(a.componentType) * size_t(out.components);
     out.count = a.count;
     out.component_type = a.componentType;
     out.normalized = a.normalized;
     out.stride = element;
-    bool good = true;
     if (a.bufferView >= 0) {
-        if (size_t(a.bufferView) < model.bufferViews.size() &&
-            model.bufferViews[a.bufferView].byteStride)
+        if (model.bufferViews[a.bufferView].byteStride)
             out.stride = model.bufferViews[a.bufferView].byteStride;
-        good = out.stride >= element
-                   ? view_elements(model, a.bufferView, a.byteOffset, a.count, out.stride, element,
-                                   &out.bytes)
-                   : error_set("a stride of %zu for elements of %zu bytes", out.stride, element);
+        if (!locate(model, {a.bufferView, a.byteOffset, a.count, element, out.stride}, &out.bytes))
+            return error_prefix("accessor %d", index);
     }
-    return (good && (!a.sparse.isSparse || resolve_sparse(model, a, out))) ||
-           error_prefix("accessor %d", index);
+    return !a.sparse.isSparse || resolve_sparse(model, a, out) ||
+           error_prefix("accessor %d: sparse", index);
 }
 
 } // namespace gltf

@@ -48,18 +48,28 @@ static bool leads_down(const char *name) {
     }
 }
 
+/* The name for messages: shortened, and without what could upset a terminal. */
+static const char *shown(char text[80], const char *name) {
+    snprintf(text, 80, "%s", name);
+    for (char *c = text; *c; c++)
+        if ((unsigned char)*c < 32 || *c == 127)
+            *c = '?';
+    return text;
+}
+
 bool file_read_named(struct file_bytes *bytes, const char *folder, const char *name) {
     *bytes = (struct file_bytes){0};
+    char text[80];
     if (!leads_down(name))
-        return error_set("'%.80s' is not a path inside the file's folder", name);
+        return error_set("'%s' is not a path inside the file's folder", shown(text, name));
     char *path = mem_printf("%s%s", folder, name);
     char *root = realpath(*folder ? folder : ".", NULL), *real = realpath(path, NULL);
     bool good = false;
     size_t length = root ? strlen(root) : 0;
     if (!root || !real)
-        error_set("cannot open %s: %s", path, strerror(errno));
+        error_set("cannot open %s%s: %s", folder, shown(text, name), strerror(errno));
     else if (strncmp(root, real, length) != 0 || (length > 1 && real[length] != '/'))
-        error_set("'%.80s' is a link out of the file's folder", name);
+        error_set("'%s' is a link out of the file's folder", shown(text, name));
     else
         good = file_read(bytes, path);
     free(path);
@@ -80,7 +90,7 @@ bool glb_is(const struct file_bytes *bytes) {
 
 /* glTF 2.0, 4.4: a header of 12 bytes, then chunks of length, type and data: JSON, then BIN, then
  * any others. tinygltf would read beyond the end of a truncated chunk. */
-bool glb_check(const struct file_bytes *bytes) {
+bool glb_check(const struct file_bytes *bytes, struct glb_chunks *chunks) {
     enum { JSON = 0x4E4F534A, BIN = 0x004E4942 };
     if (bytes->size < 20)
         return error_set("truncated: %zu bytes are no GLB file", bytes->size);
@@ -90,6 +100,7 @@ bool glb_check(const struct file_bytes *bytes) {
         return error_set("%s: the header says %u bytes, there are %zu",
                          word_at(bytes, 8) > bytes->size ? "truncated" : "wrong length",
                          word_at(bytes, 8), bytes->size);
+    *chunks = (struct glb_chunks){.json = (const char *)bytes->data + 20};
     size_t at = 12;
     for (int chunk = 0; at < bytes->size; chunk++) {
         if (bytes->size - at < 8)
@@ -103,6 +114,8 @@ bool glb_check(const struct file_bytes *bytes) {
         if (chunk < 2 && type != (chunk == 0 ? (uint32_t)JSON : (uint32_t)BIN))
             return error_set("chunk %d: type 0x%08X is not %s", chunk, type,
                              chunk == 0 ? "JSON" : "BIN");
+        if (chunk < 2)
+            *(chunk == 0 ? &chunks->json_size : &chunks->bin_size) = size;
         at += 8 + (size_t)size;
     }
     return true;

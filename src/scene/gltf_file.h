@@ -20,7 +20,12 @@ bool file_read_named(struct file_bytes *bytes, const char *folder, const char *n
 /* Whether the bytes begin like a .glb. */
 bool glb_is(const struct file_bytes *bytes);
 
-/* Checks the container of a .glb: header and chunks. */
-bool glb_check(const struct file_bytes *bytes);
+struct glb_chunks {
+    const char *json;
+    size_t json_size, bin_size; /* bin_size = 0: there is no BIN chunk */
+};
+
+/* Checks the container of a .glb, header and chunks, and finds the JSON. */
+bool glb_check(const struct file_bytes *bytes, struct glb_chunks *chunks);
 
 #endif

@@ -10,46 +10,45 @@ const float half_pi = 1.5707964F;
 
 bool load_light(const tinygltf::Light &from, struct scene_light &to) {
     copy_name(to.name, from.name);
-    if (from.type == "spot")
-        to.type = LIGHT_SPOT;
-    else if (from.type == "point")
-        to.type = LIGHT_POINT;
-    else if (from.type == "directional")
-        to.type = LIGHT_DIRECTIONAL;
-    else
-        return error_set("there is no type '%.40s'", from.type.c_str());
+    to.type = from.type == "spot"    ? LIGHT_SPOT
+              : from.type == "point" ? LIGHT_POINT
+                                     : LIGHT_DIRECTIONAL;
     float color[3] = {1, 1, 1};
-    if (!copy_numbers(from.color, color, 3, "its color"))
+    if (!copy_numbers(from.color, color, "color"))
         return false;
     for (int c = 0; c < 3; c++) {
         to.intensity[c] = float(color[c] * from.intensity);
         if (!(to.intensity[c] >= 0) || !std::isfinite(to.intensity[c]))
-            return error_set("its intensity is negative or not finite");
+            return error_set("intensity: it is negative or too large");
     }
     to.inner = float(from.spot.innerConeAngle);
     to.outer = float(from.spot.outerConeAngle);
-    if (to.type == LIGHT_SPOT && !(to.inner >= 0 && to.inner < to.outer && to.outer <= half_pi))
+    if (to.type == LIGHT_SPOT &&
+        !(to.inner >= 0 && to.inner <= to.outer && to.outer > 0 && to.outer <= half_pi))
         return error_set("a cone from %g to %g radians", to.inner, to.outer);
     return true;
 }
 
+bool load_perspective(const tinygltf::PerspectiveCamera &from, struct scene_camera &to) {
+    to.fov_y = float(from.yfov);
+    to.near = float(from.znear);
+    to.far = from.zfar > 0 ? float(from.zfar) : INFINITY;
+    return (to.fov_y > 0 && to.fov_y < 2 * half_pi) || error_set("yfov: %g radians", to.fov_y);
+}
+
+bool load_orthographic(const tinygltf::OrthographicCamera &from, struct scene_camera &to) {
+    to.orthographic = true;
+    to.y_extent = float(std::fabs(from.ymag));
+    to.near = float(from.znear);
+    to.far = float(from.zfar);
+    return (to.y_extent > 0 && std::isfinite(to.y_extent)) ||
+           error_set("ymag: %g m", double(to.y_extent));
+}
+
 bool load_camera(const tinygltf::Camera &from, struct scene_camera &to) {
     copy_name(to.name, from.name);
-    to.orthographic = from.type == "orthographic";
-    if (to.orthographic) {
-        to.y_extent = float(std::fabs(from.orthographic.ymag));
-        to.near = float(from.orthographic.znear);
-        to.far = float(from.orthographic.zfar);
-    } else {
-        to.fov_y = float(from.perspective.yfov);
-        to.near = float(from.perspective.znear);
-        to.far = from.perspective.zfar > 0 ? float(from.perspective.zfar) : INFINITY;
-    }
-    if (to.orthographic ? !(to.y_extent > 0 && std::isfinite(to.y_extent))
-                        : !(to.fov_y > 0 && to.fov_y < 2 * half_pi))
-        return error_set("a view of %g %s", to.orthographic ? to.y_extent : to.fov_y,
-                         to.orthographic ? "m" : "radians");
-    return true;
+    return from.type == "perspective" ? load_perspective(from.perspective, to)
+                                      : load_orthographic(from.orthographic, to);
 }
 
 } // namespace

@@ -1,48 +1,59 @@
 /* Meshes: triangles with attributes, whatever form the file has them in. */
 #include "scene/gltf_model.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace gltf {
 namespace {
 
-/* Reads an attribute of one element per vertex into a new array; NULL where there is none. */
+/* Takes from what one file's meshes may hold altogether: primitives that share an accessor, and
+ * accessors without bytes, would let a small file fill any memory. */
+bool spend(Loader &loader, size_t count) {
+    if (count > loader.budget)
+        return error_set("the meshes have more than %zu million vertices and indices",
+                         max_elements >> 20);
+    loader.budget -= count;
+    return true;
+}
+
+/* Reads an attribute of one element per vertex into a new array, all ones at first; none where the
+ * file has none. */
 template <int Width>
-bool load_attribute(const Model &model, const tinygltf::Primitive &from, const std::string &name,
-                    size_t count, float fill, float (**out)[Width]) {
+bool load_attribute(Loader &loader, const tinygltf::Primitive &from, const std::string &name,
+                    size_t count, float (**out)[Width]) {
     auto found = from.attributes.find(name);
     if (found == from.attributes.end())
         return true;
     struct accessor accessor;
-    if (!resolve_accessor(model, found->second, accessor))
+    if (!resolve_accessor(loader.model, found->second, accessor) || !spend(loader, accessor.count))
         return error_prefix("%s", name.c_str());
-    if (count != 0 && accessor.count != count)
+    if (accessor.components != Width && !(Width == 4 && accessor.components == 3))
+        return error_set("%s: accessor %d has %d numbers an element, not %d", name.c_str(),
+                         found->second, accessor.components, Width);
+    if (accessor.count != count)
         return error_set("%s: %zu elements for %zu vertices", name.c_str(), accessor.count, count);
-    *out = static_cast<float(*)[Width]>(mem_alloc(accessor.count, sizeof **out));
-    for (size_t i = 0; i < accessor.count; i++)
-        for (int c = 0; c < Width; c++)
-            (*out)[i][c] = fill;
+    *out = static_cast<float(*)[Width]>(mem_alloc(count, sizeof **out));
+    std::fill_n(**out, count * Width, 1.F);
     return accessor_read_floats(&accessor, Width, **out) || error_prefix("%s", name.c_str());
 }
 
-bool load_indices(const Model &model, int index, struct primitive &to) {
-    if (index < 0) {
-        to.index_count = to.vertex_count;
-        to.indices = allocate<uint32_t>(size_t(to.index_count));
-        for (int i = 0; i < to.index_count; i++)
-            to.indices[i] = uint32_t(i);
-        return true;
-    }
-    struct accessor accessor;
-    if (!resolve_accessor(model, index, accessor))
+bool load_indices(Loader &loader, int index, struct primitive &to) {
+    struct accessor accessor = {};
+    accessor.count = size_t(to.vertex_count);
+    if ((index >= 0 && !resolve_accessor(loader.model, index, accessor)) ||
+        !spend(loader, accessor.count))
         return error_prefix("indices");
     int type = accessor.component_type;
-    if (accessor.components != 1 || accessor.normalized ||
-        (type != COMPONENT_UBYTE && type != COMPONENT_USHORT && type != COMPONENT_UINT))
+    if (index >= 0 &&
+        (accessor.components != 1 || accessor.normalized ||
+         (type != COMPONENT_UBYTE && type != COMPONENT_USHORT && type != COMPONENT_UINT)))
         return error_set("indices: accessor %d does not hold unsigned numbers", index);
     to.index_count = int(accessor.count);
     to.indices = allocate<uint32_t>(accessor.count);
-    return accessor_read_indices(&accessor, to.indices) || error_prefix("indices");
+    std::iota(to.indices, to.indices + accessor.count, 0u);
+    return index < 0 || accessor_read_indices(&accessor, to.indices) || error_prefix("indices");
 }
 
 /* KHR_texture_transform: scales, then rotates counter-clockwise as seen with v downward, then
@@ -56,34 +67,42 @@ void transform_uv(const UvSource &source, struct primitive &primitive) {
     }
 }
 
+bool load_attributes(Loader &loader, const tinygltf::Primitive &from, struct primitive &to) {
+    size_t count = size_t(to.vertex_count);
+    if (!load_attribute(loader, from, "NORMAL", count, &to.normal) ||
+        !load_attribute(loader, from, "COLOR_0", count, &to.color))
+        return false;
+    if (loader.scene->materials[to.material].texture < 0)
+        return true;
+    const UvSource &uv = loader.uv_sources[size_t(to.material)];
+    if (!load_attribute(loader, from, "TEXCOORD_" + std::to_string(uv.set), count, &to.uv))
+        return false;
+    if (to.uv)
+        transform_uv(uv, to);
+    return true;
+}
+
 bool load_primitive(Loader &loader, const tinygltf::Primitive &from, struct primitive &to) {
     const Model &model = loader.model;
-    if (from.material >= int(model.materials.size()))
-        return error_set("there is no material %d", from.material);
     to.material = from.material >= 0 ? from.material : int(model.materials.size());
-    if (!load_attribute(model, from, "POSITION", 0, 0, &to.position))
-        return false;
-    if (!to.position)
+    auto position = from.attributes.find("POSITION");
+    if (position == from.attributes.end())
         return error_set("it has no POSITION");
-    size_t count = model.accessors[from.attributes.at("POSITION")].count;
+    size_t count = model.accessors[position->second].count;
+    if (!load_attribute(loader, from, "POSITION", count, &to.position))
+        return false;
     to.vertex_count = int(count);
-    if (!load_indices(model, from.indices, to) || !primitive_check(&to) ||
-        !primitive_unroll(&to, static_cast<enum primitive_mode>(from.mode)))
+    if (!load_indices(loader, from.indices, to) || !primitive_check(&to) ||
+        !primitive_unroll(&to, static_cast<enum primitive_mode>(from.mode)) ||
+        !load_attributes(loader, from, to))
         return false;
-    if (!load_attribute(model, from, "NORMAL", count, 0, &to.normal) ||
-        !load_attribute(model, from, "COLOR_0", count, 1, &to.color))
-        return false;
-    if (loader.scene->materials[to.material].texture >= 0) {
-        const UvSource &uv = loader.uv_sources[to.material];
-        if (!load_attribute(model, from, "TEXCOORD_" + std::to_string(uv.set), count, 0, &to.uv))
-            return false;
-        if (to.uv)
-            transform_uv(uv, to);
-    }
-    if (to.normal)
+    if (to.normal) {
         primitive_repair_normals(&to);
-    else
-        primitive_flatten(&to);
+        return true;
+    }
+    if (!spend(loader, size_t(to.index_count)))
+        return false;
+    primitive_flatten(&to);
     return true;
 }
 
@@ -93,8 +112,6 @@ bool load_mesh(Loader &loader, const tinygltf::Mesh &from, struct mesh &to, bool
     to.primitives = allocate<struct primitive>(from.primitives.size());
     for (size_t i = 0; i < from.primitives.size(); i++) {
         int mode = from.primitives[i].mode;
-        if (mode < 0 || mode > PRIMITIVE_FAN)
-            return error_set("primitive %zu: there is no mode %d", i, mode);
         if (mode < PRIMITIVE_TRIANGLES) {
             lines_ignored = true;
             continue;

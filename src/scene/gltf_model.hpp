@@ -22,6 +22,7 @@ extern "C" {
 #define TINYGLTF_NO_EXTERNAL_IMAGE
 #include <tiny_gltf.h>
 
+#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,21 +37,39 @@ struct UvSource {
     double offset[2] = {0, 0}, rotation = 0, scale[2] = {1, 1};
 };
 
+/* The bytes of a file for as long as they are in scope. */
+struct OwnedBytes : file_bytes {
+    OwnedBytes() : file_bytes{nullptr, 0} {
+    }
+    OwnedBytes(const OwnedBytes &) = delete;
+    ~OwnedBytes() {
+        free(data);
+    }
+};
+
+/* So many vertices and indices take about 4 GiB. */
+const size_t max_elements = size_t(1) << 27;
+
 struct Loader {
     struct scene *scene;
     std::string folder; /* "" or ends in a slash */
     Model model;
+    std::string file_error;                        /* why a file that the glTF names was not read */
     std::vector<UvSource> uv_sources;              /* one per material */
     std::vector<std::pair<int, int>> texture_keys; /* image and sampler of each texture */
+    size_t budget = max_elements; /* vertices and indices that the meshes may still have */
 };
+
+/* gltf_schema.cpp: whether the JSON is what the standard demands, given the size of the BIN chunk.
+ * All indices, types and buffer views of the model are right afterwards. */
+bool check_schema(const char *text, size_t size, size_t bin_size);
 
 /* gltf_parse.cpp: reads and parses the file and the buffers it names. */
 bool parse(Loader &loader, const char *path);
 std::string decode_uri(const std::string &uri);
 
-/* gltf_array.cpp: the bytes of a buffer view, and an accessor whose elements all lie in theirs. */
-bool view_bytes(const Model &model, int view, size_t offset, const unsigned char **bytes,
-                size_t *size);
+/* gltf_array.cpp: the bytes of a buffer view; and an accessor, whose elements all lie in theirs. */
+const unsigned char *view_bytes(const Model &model, int view);
 bool resolve_accessor(const Model &model, int index, struct accessor &out);
 
 /* Each fills its part of the scene, in this order. */
@@ -60,14 +79,17 @@ bool load_lights(Loader &loader);
 bool load_cameras(Loader &loader);
 bool load_nodes(Loader &loader);
 
+/* The text for names and messages: cut between UTF-8 characters, and without control characters,
+ * which could upset a terminal. */
+std::string clean(const std::string &text);
+void copy_name(char to[SCENE_NAME_SIZE], const std::string &from);
+
 /* "mesh 3 'name'" */
 std::string label(const char *noun, size_t index, const std::string &name);
 
-/* Control characters, which could upset a terminal, are replaced. Cut between UTF-8 characters. */
-void copy_name(char to[SCENE_NAME_SIZE], const std::string &from);
-
-/* Copies the numbers of a JSON array; an absent one leaves the defaults. */
-bool copy_numbers(const std::vector<double> &from, float *to, size_t count, const char *what);
+/* Copies the numbers of a JSON array, which may be too large for floats; an absent one leaves the
+ * defaults. */
+bool copy_numbers(const std::vector<double> &from, float *to, const char *what);
 
 template <typename T> T *allocate(size_t count) {
     return static_cast<T *>(mem_alloc(count, sizeof(T)));

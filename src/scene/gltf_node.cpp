@@ -13,37 +13,34 @@ bool find_parents(const Model &model, std::vector<int> &parents) {
     parents.assign(model.nodes.size(), -1);
     for (size_t i = 0; i < model.nodes.size(); i++)
         for (int child : model.nodes[i].children) {
-            if (child < 0 || size_t(child) >= model.nodes.size())
-                return error_set("%s: there is no child node %d",
-                                 label("node", i, model.nodes[i].name).c_str(), child);
-            std::string name = label("node", child, model.nodes[child].name);
             if (parents[child] >= 0)
-                return error_set("%s has two parents: nodes %d and %zu", name.c_str(),
+                return error_set("%s: it has two parents, nodes %d and %zu",
+                                 label("node", child, model.nodes[child].name).c_str(),
                                  parents[child], i);
             parents[child] = int(i);
         }
     return true;
 }
 
+std::vector<int> parentless(const std::vector<int> &parents) {
+    std::vector<int> roots;
+    for (size_t i = 0; i < parents.size(); i++)
+        if (parents[i] < 0)
+            roots.push_back(int(i));
+    return roots;
+}
+
 /* The nodes to begin with: the default scene's, the first scene's, or all without a parent. */
 bool find_roots(const Model &model, const std::vector<int> &parents, std::vector<int> &roots) {
-    if (model.scenes.empty()) {
-        for (size_t i = 0; i < parents.size(); i++)
-            if (parents[i] < 0)
-                roots.push_back(int(i));
+    roots = parentless(parents);
+    if (model.scenes.empty())
         return true;
-    }
     int scene = std::max(model.defaultScene, 0);
-    if (size_t(scene) >= model.scenes.size())
-        return error_set("there is no scene %d", scene);
-    std::set<int> seen;
-    for (int node : model.scenes[scene].nodes) {
-        if (node < 0 || size_t(node) >= parents.size())
-            return error_set("scene %d: there is no node %d", scene, node);
-        if (parents[node] >= 0 || !seen.insert(node).second)
-            return error_set("scene %d: node %d is not a root", scene, node);
-        roots.push_back(node);
-    }
+    std::set<int> allowed(roots.begin(), roots.end());
+    roots = model.scenes[scene].nodes;
+    for (int node : roots)
+        if (allowed.erase(node) == 0)
+            return error_set("scene %d: node %d has a parent or is listed twice", scene, node);
     return true;
 }
 
@@ -62,56 +59,44 @@ std::vector<int> order_nodes(const Model &model, const std::vector<int> &roots) 
 
 /* A loop of nodes hangs on no root. */
 bool check_loops(const Model &model, const std::vector<int> &parents) {
-    std::vector<int> roots;
-    for (size_t i = 0; i < parents.size(); i++)
-        if (parents[i] < 0)
-            roots.push_back(int(i));
-    std::vector<int> order = order_nodes(model, roots);
-    if (order.size() == parents.size())
+    std::vector<int> reached = order_nodes(model, parentless(parents));
+    if (reached.size() == parents.size())
         return true;
-    std::set<int> reached(order.begin(), order.end());
+    std::set<int> good(reached.begin(), reached.end());
     int node = 0;
-    while (reached.count(node))
+    while (good.count(node))
         node++;
-    return error_set("%s is its own ancestor", label("node", node, model.nodes[node].name).c_str());
+    return error_set("%s: it is its own ancestor",
+                     label("node", node, model.nodes[node].name).c_str());
 }
 
 bool load_transform(const tinygltf::Node &from, struct node &to) {
     to.has_matrix = !from.matrix.empty();
     to.rotation[3] = to.scale[0] = to.scale[1] = to.scale[2] = 1;
-    if (!copy_numbers(from.matrix, to.matrix, 16, "its matrix") ||
-        !copy_numbers(from.translation, to.translation, 3, "its translation") ||
-        !copy_numbers(from.rotation, to.rotation, 4, "its rotation") ||
-        !copy_numbers(from.scale, to.scale, 3, "its scale"))
+    if (!copy_numbers(from.matrix, to.matrix, "matrix") ||
+        !copy_numbers(from.translation, to.translation, "translation") ||
+        !copy_numbers(from.rotation, to.rotation, "rotation") ||
+        !copy_numbers(from.scale, to.scale, "scale"))
         return false;
     const float *m = to.matrix, *q = to.rotation;
     if (to.has_matrix && (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1))
-        return error_set("its matrix is not affine");
+        return error_set("matrix: its last row is not 0 0 0 1");
     if (std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])) < 1e-6)
-        return error_set("its rotation is zero");
+        return error_set("rotation: a quaternion of length 0");
     return true;
 }
 
 /* The light that KHR_lights_punctual puts on the node. */
 int node_light(const tinygltf::Node &node) {
     auto found = node.extensions.find("KHR_lights_punctual");
-    if (found == node.extensions.end() || !found->second.Has("light"))
-        return -1;
-    const tinygltf::Value &light = found->second.Get("light");
-    return light.IsInt() ? light.GetNumberAsInt() : -1;
+    return found == node.extensions.end() ? -1 : found->second.Get("light").GetNumberAsInt();
 }
 
-bool load_node(const Loader &loader, const tinygltf::Node &from, struct node &to) {
+bool load_node(const tinygltf::Node &from, struct node &to) {
     copy_name(to.name, from.name);
     to.mesh = from.mesh;
     to.camera = from.camera;
     to.light = node_light(from);
-    if (to.mesh >= loader.scene->mesh_count)
-        return error_set("there is no mesh %d", to.mesh);
-    if (to.camera >= loader.scene->camera_count)
-        return error_set("there is no camera %d", to.camera);
-    if (to.light >= loader.scene->light_count)
-        return error_set("there is no light %d", to.light);
     return load_transform(from, to);
 }
 
@@ -128,7 +113,7 @@ bool load_nodes(Loader &loader) {
     scene->nodes = allocate<struct node>(order.size());
     for (int i : order) {
         struct node &node = scene->nodes[scene->node_count];
-        if (!load_node(loader, model.nodes[i], node))
+        if (!load_node(model.nodes[i], node))
             return error_prefix("%s", label("node", i, model.nodes[i].name).c_str());
         node.parent = parents[i] >= 0 ? place[parents[i]] : -1;
         place[i] = scene->node_count++;

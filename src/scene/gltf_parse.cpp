@@ -16,15 +16,16 @@ std::string same_path(const std::string &path, void *) {
     return path;
 }
 
-bool read_for_tinygltf(std::vector<unsigned char> *bytes, std::string *error,
-                       const std::string &name, void *loader) {
-    struct file_bytes file;
-    if (!file_read_named(&file, static_cast<Loader *>(loader)->folder.c_str(), name.c_str())) {
-        *error = error_get();
+bool read_for_tinygltf(std::vector<unsigned char> *bytes, std::string *, const std::string &name,
+                       void *user) {
+    Loader *loader = static_cast<Loader *>(user);
+    OwnedBytes file;
+    if (!file_read_named(&file, loader->folder.c_str(), name.c_str())) {
+        error_prefix("buffer %zu", loader->model.buffers.size());
+        loader->file_error = error_get();
         return false;
     }
     bytes->assign(file.data, file.data + file.size);
-    free(file.data);
     return true;
 }
 
@@ -36,32 +37,36 @@ bool keep_image(tinygltf::Image *image, const int, std::string *, std::string *,
     return true;
 }
 
-bool parse_bytes(Loader &loader, const struct file_bytes &bytes) {
-    if (bytes.size == 0)
-        return error_set("the file is empty");
-    if (glb_is(&bytes) && !glb_check(&bytes))
-        return false;
-    tinygltf::TinyGLTF parser;
-    parser.SetImageLoader(keep_image, nullptr);
-    parser.SetFsCallbacks({any_file_exists, same_path, read_for_tinygltf, nullptr, &loader});
-    std::string error, warning;
-    unsigned size = unsigned(bytes.size);
-    bool good = glb_is(&bytes)
-                    ? parser.LoadBinaryFromMemory(&loader.model, &error, &warning, bytes.data, size)
-                    : parser.LoadASCIIFromString(&loader.model, &error, &warning,
-                                                 reinterpret_cast<char *>(bytes.data), size, "");
-    return (good && error.empty()) || error_set("%s", error.substr(0, error.find('\n')).c_str());
+/* tinygltf's message in one line, unless a file is to blame. */
+bool refuse(const Loader &loader, const std::string &message) {
+    if (!loader.file_error.empty())
+        return error_set("%s", loader.file_error.c_str());
+    return error_set("%.200s", message.substr(0, message.find('\n')).c_str());
 }
 
 } // namespace
 
 bool parse(Loader &loader, const char *path) {
-    struct file_bytes bytes;
+    OwnedBytes bytes;
     if (!file_read(&bytes, path))
         return false;
-    bool good = parse_bytes(loader, bytes);
-    free(bytes.data);
-    return good || error_prefix("%s", path);
+    if (bytes.size == 0)
+        return error_set("%s: the file is empty", path);
+    const char *text = reinterpret_cast<char *>(bytes.data);
+    struct glb_chunks chunks = {text, bytes.size, 0};
+    bool binary = glb_is(&bytes);
+    if ((binary && !glb_check(&bytes, &chunks)) ||
+        !check_schema(chunks.json, chunks.json_size, chunks.bin_size))
+        return error_prefix("%s", path);
+    tinygltf::TinyGLTF parser;
+    parser.SetImageLoader(keep_image, nullptr);
+    parser.SetFsCallbacks({any_file_exists, same_path, read_for_tinygltf, nullptr, &loader});
+    std::string error, warning;
+    unsigned size = unsigned(bytes.size);
+    bool good = binary
+                    ? parser.LoadBinaryFromMemory(&loader.model, &error, &warning, bytes.data, size)
+                    : parser.LoadASCIIFromString(&loader.model, &error, &warning, text, size, "");
+    return good || refuse(loader, error) || error_prefix("%s", path);
 }
 
 std::string decode_uri(const std::string &uri) {

@@ -1,12 +1,12 @@
 #include "scene/node.h"
 
 #include "base/error.h"
-#include "base/memory.h"
 
 #include <assert.h>
 #include <cglm/cglm.h>
-#include <string.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static void local_matrix(const struct node *node, mat4 matrix) {
     if (node->has_matrix) {
@@ -38,10 +38,14 @@ void scene_node_worlds(const struct scene *scene, double time, float (*worlds)[1
 }
 
 void node_world(const struct scene *scene, int node, double time, float world[16]) {
-    float(*worlds)[16] = mem_alloc((size_t)scene->node_count, sizeof *worlds);
-    scene_node_worlds(scene, time, worlds);
-    memcpy(world, worlds[node], sizeof *worlds);
-    free(worlds);
+    (void)time;
+    mat4 product, parent;
+    local_matrix(&scene->nodes[node], product);
+    while ((node = scene->nodes[node].parent) >= 0) {
+        local_matrix(&scene->nodes[node], parent);
+        glm_mat4_mul(parent, product, product);
+    }
+    memcpy(world, product, sizeof product);
 }
 
 int node_carries(const struct node *node, enum node_kind kind) {
@@ -86,8 +90,8 @@ static const char *carried_name(const struct scene *scene, enum node_kind kind, 
     return "";
 }
 
-static bool matches(const struct scene *scene, enum node_kind kind, int n, const char *text) {
-    int node = node_carrying(scene, kind, n);
+static bool matches(const struct scene *scene, enum node_kind kind, int node, int n,
+                    const char *text) {
     char *end;
     long number = strtol(text, &end, 10);
     return strcmp(scene->nodes[node].name, text) == 0 ||
@@ -96,17 +100,21 @@ static bool matches(const struct scene *scene, enum node_kind kind, int n, const
 
 int node_find_carrying(const struct scene *scene, enum node_kind kind, const char *text) {
     static const char *const nouns[] = {"mesh", "light", "camera"};
-    int count = node_count_carrying(scene, kind);
-    for (int n = 0; *text && n < count; n++)
-        if (matches(scene, kind, n, text))
+    enum { MOST_LISTED = 20 };
+    char list[MOST_LISTED * (SCENE_NAME_SIZE + 16)] = "";
+    int n = 0;
+    for (int node = 0; node < scene->node_count; node++) {
+        if (node_carries(&scene->nodes[node], kind) < 0)
+            continue;
+        if (*text && matches(scene, kind, node, n, text))
             return n;
-    error_set("no %s '%s' (there is:", nouns[kind], text);
-    for (int n = 0; n < count && n < 20; n++) {
-        int node = node_carrying(scene, kind, n);
         const char *name = scene->nodes[node].name;
-        error_set("%s %d%s%s", error_get(), n, *name ? "=" : "", name);
+        size_t used = strlen(list);
+        if (n < MOST_LISTED)
+            snprintf(list + used, sizeof list - used, " %d%s%s", n, *name ? "=" : "", name);
+        n++;
     }
-    error_set("%s)", error_get());
+    error_set("no %s '%s' (there is:%s)", nouns[kind], text, *list ? list : " none");
     return -1;
 }
 
