@@ -1,22 +1,264 @@
 /* The scene floor: geometry, lights and cameras of glTF files. */
 #define _XOPEN_SOURCE 700
-#include "support.h"
+#include "gltf_parts.h"
 
+#include "base/error.h"
+#include "base/log.h"
 #include "scene/camera.h"
 #include "scene/geometry.h"
 #include "scene/light.h"
 
+#include <cglm/cglm.h>
 #include <math.h>
-#include <stdio.h>
 
-/* ../shared/scenes/NAME; false where it is absent. */
-static bool load_shared(struct scene *scene, const char *name) {
-    char path[256];
-    if (!shared_path())
-        return false;
-    snprintf(path, sizeof path, "%s/scenes/%s", shared_path(), name);
-    check_ok(path, scene_load(scene, path));
-    return true;
+static void check_vector(const char *what, const float value[3], double x, double y, double z,
+                         double tolerance) {
+    check_near(what, value[0], x, tolerance);
+    check_near(what, value[1], y, tolerance);
+    check_near(what, value[2], z, tolerance);
+}
+
+static void load(struct scene *scene, struct geometry *geometry, const struct gltf_parts *parts) {
+    check_ok("load", load_parts(scene, "scene.glb", parts));
+    check_ok("geometry", geometry_init(geometry, scene, 0));
+}
+
+static void unload(struct scene *scene, struct geometry *geometry) {
+    geometry_free(geometry);
+    scene_free(scene);
+}
+
+/* The unit normal that a triangle's winding gives it. */
+static void winding_normal(const struct geometry *geometry, uint32_t triangle, vec3 out) {
+    const uint32_t *corner = &geometry->indices[triangle * 3];
+    vec3 a, b;
+    glm_vec3_sub(geometry->position[corner[1]], geometry->position[corner[0]], a);
+    glm_vec3_sub(geometry->position[corner[2]], geometry->position[corner[0]], b);
+    glm_vec3_crossn(a, b, out);
+}
+
+/* Whatever a node does to a flat mesh, its normals stay perpendicular and its front the front. */
+static void test_transformed_normals(void **state) {
+    (void)state;
+    static const struct {
+        const char *nodes;
+        float front; /* the front's z */
+    } rows[] = {
+        {"[{\"mesh\": 0, \"scale\": [2, 3, 4]}]", 1},
+        {"[{\"mesh\": 0, \"scale\": [-1, 1, 1]}]", 1},
+        {"[{\"mesh\": 0, \"scale\": [1, 1, -1]}]", -1},
+        {"[{\"mesh\": 0, \"scale\": [-1, -1, -1]}]", -1},
+        {"[{\"mesh\": 0, \"scale\": [-1, -1, 1]}]", 1},
+        {"[{\"mesh\": 0, \"scale\": [1, 1, 0]}]", 1},
+        {"[{\"mesh\": 0, \"scale\": [1e-6, -1e-6, 1e-6]}]", 1},
+        {"[{\"scale\": [-1, 1, 1], \"children\": [1]}, {\"mesh\": 0, \"scale\": [1, -1, 1]}]", 1},
+        /* Sheared and squeezed after a turn about x: the inverse transpose matters. */
+        {"[{\"scale\": [1, 5, 0.2], \"children\": [1]},"
+         " {\"mesh\": 0, \"rotation\": [0.38268343, 0, 0, 0.92387953]}]",
+         1},
+        {"[{\"matrix\": [1,0,0,0, 1,1,0,0, 0,1,-1,0, 3,4,5,1], \"mesh\": 0}]", -1},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct scene scene;
+        struct geometry geometry;
+        load(&scene, &geometry, &(struct gltf_parts){.nodes = rows[i].nodes});
+        for (uint32_t t = 0; t < 2; t++) {
+            vec3 front;
+            winding_normal(&geometry, t, front);
+            for (int k = 0; k < 3; k++)
+                check_vector("normal", geometry.normal[geometry.indices[t * 3 + k]], front[0],
+                             front[1], front[2], 1e-6);
+            check_at_most("front", 0, front[2] * rows[i].front);
+        }
+        unload(&scene, &geometry);
+    }
+}
+
+/* Two meshes with three materials, the first of them masked, and one primitive without any. */
+static void test_batches(void **state) {
+    (void)state;
+    struct scene scene;
+    struct geometry geometry;
+    load(&scene, &geometry,
+         &(struct gltf_parts){
+             .materials = "[{\"alphaMode\": \"MASK\"}, {}, {\"name\": \"unused\"}, {}]",
+             .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
+                       " \"material\": 3}, {\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
+                       " \"material\": 0}]}, {\"primitives\": [{\"attributes\": {\"POSITION\":"
+                       " 0}, \"mode\": 5}, {\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
+                       " \"material\": 1}]}]",
+             .nodes = "[{\"mesh\": 0}, {\"mesh\": 1}, {\"mesh\": 0, \"translation\": [9, 0, 0]}]"});
+    static const struct {
+        int material;
+        uint32_t first, count;
+    } expected[] = {{1, 0, 6}, {3, 6, 12}, {4, 18, 6}, {0, 24, 12}};
+    assert_int_equal(geometry.batch_count, 4);
+    for (int i = 0; i < 4; i++) {
+        assert_int_equal(geometry.batches[i].material, expected[i].material);
+        assert_int_equal(geometry.batches[i].first_index, expected[i].first);
+        assert_int_equal(geometry.batches[i].index_count, expected[i].count);
+    }
+    assert_int_equal(geometry.opaque_index_count, 24);
+    assert_int_equal(geometry.index_count, 36);
+    assert_int_equal(geometry.part_count, 6);
+    /* The third node's quads lie 9 m off: they are the second halves of their batches. */
+    for (uint32_t k = 0; k < 36; k++) {
+        bool moved = (k >= 12 && k < 18) || k >= 30;
+        assert_true((geometry.position[geometry.indices[k]][0] > 8) == moved);
+    }
+    check_vector("least corner", geometry.bounds_min, 0, 0, 0, 0);
+    check_vector("greatest corner", geometry.bounds_max, 10, 1, 0, 0);
+    check_vector("centre", geometry.center, 5, .5, 0, 0);
+    check_near("radius", geometry.radius, sqrt(25.25), 1e-5);
+    check_near("white", geometry.color[0][3], 1, 0);
+    check_near("default material", scene.materials[4].base_color[1], 1, 0);
+    unload(&scene, &geometry);
+}
+
+/* Vertices that no triangle uses are not in the bounds. */
+static void test_bounds(void **state) {
+    (void)state;
+    static const float normals[12] = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
+    struct scene scene;
+    struct geometry geometry;
+    load(&scene, &geometry,
+         &(struct gltf_parts){
+             .accessors = "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\":"
+                          " \"VEC3\"}, {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\":"
+                          " 5123, \"count\": 3, \"type\": \"SCALAR\"}, {\"bufferView\": 0,"
+                          " \"byteOffset\": 64, \"componentType\": 5126, \"count\": 4, \"type\":"
+                          " \"VEC3\"}]",
+             .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"NORMAL\": 2},"
+                       " \"indices\": 1}]}]",
+             .nodes = "[{\"mesh\": 0, \"translation\": [-1, -1, 0]}]",
+             .extra = normals,
+             .extra_size = sizeof normals});
+    assert_int_equal(geometry.vertex_count, 4);
+    check_vector("least corner", geometry.bounds_min, -1, -1, 0, 0);
+    check_vector("greatest corner", geometry.bounds_max, 0, 0, 0, 0);
+    unload(&scene, &geometry);
+}
+
+static const char *const three_lights =
+    "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": ["
+    "{\"type\": \"point\", \"color\": [1, 0.5, 0.25], \"intensity\": 8},"
+    "{\"name\": \"lamp\", \"type\": \"spot\", \"intensity\": 3, \"spot\": {\"innerConeAngle\": 0.3,"
+    " \"outerConeAngle\": 0.6}}, {\"type\": \"directional\"}]}},"
+    "\"cameras\": [{\"name\": \"wide\", \"type\": \"perspective\", \"perspective\": {\"yfov\": 1.5,"
+    " \"znear\": 0.1}}, {\"type\": \"orthographic\", \"orthographic\": {\"xmag\": 3, \"ymag\": 2,"
+    " \"znear\": 0, \"zfar\": 10}}],";
+
+/* A node turned by 90 degrees about y: -Z becomes -X. Its scale must not matter. */
+static const char *const lit_nodes =
+    "[{\"mesh\": 0, \"translation\": [0, 0, -5]},"
+    " {\"name\": \"sun\", \"extensions\": {\"KHR_lights_punctual\": {\"light\": 2}}},"
+    " {\"name\": \"turned\", \"rotation\": [0, 0.70710678, 0, 0.70710678], \"scale\": [2, 3, -4],"
+    " \"translation\": [1, 2, 3], \"children\": [3, 4]},"
+    " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 1}}, \"scale\": [1, 1, -1]},"
+    " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}},"
+    " {\"name\": \"eye\", \"camera\": 0}, {\"camera\": 1, \"translation\": [0, 0, 7]}]";
+
+static void test_lights(void **state) {
+    (void)state;
+    struct scene scene;
+    struct geometry geometry;
+    load(&scene, &geometry, &(struct gltf_parts){.nodes = lit_nodes, .more = three_lights});
+    assert_int_equal(light_node_count(&scene), 3);
+    struct light sun, spot, point;
+    light_place(&sun, &scene, 0, 0);
+    light_place(&spot, &scene, 1, 0);
+    light_place(&point, &scene, 2, 0);
+    assert_int_equal(sun.type, LIGHT_DIRECTIONAL);
+    check_vector("sun", sun.direction, 0, 0, -1, 1e-7);
+    check_near("sun's irradiance", sun.intensity[0], 1, 0);
+    assert_int_equal(point.type, LIGHT_POINT);
+    check_vector("point", point.position, 1, 2, 3, 1e-6);
+    check_vector("point's intensity", point.intensity, 8, 4, 2, 1e-6);
+    assert_int_equal(spot.type, LIGHT_SPOT);
+    check_vector("spot", spot.direction, -1, 0, 0, 1e-6);
+    check_vector("spot's up", spot.up, 0, 1, 0, 1e-6);
+    vec3 back;
+    glm_vec3_cross(spot.right, spot.up, back);
+    check_vector("right-handed", back, 1, 0, 0, 1e-6);
+
+    /* KHR_lights_punctual's falloff, and the integral of the cone. */
+    check_near("cone, axis", light_cone(&spot, 1), 1, 0);
+    check_near("cone, inner", light_cone(&spot, cosf(.3F)), 1, 1e-6);
+    check_near("cone, outer", light_cone(&spot, cosf(.6F)), 0, 1e-6);
+    check_near("cone, beyond", light_cone(&spot, -1), 0, 0);
+    double middle = (cos(.45) - cos(.6)) / (cos(.3) - cos(.6));
+    check_near("cone, middle", light_cone(&spot, cosf(.45F)), middle * middle, 1e-5);
+    check_near("cone, point", light_cone(&point, -1), 1, 0);
+    check_near("solid angle, spot", light_solid_angle(&spot), 2 * M_PI * (1 - cos(.6)), 1e-6);
+    check_near("solid angle, point", light_solid_angle(&point), 4 * M_PI, 1e-12);
+    check_near("solid angle, sun", light_solid_angle(&sun), 0, 0);
+
+    assert_int_equal(light_find(&scene, "sun"), 0);
+    assert_int_equal(light_find(&scene, "lamp"), 1);
+    assert_int_equal(light_find(&scene, "2"), 2);
+    assert_int_equal(light_find(&scene, "3"), -1);
+    assert_string_equal(error_get(), "no light '3' (there is: 0=sun 1 2)");
+    assert_int_equal(light_find(&scene, ""), -1);
+    unload(&scene, &geometry);
+}
+
+static void test_cameras(void **state) {
+    (void)state;
+    struct scene scene;
+    struct geometry geometry;
+    load(&scene, &geometry, &(struct gltf_parts){.nodes = lit_nodes, .more = three_lights});
+    assert_int_equal(camera_node_count(&scene), 2);
+    assert_int_equal(camera_find(&scene, "wide"), 0);
+    assert_int_equal(camera_find(&scene, "eye"), 0);
+    assert_int_equal(camera_find(&scene, "1"), 1);
+    assert_int_equal(camera_find(&scene, "tall"), -1);
+    struct camera camera;
+    camera_place(&camera, &scene, 0, 0);
+    float origin[3], direction[3];
+    camera_ray(&camera, .5F, .5F, 2, origin, direction);
+    check_vector("eye", origin, 0, 0, 0, 0);
+    check_vector("middle", direction, 0, 0, -1, 1e-7);
+    /* Top left; the aspect widens. */
+    camera_ray(&camera, 0, 0, 2, origin, direction);
+    double t = tan(.75), length = sqrt(1 + 5 * t * t);
+    check_vector("corner", direction, -2 * t / length, t / length, -1 / length, 1e-6);
+    camera_place(&camera, &scene, 1, 0);
+    assert_true(camera.orthographic);
+    camera_ray(&camera, 1, 1, 1.5F, origin, direction);
+    check_vector("orthographic origin", origin, 3, -2, 7, 1e-6);
+    check_vector("orthographic direction", direction, 0, 0, -1, 1e-7);
+    unload(&scene, &geometry);
+}
+
+/* A file without camera and light: all of it is in the picture and in the light's cone, and its
+ * centre gets an irradiance of pi. */
+static void test_framing(void **state) {
+    (void)state;
+    struct scene scene;
+    struct geometry geometry;
+    load(&scene, &geometry,
+         &(struct gltf_parts){.nodes = "[{\"mesh\": 0, \"translation\": [100, 200, 300]}]"});
+    assert_int_equal(camera_node_count(&scene), 1);
+    assert_int_equal(light_node_count(&scene), 1);
+    struct camera camera;
+    struct light light;
+    camera_place(&camera, &scene, 0, 0);
+    light_place(&light, &scene, 0, 0);
+    for (uint32_t i = 0; i < geometry.vertex_count; i++) {
+        vec3 to;
+        glm_vec3_sub(geometry.position[i], camera.eye, to);
+        float z = glm_vec3_dot(to, camera.forward), half = z * tanf(camera.fov_y / 2);
+        check_at_most("across", fabs(glm_vec3_dot(to, camera.right)) / half, 1);
+        check_at_most("upward", fabs(glm_vec3_dot(to, camera.up)) / half, 1);
+        glm_vec3_sub(geometry.position[i], light.position, to);
+        glm_vec3_normalize(to);
+        check_at_most("outside the cone", light.cos_outer, glm_vec3_dot(to, light.direction));
+    }
+    check_at_most("from above", 200.5, light.position[1]);
+    check_near("irradiance",
+               light.intensity[1] / glm_vec3_distance2(light.position, geometry.center), M_PI,
+               1e-3);
+    unload(&scene, &geometry);
 }
 
 static void test_shared_scenes(void **state) {
@@ -28,48 +270,56 @@ static void test_shared_scenes(void **state) {
                     {"cornell-horse.glb", 17000},
                     {"sponza-98k.glb", 97999},
                     {"sponza.glb", 262196}};
+    if (!shared_path())
+        skip();
     for (int i = 0; i < 4; i++) {
+        char path[256];
+        snprintf(path, sizeof path, "%s/scenes/%s", shared_path(), expected[i].name);
         struct scene scene;
         struct geometry geometry;
-        if (!load_shared(&scene, expected[i].name))
-            skip();
+        check_ok("load", scene_load(&scene, path));
         check_ok("geometry", geometry_init(&geometry, &scene, 0));
         check_near(expected[i].name, geometry.index_count / 3, expected[i].triangles, 0);
         assert_int_equal(light_node_count(&scene), 1);
         assert_int_equal(camera_node_count(&scene), 1);
-        geometry_free(&geometry);
-        scene_free(&scene);
+        unload(&scene, &geometry);
     }
 }
 
 /* The figures of ../shared/scenes/README.md. */
-static void test_cornell_box(void **state) {
+static void test_shared_cornell_box(void **state) {
     (void)state;
-    struct scene scene;
-    if (!load_shared(&scene, "cornell-box.glb"))
+    if (!shared_path())
         skip();
+    char path[256];
+    snprintf(path, sizeof path, "%s/scenes/cornell-box.glb", shared_path());
+    struct scene scene;
+    check_ok("load", scene_load(&scene, path));
     struct light light;
     light_place(&light, &scene, 0, 0);
-    const float position[] = {1.1F, 2.3F, 1.9F}, direction[] = {-.778F, .592F, -.209F};
-    for (int c = 0; c < 3; c++) {
-        check_near("light position", light.position[c], position[c], 1e-3);
-        check_near("light direction", light.direction[c], direction[c], 1e-3);
-        check_near("light intensity", light.intensity[c], 500, 1e-3);
-    }
+    check_vector("light position", light.position, 1.1, 2.3, 1.9, 1e-3);
+    check_vector("light direction", light.direction, -.778, .592, -.209, 1e-3);
+    check_vector("light intensity", light.intensity, 500, 500, 500, 1e-3);
     check_near("outer", acos(light.cos_outer) * 180 / M_PI, 29, 1e-3);
     struct camera camera;
     camera_place(&camera, &scene, 0, 0);
-    check_near("eye y", camera.eye[1], 2.73, 1e-3);
-    check_near("eye z", camera.eye[2], 10.796, 1e-3);
-    check_near("forward z", camera.forward[2], -1, 1e-6);
+    check_vector("eye", camera.eye, 0, 2.73, 10.796, 1e-3);
+    check_vector("forward", camera.forward, 0, 0, -1, 1e-6);
     check_near("fov", camera.fov_y * 180 / M_PI, 39.31, 1e-2);
     scene_free(&scene);
 }
 
 int main(void) {
+    log_set_level(LOG_QUIET);
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_transformed_normals),
+        cmocka_unit_test(test_batches),
+        cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_lights),
+        cmocka_unit_test(test_cameras),
+        cmocka_unit_test(test_framing),
         cmocka_unit_test(test_shared_scenes),
-        cmocka_unit_test(test_cornell_box),
+        cmocka_unit_test(test_shared_cornell_box),
     };
     return cmocka_run_group_tests_name("scene", tests, NULL, NULL);
 }
