@@ -4,6 +4,7 @@
 #define APPS_APPS_H
 
 int app_compare(int argc, char **argv);
+int app_reference(int argc, char **argv);
 int app_info(int argc, char **argv);
 int app_render(int argc, char **argv);
 

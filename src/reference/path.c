@@ -1,0 +1,84 @@
+#include "reference/path.h"
+
+#include "reference/warp.h"
+
+#include <math.h>
+
+/* The power heuristic with exponent 2 [Veach 1997, §9.2.4]: of the weights tried, the best on
+ * scenes where light bounces off small patches. */
+static float weight(float density, float other_density) {
+    float ratio = other_density / density; /* the densities' squares could overflow */
+    return 1 / (1 + ratio * ratio);
+}
+
+/* What y sends on towards x of the light that arrives. */
+static vec3s reflected_radiance(const struct hit *y, const struct arrival *arrival) {
+    return glms_vec3_scale(glms_vec3_mul(y->albedo, arrival->irradiance), GLM_1_PIf);
+}
+
+/* The density, per area at y, with which sampling the cosine at x finds y; 0 where x and y do not
+ * face each other. */
+static float cosine_density(const struct hit *x, const struct hit *y) {
+    vec3s path = glms_vec3_sub(y->position, x->position);
+    float distance2 = glms_vec3_norm2(path);
+    float cos_x = glms_vec3_dot(x->normal, path), cos_y = -glms_vec3_dot(y->geometric_normal, path);
+    if (cos_x <= 0 || cos_y <= 0 || glms_vec3_dot(x->geometric_normal, path) <= 0)
+        return 0;
+    return (cos_x / distance2) * (cos_y / distance2) * GLM_1_PIf;
+}
+
+/* By way of the first hit y of a light ray. */
+static vec3s from_light_ray(const struct ray_scene *rays, const struct emitter *emitter,
+                            const struct hit *x, vec2s sample) {
+    struct hit y;
+    struct arrival arrival;
+    if (!emitter_first_hit(emitter, rays, sample, &y) || glms_vec3_norm2(y.albedo) == 0 ||
+        !emitter_reach(emitter, &y, &arrival))
+        return glms_vec3_zero();
+    float p_cosine = cosine_density(x, &y);
+    if (p_cosine == 0 ||
+        !ray_scene_visible(rays, ray_scene_departure(rays, x), ray_scene_departure(rays, &y)))
+        return glms_vec3_zero();
+    /* The geometry term over pi, cos(x) cos(y) / (pi d^2), equals p_cosine. */
+    float p_light = arrival.density;
+    return glms_vec3_scale(reflected_radiance(&y, &arrival),
+                           p_cosine / p_light * weight(p_light, p_cosine));
+}
+
+/* By way of the y that the cosine at x found. */
+static vec3s from_cosine_ray(const struct ray_scene *rays, const struct emitter *emitter,
+                             const struct hit *x, const struct hit *y) {
+    struct arrival arrival;
+    if (!emitter_reach(emitter, y, &arrival) ||
+        !ray_scene_visible(rays, ray_scene_departure(rays, y), arrival.source))
+        return glms_vec3_zero();
+    return glms_vec3_scale(reflected_radiance(y, &arrival),
+                           weight(cosine_density(x, y), arrival.density));
+}
+
+/* The next vertex; false where the path ends: it leaves the scene, runs into its own surface, or
+ * meets a black back. */
+static bool extend(const struct ray_scene *rays, const struct hit *x, vec2s sample, struct hit *y) {
+    vec3s direction = warp_to_cosine(sample, x->normal);
+    return glms_vec3_dot(direction, x->geometric_normal) > 0 &&
+           ray_scene_hit(rays, ray_scene_departure(rays, x), direction, y) &&
+           glms_vec3_norm2(y->albedo) > 0;
+}
+
+vec3s path_indirect(const struct ray_scene *rays, const struct emitter *emitter, int bounces,
+                    const struct hit *first, struct sampler *sampler) {
+    vec3s sum = glms_vec3_zero(), throughput = glms_vec3_one();
+    struct hit x = *first, y;
+    for (int bounce = 0; bounce < bounces; bounce++) {
+        vec3s light = from_light_ray(rays, emitter, &x, sampler_next(sampler));
+        bool goes_on = extend(rays, &x, sampler_next(sampler), &y);
+        if (goes_on)
+            light = glms_vec3_add(light, from_cosine_ray(rays, emitter, &x, &y));
+        sum = glms_vec3_add(sum, glms_vec3_mul(throughput, light));
+        if (!goes_on)
+            break;
+        throughput = glms_vec3_mul(throughput, y.albedo);
+        x = y;
+    }
+    return sum;
+}

@@ -1,0 +1,56 @@
+/* Ground truth: a path tracer for diffuse scenes under one spot, point or directional light.
+ *
+ * A path of b bounces runs camera -> x0 -> x1 ... -> xb -> light. All vertices but the last are
+ * found by sampling the cosine; the last one both so and by the first hit of a light ray, weighted
+ * by the power heuristic [Veach 1997, §9.2.4]: light that bounces off a small bright patch is hard
+ * for the first way, corners are hard for the second. No clamping, no Russian roulette: the result
+ * is unbiased, and its noise is estimated from independent streams of samples.
+ *
+ * Vertices carry shading normals without any terminator correction. A surface passes light only
+ * between directions on one side of its triangle.
+ */
+#ifndef REFERENCE_PATH_TRACER_H
+#define REFERENCE_PATH_TRACER_H
+
+#include "base/image.h"
+#include "reference/layers.h"
+#include "scene/camera.h"
+#include "scene/geometry.h"
+#include "scene/light.h"
+
+/* Samples come in this many independent streams, whose spread tells the error. */
+enum { PATH_TRACER_STREAMS = 4 };
+
+struct path_tracer_progress {
+    double done;  /* estimated share of the work, in [0, 1] */
+    double noise; /* so far; 0 before the first estimate */
+    int samples;  /* per pixel, of the finished passes */
+};
+
+/* All but the first four may be 0. */
+struct path_tracer_desc {
+    const struct scene *scene; /* its materials and textures */
+    const struct geometry *geometry;
+    const struct camera *camera;
+    const struct light *light;
+    int width, height; /* default 800 */
+    int bounces;       /* 0 = direct light only */
+    int samples;       /* per pixel, rounded up to a multiple of 4; 0 = until noise is reached */
+    double noise;      /* standard error of the indirect layer, RMS over its mean; default 0.01 */
+    uint32_t seed;
+    int threads; /* 0 = all cores; does not change the picture */
+    /* Called now and then from any of the threads, one at a time; false cancels. */
+    bool (*progress)(void *user, const struct path_tracer_progress *progress);
+    void *user;
+};
+
+/* The channels that it makes: the common ones, and the standard error of the indirect layer's mean
+ * (its square is the variance; half floats could not hold that). */
+#define PATH_TRACER_CHANNELS LAYERS_CHANNELS " standard_error.R standard_error.G standard_error.B"
+
+/* Renders into a new image; reached, unless NULL, tells samples and noise. Error: Embree's own, or
+ * "cancelled"; the image is then zeroed. */
+bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image,
+                        struct path_tracer_progress *reached);
+
+#endif

@@ -1,0 +1,16 @@
+/* Maps from the unit square to directions and discs. */
+#ifndef REFERENCE_WARP_H
+#define REFERENCE_WARP_H
+
+#include <cglm/struct.h>
+
+/* A unit direction with density cos / pi about the normal. */
+vec3s warp_to_cosine(vec2s sample, vec3s normal);
+
+/* A unit direction, uniform in the cone about the axis; cos_half_angle -1 is the whole sphere. */
+vec3s warp_to_cone(vec2s sample, vec3s axis, float cos_half_angle);
+
+/* A point, uniform in the unit disc across the axis. */
+vec3s warp_to_disc(vec2s sample, vec3s axis);
+
+#endif
