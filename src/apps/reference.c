@@ -26,7 +26,7 @@ static const struct option options[] = {
     {"bounces", 0, OPTION_INT, offsetof(struct values, bounces), 1, 0, 1000,
      .help = "of indirect light; 0 = direct light only"},
     {"spp", 0, OPTION_INT, offsetof(struct values, samples), 0, 0, 1e6,
-     .help = "samples per pixel, in steps of 8; 0 = by --noise"},
+     .help = "samples per pixel, in steps of 4; 0 = by --noise"},
     {"noise", 0, OPTION_TEXT, offsetof(struct values, noise), .value_name = "X%",
      .help = "samples until the indirect light's standard error (RMS over mean) is below [1%]"},
     {"seed", 0, OPTION_INT, offsetof(struct values, seed), 0, 0, 2147483647,

@@ -2,20 +2,23 @@
 #ifndef REFERENCE_LAYERS_H
 #define REFERENCE_LAYERS_H
 
-#define LAYERS_CHANNELS                                                                            \
+/* Those of every picture, and what the path tracer has besides: the standard error of the indirect
+ * layer. Its square is the variance, which half floats could not hold. */
+#define LAYERS_COMMON                                                                              \
     "R G B A Z direct.R direct.G direct.B indirect.R indirect.G indirect.B "                       \
     "albedo.R albedo.G albedo.B normal.R normal.G normal.B"
+#define LAYERS_OF_PATH_TRACER LAYERS_COMMON " standard_error.R standard_error.G standard_error.B"
 
-/* The first channel of each layer. Nothing is seen: all are zero. */
+/* The first channel of each layer. All are zero where nothing is seen. */
 enum layer {
-    LAYER_BEAUTY = 0,   /* radiance, W/(sr m2) */
+    LAYER_BEAUTY = 0,   /* radiance, W/(sr m2): albedo x (direct + indirect) */
     LAYER_ALPHA = 3,    /* the share of the pixel that shows a surface */
     LAYER_DEPTH = 4,    /* along the view axis at the pixel's centre, m */
     LAYER_DIRECT = 5,   /* irradiance over pi, W/(sr m2): the albedo is not in it */
     LAYER_INDIRECT = 8, /* the same */
     LAYER_ALBEDO = 11,  /* in [0, 1] */
     LAYER_NORMAL = 14,  /* world, unit, towards the camera's side */
-    LAYER_COUNT = 17,   /* channels */
+    LAYER_STANDARD_ERROR = 17,
 };
 
 #endif

@@ -13,13 +13,9 @@
 #define REFERENCE_PATH_TRACER_H
 
 #include "base/image.h"
-#include "reference/layers.h"
 #include "scene/camera.h"
 #include "scene/geometry.h"
 #include "scene/light.h"
-
-/* Samples come in this many independent streams, whose spread tells the error. */
-enum { PATH_TRACER_STREAMS = 4 };
 
 struct path_tracer_progress {
     double done;  /* estimated share of the work, in [0, 1] */
@@ -44,12 +40,8 @@ struct path_tracer_desc {
     void *user;
 };
 
-/* The channels that it makes: the common ones, and the standard error of the indirect layer's mean
- * (its square is the variance; half floats could not hold that). */
-#define PATH_TRACER_CHANNELS LAYERS_CHANNELS " standard_error.R standard_error.G standard_error.B"
-
-/* Renders into a new image; reached, unless NULL, tells samples and noise. Error: Embree's own, or
- * "cancelled"; the image is then zeroed. */
+/* Renders into a new image with LAYERS_OF_PATH_TRACER; reached, unless NULL, tells samples and
+ * noise. Error: Embree's own, or "cancelled"; the image is then zeroed. */
 bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image,
                         struct path_tracer_progress *reached);
 

@@ -1,0 +1,71 @@
+#include "reference/film.h"
+
+#include "reference/layers.h"
+
+#include <math.h>
+
+/* Takes the place of the albedo where it is zero, so that the light on a black surface is told. */
+static const float least_weight = 1e-6f;
+
+static void add(float *sum, vec3s value) {
+    for (int c = 0; c < 3; c++)
+        sum[c] += value.raw[c];
+}
+
+void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_sample *sample) {
+    vec3s light = glms_vec3_add(sample->direct, sample->indirect);
+    vec3s weight = glms_vec3_adds(sample->albedo, least_weight);
+    pixel->coverage += 1;
+    add(pixel->albedo, sample->albedo);
+    add(pixel->normal, sample->normal);
+    add(pixel->beauty, glms_vec3_mul(sample->albedo, light));
+    add(pixel->direct, glms_vec3_mul(weight, sample->direct));
+    add(pixel->streams[stream].weight, weight);
+    add(pixel->streams[stream].indirect, glms_vec3_mul(weight, sample->indirect));
+}
+
+void film_pixel_merge(struct film_pixel *pixel, const struct film_pixel *other) {
+    float *sums = &pixel->coverage;
+    const float *others = &other->coverage;
+    for (size_t i = 0; i < sizeof *pixel / sizeof *sums; i++)
+        sums[i] += others[i];
+}
+
+static double total_weight(const struct film_pixel *pixel, int channel) {
+    double sum = 0;
+    for (int s = 0; s < FILM_STREAMS; s++)
+        sum += pixel->streams[s].weight[channel];
+    return sum;
+}
+
+struct film_estimate film_pixel_estimate(const struct film_pixel *pixel) {
+    struct film_estimate estimate = {0};
+    for (int c = 0; c < 3 && pixel->coverage > 0; c++) {
+        const struct film_stream *streams = pixel->streams;
+        double weight = total_weight(pixel, c), sum = 0, square_sum = 0;
+        for (int s = 0; s < FILM_STREAMS; s++)
+            sum += streams[s].indirect[c];
+        double mean = sum / weight;
+        /* What a stream has beyond its weight's share: the variance of a ratio, to first order. */
+        for (int s = 0; s < FILM_STREAMS; s++)
+            square_sum += pow(streams[s].indirect[c] - mean * streams[s].weight[c], 2);
+        estimate.mean[c] = mean;
+        estimate.variance[c] = square_sum * FILM_STREAMS / (FILM_STREAMS - 1) / (weight * weight);
+    }
+    return estimate;
+}
+
+void film_pixel_develop(const struct film_pixel *pixel, int samples, float *layers) {
+    struct film_estimate estimate = film_pixel_estimate(pixel);
+    layers[LAYER_ALPHA] = pixel->coverage / (float)samples;
+    for (int c = 0; c < 3; c++) {
+        float weight = (float)total_weight(pixel, c);
+        layers[LAYER_BEAUTY + c] = pixel->beauty[c] / (float)samples;
+        layers[LAYER_DIRECT + c] = weight > 0 ? pixel->direct[c] / weight : 0;
+        layers[LAYER_INDIRECT + c] = (float)estimate.mean[c];
+        layers[LAYER_ALBEDO + c] = pixel->albedo[c] / (float)samples;
+        layers[LAYER_NORMAL + c] = pixel->normal[c];
+        layers[LAYER_STANDARD_ERROR + c] = (float)sqrt(estimate.variance[c]);
+    }
+    glm_vec3_normalize(&layers[LAYER_NORMAL]);
+}

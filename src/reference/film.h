@@ -1,0 +1,48 @@
+/* Where samples are gathered into pixels, with an estimate of the noise.
+ *
+ * Direct and indirect light are averaged with the albedo as weight: then
+ * beauty = albedo x (direct + indirect) holds in every pixel, also where a pixel shows several
+ * surfaces, and partly covered pixels have no dark seam.
+ */
+#ifndef REFERENCE_FILM_H
+#define REFERENCE_FILM_H
+
+#include "base/image.h"
+
+#include <cglm/struct.h>
+
+/* Samples come in independent streams, whose spread tells the error: points of one low-discrepancy
+ * stream repel each other, so theirs does not. More streams make a surer estimate, longer ones a
+ * smaller error. */
+enum { FILM_STREAMS = 4 };
+
+struct film_sample {
+    vec3s albedo, normal;
+    vec3s direct, indirect; /* irradiance over pi */
+};
+
+/* Sums over samples; all zero = none. */
+struct film_pixel {
+    float coverage, albedo[3], normal[3];
+    float beauty[3], direct[3]; /* times the albedo */
+    struct film_stream {
+        float weight[3], indirect[3]; /* the albedo, the light times it */
+    } streams[FILM_STREAMS];
+};
+
+struct film_estimate {
+    double mean[3], variance[3]; /* of the indirect light, and of that mean */
+};
+
+void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_sample *sample);
+
+/* Adds the sums of one to another. */
+void film_pixel_merge(struct film_pixel *pixel, const struct film_pixel *other);
+
+/* The mean is exact where the pixel's albedo is all one, else consistent: a ratio of two means. */
+struct film_estimate film_pixel_estimate(const struct film_pixel *pixel);
+
+/* Writes all layers but the depth; samples counts those that saw nothing too. */
+void film_pixel_develop(const struct film_pixel *pixel, int samples, float *layers);
+
+#endif
