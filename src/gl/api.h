@@ -311,6 +311,7 @@ struct gl_api {
     /* Made with the context: core profile draws nothing without a vertex array, nor, without a
      * window, without a framebuffer, even where no attribute is read and nothing is rasterised. */
     GLuint empty_vertex_array, empty_framebuffer;
+    struct program_cache *programs; /* gl/program.c */
 };
 
 /* Of the current context; all NULL while there is none. */

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "gl/api.h"
 #include "gl/platform.h"
+#include "gl/program.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -63,6 +64,7 @@ static bool load(struct context *context, void *(*getproc)(const char *name), bo
     if (!gl_api_load(&context->api, getproc))
         return false;
     make_empty_objects(&context->api);
+    context->api.programs = program_cache_create();
     gl = context->api;
     current = context;
     GLint major = 0, minor = 0;
@@ -200,6 +202,7 @@ void context_free(struct context *context) {
         release_current();
     if (context->native.platform)
         context->native.platform->destroy(&context->native);
+    program_cache_free(context->api.programs);
     free(context);
 }
 

@@ -1,9 +1,40 @@
 #include "gl/program.h"
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "gl/glsl.h"
 
+#include <assert.h>
 #include <stdlib.h>
+#include <string.h>
+
+enum { STAGES = 3, KEPT_MAX = 64 };
+
+/* The full sources of a program, as the driver gets them. */
+struct sources {
+    struct glsl_source stages[STAGES];
+    const char *files[STAGES];
+};
+
+static const GLenum stage_types[STAGES] = {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER, GL_COMPUTE_SHADER};
+
+static void free_sources(struct sources *sources) {
+    for (int i = 0; i < STAGES; i++)
+        glsl_free(&sources->stages[i]);
+}
+
+static bool load_sources(struct sources *sources, const struct program_desc *desc) {
+    *sources = (struct sources){.files = {desc->vertex, desc->fragment, desc->compute}};
+    for (int i = 0; i < STAGES; i++)
+        if (sources->files[i] &&
+            !glsl_load(&sources->stages[i], sources->files[i], desc->defines)) {
+            free_sources(sources);
+            return false;
+        }
+    return true;
+}
+
+/* --- compiling --- */
 
 static bool check_compiled(GLuint shader, const struct glsl_source *source, const char *file) {
     GLint ok;
@@ -18,20 +49,15 @@ static bool check_compiled(GLuint shader, const struct glsl_source *source, cons
     return false;
 }
 
-static bool attach(GLuint program, GLenum stage, const char *file, const char *defines) {
-    if (!file)
-        return true;
-    struct glsl_source source;
-    if (!glsl_load(&source, file, defines))
-        return false;
-    GLuint shader = gl.CreateShader(stage);
-    gl.ShaderSource(shader, 1, (const char *const *)&source.text, NULL);
+static bool attach(GLuint program, GLenum type, const struct glsl_source *source,
+                   const char *file) {
+    GLuint shader = gl.CreateShader(type);
+    gl.ShaderSource(shader, 1, (const char *const *)&source->text, NULL);
     gl.CompileShader(shader);
-    bool ok = check_compiled(shader, &source, file);
+    bool ok = check_compiled(shader, source, file);
     if (ok)
         gl.AttachShader(program, shader);
     gl.DeleteShader(shader); /* lives on while attached */
-    glsl_free(&source);
     return ok;
 }
 
@@ -53,18 +79,119 @@ static bool link(GLuint program, const struct program_desc *desc) {
                      message);
 }
 
+static GLuint compile(const struct sources *sources, const struct program_desc *desc) {
+    GLuint program = gl.CreateProgram();
+    bool ok = true;
+    for (int i = 0; ok && i < STAGES; i++)
+        ok = !sources->files[i] ||
+             attach(program, stage_types[i], &sources->stages[i], sources->files[i]);
+    if (ok && link(program, desc))
+        return program;
+    gl.DeleteProgram(program);
+    return 0;
+}
+
+/* --- the programs of a context, by what they are made of --- */
+
+struct program_cache {
+    struct cached {
+        char *key;
+        GLuint program;
+        int uses;
+        unsigned long last_use; /* in order of use */
+    } * entries;
+    int count;
+    unsigned long clock;
+};
+
+static char *make_key(const struct sources *sources, const struct program_desc *desc) {
+    const char *texts[STAGES];
+    for (int i = 0; i < STAGES; i++)
+        texts[i] = sources->files[i] ? sources->stages[i].text : "";
+    char *key = mem_printf("%s\f%s\f%s", texts[0], texts[1], texts[2]);
+    for (const char *const *varying = desc->varyings; varying && *varying; varying++) {
+        char *longer = mem_printf("%s\f%s", key, *varying);
+        free(key);
+        key = longer;
+    }
+    return key;
+}
+
+struct program_cache *program_cache_create(void) {
+    return mem_alloc(1, sizeof(struct program_cache));
+}
+
+void program_cache_free(struct program_cache *programs) {
+    for (int i = 0; programs && i < programs->count; i++)
+        free(programs->entries[i].key);
+    if (programs)
+        free(programs->entries);
+    free(programs);
+}
+
+static struct cached *find(const char *key) {
+    for (int i = 0; i < gl.programs->count; i++)
+        if (strcmp(gl.programs->entries[i].key, key) == 0)
+            return &gl.programs->entries[i];
+    return NULL;
+}
+
+/* Of the programs that nobody uses, no more than KEPT_MAX stay. */
+static void drop_oldest_unused(void) {
+    struct program_cache *programs = gl.programs;
+    int unused = 0, oldest = -1;
+    for (int i = 0; i < programs->count; i++)
+        if (programs->entries[i].uses == 0) {
+            unused++;
+            if (oldest < 0 || programs->entries[i].last_use < programs->entries[oldest].last_use)
+                oldest = i;
+        }
+    if (unused <= KEPT_MAX)
+        return;
+    gl.DeleteProgram(programs->entries[oldest].program);
+    free(programs->entries[oldest].key);
+    programs->entries[oldest] = programs->entries[--programs->count];
+}
+
+/* Takes the key. */
+static struct cached *add(char *key, GLuint program) {
+    struct program_cache *programs = gl.programs;
+    programs->entries =
+        mem_resize(programs->entries, (size_t)programs->count + 1, sizeof *programs->entries);
+    struct cached *cached = &programs->entries[programs->count++];
+    *cached = (struct cached){.key = key, .program = program};
+    return cached;
+}
+
 bool program_init(GLuint *program, const struct program_desc *desc) {
-    *program = gl.CreateProgram();
-    if (attach(*program, GL_VERTEX_SHADER, desc->vertex, desc->defines) &&
-        attach(*program, GL_FRAGMENT_SHADER, desc->fragment, desc->defines) &&
-        attach(*program, GL_COMPUTE_SHADER, desc->compute, desc->defines) && link(*program, desc))
-        return true;
-    program_free(program);
-    return false;
+    struct sources sources;
+    *program = 0;
+    if (!load_sources(&sources, desc))
+        return false;
+    char *key = make_key(&sources, desc);
+    struct cached *cached = find(key);
+    GLuint compiled = cached ? 0 : compile(&sources, desc);
+    if (compiled)
+        cached = add(key, compiled);
+    else
+        free(key);
+    if (cached) {
+        cached->uses++;
+        *program = cached->program;
+    }
+    free_sources(&sources);
+    return cached != NULL;
 }
 
 void program_free(GLuint *program) {
-    if (*program)
-        gl.DeleteProgram(*program);
+    if (!*program)
+        return;
+    struct cached *cached = gl.programs->entries;
+    while (cached->program != *program)
+        cached++;
+    assert(cached->uses > 0);
+    cached->uses--;
+    cached->last_use = ++gl.programs->clock;
+    drop_oldest_unused();
     *program = 0;
 }

@@ -1,4 +1,9 @@
-/* Shader programs. */
+/* Shader programs.
+ *
+ * A context keeps what it has compiled: whoever asks for the same sources again gets the same
+ * program, at once, and for a while after all have freed it. So a pass sets all its uniforms at
+ * each draw, and what is made anew for another size or setting costs no compilation.
+ */
 #ifndef GL_PROGRAM_H
 #define GL_PROGRAM_H
 
@@ -16,5 +21,11 @@ struct program_desc {
 /* Compiles and links. Error: names file and line, with the driver's message. */
 bool program_init(GLuint *program, const struct program_desc *desc);
 void program_free(GLuint *program);
+
+/* For contexts: what they keep. Freed without the programs, which end with the context; accepts
+ * NULL.
+ */
+struct program_cache *program_cache_create(void);
+void program_cache_free(struct program_cache *programs);
 
 #endif
