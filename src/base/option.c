@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <limits.h>
 #include <math.h>
@@ -174,6 +175,29 @@ void option_format(const struct option *option, const void *values, char *text, 
         snprintf(text, size, "%dx%d", ((const int *)at)[0], ((const int *)at)[1]);
         break;
     }
+}
+
+bool option_equal(const struct option *option, const void *a, const void *b) {
+    const void *x = field(option, a), *y = field(option, b);
+    switch (option->type) {
+    case OPTION_FLAG:
+        return *(const bool *)x == *(const bool *)y;
+    case OPTION_INT:
+    case OPTION_CHOICE:
+        return *(const int *)x == *(const int *)y;
+    case OPTION_FLOAT:
+        return *(const float *)x == *(const float *)y;
+    case OPTION_TEXT: {
+        const char *s = *(const char *const *)x, *t = *(const char *const *)y;
+        return s && t ? strcmp(s, t) == 0 : s == t;
+    }
+    case OPTION_SIZE:
+        return memcmp(x, y, 2 * sizeof(int)) == 0;
+    case OPTION_LIST:
+        break;
+    }
+    assert(!"lists are not compared");
+    return false;
 }
 
 bool option_assign(const struct option *table, void *values, const char *assignment) {

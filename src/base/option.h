@@ -53,6 +53,9 @@ bool option_parse(const struct option *option, void *values, const char *text);
 /* The field as text that option_parse reads back. */
 void option_format(const struct option *option, const void *values, char *text, size_t size);
 
+/* Whether a field is the same in two structs of values. Not for OPTION_LIST. */
+bool option_equal(const struct option *option, const void *a, const void *b);
+
 /* Parses "key=value" into a table of settings. */
 bool option_assign(const struct option *table, void *values, const char *assignment);
 

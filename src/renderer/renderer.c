@@ -17,45 +17,80 @@ static float irradiance_scale(const struct renderer_desc *desc) {
     return typical > 0 && isfinite(typical) ? exp2f(-roundf(log2f(typical))) : 1;
 }
 
-static bool init_passes(struct renderer *renderer) {
+/* What is made together, and anew when what it depends on changes. */
+enum part {
+    PART_SCENE = 1,      /* caster, scene: caster_edge */
+    PART_SIZE = 2,       /* G-buffer, composite: size */
+    PART_GEOMETRY = 4,   /* nothing but shaders */
+    PART_DIRECT = 8,     /* size, shadow settings, number of light views */
+    PART_TECHNIQUE = 16, /* size, technique, all settings, number of light views */
+    PART_ALL = 31,
+    PART_SHADERS = PART_ALL & ~PART_SCENE,
+};
+
+static bool init_scene(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
-    int light_views = light_view_count(&desc->light);
+    caster_init(&renderer->caster, desc->geometry,
+                desc->settings.caster_edge * desc->geometry->radius);
+    return scene_gpu_init(&renderer->scene, desc->scene, desc->geometry, &renderer->caster);
+}
+
+static bool init_size(struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
     return gbuffer_init(&renderer->gbuffer, "g-buffer", desc->width, desc->height, 1) &&
-           geometry_pass_init(&renderer->geometry) &&
-           direct_pass_init(&renderer->direct,
-                            &(struct direct_desc){
-                                .width = desc->width,
-                                .height = desc->height,
-                                .shadow_size = desc->settings.shadow_size,
-                                .light_views = light_views,
-                                .bias = desc->settings.shadow_bias,
-                            }) &&
-           renderer->technique->init(&renderer->technique_state,
-                                     &(struct technique_desc){
-                                         .settings = &desc->settings,
-                                         .width = desc->width,
-                                         .height = desc->height,
-                                         .light_views = light_views,
-                                     }) &&
            composite_pass_init(&renderer->composite,
                                &(struct composite_desc){desc->width, desc->height});
 }
 
-bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) {
-    *renderer = (struct renderer){.desc = *desc, .technique = techniques[desc->technique]};
-    timers_init(&renderer->timers, desc->timed, desc->software);
+static bool init_direct(struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    return direct_pass_init(&renderer->direct, &(struct direct_desc){
+                                                   .width = desc->width,
+                                                   .height = desc->height,
+                                                   .shadow_size = desc->settings.shadow_size,
+                                                   .light_views = light_view_count(&desc->light),
+                                                   .bias = desc->settings.shadow_bias,
+                                               });
+}
+
+static bool init_technique(struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    renderer->technique = techniques[desc->technique];
+    return renderer->technique->init(&renderer->technique_state,
+                                     &(struct technique_desc){
+                                         .settings = &desc->settings,
+                                         .width = desc->width,
+                                         .height = desc->height,
+                                         .light_views = light_view_count(&desc->light),
+                                     });
+}
+
+static bool init_parts(struct renderer *renderer, unsigned parts) {
+    return (!(parts & PART_SCENE) || init_scene(renderer)) &&
+           (!(parts & PART_SIZE) || init_size(renderer)) &&
+           (!(parts & PART_GEOMETRY) || geometry_pass_init(&renderer->geometry)) &&
+           (!(parts & PART_DIRECT) || init_direct(renderer)) &&
+           (!(parts & PART_TECHNIQUE) || init_technique(renderer));
+}
+
+static void write_views(struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
     view_of_camera(&renderer->camera_view, &desc->camera, desc->geometry,
                    (float)desc->width / (float)desc->height);
     view_of_light(&renderer->light_block, &desc->light, desc->geometry);
-    caster_init(&renderer->caster, desc->geometry,
-                desc->settings.caster_edge * desc->geometry->radius);
-    if (scene_gpu_init(&renderer->scene, desc->scene, desc->geometry, &renderer->caster) &&
-        init_passes(renderer) &&
-        buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view,
-                    &renderer->camera_view) &&
-        buffer_init(&renderer->light_buffer, "light", sizeof renderer->light_block,
-                    &renderer->light_block))
+    buffer_write(&renderer->view_buffer, 0, sizeof renderer->camera_view, &renderer->camera_view);
+    buffer_write(&renderer->light_buffer, 0, sizeof renderer->light_block, &renderer->light_block);
+}
+
+bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) {
+    *renderer = (struct renderer){.desc = *desc};
+    timers_init(&renderer->timers, desc->timed, desc->software);
+    if (init_parts(renderer, PART_ALL) &&
+        buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
+        buffer_init(&renderer->light_buffer, "light", sizeof renderer->light_block, NULL)) {
+        write_views(renderer);
         return true;
+    }
     renderer_free(renderer);
     return false;
 }
@@ -74,6 +109,104 @@ void renderer_free(struct renderer *renderer) {
     buffer_free(&renderer->light_buffer);
     *renderer = (struct renderer){0};
 }
+
+/* --- changes --- */
+
+static void swap(void *a, void *b, size_t size) {
+    unsigned char *x = a, *y = b;
+    for (size_t i = 0; i < size; i++) {
+        unsigned char byte = x[i];
+        x[i] = y[i];
+        y[i] = byte;
+    }
+}
+
+#define SWAP(field) swap(&a->field, &b->field, sizeof a->field)
+
+static void swap_parts(struct renderer *a, struct renderer *b, unsigned parts) {
+    if (parts & PART_SCENE) {
+        SWAP(caster);
+        SWAP(scene);
+    }
+    if (parts & PART_SIZE) {
+        SWAP(gbuffer);
+        SWAP(composite);
+    }
+    if (parts & PART_GEOMETRY)
+        SWAP(geometry);
+    if (parts & PART_DIRECT)
+        SWAP(direct);
+    if (parts & PART_TECHNIQUE) {
+        SWAP(technique);
+        SWAP(technique_state);
+    }
+}
+
+/* The new parts are made beside the old ones, which go only when all are there. */
+static bool change(struct renderer *renderer, const struct renderer_desc *desc, unsigned parts) {
+    struct renderer fresh = {.desc = *desc};
+    bool ok = init_parts(&fresh, parts);
+    if (ok) {
+        swap_parts(renderer, &fresh, parts);
+        renderer->desc = *desc;
+        write_views(renderer);
+        if (parts & PART_TECHNIQUE) { /* other passes, other timers */
+            timers_free(&renderer->timers);
+            timers_init(&renderer->timers, desc->timed, desc->software);
+        }
+    }
+    renderer_free(&fresh);
+    return ok;
+}
+
+static unsigned parts_of_setting(const struct option *option) {
+    if (!option->reinit)
+        return 0;
+    if (option->offset == offsetof(struct settings, caster_edge))
+        return PART_SCENE;
+    if (option->offset == offsetof(struct settings, shadow_size) ||
+        option->offset == offsetof(struct settings, shadow_bias))
+        return PART_DIRECT;
+    return PART_TECHNIQUE;
+}
+
+bool renderer_configure(struct renderer *renderer, int technique, const struct settings *settings) {
+    struct renderer_desc desc = renderer->desc;
+    unsigned parts = technique == desc.technique ? 0 : PART_TECHNIQUE;
+    for (const struct option *option = settings_table; option->name; option++)
+        if (!option_equal(option, settings, &desc.settings))
+            parts |= parts_of_setting(option);
+    desc.technique = technique;
+    desc.settings = *settings;
+    return settings_check(settings) && change(renderer, &desc, parts);
+}
+
+bool renderer_resize(struct renderer *renderer, int width, int height) {
+    struct renderer_desc desc = renderer->desc;
+    if (width == desc.width && height == desc.height)
+        return true;
+    desc.width = width;
+    desc.height = height;
+    return change(renderer, &desc, PART_SIZE | PART_DIRECT | PART_TECHNIQUE);
+}
+
+bool renderer_set_light(struct renderer *renderer, const struct light *light) {
+    struct renderer_desc desc = renderer->desc;
+    bool same_views = light_view_count(light) == light_view_count(&desc.light);
+    desc.light = *light;
+    return change(renderer, &desc, same_views ? 0 : PART_DIRECT | PART_TECHNIQUE);
+}
+
+void renderer_set_camera(struct renderer *renderer, const struct camera *camera) {
+    renderer->desc.camera = *camera;
+    write_views(renderer);
+}
+
+bool renderer_reload_shaders(struct renderer *renderer) {
+    return change(renderer, &renderer->desc, PART_SHADERS);
+}
+
+/* --- the frame --- */
 
 struct frame renderer_frame(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;

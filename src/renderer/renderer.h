@@ -1,6 +1,6 @@
 /* The frame: G-buffer, direct light, a technique's indirect light, composite.
  *
- * All allocation and compilation happen in init; render cannot fail. Two renderers may coexist in
+ * All allocation and compilation happen in init and in changes; render cannot fail. Two renderers may coexist in
  * one context.
  */
 #ifndef RENDERER_RENDERER_H
@@ -44,6 +44,14 @@ struct renderer {
 /* Error: driver, shader, size or memory. */
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc);
 void renderer_free(struct renderer *renderer);
+
+/* Changes between frames. What a change reaches is made anew, all else stays; when it fails the
+ * renderer is what it was. Errors are renderer_init's, and settings_check's. */
+bool renderer_configure(struct renderer *renderer, int technique, const struct settings *settings);
+bool renderer_resize(struct renderer *renderer, int width, int height);
+bool renderer_set_light(struct renderer *renderer, const struct light *light);
+void renderer_set_camera(struct renderer *renderer, const struct camera *camera);
+bool renderer_reload_shaders(struct renderer *renderer);
 
 /* Renders one frame into the composite's display texture. Timer "frame". */
 void renderer_render(struct renderer *renderer);

@@ -1,0 +1,217 @@
+/* A renderer that is changed while it runs: the picture is that of one made anew, nothing leaks,
+ * and what fails leaves it as it was. */
+#include "support.h"
+
+#include "base/error.h"
+#include "gl/context.h"
+#include "gl/glsl.h"
+#include "gl/memory.h"
+#include "renderer/renderer.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum { WIDTH = 48, HEIGHT = 40 };
+
+struct fixture {
+    struct context *context;
+    struct scene scene;
+    struct geometry geometry;
+    struct renderer_desc desc;
+};
+
+static int set_up(void **state) {
+    struct fixture *fixture = *state = calloc(1, sizeof *fixture);
+    fixture->context = context_create(&(struct context_desc){.device = -1, .debug = true});
+    if (!fixture->context)
+        return 0;
+    check_ok("scene", scene_load(&fixture->scene, "scenes/cornell-box.glb"));
+    check_ok("geometry", geometry_init(&fixture->geometry, &fixture->scene, 0));
+    struct renderer_desc *desc = &fixture->desc;
+    *desc = (struct renderer_desc){.width = WIDTH,
+                                   .height = HEIGHT,
+                                   .scene = &fixture->scene,
+                                   .geometry = &fixture->geometry,
+                                   .software = context_is_software(fixture->context)};
+    options_set_defaults(settings_table, &desc->settings);
+    desc->settings.vpl_count = 128;
+    desc->settings.val_count = 8;
+    desc->settings.map_size = 32;
+    desc->settings.rsm_size = 64;
+    desc->settings.shadow_size = 128;
+    camera_place(&desc->camera, &fixture->scene, 0, 0);
+    light_place(&desc->light, &fixture->scene, 0, 0);
+    return 0;
+}
+
+static int tear_down(void **state) {
+    struct fixture *fixture = *state;
+    if (fixture->context) {
+        geometry_free(&fixture->geometry);
+        scene_free(&fixture->scene);
+        context_free(fixture->context);
+    }
+    free(fixture);
+    return 0;
+}
+
+static struct fixture *need_context(void **state) {
+    struct fixture *fixture = *state;
+    if (!fixture->context)
+        skip();
+    return fixture;
+}
+
+static struct bitmap picture_of(struct renderer *renderer) {
+    struct bitmap bitmap;
+    renderer_render(renderer);
+    renderer_read_display(renderer, &bitmap);
+    return bitmap;
+}
+
+static bool same(const struct bitmap *a, const struct bitmap *b) {
+    return a->width == b->width && a->height == b->height &&
+           memcmp(a->rgba, b->rgba, (size_t)a->width * (size_t)a->height * 4) == 0;
+}
+
+/* The changed renderer's picture is bit for bit that of a new one of the same description. */
+static void check_as_new(const char *what, struct renderer *renderer) {
+    struct renderer fresh;
+    check_ok("a new renderer", renderer_init(&fresh, &renderer->desc));
+    struct bitmap expected = picture_of(&fresh), got = picture_of(renderer);
+    if (!same(&expected, &got))
+        fail_msg("%s: not the picture of a new renderer", what);
+    bitmap_free(&expected);
+    bitmap_free(&got);
+    renderer_free(&fresh);
+}
+
+static void test_as_new(void **state) {
+    struct fixture *fixture = need_context(state);
+    struct renderer renderer;
+    check_ok("init", renderer_init(&renderer, &fixture->desc));
+    struct bitmap before = picture_of(&renderer);
+
+    struct settings settings = renderer.desc.settings;
+    for (int technique = 0; technique_names[technique]; technique++) {
+        check_ok("technique", renderer_configure(&renderer, technique, &settings));
+        check_as_new(technique_names[technique], &renderer);
+    }
+    settings.exposure = 1;
+    check_ok("exposure", renderer_configure(&renderer, 0, &settings));
+    check_as_new("exposure", &renderer);
+    settings.caster_edge = .1F;
+    settings.shadow_size = 64;
+    settings.val_count = 4;
+    check_ok("settings", renderer_configure(&renderer, 0, &settings));
+    check_as_new("settings", &renderer);
+    check_ok("size", renderer_resize(&renderer, 33, 21));
+    check_as_new("size", &renderer);
+
+    struct light light = renderer.desc.light;
+    light.type = LIGHT_POINT;
+    light.position[1] -= .1F;
+    check_ok("a light of six views", renderer_set_light(&renderer, &light));
+    check_as_new("light", &renderer);
+    struct camera camera = renderer.desc.camera;
+    camera.eye[0] += .2F;
+    renderer_set_camera(&renderer, &camera);
+    check_as_new("camera", &renderer);
+    check_ok("shaders", renderer_reload_shaders(&renderer));
+    check_as_new("shaders", &renderer);
+
+    /* And all the way back. */
+    check_ok("settings",
+             renderer_configure(&renderer, fixture->desc.technique, &fixture->desc.settings));
+    check_ok("light", renderer_set_light(&renderer, &fixture->desc.light));
+    renderer_set_camera(&renderer, &fixture->desc.camera);
+    check_ok("size", renderer_resize(&renderer, WIDTH, HEIGHT));
+    struct bitmap after = picture_of(&renderer);
+    assert_true(same(&before, &after));
+    bitmap_free(&before);
+    bitmap_free(&after);
+    renderer_free(&renderer);
+    assert_int_equal(context_message_count(fixture->context), 0);
+}
+
+static void check_still_works(struct renderer *renderer, const struct bitmap *before) {
+    struct bitmap after = picture_of(renderer);
+    assert_true(same(before, &after));
+    bitmap_free(&after);
+}
+
+static void write_text(const char *path, const char *text) {
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+}
+
+static void test_failures(void **state) {
+    struct fixture *fixture = need_context(state);
+    struct renderer renderer;
+    check_ok("init", renderer_init(&renderer, &fixture->desc));
+    struct bitmap before = picture_of(&renderer);
+    size_t bytes = gpu_memory_total();
+    int objects = gpu_memory_object_count();
+
+    struct settings settings = renderer.desc.settings;
+    settings.vpl_count = 1; /* fewer than the pattern has places */
+    assert_false(renderer_configure(&renderer, 0, &settings));
+    check_still_works(&renderer, &before);
+
+    assert_false(renderer_resize(&renderer, 1 << 20, 1));
+    printf("    %s\n", error_get());
+    check_still_works(&renderer, &before);
+
+    assert_int_equal(context_message_count(fixture->context), 0);
+
+    char output[256];
+    char command[1200];
+    const char *folder = scratch("glsl");
+    snprintf(command, sizeof command, "rm -rf %s && cp -r glsl %s", folder, folder);
+    run_command(command, output, sizeof output);
+    write_text(scratch("glsl/gather.frag"), "void main() { nonsense }\n");
+    glsl_set_folder(folder);
+    assert_false(renderer_reload_shaders(&renderer));
+    assert_non_null(strstr(error_get(), "gather.frag"));
+    glsl_set_folder(NULL);
+    check_still_works(&renderer, &before);
+
+    assert_int_equal(gpu_memory_total(), bytes);
+    assert_int_equal(gpu_memory_object_count(), objects);
+    bitmap_free(&before);
+    renderer_free(&renderer);
+}
+
+static void test_no_leak(void **state) {
+    struct fixture *fixture = need_context(state);
+    struct renderer renderer;
+    check_ok("init", renderer_init(&renderer, &fixture->desc));
+    size_t bytes = gpu_memory_total();
+    int objects = gpu_memory_object_count();
+    struct settings settings = renderer.desc.settings;
+    for (int i = 0; i < 60; i++) {
+        settings.val_count = i % 2 ? 8 : 16;
+        check_ok("configure", renderer_configure(&renderer, i % 3, &settings));
+        check_ok("resize", renderer_resize(&renderer, WIDTH + i % 2, HEIGHT));
+    }
+    check_ok("back", renderer_configure(&renderer, 0, &fixture->desc.settings));
+    check_ok("back", renderer_resize(&renderer, WIDTH, HEIGHT));
+    assert_int_equal(gpu_memory_total(), bytes);
+    assert_int_equal(gpu_memory_object_count(), objects);
+    renderer_free(&renderer);
+    assert_int_equal(gpu_memory_object_count(), 0);
+    assert_int_equal(gpu_memory_total(), 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_as_new, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_failures, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_no_leak, set_up, tear_down),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
