@@ -9,7 +9,6 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Seen under half of this angle, the bounding sphere just fits the picture. */
 static const float fov_y = 0.7F;
 
 /* Appends a node that stands at eye and looks along -Z at the target. */
@@ -33,10 +32,31 @@ static void point_around(const struct geometry *geometry, vec3 direction, float 
     glm_vec3_muladds(unit, radii * geometry->radius, out);
 }
 
+/* How far from the centre a camera in that direction just sees all corners of the bounds in a
+ * square picture: a corner at (x, y, z) in its frame needs |x|, |y| <= (distance - z) tan(fov / 2).
+ */
+static float fitting_distance(const struct geometry *geometry, vec3 direction) {
+    mat4 view;
+    glm_lookat(direction, (vec3){0, 0, 0}, (vec3){0, 1, 0}, view);
+    float distance = geometry->radius;
+    for (int corner = 0; corner < 8; corner++) {
+        vec3 offset, seen;
+        for (int c = 0; c < 3; c++)
+            offset[c] = (corner >> c & 1 ? geometry->bounds_max : geometry->bounds_min)[c] -
+                        geometry->center[c];
+        glm_mat4_mulv3(view, offset, 0, seen);
+        float across = fmaxf(fabsf(seen[0]), fabsf(seen[1]));
+        distance = fmaxf(distance, across / tanf(fov_y / 2) + seen[2]);
+    }
+    return distance;
+}
+
 static void add_camera(struct scene *scene, const struct geometry *geometry) {
-    vec3 eye, target;
-    point_around(geometry, (vec3){.6F, .45F, 1}, 1 / sinf(fov_y / 2), eye);
-    point_around(geometry, (vec3){0, 1, 0}, 0, target);
+    const float margin = 1.05F;
+    vec3 direction = {.6F, .45F, 1}, eye, target;
+    point_around(geometry, direction,
+                 margin * fitting_distance(geometry, direction) / geometry->radius, eye);
+    point_around(geometry, direction, 0, target);
     struct node *node = add_node(scene, "framed camera", eye, target);
     scene->cameras =
         mem_resize(scene->cameras, (size_t)scene->camera_count + 1, sizeof *scene->cameras);

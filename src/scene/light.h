@@ -28,8 +28,8 @@ int light_node_count(const struct scene *scene);
 /* The spot's falloff in [0, 1] for the cosine of the angle to its axis; 1 for the other types. */
 float light_cone(const struct light *light, float cos_angle);
 
-/* Solid angle the light shines into: 2 pi (1 - cos outer) for a spot, 4 pi for a point, steradians.
- */
+/* Solid angle the light shines into, steradians: 2 pi (1 - cos outer) for a spot, 4 pi for a point,
+ * 0 for a directional light. */
 double light_solid_angle(const struct light *light);
 
 #endif

@@ -65,7 +65,7 @@ struct scene_camera {
     bool orthographic;
     float fov_y;    /* perspective: radians */
     float y_extent; /* orthographic: half the height, metres */
-    float near, far;
+    float near, far; /* far = infinity where the file has none */
 };
 
 struct node {
