@@ -2,6 +2,7 @@
 //     E = sum_i Phi_i / pi cos_i cos_x / d^2 V_C(i)(x)
 // A draw fills one tile: the pixels of one place in the interleaving pattern, which share their VPLs
 // [Segovia et al. 2006]. VISIBILITY is a file with `float visibility(int map, vec3 position)`.
+#include "lib/near_field.glsl"
 #include "lib/surface.glsl"
 #include "shared/params.h"
 #include "shared/vpl.h"
@@ -52,9 +53,13 @@ float geometry_term(vec3 to_vpl, vec3 normal, vec4 vpl_normal) {
     return cosines / (distance2 * distance2);
 #elif CLAMP == 1
     return min(cosines / (distance2 * distance2), params.clamp_at);
-#else
+#elif CLAMP == 2
     // The form factor of a disk of the VPL's area, facing the receiver.
     return cosines / (distance2 * (distance2 + vpl_normal.w * INVERSE_PI));
+#else
+    // The near field comes from the reflective shadow map.
+    float far = 1.0 - near_share(distance2, vpl_normal.w, params.reach);
+    return cosines * far / (distance2 * distance2);
 #endif
 }
 

@@ -3,6 +3,8 @@
 #include "lib/light.glsl"
 #include "lib/surface.glsl"
 
+#include "shared/vpl.h"
+
 layout(location = 0) in vec2 halton;
 layout(location = 0) uniform int vpl_count;
 
@@ -53,7 +55,7 @@ void main() {
     float share = light.intensity.w / float(vpl_count);
     vec3 power = directional ? light.intensity.rgb : light_intensity(incoming);
     vpl_flux = vec4(albedo * power * share, 1.0);
-    vpl_normal.w = share * (directional ? 1.0 : distance2) / max(cosine, 0.01);
+    vpl_normal.w = share * (directional ? 1.0 : distance2) / max(cosine, VPL_COSINE_MIN);
     if (dot(vpl_flux.rgb, vec3(1.0)) <= 0.0)
         vpl_flux.w = 0.0;
 }

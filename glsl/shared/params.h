@@ -45,7 +45,20 @@ struct gather_params {
     float gain;       /* of the blocked fraction about one half */
     float sharpen_a, sharpen_b;
     float map_bias;   /* of a hard lookup, metres */
+    float reach;      /* of the near field, in spacings of VPLs */
+    float unused0, unused1, unused2;
 };
+
+struct near_field_params {
+    float interleave;
+    float scale;      /* of the stored irradiance */
+    float tile_width, tile_height;
+    float vpl_share;  /* solid angle of one VPL, sr; area of a directional light's, m2 */
+    float reach;      /* of the near field, in spacings of VPLs */
+    float unused0, unused1;
+};
+
+#define NEAR_SAMPLES_MAX 1024
 
 struct blur_params {
     float interleave; /* of the picture that is read: 1 = plain */

@@ -10,6 +10,9 @@ struct vpl {
     vec4 flux;     /* reflected flux, W; w: 1, or 0 for a sample that met nothing */
 };
 
+/* Where light grazes a surface, a VPL's area is that of this cosine. */
+#define VPL_COSINE_MIN 0.25
+
 /* VPLs per uniform block: 48 KiB, within the 64 KiB that all drivers seen allow. */
 #define VPLS_PER_BLOCK 1024
 

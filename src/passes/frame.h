@@ -15,7 +15,9 @@
 struct frame {
     struct timers *timers;
     const struct scene_gpu *scene;
-    int light_views;                    /* 1 or 6 */
+    float light_measure; /* solid angle that the light shines into, sr; a directional light's area,
+                            m2 */
+    int light_views;     /* 1 or 6 */
     float bounds_min[3], bounds_max[3]; /* of the scene, metres */
     float radius;                       /* of its bounding sphere, metres */
     float irradiance_scale;             /* stored irradiance = W/m2 times this: a power of two that

@@ -60,6 +60,7 @@ static void write_params(const struct gather_pass *pass, const struct frame *fra
         .sharpen_a = desc->sharpen_a,
         .sharpen_b = desc->sharpen_b,
         .map_bias = desc->map_bias * frame->radius,
+        .reach = desc->reach,
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);

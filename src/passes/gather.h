@@ -14,8 +14,8 @@
 enum gather_visibility { GATHER_VISIBILITY_NONE, GATHER_VISIBILITY_HARD, GATHER_VISIBILITY_CSSM };
 
 /* How cos cos / d^2 is bounded near a VPL. The disk form factor is that of a disk of the VPL's
- * area. */
-enum gather_clamp { GATHER_CLAMP_NONE, GATHER_CLAMP_VALUE, GATHER_CLAMP_DISK };
+ * area. GATHER_CLAMP_NEAR leaves the near field to passes/near_field.h. */
+enum gather_clamp { GATHER_CLAMP_NONE, GATHER_CLAMP_VALUE, GATHER_CLAMP_DISK, GATHER_CLAMP_NEAR };
 
 struct gather_desc {
     int width, height;
@@ -25,6 +25,7 @@ struct gather_desc {
     int map_size, map_count, basis_terms;
     enum gather_clamp clamp;
     float clamp_value;          /* of the bounded geometry term, times the squared scene radius */
+    float reach;                /* of the near field, in spacings of VPLs */
     float bias;                 /* receiver offset along its normal, over the scene's radius */
     float map_bias;             /* of a hard lookup, over the scene's radius */
     float shift;                /* of the receiver's depth, over 1 / (2 K) */

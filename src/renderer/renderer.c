@@ -213,6 +213,7 @@ struct frame renderer_frame(struct renderer *renderer) {
     struct frame frame = {
         .timers = &renderer->timers,
         .scene = &renderer->scene,
+        .light_measure = renderer->light_block.intensity[3],
         .light_views = light_view_count(&desc->light),
         .radius = desc->geometry->radius,
         .irradiance_scale = irradiance_scale(desc),

@@ -78,7 +78,7 @@ static void render(void *state, const struct frame *frame, const struct gbuffer 
                                                .views = &cluster->views,
                                                .depth = &technique->paraboloid.maps,
                                                .bases = &technique->basis.maps});
-    blur_pass_render(&lights->blur, frame, gbuffer, &lights->gather.irradiance);
+    many_lights_finish(lights, frame, gbuffer);
 }
 
 static void outputs(const void *state, struct technique_outputs *outputs) {

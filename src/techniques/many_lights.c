@@ -14,6 +14,7 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
                                                  .basis_terms = settings->basis_terms,
                                                  .clamp = (enum gather_clamp)settings->clamp,
                                                  .clamp_value = settings->clamp_value,
+                                                 .reach = settings->near_reach,
                                                  .bias = settings->bias,
                                                  .map_bias = settings->map_bias,
                                                  .shift = settings->shift,
@@ -22,6 +23,18 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
                                                  .sharpen_b = settings->sharpen_b,
                                                  .filter_jacobian = settings->filter_jacobian,
                                              });
+}
+
+static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct settings *settings = desc->settings;
+    lights->has_near_field = settings->clamp == GATHER_CLAMP_NEAR;
+    return !lights->has_near_field ||
+           near_field_pass_init(&lights->near_field, &(struct near_field_desc){
+                                                         .samples = settings->near_samples,
+                                                         .interleave = settings->interleave,
+                                                         .vpl_count = settings->vpl_count,
+                                                         .reach = settings->near_reach,
+                                                     });
 }
 
 static bool init_blur(struct many_lights *lights, const struct technique_desc *desc) {
@@ -47,7 +60,8 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
         vpl_pass_init(&lights->vpl,
                       &(struct vpl_desc){.count = settings->vpl_count, .seed = settings->seed}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", settings->vpl_count) &&
-        init_gather(lights, desc, visibility) && init_blur(lights, desc))
+        init_gather(lights, desc, visibility) && init_near_field(lights, desc) &&
+        init_blur(lights, desc))
         return true;
     many_lights_free(lights);
     return false;
@@ -59,12 +73,21 @@ void many_lights_free(struct many_lights *lights) {
     vpl_pass_free(&lights->vpl);
     vpl_buffer_free(&lights->vpls);
     gather_pass_free(&lights->gather);
+    near_field_pass_free(&lights->near_field);
     blur_pass_free(&lights->blur);
 }
 
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame) {
     geometry_pass_render_light(&lights->geometry, frame, &lights->rsm);
     vpl_pass_render(&lights->vpl, frame, &lights->rsm, &lights->vpls);
+}
+
+void many_lights_finish(const struct many_lights *lights, const struct frame *frame,
+                        const struct gbuffer *gbuffer) {
+    if (lights->has_near_field)
+        near_field_pass_render(&lights->near_field, frame, gbuffer, &lights->rsm,
+                               &lights->gather.irradiance);
+    blur_pass_render(&lights->blur, frame, gbuffer, &lights->gather.irradiance);
 }
 
 float many_lights_depth_range(const struct settings *settings) {

@@ -6,6 +6,7 @@
 #include "passes/blur.h"
 #include "passes/gather.h"
 #include "passes/geometry.h"
+#include "passes/near_field.h"
 #include "passes/vpl.h"
 #include "techniques/technique.h"
 
@@ -15,6 +16,8 @@ struct many_lights {
     struct vpl_pass vpl;
     struct vpl_buffer vpls;
     struct gather_pass gather;
+    bool has_near_field; /* clamp=near */
+    struct near_field_pass near_field;
     struct blur_pass blur;
 };
 
@@ -35,6 +38,10 @@ void many_lights_render_vpls(struct many_lights *lights, const struct frame *fra
 /* The share of map depth that the scene may take, so that the series, of period 2, stays clear of
  * the falls at |t| = 1: 1 - 1 / (2 K). */
 float many_lights_depth_range(const struct settings *settings);
+
+/* The near field, where it is not the VPLs', and the blur: after the gather. */
+void many_lights_finish(const struct many_lights *lights, const struct frame *frame,
+                        const struct gbuffer *gbuffer);
 
 void many_lights_outputs(const struct many_lights *lights, struct technique_outputs *outputs);
 

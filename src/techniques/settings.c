@@ -5,7 +5,7 @@
 #define FIELD(name) offsetof(struct settings, name)
 
 static const char *const visibility_names[] = {"cssm", "hard", NULL};
-static const char *const clamp_names[] = {"none", "value", "disk", NULL};
+static const char *const clamp_names[] = {"none", "value", "disk", "near", NULL};
 static const char *const tone_map_names[] = {"clamp", "filmic", NULL};
 
 /* Columns: name, letter, type, field, default, minimum, maximum. */
@@ -55,10 +55,14 @@ const struct option settings_table[] = {
      .help = "filter width by the paraboloid's Jacobian, not alpha/pi", .reinit = true},
     {"map-batch", 0, OPTION_INT, FIELD(map_batch), 64, 1, 1024,
      .help = "instant-radiosity: maps in memory at once", .reinit = true},
-    {"clamp", 0, OPTION_CHOICE, FIELD(clamp), 2, .choices = clamp_names,
+    {"clamp", 0, OPTION_CHOICE, FIELD(clamp), 3, .choices = clamp_names,
      .help = "bound of the geometry term near a VPL", .reinit = true},
     {"clamp-value", 0, OPTION_FLOAT, FIELD(clamp_value), 25, 0, 1e9,
      .help = "the bound for clamp=value, times the squared scene radius", .reinit = true},
+    {"near-reach", 0, OPTION_FLOAT, FIELD(near_reach), 2, .1, 100,
+     .help = "clamp=near: reach of the near field, in spacings of VPLs", .reinit = true},
+    {"near-samples", 0, OPTION_INT, FIELD(near_samples), 16, 1, 1024,
+     .help = "clamp=near: samples of the near field at each pixel", .reinit = true},
     {"interleave", 0, OPTION_INT, FIELD(interleave), 8, 1, 16,
      .help = "n: each pixel of n x n takes its share of the VPLs; 1 = all", .reinit = true},
     {"blur-radius", 0, OPTION_INT, FIELD(blur_radius), -1, -1, 64,

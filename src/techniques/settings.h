@@ -24,6 +24,8 @@ struct settings {
     int map_batch; /* maps in memory at once, of `instant-radiosity` */
     int clamp;     /* enum gather_clamp */
     float clamp_value;
+    float near_reach;
+    int near_samples;
     int interleave, blur_radius;
     float blur_distance, blur_cosine; /* alpha, beta */
     float caster_edge;

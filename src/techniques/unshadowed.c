@@ -23,7 +23,7 @@ static void render(void *state, const struct frame *frame, const struct gbuffer 
     gather_pass_clear(&lights->gather);
     gather_pass_render(&lights->gather, frame, gbuffer,
                        &(struct gather_inputs){.vpls = &lights->vpls});
-    blur_pass_render(&lights->blur, frame, gbuffer, &lights->gather.irradiance);
+    many_lights_finish(lights, frame, gbuffer);
 }
 
 static void outputs(const void *state, struct technique_outputs *outputs) {

@@ -1,0 +1,37 @@
+/* The near field of lit surfaces: the light of what lies within a few spacings of VPLs.
+ *
+ * A VPL stands for a patch as wide as the spacing; nearer than that, a point light is wrong however
+ * it is clamped, and in a lit corner the deficit reaches half of the irradiance. So the integral is
+ * split: with near(d) = (1 - d^2 / (reach^2 area))^2 the VPLs give (1 - near), and this pass gives
+ * near, from the texels of the reflective shadow map around the receiver [Dachsbacher and
+ * Stamminger 2005]. It takes the place of clamping and compensation [slides]. What is near counts
+ * as unoccluded: the bias of it. Cost: pixels x samples x 5 fetches, for pixels in reach of the
+ * light alone.
+ */
+#ifndef PASSES_NEAR_FIELD_H
+#define PASSES_NEAR_FIELD_H
+
+#include "passes/frame.h"
+
+struct near_field_desc {
+    int samples;    /* of each pixel */
+    int interleave; /* of the irradiance that it adds to: as many patterns, squared */
+    int vpl_count;
+    float reach; /* in spacings of VPLs */
+};
+
+struct near_field_pass {
+    struct near_field_desc desc;
+    GLuint program;
+    struct buffer samples, params;
+};
+
+bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_desc *desc);
+void near_field_pass_free(struct near_field_pass *pass);
+
+/* Adds to the irradiance. Timer "near field". */
+void near_field_pass_render(const struct near_field_pass *pass, const struct frame *frame,
+                            const struct gbuffer *gbuffer, const struct gbuffer *rsm,
+                            const struct irradiance *irradiance);
+
+#endif
