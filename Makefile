@@ -114,7 +114,10 @@ $(SCENE_TOOL): $(SCENE_TOOL_SOURCES:%.c=$(BUILD)/%.o) $(LIBRARY)
 
 # --- tests ----------------------------------------------------------------------------------------
 
-$(BUILD)/test/%: $(BUILD)/test/%.o $(BUILD)/test/support.o $(LIBRARY)
+# What test programs share: the files of test/ that are no programs.
+TEST_SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out test/test_%.c,$(sort $(wildcard test/*.c))))
+
+$(BUILD)/test/%: $(BUILD)/test/%.o $(TEST_SUPPORT) $(LIBRARY)
 	$(say) LINK $@
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka
 

@@ -1,0 +1,243 @@
+#define _POSIX_C_SOURCE 200809L
+#include "render_support.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "gl/memory.h"
+#include "scene/node.h"
+#include "shared/vpl.h"
+
+#include <cglm/cglm.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct context *open_context(enum context_kind kind) {
+    struct context *context =
+        context_create(&(struct context_desc){.kind = kind, .device = -1, .debug = true});
+    if (!context) {
+        printf("    skipped: %s\n", error_get());
+        skip();
+    }
+    return context;
+}
+
+int open_group_context(void **state) {
+    *state =
+        context_create(&(struct context_desc){.kind = CONTEXT_AUTO, .device = -1, .debug = true});
+    if (!*state)
+        printf("    %s\n", error_get());
+    return *state ? 0 : -1;
+}
+
+int close_group_context(void **state) {
+    int messages = context_message_count(*state), objects = gpu_memory_object_count();
+    printf("    OpenGL messages %d, GPU objects left %d\n", messages, objects);
+    context_free(*state);
+    return messages == 0 && objects == 0 ? 0 : -1;
+}
+
+void stage_load(struct stage *stage, const char *path) {
+    *stage = (struct stage){0};
+    check_ok(path, scene_load(&stage->scene, path));
+    stage_pose(stage);
+}
+
+void stage_pose(struct stage *stage) {
+    geometry_free(&stage->geometry);
+    check_ok("geometry", geometry_init(&stage->geometry, &stage->scene, 0));
+    camera_place(&stage->camera, &stage->scene, 0, 0);
+    light_place(&stage->light, &stage->scene, 0, 0);
+}
+
+void stage_free(struct stage *stage) {
+    geometry_free(&stage->geometry);
+    scene_free(&stage->scene);
+}
+
+void stage_turn(struct stage *stage, double degrees) {
+    vec3 y = {0, 1, 0};
+    mat4 turn;
+    glm_rotate_make(turn, glm_rad((float)degrees), y);
+    for (int i = 0; i < stage->scene.node_count; i++) {
+        struct node *node = &stage->scene.nodes[i];
+        if (node->parent >= 0)
+            continue;
+        mat4 world, turned;
+        node_world(&stage->scene, i, 0, (float *)world);
+        glm_mat4_mul(turn, world, turned);
+        memcpy(node->matrix, turned, sizeof node->matrix);
+        node->has_matrix = true;
+    }
+    stage_pose(stage);
+}
+
+void open_rays(struct rays *rays, const struct stage *stage) {
+    hit_table_init(&rays->table, &stage->scene, &stage->geometry);
+    check_ok("rays", ray_scene_init(&rays->scene, &rays->table));
+}
+
+void close_rays(struct rays *rays) {
+    ray_scene_free(&rays->scene);
+    hit_table_free(&rays->table);
+}
+
+static int technique_index(const char *name) {
+    for (int i = 0; technique_names[i]; i++)
+        if (strcmp(technique_names[i], name) == 0)
+            return i;
+    fail_msg("no technique '%s'", name);
+    return -1;
+}
+
+static void assign_settings(struct settings *settings, const char *text) {
+    options_set_defaults(settings_table, settings);
+    char *copy = mem_strdup(text), *rest = NULL;
+    for (char *item = strtok_r(copy, " ", &rest); item; item = strtok_r(NULL, " ", &rest))
+        check_ok(item, option_assign(settings_table, settings, item));
+    check_ok(text, settings_check(settings));
+    free(copy);
+}
+
+struct renderer_desc stage_desc(const struct stage *stage, const char *technique,
+                                const char *settings, int width, int height) {
+    struct renderer_desc desc = {
+        .width = width,
+        .height = height,
+        .technique = technique_index(technique),
+        .scene = &stage->scene,
+        .geometry = &stage->geometry,
+        .light = stage->light,
+        .camera = stage->camera,
+        .software = true,
+    };
+    assign_settings(&desc.settings, settings);
+    return desc;
+}
+
+void open_renderer(struct renderer *renderer, const struct renderer_desc *desc) {
+    check_ok("renderer", renderer_init(renderer, desc));
+    renderer_render(renderer);
+}
+
+struct image render_layers(const struct renderer_desc *desc) {
+    struct renderer renderer;
+    struct image image;
+    open_renderer(&renderer, desc);
+    check_ok("layers", renderer_read_layers(&renderer, &image));
+    renderer_free(&renderer);
+    return image;
+}
+
+struct image stage_render(const struct stage *stage, const char *technique, const char *settings,
+                          int size) {
+    struct renderer_desc desc = stage_desc(stage, technique, settings, size, size);
+    return render_layers(&desc);
+}
+
+struct vpl *read_vpls(const struct renderer *renderer) {
+    struct technique_outputs outputs;
+    renderer_outputs(renderer, &outputs);
+    size_t count = (size_t)outputs.vpls->count;
+    struct vpl *vpls = mem_alloc(count, sizeof *vpls);
+    buffer_read(&outputs.vpls->buffer, 0, count * sizeof *vpls, vpls);
+    return vpls;
+}
+
+void pixel_position(const struct renderer *renderer, const struct image *layers, int x, int y,
+                    float position[3]) {
+    const struct camera *camera = &renderer->desc.camera;
+    float width = (float)layers->width, height = (float)layers->height;
+    vec3 origin, direction;
+    camera_ray(camera, ((float)x + .5f) / width, ((float)y + .5f) / height, width / height, origin,
+               direction);
+    float z = image_at(layers, x, y)[image_find_channel(layers, "Z")];
+    glm_vec3_copy(origin, position);
+    glm_vec3_muladds(direction, z / glm_vec3_dot(direction, (float *)camera->forward), position);
+}
+
+bool same_pixels(const struct image *a, const struct image *b) {
+    return a->width == b->width && a->height == b->height && a->channel_count == b->channel_count &&
+           memcmp(a->pixels, b->pixels,
+                  (size_t)a->width * (size_t)a->height * (size_t)a->channel_count *
+                      sizeof *a->pixels) == 0;
+}
+
+/* --- measures --------------------------------------------------------------------------------- */
+
+/* A layer of two pictures of one size and of the same channels. */
+struct pair {
+    const struct image *test, *reference;
+    int channels[3], alpha;
+};
+
+static struct pair pair_of(const struct image *test, const struct image *reference,
+                           const char *layer) {
+    struct pair pair = {test, reference, {0}, image_find_channel(reference, "A")};
+    assert_int_equal(test->width, reference->width);
+    assert_int_equal(test->height, reference->height);
+    assert_int_equal(test->channel_count, reference->channel_count);
+    check_ok(layer, image_find_layer(reference, layer, pair.channels));
+    assert_true(pair.alpha >= 0);
+    return pair;
+}
+
+static bool seen(const struct pair *pair, int x, int y) {
+    return image_at(pair->test, x, y)[pair->alpha] > 0 &&
+           image_at(pair->reference, x, y)[pair->alpha] > 0;
+}
+
+static double difference(const struct pair *pair, int x, int y, int c) {
+    return (double)image_at(pair->test, x, y)[pair->channels[c]] -
+           (double)image_at(pair->reference, x, y)[pair->channels[c]];
+}
+
+double layer_mean(const struct image *image, const char *layer) {
+    struct pair pair = pair_of(image, image, layer);
+    double sum = 0, count = 0;
+    for (int y = 0; y < image->height; y++)
+        for (int x = 0; x < image->width; x++)
+            for (int c = 0; c < 3 && seen(&pair, x, y); c++, count++)
+                sum += (double)image_at(image, x, y)[pair.channels[c]];
+    assert_true(count > 0);
+    return sum / count;
+}
+
+double relative_rmse(const struct image *test, const struct image *reference, const char *layer) {
+    struct pair pair = pair_of(test, reference, layer);
+    double sum = 0, count = 0;
+    for (int y = 0; y < test->height; y++)
+        for (int x = 0; x < test->width; x++)
+            for (int c = 0; c < 3 && seen(&pair, x, y); c++, count++)
+                sum += pow(difference(&pair, x, y, c), 2);
+    return sqrt(sum / count) / layer_mean(reference, layer);
+}
+
+double gradient_error(const struct image *test, const struct image *reference, const char *layer) {
+    struct pair pair = pair_of(test, reference, layer);
+    double sum = 0, count = 0;
+    for (int y = 0; y + 1 < test->height; y++)
+        for (int x = 0; x + 1 < test->width; x++) {
+            if (!seen(&pair, x, y) || !seen(&pair, x + 1, y) || !seen(&pair, x, y + 1))
+                continue;
+            for (int c = 0; c < 3; c++, count++) {
+                double here = difference(&pair, x, y, c);
+                sum += pow(difference(&pair, x + 1, y, c) - here, 2) +
+                       pow(difference(&pair, x, y + 1, c) - here, 2);
+            }
+        }
+    return sqrt(sum / count) / layer_mean(reference, layer);
+}
+
+void check_finite(const char *what, const struct image *image) {
+    size_t count = (size_t)image->width * (size_t)image->height * (size_t)image->channel_count;
+    for (size_t i = 0; i < count; i++)
+        if (!isfinite(image->pixels[i])) {
+            size_t pixel = i / (size_t)image->channel_count;
+            fail_msg("%s: %s is %g at %zu, %zu", what,
+                     image->names[i % (size_t)image->channel_count], (double)image->pixels[i],
+                     pixel % (size_t)image->width, pixel / (size_t)image->width);
+        }
+}

@@ -1,0 +1,84 @@
+/* What the tests of the renderer share: a scene that a test may change, and pictures of it. */
+#ifndef TEST_RENDER_SUPPORT_H
+#define TEST_RENDER_SUPPORT_H
+
+#include "support.h"
+
+#include "gl/context.h"
+#include "reference/ray_scene.h"
+#include "renderer/renderer.h"
+
+/* A debug context of that kind that is current; the test is skipped where there is none. */
+struct context *open_context(enum context_kind kind);
+
+/* For cmocka_run_group_tests: one context for all tests of the group, and at its end no GL message
+ * and nothing left in GPU memory. */
+int open_group_context(void **state);
+int close_group_context(void **state);
+
+/* A scene with what a renderer needs of it. Change the scene, then pose it anew. */
+struct stage {
+    struct scene scene;
+    struct geometry geometry;
+    struct camera camera;
+    struct light light;
+};
+
+/* NULL frees nothing; fails the test on an error. */
+void stage_load(struct stage *stage, const char *path);
+void stage_pose(struct stage *stage);
+void stage_free(struct stage *stage);
+
+/* Turns everything, camera and light too, about the y axis. */
+void stage_turn(struct stage *stage, double degrees);
+
+static inline vec3s to_vec3s(const float v[3]) {
+    return (vec3s){{v[0], v[1], v[2]}};
+}
+
+/* The same scene for rays: the second opinion on what a rasteriser saw. */
+struct rays {
+    struct hit_table table;
+    struct ray_scene scene;
+};
+
+void open_rays(struct rays *rays, const struct stage *stage);
+void close_rays(struct rays *rays);
+
+/* The desc of a renderer: settings as "vpls=64 vals=8", in order; the technique by name. */
+struct renderer_desc stage_desc(const struct stage *stage, const char *technique,
+                                const char *settings, int width, int height);
+
+/* A renderer that has rendered one frame. */
+void open_renderer(struct renderer *renderer, const struct renderer_desc *desc);
+
+/* All layers of the frame that a renderer of this desc renders. */
+struct image render_layers(const struct renderer_desc *desc);
+
+/* The same with the desc of stage_desc. */
+struct image stage_render(const struct stage *stage, const char *technique, const char *settings,
+                          int size);
+
+/* The VPLs of the last frame, as the gather reads them; vpl_count of them, for free(). */
+struct vpl *read_vpls(const struct renderer *renderer);
+
+/* Where the surface is that a pixel of the layers sees, by its Z. */
+void pixel_position(const struct renderer *renderer, const struct image *layers, int x, int y,
+                    float position[3]);
+
+/* Whether all values are the same bits. */
+bool same_pixels(const struct image *a, const struct image *b);
+
+/* RMS of the difference of a layer over the mean of the reference's, over what both see. */
+double relative_rmse(const struct image *test, const struct image *reference, const char *layer);
+
+/* RMS of the gradient of the difference over the mean of the reference: banding [METHOD §5]. */
+double gradient_error(const struct image *test, const struct image *reference, const char *layer);
+
+/* The mean of a layer's channels over the pixels that see something. */
+double layer_mean(const struct image *image, const char *layer);
+
+/* Fails where a value of any channel is NaN or infinite. */
+void check_finite(const char *what, const struct image *image);
+
+#endif

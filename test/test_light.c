@@ -1,0 +1,246 @@
+/* Exact answers: inside a diffuse sphere direct light and one bounce are known at every point; and
+ * what the VPLs reflect is what meets the surfaces, times albedo. */
+#include "render_support.h"
+
+#include "base/memory.h"
+#include "shared/vpl.h"
+
+#include <cglm/cglm.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- inside a diffuse sphere ------------------------------------------------------------------ */
+
+/* scenes/sphere.glb: radius 1, albedo 1/2, a point light of pi W/sr in the centre. Direct radiance
+ * rho I / (pi R^2) everywhere, and one bounce exactly rho times that: cos cos / d^2 = 1 / (4 R^2)
+ * for any two points, so that any VPLs, slots and clusters give the same [METHOD §6]. The layers
+ * are without the receiver's albedo. */
+static const double exact_direct = 1, exact_indirect = .5;
+
+/* The triangles lie up to this far below the sphere. Where receiver and VPL lie in facets of
+ * depths that differ by h, the product of the cosines is off by (2 h / d^2)^2. */
+static const double facet_depth = 4e-4;
+
+/* What to allow beyond the tolerance for the VPLs next to a receiver. */
+static double facet_error(const struct vpl *vpls, int count, const vec3 receiver) {
+    double error = 0;
+    for (int i = 0; i < count; i++) {
+        double d2 = (double)glm_vec3_distance2((float *)vpls[i].position, (float *)receiver);
+        error += fmin(1, pow(2 * facet_depth / fmax(d2, 1e-9), 2)) / count;
+    }
+    return error;
+}
+
+struct sphere_case {
+    const char *technique;
+    int vpls, vals, interleave;
+    double mean, worst; /* bounds of the relative error */
+};
+
+static void check_direct(const struct image *image) {
+    int channel = image_find_channel(image, "direct.R");
+    double worst = 0;
+    for (int y = 0; y < image->height; y++)
+        for (int x = 0; x < image->width; x++)
+            worst = fmax(worst, fabs((double)image_at(image, x, y)[channel] / exact_direct - 1));
+    check_at_most("direct light at the worst pixel", worst, .005);
+}
+
+/* The part of the worst pixel's error that facets do not explain. */
+static double worst_indirect(const struct renderer *renderer, const struct image *image) {
+    int count = renderer->desc.settings.vpl_count;
+    struct vpl *vpls = read_vpls(renderer);
+    int channel = image_find_channel(image, "indirect.R");
+    double worst = 0;
+    for (int y = 0; y < image->height; y++)
+        for (int x = 0; x < image->width; x++) {
+            vec3 position;
+            pixel_position(renderer, image, x, y, position);
+            double error = fabs((double)image_at(image, x, y)[channel] / exact_indirect - 1);
+            worst = fmax(worst, error - facet_error(vpls, count, position));
+        }
+    free(vpls);
+    return worst;
+}
+
+static void check_sphere(const struct stage *stage, const struct sphere_case *row) {
+    char settings[128];
+    struct renderer renderer;
+    struct image image;
+    /* Any bound of the geometry term, also the disk's, takes light away that is exact here. */
+    snprintf(settings, sizeof settings, "vpls=%d vals=%d interleave=%d clamp=none", row->vpls,
+             row->vals, row->interleave);
+    printf("  %s %s\n", row->technique, settings);
+    struct renderer_desc desc = stage_desc(stage, row->technique, settings, 64, 64);
+    open_renderer(&renderer, &desc);
+    check_ok("layers", renderer_read_layers(&renderer, &image));
+    check_direct(&image);
+    check_near("one bounce, mean", layer_mean(&image, "indirect") / exact_indirect, 1, row->mean);
+    check_at_most("one bounce at the worst pixel", worst_indirect(&renderer, &image), row->worst);
+    image_free(&image);
+    renderer_free(&renderer);
+}
+
+/* Every N that the interleave allows; and every M up to N. */
+static void check_technique(const char *technique, bool clusters, double mean, double worst) {
+    static const int vpls[] = {16, 64, 1024}, vals[] = {1, 8, 30}, interleaves[] = {1, 8};
+    struct stage stage;
+    stage_load(&stage, "scenes/sphere.glb");
+    for (int n = 0; n < 3; n++)
+        for (int i = 0; i < 2; i++)
+            for (int m = 0; m < (clusters ? 3 : 1); m++)
+                if (interleaves[i] * interleaves[i] <= vpls[n] && vals[m] <= vpls[n])
+                    check_sphere(&stage, &(struct sphere_case){technique, vpls[n], vals[m],
+                                                               interleaves[i], mean, worst});
+    stage_free(&stage);
+}
+
+static void test_sphere_unshadowed(void **state) {
+    (void)state;
+    check_technique("unshadowed", false, .01, .01);
+}
+
+static void test_sphere_instant_radiosity(void **state) {
+    (void)state;
+    check_technique("instant-radiosity", false, .01, .01);
+}
+
+static void test_sphere_clustered(void **state) {
+    (void)state;
+    check_technique("clustered", true, .01, .03);
+}
+
+/* The bound of the geometry term by the VPL's own area takes light away: a disk of area A seen at
+ * distance d has d^2 + A / pi in place of d^2. Here A = 4 pi / N; over the sphere the mean of
+ * d^2 / (d^2 + 4 / N), with d^2 uniform over [0, 4], is 1 - ln(1 + N) / N. */
+static void test_sphere_disk_clamp(void **state) {
+    (void)state;
+    struct stage stage;
+    stage_load(&stage, "scenes/sphere.glb");
+    for (int n = 64; n <= 1024; n *= 16) {
+        char settings[64];
+        snprintf(settings, sizeof settings, "vpls=%d interleave=1 clamp=disk", n);
+        struct image image = stage_render(&stage, "unshadowed", settings, 64);
+        /* The picture is a part of the sphere, and VPLs are no continuum. */
+        check_near("one bounce with the disk's form factor, mean",
+                   layer_mean(&image, "indirect") / exact_indirect, 1 - log(1 + n) / n,
+                   .3 * log(1 + n) / n);
+        image_free(&image);
+    }
+    stage_free(&stage);
+}
+
+/* --- energy ----------------------------------------------------------------------------------- */
+
+/* Sum of the VPLs' flux, the mean of RGB, W. */
+static double vpl_flux(const struct stage *stage, const char *settings) {
+    struct renderer renderer;
+    struct renderer_desc desc = stage_desc(stage, "unshadowed", settings, 8, 8);
+    open_renderer(&renderer, &desc);
+    struct vpl *vpls = read_vpls(&renderer);
+    double sum = 0;
+    for (int i = 0; i < desc.settings.vpl_count; i++)
+        for (int c = 0; c < 3; c++)
+            sum += (double)vpls[i].flux[c] / 3;
+    free(vpls);
+    renderer_free(&renderer);
+    return sum;
+}
+
+/* What a ray of the light's colour reflects where it lands, the mean of RGB. */
+static double reflected(const struct stage *stage, const struct rays *rays, vec3s origin,
+                        vec3s direction) {
+    struct hit hit;
+    if (!ray_scene_hit(&rays->scene, origin, direction, &hit))
+        return 0;
+    double sum = 0;
+    for (int c = 0; c < 3; c++)
+        sum += (double)(hit.albedo.raw[c] * stage->light.intensity[c]) / 3;
+    return sum;
+}
+
+/* The same flux by rays in evenly spread directions of the whole sphere (Fibonacci's spiral). */
+static double reflected_by_rays(const struct stage *stage, const struct rays *rays) {
+    enum { DIRECTIONS = 200000 };
+    const struct light *light = &stage->light;
+    vec3s origin = to_vec3s(light->position);
+    double sum = 0;
+    for (int i = 0; i < DIRECTIONS; i++) {
+        double z = 1 - (2 * i + 1) / (double)DIRECTIONS, r = sqrt(1 - z * z);
+        double azimuth = i * GLM_PI * (3 - sqrt(5));
+        vec3s direction = {{(float)(r * cos(azimuth)), (float)(r * sin(azimuth)), (float)z}};
+        double cone =
+            (double)light_cone(light, glms_vec3_dot(direction, to_vec3s(light->direction)));
+        if (cone > 0)
+            sum += cone * reflected(stage, rays, origin, direction);
+    }
+    return sum * 4 * GLM_PI / DIRECTIONS;
+}
+
+/* The same by parallel rays from a square that covers the scene's bounding sphere. */
+static double reflected_by_parallel_rays(const struct stage *stage, const struct rays *rays) {
+    enum { SIDE = 400 };
+    vec3s direction = to_vec3s(stage->light.direction);
+    vec3s right = to_vec3s(stage->light.right);
+    vec3s up = to_vec3s(stage->light.up);
+    float radius = stage->geometry.radius, cell = 2 * radius / SIDE;
+    vec3s middle = glms_vec3_muladds(direction, -2 * radius, to_vec3s(stage->geometry.center));
+    double sum = 0;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        float s = ((float)(i % SIDE) + .5f) * cell - radius;
+        float t = ((float)(i / SIDE) + .5f) * cell - radius;
+        vec3s origin = glms_vec3_muladds(right, s, glms_vec3_muladds(up, t, middle));
+        sum += reflected(stage, rays, origin, direction);
+    }
+    return sum * (double)(cell * cell);
+}
+
+static void check_energy(const char *what, const struct stage *stage) {
+    struct rays rays;
+    open_rays(&rays, stage);
+    double expected = stage->light.type == LIGHT_DIRECTIONAL
+                          ? reflected_by_parallel_rays(stage, &rays)
+                          : reflected_by_rays(stage, &rays);
+    close_rays(&rays);
+    check_near(what, vpl_flux(stage, "vpls=4096 interleave=1 rsm-size=1024") / expected, 1, .01);
+}
+
+static void test_energy(void **state) {
+    (void)state;
+    struct stage stage;
+    stage_load(&stage, "scenes/cornell-box.glb");
+    struct light *light = &stage.light;
+    assert_int_equal(light->type, LIGHT_SPOT);
+    check_energy("reflected flux of the scene's spot", &stage);
+    light->cos_outer = cosf(.3f);
+    light->cos_inner = cosf(.1f);
+    check_energy("of a narrow spot", &stage);
+    light->cos_outer = cosf(1.5f);
+    light->cos_inner = cosf(.2f);
+    check_energy("of a spot wider than one map", &stage);
+    light->type = LIGHT_POINT;
+    check_energy("of a point light", &stage);
+    /* In through the open front, slanting. */
+    light->type = LIGHT_DIRECTIONAL;
+    vec3 direction = {.3f, -.4f, -1}, up = {0, 1, 0}, back;
+    glm_vec3_normalize_to(direction, light->direction);
+    glm_vec3_negate_to(light->direction, back);
+    glm_vec3_crossn(up, back, light->right);
+    glm_vec3_cross(back, light->right, light->up);
+    check_energy("of a directional light", &stage);
+    stage_free(&stage);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_sphere_unshadowed),
+        cmocka_unit_test(test_sphere_instant_radiosity),
+        cmocka_unit_test(test_sphere_clustered),
+        cmocka_unit_test(test_sphere_disk_clamp),
+        cmocka_unit_test(test_energy),
+    };
+    return cmocka_run_group_tests_name("light", tests, open_group_context, close_group_context);
+}
