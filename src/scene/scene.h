@@ -63,8 +63,8 @@ struct scene_light {
 struct scene_camera {
     char name[SCENE_NAME_SIZE];
     bool orthographic;
-    float fov_y;    /* perspective: radians */
-    float y_extent; /* orthographic: half the height, metres */
+    float fov_y;     /* perspective: radians */
+    float y_extent;  /* orthographic: half the height, metres */
     float near, far; /* far = infinity where the file has none */
 };
 
