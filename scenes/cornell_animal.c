@@ -35,7 +35,7 @@ void make_cornell_animal(struct glb *glb) {
     marching_cubes_init(&cubes);
     marching_cubes_polygonise(&cubes, &implicit, &grid, &surface);
     decimate(&surface, 17000);
-    smooth_normals(&surface);
+    smooth_normals(&surface, 0);
     place(&surface);
     glb_add_mesh(glb, "horse", &surface, coat, NULL);
     glb_add_spot(glb, (const float[]){-0.9f, 2.4f, 2.3f}, (const float[]){0.781f, 0.556f, -0.284f},

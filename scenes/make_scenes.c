@@ -12,9 +12,8 @@ static const struct scene_maker {
     const char *name;
     void (*make)(struct glb *glb);
 } makers[] = {
-    {"cornell-box", make_cornell_box},
-    {"cornell-animal", make_cornell_animal},
-    {"sphere", make_sphere},
+    {"cornell-box", make_cornell_box}, {"cornell-animal", make_cornell_animal},
+    {"atrium", make_atrium},           {"sphere", make_sphere},
     {"metaballs", make_metaballs},
 };
 enum { MAKER_COUNT = sizeof makers / sizeof makers[0] };

@@ -7,6 +7,7 @@
 void make_cornell_box(struct glb *glb);
 void make_cornell_animal(struct glb *glb);
 void make_sphere(struct glb *glb);
+void make_atrium(struct glb *glb);
 void make_metaballs(struct glb *glb);
 
 /* The walls, the lamp and the camera of the Cornell box without its blocks; returns the white

@@ -32,6 +32,33 @@ void add_block(struct surface *surface, const float top[4][3], float low) {
     }
 }
 
+void add_box(struct surface *surface, const float low[3], const float high[3]) {
+    const float top[4][3] = {{low[0], high[1], high[2]},
+                             {high[0], high[1], high[2]},
+                             {high[0], high[1], low[2]},
+                             {low[0], high[1], low[2]}};
+    add_block(surface, top, low[1]);
+}
+
+void add_copy(struct surface *surface, const struct surface *piece, int quarters,
+              const float move[3]) {
+    static const float cosines[4] = {1.0f, 0.0f, -1.0f, 0.0f};
+    float c = cosines[quarters & 3], s = cosines[(quarters + 3) & 3];
+    uint32_t first = surface->vertex_count;
+    for (uint32_t i = 0; i < piece->vertex_count; i++) {
+        const float *p = piece->position[i], *n = piece->normal[i];
+        surface_add_vertex(surface,
+                           (const float[]){c * p[0] + s * p[2] + move[0], p[1] + move[1],
+                                           c * p[2] - s * p[0] + move[2]},
+                           (const float[]){c * n[0] + s * n[2], n[1], c * n[2] - s * n[0]});
+    }
+    for (uint32_t i = 0; i < piece->index_count; i += 3)
+        surface_add_triangle(surface, first + piece->indices[i], first + piece->indices[i + 1],
+                             first + piece->indices[i + 2]);
+}
+
+/* --- curved shapes ---------------------------------------------------------------------------- */
+
 /* A point of a cube's face, u and v in [-1, 1], pushed out to the sphere. The tangent evens out the
  * sizes of the squares. */
 static void cube_to_sphere(int face, double u, double v, double point[3]) {
@@ -67,19 +94,116 @@ void add_sphere_inside(struct surface *surface, int n) {
     }
 }
 
-void smooth_normals(struct surface *surface) {
-    for (uint32_t i = 0; i < surface->vertex_count; i++)
+/* Where a profile point comes to lie at a step round the circle, and the tangent along the circle.
+ */
+static void lathe_place(const struct lathe_point *at, int step, int segments, int lobes,
+                        vec3 position, vec3 tangent) {
+    /* The last step is the first again, to the bit. */
+    double angle = 2.0 * GLM_PI * (step % segments) / segments;
+    double radius = at->radius * (1.0 + at->lobe * cos(lobes * angle));
+    double slope = -at->radius * at->lobe * lobes * sin(lobes * angle);
+    double c = cos(angle), s = sin(angle);
+    glm_vec3_copy((vec3){(float)(radius * c), at->y, (float)(radius * s)}, position);
+    glm_vec3_copy((vec3){(float)(slope * c - radius * s), 0.0f, (float)(slope * s + radius * c)},
+                  tangent);
+}
+
+/* The normal at one end of a strip of the profile. */
+static void lathe_normal(const struct lathe_point *from, const struct lathe_point *to, int step,
+                         int segments, int lobes, vec3 normal) {
+    vec3 low, high, low_tangent, high_tangent, up;
+    lathe_place(from, step, segments, lobes, low, low_tangent);
+    lathe_place(to, step, segments, lobes, high, high_tangent);
+    glm_vec3_sub(high, low, up);
+    glm_vec3_add(low_tangent, high_tangent, low_tangent);
+    glm_vec3_crossn(up, low_tangent, normal);
+}
+
+/* The vertex of strip `strip` at one of its ends; takes in the next strip where the joint is
+ * smooth.
+ */
+static uint32_t lathe_vertex(struct surface *surface, const struct lathe_point *profile, int count,
+                             int strip, int end, int step, int segments, int lobes) {
+    vec3 position, tangent, normal, other;
+    int neighbour = end ? strip + 1 : strip - 1;
+    lathe_place(&profile[strip + end], step, segments, lobes, position, tangent);
+    lathe_normal(&profile[strip], &profile[strip + 1], step, segments, lobes, normal);
+    if (neighbour >= 0 && neighbour < count - 1) {
+        lathe_normal(&profile[neighbour], &profile[neighbour + 1], step, segments, lobes, other);
+        if (glm_vec3_dot(normal, other) > cosf(glm_rad(35.0f)))
+            glm_vec3_add(normal, other, normal);
+    }
+    glm_vec3_normalize(normal);
+    return surface_add_vertex(surface, position, normal);
+}
+
+void add_lathe(struct surface *surface, const struct lathe_point *profile, int count, int segments,
+               int lobes) {
+    for (int strip = 0; strip + 1 < count; strip++) {
+        uint32_t first = surface->vertex_count;
+        for (int step = 0; step <= segments; step++)
+            for (int end = 0; end < 2; end++)
+                lathe_vertex(surface, profile, count, strip, end, step, segments, lobes);
+        for (int step = 0; step < segments; step++) {
+            uint32_t low = first + 2 * (uint32_t)step, high = low + 1;
+            if (profile[strip + 1].radius > 0.0f)
+                surface_add_triangle(surface, low, high, high + 2);
+            if (profile[strip].radius > 0.0f)
+                surface_add_triangle(surface, low, high + 2, low + 2);
+        }
+    }
+}
+
+void add_moulding(struct surface *surface, const float (*profile)[2], int count, float length) {
+    const float left = -0.5f * length, right = 0.5f * length;
+    for (int i = 0; i < count; i++) {
+        const float *a = profile[i], *b = profile[(i + 1) % count];
+        add_quad(surface, (const float[]){left, a[1], a[0]}, (const float[]){right, a[1], a[0]},
+                 (const float[]){right, b[1], b[0]}, (const float[]){left, b[1], b[0]});
+    }
+    for (int side = -1; side <= 1; side += 2) {
+        uint32_t first = surface->vertex_count;
+        for (int i = 0; i < count; i++)
+            surface_add_vertex(
+                surface, (const float[]){side < 0 ? left : right, profile[i][1], profile[i][0]},
+                (const float[]){(float)side, 0.0f, 0.0f});
+        for (uint32_t i = 1; i + 1 < (uint32_t)count; i++)
+            surface_add_triangle(surface, first, first + i + (side > 0), first + i + (side < 0));
+    }
+}
+
+void add_sheet(struct surface *surface, const struct sheet *sheet) {
+    uint32_t first = surface->vertex_count, row = (uint32_t)sheet->nu + 1;
+    for (int j = 0; j <= sheet->nv; j++)
+        for (int i = 0; i <= sheet->nu; i++) {
+            float point[3];
+            sheet->place(sheet->context, (float)i / (float)sheet->nu, (float)j / (float)sheet->nv,
+                         point);
+            surface_add_vertex(surface, point, (const float[]){0.0f, 0.0f, 0.0f});
+        }
+    for (uint32_t j = 0; j < (uint32_t)sheet->nv; j++)
+        for (uint32_t i = 0; i < (uint32_t)sheet->nu; i++) {
+            uint32_t a = first + j * row + i;
+            surface_add_triangle(surface, a, a + row, a + row + 1);
+            surface_add_triangle(surface, a, a + row + 1, a + 1);
+        }
+    smooth_normals(surface, first);
+}
+
+void smooth_normals(struct surface *surface, uint32_t first) {
+    for (uint32_t i = first; i < surface->vertex_count; i++)
         glm_vec3_zero(surface->normal[i]);
     for (uint32_t i = 0; i < surface->index_count; i++) {
-        uint32_t first = i - i % 3, at = surface->indices[i];
-        uint32_t b = surface->indices[first + (i + 1 - first) % 3],
-                 c = surface->indices[first + (i + 2 - first) % 3];
+        const uint32_t *triangle = surface->indices + i - i % 3;
+        uint32_t a = triangle[i % 3], b = triangle[(i + 1) % 3], c = triangle[(i + 2) % 3];
+        if (a < first)
+            continue;
         vec3 ab, ac, normal;
-        glm_vec3_sub(surface->position[b], surface->position[at], ab);
-        glm_vec3_sub(surface->position[c], surface->position[at], ac);
+        glm_vec3_sub(surface->position[b], surface->position[a], ab);
+        glm_vec3_sub(surface->position[c], surface->position[a], ac);
         glm_vec3_crossn(ab, ac, normal);
-        glm_vec3_muladds(normal, glm_vec3_angle(ab, ac), surface->normal[at]);
+        glm_vec3_muladds(normal, glm_vec3_angle(ab, ac), surface->normal[a]);
     }
-    for (uint32_t i = 0; i < surface->vertex_count; i++)
+    for (uint32_t i = first; i < surface->vertex_count; i++)
         glm_vec3_normalize(surface->normal[i]);
 }

@@ -24,6 +24,7 @@ static const struct expectation {
     {"cornell-box", 36, 0, 4, ROOM, WALLS},
     {"cornell-animal", 17012, 0, 5, ROOM, WALLS},
     {"metaballs", 5012, 200, 5, ROOM, WALLS},
+    {"atrium", 98000, 1000, 12, {-13.91f, -0.31f, -7.66f}, {13.91f, 10.26f, 7.66f}, ""},
     {"sphere", 20172, 0, 1, {-1.0f, -1.0f, -1.0f}, {1.0f, 1.0f, 1.0f}, ""},
 };
 enum { SCENE_COUNT = sizeof expectations / sizeof expectations[0] };
