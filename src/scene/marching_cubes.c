@@ -208,6 +208,8 @@ static void face_normal(const struct surface *surface, const uint32_t *triangle,
 static void mend_normals(struct marching_cubes *cubes, struct surface *surface,
                          uint32_t first_vertex, uint32_t first_index) {
     uint32_t count = surface->vertex_count - first_vertex;
+    if (count == 0)
+        return;
     if (count > cubes->wrong_capacity) {
         cubes->wrong_capacity = surface->vertex_capacity;
         cubes->wrong = mem_resize(cubes->wrong, cubes->wrong_capacity, sizeof *cubes->wrong);
