@@ -1,0 +1,28 @@
+/* What a picture is taken of: a scene's triangles at one time, one of its cameras, one of its
+ * lights. */
+#ifndef APPS_STAGE_H
+#define APPS_STAGE_H
+
+#include "scene/camera.h"
+#include "scene/geometry.h"
+#include "scene/light.h"
+
+struct stage_desc {
+    const char *path;
+    const char *camera, *light; /* name or number; NULL = the first */
+    double time;                /* of the animation, seconds */
+};
+
+struct stage {
+    char name[SCENE_NAME_SIZE]; /* the file's, without folder and extension */
+    struct scene scene;
+    struct geometry geometry;
+    struct camera camera;
+    struct light light;
+};
+
+/* Error: of the file, or no such camera or light; the stage is then zeroed. */
+bool stage_init(struct stage *stage, const struct stage_desc *desc);
+void stage_free(struct stage *stage);
+
+#endif
