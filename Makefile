@@ -49,7 +49,7 @@ OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(BUILD)/gl
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
-.PHONY: all demo test tests asan lint deps install clean FORCE
+.PHONY: all demo test tests asan lint bench deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -123,6 +123,18 @@ $(BUILD)/test/%: $(BUILD)/test/%.o $(TEST_SUPPORT) $(LIBRARY)
 
 tests: $(BINARY) $(SCENES) $(TESTS)
 	@MANYLIGHT_BUILD=$(BUILD) MANYLIGHT_BINARY=$(if $(findstring /,$(BINARY)),,./)$(BINARY) test/run $(TESTS)
+
+# --- benchmark --------------------------------------------------------------------------------------
+
+# The paper's scenes, and what stands in ../shared where there is one.
+BENCH_SCENES := $(wildcard $(addprefix scenes/,cornell-box.glb cornell-animal.glb atrium.glb \
+    metaballs.glb) ../shared/scenes/*.glb)
+# Figures to keep: make bench BENCH_RESULTS=bench/results
+BENCH_RESULTS := $(BUILD)/bench
+
+bench: all
+	@mkdir -p $(BENCH_RESULTS)
+	./manylight bench $(BENCH_SCENES) --csv $(BENCH_RESULTS)/tables.csv $(BENCH_OPTIONS)
 
 # --- set-up ---------------------------------------------------------------------------------------
 

@@ -1,0 +1,136 @@
+#define _POSIX_C_SOURCE 200809L
+#include "apps/bench_reference.h"
+
+#include "apps/bench_measure.h"
+#include "base/error.h"
+#include "base/image_file.h"
+#include "base/log.h"
+#include "base/memory.h"
+#include "reference/path_tracer.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+const char *const bench_reference_names[] = {"none", "path", "vpls", NULL};
+
+/* FNV-1a, 64 bits. */
+static uint64_t hash_byte(uint64_t hash, int byte) {
+    return (hash ^ (uint64_t)byte) * 0x100000001b3u;
+}
+
+static bool hash_file(const char *path, uint64_t *hash) {
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return error_set("cannot open %s: %s", path, strerror(errno));
+    *hash = 0xcbf29ce484222325u;
+    for (int c; (c = fgetc(file)) != EOF;)
+        *hash = hash_byte(*hash, c);
+    fclose(file);
+    return true;
+}
+
+/* What a rendered reference depends on beside the scene. */
+static uint64_t hash_settings(uint64_t hash) {
+    for (const struct option *o = settings_table; o->name; o++) {
+        char text[64];
+        snprintf(text, sizeof text, "%s=%g ", o->name, o->default_value);
+        for (const char *c = text; *c; c++)
+            hash = hash_byte(hash, *c);
+    }
+    return hash;
+}
+
+/* $XDG_CACHE_HOME/manylight, or ~/.cache/manylight. */
+static char *default_folder(void) {
+    const char *cache = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
+    if (cache && *cache)
+        return mem_printf("%s/manylight", cache);
+    if (home && *home)
+        return mem_printf("%s/.cache/manylight", home);
+    error_set("no folder for references: neither XDG_CACHE_HOME nor HOME is set");
+    return NULL;
+}
+
+char *bench_reference_path(const struct bench_reference_desc *desc) {
+    uint64_t hash = 0;
+    if (!hash_file(desc->scene_path, &hash))
+        return NULL;
+    char *folder = desc->cache ? mem_strdup(desc->cache) : default_folder();
+    if (!folder)
+        return NULL;
+    char how[32] = "vpls";
+    if (desc->kind == BENCH_REFERENCE_PATH)
+        snprintf(how, sizeof how, "path-%g", desc->noise);
+    else
+        hash = hash_settings(hash);
+    char *path = mem_printf("%s/%s-%dx%d-%s-%016llx.exr", folder, desc->stage->name, desc->width,
+                            desc->height, how, (unsigned long long)hash);
+    free(folder);
+    return path;
+}
+
+/* All folders on the way to the file. */
+static bool make_folders(const char *path) {
+    char *folder = mem_strdup(path);
+    bool ok = true;
+    for (char *slash = strchr(folder + 1, '/'); slash && ok; slash = strchr(slash + 1, '/')) {
+        *slash = '\0';
+        ok = mkdir(folder, 0777) == 0 || errno == EEXIST ||
+             error_set("cannot make %s: %s", folder, strerror(errno));
+        *slash = '/';
+    }
+    free(folder);
+    return ok;
+}
+
+static bool trace(const struct bench_reference_desc *desc, struct image *image) {
+    return path_tracer_render(&(struct path_tracer_desc){.scene = &desc->stage->scene,
+                                                         .geometry = &desc->stage->geometry,
+                                                         .camera = &desc->stage->camera,
+                                                         .light = &desc->stage->light,
+                                                         .width = desc->width,
+                                                         .height = desc->height,
+                                                         .bounces = 1,
+                                                         .noise = desc->noise},
+                              image, NULL);
+}
+
+static bool render_all_vpls(const struct bench_reference_desc *desc, struct image *image) {
+    struct bench_case all = {.width = desc->width, .height = desc->height};
+    struct renderer renderer;
+    options_set_defaults(settings_table, &all.settings);
+    bool ok = bench_assign(&all, "technique=instant-radiosity") &&
+              bench_assign(&all, "interleave=1") && bench_assign(&all, "blur-radius=0") &&
+              bench_case_start(&renderer, &all, desc->stage, desc->software);
+    if (!ok)
+        return false;
+    renderer_render(&renderer);
+    ok = renderer_read_layers(&renderer, image);
+    renderer_free(&renderer);
+    return ok;
+}
+
+bool bench_reference_get(const struct bench_reference_desc *desc, struct image *image) {
+    *image = (struct image){0};
+    char *path = bench_reference_path(desc);
+    if (!path)
+        return false;
+    struct stat status;
+    bool ok;
+    if (stat(path, &status) == 0) {
+        log_detail("reference %s", path);
+        ok = image_read(image, path);
+    } else {
+        log_note("making reference %s", path);
+        ok = make_folders(path) &&
+             (desc->kind == BENCH_REFERENCE_PATH ? trace(desc, image)
+                                                 : render_all_vpls(desc, image)) &&
+             image_write(image, path);
+    }
+    if (!ok)
+        image_free(image), *image = (struct image){0};
+    free(path);
+    return ok;
+}

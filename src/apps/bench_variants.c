@@ -1,0 +1,98 @@
+/* Variants: named sets of settings that are compared in one run. */
+#include "apps/bench.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const struct variant {
+    const char *name, *assignments, *help;
+} variants[] = {
+    {"paper", "technique=clustered", "clustered visibility as in the paper"},
+    {"instant-radiosity", "technique=instant-radiosity", "a hard shadow map per VPL"},
+    {"unshadowed", "technique=unshadowed", "no visibility"},
+};
+
+enum { VARIANT_COUNT = sizeof variants / sizeof *variants };
+
+/* Compared unless --variant says otherwise. */
+static const char *const usual_variants[] = {"paper", NULL};
+
+void bench_print_variants(FILE *out) {
+    fprintf(out, "\nvariants, for --variant:\n");
+    for (const struct variant *v = variants; v < variants + VARIANT_COUNT; v++)
+        fprintf(out, "  %-18s %s (%s)\n", v->name, v->help, v->assignments);
+    fprintf(out, "or one of your own, such as NAME:technique=clustered,vals=8\n");
+}
+
+static bool assign_all(struct bench_case *prepared, const char *assignments) {
+    char *rest = mem_strdup(assignments);
+    bool ok = true;
+    char *text = rest;
+    while (ok && text && *text) {
+        char *comma = strchr(text, ',');
+        if (comma)
+            *comma = '\0';
+        ok = bench_assign(prepared, text);
+        text = comma ? comma + 1 : NULL;
+    }
+    free(rest);
+    return ok;
+}
+
+static bool apply_variant(struct bench_case *prepared, const char *text) {
+    size_t length = strcspn(text, ":");
+    snprintf(prepared->series, sizeof prepared->series, "%.*s", (int)length, text);
+    if (text[length] == ':')
+        return assign_all(prepared, text + length + 1) || error_prefix("variant %s", text);
+    for (const struct variant *v = variants; v < variants + VARIANT_COUNT; v++)
+        if (strcmp(v->name, text) == 0)
+            return assign_all(prepared, v->assignments) || error_prefix("variant %s", text);
+    return error_set("no variant is called '%s' (--help lists them)", text);
+}
+
+static bool prepare(struct bench_case *prepared, const struct bench_values *values,
+                    const struct stage *stage, const char *variant) {
+    *prepared = (struct bench_case){.width = values->size[0], .height = values->size[1]};
+    snprintf(prepared->scene, sizeof prepared->scene, "%s", stage->name);
+    options_set_defaults(settings_table, &prepared->settings);
+    if (!apply_variant(prepared, variant))
+        return false;
+    for (int i = 0; i < values->settings.count; i++)
+        if (!bench_assign(prepared, values->settings.items[i]))
+            return false;
+    return true;
+}
+
+static struct bench_case *append(struct bench_cases *cases) {
+    cases->items = mem_resize(cases->items, (size_t)cases->count + 1, sizeof *cases->items);
+    return &cases->items[cases->count++];
+}
+
+static bool list_variant(struct bench_cases *cases, const struct bench_values *values,
+                         const struct stage *stage, const struct sweep *sweep,
+                         const char *variant) {
+    for (int point = 0; point < sweep_point_count(sweep); point++) {
+        struct bench_case *prepared = append(cases);
+        if (!prepare(prepared, values, stage, variant))
+            return false;
+        sweep_apply(sweep, point, prepared);
+        if (!settings_check(&prepared->settings))
+            return error_prefix("%s %s", prepared->series, prepared->label);
+    }
+    return true;
+}
+
+bool bench_list_cases(struct bench_cases *cases, const struct bench_values *values,
+                      const struct stage *stage, const struct sweep *sweep) {
+    if (values->variants.count == 0 && sweep_has_series(sweep))
+        return list_variant(cases, values, stage, sweep, ":");
+    bool ok = true;
+    for (int i = 0; ok && i < values->variants.count; i++)
+        ok = list_variant(cases, values, stage, sweep, values->variants.items[i]);
+    for (int i = 0; ok && values->variants.count == 0 && usual_variants[i]; i++)
+        ok = list_variant(cases, values, stage, sweep, usual_variants[i]);
+    return ok;
+}
