@@ -1,21 +1,17 @@
 // Irradiance from a range of VPLs, each with the visibility of its VAL [Dong 2009 §4, §6]:
 //     E = sum_i Phi_i / pi cos_i cos_x / d^2 V_C(i)(x)
 // A draw fills one tile: the pixels of one place in the interleaving pattern, which share their VPLs
-// [Segovia et al. 2006]. VISIBILITY is a file with `float visibility(int map, vec3 position)`.
+// [Segovia et al. 2006].
 #include "lib/near_field.glsl"
 #include "lib/surface.glsl"
 #include "shared/params.h"
 #include "shared/vpl.h"
-#include "lib/paraboloid.glsl"
 
 layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
     view camera;
 };
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     gather_params params;
-};
-layout(std140, binding = BLOCK_MAPS) uniform map_uniforms {
-    map_view views[MAP_VIEWS_MAX];
 };
 layout(std140, binding = BLOCK_VPLS) uniform vpl_uniforms {
     vpl vpls[VPLS_PER_BLOCK];
@@ -32,12 +28,9 @@ layout(location = 2) uniform int first_map;
 
 layout(location = 0) out vec4 irradiance;
 
-#if VISIBILITY == 0
-#include "lib/visibility_none.glsl"
-#elif VISIBILITY == 1
-#include "lib/visibility_hard.glsl"
-#else
-#include "lib/visibility_cssm.glsl"
+#include "lib/visibility.glsl"
+#if SHARE_VISIBILITY
+#include "lib/block.glsl"
 #endif
 
 const float INVERSE_PI = 0.31830988618;
@@ -63,6 +56,17 @@ float geometry_term(vec3 to_vpl, vec3 normal, vec4 vpl_normal) {
 #endif
 }
 
+// Irradiance times pi from VPL i without visibility, and the map that knows its visibility.
+vec3 unshadowed(int i, surface s, out int map) {
+    vpl light = vpls[i];
+#if MAP_PER_VPL
+    map = first_map + i;
+#else
+    map = int(light.position.w);
+#endif
+    return light.flux.rgb * geometry_term(light.position.xyz - s.position, s.normal, light.normal);
+}
+
 void main() {
     irradiance = vec4(0.0);
     ivec2 tile = slot.zw;
@@ -71,19 +75,24 @@ void main() {
     surface s = surface_fetch(camera, depths, normals, ivec3(pixel, 0));
     if (!s.present)
         return;
-    vec3 receiver = s.position + s.normal * params.bias;
     vec3 sum = vec3(0.0);
-    for (int i = slot.x; i < slot.x + slot.y; i++) {
-        vpl light = vpls[i];
-        float geometry = geometry_term(light.position.xyz - s.position, s.normal, light.normal);
-        if (geometry * light.flux.w > 0.0) {
-#if MAP_PER_VPL
-            int map = first_map + i;
-#else
-            int map = int(light.position.w);
-#endif
-            sum += light.flux.rgb * (geometry * visibility(map, receiver));
+    int last = slot.x + slot.y, map;
+#if SHARE_VISIBILITY
+    ivec2 block;
+    if (nearest_block(s, pixel, block)) {
+        for (int i = slot.x; i < last; i++) {
+            vec3 light = unshadowed(i, s, map);
+            sum += light * texelFetch(block_visibilities, ivec3(block, map), 0).r;
         }
+        last = slot.x;
+    }
+#endif
+    // A loop of its own: a software rasteriser leaves a loop that no pixel is in, but executes both
+    // sides of a branch.
+    vec3 receiver = s.position + s.normal * lookup.bias;
+    for (int i = slot.x; i < last; i++) {
+        vec3 light = unshadowed(i, s, map);
+        sum += light * visibility(map, receiver);
     }
     irradiance = vec4(sum * (INVERSE_PI * weight * params.scale), 1.0);
 }

@@ -53,7 +53,7 @@ float blocker_depth(vec2 uv, int map, float d, float lod) {
 // The MIP level whose texel is half a filter of this width (a fraction of the map): a wider one picks
 // up the tilted receiver itself.
 float filter_lod(float width) {
-    return max(0.0, log2(params.map_size * width) - 1.0);
+    return max(0.0, log2(lookup.map_size * width) - 1.0);
 }
 
 // Width in the map of an angle seen at a place of the paraboloid, by its Jacobian (1 + |p|^2) / 4, or
@@ -78,7 +78,7 @@ float visibility(int map, vec3 position) {
 
     // The first filter: the VAL's own solid angle seen from the receiver.
     float initial = extent * sqrt(max(direction.z, 0.05)) / d;
-    float shifted = d - params.shift;
+    float shifted = d - lookup.shift;
     float z_average = blocker_depth(uv, map, shifted, filter_lod(filter_width(initial, p)));
     if (z_average < 0.0)
         return 1.0;
@@ -87,10 +87,10 @@ float visibility(int map, vec3 position) {
     float alpha = atan(penumbra / d);
     float blocked = blocked_fraction(uv, map, shifted, filter_lod(filter_width(alpha, p)));
     // Ringing suppression by shift and scale (thesis Fig. 5.2).
-    float lit = clamp(0.5 - (blocked - 0.5) * params.gain, 0.0, 1.0);
+    float lit = clamp(0.5 - (blocked - 0.5) * lookup.gain, 0.0, 1.0);
 #if SHARPEN
     // Contact shadows, thesis eq. 5.9: G(v) = v^(1 + A exp(-B (d - z)))
-    lit = pow(lit, 1.0 + params.sharpen_a * exp(-params.sharpen_b * (d - z_average)));
+    lit = pow(lit, 1.0 + lookup.sharpen_a * exp(-lookup.sharpen_b * (d - z_average)));
 #endif
     return lit;
 }

@@ -34,18 +34,29 @@ struct basis_params {
     float unused0, unused1;
 };
 
+/* How a point looks itself up in the maps; at BLOCK_VISIBILITY. */
+struct visibility_params {
+    float bias;     /* of the point along its normal, metres */
+    float map_size; /* texels */
+    float map_bias; /* of a hard lookup, metres */
+    float shift;    /* of the receiver depth, map depth */
+    float gain;     /* of the blocked fraction about one half */
+    float sharpen_a, sharpen_b;
+    float unused;
+};
+
 struct gather_params {
     float interleave;
-    float scale;      /* of the stored irradiance */
+    float scale; /* of the stored irradiance */
     float tile_width, tile_height;
-    float bias;       /* metres along the receiver's normal */
-    float clamp_at;   /* 1/m2 */
-    float map_size;   /* texels */
-    float shift;      /* of the receiver depth, map depth */
-    float gain;       /* of the blocked fraction about one half */
-    float sharpen_a, sharpen_b;
-    float map_bias;   /* of a hard lookup, metres */
-    float reach;      /* of the near field, in spacings of VPLs */
+    float clamp_at; /* 1/m2 */
+    float reach;    /* of the near field, in spacings of VPLs */
+    float block;    /* pixels a side of a block that shares its visibility */
+    float block_apart; /* metres: farther from a block's plane, a pixel looks itself up */
+};
+
+struct block_params {
+    float block; /* pixels a side */
     float unused0, unused1, unused2;
 };
 

@@ -16,5 +16,6 @@
 #define BLOCK_MATERIAL 3
 #define BLOCK_MAPS 4
 #define BLOCK_VPLS 5
+#define BLOCK_VISIBILITY 6
 
 #endif

@@ -64,6 +64,12 @@ struct basis_maps {
     int size, count, groups, terms;
 };
 
+/* R8: the visibility of map k at the centre of each block of block x block pixels, in layer k. */
+struct block_visibilities {
+    struct texture texture;
+    int block;
+};
+
 /* RGBA16F irradiance times irradiance_scale; in tiles of equal place in the n x n pattern, or plain
  * where interleave is 1. */
 struct irradiance {

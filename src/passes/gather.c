@@ -3,39 +3,45 @@
 #include "base/memory.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/map_view.h"
 #include "shared/params.h"
 #include "shared/vpl.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 /* Uniform ranges begin at multiples of 256 bytes, which are 16 VPLs. */
 enum { VPL_ALIGNMENT = 16 };
 
-bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) {
-    *pass = (struct gather_pass){.desc = *desc};
-    int terms = desc->basis_terms > 0 ? desc->basis_terms : 1;
-    char *defines = mem_printf("VISIBILITY %d;CLAMP %d;MAP_PER_VPL %d;MAP_COUNT %d;"
-                               "BASIS_TERMS %d;BASIS_GROUPS %d;FILTER_JACOBIAN %d;SHARPEN %d",
-                               desc->visibility, desc->clamp, desc->map_per_vpl, desc->map_count,
-                               terms, (terms + 3) / 4, desc->filter_jacobian, desc->sharpen_a > 0);
+static bool init_program(struct gather_pass *pass) {
+    const struct gather_desc *desc = &pass->desc;
+    char *lookup = visibility_defines(&desc->visibility);
+    char *defines = mem_printf("%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d", lookup,
+                               desc->clamp, desc->map_per_vpl, desc->share);
     bool ok = program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
                                                                   .fragment = "gather.frag",
-                                                                  .defines = defines}) &&
-              irradiance_init(&pass->irradiance, "gathered irradiance", desc->width, desc->height,
-                              desc->interleave) &&
-              buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL);
+                                                                  .defines = defines});
+    free(lookup);
     free(defines);
-    if (!ok)
-        gather_pass_free(pass);
     return ok;
+}
+
+bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) {
+    *pass = (struct gather_pass){.desc = *desc};
+    if (init_program(pass) &&
+        irradiance_init(&pass->irradiance, "gathered irradiance", desc->width, desc->height,
+                        desc->interleave) &&
+        buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL) &&
+        buffer_init(&pass->visibility_params, "visibility parameters",
+                    sizeof(struct visibility_params), NULL))
+        return true;
+    gather_pass_free(pass);
+    return false;
 }
 
 void gather_pass_free(struct gather_pass *pass) {
     program_free(&pass->program);
     irradiance_free(&pass->irradiance);
     buffer_free(&pass->params);
+    buffer_free(&pass->visibility_params);
     *pass = (struct gather_pass){0};
 }
 
@@ -44,7 +50,11 @@ void gather_pass_clear(const struct gather_pass *pass) {
     gl.ClearNamedFramebufferfv(pass->irradiance.framebuffer, GL_COLOR, 0, zero);
 }
 
-static void write_params(const struct gather_pass *pass, const struct frame *frame) {
+/* A pixel this far off a block's plane, over the scene's radius, looks itself up. */
+static const float block_apart = 0.01f;
+
+static void write_params(const struct gather_pass *pass, const struct frame *frame,
+                         const struct gather_inputs *inputs) {
     const struct gather_desc *desc = &pass->desc;
     const struct irradiance *target = &pass->irradiance;
     struct gather_params params = {
@@ -52,36 +62,22 @@ static void write_params(const struct gather_pass *pass, const struct frame *fra
         .scale = frame->irradiance_scale,
         .tile_width = (float)target->tile_width,
         .tile_height = (float)target->tile_height,
-        .bias = desc->bias * frame->radius,
         .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
-        .map_size = (float)desc->map_size,
-        .shift = desc->shift / (2 * fmaxf((float)desc->basis_terms, 1)),
-        .gain = desc->gain,
-        .sharpen_a = desc->sharpen_a,
-        .sharpen_b = desc->sharpen_b,
-        .map_bias = desc->map_bias * frame->radius,
         .reach = desc->reach,
+        .block = desc->share ? (float)inputs->blocks->block : 1,
+        .block_apart = block_apart * frame->radius,
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
 }
 
-static void bind_inputs(const struct gather_pass *pass, const struct gbuffer *gbuffer,
-                        const struct gather_inputs *inputs) {
+static void bind_inputs(const struct gather_pass *pass, const struct frame *frame,
+                        const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
     gl.BindTextureUnit(0, gbuffer->depth.id);
     gl.BindTextureUnit(1, gbuffer->normal.id);
-    if (pass->desc.visibility == GATHER_VISIBILITY_NONE)
-        return;
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_MAPS, inputs->views->buffer.id);
-    if (pass->desc.visibility == GATHER_VISIBILITY_HARD) {
-        gl.BindTextureUnit(2, inputs->depth->depth.id);
-        return;
-    }
-    gl.BindTextureUnit(2, inputs->bases->cos.id);
-    gl.BindTextureUnit(3, inputs->bases->sin.id);
-    gl.BindTextureUnit(4, inputs->bases->z_cos.id);
-    gl.BindTextureUnit(5, inputs->bases->z_sin.id);
-    gl.BindTextureUnit(6, inputs->bases->z.id);
+    if (pass->desc.share)
+        gl.BindTextureUnit(7, inputs->blocks->texture.id);
+    visibility_bind(&pass->desc.visibility, frame, &pass->visibility_params, &inputs->visibility);
 }
 
 /* VPLs first .. last of a slot, in runs that fit one uniform block. */
@@ -130,8 +126,8 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
                                   .height = pass->irradiance.texture.desc.height,
                                   .blend = PASS_BLEND_ADD,
                               });
-    write_params(pass, frame);
-    bind_inputs(pass, gbuffer, inputs);
+    write_params(pass, frame, inputs);
+    bind_inputs(pass, frame, gbuffer, inputs);
     for (int slot = 0; slot < pass->desc.interleave * pass->desc.interleave; slot++)
         draw_slot(pass, inputs, slot);
     pass_end(frame->timers);

@@ -1,7 +1,7 @@
 /* The frame: G-buffer, direct light, a technique's indirect light, composite.
  *
- * All allocation and compilation happen in init and in changes; render cannot fail. Two renderers may coexist in
- * one context.
+ * All allocation and compilation happen in init and in changes; render cannot fail. Two renderers
+ * may coexist in one context.
  */
 #ifndef RENDERER_RENDERER_H
 #define RENDERER_RENDERER_H

@@ -3,6 +3,7 @@
  * up as it is: what the paper's soft shadows are compared with (§3). */
 #include "base/memory.h"
 #include "passes/basis.h"
+#include "passes/block_visibility.h"
 #include "passes/cluster.h"
 #include "passes/paraboloid.h"
 #include "techniques/many_lights.h"
@@ -14,7 +15,8 @@ struct clustered {
     struct cluster_pass cluster;
     struct paraboloid_pass paraboloid;
     struct basis_pass basis;
-    bool soft;
+    struct block_visibility_pass blocks;
+    bool soft, share;
 };
 
 static void free_state(void *state) {
@@ -24,39 +26,74 @@ static void free_state(void *state) {
         cluster_pass_free(&technique->cluster);
         paraboloid_pass_free(&technique->paraboloid);
         basis_pass_free(&technique->basis);
+        block_visibility_pass_free(&technique->blocks);
     }
     free(technique);
+}
+
+static bool init_cluster(struct clustered *technique, const struct settings *settings) {
+    return cluster_pass_init(&technique->cluster,
+                             &(struct cluster_desc){
+                                 .vpl_count = settings->vpl_count,
+                                 .val_count = settings->val_count,
+                                 .iterations = settings->iterations,
+                                 .weight_position = settings->weight_position,
+                                 .weight_normal = settings->weight_normal,
+                                 .near_clip = settings->near_clip,
+                                 .depth_range = many_lights_depth_range(settings),
+                             });
+}
+
+static bool init_maps(struct clustered *technique, const struct settings *settings) {
+    return paraboloid_pass_init(&technique->paraboloid,
+                                &(struct paraboloid_desc){
+                                    .size = settings->map_size,
+                                    .count = settings->val_count,
+                                    .depth_range = many_lights_depth_range(settings),
+                                }) &&
+           (!technique->soft ||
+            basis_pass_init(&technique->basis, &(struct basis_desc){
+                                                   .size = settings->map_size,
+                                                   .count = settings->val_count,
+                                                   .terms = settings->basis_terms,
+                                               }));
+}
+
+static bool init_blocks(struct clustered *technique, const struct technique_desc *desc,
+                        enum visibility_lookup lookup) {
+    const struct settings *settings = desc->settings;
+    return !technique->share ||
+           block_visibility_pass_init(
+               &technique->blocks,
+               &(struct block_visibility_desc){
+                   .width = desc->width,
+                   .height = desc->height,
+                   .block = settings->visibility_block,
+                   .visibility = many_lights_lookup(settings, lookup, settings->val_count),
+               });
 }
 
 static bool init(void **state, const struct technique_desc *desc) {
     const struct settings *settings = desc->settings;
     struct clustered *technique = *state = mem_alloc(1, sizeof *technique);
     technique->soft = settings->visibility == VISIBILITY_CSSM;
-    int vals = settings->val_count;
-    float range = many_lights_depth_range(settings);
+    technique->share = settings->visibility_block > 0;
+    enum visibility_lookup lookup =
+        technique->soft ? VISIBILITY_LOOKUP_CSSM : VISIBILITY_LOOKUP_HARD;
     return many_lights_init(&technique->lights, desc,
-                            &(struct many_lights_visibility){
-                                technique->soft ? GATHER_VISIBILITY_CSSM : GATHER_VISIBILITY_HARD,
-                                .map_count = vals}) &&
-           cluster_pass_init(&technique->cluster,
-                             &(struct cluster_desc){
-                                 .vpl_count = settings->vpl_count,
-                                 .val_count = vals,
-                                 .iterations = settings->iterations,
-                                 .weight_position = settings->weight_position,
-                                 .weight_normal = settings->weight_normal,
-                                 .near_clip = settings->near_clip,
-                                 .depth_range = range,
-                             }) &&
-           paraboloid_pass_init(&technique->paraboloid,
-                                &(struct paraboloid_desc){.size = settings->map_size,
-                                                          .count = vals,
-                                                          .depth_range = range}) &&
-           (!technique->soft ||
-            basis_pass_init(&technique->basis,
-                            &(struct basis_desc){.size = settings->map_size,
-                                                 .count = vals,
-                                                 .terms = settings->basis_terms}));
+                            &(struct many_lights_visibility){.lookup = lookup,
+                                                             .map_count = settings->val_count,
+                                                             .share = technique->share}) &&
+           init_cluster(technique, settings) && init_maps(technique, settings) &&
+           init_blocks(technique, desc, lookup);
+}
+
+static void render_maps(struct clustered *technique, const struct frame *frame) {
+    timer_begin(frame->timers, "cssm");
+    paraboloid_pass_render(&technique->paraboloid, frame, &technique->cluster.views);
+    if (technique->soft)
+        basis_pass_render(&technique->basis, frame, &technique->paraboloid.maps);
+    timer_end(frame->timers);
 }
 
 static void render(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
@@ -66,18 +103,19 @@ static void render(void *state, const struct frame *frame, const struct gbuffer 
     many_lights_render_vpls(lights, frame);
     cluster_pass_render(cluster, frame, &lights->vpls);
 
-    timer_begin(frame->timers, "cssm");
-    paraboloid_pass_render(&technique->paraboloid, frame, &cluster->views);
-    if (technique->soft)
-        basis_pass_render(&technique->basis, frame, &technique->paraboloid.maps);
-    timer_end(frame->timers);
-
+    render_maps(technique, frame);
+    struct visibility_inputs visibility = {
+        .views = &cluster->views,
+        .depth = &technique->paraboloid.maps,
+        .bases = &technique->basis.maps,
+    };
+    if (technique->share)
+        block_visibility_pass_render(&technique->blocks, frame, gbuffer, &visibility);
     gather_pass_clear(&lights->gather);
     gather_pass_render(&lights->gather, frame, gbuffer,
                        &(struct gather_inputs){.vpls = &cluster->vpls,
-                                               .views = &cluster->views,
-                                               .depth = &technique->paraboloid.maps,
-                                               .bases = &technique->basis.maps});
+                                               .visibility = visibility,
+                                               .blocks = &technique->blocks.blocks});
     many_lights_finish(lights, frame, gbuffer);
 }
 

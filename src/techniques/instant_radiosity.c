@@ -28,7 +28,7 @@ static bool init(void **state, const struct technique_desc *desc) {
         settings->map_batch < settings->vpl_count ? settings->map_batch : settings->vpl_count;
     return many_lights_init(&technique->lights, desc,
                             &(struct many_lights_visibility){
-                                GATHER_VISIBILITY_HARD, .map_per_vpl = true, .map_count = batch}) &&
+                                VISIBILITY_LOOKUP_HARD, .map_per_vpl = true, .map_count = batch}) &&
            paraboloid_pass_init(&technique->paraboloid, &(struct paraboloid_desc){
                                                             .size = settings->map_size,
                                                             .count = batch,
@@ -52,8 +52,8 @@ static void render(void *state, const struct frame *frame, const struct gbuffer 
                            &(struct gather_inputs){.vpls = &lights->vpls,
                                                    .first = first,
                                                    .count = count,
-                                                   .views = &paraboloid->views,
-                                                   .depth = &paraboloid->maps});
+                                                   .visibility = {.views = &paraboloid->views,
+                                                                  .depth = &paraboloid->maps}});
     }
     many_lights_finish(lights, frame, gbuffer);
 }

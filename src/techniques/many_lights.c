@@ -1,28 +1,38 @@
 #include "techniques/many_lights.h"
 
+struct visibility_desc many_lights_lookup(const struct settings *settings,
+                                          enum visibility_lookup lookup, int map_count) {
+    return (struct visibility_desc){
+        .lookup = lookup,
+        .map_size = settings->map_size,
+        .map_count = map_count,
+        .basis_terms = settings->basis_terms,
+        .bias = settings->bias,
+        .map_bias = settings->map_bias,
+        .shift = settings->shift,
+        .gain = settings->gain,
+        .sharpen_a = settings->sharpen_a,
+        .sharpen_b = settings->sharpen_b,
+        .filter_jacobian = settings->filter_jacobian,
+    };
+}
+
 static bool init_gather(struct many_lights *lights, const struct technique_desc *desc,
                         const struct many_lights_visibility *visibility) {
     const struct settings *settings = desc->settings;
-    return gather_pass_init(&lights->gather, &(struct gather_desc){
-                                                 .width = desc->width,
-                                                 .height = desc->height,
-                                                 .interleave = settings->interleave,
-                                                 .visibility = visibility->kind,
-                                                 .map_per_vpl = visibility->map_per_vpl,
-                                                 .map_size = settings->map_size,
-                                                 .map_count = visibility->map_count,
-                                                 .basis_terms = settings->basis_terms,
-                                                 .clamp = (enum gather_clamp)settings->clamp,
-                                                 .clamp_value = settings->clamp_value,
-                                                 .reach = settings->near_reach,
-                                                 .bias = settings->bias,
-                                                 .map_bias = settings->map_bias,
-                                                 .shift = settings->shift,
-                                                 .gain = settings->gain,
-                                                 .sharpen_a = settings->sharpen_a,
-                                                 .sharpen_b = settings->sharpen_b,
-                                                 .filter_jacobian = settings->filter_jacobian,
-                                             });
+    return gather_pass_init(
+        &lights->gather,
+        &(struct gather_desc){
+            .width = desc->width,
+            .height = desc->height,
+            .interleave = settings->interleave,
+            .map_per_vpl = visibility->map_per_vpl,
+            .share = visibility->share,
+            .visibility = many_lights_lookup(settings, visibility->lookup, visibility->map_count),
+            .clamp = (enum gather_clamp)settings->clamp,
+            .clamp_value = settings->clamp_value,
+            .reach = settings->near_reach,
+        });
 }
 
 static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc) {

@@ -21,12 +21,16 @@ struct many_lights {
     struct blur_pass blur;
 };
 
-/* What the maps of a visibility are, for the gather. */
+/* How the gather asks for visibility. */
 struct many_lights_visibility {
-    enum gather_visibility kind;
-    bool map_per_vpl;
+    enum visibility_lookup lookup;
     int map_count;
+    bool map_per_vpl, share; /* as in struct gather_desc */
 };
+
+/* The settings of a lookup. */
+struct visibility_desc many_lights_lookup(const struct settings *settings,
+                                          enum visibility_lookup lookup, int map_count);
 
 bool many_lights_init(struct many_lights *lights, const struct technique_desc *desc,
                       const struct many_lights_visibility *visibility);

@@ -21,8 +21,9 @@ struct settings {
     int map_size, basis_terms;            /* K */
     float bias, map_bias, near_clip, shift, gain, sharpen_a, sharpen_b;
     bool filter_jacobian;
-    int map_batch; /* maps in memory at once, of `instant-radiosity` */
-    int clamp;     /* enum gather_clamp */
+    int visibility_block; /* pixels a side; 0 = each pixel looks itself up */
+    int map_batch;        /* maps in memory at once, of `instant-radiosity` */
+    int clamp;            /* enum gather_clamp */
     float clamp_value;
     float near_reach;
     int near_samples;

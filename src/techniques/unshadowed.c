@@ -14,7 +14,7 @@ static void free_state(void *state) {
 static bool init(void **state, const struct technique_desc *desc) {
     *state = mem_alloc(1, sizeof(struct many_lights));
     return many_lights_init(
-        *state, desc, &(struct many_lights_visibility){GATHER_VISIBILITY_NONE, .map_count = 1});
+        *state, desc, &(struct many_lights_visibility){VISIBILITY_LOOKUP_NONE, .map_count = 1});
 }
 
 static void render(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {

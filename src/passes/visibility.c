@@ -1,0 +1,45 @@
+#include "passes/visibility.h"
+
+#include "base/memory.h"
+#include "shared/params.h"
+
+#include <math.h>
+
+char *visibility_defines(const struct visibility_desc *desc) {
+    int terms = desc->basis_terms > 0 ? desc->basis_terms : 1;
+    return mem_printf("VISIBILITY %d;MAP_COUNT %d;BASIS_TERMS %d;BASIS_GROUPS %d;"
+                      "FILTER_JACOBIAN %d;SHARPEN %d",
+                      desc->lookup, desc->map_count, terms, (terms + 3) / 4, desc->filter_jacobian,
+                      desc->sharpen_a > 0);
+}
+
+static void bind_maps(const struct visibility_desc *desc, const struct visibility_inputs *inputs) {
+    if (desc->lookup == VISIBILITY_LOOKUP_NONE)
+        return;
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_MAPS, inputs->views->buffer.id);
+    if (desc->lookup == VISIBILITY_LOOKUP_HARD) {
+        gl.BindTextureUnit(2, inputs->depth->depth.id);
+        return;
+    }
+    gl.BindTextureUnit(2, inputs->bases->cos.id);
+    gl.BindTextureUnit(3, inputs->bases->sin.id);
+    gl.BindTextureUnit(4, inputs->bases->z_cos.id);
+    gl.BindTextureUnit(5, inputs->bases->z_sin.id);
+    gl.BindTextureUnit(6, inputs->bases->z.id);
+}
+
+void visibility_bind(const struct visibility_desc *desc, const struct frame *frame,
+                     const struct buffer *params, const struct visibility_inputs *inputs) {
+    struct visibility_params values = {
+        .bias = desc->bias * frame->radius,
+        .map_size = (float)desc->map_size,
+        .map_bias = desc->map_bias * frame->radius,
+        .shift = desc->shift / (2 * fmaxf((float)desc->basis_terms, 1)),
+        .gain = desc->gain,
+        .sharpen_a = desc->sharpen_a,
+        .sharpen_b = desc->sharpen_b,
+    };
+    buffer_write(params, 0, sizeof values, &values);
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_VISIBILITY, params->id);
+    bind_maps(desc, inputs);
+}
