@@ -1,4 +1,4 @@
-# manylight: make demo | test | asan | lint | bench | deps | install | clean
+# manylight: make demo | test | asan | lint | bench | chart | deps | install | clean
 #
 # A plain `make` only builds ./manylight. `make demo` and `make test` first install what is missing.
 
@@ -49,7 +49,7 @@ OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(BUILD)/gl
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
-.PHONY: all demo test tests asan lint bench deps install clean FORCE
+.PHONY: all demo test tests asan lint bench chart deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -131,10 +131,25 @@ BENCH_SCENES := $(wildcard $(addprefix scenes/,cornell-box.glb cornell-animal.gl
     metaballs.glb) ../shared/scenes/*.glb)
 # Figures to keep: make bench BENCH_RESULTS=bench/results
 BENCH_RESULTS := $(BUILD)/bench
+REFERENCE_CACHE := $(BUILD)/reference-cache
+
+# Speed against accuracy: a grid of the method, and what it competes with.
+CHART_RUN = ./manylight bench $(BENCH_SCENES) --reference path --cache $(REFERENCE_CACHE) \
+    $(BENCH_OPTIONS)
 
 bench: all
 	@mkdir -p $(BENCH_RESULTS)
 	./manylight bench $(BENCH_SCENES) --csv $(BENCH_RESULTS)/tables.csv $(BENCH_OPTIONS)
+
+$(BENCH_RESULTS)/sweep.csv: | all
+	@mkdir -p $(@D)
+	$(CHART_RUN) --variant paper --variant fast --sweep M=2,8,30,120 --csv $@.new
+	$(CHART_RUN) --variant unshadowed --variant instant-radiosity --csv $@.more
+	tail -n +2 $@.more >> $@.new
+	@rm $@.more && mv $@.new $@
+
+chart: $(BENCH_RESULTS)/sweep.csv
+	./manylight bench --chart $< -o bench/plots
 
 # --- set-up ---------------------------------------------------------------------------------------
 

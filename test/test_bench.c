@@ -2,6 +2,8 @@
  * they are there. */
 #include "support.h"
 
+#include "apps/bench_chart.h"
+#include "apps/bench_csv.h"
 #include "apps/bench_sweep.h"
 
 #include <ctype.h>
@@ -206,7 +208,8 @@ static void test_tables(void **state) {
     const char *csv = scratch("bench.csv"), *json = scratch("bench.json");
     snprintf(arguments, sizeof arguments,
              "scenes/cornell-box.glb --size 24x16 --frames 2 --set map-size=32 --set vals=4 "
-             "--variant paper --variant 'none, \"it\":technique=unshadowed' --csv %s --json %s",
+             "--variant paper --variant fast --variant 'none, \"it\":technique=unshadowed' --csv "
+             "%s --json %s",
              csv, json);
     check_runs(arguments);
     check_says("Table 1");
@@ -223,9 +226,8 @@ static void test_tables(void **state) {
 
     char *text = read_text(csv);
     assert_true(check_csv(text) > 10);
-    assert_non_null(strstr(text,
-                           "\ncornell-box,36,24,16,1024,4,clustered,paper,,vals=4 map-size=32,"
-                           "frame/cssm/basis,ms,2,"));
+    assert_non_null(strstr(text, "\ncornell-box,36,24,16,1024,4,clustered,fast,,vals=4 map-size=32,"
+                                 "frame/cssm/basis,ms,2,"));
     assert_non_null(strstr(text, ",unshadowed,\"none, \"\"it\"\"\",,"));
     free(text);
 
@@ -261,6 +263,78 @@ static void test_sweep_and_cache(void **state) {
     free(text);
 }
 
+static void test_pareto_front(void **state) {
+    (void)state;
+    struct plot plot = {0};
+    plot_add(&plot, "a", &(struct plot_point){1, 9, "fast"});
+    plot_add(&plot, "a", &(struct plot_point){8, 1, "true"});
+    plot_add(&plot, "b", &(struct plot_point){4, 4, "between"});
+    plot_add(&plot, "b", &(struct plot_point){4, 5, "as fast, less true"});
+    plot_add(&plot, "b", &(struct plot_point){9, 9, "neither"});
+    struct plot_series front = plot_pareto_front(&plot);
+    assert_int_equal(front.count, 3);
+    assert_string_equal(front.points[0].label, "fast");
+    assert_string_equal(front.points[1].label, "between");
+    assert_string_equal(front.points[2].label, "true");
+    free(front.points);
+    plot_free(&plot);
+}
+
+static void test_log_ticks(void **state) {
+    (void)state;
+    double ticks[8];
+    assert_int_equal(plot_log_ticks(1.5, 120, ticks, 8), 6); /* 2 5 10 20 50 100 */
+    check_near("first", ticks[0], 2, 1e-9);
+    check_near("last", ticks[5], 100, 1e-9);
+    assert_int_equal(plot_log_ticks(.01, 1000, ticks, 8), 8);
+}
+
+static void test_csv(void **state) {
+    (void)state;
+    const char *path = scratch("cells.csv");
+    FILE *file = fopen(path, "w");
+    fputs("a,b\n\"x, \"\"y\"\"\",\n,2\n", file);
+    fclose(file);
+    struct csv csv;
+    int column;
+    check_ok("csv", csv_read(&csv, path));
+    assert_int_equal(csv.row_count, 2);
+    check_ok("column", csv_find(&csv, "b", &column));
+    assert_string_equal(csv_cell(&csv, 0, 0), "x, \"y\"");
+    assert_string_equal(csv_cell(&csv, 0, column), "");
+    assert_string_equal(csv_cell(&csv, 1, column), "2");
+    assert_false(csv_find(&csv, "c", &column));
+    csv_free(&csv);
+    file = fopen(path, "a");
+    fputs("1,2,3\n", file);
+    fclose(file);
+    assert_false(csv_read(&csv, path));
+}
+
+/* Drawn from the rows that the sweep above has written. */
+static void test_chart(void **state) {
+    (void)state;
+    char arguments[1024];
+    const char *svg = scratch("charts/cornell-box.svg"), *png = scratch("charts/cornell-box.png");
+    remove(svg);
+    remove(png);
+    snprintf(arguments, sizeof arguments, "--chart %s -o %s", scratch("sweep.csv"),
+             scratch("charts"));
+    if (bench(arguments) != 0 && strstr(output, "cannot run gnuplot"))
+        skip();
+    check_says("cornell-box.svg");
+    char *text = read_text(svg);
+    assert_non_null(strstr(text, "cornell-box, 24x16"));
+    assert_non_null(strstr(text, "Pareto front"));
+    assert_non_null(strstr(text, "M=8"));
+    free(text);
+    text = read_text(png);
+    assert_memory_equal(text + 1, "PNG", 3);
+    free(text);
+    assert_int_equal(bench("--chart no-such-file.csv"), 1);
+    check_says("cannot open no-such-file.csv");
+}
+
 static void test_refusals(void **state) {
     (void)state;
     assert_int_equal(bench("--sweep woof=1"), 2);
@@ -278,7 +352,9 @@ int main(void) {
         cmocka_unit_test(test_summary),         cmocka_unit_test(test_steps),
         cmocka_unit_test(test_sweep_axes),      cmocka_unit_test(test_sweep_refusals),
         cmocka_unit_test(test_sweep_points),    cmocka_unit_test(test_tables),
-        cmocka_unit_test(test_sweep_and_cache), cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_sweep_and_cache), cmocka_unit_test(test_pareto_front),
+        cmocka_unit_test(test_log_ticks),       cmocka_unit_test(test_csv),
+        cmocka_unit_test(test_chart),           cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

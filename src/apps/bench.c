@@ -2,6 +2,7 @@
 #include "apps/bench.h"
 
 #include "apps/apps.h"
+#include "apps/bench_chart.h"
 #include "apps/bench_errors.h"
 #include "apps/bench_machine.h"
 #include "apps/bench_rows.h"
@@ -42,6 +43,10 @@ static const struct option options[] = {
      .help = "write every quantity of every case"},
     {"json", 0, OPTION_TEXT, offsetof(struct bench_values, json), .value_name = "FILE",
      .help = "the same as JSON"},
+    {"chart", 0, OPTION_TEXT, offsetof(struct bench_values, chart), .value_name = "FILE.csv",
+     .help = "measure nothing: draw time against error, a chart a scene, from a sweep's --csv"},
+    {"output", 'o', OPTION_TEXT, offsetof(struct bench_values, output), .value_name = "DIR",
+     .help = "where charts go [.]"},
     CONTEXT_OPTIONS(struct bench_values, context),
     {NULL},
 };
@@ -197,6 +202,10 @@ int app_bench(int argc, char **argv) {
     for (int i = 0; i < values.sweeps.count; i++)
         if (!sweep_parse(&sweep, values.sweeps.items[i]))
             return arguments_misuse(argv[0]);
+    if (values.chart)
+        return bench_chart(values.chart, values.output ? values.output : ".")
+                   ? STATUS_OK
+                   : arguments_fail(argv[0]);
     if (count == 0 && (count = pick_usual_scenes(scenes)) == 0) {
         error_set("no SCENE, and none of the usual ones is here");
         return arguments_misuse(argv[0]);

@@ -38,7 +38,7 @@ enum bench_step bench_step_of(const char *path) {
         {"map views", STEP_CSSM},
         {"depth maps", STEP_CSSM},
         {"gather", STEP_INDIRECT},
-        {"visibility", STEP_INDIRECT},
+        {"block visibility", STEP_INDIRECT},
         {"near field", STEP_INDIRECT},
         {"blur", STEP_BLUR},
     };

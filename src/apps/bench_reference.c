@@ -3,6 +3,7 @@
 
 #include "apps/bench_measure.h"
 #include "base/error.h"
+#include "base/folder.h"
 #include "base/image_file.h"
 #include "base/log.h"
 #include "base/memory.h"
@@ -71,20 +72,6 @@ char *bench_reference_path(const struct bench_reference_desc *desc) {
     return path;
 }
 
-/* All folders on the way to the file. */
-static bool make_folders(const char *path) {
-    char *folder = mem_strdup(path);
-    bool ok = true;
-    for (char *slash = strchr(folder + 1, '/'); slash && ok; slash = strchr(slash + 1, '/')) {
-        *slash = '\0';
-        ok = mkdir(folder, 0777) == 0 || errno == EEXIST ||
-             error_set("cannot make %s: %s", folder, strerror(errno));
-        *slash = '/';
-    }
-    free(folder);
-    return ok;
-}
-
 static bool trace(const struct bench_reference_desc *desc, struct image *image) {
     return path_tracer_render(&(struct path_tracer_desc){.scene = &desc->stage->scene,
                                                          .geometry = &desc->stage->geometry,
@@ -124,7 +111,7 @@ bool bench_reference_get(const struct bench_reference_desc *desc, struct image *
         ok = image_read(image, path);
     } else {
         log_note("making reference %s", path);
-        ok = make_folders(path) &&
+        ok = folder_make_for(path) &&
              (desc->kind == BENCH_REFERENCE_PATH ? trace(desc, image)
                                                  : render_all_vpls(desc, image)) &&
              image_write(image, path);

@@ -1,0 +1,190 @@
+#define _POSIX_C_SOURCE 200809L
+#include "apps/bench_plot.h"
+
+#include "base/error.h"
+#include "base/folder.h"
+#include "base/memory.h"
+
+#include <errno.h>
+#include <float.h>
+#include <math.h>
+#include <spawn.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char **environ;
+
+/* Filled and open marks in turn, from dark to light and to dark again. */
+static const struct style {
+    int mark, dash;
+    const char *color;
+} styles[] = {
+    {7, 1, "#1b3a6b"},  {4, 2, "#b5341b"},  {9, 3, "#2f7d4f"},  {12, 4, "#7a4fa3"},
+    {5, 5, "#8a6d1a"},  {6, 1, "#1f8a99"},  {11, 2, "#a33a77"}, {8, 3, "#555555"},
+    {13, 4, "#4f6bd1"}, {10, 5, "#c77d2e"},
+};
+
+enum { STYLE_COUNT = sizeof styles / sizeof *styles };
+
+void plot_series_add(struct plot_series *series, const struct plot_point *point) {
+    series->points = mem_resize(series->points, (size_t)series->count + 1, sizeof *series->points);
+    series->points[series->count++] = *point;
+}
+
+void plot_add(struct plot *plot, const char *series, const struct plot_point *point) {
+    for (int i = 0; i < plot->count; i++)
+        if (strcmp(plot->series[i].name, series) == 0) {
+            plot_series_add(&plot->series[i], point);
+            return;
+        }
+    plot->series = mem_resize(plot->series, (size_t)plot->count + 1, sizeof *plot->series);
+    struct plot_series *added = &plot->series[plot->count++];
+    *added = (struct plot_series){0};
+    snprintf(added->name, sizeof added->name, "%s", series);
+    plot_series_add(added, point);
+}
+
+void plot_free(struct plot *plot) {
+    for (int i = 0; i < plot->count; i++)
+        free(plot->series[i].points);
+    free(plot->series);
+    free(plot->emphasis.points);
+    *plot = (struct plot){0};
+}
+
+int plot_log_ticks(double low, double high, double *ticks, int count) {
+    static const double fine[] = {1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8}, coarse[] = {1, 2, 5};
+    bool is_fine = high < 20 * low;
+    const double *steps = is_fine ? fine : coarse;
+    int step_count = is_fine ? 10 : 3, used = 0;
+    for (int decade = (int)floor(log10(low)); pow(10, decade) <= high; decade++)
+        for (int i = 0; i < step_count; i++) {
+            double tick = steps[i] * pow(10, decade);
+            if (tick >= low && tick <= high && used < count)
+                ticks[used++] = tick;
+        }
+    return used;
+}
+
+/* In double quotes for gnuplot. */
+static void print_quoted(FILE *out, const char *text) {
+    fputc('"', out);
+    for (; *text; text++)
+        fprintf(out, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
+    fputc('"', out);
+}
+
+/* The range of the values with some room around them. */
+static void span(const struct plot *plot, bool of_y, double *low, double *high) {
+    *low = DBL_MAX, *high = 0;
+    for (int s = 0; s < plot->count; s++)
+        for (int i = 0; i < plot->series[s].count; i++) {
+            const struct plot_point *point = &plot->series[s].points[i];
+            double value = of_y ? point->y : point->x;
+            *low = value < *low ? value : *low;
+            *high = value > *high ? value : *high;
+        }
+    *low /= 1.25, *high *= 1.25;
+}
+
+static void print_log_axis(FILE *out, const struct plot *plot, char axis) {
+    double low, high, ticks[40];
+    span(plot, axis == 'y', &low, &high);
+    int count = plot_log_ticks(low, high, ticks, 40);
+    fprintf(out, "set logscale %c\nset %crange [%g:%g]\nset %ctics (", axis, axis, low, high, axis);
+    for (int i = 0; i < count; i++)
+        fprintf(out, "%s\"%g\" %g", i ? ", " : "", ticks[i], ticks[i]);
+    fprintf(out, ")\n");
+}
+
+static void print_data(FILE *out, const char *name, const struct plot_series *series) {
+    fprintf(out, "$%s << EOD\n", name);
+    for (int i = 0; i < series->count; i++) {
+        fprintf(out, "%.9g %.9g ", series->points[i].x, series->points[i].y);
+        print_quoted(out, series->points[i].label);
+        fprintf(out, "\n");
+    }
+    fprintf(out, "EOD\n");
+}
+
+static void print_curves(FILE *out, const struct plot *plot) {
+    fprintf(out, "plot \\\n");
+    if (plot->emphasis.count) {
+        fprintf(out, "  $front with steps lc rgb '#bbbbbb' lw 4 title ");
+        print_quoted(out, plot->emphasis.name);
+        fprintf(out,
+                ", \\\n  $front with points pt 6 ps 2.6 lw 1.5 lc rgb '#777777' notitle, \\\n");
+    }
+    for (int i = 0; i < plot->count; i++) {
+        const struct style *style = &styles[i % STYLE_COUNT];
+        fprintf(out, "  $s%d with linespoints lc rgb '%s' pt %d ps 1.1 dt %d lw 1.3 title ", i,
+                style->color, style->mark, style->dash);
+        print_quoted(out, plot->series[i].name);
+        fprintf(out, ", \\\n  $s%d with labels left offset 0.8,0.5 font ',9' notitle%s\n", i,
+                i + 1 < plot->count ? ", \\" : "");
+    }
+}
+
+static void print_script(FILE *out, const struct plot *plot, const char *path) {
+    fprintf(out, "set encoding utf8\nset key outside bottom center horizontal noenhanced\n"
+                 "set grid lc rgb '#dddddd'\nset border lc rgb '#444444'\n");
+    fprintf(out, "set title noenhanced ");
+    print_quoted(out, plot->title);
+    fprintf(out, "\nset xlabel ");
+    print_quoted(out, plot->x_label);
+    fprintf(out, "\nset ylabel ");
+    print_quoted(out, plot->y_label);
+    fprintf(out, "\n");
+    print_log_axis(out, plot, 'x');
+    if (plot->log_y)
+        print_log_axis(out, plot, 'y');
+    for (int i = 0; i < plot->count; i++) {
+        char name[16];
+        snprintf(name, sizeof name, "s%d", i);
+        print_data(out, name, &plot->series[i]);
+    }
+    if (plot->emphasis.count)
+        print_data(out, "front", &plot->emphasis);
+    static const char *const terminals[][2] = {
+        {"svg size 800,560 font 'DejaVu Sans,11' background 'white' noenhanced", "svg"},
+        {"pngcairo size 1200,840 fontscale 1.3 font 'DejaVu Sans,11' noenhanced", "png"},
+    };
+    for (int i = 0; i < 2; i++) {
+        fprintf(out, "set terminal %s\nset output ", terminals[i][0]);
+        char file[1024];
+        snprintf(file, sizeof file, "%s.%s", path, terminals[i][1]);
+        print_quoted(out, file);
+        fprintf(out, "\n");
+        print_curves(out, plot);
+    }
+}
+
+static bool run_gnuplot(char *script) {
+    char program[] = "gnuplot";
+    char *arguments[] = {program, script, NULL};
+    pid_t child;
+    int status;
+    int failure = posix_spawnp(&child, program, NULL, NULL, arguments, environ);
+    if (failure)
+        return error_set("cannot run gnuplot: %s", strerror(failure));
+    waitpid(child, &status, 0);
+    return (WIFEXITED(status) && WEXITSTATUS(status) == 0) ||
+           error_set("gnuplot failed on %s", script);
+}
+
+bool plot_draw(const struct plot *plot, const char *path) {
+    char *script = mem_printf("%s.gnuplot", path);
+    FILE *out = folder_make_for(script) ? fopen(script, "w") : NULL;
+    bool ok = out || error_set("cannot write %s: %s", script, strerror(errno));
+    if (ok) {
+        print_script(out, plot, path);
+        fclose(out);
+        ok = run_gnuplot(script);
+    }
+    if (ok)
+        remove(script);
+    free(script);
+    return ok;
+}
