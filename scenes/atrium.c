@@ -237,7 +237,7 @@ static void add_slabs(struct atrium *atrium) {
 }
 
 static void add_floor(struct atrium *atrium) {
-    const float tile = 0.8f, joint = 0.006f;
+    const float tile = 0.8f;
     const float half_x = 0.5f * side_length(0), half_z = 0.5f * side_length(1);
     add_box(&atrium->surfaces[PAVING],
             (const float[]){-half_x - AISLE - 0.5f, -0.3f, -half_z - AISLE - 0.5f},
@@ -247,8 +247,8 @@ static void add_floor(struct atrium *atrium) {
             float x = (float)i * tile, z = (float)j * tile;
             bool border = i == -12 || i == 11 || j == -4 || j == 3;
             enum kind kind = border || (i + j) % 2 ? FLOOR_LIGHT : FLOOR_DARK;
-            add_box(&atrium->surfaces[kind], (const float[]){x + joint, -0.1f, z + joint},
-                    (const float[]){x + tile - joint, 0.0f, z + tile - joint});
+            add_box(&atrium->surfaces[kind], (const float[]){x, -0.1f, z},
+                    (const float[]){x + tile, 0.0f, z + tile});
         }
 }
 
