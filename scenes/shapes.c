@@ -94,56 +94,61 @@ void add_sphere_inside(struct surface *surface, int n) {
     }
 }
 
+struct lathe {
+    const struct lathe_point *profile;
+    int count, segments, lobes;
+};
+
 /* Where a profile point comes to lie at a step round the circle, and the tangent along the circle.
  */
-static void lathe_place(const struct lathe_point *at, int step, int segments, int lobes,
-                        vec3 position, vec3 tangent) {
+static void lathe_place(const struct lathe *lathe, int point, int step, vec3 position,
+                        vec3 tangent) {
+    const struct lathe_point *at = &lathe->profile[point];
     /* The last step is the first again, to the bit. */
-    double angle = 2.0 * GLM_PI * (step % segments) / segments;
-    double radius = at->radius * (1.0 + at->lobe * cos(lobes * angle));
-    double slope = -at->radius * at->lobe * lobes * sin(lobes * angle);
+    double angle = 2.0 * GLM_PI * (step % lathe->segments) / lathe->segments;
+    double radius = at->radius * (1.0 + at->lobe * cos(lathe->lobes * angle));
+    double slope = -at->radius * at->lobe * lathe->lobes * sin(lathe->lobes * angle);
     double c = cos(angle), s = sin(angle);
     glm_vec3_copy((vec3){(float)(radius * c), at->y, (float)(radius * s)}, position);
     glm_vec3_copy((vec3){(float)(slope * c - radius * s), 0.0f, (float)(slope * s + radius * c)},
                   tangent);
 }
 
-/* The normal at one end of a strip of the profile. */
-static void lathe_normal(const struct lathe_point *from, const struct lathe_point *to, int step,
-                         int segments, int lobes, vec3 normal) {
+/* The normal of the strip between a profile point and the next. */
+static void lathe_normal(const struct lathe *lathe, int strip, int step, vec3 normal) {
     vec3 low, high, low_tangent, high_tangent, up;
-    lathe_place(from, step, segments, lobes, low, low_tangent);
-    lathe_place(to, step, segments, lobes, high, high_tangent);
+    lathe_place(lathe, strip, step, low, low_tangent);
+    lathe_place(lathe, strip + 1, step, high, high_tangent);
     glm_vec3_sub(high, low, up);
     glm_vec3_add(low_tangent, high_tangent, low_tangent);
     glm_vec3_crossn(up, low_tangent, normal);
 }
 
-/* The vertex of strip `strip` at one of its ends; takes in the next strip where the joint is
- * smooth.
- */
-static uint32_t lathe_vertex(struct surface *surface, const struct lathe_point *profile, int count,
-                             int strip, int end, int step, int segments, int lobes) {
+/* The vertex at the lower (0) or upper (1) end of a strip; its normal takes in the next strip where
+ * the joint is smooth. */
+static void add_lathe_vertex(struct surface *surface, const struct lathe *lathe, int strip, int end,
+                             int step) {
     vec3 position, tangent, normal, other;
     int neighbour = end ? strip + 1 : strip - 1;
-    lathe_place(&profile[strip + end], step, segments, lobes, position, tangent);
-    lathe_normal(&profile[strip], &profile[strip + 1], step, segments, lobes, normal);
-    if (neighbour >= 0 && neighbour < count - 1) {
-        lathe_normal(&profile[neighbour], &profile[neighbour + 1], step, segments, lobes, other);
+    lathe_place(lathe, strip + end, step, position, tangent);
+    lathe_normal(lathe, strip, step, normal);
+    if (neighbour >= 0 && neighbour < lathe->count - 1) {
+        lathe_normal(lathe, neighbour, step, other);
         if (glm_vec3_dot(normal, other) > cosf(glm_rad(35.0f)))
             glm_vec3_add(normal, other, normal);
     }
     glm_vec3_normalize(normal);
-    return surface_add_vertex(surface, position, normal);
+    surface_add_vertex(surface, position, normal);
 }
 
 void add_lathe(struct surface *surface, const struct lathe_point *profile, int count, int segments,
                int lobes) {
+    const struct lathe lathe = {profile, count, segments, lobes};
     for (int strip = 0; strip + 1 < count; strip++) {
         uint32_t first = surface->vertex_count;
         for (int step = 0; step <= segments; step++)
             for (int end = 0; end < 2; end++)
-                lathe_vertex(surface, profile, count, strip, end, step, segments, lobes);
+                add_lathe_vertex(surface, &lathe, strip, end, step);
         for (int step = 0; step < segments; step++) {
             uint32_t low = first + 2 * (uint32_t)step, high = low + 1;
             if (profile[strip + 1].radius > 0.0f)
