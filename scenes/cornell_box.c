@@ -10,6 +10,8 @@
 #include "scenes.h"
 #include "shapes.h"
 
+#include <cglm/cglm.h>
+#include <math.h>
 #include <stddef.h>
 
 enum { WHITE, RED, GREEN, LAMP };
@@ -99,8 +101,10 @@ int add_cornell_room(struct glb *glb) {
         glb_add_mesh(glb, walls[i].name, &surface, walls[i].material, NULL);
         surface_free(&surface);
     }
+    /* As published: at (278, 273, -800), focal length 35 mm, film 25 mm wide and high. */
+    const double fov = 2.0 * atan(0.025 / 2.0 / 0.035) * 180.0 / GLM_PI;
     glb_add_camera(glb, (const float[]){0.0f, 2.73f, 10.796f}, (const float[]){0.0f, 0.0f, -1.0f},
-                   39.31, 0.1, 50.0);
+                   fov, 0.1, 50.0);
     return WHITE;
 }
 
