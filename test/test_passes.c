@@ -1,0 +1,580 @@
+/* The passes of clustered visibility against second implementations on the CPU: clusters, views,
+ * depth maps, bases, blur. */
+#include "render_support.h"
+
+#include "base/memory.h"
+#include "passes/blur.h"
+#include "shared/map_view.h"
+#include "shared/vpl.h"
+
+#include <cglm/cglm.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* One frame of `clustered`, with all that its outputs say read back. */
+struct frame_of_vals {
+    struct stage stage;
+    struct renderer renderer;
+    struct technique_outputs outputs;
+    int vpl_count, val_count;
+    struct vpl *vpls;
+    struct map_view *views;
+    float (*positions)[4], (*normals)[4], (*fluxes)[4]; /* of the VALs */
+};
+
+static float (*read_row(const struct texture *texture, int count))[4] {
+    float(*row)[4] = mem_alloc((size_t)count, sizeof *row);
+    gl.GetTextureImage(texture->id, 0, GL_RGBA, GL_FLOAT, (GLsizei)((size_t)count * sizeof *row),
+                       row);
+    return row;
+}
+
+static void open_vals(struct frame_of_vals *frame, const char *scene, const char *settings) {
+    stage_load(&frame->stage, scene);
+    struct renderer_desc desc = stage_desc(&frame->stage, "clustered", settings, 32, 32);
+    open_renderer(&frame->renderer, &desc);
+    renderer_outputs(&frame->renderer, &frame->outputs);
+    const struct technique_outputs *outputs = &frame->outputs;
+    frame->vpl_count = desc.settings.vpl_count;
+    frame->val_count = desc.settings.val_count;
+    frame->vpls = read_vpls(&frame->renderer);
+    frame->views = mem_alloc((size_t)frame->val_count, sizeof *frame->views);
+    buffer_read(&outputs->val_views->buffer, 0, (size_t)frame->val_count * sizeof *frame->views,
+                frame->views);
+    frame->positions = read_row(outputs->val_positions, frame->val_count);
+    frame->normals = read_row(outputs->val_normals, frame->val_count);
+    frame->fluxes = read_row(outputs->val_fluxes, frame->val_count);
+}
+
+static void close_vals(struct frame_of_vals *frame) {
+    renderer_free(&frame->renderer);
+    stage_free(&frame->stage);
+    free(frame->vpls);
+    free(frame->views);
+    free(frame->positions);
+    free(frame->normals);
+    free(frame->fluxes);
+}
+
+static bool emits(const struct vpl *vpl) {
+    return vpl->flux[3] > 0;
+}
+
+static int val_of(const struct vpl *vpl) {
+    return (int)vpl->position[3];
+}
+
+/* --- k-means ---------------------------------------------------------------------------------- */
+
+struct means {
+    double position[64][3], normal[64][3], count[64];
+};
+
+static double criterion(const struct frame_of_vals *frame, const struct vpl *vpl,
+                        const struct means *means, int k) {
+    const struct settings *settings = &frame->renderer.desc.settings;
+    double apart = 0, cosine = 0;
+    for (int c = 0; c < 3; c++) {
+        apart += pow((double)vpl->position[c] - means->position[k][c], 2);
+        cosine += (double)vpl->normal[c] * means->normal[k][c];
+    }
+    double angle = acos(fmax(-1, fmin(1, cosine)));
+    return (double)settings->weight_position * sqrt(apart) / (double)frame->stage.geometry.radius +
+           (double)settings->weight_normal * angle / GLM_PI;
+}
+
+/* The nearest, and how much farther the second nearest is. */
+static int nearest(const struct frame_of_vals *frame, const struct vpl *vpl,
+                   const struct means *means, double *margin) {
+    int best = 0;
+    double least = INFINITY, second = INFINITY;
+    for (int k = 0; k < frame->val_count; k++) {
+        double d = criterion(frame, vpl, means, k);
+        if (d < least) {
+            second = least;
+            least = d;
+            best = k;
+        } else if (d < second) {
+            second = d;
+        }
+    }
+    *margin = second - least;
+    return best;
+}
+
+static void iterate_means(const struct frame_of_vals *frame, struct means *means) {
+    struct means sums = {0};
+    double margin;
+    for (int i = 0; i < frame->vpl_count; i++) {
+        const struct vpl *vpl = &frame->vpls[i];
+        if (!emits(vpl))
+            continue;
+        int k = nearest(frame, vpl, means, &margin);
+        sums.count[k]++;
+        for (int c = 0; c < 3; c++) {
+            sums.position[k][c] += (double)vpl->position[c];
+            sums.normal[k][c] += (double)vpl->normal[c];
+        }
+    }
+    for (int k = 0; k < frame->val_count; k++) {
+        double length =
+            sqrt(pow(sums.normal[k][0], 2) + pow(sums.normal[k][1], 2) + pow(sums.normal[k][2], 2));
+        means->count[k] = sums.count[k];
+        for (int c = 0; c < 3 && sums.count[k] > 0; c++) {
+            means->position[k][c] = sums.position[k][c] / sums.count[k];
+            if (length > 1e-6)
+                means->normal[k][c] = sums.normal[k][c] / length;
+        }
+    }
+}
+
+static struct means run_k_means(const struct frame_of_vals *frame) {
+    struct means means = {0};
+    for (int k = 0; k < frame->val_count; k++) {
+        int i = k * frame->vpl_count / frame->val_count;
+        while (!emits(&frame->vpls[i]))
+            i = (i + 1) % frame->vpl_count;
+        for (int c = 0; c < 3; c++) {
+            means.position[k][c] = (double)frame->vpls[i].position[c];
+            means.normal[k][c] = (double)frame->vpls[i].normal[c];
+        }
+    }
+    for (int i = 0; i < frame->renderer.desc.settings.iterations; i++)
+        iterate_means(frame, &means);
+    return means;
+}
+
+static void check_means(const struct frame_of_vals *frame, const struct means *means) {
+    double worst_position = 0, worst_normal = 0, worst_count = 0;
+    for (int k = 0; k < frame->val_count; k++) {
+        for (int c = 0; c < 3; c++) {
+            worst_position =
+                fmax(worst_position, fabs((double)frame->positions[k][c] - means->position[k][c]));
+            worst_normal =
+                fmax(worst_normal, fabs((double)frame->normals[k][c] - means->normal[k][c]));
+        }
+        worst_count = fmax(worst_count, fabs((double)frame->positions[k][3] - means->count[k]));
+    }
+    /* Sums of some tens of floats. */
+    check_at_most("VAL positions, over the radius",
+                  worst_position / (double)frame->stage.geometry.radius, 1e-5);
+    check_at_most("VAL normals", worst_normal, 1e-5);
+    check_at_most("VAL counts", worst_count, 0);
+}
+
+/* C(i) is the nearest VAL wherever that is clear: acos of a float near 1 is right to 4e-4 alone. */
+static void check_mapping(const struct frame_of_vals *frame, const struct means *means) {
+    int wrong = 0, clear = 0;
+    for (int i = 0; i < frame->vpl_count; i++) {
+        double margin;
+        int k = nearest(frame, &frame->vpls[i], means, &margin);
+        clear += margin > 1e-4;
+        wrong += margin > 1e-4 && val_of(&frame->vpls[i]) != k;
+    }
+    assert_true(clear > frame->vpl_count * 9 / 10);
+    assert_int_equal(wrong, 0);
+}
+
+static void check_fluxes(const struct frame_of_vals *frame) {
+    double vpls = 0, vals = 0;
+    for (int c = 0; c < 3; c++) {
+        for (int i = 0; i < frame->vpl_count; i++)
+            vpls += (double)frame->vpls[i].flux[c];
+        for (int k = 0; k < frame->val_count; k++)
+            vals += (double)frame->fluxes[k][c];
+    }
+    check_near("flux of all VALs over that of all VPLs", vals / vpls, 1, 1e-5);
+}
+
+static void test_clusters(void **state) {
+    (void)state;
+    static const char *const settings[] = {
+        "vpls=512 vals=30 interleave=1",
+        "vpls=100 vals=7 interleave=1 iterations=1 weight-normal=2",
+        "vpls=64 vals=64 interleave=1 iterations=2",
+        "vpls=256 vals=1 interleave=1",
+    };
+    for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
+        struct frame_of_vals frame;
+        printf("  %s\n", settings[i]);
+        open_vals(&frame, "scenes/cornell-box.glb", settings[i]);
+        struct means means = run_k_means(&frame);
+        check_means(&frame, &means);
+        check_mapping(&frame, &means);
+        check_fluxes(&frame);
+        close_vals(&frame);
+    }
+}
+
+/* --- views ------------------------------------------------------------------------------------ */
+
+/* Of the bounding rectangle of a VAL's VPLs in its plane: the square root of the area. */
+static double extent_of(const struct frame_of_vals *frame, int k) {
+    const struct map_view *view = &frame->views[k];
+    vec3 bitangent;
+    glm_vec3_cross((float *)view->axis, (float *)view->tangent, bitangent);
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    for (int i = 0; i < frame->vpl_count; i++) {
+        if (!emits(&frame->vpls[i]) || val_of(&frame->vpls[i]) != k)
+            continue;
+        vec3 q;
+        glm_vec3_sub(frame->vpls[i].position, (float *)view->center, q);
+        double st[2] = {(double)glm_vec3_dot(q, (float *)view->tangent),
+                        (double)glm_vec3_dot(q, bitangent)};
+        for (int axis = 0; axis < 2; axis++) {
+            low[axis] = fmin(low[axis], st[axis]);
+            high[axis] = fmax(high[axis], st[axis]);
+        }
+    }
+    return isfinite(low[0]) ? sqrt((high[0] - low[0]) * (high[1] - low[1])) : 0;
+}
+
+static double farthest_corner(const struct geometry *geometry, const float from[3]) {
+    double sum = 0;
+    for (int c = 0; c < 3; c++)
+        sum += pow(fmax(fabs((double)(geometry->bounds_min[c] - from[c])),
+                        fabs((double)(geometry->bounds_max[c] - from[c]))),
+                   2);
+    return sqrt(sum);
+}
+
+static void test_views(void **state) {
+    (void)state;
+    struct frame_of_vals frame;
+    open_vals(&frame, "scenes/cornell-animal.glb", "vpls=512 vals=30 interleave=1");
+    double extents = 0, centers = 0, axes = 0, frames = 0, ranges = 0;
+    for (int k = 0; k < frame.val_count; k++) {
+        const struct map_view *view = &frame.views[k];
+        double extent = extent_of(&frame, k);
+        extents = fmax(extents, fabs((double)view->axis[3] - extent));
+        centers =
+            fmax(centers, (double)glm_vec3_distance((float *)view->center, frame.positions[k]));
+        axes = fmax(axes, (double)glm_vec3_distance((float *)view->axis, frame.normals[k]));
+        frames =
+            fmax(frames, fabs((double)glm_vec3_dot((float *)view->axis, (float *)view->tangent)));
+        frames = fmax(frames, fabs((double)glm_vec3_norm((float *)view->tangent) - 1));
+        double range = (double)frame.outputs.depth_maps->depth_range;
+        ranges = fmax(ranges, fabs((double)view->center[3] * range /
+                                       farthest_corner(&frame.stage.geometry, view->center) -
+                                   1));
+    }
+    double radius = (double)frame.stage.geometry.radius;
+    check_at_most("extents, over the radius", extents / radius, 1e-5);
+    check_at_most("centres, over the radius", centers / radius, 0);
+    check_at_most("axes", axes, 0);
+    check_at_most("tangents' distance from orthonormal", frames, 1e-5);
+    check_at_most("z_far, relative", ranges, 1e-5);
+    close_vals(&frame);
+}
+
+/* --- depth maps ------------------------------------------------------------------------------- */
+
+/* One layer of one level, of one or four channels. */
+static float *read_layer(const struct texture *texture, int level, int layer, GLenum format) {
+    int size = texture->desc.width >> level, channels = format == GL_RGBA ? 4 : 1;
+    size_t count = (size_t)size * (size_t)size * (size_t)channels;
+    float *texels = mem_alloc(count, sizeof *texels);
+    gl.GetTextureSubImage(texture->id, level, 0, 0, layer, size, size, 1, format, GL_FLOAT,
+                          (GLsizei)(count * sizeof *texels), texels);
+    return texels;
+}
+
+/* The world direction of a texel; false outside the half space of the view. */
+static bool texel_direction(const struct map_view *view, int size, int x, int y, vec3s *direction) {
+    float px = 2 * ((float)x + .5f) / (float)size - 1, py = 2 * ((float)y + .5f) / (float)size - 1;
+    float p2 = px * px + py * py;
+    vec3s axis = to_vec3s(view->axis), tangent = to_vec3s(view->tangent);
+    vec3s bitangent = glms_vec3_cross(axis, tangent);
+    *direction = glms_vec3_scale(axis, (1 - p2) / (1 + p2));
+    *direction = glms_vec3_muladds(tangent, 2 * px / (1 + p2), *direction);
+    *direction = glms_vec3_muladds(bitangent, 2 * py / (1 + p2), *direction);
+    return p2 < .98f; /* the rim looks along the plane, where nothing is as it seems */
+}
+
+/* Depths of texels of one map against rays: how many differ by more than a hundredth. */
+static void compare_map(const struct frame_of_vals *frame, const struct rays *rays, int k,
+                        int *wrong, int *count) {
+    const struct depth_maps *maps = frame->outputs.depth_maps;
+    const struct map_view *view = &frame->views[k];
+    float *depths = read_layer(&maps->depth, 0, k, GL_DEPTH_COMPONENT);
+    float near = view->tangent[3];
+    for (int y = 0; y < maps->size; y += 3)
+        for (int x = 0; x < maps->size; x += 3) {
+            vec3s direction;
+            struct hit hit;
+            if (!texel_direction(view, maps->size, x, y, &direction))
+                continue;
+            /* What is nearer than the near clip is not there. */
+            vec3s from = glms_vec3_muladds(direction, near, to_vec3s(view->center));
+            float depth = maps->depth_range;
+            if (ray_scene_hit(&rays->scene, from, direction, &hit))
+                depth = glms_vec3_distance(hit.position, to_vec3s(view->center)) / view->center[3];
+            (*count)++;
+            *wrong += fabsf(depths[y * maps->size + x] - depth) > .01f;
+        }
+    free(depths);
+}
+
+static double wrong_texels(const char *scene, const char *settings) {
+    struct frame_of_vals frame;
+    struct rays rays;
+    int wrong = 0, count = 0;
+    open_vals(&frame, scene, settings);
+    open_rays(&rays, &frame.stage);
+    for (int k = 0; k < frame.val_count; k++)
+        compare_map(&frame, &rays, k, &wrong, &count);
+    close_rays(&rays);
+    close_vals(&frame);
+    return (double)wrong / count;
+}
+
+/* Within a triangle the depth is exact. Its outline is drawn straight where it is bent: the more so
+ * the wider the triangle is seen, and most where it reaches behind the VAL. So texels go wrong
+ * around what is near, ever fewer with shorter edges; a texel of a silhouette shows either side. */
+static void test_depth_maps(void **state) {
+    (void)state;
+    static const char *const scenes[] = {"scenes/cornell-box.glb", "scenes/cornell-animal.glb"};
+    for (int i = 0; i < 2; i++) {
+        printf("  %s\n", scenes[i]);
+        double coarse = wrong_texels(scenes[i], "vpls=256 vals=8 interleave=1 map-size=128");
+        double fine =
+            wrong_texels(scenes[i], "vpls=256 vals=8 interleave=1 map-size=128 caster-edge=.08");
+        check_at_most("texels that differ, short edges", fine, .01);
+        check_at_most("edges as by default", coarse, .1);
+        check_at_most("short edges over default", fine / coarse, .5);
+    }
+}
+
+/* --- bases ------------------------------------------------------------------------------------ */
+
+/* The largest difference of a basis from a function of the depth, over one map and group. */
+static double basis_error(const struct frame_of_vals *frame, const struct texture *texture, int k,
+                          int group, double (*basis)(double c, double z), bool coded) {
+    const struct basis_maps *maps = frame->outputs.basis_maps;
+    float *depths = read_layer(&frame->outputs.depth_maps->depth, 0, k, GL_DEPTH_COMPONENT);
+    float *texels = read_layer(texture, 0, group * maps->count + k, GL_RGBA);
+    double worst = 0;
+    for (int i = 0; i < maps->size * maps->size; i++)
+        for (int term = 4 * group; term < 4 * group + 4 && term < maps->terms; term++) {
+            double value = (double)texels[4 * i + term - 4 * group];
+            double expected = basis(GLM_PI * (2 * term + 1), (double)depths[i]);
+            worst = fmax(worst, fabs((coded ? 2 * value - 1 : value) - expected));
+        }
+    free(depths);
+    free(texels);
+    return worst;
+}
+
+static double basis_cos(double c, double z) {
+    return cos(c * z);
+}
+static double basis_sin(double c, double z) {
+    return sin(c * z);
+}
+static double basis_z_cos(double c, double z) {
+    return z * cos(c * z);
+}
+static double basis_z_sin(double c, double z) {
+    return z * sin(c * z);
+}
+
+/* A level's texels are means of four of the level above. */
+static double mip_error(const struct texture *texture, int level, int layer) {
+    float *fine = read_layer(texture, level - 1, layer, GL_RGBA);
+    float *coarse = read_layer(texture, level, layer, GL_RGBA);
+    int size = texture->desc.width >> level;
+    double worst = 0;
+    for (int i = 0; i < 4 * size * size; i++) {
+        int x = i / 4 % size, y = i / 4 / size, c = i % 4;
+        double sum = 0;
+        for (int j = 0; j < 4; j++)
+            sum += (double)fine[4 * ((2 * y + j / 2) * 2 * size + 2 * x + j % 2) + c];
+        worst = fmax(worst, fabs((double)coarse[i] - sum / 4));
+    }
+    free(fine);
+    free(coarse);
+    return worst;
+}
+
+static void check_bases(const struct frame_of_vals *frame, int k, int group) {
+    /* RGBA8: half a step of 2 / 255, and what drivers round up. RGBA16F: 11 bits. */
+    const double eight_bits = 1.5 / 255, half = 1. / 1024;
+    const struct basis_maps *maps = frame->outputs.basis_maps;
+    check_at_most("cos", basis_error(frame, &maps->cos, k, group, basis_cos, true), eight_bits);
+    check_at_most("sin", basis_error(frame, &maps->sin, k, group, basis_sin, true), eight_bits);
+    check_at_most("z cos", basis_error(frame, &maps->z_cos, k, group, basis_z_cos, false), half);
+    check_at_most("z sin", basis_error(frame, &maps->z_sin, k, group, basis_z_sin, false), half);
+    for (int level = 1; maps->size >> level; level++) {
+        int layer = group * maps->count + k;
+        check_at_most("MIP level of cos", mip_error(&maps->cos, level, layer), 1.01 / 255);
+        check_at_most("MIP level of z sin", mip_error(&maps->z_sin, level, layer), half);
+    }
+}
+
+static void test_bases(void **state) {
+    (void)state;
+    struct frame_of_vals frame;
+    open_vals(&frame, "scenes/cornell-box.glb", "vpls=64 vals=3 interleave=1 map-size=64 terms=6");
+    for (int k = 0; k < frame.val_count; k++)
+        for (int group = 0; group < 2; group++)
+            check_bases(&frame, k, group);
+    close_vals(&frame);
+}
+
+/* --- blur ------------------------------------------------------------------------------------- */
+
+/* A blur of its own over a renderer's G-buffer, from a picture of RGB the test fills. */
+struct blur_bench {
+    struct stage stage;
+    struct renderer renderer;
+    struct image layers; /* of the frame */
+    struct blur_pass blur;
+    struct irradiance source;
+    int width, height;
+};
+
+static void open_blur(struct blur_bench *bench, const struct blur_desc *desc, int interleave) {
+    bench->width = desc->width;
+    bench->height = desc->height;
+    stage_load(&bench->stage, "scenes/cornell-box.glb");
+    struct renderer_desc renderer_desc =
+        stage_desc(&bench->stage, "unshadowed", "vpls=1 interleave=1", desc->width, desc->height);
+    open_renderer(&bench->renderer, &renderer_desc);
+    check_ok("layers", renderer_read_layers(&bench->renderer, &bench->layers));
+    check_ok("blur", blur_pass_init(&bench->blur, desc));
+    check_ok("source",
+             irradiance_init(&bench->source, "source", desc->width, desc->height, interleave));
+}
+
+static void close_blur(struct blur_bench *bench) {
+    image_free(&bench->layers);
+    blur_pass_free(&bench->blur);
+    irradiance_free(&bench->source);
+    renderer_free(&bench->renderer);
+    stage_free(&bench->stage);
+}
+
+/* Puts value(x, y) at each pixel's place in the tiles, blurs, and reads red, row 0 at the top. */
+static float *run_blur(struct blur_bench *bench,
+                       float (*value)(const struct blur_bench *bench, int x, int y)) {
+    struct irradiance *source = &bench->source;
+    int n = source->interleave, row = source->tile_width * n;
+    float *texels = mem_alloc((size_t)row * (size_t)(source->tile_height * n), 4 * sizeof *texels);
+    for (int y = 0; y < bench->height; y++)
+        for (int x = 0; x < bench->width; x++) {
+            int at_x = x % n * source->tile_width + x / n;
+            int at_y = y % n * source->tile_height + y / n;
+            texels[4 * (at_y * row + at_x)] = value(bench, x, bench->height - 1 - y);
+        }
+    gl.TextureSubImage2D(source->texture.id, 0, 0, 0, row, source->tile_height * n, GL_RGBA,
+                         GL_FLOAT, texels);
+    struct frame frame = renderer_frame(&bench->renderer);
+    renderer_bind_frame(&bench->renderer);
+    blur_pass_render(&bench->blur, &frame, &bench->renderer.gbuffer, source);
+    float *blurred = mem_alloc((size_t)bench->width * (size_t)bench->height, sizeof *blurred);
+    texels = mem_resize(texels, (size_t)bench->width * (size_t)bench->height, sizeof *texels);
+    gl.GetTextureImage(bench->blur.blurred.texture.id, 0, GL_RED, GL_FLOAT,
+                       bench->width * bench->height * (GLsizei)sizeof *texels, texels);
+    for (int y = 0; y < bench->height; y++)
+        memcpy(blurred + (size_t)y * (size_t)bench->width,
+               texels + (size_t)(bench->height - 1 - y) * (size_t)bench->width,
+               (size_t)bench->width * sizeof *blurred);
+    free(texels);
+    return blurred;
+}
+
+static float constant(const struct blur_bench *bench, int x, int y) {
+    (void)bench, (void)x, (void)y;
+    return .75f;
+}
+
+/* Whatever the geometry, a mean of equal values is that value; also at the picture's edges, whose
+ * sizes are no multiples of the pattern. */
+static void test_blur_conserves(void **state) {
+    (void)state;
+    for (int interleave = 1; interleave <= 8; interleave += 7) {
+        struct blur_bench bench;
+        open_blur(&bench, &(struct blur_desc){61, 43, 4, .1f, .8f}, interleave);
+        float *blurred = run_blur(&bench, constant);
+        double worst = 0;
+        int alpha = image_find_channel(&bench.layers, "A");
+        for (int i = 0; i < 61 * 43; i++)
+            if (image_at(&bench.layers, i % 61, i / 61)[alpha] > 0)
+                worst = fmax(worst, fabs((double)blurred[i] - .75));
+        check_at_most("a blurred constant", worst, 1e-3);
+        free(blurred);
+        close_blur(&bench);
+    }
+}
+
+static float normal_code(const struct blur_bench *bench, int x, int y) {
+    const float *normal =
+        image_at(&bench->layers, x, y) + image_find_channel(&bench->layers, "normal.X");
+    return 1 + .5f * normal[0] + .2f * normal[1] + .1f * normal[2];
+}
+
+/* Values that differ from wall to wall stay apart where normals must agree; the blocks are turned
+ * by 17 degrees. */
+static void test_blur_keeps_edges(void **state) {
+    (void)state;
+    struct blur_bench bench;
+    open_blur(&bench, &(struct blur_desc){64, 64, 6, 10, .99f}, 1);
+    float *blurred = run_blur(&bench, normal_code);
+    double worst = 0;
+    int alpha = image_find_channel(&bench.layers, "A");
+    for (int i = 0; i < 64 * 64; i++)
+        if (image_at(&bench.layers, i % 64, i / 64)[alpha] > 0)
+            worst =
+                fmax(worst, fabs((double)blurred[i] - (double)normal_code(&bench, i % 64, i / 64)));
+    check_at_most("values of walls, blurred", worst, 2e-3);
+    free(blurred);
+    close_blur(&bench);
+}
+
+static float slot_code(const struct blur_bench *bench, int x, int y) {
+    int row = bench->height - 1 - y; /* the pattern counts from the bottom */
+    return (float)(row % 8 * 8 + x % 8);
+}
+
+/* Each of the 64 places of the pattern counts equally: their mean is 31.5 wherever the window lies
+ * on one wall. */
+static void test_blur_holds_every_slot(void **state) {
+    (void)state;
+    struct blur_bench bench;
+    open_blur(&bench, &(struct blur_desc){64, 64, 4, 10, .9f}, 8);
+    float *blurred = run_blur(&bench, slot_code);
+    int whole = 0;
+    double worst = 0;
+    for (int y = 4; y < 60; y++)
+        for (int x = 4; x < 60; x++) {
+            float code = normal_code(&bench, x, y);
+            bool flat = true;
+            for (int i = 0; i < 81; i++)
+                flat =
+                    flat && fabsf(normal_code(&bench, x + i % 9 - 4, y + i / 9 - 4) - code) < .01f;
+            whole += flat;
+            if (flat)
+                worst = fmax(worst, fabs((double)blurred[y * 64 + x] - 31.5));
+        }
+    printf("    windows on one wall: %d\n", whole);
+    assert_true(whole > 500);
+    check_at_most("distance from the mean of all slots", worst, .05);
+    free(blurred);
+    close_blur(&bench);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_clusters),
+        cmocka_unit_test(test_views),
+        cmocka_unit_test(test_depth_maps),
+        cmocka_unit_test(test_bases),
+        cmocka_unit_test(test_blur_conserves),
+        cmocka_unit_test(test_blur_keeps_edges),
+        cmocka_unit_test(test_blur_holds_every_slot),
+    };
+    return cmocka_run_group_tests_name("passes", tests, open_group_context, close_group_context);
+}
