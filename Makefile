@@ -34,7 +34,7 @@ SCENES := $(BUILD)/scenes/made
 # Debian's packages; OpenGL itself (libEGL, libOSMesa) is opened at run time.
 PACKAGES := gcc g++ make pkg-config git libegl-dev libegl1 libgl-dev libgl1-mesa-dri libosmesa6 \
     libglfw3-dev libtinygltf-dev libstb-dev nlohmann-json3-dev libopenimageio-dev libcglm-dev \
-    libembree-dev libimgui-dev libcmocka-dev gnuplot-nox
+    libembree-dev libimgui-dev fonts-dejavu-core libcmocka-dev gnuplot-nox xvfb xdotool
 
 PKG := OpenImageIO cglm imgui glfw3
 INCLUDES := -Isrc -Iglsl -I$(BUILD)/include

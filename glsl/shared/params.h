@@ -89,6 +89,12 @@ struct composite_params {
     float layer;      /* what to write, LAYER_... */
 };
 
+struct screen_params {
+    float x, y, width, height; /* of the picture in the window, pixels */
+    float split;               /* where the right picture begins, over the width */
+    float unused0, unused1, unused2;
+};
+
 #define LAYER_BEAUTY 0
 #define LAYER_DIRECT 1
 #define LAYER_INDIRECT 2

@@ -4,6 +4,8 @@
 #include <stdio.h>
 
 static enum log_level current_level = LOG_NORMAL;
+static log_listener *listening;
+static void *listening_context;
 
 void log_set_level(enum log_level level) {
     current_level = level;
@@ -11,6 +13,11 @@ void log_set_level(enum log_level level) {
 
 enum log_level log_get_level(void) {
     return current_level;
+}
+
+void log_set_listener(log_listener *listener, void *context) {
+    listening = listener;
+    listening_context = context;
 }
 
 static void print(const char *label, const char *format, va_list args) {
@@ -28,12 +35,22 @@ void log_detail(const char *format, ...) {
     va_end(args);
 }
 
-void log_note(const char *format, ...) {
-    if (current_level < LOG_NORMAL)
+static void tell(bool is_warning, const char *format, va_list args) {
+    if (!listening)
         return;
+    char message[512];
+    vsnprintf(message, sizeof message, format, args);
+    listening(listening_context, is_warning, message);
+}
+
+void log_note(const char *format, ...) {
     va_list args;
     va_start(args, format);
-    print("note: ", format, args);
+    if (current_level >= LOG_NORMAL)
+        print("note: ", format, args);
+    va_end(args);
+    va_start(args, format);
+    tell(false, format, args);
     va_end(args);
 }
 
@@ -41,5 +58,8 @@ void log_warning(const char *format, ...) {
     va_list args;
     va_start(args, format);
     print("warning: ", format, args);
+    va_end(args);
+    va_start(args, format);
+    tell(true, format, args);
     va_end(args);
 }

@@ -2,11 +2,17 @@
 #ifndef BASE_LOG_H
 #define BASE_LOG_H
 
+#include <stdbool.h>
+
 enum log_level { LOG_QUIET, LOG_NORMAL, LOG_VERBOSE };
 
 /* Quiet drops notes; warnings always show. Default LOG_NORMAL. */
 void log_set_level(enum log_level level);
 enum log_level log_get_level(void);
+
+/* Gets notes and warnings as well, from any thread, however quiet stderr is. NULL: nobody. */
+typedef void log_listener(void *context, bool is_warning, const char *message);
+void log_set_listener(log_listener *listener, void *context);
 
 void log_detail(const char *format, ...) __attribute__((format(printf, 1, 2))); /* verbose only */
 void log_note(const char *format, ...) __attribute__((format(printf, 1, 2)));

@@ -258,6 +258,16 @@ void renderer_render(struct renderer *renderer) {
     timer_end(&renderer->timers);
 }
 
+void renderer_compose(struct renderer *renderer, int layer) {
+    struct timers untimed = {0};
+    struct frame frame = renderer_frame(renderer);
+    frame.timers = &untimed;
+    struct composite_inputs inputs = renderer_composite_inputs(renderer);
+    inputs.layer = layer;
+    renderer_bind_frame(renderer);
+    composite_pass_render(&renderer->composite, &frame, &inputs);
+}
+
 void renderer_outputs(const struct renderer *renderer, struct technique_outputs *outputs) {
     renderer->technique->outputs(renderer->technique_state, outputs);
 }

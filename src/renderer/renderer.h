@@ -56,6 +56,10 @@ bool renderer_reload_shaders(struct renderer *renderer);
 /* Renders one frame into the composite's display texture. Timer "frame". */
 void renderer_render(struct renderer *renderer);
 
+/* Composes the last frame's picture anew: LAYER_BEAUTY, LAYER_DIRECT or LAYER_INDIRECT, with the
+ * present exposure and tone map. */
+void renderer_compose(struct renderer *renderer, int layer);
+
 /* The last frame's layers, row 0 at the top: R G B A, Z, direct.*, indirect.*, albedo.*, normal.*.
  * Error: out of GPU memory. */
 bool renderer_read_layers(struct renderer *renderer, struct image *image);

@@ -24,6 +24,18 @@ void camera_place(struct camera *camera, const struct scene *scene, int n, doubl
     node_frame(world, camera->right, camera->up, camera->forward);
 }
 
+void camera_look(struct camera *camera, const float eye[3], const float forward[3],
+                 const float up[3]) {
+    vec3 direction, right;
+    glm_vec3_normalize_to((float *)forward, direction);
+    glm_vec3_cross(direction, (float *)up, right);
+    glm_vec3_normalize(right);
+    glm_vec3_copy((float *)eye, camera->eye);
+    glm_vec3_copy(direction, camera->forward);
+    glm_vec3_copy(right, camera->right);
+    glm_vec3_cross(right, direction, camera->up);
+}
+
 void camera_ray(const struct camera *camera, float x, float y, float aspect, float origin[3],
                 float direction[3]) {
     float half = camera->orthographic ? camera->y_extent : tanf(camera->fov_y / 2);

@@ -15,6 +15,11 @@ struct camera {
 /* Places the scene's n-th camera node. Asserts that there is one. */
 void camera_place(struct camera *camera, const struct scene *scene, int n, double time);
 
+/* Moves the camera: its frame is made of a direction and of what shall be up, neither unit nor
+ * perpendicular. */
+void camera_look(struct camera *camera, const float eye[3], const float forward[3],
+                 const float up[3]);
+
 int camera_find(const struct scene *scene, const char *text);
 int camera_node_count(const struct scene *scene);
 

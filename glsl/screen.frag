@@ -1,0 +1,36 @@
+// Pictures in the window: left of the split one, right of it the other. A picture of another size than
+// its place is interpolated; one of the same size is copied bit by bit.
+#include "shared/params.h"
+
+layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
+    screen_params params;
+};
+layout(binding = 0) uniform sampler2D left_picture;
+layout(binding = 1) uniform sampler2D right_picture;
+
+layout(location = 0) out vec4 color;
+
+vec4 lookup(sampler2D picture, vec2 place) {
+    ivec2 size = textureSize(picture, 0);
+    vec2 at = place * vec2(size) - 0.5;
+    ivec2 base = ivec2(floor(at)), last = size - 1;
+    vec2 weight = at - vec2(base);
+    vec4 low = mix(texelFetch(picture, clamp(base, ivec2(0), last), 0),
+                   texelFetch(picture, clamp(base + ivec2(1, 0), ivec2(0), last), 0), weight.x);
+    vec4 high = mix(texelFetch(picture, clamp(base + ivec2(0, 1), ivec2(0), last), 0),
+                    texelFetch(picture, clamp(base + ivec2(1, 1), ivec2(0), last), 0), weight.x);
+    return mix(low, high, weight.y);
+}
+
+vec4 show(sampler2D picture) {
+    vec2 pixel = gl_FragCoord.xy - vec2(params.x, params.y);
+    vec2 place = vec2(params.width, params.height);
+    if (textureSize(picture, 0) == ivec2(place))
+        return texelFetch(picture, ivec2(pixel), 0);
+    return lookup(picture, pixel / place);
+}
+
+void main() {
+    float x = (gl_FragCoord.x - params.x) / params.width;
+    color = vec4((x < params.split ? show(left_picture) : show(right_picture)).rgb, 1.0);
+}

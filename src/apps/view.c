@@ -1,0 +1,88 @@
+/* manylight view: the desktop viewer. */
+#include "apps/apps.h"
+#include "apps/arguments.h"
+
+#include "base/error.h"
+#include "base/image_file.h"
+#include "viewer/viewer.h"
+
+struct values {
+    struct common_values common;
+    struct text_list settings;
+    int size[2];
+    int technique, frames;
+    const char *camera, *light, *glsl, *screenshot;
+    bool debug;
+};
+
+static const struct option options[] = {
+    {"size", 0, OPTION_SIZE, offsetof(struct values, size), 800, 16, 16384,
+     .help = "of the picture, pixels"},
+    {"technique", 0, OPTION_CHOICE, offsetof(struct values, technique), .choices = technique_names,
+     .help = "how indirect light is made"},
+    {"set", 0, OPTION_LIST, offsetof(struct values, settings), .value_name = "KEY=VALUE",
+     .help = "a setting of the list below; repeatable"},
+    {"camera", 0, OPTION_TEXT, offsetof(struct values, camera), .value_name = "NAME|N",
+     .help = "camera of the scene [the first]"},
+    {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N",
+     .help = "light of the scene [the first]"},
+    {"frames", 0, OPTION_INT, offsetof(struct values, frames), 0, 0, 1e9,
+     .help = "render so many frames at the full size and end; 0 = until closed"},
+    {"screenshot", 0, OPTION_TEXT, offsetof(struct values, screenshot), .value_name = "FILE",
+     .help = "write the picture after --frames (or the first) and end"},
+    {"glsl", 0, OPTION_TEXT, offsetof(struct values, glsl), .value_name = "DIR",
+     .help = "read the shaders from this folder, not from the binary; F5 reads them again"},
+    {"gl-debug", 0, OPTION_FLAG, offsetof(struct values, debug),
+     .help = "a debug context: OpenGL's messages go to stderr"},
+    {NULL},
+};
+
+static void print_settings(FILE *out) {
+    fprintf(out, "\nsettings, for --set:\n");
+    options_print_help(out, settings_table, "");
+}
+
+static const struct arguments arguments = {
+    .synopsis = "[SCENE] [OPTION ...]",
+    .summary = "Shows a glTF scene in a window, rendered live. F1 lists keys and mouse.",
+    .options = options,
+    .max_positional = 1,
+    .print_more = print_settings,
+};
+
+static bool parse_settings(const struct values *values, struct settings *settings) {
+    options_set_defaults(settings_table, settings);
+    for (int i = 0; i < values->settings.count; i++)
+        if (!option_assign(settings_table, settings, values->settings.items[i]))
+            return false;
+    return settings_check(settings);
+}
+
+int app_view(int argc, char **argv) {
+    struct values values;
+    const char *scene;
+    int count, status;
+    if (!arguments_parse(&arguments, &values, argc, argv, &scene, &count, &status))
+        return status;
+    struct viewer_desc desc = {
+        .scene = scene,
+        .width = values.size[0],
+        .height = values.size[1],
+        .technique = values.technique,
+        .camera = values.camera,
+        .light = values.light,
+        .glsl = values.glsl,
+        .debug = values.debug,
+        .frames = values.frames,
+        .screenshot = values.screenshot,
+    };
+    bool is_float;
+    if (!parse_settings(&values, &desc.settings) ||
+        (values.screenshot && !image_format_is_float(values.screenshot, &is_float)))
+        return arguments_misuse(argv[0]);
+    if ((values.frames || values.screenshot) && !scene) {
+        error_set("--frames and --screenshot need a scene");
+        return arguments_misuse(argv[0]);
+    }
+    return viewer_run(&desc) ? STATUS_OK : arguments_fail(argv[0]);
+}

@@ -1,0 +1,63 @@
+#include "viewer/messages.h"
+
+#include "base/log.h"
+#include "viewer/window.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static void add(struct messages *messages, enum ui_tone tone, const char *format, va_list args) {
+    pthread_mutex_lock(&messages->lock);
+    if (messages->count == MESSAGES_MAX) {
+        messages->count--;
+        memmove(messages->items, messages->items + 1,
+                (size_t)messages->count * sizeof *messages->items);
+    }
+    struct message *message = &messages->items[messages->count++];
+    message->tone = tone;
+    message->time = window_time();
+    vsnprintf(message->text, sizeof message->text, format, args);
+    pthread_mutex_unlock(&messages->lock);
+}
+
+static void on_log(void *context, bool is_warning, const char *text) {
+    messages_add(context, is_warning ? UI_WARNING : UI_NORMAL, "%s", text);
+}
+
+void messages_init(struct messages *messages) {
+    messages->count = 0;
+    pthread_mutex_init(&messages->lock, NULL);
+    log_set_listener(on_log, messages);
+}
+
+void messages_free(struct messages *messages) {
+    log_set_listener(NULL, NULL);
+    pthread_mutex_destroy(&messages->lock);
+}
+
+void messages_add(struct messages *messages, enum ui_tone tone, const char *format, ...) {
+    va_list args;
+    va_start(args, format);
+    add(messages, tone, format, args);
+    va_end(args);
+}
+
+int messages_recent(struct messages *messages, double seconds, struct message *copies, int max) {
+    double now = window_time();
+    int count = 0;
+    pthread_mutex_lock(&messages->lock);
+    for (int i = 0; i < messages->count; i++) {
+        const struct message *message = &messages->items[i];
+        double lasts = message->tone == UI_ERROR ? 3 * seconds : seconds;
+        if (now - message->time > lasts)
+            continue;
+        if (count == max) {
+            count--;
+            memmove(copies, copies + 1, (size_t)count * sizeof *copies);
+        }
+        copies[count++] = *message;
+    }
+    pthread_mutex_unlock(&messages->lock);
+    return count;
+}

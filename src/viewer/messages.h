@@ -1,0 +1,34 @@
+/* What the user is told in the window: errors, warnings and notes, from any thread. */
+#ifndef VIEWER_MESSAGES_H
+#define VIEWER_MESSAGES_H
+
+#include "viewer/ui.h"
+
+#include <pthread.h>
+
+enum { MESSAGES_MAX = 24, MESSAGE_SIZE = 512 };
+
+struct message {
+    enum ui_tone tone; /* UI_ERROR, UI_WARNING, UI_NORMAL */
+    double time;       /* of window_time */
+    char text[MESSAGE_SIZE];
+};
+
+struct messages {
+    pthread_mutex_t lock;
+    struct message items[MESSAGES_MAX]; /* oldest first */
+    int count;
+};
+
+/* Also listens to the log. One at a time. */
+void messages_init(struct messages *messages);
+void messages_free(struct messages *messages);
+
+void messages_add(struct messages *messages, enum ui_tone tone, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* The newest ones no older than so many seconds (errors stay three times as long), oldest first;
+ * how many. */
+int messages_recent(struct messages *messages, double seconds, struct message *copies, int max);
+
+#endif

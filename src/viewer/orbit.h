@@ -1,0 +1,36 @@
+/* How a camera is moved by hand: around a point that it looks at, or flying.
+ *
+ * A pose is eye, forward and up; camera_look makes the frame of the three, so that the same numbers
+ * give the same picture everywhere. */
+#ifndef VIEWER_ORBIT_H
+#define VIEWER_ORBIT_H
+
+#include "scene/camera.h"
+
+struct orbit {
+    struct camera camera;
+    float distance;    /* from the eye to the point that is circled, metres */
+    float world_up[3]; /* turning keeps it: a picture that stays level */
+    float radius;      /* of the scene, metres: steps are fractions of it */
+};
+
+/* Begins at a camera; circles the scene's centre, at its distance along the view. */
+void orbit_start(struct orbit *orbit, const struct camera *camera, const float center[3],
+                 float radius);
+
+/* Turns around the point: right and down by fractions of the picture's height. */
+void orbit_turn(struct orbit *orbit, float right, float down);
+
+/* Moves eye and point with the picture: what was under the cursor stays there. */
+void orbit_pan(struct orbit *orbit, float right, float down);
+
+/* Goes nearer (steps > 0) or away by a tenth of the distance a step. */
+void orbit_zoom(struct orbit *orbit, float steps);
+
+/* Turns the head: the eye stays. */
+void orbit_look(struct orbit *orbit, float right, float down);
+
+/* Moves eye and point along the camera's axes, in scene radii. */
+void orbit_fly(struct orbit *orbit, float right, float up, float forward);
+
+#endif

@@ -1,0 +1,95 @@
+/* What is written over the picture: times, counts, memory, messages. */
+#include "viewer/viewer.h"
+
+#include "gl/memory.h"
+#include "viewer/ui.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char *last_part(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+static float highest(const float *values, int count) {
+    float top = 1;
+    for (int i = 0; i < count; i++)
+        top = values[i] > top ? values[i] : top;
+    return top;
+}
+
+static void draw_times(const struct pace *pace) {
+    float frame = 1e-3F;
+    for (int i = 0; i < pace->pass_count; i++)
+        if (pace->passes[i].depth == 0)
+            frame = pace_median(&pace->passes[i]);
+    for (int i = 0; i < pace->pass_count; i++) {
+        const struct pace_pass *pass = &pace->passes[i];
+        float ms = pace_median(pass);
+        if (pass->depth > 0)
+            ui_bar(last_part(pass->path), pass->depth - 1, ms / frame, "%.1f ms", (double)ms);
+    }
+}
+
+static void draw_statistics(struct viewer *viewer) {
+    const struct pace *pace = &viewer->pace;
+    const struct renderer_desc *desc = &viewer->renderer.desc;
+    float line = ui_line_height();
+    float frame = pace->frame_count ? pace->frame_ms[pace->frame_count - 1] : 0;
+    ui_area_begin("statistics", UI_OVERLAY, line, line, 17 * line, 0);
+    ui_text(UI_ACCENT, "%.1f ms a frame", (double)frame);
+    ui_plot(pace->frame_ms, pace->frame_count, 1.1F * highest(pace->frame_ms, pace->frame_count),
+            15.2F * line, 2.6F * line);
+    draw_times(pace);
+    ui_separator();
+    ui_value("pictures a second", "%.1f", pace_fps(pace, window_time()));
+    ui_value("size", "%d x %d%s", desc->width, desc->height, viewer->moving ? " while moving" : "");
+    ui_value("GPU memory", "%.0f MiB", (double)gpu_memory_total() / (1 << 20));
+    if (context_is_software(viewer->context))
+        ui_text(UI_WARNING, "software OpenGL: no GPU is used");
+    ui_area_end();
+}
+
+static void draw_messages(struct viewer *viewer) {
+    struct message recent[6];
+    int count = messages_recent(&viewer->messages, 8, recent, 6);
+    float line = ui_line_height();
+    if (count == 0)
+        return;
+    float y = (float)viewer->input->height - (1.4F * (float)count + 3) * line;
+    ui_area_begin("messages", UI_OVERLAY, line, y, (float)viewer->area.width - 2 * line, 0);
+    for (int i = 0; i < count; i++)
+        ui_text(recent[i].tone, "%s", recent[i].text);
+    ui_area_end();
+}
+
+static void draw_welcome(struct viewer *viewer) {
+    float x = (float)viewer->area.width / 2, y = (float)viewer->area.height / 2;
+    ui_area_begin("welcome", UI_DIALOG, x, y, 0, 0);
+    ui_text(UI_TITLE, "manylight");
+    if (atomic_load(&viewer->loader.state) != LOADER_IDLE)
+        ui_text(UI_DIM, "reading %s ...", viewer->loader.path);
+    else
+        ui_text(UI_DIM, "Drop a .gltf or .glb file here.  F1 lists the keys.");
+    ui_area_end();
+}
+
+static void draw_help(struct viewer *viewer) {
+    float x = (float)viewer->area.width / 2, y = (float)viewer->area.height / 2;
+    ui_area_begin("help", UI_DIALOG, x, y, 0, 0);
+    ui_text(UI_TITLE, "Keys and mouse");
+    ui_separator();
+    controls_draw_help();
+    ui_area_end();
+}
+
+void overlay_draw(struct viewer *viewer) {
+    if (viewer->show_overlay && viewer->has_scene)
+        draw_statistics(viewer);
+    if (!viewer->has_scene || atomic_load(&viewer->loader.state) != LOADER_IDLE)
+        draw_welcome(viewer);
+    if (viewer->show_help)
+        draw_help(viewer);
+    draw_messages(viewer);
+}

@@ -1,0 +1,48 @@
+/* How fast frames come: times per pass over the last ones, and at which size to render while things
+ * move. */
+#ifndef VIEWER_PACE_H
+#define VIEWER_PACE_H
+
+#include "gl/timer.h"
+
+enum { PACE_HISTORY = 240, PACE_MEDIAN = 15 };
+
+struct pace {
+    /* Frames that were rendered, oldest first. */
+    float frame_ms[PACE_HISTORY];
+    int frame_count;
+
+    /* The last times of each timer, in a ring. */
+    struct pace_pass {
+        char path[TIMER_PATH_SIZE];
+        int depth;
+        float ms[PACE_MEDIAN];
+        int count, next;
+    } passes[TIMERS_MAX];
+    int pass_count;
+
+    double shown[32]; /* when the last pictures were shown, in a ring */
+    int shown_count;
+
+    /* What a frame of the full size takes: a share that goes with the pixels, and one that does
+     * not. */
+    double fixed_ms, ms_per_pixel;
+    double last_motion; /* time */
+};
+
+/* After each rendered frame of so many pixels. */
+void pace_add(struct pace *pace, struct timers *timers, double pixels, double now);
+
+/* Other passes, other times. */
+void pace_forget(struct pace *pace);
+
+/* Median milliseconds of a pass over the last frames. */
+float pace_median(const struct pace_pass *pass);
+
+/* Pictures per second; 0 while there are none. */
+double pace_fps(const struct pace *pace, double now);
+
+/* The share of width and height, 1 or less, at which a frame takes about so many milliseconds. */
+double pace_scale(const struct pace *pace, double full_pixels, double target_ms);
+
+#endif

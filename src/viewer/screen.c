@@ -1,0 +1,59 @@
+#include "viewer/screen.h"
+
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/params.h"
+
+#include <math.h>
+
+bool screen_init(struct screen *screen) {
+    *screen = (struct screen){0};
+    if (program_init(&screen->program, &(struct program_desc){.vertex = "fullscreen.vert",
+                                                              .fragment = "screen.frag"}) &&
+        buffer_init(&screen->params, "screen parameters", sizeof(struct screen_params), NULL))
+        return true;
+    screen_free(screen);
+    return false;
+}
+
+void screen_free(struct screen *screen) {
+    program_free(&screen->program);
+    buffer_free(&screen->params);
+}
+
+struct rectangle screen_fit(struct rectangle area, int width, int height) {
+    double scale = fmin((double)area.width / width, (double)area.height / height);
+    struct rectangle fit = {0, 0, (int)lround(width * scale), (int)lround(height * scale)};
+    if (fit.width < 1)
+        fit.width = 1;
+    if (fit.height < 1)
+        fit.height = 1;
+    fit.x = area.x + (area.width - fit.width) / 2;
+    fit.y = area.y + (area.height - fit.height) / 2;
+    return fit;
+}
+
+void screen_draw(const struct screen *screen, int window_width, int window_height,
+                 const struct rectangle *target, const struct screen_pictures *pictures) {
+    static const float around[4] = {.055F, .059F, .07F, 1};
+    const struct texture *right = pictures->right ? pictures->right : pictures->left;
+    struct screen_params params = {
+        .x = (float)target->x,
+        .y = (float)(window_height - target->y - target->height),
+        .width = (float)target->width,
+        .height = (float)target->height,
+        .split = pictures->right ? pictures->split : 2,
+    };
+    buffer_write(&screen->params, 0, sizeof params, &params);
+    pass_set_state(&(struct pass_state){.name = "screen",
+                                        .program = screen->program,
+                                        .width = window_width,
+                                        .height = window_height});
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl.ClearNamedFramebufferfv(0, GL_COLOR, 0, around);
+    gl.Viewport(target->x, (GLint)params.y, target->width, target->height);
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, screen->params.id);
+    gl.BindTextureUnit(0, pictures->left->id);
+    gl.BindTextureUnit(1, right->id);
+    pass_draw_fullscreen(1);
+}
