@@ -40,21 +40,22 @@ static void make_box(struct geometry *geometry) {
 }
 
 /* All vertices of the caster, from the geometry as it is posed now. */
-struct pose {
+struct filled {
     float (*position)[3];
     float (*uv)[2];
 };
 
-static struct pose pose_of(const struct caster *caster, const struct geometry *geometry) {
+static struct filled filled_of(const struct caster *caster, const struct geometry *geometry) {
     size_t count = caster->base_count + caster->extra_count;
-    struct pose pose = {mem_alloc(count, sizeof *pose.position), mem_alloc(count, sizeof *pose.uv)};
+    struct filled pose = {mem_alloc(count, sizeof *pose.position),
+                          mem_alloc(count, sizeof *pose.uv)};
     memcpy(pose.position, geometry->position, caster->base_count * sizeof *pose.position);
     memcpy(pose.uv, geometry->uv, caster->base_count * sizeof *pose.uv);
     caster_fill(caster, geometry, pose.position + caster->base_count, pose.uv + caster->base_count);
     return pose;
 }
 
-static void pose_free(struct pose *pose) {
+static void filled_free(struct filled *pose) {
     free(pose->position);
     free(pose->uv);
 }
@@ -125,7 +126,7 @@ static void test_bound_area_and_cracks(void **state) {
     for (int i = 0; i < 5; i++) {
         struct caster caster;
         caster_init(&caster, &box, bounds[i]);
-        struct pose pose = pose_of(&caster, &box);
+        struct filled pose = filled_of(&caster, &box);
         check_near("bound", caster.max_edge, bounds[i], 0);
         check_at_most("longest edge", longest_edge(pose.position, &caster), bounds[i] * 1.000001);
         check_near("area", area_of(pose.position, caster.indices, 0, caster.index_count),
@@ -133,7 +134,7 @@ static void test_bound_area_and_cracks(void **state) {
         check_near("open edges", count_open_edges(pose.position, &caster), 0, 0);
         if (i == 0)
             assert_int_equal(caster.extra_count, 0);
-        pose_free(&pose);
+        filled_free(&pose);
         caster_free(&caster);
     }
     geometry_free(&box);
@@ -145,7 +146,7 @@ static void test_batches(void **state) {
     make_box(&box);
     struct caster caster;
     caster_init(&caster, &box, .5F);
-    struct pose pose = pose_of(&caster, &box);
+    struct filled pose = filled_of(&caster, &box);
     assert_int_equal(caster.batch_count, 2);
     assert_int_equal(caster.batches[0].material, 3);
     assert_int_equal(caster.batches[1].material, 1);
@@ -167,7 +168,7 @@ static void test_batches(void **state) {
     for (uint32_t i = 0; i < caster.extra_count; i++)
         for (int e = 0; e < 2; e++)
             assert_true(caster.midpoint_of[i][e] < caster.base_count + i);
-    pose_free(&pose);
+    filled_free(&pose);
     caster_free(&caster);
     geometry_free(&box);
 }
@@ -184,12 +185,12 @@ static void test_moved(void **state) {
         box.position[i][0] = .8F * x - .6F * y;
         box.position[i][1] = .6F * x + .8F * y - 3;
     }
-    struct pose pose = pose_of(&caster, &box);
+    struct filled pose = filled_of(&caster, &box);
     check_near("area", area_of(pose.position, caster.indices, 0, caster.index_count),
                area_of(box.position, box.indices, 0, 36), 2e-3);
     check_near("open edges", count_open_edges(pose.position, &caster), 0, 0);
     check_at_most("longest edge", longest_edge(pose.position, &caster), .3001);
-    pose_free(&pose);
+    filled_free(&pose);
     caster_free(&caster);
     geometry_free(&box);
 }

@@ -118,7 +118,7 @@ static const struct {
      {.accessors = POSITIONS("\"bufferView\": 0, \"componentType\": 5126, \"count\":"
                              " 1844674407370955161, \"type\": \"VEC3\"")}},
     {"count without bytes",
-     "primitive 0: POSITION: the meshes have more than 128 million",
+     "primitive 0: POSITION: there are more than 128 million",
      {.accessors = POSITIONS("\"componentType\": 5126, \"count\": 1844674407370955161, \"type\":"
                              " \"VEC3\"")}},
     {"count 0",
@@ -138,7 +138,7 @@ static const struct {
      {.accessors = POSITIONS(
           "\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC2\"")}},
     {"matrices",
-     "primitive 0: POSITION: accessor 0: it holds matrices",
+     "primitive 0: POSITION: accessor 0: it holds matrices, and not",
      {.accessors = POSITIONS(
           "\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"MAT3\"")}},
     {"sparse index",
@@ -200,7 +200,7 @@ static const struct {
       .extra = nan_position,
       .extra_size = sizeof nan_position}},
     {"normals too few",
-     "primitive 0: NORMAL: 3 elements for 4 vertices",
+     "primitive 0: NORMAL: 3 elements, not 4",
      {.accessors = "[{\"bufferView\": 0," VECTORS
                    "}, {\"bufferView\": 0, \"componentType\": 5126, \"count\": 3, \"type\":"
                    " \"VEC3\"}]",
@@ -227,7 +227,7 @@ static const struct {
      "node 0 'one': rotation: a quaternion of length 0",
      {.nodes = NODE("\"rotation\": [0,0,0,0]")}},
     {"far away",
-     "mesh 0 'quad': vertex 0 lies 1e+30 m from the world's origin",
+     "mesh 0 'quad': a vertex lies 1e+30 m from the world's origin",
      {.nodes = NODE("\"translation\": [1e30,0,0]")}},
     {"its own child", "node 0 'one': it is its own ancestor", {.nodes = NODE("\"children\": [0]")}},
     {"loop",

@@ -202,6 +202,13 @@ void renderer_set_camera(struct renderer *renderer, const struct camera *camera)
     write_views(renderer);
 }
 
+bool renderer_update(struct renderer *renderer, const struct light *light,
+                     const struct camera *camera) {
+    renderer->desc.camera = *camera;
+    return scene_gpu_update(&renderer->scene, renderer->desc.geometry, &renderer->caster) &&
+           renderer_set_light(renderer, light);
+}
+
 bool renderer_reload_shaders(struct renderer *renderer) {
     return change(renderer, &renderer->desc, PART_SHADERS);
 }

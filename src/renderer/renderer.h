@@ -53,6 +53,12 @@ bool renderer_set_light(struct renderer *renderer, const struct light *light);
 void renderer_set_camera(struct renderer *renderer, const struct camera *camera);
 bool renderer_reload_shaders(struct renderer *renderer);
 
+/* After geometry_pose: uploads what has moved, and sees it from a light and a camera. For the same
+ * bits whatever came before, begin with the geometry at time 0. Error: out of GPU memory; the
+ * renderer must then be freed. */
+bool renderer_update(struct renderer *renderer, const struct light *light,
+                     const struct camera *camera);
+
 /* Renders one frame into the composite's display texture. Timer "frame". */
 void renderer_render(struct renderer *renderer);
 

@@ -22,7 +22,7 @@ enum component_type { /* glTF's numbers, which are OpenGL's */
 struct accessor {
     const unsigned char *bytes; /* the first element; NULL = all elements are zero */
     size_t count, stride;       /* stride in bytes */
-    int components;             /* 1 to 4 */
+    int components;             /* 1 to 4, or the 16 floats of a matrix */
     int component_type;
     bool normalized; /* integers stand for [0, 1] or [-1, 1] */
 

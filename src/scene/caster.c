@@ -97,12 +97,14 @@ static bool split(struct splitter *splitter, const uint32_t corner[3], uint32_t 
 static bool split_batch(struct splitter *splitter, const struct geometry_batch *batch) {
     struct caster *caster = splitter->caster;
     struct geometry_batch *made = &caster->batches[caster->batch_count++];
-    *made =
-        (struct geometry_batch){.material = batch->material, .first_index = caster->index_count};
+    *made = *batch;
+    made->first_index = caster->index_count;
     for (uint32_t k = 0; k < batch->index_count; k += 3) {
         uint32_t at = batch->first_index + k;
-        if (!split(splitter, &splitter->geometry->indices[at],
-                   at + 3 + 3 * CASTER_MAX_EXTRA_TRIANGLES))
+        const uint32_t *corner = &splitter->geometry->indices[at];
+        if (batch->dynamic)
+            emit(splitter, corner);
+        else if (!split(splitter, corner, at + 3 + 3 * CASTER_MAX_EXTRA_TRIANGLES))
             return false;
     }
     made->index_count = caster->index_count - made->first_index;
@@ -142,6 +144,30 @@ static float least_bound(const struct geometry *geometry) {
     return (float)sqrt(area / (sqrt(3) / 4 * most));
 }
 
+/* The part that has the vertex: the last that begins before or at it. */
+static int part_of(const struct geometry *geometry, uint32_t vertex) {
+    int low = 0, high = geometry->part_count;
+    while (high - low > 1) {
+        int middle = (low + high) / 2;
+        *(geometry->parts[middle].first_vertex <= vertex ? &low : &high) = middle;
+    }
+    return low;
+}
+
+/* The triangles of a part follow one another, and so do its extra vertices. */
+static void find_parts(struct caster *caster, const struct geometry *geometry) {
+    caster->parts = mem_alloc((size_t)geometry->part_count, sizeof *caster->parts);
+    for (uint32_t i = 0; geometry->part_count && i < caster->extra_count; i++) {
+        uint32_t vertex = caster->base_count + i;
+        while (vertex >= caster->base_count)
+            vertex = caster->midpoint_of[vertex - caster->base_count][0];
+        struct caster_part *part = &caster->parts[part_of(geometry, vertex)];
+        if (part->extra_count++ == 0)
+            part->first_extra = i;
+        assert(part->first_extra + part->extra_count == i + 1);
+    }
+}
+
 void caster_init(struct caster *caster, const struct geometry *geometry, float max_edge) {
     assert(max_edge > 0);
     /* An edge only a few steps of a float long has no midpoint of its own. */
@@ -155,18 +181,21 @@ void caster_init(struct caster *caster, const struct geometry *geometry, float m
         caster_free(caster);
         max_edge *= 2;
     }
+    find_parts(caster, geometry);
 }
 
 void caster_free(struct caster *caster) {
+    free(caster->parts);
     free(caster->midpoint_of);
     free(caster->indices);
     free(caster->batches);
     *caster = (struct caster){0};
 }
 
-/* Fills an array of the extra vertices from one of the geometry's. */
-static void fill(const struct caster *caster, const float *base, int width, float *extra) {
-    for (size_t i = 0; i < caster->extra_count; i++) {
+/* Fills some of an array of the extra vertices from one of the geometry's. */
+static void fill(const struct caster *caster, struct caster_part range, const float *base,
+                 int width, float *extra) {
+    for (size_t i = range.first_extra; i < range.first_extra + range.extra_count; i++) {
         const float *end[2];
         for (int e = 0; e < 2; e++) {
             uint32_t vertex = caster->midpoint_of[i][e];
@@ -180,7 +209,51 @@ static void fill(const struct caster *caster, const float *base, int width, floa
 
 void caster_fill(const struct caster *caster, const struct geometry *geometry, float (*position)[3],
                  float (*uv)[2]) {
-    fill(caster, *geometry->position, 3, *position);
+    struct caster_part all = {0, caster->extra_count};
+    fill(caster, all, *geometry->position, 3, *position);
     if (uv)
-        fill(caster, *geometry->uv, 2, *uv);
+        fill(caster, all, *geometry->uv, 2, *uv);
+}
+
+void caster_fill_part(const struct caster *caster, const struct geometry *geometry, int part,
+                      float (*position)[3]) {
+    fill(caster, caster->parts[part], *geometry->position, 3, *position);
+}
+
+void caster_take_batch(struct caster *caster, const struct geometry *geometry, int batch) {
+    const struct geometry_batch *from = &geometry->batches[batch], *to = &caster->batches[batch];
+    assert(from->dynamic && from->index_count == to->index_count);
+    memcpy(caster->indices + to->first_index, geometry->indices + from->first_index,
+           from->index_count * sizeof *caster->indices);
+}
+
+/* Static vertices keep their numbers; the extra ones follow those of the geometry. */
+static uint32_t renumber(const struct caster *caster, uint32_t vertex, uint32_t new_base) {
+    return vertex < caster->base_count ? vertex : vertex - caster->base_count + new_base;
+}
+
+void caster_lay_out(struct caster *caster, const struct geometry *geometry) {
+    uint32_t base = geometry->vertex_count, first = 0;
+    uint32_t *old = caster->indices;
+    caster->indices = mem_alloc((size_t)caster->index_count + geometry->index_count, sizeof *old);
+    for (uint32_t i = 0; i < caster->extra_count; i++)
+        for (int e = 0; e < 2; e++)
+            caster->midpoint_of[i][e] = renumber(caster, caster->midpoint_of[i][e], base);
+    for (int i = 0; i < caster->batch_count; i++) {
+        struct geometry_batch *batch = &caster->batches[i];
+        const uint32_t *from = old + batch->first_index;
+        batch->first_index = first;
+        if (batch->dynamic) {
+            batch->index_count = geometry->batches[i].index_count;
+            caster_take_batch(caster, geometry, i);
+        }
+        for (uint32_t k = 0; k < batch->index_count && !batch->dynamic; k++)
+            caster->indices[first + k] = renumber(caster, from[k], base);
+        first += batch->index_count;
+        if (geometry->batches[i].first_index < geometry->opaque_index_count)
+            caster->opaque_index_count = first;
+    }
+    caster->index_count = first;
+    caster->base_count = base;
+    free(old);
 }

@@ -19,6 +19,9 @@ struct caster {
     /* Vertices: the geometry's, then the extra ones. */
     uint32_t base_count, extra_count;
     uint32_t (*midpoint_of)[2]; /* extra vertex i lies amid these two, which come before it */
+    struct caster_part {        /* the extra vertices of each of the geometry's parts */
+        uint32_t first_extra, extra_count;
+    } * parts;
 
     /* Triangles in the order of the geometry's, in its batches. */
     uint32_t *indices;
@@ -30,8 +33,8 @@ struct caster {
 /* Beside those that the geometry has, no more triangles than this are made. */
 enum { CASTER_MAX_EXTRA_TRIANGLES = 2000000 };
 
-/* Splits the geometry as it is posed now until no edge is longer than max_edge > 0, or than the
- * least multiple of it by a power of two that keeps the limit. */
+/* Splits the geometry as it is posed now, but for its dynamic batches, until no edge is longer than
+ * max_edge > 0, or than the least multiple of it by a power of two that keeps the limit. */
 void caster_init(struct caster *caster, const struct geometry *geometry, float max_edge);
 void caster_free(struct caster *caster);
 
@@ -39,5 +42,16 @@ void caster_free(struct caster *caster);
  * which may have moved since caster_init. */
 void caster_fill(const struct caster *caster, const struct geometry *geometry, float (*position)[3],
                  float (*uv)[2]);
+
+/* The positions of one part's alone, in the array of all extra positions. */
+void caster_fill_part(const struct caster *caster, const struct geometry *geometry, int part,
+                      float (*position)[3]);
+
+/* Takes over the geometry's present triangles of a dynamic batch. The caster has the batches of the
+ * geometry. */
+void caster_take_batch(struct caster *caster, const struct geometry *geometry, int batch);
+
+/* Follows a geometry whose arrays were laid out anew: the splits stay as they are. */
+void caster_lay_out(struct caster *caster, const struct geometry *geometry);
 
 #endif

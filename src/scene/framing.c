@@ -15,7 +15,13 @@ static const float fov_y = 0.7F;
 static struct node *add_node(struct scene *scene, const char *name, vec3 eye, vec3 target) {
     scene->nodes = mem_resize(scene->nodes, (size_t)scene->node_count + 1, sizeof *scene->nodes);
     struct node *node = &scene->nodes[scene->node_count++];
-    *node = (struct node){.parent = -1, .mesh = -1, .light = -1, .camera = -1, .has_matrix = true};
+    *node = (struct node){.parent = -1,
+                          .mesh = -1,
+                          .light = -1,
+                          .camera = -1,
+                          .skin = -1,
+                          .metaballs = -1,
+                          .has_matrix = true};
     snprintf(node->name, sizeof node->name, "%s", name);
     mat4 view, world;
     glm_lookat(eye, target, (vec3){0, 1, 0}, view);

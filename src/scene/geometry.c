@@ -2,46 +2,82 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "scene/primitive.h"
 
 #include <cglm/cglm.h>
-#include <string.h>
 #include <float.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* So many vertices take 3 GiB; a scene of instances grows beyond it only by mistake or malice. */
 static const uint64_t max_vertices = 1 << 26, max_indices = 3u << 26;
-
-/* Farther out, squared lengths leave the range of floats. */
-static const float max_coordinate = 1e15F;
 
 static const struct primitive *part_primitive(const struct scene *scene,
                                               const struct geometry_part *part) {
     return &scene->meshes[scene->nodes[part->node].mesh].primitives[part->primitive];
 }
 
-/* Lists the parts and sums up the sizes. */
-static bool list_parts(struct geometry *geometry, const struct scene *scene) {
+/* --- parts ------------------------------------------------------------------------------------ */
+
+static struct surface *part_surface(const struct geometry *geometry, const struct scene *scene,
+                                    const struct geometry_part *part) {
+    return &geometry->balls[scene->nodes[part->node].metaballs].surface;
+}
+
+/* Dynamic parts get a half more than they need, so that they seldom outgrow it. */
+static uint32_t room(uint32_t count) {
+    return count + count / 2 + 3;
+}
+
+/* Sets the counts and makes sure of the room. */
+static void size_part(const struct geometry *geometry, const struct scene *scene,
+                      struct geometry_part *part) {
+    const struct primitive *primitive = part_primitive(scene, part);
+    if (!part->dynamic) {
+        part->vertex_count = part->vertex_room = (uint32_t)primitive->vertex_count;
+        part->index_count = part->index_room = (uint32_t)primitive->index_count;
+        return;
+    }
+    const struct surface *surface = part_surface(geometry, scene, part);
+    part->vertex_count = surface->vertex_count;
+    part->index_count = surface->index_count;
+    if (part->vertex_count > part->vertex_room)
+        part->vertex_room = room(part->vertex_count);
+    if (part->index_count > part->index_room)
+        part->index_room = room(part->index_count / 3) * 3;
+}
+
+static void list_node_parts(struct geometry *geometry, const struct scene *scene, int node,
+                            bool dynamic) {
+    int mesh = scene->nodes[node].mesh;
+    if (mesh < 0 || dynamic != (scene->nodes[node].metaballs >= 0))
+        return;
+    int count = dynamic ? 1 : scene->meshes[mesh].primitive_count;
+    geometry->parts = mem_resize(geometry->parts, (size_t)(geometry->part_count + count),
+                                 sizeof *geometry->parts);
+    for (int p = 0; p < count; p++)
+        geometry->parts[geometry->part_count++] =
+            (struct geometry_part){.node = node, .primitive = p, .dynamic = dynamic};
+}
+
+/* Dynamic parts come last, so that the others' vertices stay where they are when one grows. */
+static void list_parts(struct geometry *geometry, const struct scene *scene) {
+    for (int dynamic = 0; dynamic < 2; dynamic++)
+        for (int node = 0; node < scene->node_count; node++)
+            list_node_parts(geometry, scene, node, dynamic);
+}
+
+/* Vertices of part after part. */
+static bool lay_vertices(struct geometry *geometry, const struct scene *scene) {
     uint64_t vertices = 0, indices = 0;
-    int capacity = 0;
-    for (int node = 0; node < scene->node_count; node++) {
-        int mesh = scene->nodes[node].mesh;
-        for (int p = 0; mesh >= 0 && p < scene->meshes[mesh].primitive_count; p++) {
-            const struct primitive *primitive = &scene->meshes[mesh].primitives[p];
-            if (geometry->part_count == capacity) {
-                capacity = capacity ? capacity * 2 : 16;
-                geometry->parts =
-                    mem_resize(geometry->parts, (size_t)capacity, sizeof *geometry->parts);
-            }
-            geometry->parts[geometry->part_count++] =
-                (struct geometry_part){.node = node,
-                                       .primitive = p,
-                                       .first_vertex = (uint32_t)vertices,
-                                       .vertex_count = (uint32_t)primitive->vertex_count};
-            vertices += (uint64_t)primitive->vertex_count;
-            indices += (uint64_t)primitive->index_count;
-            if (vertices > max_vertices || indices > max_indices)
-                return error_set("more than %u million vertices or triangles", 1u << 6);
-        }
+    for (int i = 0; i < geometry->part_count; i++) {
+        struct geometry_part *part = &geometry->parts[i];
+        size_part(geometry, scene, part);
+        part->first_vertex = (uint32_t)vertices;
+        vertices += part->vertex_room;
+        indices += part->index_room;
+        if (vertices > max_vertices || indices > max_indices)
+            return error_set("more than %u million vertices or triangles", 1u << 6);
     }
     if (indices == 0)
         return error_set("there is no triangle");
@@ -50,134 +86,36 @@ static bool list_parts(struct geometry *geometry, const struct scene *scene) {
     return true;
 }
 
-/* Makes a batch of each material in use, in the order of drawing. */
-static void make_batches(struct geometry *geometry, const struct scene *scene,
-                         struct geometry_batch **batch_of) {
-    uint32_t *count = mem_alloc((size_t)scene->material_count, sizeof *count);
+/* Indices of batch after batch, in the order of drawing. */
+static void lay_batches(struct geometry *geometry, const struct scene *scene) {
+    struct key {
+        uint32_t count, next;
+    } *keys = mem_alloc((size_t)scene->material_count * 2, sizeof *keys);
     for (int i = 0; i < geometry->part_count; i++) {
-        const struct primitive *primitive = part_primitive(scene, &geometry->parts[i]);
-        count[primitive->material] += (uint32_t)primitive->index_count;
+        const struct geometry_part *part = &geometry->parts[i];
+        keys[2 * part_primitive(scene, part)->material + part->dynamic].count += part->index_room;
     }
-    geometry->batches = mem_alloc((size_t)scene->material_count, sizeof *geometry->batches);
+    geometry->batch_count = 0;
     uint32_t first = 0;
     for (int masked = 0; masked < 2; masked++) {
-        for (int m = 0; m < scene->material_count; m++) {
-            if (scene->materials[m].alpha_mask != masked || count[m] == 0)
+        for (int k = 0; k < 2 * scene->material_count; k++) {
+            if (scene->materials[k / 2].alpha_mask != masked || keys[k].count == 0)
                 continue;
-            batch_of[m] = &geometry->batches[geometry->batch_count++];
-            *batch_of[m] = (struct geometry_batch){.material = m, .first_index = first};
-            first += count[m];
+            geometry->batches[geometry->batch_count++] = (struct geometry_batch){
+                .material = k / 2, .first_index = first, .index_count = keys[k].count, k % 2};
+            keys[k].next = first;
+            first += keys[k].count;
         }
         if (!masked)
             geometry->opaque_index_count = first;
     }
-    free(count);
-}
-
-/* The cofactors of the world matrix's upper left 3x3, column by column. They are the inverse
- * transpose times the determinant, but exist for flat scales too. */
-static void cofactors(const float world[16], double out[3][3]) {
-    for (int column = 0; column < 3; column++) {
-        const float *a = &world[(column + 1) % 3 * 4], *b = &world[(column + 2) % 3 * 4];
-        for (int row = 0; row < 3; row++) {
-            int d = (row + 1) % 3, e = (row + 2) % 3;
-            out[column][row] = (double)a[d] * b[e] - (double)a[e] * b[d];
-        }
-    }
-}
-
-/* The determinant's sign is negative: left becomes right. */
-static bool mirrors(const float world[16], double cofactor[3][3]) {
-    return world[0] * cofactor[0][0] + world[1] * cofactor[0][1] + world[2] * cofactor[0][2] < 0;
-}
-
-/* Appends the triangles to the batches of their materials. A mirroring node turns triangles inside
- * out: their winding is swapped, so that the front stays the front. */
-static void lay_indices(struct geometry *geometry, const struct scene *scene, float (*worlds)[16]) {
-    struct geometry_batch **batch_of = mem_alloc((size_t)scene->material_count, sizeof *batch_of);
-    make_batches(geometry, scene, batch_of);
     for (int i = 0; i < geometry->part_count; i++) {
-        const struct geometry_part *part = &geometry->parts[i];
-        const struct primitive *primitive = part_primitive(scene, part);
-        struct geometry_batch *batch = batch_of[primitive->material];
-        uint32_t *to = geometry->indices + batch->first_index + batch->index_count;
-        double cofactor[3][3];
-        cofactors(worlds[part->node], cofactor);
-        int swap = mirrors(worlds[part->node], cofactor);
-        for (int k = 0; k < primitive->index_count; k += 3) {
-            to[k] = primitive->indices[k] + part->first_vertex;
-            to[k + 1 + swap] = primitive->indices[k + 1] + part->first_vertex;
-            to[k + 2 - swap] = primitive->indices[k + 2] + part->first_vertex;
-        }
-        batch->index_count += (uint32_t)primitive->index_count;
+        struct geometry_part *part = &geometry->parts[i];
+        struct key *key = &keys[2 * part_primitive(scene, part)->material + part->dynamic];
+        part->first_index = key->next;
+        key->next += part->index_room;
     }
-    free(batch_of);
-}
-
-/* Normals go by the inverse transpose, whose direction the cofactors have, but for its sign. */
-static void place_normal(double cofactor[3][3], double sign, const float normal[3], float out[3]) {
-    double n[3], length = 0;
-    for (int c = 0; c < 3; c++) {
-        n[c] = 0;
-        for (int column = 0; column < 3; column++)
-            n[c] += sign * cofactor[column][c] * normal[column];
-        length += n[c] * n[c];
-    }
-    length = sqrt(length);
-    for (int c = 0; c < 3; c++)
-        out[c] = length > 0 ? (float)(n[c] / length) : normal[c];
-}
-
-/* False, with an error, when a vertex ends up too far away. */
-static bool place_vertices(struct geometry *geometry, const struct primitive *primitive,
-                           const struct geometry_part *part, const float world[16]) {
-    double cofactor[3][3];
-    cofactors(world, cofactor);
-    double sign = mirrors(world, cofactor) ? -1 : 1;
-    for (uint32_t i = 0; i < part->vertex_count; i++) {
-        const float *p = primitive->position[i];
-        float *position = geometry->position[part->first_vertex + i];
-        for (int c = 0; c < 3; c++) {
-            position[c] =
-                world[c] * p[0] + world[4 + c] * p[1] + world[8 + c] * p[2] + world[12 + c];
-            if (!(fabsf(position[c]) <= max_coordinate))
-                return error_set("vertex %u lies %g m from the world's origin", i,
-                                 (double)position[c]);
-        }
-        place_normal(cofactor, sign, primitive->normal[i],
-                     geometry->normal[part->first_vertex + i]);
-    }
-    return true;
-}
-
-/* What does not move: texture coordinates and colours, white where there is none. */
-static void copy_attributes(struct geometry *geometry, const struct primitive *primitive,
-                            const struct geometry_part *part) {
-    for (uint32_t i = 0; i < part->vertex_count; i++) {
-        static const float white[4] = {1, 1, 1, 1};
-        uint32_t to = part->first_vertex + i;
-        if (primitive->uv)
-            memcpy(geometry->uv[to], primitive->uv[i], sizeof *geometry->uv);
-        memcpy(geometry->color[to], primitive->color ? primitive->color[i] : white, sizeof white);
-    }
-}
-
-static void measure(struct geometry *geometry) {
-    float *low = geometry->bounds_min, *high = geometry->bounds_max;
-    for (int c = 0; c < 3; c++)
-        low[c] = FLT_MAX, high[c] = -FLT_MAX;
-    for (uint32_t k = 0; k < geometry->index_count; k++)
-        for (int c = 0; c < 3; c++) {
-            float x = geometry->position[geometry->indices[k]][c];
-            low[c] = fminf(low[c], x);
-            high[c] = fmaxf(high[c], x);
-        }
-    glm_vec3_center(low, high, geometry->center);
-    float farthest = 0;
-    for (uint32_t k = 0; k < geometry->index_count; k++)
-        farthest = fmaxf(farthest, glm_vec3_distance2(geometry->center,
-                                                      geometry->position[geometry->indices[k]]));
-    geometry->radius = fmaxf(sqrtf(farthest), 1e-6F);
+    free(keys);
 }
 
 static void allocate_arrays(struct geometry *geometry) {
@@ -189,44 +127,214 @@ static void allocate_arrays(struct geometry *geometry) {
     geometry->indices = mem_alloc(geometry->index_count, sizeof *geometry->indices);
 }
 
-static bool fill(struct geometry *geometry, const struct scene *scene, float (*worlds)[16]) {
-    for (int i = 0; i < geometry->part_count; i++) {
-        const struct geometry_part *part = &geometry->parts[i];
-        const struct primitive *primitive = part_primitive(scene, part);
-        if (!place_vertices(geometry, primitive, part, worlds[part->node])) {
-            int mesh = scene->nodes[part->node].mesh;
-            return error_prefix("mesh %d '%s'", mesh, scene->meshes[mesh].name);
-        }
-        copy_attributes(geometry, primitive, part);
+static void free_arrays(struct geometry *geometry) {
+    free(geometry->position);
+    free(geometry->normal);
+    free(geometry->uv);
+    free(geometry->color);
+    free(geometry->indices);
+}
+
+/* What does not move: texture coordinates and colours, white where there is none. */
+static void copy_attributes(struct geometry *geometry, const struct scene *scene,
+                            const struct geometry_part *part) {
+    static const float white[4] = {1, 1, 1, 1};
+    const struct primitive *primitive = part_primitive(scene, part);
+    for (uint32_t i = 0; i < part->vertex_room; i++) {
+        uint32_t to = part->first_vertex + i;
+        if (primitive->uv && !part->dynamic)
+            memcpy(geometry->uv[to], primitive->uv[i], sizeof *geometry->uv);
+        memcpy(geometry->color[to],
+               primitive->color && !part->dynamic ? primitive->color[i] : white, sizeof white);
     }
-    lay_indices(geometry, scene, worlds);
+}
+
+/* Makes the arrays for what the parts need now. */
+static bool lay_out(struct geometry *geometry, const struct scene *scene) {
+    free_arrays(geometry);
+    geometry->position = geometry->normal = NULL;
+    geometry->uv = NULL;
+    geometry->color = NULL;
+    geometry->indices = NULL;
+    geometry->laid_out = geometry->pose_count;
+    if (!lay_vertices(geometry, scene))
+        return false;
+    lay_batches(geometry, scene);
+    allocate_arrays(geometry);
+    for (int i = 0; i < geometry->part_count; i++)
+        copy_attributes(geometry, scene, &geometry->parts[i]);
+    return true;
+}
+
+/* --- posing ----------------------------------------------------------------------------------- */
+
+/* A mirroring node turns triangles inside out: their winding is swapped, so that the front stays
+ * the front. Room that a dynamic part leaves becomes triangles without area. */
+static void fill_indices(struct geometry *geometry, const struct geometry_part *part,
+                         const uint32_t *from) {
+    uint32_t *to = geometry->indices + part->first_index;
+    int swap = part->mirrored;
+    for (uint32_t k = 0; k < part->index_count; k += 3) {
+        to[k] = from[k] + part->first_vertex;
+        to[k + 1 + swap] = from[k + 1] + part->first_vertex;
+        to[k + 2 - swap] = from[k + 2] + part->first_vertex;
+    }
+    for (uint32_t k = part->index_count; k < part->index_room; k++)
+        to[k] = part->first_vertex;
+}
+
+static bool pose_part(struct geometry *geometry, const struct scene *scene,
+                      struct geometry_part *part, bool anew) {
+    const struct primitive *primitive = part_primitive(scene, part);
+    const struct pose *pose = &geometry->pose;
+    float(*position)[3] = geometry->position + part->first_vertex;
+    float(*normal)[3] = geometry->normal + part->first_vertex;
+    const struct surface *surface = part->dynamic ? part_surface(geometry, scene, part) : NULL;
+    bool mirrored = pose_mirrors(pose, scene, part->node);
+    part->moved = geometry->pose_count;
+    if (anew || surface || mirrored != part->mirrored) {
+        part->mirrored = mirrored;
+        part->rewound = geometry->pose_count;
+        fill_indices(geometry, part, surface ? surface->indices : primitive->indices);
+    }
+    if (surface ? pose_rigid(pose->worlds[part->node], surface->vertex_count, surface->position,
+                             surface->normal, position, normal)
+                : pose_vertices(pose, scene, part->node, primitive, position, normal))
+        return true;
+    int mesh = scene->nodes[part->node].mesh;
+    return error_prefix("mesh %d '%s'", mesh, scene->meshes[mesh].name);
+}
+
+static void measure_part(const struct geometry *geometry, struct geometry_part *part) {
+    float *low = part->bounds_min, *high = part->bounds_max;
+    for (int c = 0; c < 3; c++)
+        low[c] = FLT_MAX, high[c] = -FLT_MAX;
+    for (uint32_t k = part->first_index; k < part->first_index + part->index_count; k++)
+        for (int c = 0; c < 3; c++) {
+            float x = geometry->position[geometry->indices[k]][c];
+            low[c] = fminf(low[c], x);
+            high[c] = fmaxf(high[c], x);
+        }
+}
+
+static void measure_farthest(const struct geometry *geometry, struct geometry_part *part) {
+    float farthest = 0;
+    for (uint32_t k = part->first_index; k < part->first_index + part->index_count; k++)
+        farthest = fmaxf(farthest, glm_vec3_distance2((float *)geometry->center,
+                                                      geometry->position[geometry->indices[k]]));
+    part->farthest = sqrtf(farthest);
+}
+
+/* The bounds of all parts, of which those that have just moved are measured anew. */
+static void measure(struct geometry *geometry) {
+    float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
+    for (int i = 0; i < geometry->part_count; i++) {
+        struct geometry_part *part = &geometry->parts[i];
+        if (part->moved == geometry->pose_count)
+            measure_part(geometry, part);
+        if (part->index_count) {
+            glm_vec3_minv(low, part->bounds_min, low);
+            glm_vec3_maxv(high, part->bounds_max, high);
+        }
+    }
+    if (low[0] > high[0]) { /* all metaballs have vanished, and there is nothing else */
+        glm_vec3_zero(low);
+        glm_vec3_zero(high);
+    }
+    bool same = memcmp(low, geometry->bounds_min, sizeof low) == 0 &&
+                memcmp(high, geometry->bounds_max, sizeof high) == 0;
+    glm_vec3_copy(low, geometry->bounds_min);
+    glm_vec3_copy(high, geometry->bounds_max);
+    glm_vec3_center(low, high, geometry->center);
+    geometry->radius = 1e-6F;
+    for (int i = 0; i < geometry->part_count; i++) {
+        struct geometry_part *part = &geometry->parts[i];
+        if (!same || part->moved == geometry->pose_count)
+            measure_farthest(geometry, part);
+        geometry->radius = fmaxf(geometry->radius, part->farthest);
+    }
+}
+
+/* Makes the surfaces of metaballs for the time. True when one outgrows its room. */
+static bool polygonise(struct geometry *geometry, const struct scene *scene, double time) {
+    bool outgrown = false;
+    for (int i = 0; i < geometry->part_count; i++) {
+        struct geometry_part *part = &geometry->parts[i];
+        if (!part->dynamic)
+            continue;
+        int index = scene->nodes[part->node].metaballs;
+        struct geometry_balls *balls = &geometry->balls[index];
+        surface_clear(&balls->surface);
+        metaballs_polygonise(&scene->metaballs[index], time, &balls->cubes, &balls->surface);
+        part->vertex_count = balls->surface.vertex_count;
+        part->index_count = balls->surface.index_count;
+        outgrown |= part->vertex_count > part->vertex_room || part->index_count > part->index_room;
+    }
+    return outgrown;
+}
+
+/* Poses the parts that the new pose moves, or all; then the new pose is the present one. */
+static bool pose_parts(struct geometry *geometry, const struct scene *scene, bool all) {
+    struct pose before = geometry->pose;
+    geometry->pose = geometry->next;
+    geometry->next = before;
+    for (int i = 0; i < geometry->part_count; i++) {
+        struct geometry_part *part = &geometry->parts[i];
+        if ((all || pose_differs(&geometry->pose, &before, scene, part->node)) &&
+            !pose_part(geometry, scene, part, all))
+            return false;
+    }
     measure(geometry);
     return true;
 }
 
+static bool pose_at(struct geometry *geometry, const struct scene *scene, double time) {
+    bool first = geometry->pose_count++ == 0;
+    if (!pose_set(&geometry->next, scene, time))
+        return false;
+    bool other_balls = first || geometry->pose.time != time;
+    bool outgrown = other_balls && polygonise(geometry, scene, time);
+    bool anew = first || outgrown || geometry->broken;
+    geometry->broken = !((!anew || lay_out(geometry, scene)) && pose_parts(geometry, scene, anew));
+    return !geometry->broken;
+}
+
+bool geometry_pose(struct geometry *geometry, const struct scene *scene, double time) {
+    return pose_at(geometry, scene, time) || error_prefix("%s at %g s", scene->path, time);
+}
+
 bool geometry_init(struct geometry *geometry, const struct scene *scene, double time) {
-    *geometry = (struct geometry){0};
-    float(*worlds)[16] = mem_alloc((size_t)scene->node_count, sizeof *worlds);
-    scene_node_worlds(scene, time, worlds);
-    bool good = list_parts(geometry, scene);
-    if (good) {
-        allocate_arrays(geometry);
-        good = fill(geometry, scene, worlds);
-    }
-    free(worlds);
-    if (good)
+    *geometry = (struct geometry){.balls_count = scene->metaballs_count};
+    geometry->balls = mem_alloc((size_t)scene->metaballs_count, sizeof *geometry->balls);
+    for (int i = 0; i < geometry->balls_count; i++)
+        marching_cubes_init(&geometry->balls[i].cubes);
+    geometry->batches = mem_alloc((size_t)scene->material_count * 2, sizeof *geometry->batches);
+    pose_init(&geometry->pose, scene);
+    pose_init(&geometry->next, scene);
+    list_parts(geometry, scene);
+    if (pose_at(geometry, scene, time))
         return true;
     geometry_free(geometry);
     return error_prefix("%s", scene->path);
 }
 
 void geometry_free(struct geometry *geometry) {
-    free(geometry->position);
-    free(geometry->normal);
-    free(geometry->uv);
-    free(geometry->color);
-    free(geometry->indices);
+    for (int i = 0; i < geometry->balls_count; i++) {
+        marching_cubes_free(&geometry->balls[i].cubes);
+        surface_free(&geometry->balls[i].surface);
+    }
+    free(geometry->balls);
+    pose_free(&geometry->pose);
+    pose_free(&geometry->next);
+    free_arrays(geometry);
     free(geometry->batches);
     free(geometry->parts);
     *geometry = (struct geometry){0};
+}
+
+uint32_t geometry_triangle_count(const struct geometry *geometry) {
+    uint32_t indices = 0;
+    for (int i = 0; i < geometry->part_count; i++)
+        indices += geometry->parts[i].index_count;
+    return indices / 3;
 }

@@ -1,6 +1,7 @@
 /* Buffer views and accessors: whatever numbers a file holds, only bytes of its buffers are read. */
 #include "scene/gltf_model.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 namespace gltf {
@@ -52,9 +53,10 @@ bool resolve_sparse(const Model &model, const tinygltf::Accessor &a, struct acce
 bool resolve_accessor(const Model &model, int index, struct accessor &out) {
     const tinygltf::Accessor &a = model.accessors[index];
     out = {};
-    out.components = a.type == TINYGLTF_TYPE_SCALAR ? 1 : a.type;
-    if (out.components > 4)
-        return error_set("accessor %d: it holds matrices", index);
+    bool matrix = a.type == TINYGLTF_TYPE_MAT4 && a.componentType == COMPONENT_FLOAT;
+    out.components = matrix ? 16 : a.type == TINYGLTF_TYPE_SCALAR ? 1 : a.type;
+    if (out.components > 4 && !matrix)
+        return error_set("accessor %d: it holds matrices, and not of 4x4 floats", index);
     if (a.count == 0)
         return error_set("accessor %d: it has no elements", index);
     size_t element = component_size(a.componentType) * size_t(out.components);
@@ -70,6 +72,28 @@ bool resolve_accessor(const Model &model, int index, struct accessor &out) {
     }
     return !a.sparse.isSparse || resolve_sparse(model, a, out) ||
            error_prefix("accessor %d: sparse", index);
+}
+
+bool spend(Loader &loader, size_t count) {
+    if (count > loader.budget)
+        return error_set("there are more than %zu million vertices, indices and the like",
+                         max_elements >> 20);
+    loader.budget -= count;
+    return true;
+}
+
+bool load_elements(Loader &loader, int index, int width, size_t count, float **out) {
+    struct accessor accessor;
+    if (!resolve_accessor(loader.model, index, accessor) || !spend(loader, accessor.count))
+        return false;
+    if (accessor.components != width && !(width == 4 && accessor.components == 3))
+        return error_set("accessor %d has %d numbers an element, not %d", index,
+                         accessor.components, width);
+    if (accessor.count != count)
+        return error_set("%zu elements, not %zu", accessor.count, count);
+    *out = allocate<float>(count * size_t(width));
+    std::fill_n(*out, count * size_t(width), 1.F);
+    return accessor_read_floats(&accessor, width, *out);
 }
 
 } // namespace gltf

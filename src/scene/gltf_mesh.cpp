@@ -8,16 +8,6 @@
 namespace gltf {
 namespace {
 
-/* Takes from what one file's meshes may hold altogether: primitives that share an accessor, and
- * accessors without bytes, would let a small file fill any memory. */
-bool spend(Loader &loader, size_t count) {
-    if (count > loader.budget)
-        return error_set("the meshes have more than %zu million vertices and indices",
-                         max_elements >> 20);
-    loader.budget -= count;
-    return true;
-}
-
 /* Reads an attribute of one element per vertex into a new array, all ones at first; none where the
  * file has none. */
 template <int Width>
@@ -26,17 +16,10 @@ bool load_attribute(Loader &loader, const tinygltf::Primitive &from, const std::
     auto found = from.attributes.find(name);
     if (found == from.attributes.end())
         return true;
-    struct accessor accessor;
-    if (!resolve_accessor(loader.model, found->second, accessor) || !spend(loader, accessor.count))
-        return error_prefix("%s", name.c_str());
-    if (accessor.components != Width && !(Width == 4 && accessor.components == 3))
-        return error_set("%s: accessor %d has %d numbers an element, not %d", name.c_str(),
-                         found->second, accessor.components, Width);
-    if (accessor.count != count)
-        return error_set("%s: %zu elements for %zu vertices", name.c_str(), accessor.count, count);
-    *out = static_cast<float(*)[Width]>(mem_alloc(count, sizeof **out));
-    std::fill_n(**out, count * Width, 1.F);
-    return accessor_read_floats(&accessor, Width, **out) || error_prefix("%s", name.c_str());
+    float *numbers = nullptr;
+    bool good = load_elements(loader, found->second, Width, count, &numbers);
+    *out = reinterpret_cast<float(*)[Width]>(numbers);
+    return good || error_prefix("%s", name.c_str());
 }
 
 bool load_indices(Loader &loader, int index, struct primitive &to) {
@@ -82,7 +65,8 @@ bool load_attributes(Loader &loader, const tinygltf::Primitive &from, struct pri
     return true;
 }
 
-bool load_primitive(Loader &loader, const tinygltf::Primitive &from, struct primitive &to) {
+bool load_primitive(Loader &loader, const tinygltf::Primitive &from, int target_count,
+                    struct primitive &to) {
     const Model &model = loader.model;
     to.material = from.material >= 0 ? from.material : int(model.materials.size());
     auto position = from.attributes.find("POSITION");
@@ -94,7 +78,8 @@ bool load_primitive(Loader &loader, const tinygltf::Primitive &from, struct prim
     to.vertex_count = int(count);
     if (!load_indices(loader, from.indices, to) || !primitive_check(&to) ||
         !primitive_unroll(&to, static_cast<enum primitive_mode>(from.mode)) ||
-        !load_attributes(loader, from, to))
+        !load_attributes(loader, from, to) || !load_joints(loader, from, to) ||
+        !load_targets(loader, from, target_count, to))
         return false;
     if (to.normal) {
         primitive_repair_normals(&to);
@@ -102,13 +87,24 @@ bool load_primitive(Loader &loader, const tinygltf::Primitive &from, struct prim
     }
     if (!spend(loader, size_t(to.index_count)))
         return false;
-    primitive_flatten(&to);
+    primitive_flatten(&to, target_count);
     return true;
+}
+
+/* The morph targets' number and weights at rest. */
+bool load_weights(const tinygltf::Mesh &from, struct mesh &to) {
+    to.target_count = from.primitives.empty() ? 0 : int(from.primitives[0].targets.size());
+    to.weights = allocate<float>(size_t(to.target_count));
+    if (!from.weights.empty() && from.weights.size() != size_t(to.target_count))
+        return error_set("%zu weights for %d morph targets", from.weights.size(), to.target_count);
+    return copy_numbers(from.weights, to.weights, "weights");
 }
 
 /* Lines and points are left out: lines_ignored tells. */
 bool load_mesh(Loader &loader, const tinygltf::Mesh &from, struct mesh &to, bool &lines_ignored) {
     copy_name(to.name, from.name);
+    if (!load_weights(from, to))
+        return false;
     to.primitives = allocate<struct primitive>(from.primitives.size());
     for (size_t i = 0; i < from.primitives.size(); i++) {
         int mode = from.primitives[i].mode;
@@ -116,7 +112,8 @@ bool load_mesh(Loader &loader, const tinygltf::Mesh &from, struct mesh &to, bool
             lines_ignored = true;
             continue;
         }
-        if (!load_primitive(loader, from.primitives[i], to.primitives[to.primitive_count++]))
+        if (!load_primitive(loader, from.primitives[i], to.target_count,
+                            to.primitives[to.primitive_count++]))
             return error_prefix("primitive %zu", i);
     }
     return true;

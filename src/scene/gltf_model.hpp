@@ -57,7 +57,8 @@ struct Loader {
     std::string file_error;                        /* why a file that the glTF names was not read */
     std::vector<UvSource> uv_sources;              /* one per material */
     std::vector<std::pair<int, int>> texture_keys; /* image and sampler of each texture */
-    size_t budget = max_elements; /* vertices and indices that the meshes may still have */
+    std::vector<int> node_places;                  /* each node's index in the scene, or -1 */
+    size_t budget = max_elements; /* vertices, indices and keys that there may still be */
 };
 
 /* gltf_schema.cpp: whether the JSON is what the standard demands, given the size of the BIN chunk.
@@ -72,12 +73,26 @@ std::string decode_uri(const std::string &uri);
 const unsigned char *view_bytes(const Model &model, int view);
 bool resolve_accessor(const Model &model, int index, struct accessor &out);
 
+/* Takes from what one file may hold altogether: users of an accessor that share it, and accessors
+ * without bytes, would let a small file fill any memory. */
+bool spend(Loader &loader, size_t count);
+
+/* Reads an accessor that holds `count` elements, each of `width` floats, into a new array. Where
+ * width is 4, there may be 3; the fourth is 1 then. */
+bool load_elements(Loader &loader, int index, int width, size_t count, float **out);
+
+/* gltf_deform.cpp: what moves a primitive's vertices, before they are flattened. */
+bool load_joints(Loader &loader, const tinygltf::Primitive &from, struct primitive &to);
+bool load_targets(Loader &loader, const tinygltf::Primitive &from, int count, struct primitive &to);
+
 /* Each fills its part of the scene, in this order. */
 bool load_materials(Loader &loader);
 bool load_meshes(Loader &loader);
 bool load_lights(Loader &loader);
 bool load_cameras(Loader &loader);
 bool load_nodes(Loader &loader);
+bool load_skins(Loader &loader);
+bool load_clips(Loader &loader);
 
 /* The text for names and messages: cut between UTF-8 characters, and without control characters,
  * which could upset a terminal. */

@@ -97,7 +97,49 @@ bool load_node(const tinygltf::Node &from, struct node &to) {
     to.mesh = from.mesh;
     to.camera = from.camera;
     to.light = node_light(from);
+    to.skin = from.skin;
+    to.metaballs = -1;
     return load_transform(from, to);
+}
+
+/* Weights of the node's own for the morph targets of its mesh. */
+bool load_node_weights(const tinygltf::Node &from, const struct scene &scene, struct node &to) {
+    if (from.weights.empty())
+        return true;
+    int targets = to.mesh >= 0 ? scene.meshes[to.mesh].target_count : 0;
+    if (from.weights.size() != size_t(targets))
+        return error_set("%zu weights for %d morph targets", from.weights.size(), targets);
+    to.weights = allocate<float>(from.weights.size());
+    return copy_numbers(from.weights, to.weights, "weights");
+}
+
+bool read_vector(const tinygltf::Value &value, float out[3]) {
+    bool good = value.IsArray() && value.ArrayLen() == 3;
+    for (int i = 0; good && i < 3; i++) {
+        good = value.Get(i).IsNumber();
+        out[i] = good ? float(value.Get(i).GetNumberAsDouble()) : 0;
+    }
+    return good;
+}
+
+float read_number(const tinygltf::Value &value) {
+    return value.IsNumber() ? float(value.GetNumberAsDouble()) : NAN;
+}
+
+/* Our own extras: {"metaballs": {...}} with the fields of struct metaballs. */
+bool load_metaballs(const tinygltf::Node &from, struct scene &scene, struct node &to) {
+    if (!from.extras.IsObject() || !from.extras.Has("metaballs") || to.mesh < 0 ||
+        scene.meshes[to.mesh].primitive_count == 0)
+        return true;
+    const tinygltf::Value &extras = from.extras.Get("metaballs");
+    struct metaballs *balls = &scene.metaballs[to.metaballs = scene.metaballs_count++];
+    balls->count = extras.Get("count").GetNumberAsInt();
+    balls->reach = read_number(extras.Get("reach"));
+    balls->cell = read_number(extras.Get("cell"));
+    balls->period = read_number(extras.Get("period"));
+    return (read_vector(extras.Get("low"), balls->low) &&
+            read_vector(extras.Get("high"), balls->high) && metaballs_are_sound(balls)) ||
+           error_set("extras: these are no metaballs");
 }
 
 } // namespace
@@ -109,11 +151,14 @@ bool load_nodes(Loader &loader) {
     if (!find_parents(model, parents) || !check_loops(model, parents) ||
         !find_roots(model, parents, roots))
         return false;
-    std::vector<int> order = order_nodes(model, roots), place(model.nodes.size());
+    std::vector<int> order = order_nodes(model, roots), &place = loader.node_places;
+    place.assign(model.nodes.size(), -1);
     scene->nodes = allocate<struct node>(order.size());
+    scene->metaballs = allocate<struct metaballs>(order.size());
     for (int i : order) {
         struct node &node = scene->nodes[scene->node_count];
-        if (!load_node(model.nodes[i], node))
+        if (!load_node(model.nodes[i], node) || !load_node_weights(model.nodes[i], *scene, node) ||
+            !load_metaballs(model.nodes[i], *scene, node))
             return error_prefix("%s", label("node", i, model.nodes[i].name).c_str());
         node.parent = parents[i] >= 0 ? place[parents[i]] : -1;
         place[i] = scene->node_count++;

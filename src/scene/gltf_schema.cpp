@@ -17,13 +17,14 @@ namespace {
 using nlohmann::json;
 
 enum class Kind {
-    Index,    /* of an element of the list at the JSON pointer `of` */
-    Indices,  /* an array of them */
-    IndexMap, /* an object of them */
-    Size,     /* a whole number */
-    Int,      /* a whole number that an int can hold */
+    Index,     /* of an element of the list at the JSON pointer `of` */
+    Indices,   /* an array of them */
+    IndexMap,  /* an object of them */
+    IndexMaps, /* an array of these */
+    Size,      /* a whole number */
+    Int,       /* a whole number that an int can hold */
     Number,
-    Numbers, /* `count` of them */
+    Numbers, /* `count` of them; any number of them where that is 0 */
     Flag,
     Text,
     Choice,  /* one of the words or numbers in `of`, each after a space */
@@ -157,11 +158,45 @@ const Field primitive[] = {
     {"indices", Optional, Kind::Index, "/accessors"},
     {"material", Optional, Kind::Index, "/materials"},
     {"mode", Optional, Kind::Choice, " 0 1 2 3 4 5 6"},
+    {"targets", Optional, Kind::IndexMaps, "/accessors"},
     end,
 };
 
 const Field mesh[] = {
     {"primitives", Required, Kind::Objects, "primitive", primitive},
+    {"weights", Optional, Kind::Numbers},
+    end,
+};
+
+const Field skin[] = {
+    {"inverseBindMatrices", Optional, Kind::Index, "/accessors"},
+    {"joints", Required, Kind::Indices, "/nodes"},
+    end,
+};
+
+const Field channel_target[] = {
+    {"node", Optional, Kind::Index, "/nodes"},
+    {"path", Required, Kind::Text},
+    end,
+};
+
+/* The sampler's index is into the animation's own list: check_animation. */
+const Field channel[] = {
+    {"sampler", Required, Kind::Size},
+    {"target", Required, Kind::Object, nullptr, channel_target},
+    end,
+};
+
+const Field channel_sampler[] = {
+    {"input", Required, Kind::Index, "/accessors"},
+    {"output", Required, Kind::Index, "/accessors"},
+    {"interpolation", Optional, Kind::Choice, " LINEAR STEP CUBICSPLINE"},
+    end,
+};
+
+const Field animation[] = {
+    {"channels", Required, Kind::Objects, "channel", channel},
+    {"samplers", Required, Kind::Objects, "sampler", channel_sampler},
     end,
 };
 
@@ -177,6 +212,8 @@ const Field node_extensions[] = {
 const Field node[] = {
     {"camera", Optional, Kind::Index, "/cameras"},
     {"mesh", Optional, Kind::Index, "/meshes"},
+    {"skin", Optional, Kind::Index, "/skins"},
+    {"weights", Optional, Kind::Numbers},
     {"children", Optional, Kind::Indices, "/nodes"},
     {"matrix", Optional, Kind::Numbers, nullptr, nullptr, 16},
     {"rotation", Optional, Kind::Numbers, nullptr, nullptr, 4},
@@ -238,6 +275,8 @@ const Field file[] = {
     {"textures", Optional, Kind::Objects, "texture", texture},
     {"samplers", Optional, Kind::Objects, "sampler", sampler},
     {"cameras", Optional, Kind::Objects, "camera", camera},
+    {"skins", Optional, Kind::Objects, "skin", skin},
+    {"animations", Optional, Kind::Objects, "animation", animation},
     {"extensions", Optional, Kind::Object, nullptr, file_extensions},
     end,
 };
@@ -288,21 +327,31 @@ bool check_elements(const json &root, const json &list, const Field &field) {
     return true;
 }
 
-bool check_each_index(const json &root, const json &list, const Field &field) {
-    if (field.kind == Kind::Indices ? !list.is_array() : !list.is_object())
+bool check_each_index(const json &root, const json &list, Kind kind, const char *of) {
+    if (kind == Kind::Indices ? !list.is_array() : !list.is_object())
         return error_set("%s is not %s", quote(list).c_str(),
-                         field.kind == Kind::Indices ? "an array" : "an object");
+                         kind == Kind::Indices ? "an array" : "an object");
     for (auto it = list.begin(); it != list.end(); ++it)
-        if (!check_index(root, *it, field.of))
-            return field.kind == Kind::Indices ? false : error_prefix("%.40s", it.key().c_str());
+        if (!check_index(root, *it, of))
+            return kind == Kind::Indices ? false : error_prefix("%.40s", it.key().c_str());
+    return true;
+}
+
+bool check_index_maps(const json &root, const json &list, const char *of) {
+    if (!list.is_array())
+        return error_set("%s is not an array", quote(list).c_str());
+    for (const json &map : list)
+        if (!check_each_index(root, map, Kind::IndexMap, of))
+            return false;
     return true;
 }
 
 bool check_numbers(const json &list, size_t count) {
-    bool good = list.is_array() && list.size() == count;
-    for (size_t i = 0; good && i < count; i++)
+    bool good = list.is_array() && (count == 0 || list.size() == count);
+    for (size_t i = 0; good && i < list.size(); i++)
         good = list[i].is_number();
-    return good || error_set("not an array of %zu numbers", count);
+    return good || (count ? error_set("not an array of %zu numbers", count)
+                          : error_set("not an array of numbers"));
 }
 
 bool check_value(const json &root, const json &value, const Field &field) {
@@ -311,7 +360,9 @@ bool check_value(const json &root, const json &value, const Field &field) {
         return check_index(root, value, field.of);
     case Kind::Indices:
     case Kind::IndexMap:
-        return check_each_index(root, value, field);
+        return check_each_index(root, value, field.kind, field.of);
+    case Kind::IndexMaps:
+        return check_index_maps(root, value, field.of);
     case Kind::Size:
         return value.is_number_unsigned() ||
                error_set("%s is not a whole number from 0", quote(value).c_str());
@@ -417,6 +468,18 @@ bool check_bytes(const json &root, size_t bin_size) {
     return true;
 }
 
+bool check_animations(const json &root) {
+    for (size_t i = 0; i < list_size(root, "/animations"); i++) {
+        const json &animation = root["animations"][i];
+        size_t samplers = animation["samplers"].size();
+        for (const json &channel : animation["channels"])
+            if (channel["sampler"].get<uint64_t>() >= samplers)
+                return error_set("animation %zu: a channel's sampler is %s, but there are %zu", i,
+                                 quote(channel["sampler"]).c_str(), samplers);
+    }
+    return true;
+}
+
 } // namespace
 
 bool check_schema(const char *text, size_t size, size_t bin_size) {
@@ -429,7 +492,7 @@ bool check_schema(const char *text, size_t size, size_t bin_size) {
     json root = json::parse(text, text + size, limit_depth);
     if (!root.is_object())
         return error_set("the JSON is not an object");
-    return check_fields(root, root, file) && check_bytes(root, bin_size);
+    return check_fields(root, root, file) && check_bytes(root, bin_size) && check_animations(root);
 }
 
 } // namespace gltf

@@ -75,6 +75,19 @@ static void field_gradient(const void *context, const float point[3], float grad
     }
 }
 
+bool metaballs_are_sound(const struct metaballs *balls) {
+    double cells = 1;
+    for (int axis = 0; axis < 3; axis++) {
+        double side = (double)balls->high[axis] - (double)balls->low[axis];
+        if (!isfinite(side) || !(side >= 2.6 * (double)balls->reach))
+            return false;
+        cells *= ceil(side / (double)balls->cell);
+    }
+    return balls->count >= 1 && balls->count <= METABALLS_MAX && balls->reach > 0 &&
+           balls->cell > 0 && cells <= METABALLS_MAX_CELLS && balls->period > 0 &&
+           isfinite(balls->period);
+}
+
 void metaballs_polygonise(const struct metaballs *metaballs, double time,
                           struct marching_cubes *cubes, struct surface *surface) {
     assert(metaballs->count <= METABALLS_MAX);

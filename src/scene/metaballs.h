@@ -9,7 +9,7 @@
 
 #include "scene/marching_cubes.h"
 
-enum { METABALLS_MAX = 64 };
+enum { METABALLS_MAX = 64, METABALLS_MAX_CELLS = 1 << 22 };
 
 struct metaballs {
     int count;             /* of balls, at most METABALLS_MAX */
@@ -18,6 +18,10 @@ struct metaballs {
     float cell;            /* side of the polygoniser's cubes */
     float period;          /* seconds */
 };
+
+/* Whether the numbers can be polygonised: finite, within their bounds, and no more than
+ * METABALLS_MAX_CELLS cubes. */
+bool metaballs_are_sound(const struct metaballs *balls);
 
 /* Adds the surface at a time to one that the caller may have cleared. */
 void metaballs_polygonise(const struct metaballs *balls, double time, struct marching_cubes *cubes,

@@ -1,6 +1,8 @@
 #include "scene/node.h"
 
 #include "base/error.h"
+#include "base/memory.h"
+#include "scene/animation.h"
 
 #include <assert.h>
 #include <cglm/cglm.h>
@@ -8,25 +10,51 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void local_matrix(const struct node *node, mat4 matrix) {
+/* A local transform; of a node with a matrix only that counts. */
+struct trs {
+    float translation[3], rotation[4], scale[3];
+};
+
+static void local_matrix(const struct node *node, const struct trs *trs, mat4 matrix) {
     if (node->has_matrix) {
         memcpy(matrix, node->matrix, sizeof node->matrix);
         return;
     }
-    versor rotation = {node->rotation[0], node->rotation[1], node->rotation[2], node->rotation[3]};
+    versor rotation;
+    memcpy(rotation, trs->rotation, sizeof rotation);
     glm_quat_mat4(rotation, matrix);
     for (int column = 0; column < 3; column++)
         for (int row = 0; row < 3; row++)
-            matrix[column][row] *= node->scale[column];
-    memcpy(matrix[3], node->translation, sizeof node->translation);
+            matrix[column][row] *= trs->scale[column];
+    memcpy(matrix[3], trs->translation, sizeof trs->translation);
+}
+
+/* The local transforms of all nodes: as the file has them, then as the clip moves them. */
+static struct trs *animate(const struct scene *scene, double time) {
+    struct trs *locals = mem_alloc((size_t)scene->node_count, sizeof *locals);
+    for (int i = 0; i < scene->node_count; i++) {
+        const struct node *node = &scene->nodes[i];
+        memcpy(locals[i].translation, node->translation, sizeof node->translation);
+        memcpy(locals[i].rotation, node->rotation, sizeof node->rotation);
+        memcpy(locals[i].scale, node->scale, sizeof node->scale);
+    }
+    const struct clip *clip = scene_clip(scene);
+    for (int i = 0; clip && i < clip->channel_count; i++) {
+        const struct channel *channel = &clip->channels[i];
+        struct trs *local = &locals[channel->node];
+        float *const fields[] = {local->translation, local->rotation, local->scale};
+        if (channel->path != CHANNEL_WEIGHTS)
+            channel_sample(channel, time, fields[channel->path]);
+    }
+    return locals;
 }
 
 void scene_node_worlds(const struct scene *scene, double time, float (*worlds)[16]) {
-    (void)time; /* nothing moves yet */
+    struct trs *locals = animate(scene, time);
     for (int i = 0; i < scene->node_count; i++) {
         const struct node *node = &scene->nodes[i];
         mat4 world;
-        local_matrix(node, world);
+        local_matrix(node, &locals[i], world);
         if (node->parent >= 0) {
             assert(node->parent < i);
             mat4 parent;
@@ -35,17 +63,23 @@ void scene_node_worlds(const struct scene *scene, double time, float (*worlds)[1
         }
         memcpy(worlds[i], world, sizeof world);
     }
+    free(locals);
+}
+
+bool node_check_worlds(const struct scene *scene, float (*worlds)[16]) {
+    for (int i = 0; i < scene->node_count; i++)
+        for (int k = 0; k < 16; k++)
+            if (!isfinite(worlds[i][k]))
+                return error_set("the node '%s' lies at infinity in the world",
+                                 scene->nodes[i].name);
+    return true;
 }
 
 void node_world(const struct scene *scene, int node, double time, float world[16]) {
-    (void)time;
-    mat4 product, parent;
-    local_matrix(&scene->nodes[node], product);
-    while ((node = scene->nodes[node].parent) >= 0) {
-        local_matrix(&scene->nodes[node], parent);
-        glm_mat4_mul(parent, product, product);
-    }
-    memcpy(world, product, sizeof product);
+    float(*worlds)[16] = mem_alloc((size_t)scene->node_count, sizeof *worlds);
+    scene_node_worlds(scene, time, worlds);
+    memcpy(world, worlds[node], sizeof worlds[node]);
+    free(worlds);
 }
 
 int node_carries(const struct node *node, enum node_kind kind) {

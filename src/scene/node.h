@@ -24,6 +24,10 @@ int node_find_carrying(const struct scene *scene, enum node_kind kind, const cha
  * dropped, as glTF asks for cameras and lights. */
 void node_frame(const float world[16], float right[3], float up[3], float forward[3]);
 
+/* Refuses worlds of scene_node_worlds that are not finite: finite nodes may multiply up to infinite
+ * ones. */
+bool node_check_worlds(const struct scene *scene, float (*worlds)[16]);
+
 /* World matrix of one node. */
 void node_world(const struct scene *scene, int node, double time, float world[16]);
 

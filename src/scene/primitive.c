@@ -42,12 +42,11 @@ bool primitive_unroll(struct primitive *primitive, enum primitive_mode mode) {
 
 /* The cross product of two edges: twice the area long. In double precision and scaled to the
  * longest edge, so that tiny and huge triangles keep their direction. */
-static void face_vector(const struct primitive *primitive, const uint32_t *corner, double out[3]) {
+static void face_vector(float (*position)[3], const uint32_t *corner, double out[3]) {
     double edge[2][3], longest = 0;
     for (int e = 0; e < 2; e++)
         for (int c = 0; c < 3; c++) {
-            edge[e][c] = (double)primitive->position[corner[e + 1]][c] -
-                         (double)primitive->position[corner[0]][c];
+            edge[e][c] = (double)position[corner[e + 1]][c] - (double)position[corner[0]][c];
             longest = fmax(longest, fabs(edge[e][c]));
         }
     for (int c = 0; c < 3; c++) {
@@ -77,21 +76,48 @@ static void *unindexed(void *array, size_t size, const struct primitive *primiti
     return to;
 }
 
-void primitive_flatten(struct primitive *primitive) {
+void primitive_flatten(struct primitive *primitive, int target_count) {
     primitive->position = unindexed(primitive->position, sizeof *primitive->position, primitive);
     primitive->uv = unindexed(primitive->uv, sizeof *primitive->uv, primitive);
     primitive->color = unindexed(primitive->color, sizeof *primitive->color, primitive);
+    primitive->joints = unindexed(primitive->joints, sizeof *primitive->joints, primitive);
+    primitive->weights = unindexed(primitive->weights, sizeof *primitive->weights, primitive);
+    for (int i = 0; primitive->targets && i < target_count; i++) {
+        struct morph_target *target = &primitive->targets[i];
+        target->position = unindexed(target->position, sizeof *target->position, primitive);
+        free(target->normal);
+        target->normal = NULL;
+    }
     free(primitive->normal);
+    primitive->flat = true;
     primitive->vertex_count = primitive->index_count;
     primitive->normal = mem_alloc((size_t)primitive->vertex_count, sizeof *primitive->normal);
     for (int i = 0; i < primitive->index_count; i++)
         primitive->indices[i] = (uint32_t)i;
-    for (int i = 0; i < primitive->index_count; i += 3) {
+    primitive_flat_normals(primitive->position, primitive->normal,
+                           (uint32_t)primitive->vertex_count);
+}
+
+void primitive_flat_normals(float (*position)[3], float (*normal)[3], uint32_t vertex_count) {
+    for (uint32_t i = 0; i + 2 < vertex_count; i += 3) {
         double face[3];
-        face_vector(primitive, &primitive->indices[i], face);
+        face_vector(position, (uint32_t[]){i, i + 1, i + 2}, face);
         for (int corner = 0; corner < 3; corner++)
-            unit_or_up(face, primitive->normal[i + corner]);
+            unit_or_up(face, normal[i + corner]);
     }
+}
+
+bool primitive_repair_weights(struct primitive *primitive) {
+    for (int i = 0; i < primitive->vertex_count; i++) {
+        float *weights = primitive->weights[i], sum = 0;
+        for (int j = 0; j < 4; j++) {
+            if (!(weights[j] >= 0) || !isfinite(sum += weights[j]))
+                return error_set("a weight of vertex %d is negative or not finite", i);
+        }
+        for (int j = 0; j < 4; j++)
+            weights[j] = sum > 0 ? weights[j] / sum : j == 0;
+    }
+    return true;
 }
 
 void primitive_repair_normals(struct primitive *primitive) {
@@ -109,7 +135,7 @@ void primitive_repair_normals(struct primitive *primitive) {
             sum = mem_alloc((size_t)primitive->vertex_count, sizeof *sum);
             for (int k = 0; k < primitive->index_count; k++) {
                 double face[3];
-                face_vector(primitive, &primitive->indices[k - k % 3], face);
+                face_vector(primitive->position, &primitive->indices[k - k % 3], face);
                 for (int c = 0; c < 3; c++)
                     sum[primitive->indices[k]][c] += face[c];
             }
@@ -119,7 +145,14 @@ void primitive_repair_normals(struct primitive *primitive) {
     free(sum);
 }
 
-void primitive_free(struct primitive *primitive) {
+void primitive_free(struct primitive *primitive, int target_count) {
+    for (int i = 0; primitive->targets && i < target_count; i++) {
+        free(primitive->targets[i].position);
+        free(primitive->targets[i].normal);
+    }
+    free(primitive->targets);
+    free(primitive->joints);
+    free(primitive->weights);
     free(primitive->position);
     free(primitive->normal);
     free(primitive->uv);

@@ -2,23 +2,18 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "scene/animation.h"
 #include "scene/framing.h"
 #include "scene/gltf.h"
+#include "scene/node.h"
 #include "scene/primitive.h"
 
-#include <math.h>
 #include <stdlib.h>
 
-/* Finite nodes may multiply up to infinite ones. */
 static bool check_worlds(const struct scene *scene) {
     float(*worlds)[16] = mem_alloc((size_t)scene->node_count, sizeof *worlds);
     scene_node_worlds(scene, 0, worlds);
-    bool good = true;
-    for (int i = 0; good && i < scene->node_count; i++)
-        for (int k = 0; good && k < 16; k++)
-            if (!isfinite(worlds[i][k]))
-                good = error_set("%s: the node '%s' lies at infinity in the world", scene->path,
-                                 scene->nodes[i].name);
+    bool good = node_check_worlds(scene, worlds) || error_prefix("%s", scene->path);
     free(worlds);
     return good;
 }
@@ -34,12 +29,24 @@ bool scene_load(struct scene *scene, const char *path) {
 void scene_free(struct scene *scene) {
     for (int i = 0; i < scene->mesh_count; i++) {
         for (int p = 0; p < scene->meshes[i].primitive_count; p++)
-            primitive_free(&scene->meshes[i].primitives[p]);
+            primitive_free(&scene->meshes[i].primitives[p], scene->meshes[i].target_count);
         free(scene->meshes[i].primitives);
+        free(scene->meshes[i].weights);
     }
     for (int i = 0; i < scene->texture_count; i++)
         bitmap_free(&scene->textures[i].bitmap);
+    for (int i = 0; i < scene->node_count; i++)
+        free(scene->nodes[i].weights);
+    for (int i = 0; i < scene->skin_count; i++) {
+        free(scene->skins[i].joints);
+        free(scene->skins[i].inverse_bind);
+    }
+    for (int i = 0; i < scene->clip_count; i++)
+        clip_free(&scene->clips[i]);
     free(scene->path);
+    free(scene->skins);
+    free(scene->metaballs);
+    free(scene->clips);
     free(scene->nodes);
     free(scene->meshes);
     free(scene->materials);

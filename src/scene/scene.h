@@ -8,6 +8,7 @@
 #define SCENE_SCENE_H
 
 #include "base/image.h"
+#include "scene/metaballs.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -23,12 +24,36 @@ struct primitive {
     float (*color)[4];  /* linear RGBA, multiplies the base colour */
     uint32_t *indices;  /* index_count = 3 x triangles; strips and fans are unrolled */
     int material;       /* never -1: the default material stands in */
+    bool flat;          /* no vertex is shared; normals are the triangles', however they move */
+
+    /* Of which joints of the node's skin each vertex follows how much; both or none. */
+    uint16_t (*joints)[4];
+    float (*weights)[4]; /* sum 1 */
+    int joint_bound;     /* greatest joint + 1 */
+
+    struct morph_target *targets; /* as many as the mesh has; NULL = none */
+};
+
+/* Displacements of all vertices of a primitive at weight 1; NULL = none. */
+struct morph_target {
+    float (*position)[3], (*normal)[3];
 };
 
 struct mesh {
     char name[SCENE_NAME_SIZE];
     struct primitive *primitives;
     int primitive_count;
+    int target_count;
+    float *weights; /* of the morph targets, for nodes without weights of their own */
+};
+
+/* A vertex stands at the weighted mean of joint's world x inverse_bind x position; the world of the
+ * node that shows the mesh has no part in it. */
+struct skin {
+    char name[SCENE_NAME_SIZE];
+    int joint_count;
+    int *joints; /* nodes; -1 = none of the scene's, and no node of the scene has this skin */
+    float (*inverse_bind)[16];
 };
 
 /* Diffuse: albedo = base colour factor x texture x vertex colour. */
@@ -71,11 +96,34 @@ struct scene_camera {
 struct node {
     char name[SCENE_NAME_SIZE];
     int parent; /* < own index; -1 = a root */
-    int mesh, light, camera;
+    int mesh, light, camera, skin;
+    int metaballs;  /* their surface replaces the mesh's, in the material of its first primitive */
+    float *weights; /* of the mesh's morph targets; NULL = the mesh's */
     /* The local transform: a matrix (column-major), or TRS when has_matrix is false. */
     bool has_matrix;
     float matrix[16];
     float translation[3], rotation[4] /* x y z w */, scale[3];
+};
+
+enum channel_path { CHANNEL_TRANSLATION, CHANNEL_ROTATION, CHANNEL_SCALE, CHANNEL_WEIGHTS };
+enum interpolation { INTERPOLATION_LINEAR, INTERPOLATION_STEP, INTERPOLATION_CUBIC };
+
+/* How one property of a node goes through time. */
+struct channel {
+    int node; /* has no matrix */
+    enum channel_path path;
+    enum interpolation interpolation;
+    int key_count, width; /* width: 3, 4 or the number of morph targets */
+    float *times;         /* seconds, increasing */
+    float *values;        /* a width for each key; cubic: in-tangent, value and out-tangent */
+};
+
+/* An animation. */
+struct clip {
+    char name[SCENE_NAME_SIZE];
+    struct channel *channels;
+    int channel_count;
+    float duration; /* the last time of all channels, seconds */
 };
 
 struct scene {
@@ -86,7 +134,12 @@ struct scene {
     struct scene_texture *textures;
     struct scene_light *lights;
     struct scene_camera *cameras;
+    struct skin *skins;
+    struct metaballs *metaballs;
+    struct clip *clips;
     int node_count, mesh_count, material_count, texture_count, light_count, camera_count;
+    int skin_count, metaballs_count, clip_count;
+    int clip; /* the one that plays, where there are any; the first after loading */
 };
 
 /* Loads a .gltf or .glb file. A scene without camera or light is given a framed camera and a spot,

@@ -22,11 +22,21 @@ struct scene_gpu {
     int batch_count, masked_caster_count;
     uint32_t opaque_caster_indices;
     uint32_t vertex_count;
+    unsigned pose;             /* of the geometry, that was uploaded last */
+    float (*extra)[3];         /* the casters' extra positions */
+    int16_t (*normal_room)[4]; /* for the conversion of a part's */
+    uint32_t normal_room_size;
 };
 
 /* Uploads. Error: out of GPU memory. */
 bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
                     const struct geometry *geometry, const struct caster *caster);
+
+/* Uploads the parts of the geometry that have moved since the last upload; all, into new buffers,
+ * where its arrays were laid out anew, which the caster follows. Error: out of GPU
+ * memory; the copy must then be freed. */
+bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry,
+                      struct caster *caster);
 void scene_gpu_free(struct scene_gpu *gpu);
 
 /* With vertex array shaded_vertices: all batches, or those with an alpha mask. Binds BLOCK_MATERIAL
