@@ -1,0 +1,375 @@
+/* What cameras, lights and VPLs see, and the light that is gathered, against rays and sums on the
+ * CPU. */
+#include "render_support.h"
+
+#include "base/memory.h"
+#include "reference/emitter.h"
+#include "shared/vpl.h"
+
+#include <cglm/cglm.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const cornell_box = "scenes/cornell-box.glb";
+static const char *const cornell_animal = "scenes/cornell-animal.glb";
+
+/* A stage, its rays, one frame and its layers. */
+struct bench {
+    struct stage stage;
+    struct rays rays;
+    struct renderer renderer;
+    struct image layers;
+};
+
+static void run_frame(struct bench *bench, const char *technique, const char *settings, int size) {
+    struct renderer_desc desc = stage_desc(&bench->stage, technique, settings, size, size);
+    open_renderer(&bench->renderer, &desc);
+    check_ok("layers", renderer_read_layers(&bench->renderer, &bench->layers));
+}
+
+static void end_frame(struct bench *bench) {
+    renderer_free(&bench->renderer);
+    image_free(&bench->layers);
+}
+
+static void open_bench(struct bench *bench, const char *scene) {
+    stage_load(&bench->stage, scene);
+    open_rays(&bench->rays, &bench->stage);
+}
+
+static void close_bench(struct bench *bench) {
+    close_rays(&bench->rays);
+    stage_free(&bench->stage);
+}
+
+static vec3s layer_at(const struct image *layers, const char *first, int x, int y) {
+    return to_vec3s(image_at(layers, x, y) + image_find_channel(layers, first));
+}
+
+/* What a ray through the pixel's centre meets; false where either sees nothing. */
+static bool pixel_hit(const struct bench *bench, int x, int y, struct hit *hit) {
+    float size = (float)bench->layers.width;
+    vec3 origin, direction;
+    camera_ray(&bench->stage.camera, ((float)x + .5f) / size, ((float)y + .5f) / size, 1, origin,
+               direction);
+    int alpha = image_find_channel(&bench->layers, "A");
+    return ray_scene_camera_hit(&bench->rays.scene, to_vec3s(origin), to_vec3s(direction), hit) &&
+           image_at(&bench->layers, x, y)[alpha] > 0;
+}
+
+static bool nearly(vec3s a, vec3s b, float tolerance) {
+    return glms_vec3_distance(a, b) <= tolerance;
+}
+
+/* --- what the camera sees --------------------------------------------------------------------- */
+
+static void check_surfaces(const char *scene) {
+    struct bench bench;
+    open_bench(&bench, scene);
+    run_frame(&bench, "unshadowed", "vpls=1 interleave=1", 96);
+    int wrong_positions = 0, wrong_normals = 0, wrong_albedos = 0, count = 0;
+    for (int y = 0; y < 96; y++)
+        for (int x = 0; x < 96; x++) {
+            struct hit hit;
+            vec3 position;
+            if (!pixel_hit(&bench, x, y, &hit))
+                continue;
+            count++;
+            pixel_position(&bench.renderer, &bench.layers, x, y, position);
+            wrong_positions +=
+                !nearly(to_vec3s(position), hit.position, 1e-4f * bench.stage.geometry.radius);
+            wrong_normals += !nearly(layer_at(&bench.layers, "normal.X", x, y), hit.normal, 1e-3f);
+            /* Ten bits of the root: a step near white is 0.002. */
+            wrong_albedos += !nearly(layer_at(&bench.layers, "albedo.R", x, y), hit.albedo, 4e-3f);
+        }
+    /* At edges rasteriser and ray may differ about the triangle. */
+    printf("  %s: %d pixels\n", scene, count);
+    assert_true(count > 96 * 96 / 4);
+    check_at_most("pixels of another position", wrong_positions / (double)count, .003);
+    check_at_most("of another normal", wrong_normals / (double)count, .003);
+    check_at_most("of another albedo", wrong_albedos / (double)count, .003);
+    end_frame(&bench);
+    close_bench(&bench);
+}
+
+static void test_surfaces(void **state) {
+    (void)state;
+    check_surfaces(cornell_box);
+    check_surfaces(cornell_animal);
+    check_surfaces("scenes/metaballs.glb");
+}
+
+/* --- lights ----------------------------------------------------------------------------------- */
+
+/* The stage's light as a point light, or a directional one through the open front, slanting. */
+static void make_point(struct stage *stage) {
+    stage->light.type = LIGHT_POINT;
+}
+
+static void make_directional(struct stage *stage) {
+    struct light *light = &stage->light;
+    vec3 direction = {.3f, -.4f, -1}, up = {0, 1, 0}, back;
+    light->type = LIGHT_DIRECTIONAL;
+    glm_vec3_normalize_to(direction, light->direction);
+    glm_vec3_negate_to(light->direction, back);
+    glm_vec3_crossn(up, back, light->right);
+    glm_vec3_cross(back, light->right, light->up);
+}
+
+static void make_nothing(struct stage *stage) {
+    (void)stage;
+}
+
+static const struct light_case {
+    const char *name;
+    void (*make)(struct stage *stage);
+} light_cases[] = {
+    {"spot", make_nothing}, {"point", make_point}, {"directional", make_directional}};
+
+/* Direct light at pixel centres; the shadow's outline is a texel of the map wide. */
+static void check_direct(struct bench *bench) {
+    struct emitter emitter = emitter_of(&bench->stage.light, &bench->stage.geometry);
+    int wrong = 0, count = 0, lit = 0;
+    run_frame(bench, "unshadowed", "vpls=1 interleave=1", 96);
+    for (int y = 0; y < 96; y++)
+        for (int x = 0; x < 96; x++) {
+            struct hit hit;
+            if (!pixel_hit(bench, x, y, &hit))
+                continue;
+            vec3s expected = emitter_direct(&emitter, &bench->rays.scene, &hit);
+            count++;
+            lit += expected.x > 0;
+            wrong += !nearly(layer_at(&bench->layers, "direct.R", x, y), expected,
+                             .01f * glms_vec3_norm(expected) + 1e-6f);
+        }
+    assert_true(lit > count / 20 && lit < count);
+    check_at_most("pixels of another direct light", wrong / (double)count, .01);
+    end_frame(bench);
+}
+
+static void test_direct(void **state) {
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        struct bench bench;
+        open_bench(&bench, cornell_animal);
+        light_cases[i].make(&bench.stage);
+        printf("  %s\n", light_cases[i].name);
+        check_direct(&bench);
+        close_bench(&bench);
+    }
+}
+
+/* --- VPLs ------------------------------------------------------------------------------------- */
+
+/* The ray of the light that ends at the VPL meets the same surface, and flux is rho I dw. */
+static bool is_true_vpl(const struct bench *bench, const struct vpl *vpl) {
+    const struct light *light = &bench->stage.light;
+    float radius = bench->stage.geometry.radius;
+    bool directional = light->type == LIGHT_DIRECTIONAL;
+    vec3s position = to_vec3s(vpl->position);
+    vec3s origin = directional
+                       ? glms_vec3_muladds(to_vec3s(light->direction), -4 * radius, position)
+                       : to_vec3s(light->position);
+    vec3s direction = glms_vec3_normalize(glms_vec3_sub(position, origin));
+    struct hit hit;
+    if (!ray_scene_hit(&bench->rays.scene, origin, direction, &hit))
+        return false;
+    float share =
+        bench->renderer.light_block.intensity[3] / (float)bench->renderer.desc.settings.vpl_count;
+    float cone = light_cone(light, glms_vec3_dot(direction, to_vec3s(light->direction)));
+    vec3s flux =
+        glms_vec3_scale(glms_vec3_mul(hit.albedo, to_vec3s(light->intensity)), share * cone);
+    return nearly(hit.position, position, 1e-3f * radius) &&
+           nearly(hit.normal, to_vec3s(vpl->normal), 2e-3f) &&
+           nearly(flux, to_vec3s(vpl->flux), .01f * glms_vec3_norm(flux));
+}
+
+static void test_vpls(void **state) {
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        struct bench bench;
+        open_bench(&bench, cornell_animal);
+        light_cases[i].make(&bench.stage);
+        run_frame(&bench, "unshadowed", "vpls=1024 interleave=1", 8);
+        struct vpl *vpls = read_vpls(&bench.renderer);
+        int emitting = 0, wrong = 0;
+        for (int k = 0; k < 1024; k++) {
+            emitting += vpls[k].flux[3] > 0;
+            wrong += vpls[k].flux[3] > 0 && !is_true_vpl(&bench, &vpls[k]);
+        }
+        printf("  %s: %d of 1024 emit\n", light_cases[i].name, emitting);
+        assert_true(emitting > 300);
+        /* Texels of silhouettes. */
+        check_at_most("VPLs that no ray confirms", wrong / (double)emitting, .01);
+        free(vpls);
+        end_frame(&bench);
+        close_bench(&bench);
+    }
+}
+
+/* --- gathering -------------------------------------------------------------------------------- */
+
+/* How a clamp bounds cosines / distance^4. */
+typedef double (*clamp_function)(const struct bench *bench, const struct vpl *vpl, double cosines,
+                                 double distance2);
+
+static double clamp_none(const struct bench *bench, const struct vpl *vpl, double cosines,
+                         double distance2) {
+    (void)bench, (void)vpl;
+    return cosines / (distance2 * distance2);
+}
+
+static double clamp_value(const struct bench *bench, const struct vpl *vpl, double cosines,
+                          double distance2) {
+    double radius = (double)bench->stage.geometry.radius;
+    return fmin(clamp_none(bench, vpl, cosines, distance2),
+                (double)bench->renderer.desc.settings.clamp_value / (radius * radius));
+}
+
+static double clamp_disk(const struct bench *bench, const struct vpl *vpl, double cosines,
+                         double distance2) {
+    (void)bench;
+    return cosines / (distance2 * (distance2 + (double)vpl->normal[3] / GLM_PI));
+}
+
+/* Irradiance over pi from VPLs first .. last, red. */
+static double sum_vpls(const struct bench *bench, const struct vpl *vpls, int first, int last,
+                       const struct hit *receiver, clamp_function clamp) {
+    double sum = 0;
+    for (int i = first; i < last; i++) {
+        vec3s to_vpl = glms_vec3_sub(to_vec3s(vpls[i].position), receiver->position);
+        double distance2 = (double)glms_vec3_norm2(to_vpl);
+        double cosines = fmax(0, (double)glms_vec3_dot(receiver->normal, to_vpl)) *
+                         fmax(0, -(double)glms_vec3_dot(to_vec3s(vpls[i].normal), to_vpl));
+        if (cosines > 0)
+            sum += (double)vpls[i].flux[0] * clamp(bench, &vpls[i], cosines, distance2);
+    }
+    return sum / (GLM_PI * GLM_PI);
+}
+
+/* The receiver as the G-buffer has it, so that a sum differs by rounding alone. */
+static struct hit receiver_at(const struct bench *bench, int x, int y) {
+    struct hit receiver = {.normal = layer_at(&bench->layers, "normal.X", x, y)};
+    pixel_position(&bench->renderer, &bench->layers, x, y, receiver.position.raw);
+    return receiver;
+}
+
+static void check_sums(const char *settings, int count, clamp_function clamp) {
+    enum { SIZE = 24 };
+    struct bench bench;
+    open_bench(&bench, cornell_box);
+    run_frame(&bench, "unshadowed", settings, SIZE);
+    struct vpl *vpls = read_vpls(&bench.renderer);
+    double worst = 0, mean = layer_mean(&bench.layers, "indirect");
+    for (int y = 0; y < SIZE; y++)
+        for (int x = 0; x < SIZE; x++) {
+            struct hit receiver = receiver_at(&bench, x, y);
+            if (image_at(&bench.layers, x, y)[image_find_channel(&bench.layers, "A")] <= 0)
+                continue;
+            double expected = sum_vpls(&bench, vpls, 0, count, &receiver, clamp);
+            double value = (double)layer_at(&bench.layers, "indirect.R", x, y).x;
+            worst = fmax(worst, fabs(value - expected) / (expected + .01 * mean));
+        }
+    printf("  %s\n", settings);
+    /* Half floats: 11 bits, in the sum and after the blur that here only copies; and the position
+     * that is rebuilt from depth, next to a VPL. */
+    check_at_most("worst pixel's distance from the CPU's sum, relative", worst, .005);
+    free(vpls);
+    end_frame(&bench);
+    close_bench(&bench);
+}
+
+static void test_sums(void **state) {
+    (void)state;
+    check_sums("vpls=64 interleave=1 clamp=none", 64, clamp_none);
+    check_sums("vpls=64 interleave=1 clamp=value clamp-value=2", 64, clamp_value);
+    check_sums("vpls=64 interleave=1 clamp=disk", 64, clamp_disk);
+    /* More than one uniform block. */
+    check_sums("vpls=2500 interleave=1 clamp=disk", 2500, clamp_disk);
+}
+
+/* Each pixel takes the VPLs of its slot, of N / n^2 or one more, for all. */
+static void test_slots(void **state) {
+    (void)state;
+    enum { SIZE = 20, N = 100, SIDE = 3, SLOTS = SIDE * SIDE };
+    struct bench bench;
+    open_bench(&bench, cornell_box);
+    run_frame(&bench, "unshadowed", "vpls=100 interleave=3 blur-radius=0 clamp=disk", SIZE);
+    struct vpl *vpls = read_vpls(&bench.renderer);
+    double worst = 0, mean = layer_mean(&bench.layers, "indirect");
+    for (int y = 0; y < SIZE; y++)
+        for (int x = 0; x < SIZE; x++) {
+            if (image_at(&bench.layers, x, y)[image_find_channel(&bench.layers, "A")] <= 0)
+                continue;
+            struct hit receiver = receiver_at(&bench, x, y);
+            int slot = (SIZE - 1 - y) % SIDE * SIDE + x % SIDE;
+            int first = slot * N / SLOTS, last = (slot + 1) * N / SLOTS;
+            double expected = sum_vpls(&bench, vpls, first, last, &receiver, clamp_disk) *
+                              ((double)N / (last - first));
+            double value = (double)layer_at(&bench.layers, "indirect.R", x, y).x;
+            worst = fmax(worst, fabs(value - expected) / (expected + .01 * mean));
+        }
+    check_at_most("worst pixel's distance from its slot's sum, relative", worst, .005);
+    free(vpls);
+    end_frame(&bench);
+    close_bench(&bench);
+}
+
+/* --- visibility ------------------------------------------------------------------------------- */
+
+/* One VPL with one map: each pixel has all of its light or none, as a ray to it says. */
+static void check_map_of_vpl(const char *scene, int seed) {
+    enum { SIZE = 64 };
+    struct bench bench;
+    char settings[96];
+    open_bench(&bench, scene);
+    snprintf(settings, sizeof settings, "vpls=1 interleave=1 clamp=disk seed=%d", seed);
+    run_frame(&bench, "instant-radiosity", settings, SIZE);
+    struct vpl *vpl = read_vpls(&bench.renderer);
+    int wrong = 0, count = 0, blocked = 0;
+    vec3s light = glms_vec3_muladds(to_vec3s(vpl->normal), 1e-3f * bench.stage.geometry.radius,
+                                    to_vec3s(vpl->position));
+    for (int y = 0; y < SIZE; y++)
+        for (int x = 0; x < SIZE; x++) {
+            struct hit hit;
+            if (!pixel_hit(&bench, x, y, &hit))
+                continue;
+            struct hit receiver = receiver_at(&bench, x, y);
+            double expected = sum_vpls(&bench, vpl, 0, 1, &receiver, clamp_disk);
+            if (expected <= 0)
+                continue;
+            bool visible = ray_scene_visible(&bench.rays.scene,
+                                             ray_scene_departure(&bench.rays.scene, &hit), light);
+            double value = (double)layer_at(&bench.layers, "indirect.R", x, y).x;
+            count++;
+            blocked += !visible;
+            wrong += (value > expected / 2) != visible;
+        }
+    printf("  %s seed %d: %d pixels, %d blocked\n", scene, seed, count, blocked);
+    if (vpl->flux[3] > 0)
+        assert_true(count > SIZE * SIZE / 10);
+    check_at_most("pixels whose visibility a ray denies", wrong / fmax(count, 1), .02);
+    free(vpl);
+    end_frame(&bench);
+    close_bench(&bench);
+}
+
+static void test_map_of_vpl(void **state) {
+    (void)state;
+    for (int seed = 1; seed <= 4; seed++) {
+        check_map_of_vpl(cornell_box, seed);
+        check_map_of_vpl(cornell_animal, seed);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_surfaces), cmocka_unit_test(test_direct),
+        cmocka_unit_test(test_vpls),     cmocka_unit_test(test_sums),
+        cmocka_unit_test(test_slots),    cmocka_unit_test(test_map_of_vpl),
+    };
+    return cmocka_run_group_tests_name("gather", tests, open_group_context, close_group_context);
+}
