@@ -39,25 +39,18 @@ int close_group_context(void **state) {
     return messages == 0 && objects == 0 ? 0 : -1;
 }
 
-void stage_load(struct stage *stage, const char *path) {
-    *stage = (struct stage){0};
-    check_ok(path, scene_load(&stage->scene, path));
-    stage_pose(stage);
+void open_stage(struct stage *stage, const char *path) {
+    check_ok(path, stage_init(stage, &(struct stage_desc){.path = path}));
 }
 
-void stage_pose(struct stage *stage) {
+void pose_stage(struct stage *stage) {
     geometry_free(&stage->geometry);
     check_ok("geometry", geometry_init(&stage->geometry, &stage->scene, 0));
     camera_place(&stage->camera, &stage->scene, 0, 0);
     light_place(&stage->light, &stage->scene, 0, 0);
 }
 
-void stage_free(struct stage *stage) {
-    geometry_free(&stage->geometry);
-    scene_free(&stage->scene);
-}
-
-void stage_turn(struct stage *stage, double degrees) {
+void turn_stage(struct stage *stage, double degrees) {
     vec3 y = {0, 1, 0};
     mat4 turn;
     glm_rotate_make(turn, glm_rad((float)degrees), y);
@@ -71,7 +64,7 @@ void stage_turn(struct stage *stage, double degrees) {
         memcpy(node->matrix, turned, sizeof node->matrix);
         node->has_matrix = true;
     }
-    stage_pose(stage);
+    pose_stage(stage);
 }
 
 void open_rays(struct rays *rays, const struct stage *stage) {
@@ -101,8 +94,8 @@ static void assign_settings(struct settings *settings, const char *text) {
     free(copy);
 }
 
-struct renderer_desc stage_desc(const struct stage *stage, const char *technique,
-                                const char *settings, int width, int height) {
+struct renderer_desc desc_of(const struct stage *stage, const char *technique, const char *settings,
+                             int width, int height) {
     struct renderer_desc desc = {
         .width = width,
         .height = height,
@@ -131,9 +124,9 @@ struct image render_layers(const struct renderer_desc *desc) {
     return image;
 }
 
-struct image stage_render(const struct stage *stage, const char *technique, const char *settings,
+struct image render_stage(const struct stage *stage, const char *technique, const char *settings,
                           int size) {
-    struct renderer_desc desc = stage_desc(stage, technique, settings, size, size);
+    struct renderer_desc desc = desc_of(stage, technique, settings, size, size);
     return render_layers(&desc);
 }
 

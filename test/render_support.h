@@ -4,6 +4,7 @@
 
 #include "support.h"
 
+#include "apps/stage.h"
 #include "gl/context.h"
 #include "reference/ray_scene.h"
 #include "renderer/renderer.h"
@@ -16,21 +17,14 @@ struct context *open_context(enum context_kind kind);
 int open_group_context(void **state);
 int close_group_context(void **state);
 
-/* A scene with what a renderer needs of it. Change the scene, then pose it anew. */
-struct stage {
-    struct scene scene;
-    struct geometry geometry;
-    struct camera camera;
-    struct light light;
-};
+/* A stage that the test may change; fails the test on an error. */
+void open_stage(struct stage *stage, const char *path);
 
-/* NULL frees nothing; fails the test on an error. */
-void stage_load(struct stage *stage, const char *path);
-void stage_pose(struct stage *stage);
-void stage_free(struct stage *stage);
+/* Geometry, camera and light anew from a scene that the test has changed. */
+void pose_stage(struct stage *stage);
 
 /* Turns everything, camera and light too, about the y axis. */
-void stage_turn(struct stage *stage, double degrees);
+void turn_stage(struct stage *stage, double degrees);
 
 static inline vec3s to_vec3s(const float v[3]) {
     return (vec3s){{v[0], v[1], v[2]}};
@@ -46,8 +40,8 @@ void open_rays(struct rays *rays, const struct stage *stage);
 void close_rays(struct rays *rays);
 
 /* The desc of a renderer: settings as "vpls=64 vals=8", in order; the technique by name. */
-struct renderer_desc stage_desc(const struct stage *stage, const char *technique,
-                                const char *settings, int width, int height);
+struct renderer_desc desc_of(const struct stage *stage, const char *technique, const char *settings,
+                             int width, int height);
 
 /* A renderer that has rendered one frame. */
 void open_renderer(struct renderer *renderer, const struct renderer_desc *desc);
@@ -55,8 +49,8 @@ void open_renderer(struct renderer *renderer, const struct renderer_desc *desc);
 /* All layers of the frame that a renderer of this desc renders. */
 struct image render_layers(const struct renderer_desc *desc);
 
-/* The same with the desc of stage_desc. */
-struct image stage_render(const struct stage *stage, const char *technique, const char *settings,
+/* The same with the desc of desc_of. */
+struct image render_stage(const struct stage *stage, const char *technique, const char *settings,
                           int size);
 
 /* The VPLs of the last frame, as the gather reads them; vpl_count of them, for free(). */

@@ -25,7 +25,7 @@ struct bench {
 };
 
 static void run_frame(struct bench *bench, const char *technique, const char *settings, int size) {
-    struct renderer_desc desc = stage_desc(&bench->stage, technique, settings, size, size);
+    struct renderer_desc desc = desc_of(&bench->stage, technique, settings, size, size);
     open_renderer(&bench->renderer, &desc);
     check_ok("layers", renderer_read_layers(&bench->renderer, &bench->layers));
 }
@@ -36,7 +36,7 @@ static void end_frame(struct bench *bench) {
 }
 
 static void open_bench(struct bench *bench, const char *scene) {
-    stage_load(&bench->stage, scene);
+    open_stage(&bench->stage, scene);
     open_rays(&bench->rays, &bench->stage);
 }
 

@@ -74,7 +74,7 @@ static void check_sphere(const struct stage *stage, const struct sphere_case *ro
     snprintf(settings, sizeof settings, "vpls=%d vals=%d interleave=%d clamp=none", row->vpls,
              row->vals, row->interleave);
     printf("  %s %s\n", row->technique, settings);
-    struct renderer_desc desc = stage_desc(stage, row->technique, settings, 64, 64);
+    struct renderer_desc desc = desc_of(stage, row->technique, settings, 64, 64);
     open_renderer(&renderer, &desc);
     check_ok("layers", renderer_read_layers(&renderer, &image));
     check_direct(&image);
@@ -88,7 +88,7 @@ static void check_sphere(const struct stage *stage, const struct sphere_case *ro
 static void check_technique(const char *technique, bool clusters, double mean, double worst) {
     static const int vpls[] = {16, 64, 1024}, vals[] = {1, 8, 30}, interleaves[] = {1, 8};
     struct stage stage;
-    stage_load(&stage, "scenes/sphere.glb");
+    open_stage(&stage, "scenes/sphere.glb");
     for (int n = 0; n < 3; n++)
         for (int i = 0; i < 2; i++)
             for (int m = 0; m < (clusters ? 3 : 1); m++)
@@ -119,11 +119,11 @@ static void test_sphere_clustered(void **state) {
 static void test_sphere_disk_clamp(void **state) {
     (void)state;
     struct stage stage;
-    stage_load(&stage, "scenes/sphere.glb");
+    open_stage(&stage, "scenes/sphere.glb");
     for (int n = 64; n <= 1024; n *= 16) {
         char settings[64];
         snprintf(settings, sizeof settings, "vpls=%d interleave=1 clamp=disk", n);
-        struct image image = stage_render(&stage, "unshadowed", settings, 64);
+        struct image image = render_stage(&stage, "unshadowed", settings, 64);
         /* The picture is a part of the sphere, and VPLs are no continuum. */
         check_near("one bounce with the disk's form factor, mean",
                    layer_mean(&image, "indirect") / exact_indirect, 1 - log(1 + n) / n,
@@ -138,7 +138,7 @@ static void test_sphere_disk_clamp(void **state) {
 /* Sum of the VPLs' flux, the mean of RGB, W. */
 static double vpl_flux(const struct stage *stage, const char *settings) {
     struct renderer renderer;
-    struct renderer_desc desc = stage_desc(stage, "unshadowed", settings, 8, 8);
+    struct renderer_desc desc = desc_of(stage, "unshadowed", settings, 8, 8);
     open_renderer(&renderer, &desc);
     struct vpl *vpls = read_vpls(&renderer);
     double sum = 0;
@@ -211,7 +211,7 @@ static void check_energy(const char *what, const struct stage *stage) {
 static void test_energy(void **state) {
     (void)state;
     struct stage stage;
-    stage_load(&stage, "scenes/cornell-box.glb");
+    open_stage(&stage, "scenes/cornell-box.glb");
     struct light *light = &stage.light;
     assert_int_equal(light->type, LIGHT_SPOT);
     check_energy("reflected flux of the scene's spot", &stage);

@@ -33,8 +33,8 @@ static float (*read_row(const struct texture *texture, int count))[4] {
 }
 
 static void open_vals(struct frame_of_vals *frame, const char *scene, const char *settings) {
-    stage_load(&frame->stage, scene);
-    struct renderer_desc desc = stage_desc(&frame->stage, "clustered", settings, 32, 32);
+    open_stage(&frame->stage, scene);
+    struct renderer_desc desc = desc_of(&frame->stage, "clustered", settings, 32, 32);
     open_renderer(&frame->renderer, &desc);
     renderer_outputs(&frame->renderer, &frame->outputs);
     const struct technique_outputs *outputs = &frame->outputs;
@@ -439,9 +439,9 @@ struct blur_bench {
 static void open_blur(struct blur_bench *bench, const struct blur_desc *desc, int interleave) {
     bench->width = desc->width;
     bench->height = desc->height;
-    stage_load(&bench->stage, "scenes/cornell-box.glb");
+    open_stage(&bench->stage, "scenes/cornell-box.glb");
     struct renderer_desc renderer_desc =
-        stage_desc(&bench->stage, "unshadowed", "vpls=1 interleave=1", desc->width, desc->height);
+        desc_of(&bench->stage, "unshadowed", "vpls=1 interleave=1", desc->width, desc->height);
     open_renderer(&bench->renderer, &renderer_desc);
     check_ok("layers", renderer_read_layers(&bench->renderer, &bench->layers));
     check_ok("blur", blur_pass_init(&bench->blur, desc));
