@@ -1,0 +1,210 @@
+/* Every scene, every technique, the ends of every option: finite numbers, no word from OpenGL,
+ * nothing left in memory. */
+#include "render_support.h"
+
+#include "base/memory.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* Finite in all channels. */
+static void check_picture(const char *what, const struct stage *stage, const char *technique,
+                          const char *settings, int width, int height) {
+    struct renderer_desc desc = desc_of(stage, technique, settings, width, height);
+    struct image image = render_layers(&desc);
+    printf("  %s %s %dx%d %s\n", what, technique, width, height, settings);
+    check_finite(what, &image);
+    assert_int_equal(image.width, width);
+    assert_int_equal(image.height, height);
+    image_free(&image);
+}
+
+/* --- scenes ----------------------------------------------------------------------------------- */
+
+/* A map per VPL of a hundred thousand faces costs: few VPLs will do. */
+static void check_scene(const char *path, int size) {
+    struct stage stage;
+    open_stage(&stage, path);
+    check_picture(path, &stage, "clustered", "vpls=256 vals=12 map-size=128", size, size);
+    check_picture(path, &stage, "instant-radiosity", "vpls=8 map-size=128 interleave=2", size,
+                  size);
+    check_picture(path, &stage, "unshadowed", "", size, size);
+    struct image image = render_stage(&stage, "clustered", "vals=8 map-size=64", size);
+    assert_true(layer_mean(&image, "direct") > 0);
+    assert_true(layer_mean(&image, "indirect") > 0);
+    image_free(&image);
+    stage_free(&stage);
+}
+
+static void test_own_scenes(void **state) {
+    (void)state;
+    static const char *const names[] = {"cornell-box", "cornell-animal", "sphere", "metaballs",
+                                        "atrium"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        char path[128];
+        snprintf(path, sizeof path, "scenes/%s.glb", names[i]);
+        check_scene(path, 100);
+    }
+}
+
+static void test_shared_scenes(void **state) {
+    (void)state;
+    static const char *const names[] = {"cornell-box", "cornell-horse", "sponza-98k", "sponza"};
+    if (!shared_path())
+        skip();
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        char path[256];
+        snprintf(path, sizeof path, "%s/scenes/%s.glb", shared_path(), names[i]);
+        if (access(path, R_OK) == 0)
+            check_scene(path, 100);
+    }
+}
+
+/* --- options ---------------------------------------------------------------------------------- */
+
+/* Small maps and few lights, so that what is extreme is one thing at a time. */
+#define SMALL "vpls=64 vals=4 map-size=64 rsm-size=64 shadow-size=256 interleave=2 "
+
+static void test_extremes(void **state) {
+    (void)state;
+    static const char *const settings[] = {
+        "vpls=1 vals=1 interleave=1",
+        SMALL "vals=1",
+        SMALL "vals=64",
+        SMALL "vals=100",
+        SMALL "vpls=256 interleave=16",
+        SMALL "vpls=257 interleave=16 blur-radius=64",
+        SMALL "interleave=8 blur-radius=0",
+        SMALL "interleave=7 vpls=50",
+        SMALL "vpls=65536 interleave=16 vals=1024 map-size=16 iterations=1",
+        SMALL "terms=1",
+        SMALL "terms=5",
+        SMALL "terms=16 sharpen-a=30",
+        SMALL "map-size=16 terms=16 rsm-size=16 shadow-size=16",
+        SMALL "visibility=hard map-size=16",
+        SMALL "map-batch=1",
+        SMALL "map-batch=1024",
+        SMALL "clamp=none",
+        SMALL "clamp=value clamp-value=0",
+        SMALL "clamp=value clamp-value=1e9",
+        SMALL "clamp=disk",
+        SMALL "clamp=near near-reach=0.1 near-samples=1",
+        SMALL "clamp=near near-reach=100 near-samples=1024 interleave=1",
+        SMALL "bias=0 map-bias=0 near-clip=0 shadow-bias=0",
+        SMALL "bias=1 map-bias=1 near-clip=1 shadow-bias=100",
+        SMALL "shift=0 gain=.1",
+        SMALL "shift=2 gain=16",
+        SMALL "weight-position=0 weight-normal=0",
+        SMALL "weight-position=1000 weight-normal=0 iterations=64",
+        SMALL "blur-distance=0",
+        SMALL "blur-distance=10 blur-cosine=-1",
+        SMALL "blur-cosine=1",
+        SMALL "caster-edge=10",
+        SMALL "caster-edge=.05",
+        SMALL "filter-jacobian=on",
+        SMALL "exposure=-32 tone-map=filmic",
+        SMALL "exposure=32 tone-map=filmic seed=1000000000",
+    };
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
+        check_picture("", &stage, "clustered", settings[i], 40, 40);
+        /* All that maps of VPLs do differently; not 65536 of them. */
+        if (strstr(settings[i], "65536") == NULL)
+            check_picture("", &stage, "instant-radiosity", settings[i], 40, 40);
+    }
+    stage_free(&stage);
+}
+
+static void test_sizes(void **state) {
+    (void)state;
+    static const int sizes[][2] = {{1, 1}, {2, 1}, {1, 7}, {16, 400}, {400, 16}, {9, 9}, {17, 31}};
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+        for (int t = 0; technique_names[t]; t++)
+            check_picture("", &stage, technique_names[t], "vpls=64 vals=8 map-size=64 interleave=8",
+                          sizes[i][0], sizes[i][1]);
+    stage_free(&stage);
+}
+
+/* --- scale ------------------------------------------------------------------------------------ */
+
+/* The scene s times as large, with s^2 times the intensity, is the same picture: no length and no
+ * light is absolute. */
+static void scale_scene(struct scene *scene, float s) {
+    for (int i = 0; i < scene->mesh_count; i++)
+        for (int p = 0; p < scene->meshes[i].primitive_count; p++) {
+            struct primitive *primitive = &scene->meshes[i].primitives[p];
+            for (int k = 0; k < 3 * primitive->vertex_count; k++)
+                primitive->position[0][k] *= s;
+        }
+    for (int i = 0; i < scene->node_count; i++)
+        for (int c = 0; c < 3; c++) {
+            scene->nodes[i].translation[c] *= s;
+            scene->nodes[i].matrix[12 + c] *= s;
+        }
+    for (int i = 0; i < scene->light_count; i++)
+        for (int c = 0; c < 3; c++)
+            scene->lights[i].intensity[c] *= s * s;
+}
+
+static void test_scale(void **state) {
+    (void)state;
+    static const float scales[] = {1e-3f, 1e4f};
+    for (int t = 0; technique_names[t]; t++) {
+        const char *settings = t == 1 ? "vpls=32 map-size=64 interleave=1"
+                                      : "vpls=256 vals=8 map-size=64 interleave=4";
+        struct stage stage;
+        open_stage(&stage, "scenes/cornell-box.glb");
+        struct image plain = render_stage(&stage, technique_names[t], settings, 64);
+        stage_free(&stage);
+        for (int i = 0; i < 2; i++) {
+            open_stage(&stage, "scenes/cornell-box.glb");
+            scale_scene(&stage.scene, scales[i]);
+            pose_stage(&stage);
+            struct image scaled = render_stage(&stage, technique_names[t], settings, 64);
+            printf("  %s times %g\n", technique_names[t], (double)scales[i]);
+            check_finite("scaled", &scaled);
+            /* What rounding of other numbers does to shadows' edges. */
+            check_at_most("the scene at another scale, relative RMSE",
+                          relative_rmse(&scaled, &plain, ""), .01);
+            image_free(&scaled);
+            stage_free(&stage);
+        }
+        image_free(&plain);
+    }
+}
+
+/* --- light ------------------------------------------------------------------------------------ */
+
+/* A light that is off, dim, bright, and one that meets nothing. */
+static void test_odd_lights(void **state) {
+    (void)state;
+    static const float intensities[] = {0, 1e-20f, 1e15f};
+    for (int i = 0; i < 4; i++) {
+        struct stage stage;
+        open_stage(&stage, "scenes/cornell-box.glb");
+        for (int c = 0; c < 3 && i < 3; c++)
+            stage.light.intensity[c] = intensities[i];
+        if (i == 3)
+            stage.light.position[1] = 1e3f; /* far above the ceiling, which has its back to it */
+        for (int t = 0; technique_names[t]; t++)
+            check_picture(i == 3 ? "light outside" : "intensity", &stage, technique_names[t],
+                          "vpls=64 vals=8 map-size=64 interleave=4", 40, 40);
+        stage_free(&stage);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_own_scenes), cmocka_unit_test(test_shared_scenes),
+        cmocka_unit_test(test_extremes),   cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_scale),      cmocka_unit_test(test_odd_lights),
+    };
+    return cmocka_run_group_tests_name("robust", tests, open_group_context, close_group_context);
+}
