@@ -1,15 +1,12 @@
 // The picture for a display: exposure, tone map, sRGB.
 #include "lib/layer.glsl"
+#include "lib/srgb.glsl"
 
 layout(location = 0) out vec4 color;
 
 // The usual fit to the ACES filmic curve [Narkowicz 2015].
 vec3 filmic(vec3 x) {
     return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
-}
-
-vec3 srgb_encode(vec3 x) {
-    return mix(12.92 * x, 1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, greaterThan(x, vec3(0.0031308)));
 }
 
 void main() {

@@ -95,6 +95,38 @@ struct screen_params {
     float unused0, unused1, unused2;
 };
 
+struct inspect_params {
+    float kind;          /* what is shown, INSPECT_... */
+    float columns, rows; /* layers shown at once, as a sheet */
+    float first_layer;
+    float layer_count;
+    float cell_width, cell_height; /* of the sheet, pixels; 0: one layer, pixel by pixel */
+    float gap;                     /* dark between cells, pixels */
+    float exposure;                /* factor on irradiance */
+    float unused0, unused1, unused2;
+    vec4 center;    /* of the scene; w: radius, metres */
+};
+
+#define INSPECT_NORMAL 0
+#define INSPECT_ALBEDO 1
+#define INSPECT_DEPTH 2
+#define INSPECT_MAP_DEPTH 3
+#define INSPECT_BASIS 4
+#define INSPECT_SIGNED_BASIS 5
+#define INSPECT_IRRADIANCE 6
+#define INSPECT_DIMMED 7
+#define INSPECT_VISIBILITY 8
+
+struct mark_params {
+    float width, height; /* of the picture, pixels */
+    float size;          /* of a point or width of a line, pixels */
+    float by_cluster;    /* colour: 1 by the VAL, 0 by the flux */
+    float flux_scale;    /* of a usual VPL, 1/W */
+    float normal_length; /* metres */
+    float chosen;        /* VAL that stands out; -1 = none, and then all are as bright */
+    float only_chosen;   /* 1: no other is drawn */
+};
+
 #define LAYER_BEAUTY 0
 #define LAYER_DIRECT 1
 #define LAYER_INDIRECT 2

@@ -23,7 +23,7 @@ void pass_set_state(const struct pass_state *state) {
     gl.DepthMask(state->depth != PASS_DEPTH_OFF);
     gl.DepthFunc(state->depth == PASS_DEPTH_GREATER ? GL_GREATER : GL_LESS);
     enable(GL_BLEND, state->blend != PASS_BLEND_OFF);
-    gl.BlendFunc(GL_ONE, GL_ONE);
+    gl.BlendFunc(GL_ONE, state->blend == PASS_BLEND_OVER ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
     gl.BlendEquation(state->blend == PASS_BLEND_MAX ? GL_MAX : GL_FUNC_ADD);
     gl.Disable(GL_CULL_FACE);
     gl.Disable(GL_SCISSOR_TEST);

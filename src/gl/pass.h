@@ -10,7 +10,12 @@ enum pass_depth {
     PASS_DEPTH_GREATER, /* test and write; 0 is far: reversed depth */
 };
 
-enum pass_blend { PASS_BLEND_OFF, PASS_BLEND_ADD, PASS_BLEND_MAX };
+enum pass_blend {
+    PASS_BLEND_OFF,
+    PASS_BLEND_ADD,
+    PASS_BLEND_MAX,
+    PASS_BLEND_OVER, /* colour comes multiplied by its alpha */
+};
 
 struct pass_state {
     const char *name; /* timer and debug group */

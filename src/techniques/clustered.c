@@ -128,6 +128,7 @@ static void outputs(const void *state, struct technique_outputs *outputs) {
     outputs->val_positions = &centers->position;
     outputs->val_normals = &centers->normal;
     outputs->val_fluxes = &centers->flux;
+    outputs->val_extremes = &technique->cluster.extremes;
     outputs->depth_maps = &technique->paraboloid.maps;
     outputs->basis_maps = technique->soft ? &technique->basis.maps : NULL;
 }

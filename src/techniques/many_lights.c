@@ -110,5 +110,6 @@ void many_lights_outputs(const struct many_lights *lights, struct technique_outp
         .gathered = &lights->gather.irradiance,
         .rsm = &lights->rsm,
         .vpls = &lights->vpls,
+        .visibility = &lights->gather.desc.visibility,
     };
 }

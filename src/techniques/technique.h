@@ -3,6 +3,7 @@
 #define TECHNIQUES_TECHNIQUE_H
 
 #include "passes/frame.h"
+#include "passes/visibility.h"
 #include "techniques/settings.h"
 
 struct technique_desc {
@@ -19,6 +20,8 @@ struct technique_outputs {
     const struct vpl_buffer *vpls;
     const struct map_views *val_views;
     const struct texture *val_positions, *val_normals, *val_fluxes; /* M x 1 */
+    const struct texture *val_extremes; /* bounding rectangles: max s, max t, -min s, -min t */
+    const struct visibility_desc *visibility; /* how the gather looks maps up */
     const struct depth_maps *depth_maps;
     const struct basis_maps *basis_maps;
 };

@@ -4,13 +4,15 @@
 #include "shared/params.h"
 #include "viewer/ui.h"
 
+#include <math.h>
 #include <string.h>
 
 /* --- keys --- */
 
 static void show_layer(struct viewer *viewer, int layer) {
     viewer->layer = layer;
-    viewer->dirty = true;
+    viewer->choice.kind = SHOW_PICTURE;
+    viewer->recompose = true;
 }
 
 static void key_full(struct viewer *viewer) {
@@ -21,6 +23,14 @@ static void key_indirect(struct viewer *viewer) {
 }
 static void key_direct(struct viewer *viewer) {
     show_layer(viewer, LAYER_DIRECT);
+}
+static void key_next(struct viewer *viewer) {
+    if (viewer->has_scene)
+        viewer_step_buffer(viewer, 1);
+}
+static void key_previous(struct viewer *viewer) {
+    if (viewer->has_scene)
+        viewer_step_buffer(viewer, -1);
 }
 static void key_home(struct viewer *viewer) {
     if (viewer->has_scene)
@@ -50,6 +60,8 @@ static const struct key {
     {'1', "1", "all light", key_full},
     {'2', "2", "indirect light alone", key_indirect},
     {'3', "3", "direct light alone", key_direct},
+    {KEY_LEFT_BRACKET, "[", "previous buffer of the frame", key_previous},
+    {KEY_RIGHT_BRACKET, "]", "next buffer", key_next},
     {'R', "R", "back to the scene's camera", key_home},
     {KEY_F1, "F1", "this help", key_help},
     {KEY_F2, "F2", "panel", key_panel},
@@ -118,6 +130,31 @@ static void drag(struct viewer *viewer) {
     viewer_touch(viewer);
 }
 
+/* --- clicks --- */
+
+/* A click on a sheet shows that layer alone, the next one the sheet again. */
+static void click_layer(struct viewer *viewer, float x, float y) {
+    struct inspect_choice *choice = &viewer->choice;
+    choice->layer = choice->layer < 0 ? inspect_sheet_layer(&viewer->renderer, choice, x, y) : -1;
+    viewer->recompose = true;
+}
+
+static void click(struct viewer *viewer) {
+    const struct input *input = viewer->input;
+    const struct rectangle *picture = &viewer->picture;
+    if (input->pressed[BUTTON_LEFT]) {
+        viewer->press_x = input->x;
+        viewer->press_y = input->y;
+    }
+    double away = fabs(input->x - viewer->press_x) + fabs(input->y - viewer->press_y);
+    if (!input->released[BUTTON_LEFT] || !viewer->drags_picture || away > 4)
+        return;
+    float x = (float)(input->x - picture->x) / (float)picture->width;
+    float y = (float)(input->y - picture->y) / (float)picture->height;
+    if (inspect_layers(&viewer->renderer, viewer->choice.kind) > 1)
+        click_layer(viewer, x, y);
+}
+
 void controls_update(struct viewer *viewer) {
     const struct input *input = viewer->input;
     double now = window_time(), seconds = now - viewer->last_update;
@@ -128,6 +165,7 @@ void controls_update(struct viewer *viewer) {
         run_keys(viewer);
     if (!viewer->has_scene)
         return;
+    click(viewer);
     /* A drag that began on the picture goes on wherever the mouse is. */
     for (int i = 0; i < BUTTON_COUNT; i++)
         if (input->pressed[i])

@@ -72,6 +72,36 @@ static void draw_scene(struct viewer *viewer) {
     ui_value("faces", "%u", viewer->document.geometry.index_count / 3);
 }
 
+/* Those that the technique has. */
+static void draw_buffer(struct viewer *viewer) {
+    struct inspect_choice *choice = &viewer->choice;
+    const char *names[SHOW_COUNT];
+    int kinds[SHOW_COUNT], count = 0, shown = 0;
+    for (int kind = 0; kind < SHOW_COUNT; kind++)
+        if (inspect_layers(&viewer->renderer, (enum inspect_kind)kind) > 0) {
+            if (kind == (int)choice->kind)
+                shown = count;
+            kinds[count] = kind;
+            names[count++] = inspect_rows[kind].name;
+        }
+    struct ui_row row = {
+        .name = "buffer", .help = inspect_rows[choice->kind].help, .differs = shown > 0};
+    enum ui_result result = ui_choice(&row, &shown, names, count);
+    if (result != UI_NOTHING) {
+        choice->kind = result == UI_RESET ? SHOW_PICTURE : (enum inspect_kind)kinds[shown];
+        choice->layer = -1;
+        viewer->recompose = true;
+    }
+    int layers = inspect_layers(&viewer->renderer, choice->kind);
+    struct ui_row layer = {.name = "layer",
+                           .help = "-1 = a sheet of all; a click on one shows it alone",
+                           .differs = choice->layer >= 0};
+    if (layers > 1 && (result = ui_int(&layer, &choice->layer, -1, layers - 1)) != UI_NOTHING) {
+        choice->layer = result == UI_RESET ? -1 : choice->layer;
+        viewer->recompose = true;
+    }
+}
+
 static void draw_picture(struct viewer *viewer) {
     static const char *const names[] = {"full", "indirect", "direct"};
     static const int layers[] = {LAYER_BEAUTY, LAYER_INDIRECT, LAYER_DIRECT};
@@ -81,8 +111,11 @@ static void draw_picture(struct viewer *viewer) {
             shown = i;
     if (ui_segments("light", &shown, names, 3)) {
         viewer->layer = layers[shown];
-        viewer->dirty = true;
+        viewer->choice.kind = SHOW_PICTURE;
+        viewer->recompose = true;
     }
+    ui_space();
+    draw_buffer(viewer);
     draw_settings(viewer, true);
 }
 
@@ -101,7 +134,7 @@ void panel_draw(struct viewer *viewer) {
     ui_text(UI_TITLE, "manylight");
     if (ui_section("Scene", true))
         draw_scene(viewer);
-    if (ui_section("Picture", true))
+    if (viewer->has_scene && ui_section("Picture", true))
         draw_picture(viewer);
     if (ui_section("Technique", true))
         draw_technique(viewer);

@@ -181,11 +181,42 @@ static void render(struct viewer *viewer) {
         pace_forget(&viewer->pace);
     }
     renderer_render(renderer);
-    if (viewer->layer != LAYER_BEAUTY)
-        renderer_compose(renderer, viewer->layer);
     pace_add(&viewer->pace, &renderer->timers, (double)width * height, window_time());
     viewer->dirty = false;
+    viewer->recompose = true;
     viewer->frame_count++;
+}
+
+/* Makes what is shown of the frame. */
+static void compose(struct viewer *viewer) {
+    struct renderer *renderer = &viewer->renderer;
+    struct inspect_choice *choice = &viewer->choice;
+    bool resized = choice->width != viewer->area.width || choice->height != viewer->area.height;
+    if (!viewer->recompose && !resized)
+        return;
+    viewer->recompose = false;
+    choice->width = viewer->area.width;
+    choice->height = viewer->area.height;
+    choice->scale = viewer->input->scale;
+    int layers = inspect_layers(renderer, choice->kind);
+    if (layers == 0) /* the technique before had it */
+        choice->kind = SHOW_PICTURE;
+    if (choice->layer >= layers)
+        choice->layer = -1;
+    renderer_compose(renderer, viewer->layer);
+    if (choice->kind != SHOW_PICTURE && !inspect_draw(&viewer->inspect, renderer, choice)) {
+        tell_error(viewer);
+        choice->kind = SHOW_PICTURE;
+    }
+}
+
+void viewer_step_buffer(struct viewer *viewer, int step) {
+    struct inspect_choice *choice = &viewer->choice;
+    do
+        choice->kind = (enum inspect_kind)((choice->kind + SHOW_COUNT + step) % SHOW_COUNT);
+    while (inspect_layers(&viewer->renderer, choice->kind) == 0);
+    choice->layer = -1;
+    viewer->recompose = true;
 }
 
 /* --- screenshots --- */
@@ -240,6 +271,14 @@ static void draw(struct viewer *viewer) {
         int width, height;
         full_size(viewer, &width, &height);
         pictures.left = &renderer->composite.display;
+        if (viewer->choice.kind != SHOW_PICTURE) {
+            const struct texture *canvas = pictures.left = &viewer->inspect.canvas;
+            if (canvas->desc.width != renderer->desc.width ||
+                canvas->desc.height != renderer->desc.height) {
+                width = canvas->desc.width;
+                height = canvas->desc.height;
+            }
+        }
         viewer->picture = screen_fit(viewer->area, width, height);
     }
     screen_draw(&viewer->screen, input->width, input->height, &viewer->picture, &pictures);
@@ -274,6 +313,7 @@ static bool turn(struct viewer *viewer) {
         if (!context_is_software(viewer->context) || is_scripted(viewer))
             viewer->dirty = true;
         render(viewer);
+        compose(viewer);
     }
     overlay_draw(viewer);
     draw(viewer);
@@ -298,7 +338,7 @@ static bool open_window(struct viewer *viewer) {
     viewer->input = window_poll(viewer->window, 0);
     if (!viewer->context || !ui_init(window_native(viewer->window), viewer->input->scale))
         return false;
-    return screen_init(&viewer->screen);
+    return screen_init(&viewer->screen) && inspect_init(&viewer->inspect);
 }
 
 static void close_window(struct viewer *viewer) {
@@ -308,6 +348,7 @@ static void close_window(struct viewer *viewer) {
     }
     if (viewer->context) {
         screen_free(&viewer->screen);
+        inspect_free(&viewer->inspect);
         ui_free();
     }
     context_free(viewer->context);
@@ -320,6 +361,7 @@ bool viewer_run(const struct viewer_desc *desc) {
         .technique = desc->technique,
         .settings = desc->settings,
         .layer = LAYER_BEAUTY,
+        .choice = {.layer = -1, .chosen = -1},
         .show_panel = true,
         .show_overlay = true,
     };

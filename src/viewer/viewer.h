@@ -8,6 +8,7 @@
 
 #include "gl/context.h"
 #include "renderer/renderer.h"
+#include "viewer/inspect.h"
 #include "viewer/loader.h"
 #include "viewer/messages.h"
 #include "viewer/orbit.h"
@@ -51,11 +52,14 @@ struct viewer {
 
     /* What is shown. */
     int layer; /* LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
+    struct inspect inspect;
+    struct inspect_choice choice; /* SHOW_PICTURE, or a buffer */
     bool show_panel, show_overlay, show_help;
     struct rectangle area;    /* of the window that the picture may take */
     struct rectangle picture; /* where it lies */
 
     bool dirty;      /* the picture is not what is wanted */
+    bool recompose;  /* the frame is, but not what is shown of it */
     bool moving;     /* and this will go on for some frames */
     bool done;       /* close the window */
     int frame_count; /* rendered */
@@ -63,6 +67,7 @@ struct viewer {
     /* viewer/controls.c */
     double last_update;
     bool drags_picture; /* the mouse was pressed on it */
+    double press_x, press_y;
 };
 
 /* Runs until the window is closed, or until desc->frames. Error: no window, or, where frames are
@@ -79,6 +84,9 @@ void viewer_open(struct viewer *viewer, const char *path);
 /* Places the scene's n-th camera or light. */
 void viewer_pick_camera(struct viewer *viewer, int n);
 void viewer_pick_light(struct viewer *viewer, int n);
+
+/* Shows the next buffer that the technique has, or the one before. */
+void viewer_step_buffer(struct viewer *viewer, int step);
 
 /* Writes the picture as PNG and EXR under a fresh name in the working folder. */
 void viewer_take_screenshot(struct viewer *viewer);

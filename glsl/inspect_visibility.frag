@@ -1,0 +1,31 @@
+// The soft shadow of a VAL alone [Dong 2009 Fig. 9], or a sheet of all of them.
+#include "lib/inspect.glsl"
+#include "lib/surface.glsl"
+
+layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
+    view camera;
+};
+layout(binding = 0) uniform sampler2DArray depths;
+layout(binding = 1) uniform sampler2DArray normals;
+
+layout(location = 0) out vec4 color;
+
+#include "lib/visibility.glsl"
+
+void main() {
+    color = vec4(NOTHING, 1.0);
+    ivec2 size = textureSize(depths, 0).xy;
+    inspected at = inspect_place(vec2(size));
+    if (!at.present)
+        return;
+    ivec2 pixel = min(ivec2(at.place * vec2(size)), size - 1);
+    surface s = surface_fetch(camera, depths, normals, ivec3(pixel, 0));
+    if (!s.present)
+        return;
+    float lit = visibility(at.layer, s.position + s.normal * lookup.bias);
+    // What the VAL cannot light, as it lies behind it or faces away, is blue.
+    vec3 to_val = views[at.layer].center.xyz - s.position;
+    bool faces = dot(s.normal, to_val) > 0.0 && dot(views[at.layer].axis.xyz, to_val) < 0.0;
+    vec3 white = faces ? vec3(0.95) : vec3(0.36, 0.42, 0.52);
+    color.rgb = white * mix(0.08, 1.0, lit);
+}

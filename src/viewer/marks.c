@@ -1,0 +1,85 @@
+#include "viewer/marks.h"
+
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/params.h"
+#include "viewer/ui.h"
+
+#include <math.h>
+
+enum { VAL_VERTICES = 5 * 6 }; /* four edges and a normal, two triangles each */
+
+bool marks_init(struct marks *marks) {
+    *marks = (struct marks){0};
+    if (program_init(
+            &marks->point_program,
+            &(struct program_desc){.vertex = "mark_points.vert", .fragment = "mark_points.frag"}) &&
+        program_init(&marks->val_program, &(struct program_desc){.vertex = "mark_vals.vert",
+                                                                 .fragment = "mark_vals.frag"}) &&
+        buffer_init(&marks->params, "mark parameters", sizeof(struct mark_params), NULL))
+        return true;
+    marks_free(marks);
+    return false;
+}
+
+void marks_free(struct marks *marks) {
+    program_free(&marks->point_program);
+    program_free(&marks->val_program);
+    buffer_free(&marks->params);
+}
+
+static void begin(const struct marks *marks, const struct frame *frame,
+                  const struct gbuffer *gbuffer, const struct marks_desc *desc, float size,
+                  GLuint program, GLuint vertex_array) {
+    struct mark_params params = {
+        .width = (float)desc->width,
+        .height = (float)desc->height,
+        .size = size * desc->scale,
+        .by_cluster = desc->by_cluster,
+        .flux_scale = 1 / fmaxf(desc->usual_flux, 1e-30F),
+        .normal_length = .14F * frame->radius,
+        .chosen = (float)desc->chosen,
+        .only_chosen = desc->only_chosen,
+    };
+    buffer_write(&marks->params, 0, sizeof params, &params);
+    pass_set_state(&(struct pass_state){.name = "marks",
+                                        .program = program,
+                                        .framebuffer = desc->framebuffer,
+                                        .vertex_array = vertex_array,
+                                        .width = desc->width,
+                                        .height = desc->height,
+                                        .blend = PASS_BLEND_OVER});
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, marks->params.id);
+    gl.BindTextureUnit(0, gbuffer->depth.id);
+}
+
+void marks_draw(const struct marks *marks, const struct frame *frame, const struct gbuffer *gbuffer,
+                const struct technique_outputs *outputs, const struct marks_desc *desc) {
+    if (desc->with_vpls && outputs->vpls) {
+        /* Fewer VPLs, larger discs. */
+        float size = fminf(fmaxf(260 / sqrtf((float)outputs->vpls->count), 3), 9);
+        begin(marks, frame, gbuffer, desc, size, marks->point_program, outputs->vpls->vertices);
+        gl.Enable(GL_PROGRAM_POINT_SIZE);
+        gl.DrawArrays(GL_POINTS, 0, outputs->vpls->count);
+        gl.Disable(GL_PROGRAM_POINT_SIZE);
+    }
+    if (desc->with_vals && outputs->val_extremes) {
+        begin(marks, frame, gbuffer, desc, 1.6F, marks->val_program, 0);
+        gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_MAPS, outputs->val_views->buffer.id);
+        gl.BindTextureUnit(1, outputs->val_extremes->id);
+        gl.BindTextureUnit(2, outputs->val_positions->id);
+        gl.DrawArraysInstanced(GL_TRIANGLES, 0, VAL_VERTICES, outputs->val_views->count);
+    }
+}
+
+uint32_t marks_cluster_color(int k) {
+    float hue = 6 * fmodf(.1F + (float)k * .61803399F, 1), rgb[3];
+    float pale = k % 2 == 0 ? .15F : .4F;
+    for (int c = 0; c < 3; c++) {
+        static const float shifts[3] = {0, 4, 2};
+        float pure = fabsf(fmodf(hue + shifts[c], 6) - 3) - 1;
+        pure = fminf(fmaxf(pure, 0), 1);
+        rgb[c] = (pure + (1 - pure) * pale) * (k % 3 == 0 ? .8F : 1) * 255;
+    }
+    return UI_RGBA(lrintf(rgb[0]), lrintf(rgb[1]), lrintf(rgb[2]), 255);
+}
