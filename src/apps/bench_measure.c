@@ -116,7 +116,7 @@ static bool start_all(struct renderer *renderers, struct bench_case *cases, int 
         size_t before = gpu_memory_total();
         if (!bench_case_start(&renderers[i], &cases[i], stage, protocol->software))
             return false;
-        cases[i].faces = stage->geometry.index_count / 3;
+        cases[i].faces = geometry_triangle_count(&stage->geometry);
         cases[i].gpu_memory = (double)(gpu_memory_total() - before) / (1 << 20);
         for (int frame = 0; frame < protocol->warm_up; frame++)
             clocked_frames(&renderers[i], 1);

@@ -1,15 +1,22 @@
 /* manylight render: pictures offscreen. */
+#define _POSIX_C_SOURCE 200809L
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/context_options.h"
+#include "apps/frames.h"
+#include "apps/progress.h"
+#include "apps/stage.h"
 #include "apps/stats.h"
 
 #include "base/error.h"
 #include "base/image_file.h"
+#include "base/log.h"
 #include "gl/glsl.h"
 #include "renderer/renderer.h"
 
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 struct values {
     struct common_values common;
@@ -17,9 +24,9 @@ struct values {
     struct text_list outputs, settings;
     int size[2];
     int technique;
-    const char *camera, *light, *glsl;
-    float time;
-    bool stats;
+    const char *camera, *light, *clip, *frames, *glsl;
+    float time, fps;
+    bool skip_existing, stats;
 };
 
 static const struct option options[] = {
@@ -35,8 +42,16 @@ static const struct option options[] = {
      .help = "camera of the scene [the first]"},
     {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N",
      .help = "light of the scene [the first]"},
+    {"clip", 0, OPTION_TEXT, offsetof(struct values, clip), .value_name = "NAME|N",
+     .help = "animation of the scene [the first]"},
     {"time", 0, OPTION_FLOAT, offsetof(struct values, time), 0, 0, 1e6,
-     .help = "of the animation, seconds"},
+     .help = "of the animation, seconds; with --frames, of frame 0"},
+    {"frames", 0, OPTION_TEXT, offsetof(struct values, frames), .value_name = "A..B|A,B,C",
+     .help = "a sequence; #### in the output's name becomes the frame's number"},
+    {"fps", 0, OPTION_FLOAT, offsetof(struct values, fps), 25, .001, 1e6,
+     .help = "frames per second"},
+    {"skip-existing", 0, OPTION_FLAG, offsetof(struct values, skip_existing),
+     .help = "leave out frames whose outputs are all there"},
     {"stats", 0, OPTION_FLAG, offsetof(struct values, stats),
      .help = "print faces, lights, memory and time per pass"},
     {"glsl", 0, OPTION_TEXT, offsetof(struct values, glsl), .value_name = "DIR",
@@ -54,19 +69,33 @@ static const struct arguments arguments = {
     .synopsis = "SCENE -o FILE [OPTION ...]",
     .summary =
         "Renders a glTF scene offscreen. EXR and PFM get linear radiance, EXR with all layers;\n"
-        "PNG, JPEG and the like get the picture as a display shows it.",
+        "PNG, JPEG and the like get the picture as a display shows it. Each frame depends on its\n"
+        "time alone, and its files appear when they are whole: a sequence may be split between\n"
+        "processes, killed, and taken up again.",
     .options = options,
     .min_positional = 1,
     .max_positional = 1,
     .print_more = print_settings,
 };
 
-static bool check_outputs(const struct values *values) {
+/* Each frame of several needs files of its own. */
+static bool check_name(const char *name, const struct frames *frames) {
+    bool is_float, numbered = frame_name_is_numbered(name);
+    if (!image_format_is_float(name, &is_float))
+        return false;
+    if (!frames->numbers && numbered)
+        return error_set("%s: '#' stands for the number of a frame, and there is no --frames",
+                         name);
+    if (frames->count > 1 && !numbered)
+        return error_set("%s: %d frames need #### in the file's name", name, frames->count);
+    return true;
+}
+
+static bool check_outputs(const struct values *values, const struct frames *frames) {
     if (values->outputs.count == 0)
         return error_set("no output: -o FILE");
-    bool is_float;
     for (int i = 0; i < values->outputs.count; i++)
-        if (!image_format_is_float(values->outputs.items[i], &is_float))
+        if (!check_name(values->outputs.items[i], frames))
             return false;
     return true;
 }
@@ -96,69 +125,120 @@ static bool write_output(struct renderer *renderer, const char *path) {
     return ok;
 }
 
-/* Which of the scene's cameras and lights, and where they are. */
-static bool place(const struct values *values, const struct scene *scene,
-                  struct renderer_desc *desc) {
-    int camera = values->camera ? camera_find(scene, values->camera) : 0;
-    int light = values->light ? light_find(scene, values->light) : 0;
-    if (camera < 0 || light < 0)
-        return false;
-    camera_place(&desc->camera, scene, camera, values->time);
-    light_place(&desc->light, scene, light, values->time);
-    return true;
+static bool write_outputs(const struct values *values, struct renderer *renderer, int frame) {
+    bool ok = true;
+    for (int i = 0; ok && i < values->outputs.count; i++) {
+        char *path = frame_name(values->outputs.items[i], frame);
+        ok = write_output(renderer, path);
+        free(path);
+    }
+    return ok;
 }
 
-static bool render(const struct values *values, const struct renderer_desc *desc) {
+static bool outputs_exist(const struct values *values, int frame) {
+    bool all = true;
+    for (int i = 0; all && i < values->outputs.count; i++) {
+        char *path = frame_name(values->outputs.items[i], frame);
+        all = access(path, F_OK) == 0;
+        free(path);
+    }
+    return all;
+}
+
+static bool render_frame(const struct values *values, struct renderer *renderer,
+                         struct stage *stage, int frame) {
+    double time = (double)values->time + frame / (double)values->fps;
+    if (!stage_pose(stage, time) || !renderer_update(renderer, &stage->light, &stage->camera))
+        return false;
+    renderer_render(renderer);
+    return write_outputs(values, renderer, frame);
+}
+
+static bool render_frames(const struct values *values, const struct frames *frames,
+                          struct renderer *renderer, struct stage *stage) {
+    struct progress progress;
+    int done = 0, skipped = 0;
+    bool ok = true;
+    progress_start(&progress);
+    for (int i = 0; ok && i < frames->count; i++) {
+        int frame = frames->numbers[i];
+        if (values->skip_existing && outputs_exist(values, frame)) {
+            skipped++;
+            continue;
+        }
+        ok = render_frame(values, renderer, stage, frame) || error_prefix("frame %d", frame);
+        done++;
+        char note[32];
+        snprintf(note, sizeof note, "frame %d", frame);
+        progress_show(&progress, (double)done / (frames->count - skipped), note);
+    }
+    double seconds = progress_end(&progress);
+    if (ok && frames->count > 1)
+        log_note("%d frames in %.1f s, %d were there", done, seconds, skipped);
+    return ok;
+}
+
+static bool render(const struct values *values, const struct frames *frames,
+                   const struct renderer_desc *desc, struct stage *stage) {
+    static int only_frame[1] = {0};
+    const struct frames single = {only_frame, 1};
     struct renderer renderer;
     if (!renderer_init(&renderer, desc))
         return false;
-    renderer_render(&renderer);
-    if (values->stats) {
+    bool ok = render_frames(values, frames->count ? frames : &single, &renderer, stage);
+    if (ok && values->stats) {
         renderer_render(&renderer); /* the first frame also compiled */
         stats_print(&renderer);
     }
-    bool ok = true;
-    for (int i = 0; ok && i < values->outputs.count; i++)
-        ok = write_output(&renderer, values->outputs.items[i]);
     renderer_free(&renderer);
     return ok;
 }
 
-static bool render_scene(const struct values *values, const struct settings *settings,
-                         const char *path) {
-    struct scene scene = {0};
-    struct geometry geometry = {0};
-    struct renderer_desc desc = {
-        .width = values->size[0],
-        .height = values->size[1],
-        .technique = values->technique,
-        .settings = *settings,
-        .scene = &scene,
-        .geometry = &geometry,
-        .timed = values->stats,
-    };
-    struct context *context = NULL;
-    bool ok = scene_load(&scene, path) && geometry_init(&geometry, &scene, values->time) &&
-              place(values, &scene, &desc) && (context = context_create(&values->context));
-    if (ok) {
-        desc.software = context_is_software(context);
-        ok = render(values, &desc);
-        context_free(context);
-    }
-    geometry_free(&geometry);
-    scene_free(&scene);
+/* The stage begins at time 0, whatever the frames: so all of them come out of the same renderer. */
+static bool render_scene(const struct values *values, const struct frames *frames,
+                         const struct settings *settings, const char *path) {
+    struct stage stage;
+    struct context *context;
+    if (!stage_init(&stage, &(struct stage_desc){.path = path,
+                                                 .camera = values->camera,
+                                                 .light = values->light,
+                                                 .clip = values->clip}))
+        return false;
+    bool ok = (context = context_create(&values->context)) &&
+              render(values, frames,
+                     &(struct renderer_desc){
+                         .width = values->size[0],
+                         .height = values->size[1],
+                         .technique = values->technique,
+                         .settings = *settings,
+                         .scene = &stage.scene,
+                         .geometry = &stage.geometry,
+                         .light = stage.light,
+                         .camera = stage.camera,
+                         .timed = values->stats,
+                         .software = context_is_software(context),
+                     },
+                     &stage);
+    context_free(context);
+    stage_free(&stage);
     return ok;
 }
 
 int app_render(int argc, char **argv) {
     struct values values;
     struct settings settings;
+    struct frames frames = {0};
     const char *scene;
     int count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, &scene, &count, &status))
         return status;
-    if (!check_outputs(&values) || !parse_settings(&values, &settings))
+    if ((values.frames && !frames_parse(&frames, values.frames)) ||
+        !check_outputs(&values, &frames) || !parse_settings(&values, &settings)) {
+        frames_free(&frames);
         return arguments_misuse(argv[0]);
+    }
     glsl_set_folder(values.glsl);
-    return render_scene(&values, &settings, scene) ? STATUS_OK : arguments_fail(argv[0]);
+    bool ok = render_scene(&values, &frames, &settings, scene);
+    frames_free(&frames);
+    return ok ? STATUS_OK : arguments_fail(argv[0]);
 }

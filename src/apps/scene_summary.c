@@ -37,8 +37,8 @@ static void print_meshes(FILE *out, const struct scene *scene) {
 /* As drawn: a mesh counts once for each node that shows it. */
 static void print_geometry(FILE *out, const struct geometry *geometry) {
     fprintf(out, "drawn      %u vertices, %u triangles (%u without alpha mask), batches %d\n",
-            geometry->vertex_count, geometry->index_count / 3, geometry->opaque_index_count / 3,
-            geometry->batch_count);
+            geometry->vertex_count, geometry_triangle_count(geometry),
+            geometry->opaque_index_count / 3, geometry->batch_count);
     fprintf(out, "bounds     ");
     print_vector(out, geometry->bounds_min);
     fprintf(out, " to ");
@@ -112,6 +112,17 @@ static void print_placed(FILE *out, const struct scene *scene) {
         print_camera(out, scene, n);
 }
 
+static void print_clips(FILE *out, const struct scene *scene) {
+    fprintf(out, "clips      %d\n", scene->clip_count);
+    for (int i = 0; i < scene->clip_count; i++)
+        fprintf(out, "  %d  %-20s %.4g s, channels %d\n", i, scene->clips[i].name,
+                (double)scene->clips[i].duration, scene->clips[i].channel_count);
+    if (scene->skin_count)
+        fprintf(out, "skins      %d\n", scene->skin_count);
+    if (scene->metaballs_count)
+        fprintf(out, "metaballs  %d\n", scene->metaballs_count);
+}
+
 bool scene_summary_print(FILE *out, const char *path) {
     struct scene scene;
     struct geometry geometry = {0};
@@ -122,6 +133,7 @@ bool scene_summary_print(FILE *out, const char *path) {
         print_geometry(out, &geometry);
         print_materials(out, &scene);
         print_placed(out, &scene);
+        print_clips(out, &scene);
     }
     geometry_free(&geometry);
     scene_free(&scene);

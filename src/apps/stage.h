@@ -10,6 +10,7 @@
 struct stage_desc {
     const char *path;
     const char *camera, *light; /* name or number; NULL = the first */
+    const char *clip;           /* likewise */
     double time;                /* of the animation, seconds */
 };
 
@@ -19,10 +20,14 @@ struct stage {
     struct geometry geometry;
     struct camera camera;
     struct light light;
+    int camera_number, light_number;
 };
 
-/* Error: of the file, or no such camera or light; the stage is then zeroed. */
+/* Error: of the file, or no such camera, light or clip; the stage is then zeroed. */
 bool stage_init(struct stage *stage, const struct stage_desc *desc);
+
+/* Moves triangles, camera and light to where they are at a time. Error: geometry_pose's. */
+bool stage_pose(struct stage *stage, double time);
 void stage_free(struct stage *stage);
 
 #endif

@@ -47,7 +47,7 @@ void stats_print(struct renderer *renderer) {
     renderer_outputs(renderer, &outputs);
     int lit, used, vals = outputs.val_views ? settings->val_count : 1;
     count_lights(outputs.vpls, vals, &lit, &used);
-    printf("faces  %u\n", renderer->desc.geometry->index_count / 3);
+    printf("faces  %u\n", geometry_triangle_count(renderer->desc.geometry));
     printf("VPLs   %d, of which %d emit\n", settings->vpl_count, lit);
     if (outputs.val_views)
         printf("VALs   %d, of which %d in use\n", vals, used);

@@ -103,6 +103,7 @@ extern "C" bool image_write(const struct image *image, const char *path) try {
     std::string extension = Filesystem::extension(path, false);
     if (extension == "exr") {
         spec.attribute("compression", "zip");
+        spec.attribute("DateTime", ""); /* else it is now, and no two files are alike */
         for (const std::string &name : spec.channelnames)
             spec.channelformats.push_back(is_colour(name) ? TypeDesc::HALF : TypeDesc::FLOAT);
     }
