@@ -148,7 +148,7 @@ static void test_misuse(void **state) {
 /* --- the renderer ----------------------------------------------------------------------------- */
 
 static void pose(struct stage *stage, struct renderer *renderer, double time) {
-    check_ok("pose", geometry_pose(&stage->geometry, &stage->scene, time));
+    check_ok("pose", stage_pose(stage, time));
     check_ok("update", renderer_update(renderer, &stage->light, &stage->camera));
     renderer_render(renderer);
 }
@@ -159,11 +159,11 @@ static void test_any_start(void **state) {
     struct stage stage;
     struct renderer renderer;
     struct image image[2];
-    stage_load(&stage, scene_path);
+    open_stage(&stage, scene_path);
     float cell = stage.scene.metaballs[0].cell;
     stage.scene.metaballs[0].cell = .5f;
-    stage_pose(&stage);
-    struct renderer_desc desc = stage_desc(&stage, "clustered", small, 32, 32);
+    pose_stage(&stage);
+    struct renderer_desc desc = desc_of(&stage, "clustered", small, 32, 32);
     open_renderer(&renderer, &desc);
     stage.scene.metaballs[0].cell = cell;
     for (double time = 2.5; time < 20; time += 2.5)
@@ -172,7 +172,7 @@ static void test_any_start(void **state) {
     pose(&stage, &renderer, 6);
     check_ok("layers", renderer_read_layers(&renderer, &image[0]));
     renderer_free(&renderer);
-    stage_pose(&stage);
+    pose_stage(&stage);
     open_renderer(&renderer, &desc);
     pose(&stage, &renderer, 6);
     check_ok("layers", renderer_read_layers(&renderer, &image[1]));
@@ -188,8 +188,8 @@ static void test_memory(void **state) {
     (void)state;
     struct stage stage;
     struct renderer renderer;
-    stage_load(&stage, scene_path);
-    struct renderer_desc desc = stage_desc(&stage, "clustered", small, 16, 16);
+    open_stage(&stage, scene_path);
+    struct renderer_desc desc = desc_of(&stage, "clustered", small, 16, 16);
     open_renderer(&renderer, &desc);
     size_t bytes = 0;
     int objects = 0;
