@@ -94,7 +94,8 @@ bool load_primitive(Loader &loader, const tinygltf::Primitive &from, int target_
 /* The morph targets' number and weights at rest. */
 bool load_weights(const tinygltf::Mesh &from, struct mesh &to) {
     to.target_count = from.primitives.empty() ? 0 : int(from.primitives[0].targets.size());
-    to.weights = allocate<float>(size_t(to.target_count));
+    if (to.target_count > 0)
+        to.weights = allocate<float>(size_t(to.target_count));
     if (!from.weights.empty() && from.weights.size() != size_t(to.target_count))
         return error_set("%zu weights for %d morph targets", from.weights.size(), to.target_count);
     return copy_numbers(from.weights, to.weights, "weights");

@@ -44,7 +44,7 @@ struct mesh {
     struct primitive *primitives;
     int primitive_count;
     int target_count;
-    float *weights; /* of the morph targets, for nodes without weights of their own */
+    float *weights; /* of the morph targets, for nodes without weights of their own; NULL = none */
 };
 
 /* A vertex stands at the weighted mean of joint's world x inverse_bind x position; the world of the
