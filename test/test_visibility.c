@@ -1,0 +1,173 @@
+/* Clustered visibility against a map per VPL, with the same VPLs in the same pipeline [METHOD §5],
+ * and against what a flat blocker does exactly. */
+#include "gltf_parts.h"
+#include "render_support.h"
+
+#include "base/memory.h"
+
+#include <cglm/cglm.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIZE = 200 };
+
+static struct image truth, unshadowed;
+static struct stage stage;
+
+/* The truth: slow, so that all tests share it. */
+static int open_truth(void **state) {
+    if (open_group_context(state) != 0)
+        return -1;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    truth = render_stage(&stage, "instant-radiosity", "vpls=256", SIZE);
+    unshadowed = render_stage(&stage, "unshadowed", "vpls=256", SIZE);
+    return 0;
+}
+
+static int close_truth(void **state) {
+    image_free(&truth);
+    image_free(&unshadowed);
+    stage_free(&stage);
+    return close_group_context(state);
+}
+
+static double error_of(int vals, const char *more) {
+    char settings[128];
+    snprintf(settings, sizeof settings, "vpls=256 vals=%d %s", vals, more);
+    struct image image = render_stage(&stage, "clustered", settings, SIZE);
+    double error = relative_rmse(&image, &truth, "indirect");
+    printf("    M = %3d: relative RMSE %.4f, gradient error %.4f, mean %.4f\n", vals, error,
+           gradient_error(&image, &truth, "indirect"),
+           layer_mean(&image, "indirect") / layer_mean(&truth, "indirect"));
+    image_free(&image);
+    return error;
+}
+
+/* The error falls with the number of VALs, and is small beside that of no visibility at all. */
+static void test_convergence(void **state) {
+    (void)state;
+    double none = relative_rmse(&unshadowed, &truth, "indirect");
+    printf("    unshadowed: relative RMSE %.4f\n", none);
+    double m2 = error_of(2, ""), m8 = error_of(8, ""), m30 = error_of(30, ""),
+           m120 = error_of(120, "");
+    check_at_most("M = 8", m8, .09);
+    check_at_most("M = 30", m30, .04);
+    check_at_most("M = 8 over M = 2", m8 / m2, .8);
+    check_at_most("M = 30 over M = 8", m30 / m8, .8);
+    check_at_most("M = 120 over M = 30", m120 / m30, 1);
+    check_at_most("M = 30 over no visibility", m30 / none, .2);
+}
+
+/* A VAL per VPL, looked up as hard as the truth is: what is left is the map's bias alone. */
+static void test_val_per_vpl(void **state) {
+    (void)state;
+    check_at_most("M = N, hard", error_of(256, "visibility=hard visibility-block=0"), 1e-3);
+}
+
+/* Soft shadows hide that there are few of them: fewer bands than hard ones [Dong 2009 §7]. */
+static void test_banding(void **state) {
+    (void)state;
+    const char *settings = "vpls=256 vals=8 interleave=1 visibility-block=0 visibility=%s";
+    struct image reference =
+        render_stage(&stage, "instant-radiosity", "vpls=256 interleave=1", SIZE);
+    double gradients[2];
+    for (int hard = 0; hard < 2; hard++) {
+        char text[128];
+        snprintf(text, sizeof text, settings, hard ? "hard" : "cssm");
+        struct image image = render_stage(&stage, "clustered", text, SIZE);
+        gradients[hard] = gradient_error(&image, &reference, "indirect");
+        image_free(&image);
+    }
+    check_at_most("gradient error, soft over hard, M = 8", gradients[0] / gradients[1], .8);
+    image_free(&reference);
+}
+
+/* Smaller blocks come nearer to a lookup a pixel and VPL. At 200 pixels a block of 8 is as wide as
+ * one of 32 at 800. */
+static void test_blocks(void **state) {
+    (void)state;
+    double wide = error_of(30, "visibility-block=8"), narrow = error_of(30, "visibility-block=3"),
+           none = error_of(30, "visibility-block=0");
+    check_at_most("blocks of 8", wide, .04);
+    check_at_most("blocks of 3 over blocks of 8", narrow / wide, 1);
+    check_at_most("no blocks over blocks of 3", none / narrow, 1);
+}
+
+/* Four terms are worth their memory; more are no loss. */
+static void test_terms(void **state) {
+    (void)state;
+    double k1 = error_of(30, "terms=1"), k4 = error_of(30, ""), k8 = error_of(30, "terms=8");
+    check_at_most("K = 4 over K = 1", k4 / k1, .6);
+    check_at_most("K = 8", k8, .04);
+}
+
+/* --- a flat blocker --------------------------------------------------------------------------- */
+
+/* A spot lights a disc of the ceiling; between it and the floor hangs half a plane, parallel to
+ * both. The camera looks down through the backs of ceiling and blocker. A convolution soft shadow
+ * map is exact here but for the terms that its series lacks [Dong 2011 §5.2]. */
+static const struct gltf_parts blocker_parts = {
+    .materials = "[{\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.8, 0.8, 0.8, 1]}}]",
+    .more = "\"extensionsUsed\": [\"KHR_lights_punctual\"],"
+            "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\","
+            " \"intensity\": 10, \"spot\": {\"innerConeAngle\": 0.46,"
+            " \"outerConeAngle\": 0.464}}]}},"
+            "\"cameras\": [{\"type\": \"orthographic\", \"orthographic\":"
+            " {\"xmag\": 2, \"ymag\": 2, \"znear\": 0.1, \"zfar\": 10}}],",
+    .nodes = "[{\"name\": \"ceiling\", \"mesh\": 0,"
+             "  \"matrix\": [4,0,0,0, 0,0,4,0, 0,-1,0,0, -2,3,-2,1]},"
+             " {\"name\": \"blocker\", \"mesh\": 0,"
+             "  \"matrix\": [2,0,0,0, 0,0,4,0, 0,-1,0,0, 0,1.5,-2,1]},"
+             " {\"name\": \"floor\", \"mesh\": 0,"
+             "  \"matrix\": [0,0,8,0, 8,0,0,0, 0,1,0,0, -4,0,-4,1]},"
+             " {\"name\": \"light\", \"matrix\": [1,0,0,0, 0,0,1,0, 0,-1,0,0, 0,2,0,1],"
+             "  \"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}},"
+             " {\"name\": \"camera\", \"camera\": 0,"
+             "  \"matrix\": [1,0,0,0, 0,0,-1,0, 0,1,0,0, 0,5,0,1]}]",
+};
+
+static double flat_error(const struct stage *flat, const struct image *exact, const char *more) {
+    char settings[192];
+    snprintf(settings, sizeof settings, "vpls=1024 interleave=1 clamp=none %s", more);
+    struct image image = render_stage(flat, "clustered", settings, 64);
+    double error = relative_rmse(&image, exact, "indirect");
+    printf("    %-60s relative RMSE %.4f\n", more, error);
+    image_free(&image);
+    return error;
+}
+
+/* One VAL. The exact penumbra is as wide as the light; a hard map of the centre has none. The gain
+ * of the ringing suppression steepens it, so that without gain, and the step's whole width as
+ * shift, the shadow comes nearest to the exact one; what is left is the onset, where the search
+ * filter does not find the blocker yet. */
+static void test_flat_blocker(void **state) {
+    (void)state;
+    struct stage flat;
+    struct scene scene;
+    check_ok("scene", load_parts(&scene, "blocker.glb", &blocker_parts));
+    scene_free(&scene);
+    open_stage(&flat, scratch("blocker.glb"));
+    struct image exact =
+        render_stage(&flat, "instant-radiosity", "vpls=1024 interleave=1 clamp=none", 64);
+#define ONE_VAL "vals=1 visibility-block=0 "
+    double hard = flat_error(&flat, &exact, ONE_VAL "visibility=hard");
+    double soft = flat_error(&flat, &exact, ONE_VAL);
+    double wide = flat_error(&flat, &exact, ONE_VAL "gain=1 shift=.5");
+    check_at_most("hard", hard, .35);
+    check_at_most("soft, over hard", soft / hard, .8);
+    check_at_most("without gain", wide, .12);
+    image_free(&exact);
+    stage_free(&flat);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_convergence), cmocka_unit_test(test_val_per_vpl),
+        cmocka_unit_test(test_banding),     cmocka_unit_test(test_blocks),
+        cmocka_unit_test(test_terms),       cmocka_unit_test(test_flat_blocker),
+    };
+    return cmocka_run_group_tests_name("visibility", tests, open_truth, close_truth);
+}
