@@ -17,19 +17,19 @@ void timers_init(struct timers *timers, bool enabled, bool software) {
     if (!enabled || software)
         return;
     for (int i = 0; i < TIMER_RING; i++)
-        gl.CreateQueries(GL_TIMESTAMP, 2 * TIMERS_MAX, timers->ring[i].queries);
+        gl.CreateQueries(GL_TIMESTAMP, 2 * TIMER_SPANS_MAX, timers->ring[i].queries);
 }
 
 void timers_free(struct timers *timers) {
     for (int i = 0; i < TIMER_RING; i++)
         if (timers->ring[i].queries[0])
-            gl.DeleteQueries(2 * TIMERS_MAX, timers->ring[i].queries);
+            gl.DeleteQueries(2 * TIMER_SPANS_MAX, timers->ring[i].queries);
     *timers = (struct timers){0};
 }
 
 static int find_or_add(struct timers *timers, const char *name) {
     char path[2 * TIMER_PATH_SIZE];
-    int parent = timers->stack_size ? timers->stack[timers->stack_size - 1] : -1;
+    int parent = timers->stack_size ? timers->stack[timers->stack_size - 1].timer : -1;
     snprintf(path, sizeof path, "%s%s%.60s", parent < 0 ? "" : timers->results[parent].path,
              parent < 0 ? "" : "/", name);
     for (int i = 0; i < timers->count; i++)
@@ -46,18 +46,18 @@ static int find_or_add(struct timers *timers, const char *name) {
 static bool read_slot(struct timers *timers, struct timer_slot *slot, bool wait) {
     if (!slot->pending)
         return true;
-    int last = slot->used[slot->used_count - 1];
     GLint ready = 1;
-    if (!wait)
-        gl.GetQueryObjectiv(slot->queries[2 * last + 1], GL_QUERY_RESULT_AVAILABLE, &ready);
+    if (!wait) /* the frame itself ends last */
+        gl.GetQueryObjectiv(slot->queries[1], GL_QUERY_RESULT_AVAILABLE, &ready);
     if (!ready)
         return false;
-    for (int i = 0; i < slot->used_count; i++) {
-        int timer = slot->used[i];
+    for (int i = 0; i < timers->count; i++)
+        timers->results[i].ms = 0;
+    for (int i = 0; i < slot->span_count; i++) {
         GLuint64 begin, end;
-        gl.GetQueryObjectui64v(slot->queries[2 * timer], GL_QUERY_RESULT, &begin);
-        gl.GetQueryObjectui64v(slot->queries[2 * timer + 1], GL_QUERY_RESULT, &end);
-        timers->results[timer].ms = (double)(end - begin) * 1e-6;
+        gl.GetQueryObjectui64v(slot->queries[2 * i], GL_QUERY_RESULT, &begin);
+        gl.GetQueryObjectui64v(slot->queries[2 * i + 1], GL_QUERY_RESULT, &end);
+        timers->results[slot->timer_of[i]].ms += (double)(end - begin) * 1e-6;
     }
     slot->pending = false;
     return true;
@@ -73,7 +73,16 @@ static void begin_frame(struct timers *timers) {
     timers->slot = (timers->slot + 1) % TIMER_RING;
     struct timer_slot *slot = &timers->ring[timers->slot];
     read_slot(timers, slot, true); /* the ring is full: only now we wait */
-    slot->used_count = 0;
+    slot->span_count = 0;
+}
+
+/* Where the slot has room, the next span, begun; else -1. */
+static int begin_span(struct timer_slot *slot, int timer) {
+    if (slot->span_count == TIMER_SPANS_MAX)
+        return -1;
+    gl.QueryCounter(slot->queries[2 * slot->span_count], GL_TIMESTAMP);
+    slot->timer_of[slot->span_count] = timer;
+    return slot->span_count++;
 }
 
 void timer_begin(struct timers *timers, const char *name) {
@@ -83,14 +92,14 @@ void timer_begin(struct timers *timers, const char *name) {
     if (timers->stack_size == 0)
         begin_frame(timers);
     assert(timers->stack_size < TIMER_DEPTH);
-    int timer = find_or_add(timers, name);
-    timers->stack[timers->stack_size++] = timer;
+    struct timer_open open = {find_or_add(timers, name), -1};
     if (timers->finish) {
         gl.Finish();
-        timers->started[timer] = now_ms();
+        timers->started[open.timer] = now_ms();
     } else {
-        gl.QueryCounter(timers->ring[timers->slot].queries[2 * timer], GL_TIMESTAMP);
+        open.span = begin_span(&timers->ring[timers->slot], open.timer);
     }
+    timers->stack[timers->stack_size++] = open;
 }
 
 static void end_frame(struct timers *timers) {
@@ -103,14 +112,12 @@ static void end_frame(struct timers *timers) {
 
 void timer_end(struct timers *timers) {
     if (timers->enabled) {
-        int timer = timers->stack[--timers->stack_size];
+        struct timer_open open = timers->stack[--timers->stack_size];
         if (timers->finish) {
             gl.Finish();
-            timers->elapsed[timer] += now_ms() - timers->started[timer];
-        } else {
-            struct timer_slot *slot = &timers->ring[timers->slot];
-            gl.QueryCounter(slot->queries[2 * timer + 1], GL_TIMESTAMP);
-            slot->used[slot->used_count++] = timer;
+            timers->elapsed[open.timer] += now_ms() - timers->started[open.timer];
+        } else if (open.span >= 0) {
+            gl.QueryCounter(timers->ring[timers->slot].queries[2 * open.span + 1], GL_TIMESTAMP);
         }
         if (timers->stack_size == 0)
             end_frame(timers);

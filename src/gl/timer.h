@@ -11,7 +11,13 @@
 
 #include <stdbool.h>
 
-enum { TIMERS_MAX = 64, TIMER_PATH_SIZE = 80, TIMER_RING = 4, TIMER_DEPTH = 8 };
+enum {
+    TIMERS_MAX = 64,
+    TIMER_PATH_SIZE = 80,
+    TIMER_RING = 4,
+    TIMER_DEPTH = 8,
+    TIMER_SPANS_MAX = 512, /* begins and ends of one frame */
+};
 
 struct timer_result {
     char path[TIMER_PATH_SIZE]; /* "frame/clustered/basis" */
@@ -26,12 +32,15 @@ struct timers {
     int count;
 
     /* The frame being recorded. */
-    int stack[TIMER_DEPTH], stack_size;
+    struct timer_open {
+        int timer, span;
+    } stack[TIMER_DEPTH];
+    int stack_size;
     double started[TIMERS_MAX], elapsed[TIMERS_MAX];
     struct timer_slot {
-        GLuint queries[2 * TIMERS_MAX];
-        int used[TIMERS_MAX]; /* timers recorded in this slot, by order of their end */
-        int used_count;
+        GLuint queries[2 * TIMER_SPANS_MAX]; /* begin and end of each span */
+        int timer_of[TIMER_SPANS_MAX];
+        int span_count; /* in the order of their begins: the frame is the first */
         bool pending;
     } ring[TIMER_RING];
     int slot;
@@ -40,8 +49,8 @@ struct timers {
 void timers_init(struct timers *timers, bool enabled, bool software);
 void timers_free(struct timers *timers);
 
-/* A frame begins with the first begin at depth 0 and ends with its end. The same path within one
- * frame may be timed once on a GPU; with finish its times add up. */
+/* A frame begins with the first begin at depth 0 and ends with its end. Times of the same path
+ * within one frame add up. What begins after TIMER_SPANS_MAX others goes untimed on a GPU. */
 void timer_begin(struct timers *timers, const char *name);
 void timer_end(struct timers *timers);
 
