@@ -4,7 +4,6 @@
 #include "base/memory.h"
 #include "gl/glsl_embedded.h"
 
-#include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -55,9 +54,13 @@ static void append(char **text, const char *more, size_t length) {
     (*text)[old + length] = '\0';
 }
 
+/* Line n of file f is told to drivers as line f * LINES_PER_FILE + n of one file: #line's own
+ * source number is lost in Mesa's messages about all but syntax. */
+enum { LINES_PER_FILE = 100000 };
+
 static void append_line_directive(char **text, int line, int file) {
     char directive[48];
-    int length = snprintf(directive, sizeof directive, "#line %d %d\n", line, file);
+    int length = snprintf(directive, sizeof directive, "#line %d\n", file * LINES_PER_FILE + line);
     append(text, directive, (size_t)length);
 }
 
@@ -122,16 +125,31 @@ void glsl_free(struct glsl_source *source) {
     *source = (struct glsl_source){0};
 }
 
+/* The line number in a driver's message, which begins with "0:17(5): error", "0(17) : error" or
+ * "ERROR: 0:17:", and what follows it; -1 where there is none. */
+static int parse_place(const char *line, const char **rest) {
+    int source, number, length = 0;
+    line += strncmp(line, "ERROR: ", 7) == 0 ? 7 : 0;
+    if (sscanf(line, "%d:%d%n", &source, &number, &length) == 2)
+        *rest = line + length;
+    else if (sscanf(line, "%d(%d)%n", &source, &number, &length) == 2 && length)
+        *rest = line + length;
+    else
+        return -1;
+    return number;
+}
+
 char *glsl_explain(const struct glsl_source *source, const char *message) {
-    /* Drivers write "2:17(5): error" or "2(17) : error": a source number at the line's start. */
     char *explained = mem_strdup("");
     for (const char *line = message, *end; *line; line = end) {
         end = line + strcspn(line, "\n");
         end += *end == '\n';
-        char *rest = (char *)line;
-        long number = isdigit((unsigned char)*line) ? strtol(line, &rest, 10) : -1;
-        if (number >= 0 && number < source->file_count && (*rest == ':' || *rest == '(')) {
-            append(&explained, source->files[number], strlen(source->files[number]));
+        const char *rest;
+        int number = parse_place(line, &rest), file = number / LINES_PER_FILE;
+        if (number >= 0 && file < source->file_count) {
+            char *place = mem_printf("%s:%d", source->files[file], number % LINES_PER_FILE);
+            append(&explained, place, strlen(place));
+            free(place);
             line = rest;
         }
         append(&explained, line, (size_t)(end - line));

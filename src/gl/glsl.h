@@ -1,8 +1,8 @@
 /* GLSL sources: embedded in the binary, or read from a folder (--glsl DIR).
  *
  * Files have no #version line; the version, the defines and #include "lib/..." are put in here.
- * Each file keeps its number in #line, and glsl_explain turns the numbers of a driver's message
- * into names.
+ * #line directives tell the place of each line, and glsl_explain turns the numbers of a driver's
+ * message into file names and lines.
  */
 #ifndef GL_GLSL_H
 #define GL_GLSL_H
@@ -13,7 +13,7 @@ enum { GLSL_FILES_MAX = 32 };
 
 struct glsl_source {
     char *text;
-    char *files[GLSL_FILES_MAX]; /* by #line's source number */
+    char *files[GLSL_FILES_MAX]; /* in the order of their first lines */
     int file_count;
 };
 
@@ -24,7 +24,7 @@ void glsl_set_folder(const char *folder);
 bool glsl_load(struct glsl_source *source, const char *file, const char *defines);
 void glsl_free(struct glsl_source *source);
 
-/* The driver's message with source numbers replaced by file names; to be freed by the caller. */
+/* The driver's message with the places of mistakes as FILE:LINE; to be freed by the caller. */
 char *glsl_explain(const struct glsl_source *source, const char *message);
 
 #endif
