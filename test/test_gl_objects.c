@@ -1,0 +1,313 @@
+/* The gl floor's objects: shaders and their messages, programs, textures, the ledger of memory,
+ * timers. */
+#define _POSIX_C_SOURCE 200809L
+#include "render_support.h"
+
+#include "base/error.h"
+#include "gl/buffer.h"
+#include "gl/framebuffer.h"
+#include "gl/glsl.h"
+#include "gl/memory.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "gl/timer.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+
+/* --- shaders ---------------------------------------------------------------------------------- */
+
+static const char *shader_folder(void) {
+    static char folder[512];
+    snprintf(folder, sizeof folder, "%s", scratch("glsl"));
+    mkdir(folder, 0777);
+    return folder;
+}
+
+static void write_shader(const char *name, const char *text) {
+    char path[640];
+    snprintf(path, sizeof path, "%s/%s", shader_folder(), name);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+}
+
+static int use_shader_folder(void **state) {
+    (void)state;
+    char lib[640];
+    snprintf(lib, sizeof lib, "%s/lib", shader_folder());
+    mkdir(lib, 0777);
+    glsl_set_folder(shader_folder());
+    return 0;
+}
+
+static int use_embedded_shaders(void **state) {
+    (void)state;
+    glsl_set_folder(NULL);
+    return 0;
+}
+
+static void expect_error(const char *part) {
+    printf("    %s\n", error_get());
+    if (!strstr(error_get(), part))
+        fail_msg("'%s' is not in: %s", part, error_get());
+}
+
+static void test_includes(void **state) {
+    (void)state;
+    struct glsl_source source;
+    write_shader("main.frag", "#include \"lib/a.glsl\"\n#include \"lib/b.glsl\"\nint own;\n");
+    write_shader("lib/a.glsl", "#include \"lib/b.glsl\"\nint a;\n");
+    write_shader("lib/b.glsl", "int b;\n");
+    check_ok("load", glsl_load(&source, "main.frag", "ONE 1;TWO 2"));
+    assert_int_equal(source.file_count, 3);
+    assert_string_equal(source.files[0], "main.frag");
+    assert_string_equal(source.files[1], "lib/a.glsl");
+    /* Each file once, below its defines. */
+    const char *head = "#version 450 core\n#define ONE 1\n#define TWO 2\n#line 1\n";
+    assert_memory_equal(source.text, head, strlen(head));
+    const char *b = strstr(source.text, "int b;"), *a = strstr(source.text, "int a;");
+    assert_true(b && a && b < a && a < strstr(source.text, "int own;"));
+    assert_null(strstr(b + 1, "int b;"));
+    assert_null(strstr(source.text, "#include"));
+    glsl_free(&source);
+}
+
+static void test_missing_include(void **state) {
+    (void)state;
+    struct glsl_source source;
+    write_shader("main.frag", "int one;\n#include \"lib/c.glsl\"\n");
+    write_shader("lib/c.glsl", "\n\n#include \"lib/nowhere.glsl\"\n");
+    assert_false(glsl_load(&source, "main.frag", NULL));
+    expect_error("main.frag:2: lib/c.glsl:3: cannot open ");
+    expect_error("lib/nowhere.glsl: No such file");
+    glsl_set_folder(NULL);
+    assert_false(glsl_load(&source, "nowhere.frag", NULL));
+    expect_error("no shader file 'nowhere.frag' is embedded");
+}
+
+/* A mistake in an included file is told by that file's name and line. In a context of its own, as
+ * the driver also tells the debug log. */
+static void test_messages(void **state) {
+    GLuint program;
+    struct context *context = open_context(CONTEXT_AUTO);
+    write_shader("triangle.vert", "void main() { gl_Position = vec4(0.0); }\n");
+    write_shader("main.frag", "#include \"lib/wrong.glsl\"\nvoid main() {}\n");
+    write_shader("lib/wrong.glsl", "int fine;\nint wrong = nothing;\n");
+    assert_false(program_init(
+        &program, &(struct program_desc){.vertex = "triangle.vert", .fragment = "main.frag"}));
+    expect_error("shader main.frag does not compile");
+    expect_error("lib/wrong.glsl:2");
+    assert_int_equal(program, 0);
+    program_free(&program);
+    context_free(context);
+    context_make_current(*state);
+}
+
+/* What other drivers write. */
+static void test_places(void **state) {
+    (void)state;
+    static const struct {
+        const char *message, *explained;
+    } cases[] = {
+        {"0:100002(13): error: what\n0:7(1): why",
+         "lib/a.glsl:2(13): error: what\nmain.frag:7(1): why"},
+        {"0(100002) : error C1: what\n", "lib/a.glsl:2 : error C1: what\n"},
+        {"ERROR: 0:100002: 'x' : what\n", "lib/a.glsl:2: 'x' : what\n"},
+        {"2 errors\n0:900001: what", "2 errors\n0:900001: what"},
+    };
+    struct glsl_source source = {.files = {"main.frag", "lib/a.glsl"}, .file_count = 2};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char *explained = glsl_explain(&source, cases[i].message);
+        assert_string_equal(explained, cases[i].explained);
+        free(explained);
+    }
+}
+
+static void test_link_errors(void **state) {
+    (void)state;
+    GLuint program;
+    write_shader("triangle.vert", "void main() { gl_Position = vec4(0.0); }\n");
+    write_shader("main.frag", "in vec3 missing;\nlayout(location = 0) out vec3 color;\n"
+                              "void main() { color = missing; }\n");
+    assert_false(program_init(
+        &program, &(struct program_desc){.vertex = "triangle.vert", .fragment = "main.frag"}));
+    expect_error("do not link");
+    assert_int_equal(program, 0);
+}
+
+/* Alike programs are one object; a define makes another. */
+static void test_programs(void **state) {
+    (void)state;
+    GLuint programs[3];
+    struct program_desc desc = {.vertex = "fullscreen.vert", .fragment = "depth_only.frag"};
+    check_ok("program", program_init(&programs[0], &desc));
+    check_ok("program", program_init(&programs[1], &desc));
+    desc.defines = "DIFFERENT 1";
+    check_ok("program", program_init(&programs[2], &desc));
+    assert_true(programs[0] && programs[2] && programs[0] != programs[2]);
+    for (int i = 0; i < 3; i++) {
+        program_free(&programs[i]);
+        assert_int_equal(programs[i], 0);
+        program_free(&programs[i]); /* a zeroed one is nothing */
+    }
+}
+
+/* --- textures, buffers, ledger ---------------------------------------------------------------- */
+
+static void test_ledger(void **state) {
+    (void)state;
+    size_t before = gpu_memory_total();
+    int objects = gpu_memory_object_count();
+    struct texture texture;
+    struct buffer buffer, empty;
+    check_ok("texture", texture_init(&texture, &(struct texture_desc){
+                                                   .label = "test",
+                                                   .target = GL_TEXTURE_2D_ARRAY,
+                                                   .format = GL_RGBA16F,
+                                                   .width = 8,
+                                                   .height = 4,
+                                                   .layers = 3,
+                                                   .levels = texture_full_levels(8, 4),
+                                               }));
+    assert_int_equal(texture_full_levels(8, 4), 4);
+    assert_int_equal(gpu_memory_total() - before, 8 * 3 * (32 + 8 + 2 + 1));
+    check_ok("buffer", buffer_init(&buffer, "test", 100, NULL));
+    check_ok("buffer", buffer_init(&empty, "test", 0, NULL));
+    assert_int_equal(gpu_memory_total() - before, 8 * 3 * 43 + 116);
+    assert_int_equal(gpu_memory_object_count() - objects, 3);
+    texture_free(&texture);
+    texture_free(&texture);
+    buffer_free(&buffer);
+    buffer_free(&buffer);
+    buffer_free(&empty);
+    assert_int_equal(gpu_memory_total(), before);
+    assert_int_equal(gpu_memory_object_count(), objects);
+}
+
+static void test_too_large(void **state) {
+    (void)state;
+    struct texture texture;
+    struct texture_desc desc = {.label = "huge", .format = GL_R8, .width = 1 << 24};
+    assert_false(texture_init(&texture, &desc));
+    expect_error("texture 'huge': 16777216x1x1 is above the limit of ");
+    texture_free(&texture);
+}
+
+static void test_buffers(void **state) {
+    (void)state;
+    struct buffer buffer;
+    const uint32_t words[4] = {1, 2, 3, 4}, more[2] = {7, 8};
+    uint32_t read[4];
+    check_ok("buffer", buffer_init(&buffer, "test", sizeof words, words));
+    buffer_write(&buffer, 4, sizeof more, more);
+    buffer_read(&buffer, 0, sizeof read, read);
+    assert_memory_equal(read, ((uint32_t[]){1, 7, 8, 4}), sizeof read);
+    buffer_free(&buffer);
+}
+
+/* --- timers ----------------------------------------------------------------------------------- */
+
+/* Something that takes time on any driver. */
+static void work(void) {
+    struct timespec nap = {.tv_nsec = 2000000};
+    nanosleep(&nap, NULL);
+}
+
+static void run_frame(struct timers *timers, int repeats) {
+    timer_begin(timers, "frame");
+    timer_begin(timers, "one");
+    work();
+    timer_end(timers);
+    timer_begin(timers, "two");
+    for (int i = 0; i < repeats; i++) {
+        timer_begin(timers, "inner");
+        work();
+        timer_end(timers);
+    }
+    timer_end(timers);
+    timer_end(timers);
+}
+
+static void check_timers(bool software) {
+    struct timers timers;
+    timers_init(&timers, true, software);
+    for (int i = 0; i < 2 * TIMER_RING; i++)
+        run_frame(&timers, 3);
+    timers_flush(&timers);
+    assert_int_equal(timers.count, 4);
+    assert_string_equal(timers.results[0].path, "frame");
+    assert_string_equal(timers.results[3].path, "frame/two/inner");
+    assert_int_equal(timers.results[3].depth, 2);
+    for (int i = 0; i < timers.count; i++)
+        printf("    %-20s %8.3f ms\n", timers.results[i].path, timers.results[i].ms);
+    double inner = timer_ms(&timers, "frame/two/inner"), two = timer_ms(&timers, "frame/two");
+    double one = timer_ms(&timers, "frame/one"), frame = timer_ms(&timers, "frame");
+    /* Times of one path add up; a query's clock may tick in steps of a microsecond. */
+    assert_true(one >= 1.9 && inner >= 5.9 && two >= inner - .1 && frame >= one + two - .1);
+    assert_true(timer_ms(&timers, "no such") == 0);
+    timers_free(&timers);
+}
+
+static void test_clock(void **state) {
+    (void)state;
+    check_timers(true);
+}
+
+static void test_queries(void **state) {
+    (void)state;
+    check_timers(false);
+}
+
+/* Hundreds of passes of one name, as instant radiosity has with small batches. */
+static void test_many_passes(void **state) {
+    (void)state;
+    struct timers timers;
+    timers_init(&timers, true, false);
+    for (int frame = 0; frame < 3; frame++) {
+        timer_begin(&timers, "frame");
+        for (int i = 0; i < 1000; i++) {
+            timer_begin(&timers, i % 2 ? "maps" : "gather");
+            timer_end(&timers);
+        }
+        timer_end(&timers);
+    }
+    timers_flush(&timers);
+    assert_int_equal(timers.count, 3);
+    timers_free(&timers);
+}
+
+static void test_disabled(void **state) {
+    (void)state;
+    struct timers timers;
+    timers_init(&timers, false, true);
+    run_frame(&timers, 1);
+    assert_int_equal(timers.count, 0);
+    timers_free(&timers);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_includes, use_shader_folder, use_embedded_shaders),
+        cmocka_unit_test_setup_teardown(test_missing_include, use_shader_folder,
+                                        use_embedded_shaders),
+        cmocka_unit_test_setup_teardown(test_messages, use_shader_folder, use_embedded_shaders),
+        cmocka_unit_test_setup_teardown(test_link_errors, use_shader_folder, use_embedded_shaders),
+        cmocka_unit_test(test_places),
+        cmocka_unit_test(test_programs),
+        cmocka_unit_test(test_ledger),
+        cmocka_unit_test(test_too_large),
+        cmocka_unit_test(test_buffers),
+        cmocka_unit_test(test_clock),
+        cmocka_unit_test(test_queries),
+        cmocka_unit_test(test_many_passes),
+        cmocka_unit_test(test_disabled),
+    };
+    return cmocka_run_group_tests_name("gl objects", tests, open_group_context,
+                                       close_group_context);
+}
