@@ -21,8 +21,8 @@ struct values {
 static const struct option options[] = {
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE.exr",
      .help = "the picture to write"},
-    {"size", 's', OPTION_SIZE, offsetof(struct values, size), 800, 1, 16384,
-     .help = "of the picture"},
+    {"size", 0, OPTION_SIZE, offsetof(struct values, size), 800, 1, 16384,
+     .help = "of the picture, pixels"},
     {"bounces", 0, OPTION_INT, offsetof(struct values, bounces), 1, 0, 1000,
      .help = "of indirect light; 0 = direct light only"},
     {"spp", 0, OPTION_INT, offsetof(struct values, samples), 0, 0, 1e6,

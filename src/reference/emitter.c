@@ -1,18 +1,15 @@
 #include "reference/emitter.h"
 
+#include "reference/vector.h"
 #include "reference/warp.h"
 
 #include <math.h>
-
-static vec3s vector(const float v[3]) {
-    return (vec3s){{v[0], v[1], v[2]}};
-}
 
 struct emitter emitter_of(const struct light *light, const struct geometry *geometry) {
     return (struct emitter){
         .light = *light,
         .solid_angle = (float)light_solid_angle(light),
-        .center = vector(geometry->center),
+        .center = vector_of(geometry->center),
         .radius = geometry->radius,
     };
 }
@@ -23,14 +20,14 @@ static float cross_section(const struct emitter *emitter) {
 
 bool emitter_reach(const struct emitter *emitter, const struct hit *hit, struct arrival *arrival) {
     const struct light *light = &emitter->light;
-    vec3s to_light = glms_vec3_negate(vector(light->direction));
+    vec3s to_light = glms_vec3_negate(vector_of(light->direction));
     float distance = 2 * emitter->radius; /* beyond the bounds from every point within */
     float strength = 1;                   /* irradiance across the beam, for an intensity of 1 */
     float density;                        /* of light rays across the beam, 1/m2 */
     if (light->type == LIGHT_DIRECTIONAL) {
         density = 1 / cross_section(emitter);
     } else {
-        vec3s path = glms_vec3_sub(vector(light->position), hit->position);
+        vec3s path = glms_vec3_sub(vector_of(light->position), hit->position);
         float cos_axis;
         distance = glms_vec3_norm(path);
         if (distance == 0)
@@ -45,7 +42,7 @@ bool emitter_reach(const struct emitter *emitter, const struct hit *hit, struct 
     if (strength <= 0 || cos_shading <= 0 || cos_geometric <= 0)
         return false;
     arrival->source = glms_vec3_add(hit->position, glms_vec3_scale(to_light, distance));
-    arrival->irradiance = glms_vec3_scale(vector(light->intensity), strength * cos_shading);
+    arrival->irradiance = glms_vec3_scale(vector_of(light->intensity), strength * cos_shading);
     arrival->density = density * cos_geometric;
     return true;
 }
@@ -62,7 +59,7 @@ vec3s emitter_direct(const struct emitter *emitter, const struct ray_scene *rays
 bool emitter_first_hit(const struct emitter *emitter, const struct ray_scene *rays, vec2s sample,
                        struct hit *hit) {
     const struct light *light = &emitter->light;
-    vec3s axis = vector(light->direction), origin, direction;
+    vec3s axis = vector_of(light->direction), origin, direction;
     if (light->type == LIGHT_DIRECTIONAL) {
         vec3s offset = glms_vec3_sub(warp_to_disc(sample, axis), glms_vec3_scale(axis, 2));
         origin = glms_vec3_add(emitter->center, glms_vec3_scale(offset, emitter->radius));
@@ -71,7 +68,7 @@ bool emitter_first_hit(const struct emitter *emitter, const struct ray_scene *ra
         direction = warp_to_cone(sample, axis, light->type == LIGHT_SPOT ? light->cos_outer : -1);
         /* Shadow rays end this far before the light. */
         origin =
-            glms_vec3_add(vector(light->position), glms_vec3_scale(direction, rays->clearance));
+            glms_vec3_add(vector_of(light->position), glms_vec3_scale(direction, rays->clearance));
     }
     return ray_scene_hit(rays, origin, direction, hit);
 }

@@ -1,6 +1,7 @@
 #include "reference/hit.h"
 
 #include "reference/texture.h"
+#include "reference/vector.h"
 
 #include "base/memory.h"
 
@@ -20,14 +21,10 @@ static struct corners find_corners(const struct hit_table *table,
                             {1 - point->u - point->v, point->u, point->v}};
 }
 
-static vec3s vertex_vector(float (*vectors)[3], uint32_t i) {
-    return (vec3s){{vectors[i][0], vectors[i][1], vectors[i][2]}};
-}
-
 static vec3s interpolate_vector(float (*vectors)[3], const struct corners *corners) {
-    vec3s sum = glms_vec3_scale(vertex_vector(vectors, corners->index[0]), corners->weight[0]);
+    vec3s sum = glms_vec3_scale(vector_of(vectors[corners->index[0]]), corners->weight[0]);
     for (int k = 1; k < 3; k++)
-        sum = glms_vec3_muladds(vertex_vector(vectors, corners->index[k]), corners->weight[k], sum);
+        sum = glms_vec3_muladds(vector_of(vectors[corners->index[k]]), corners->weight[k], sum);
     return sum;
 }
 
@@ -52,9 +49,9 @@ static vec2s interpolate_uv(float (*uvs)[2], const struct corners *corners) {
 
 /* Counter-clockwise as seen from the front. */
 static vec3s winding_normal(const struct geometry *geometry, const uint32_t index[3]) {
-    vec3s p0 = vertex_vector(geometry->position, index[0]);
-    return glms_vec3_crossn(glms_vec3_sub(vertex_vector(geometry->position, index[1]), p0),
-                            glms_vec3_sub(vertex_vector(geometry->position, index[2]), p0));
+    vec3s p0 = vector_of(geometry->position[index[0]]);
+    return glms_vec3_crossn(glms_vec3_sub(vector_of(geometry->position[index[1]]), p0),
+                            glms_vec3_sub(vector_of(geometry->position[index[2]]), p0));
 }
 
 /* Base colour factor x texture x vertex colour, linear. */

@@ -6,7 +6,7 @@
  * layer. Its square is the variance, which half floats could not hold. */
 #define LAYERS_COMMON                                                                              \
     "R G B A Z direct.R direct.G direct.B indirect.R indirect.G indirect.B "                       \
-    "albedo.R albedo.G albedo.B normal.R normal.G normal.B"
+    "albedo.R albedo.G albedo.B normal.X normal.Y normal.Z"
 #define LAYERS_OF_PATH_TRACER LAYERS_COMMON " standard_error.R standard_error.G standard_error.B"
 
 /* The first channel of each layer. All are zero where nothing is seen. */

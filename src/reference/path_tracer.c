@@ -3,18 +3,17 @@
 #include "reference/film.h"
 #include "reference/layers.h"
 #include "reference/path.h"
+#include "reference/rows.h"
+#include "reference/view.h"
 
-#include "base/error.h"
 #include "base/memory.h"
-#include "base/parallel.h"
 
 #include <assert.h>
 #include <math.h>
-#include <pthread.h>
-#include <stdatomic.h>
 #include <stdlib.h>
 
-enum { FIRST_PASS_POINTS = 8 };
+/* Points of a stream: of the first pass, and how many a forecast expects before it has seen any. */
+enum { FIRST_PASS_POINTS = 8, EXPECTED_POINTS = 64 };
 
 /* Indirect paths from each point that the camera sees: the noise is in them, not in the camera ray
  * and the direct light, whose rays are thus shared. */
@@ -23,31 +22,18 @@ enum { PATHS_PER_SAMPLE = 4 };
 struct renderer {
     struct path_tracer_desc desc; /* resolved */
     struct ray_scene rays;
+    struct view view;
     struct emitter emitter;
     struct film_pixel *pixels;
-    uint32_t done, end;   /* points of each stream: of earlier passes, and after the present one */
-    double noise;         /* after the last pass */
-    atomic_int rows_done; /* in the present pass */
-    atomic_bool cancelled;
-    pthread_mutex_t progress_lock;
+    struct image *image; /* once developed */
+    uint32_t done, end;  /* points of each stream: of earlier passes, and after the present one */
+    double noise;        /* after the last pass */
 };
 
 /* --- samples --- */
 
-static vec3s vector(const float v[3]) {
-    return (vec3s){{v[0], v[1], v[2]}};
-}
-
 static struct film_pixel *pixel_at(const struct renderer *renderer, int x, int y) {
     return &renderer->pixels[(size_t)y * (size_t)renderer->desc.width + (size_t)x];
-}
-
-/* What the camera sees at a point of the picture, in pixels. */
-static bool look(const struct renderer *renderer, float x, float y, struct hit *hit) {
-    const struct path_tracer_desc *desc = &renderer->desc;
-    float width = (float)desc->width, height = (float)desc->height, origin[3], direction[3];
-    camera_ray(desc->camera, x / width, y / height, width / height, origin, direction);
-    return ray_scene_camera_hit(&renderer->rays, vector(origin), vector(direction), hit);
 }
 
 static vec3s mean_of_paths(const struct renderer *renderer, const struct hit *hit, uint32_t seed,
@@ -66,7 +52,7 @@ static bool take_sample(const struct renderer *renderer, int px, int py, uint32_
                         uint32_t index, struct film_sample *sample) {
     struct hit hit;
     vec2s jitter = sampler_next(&(struct sampler){.seed = seed, .index = index});
-    if (!look(renderer, (float)px + jitter.x, (float)py + jitter.y, &hit))
+    if (!view_hit(&renderer->view, (float)px + jitter.x, (float)py + jitter.y, &hit))
         return false;
     *sample = (struct film_sample){
         .albedo = hit.albedo,
@@ -99,32 +85,28 @@ static double points_needed(const struct renderer *renderer) {
     const struct path_tracer_desc *desc = &renderer->desc;
     if (desc->samples > 0)
         return ceil(desc->samples / (double)FILM_STREAMS);
+    if (renderer->done == 0)
+        return EXPECTED_POINTS;
     return renderer->done * pow(renderer->noise / desc->noise, 1 / 0.75);
 }
 
-static void report(struct renderer *renderer) {
+/* rows_done: the share of the present pass. */
+static bool report(void *context, double rows_done) {
+    const struct renderer *renderer = context;
     const struct path_tracer_desc *desc = &renderer->desc;
-    if (!desc->progress)
-        return;
-    double in_pass = (double)atomic_load(&renderer->rows_done) / desc->height;
-    double points = renderer->done + (renderer->end - renderer->done) * in_pass;
+    double points = renderer->done + (renderer->end - renderer->done) * rows_done;
     struct path_tracer_progress progress = {
         .done = points / fmax(points_needed(renderer), renderer->end),
         .noise = renderer->noise,
         .samples = (int)renderer->done * FILM_STREAMS,
     };
-    pthread_mutex_lock(&renderer->progress_lock);
-    if (!desc->progress(desc->user, &progress))
-        atomic_store(&renderer->cancelled, true);
-    pthread_mutex_unlock(&renderer->progress_lock);
+    return !desc->progress || desc->progress(desc->user, &progress);
 }
 
-static void render_row(void *context, size_t row) {
-    struct renderer *renderer = context;
-    for (int x = 0; x < renderer->desc.width && !atomic_load(&renderer->cancelled); x++)
-        add_pass(renderer, x, (int)row);
-    atomic_fetch_add(&renderer->rows_done, 1);
-    report(renderer);
+static void add_pass_to_row(void *context, int row) {
+    const struct renderer *renderer = context;
+    for (int x = 0; x < renderer->desc.width; x++)
+        add_pass(renderer, x, row);
 }
 
 /* Standard error, RMS over pixels and channels, over the mean. */
@@ -143,11 +125,11 @@ static double estimate_noise(const struct renderer *renderer) {
 }
 
 static bool render_pass(struct renderer *renderer, uint32_t end) {
+    const struct path_tracer_desc *desc = &renderer->desc;
     renderer->end = end;
-    atomic_store(&renderer->rows_done, 0);
-    parallel_for((size_t)renderer->desc.height, renderer->desc.threads, render_row, renderer);
-    if (atomic_load(&renderer->cancelled))
-        return error_set("cancelled");
+    if (!rows_render(
+            &(struct rows){desc->height, desc->threads, add_pass_to_row, report, renderer}))
+        return false;
     renderer->done = end;
     renderer->noise = estimate_noise(renderer);
     return true;
@@ -170,34 +152,22 @@ static bool render_passes(struct renderer *renderer) {
 
 /* --- the picture --- */
 
-struct picture {
-    const struct renderer *renderer;
-    struct image *image;
-};
-
-static float depth_at(const struct renderer *renderer, int px, int py) {
-    const struct camera *camera = renderer->desc.camera;
-    struct hit hit;
-    if (!look(renderer, (float)px + 0.5f, (float)py + 0.5f, &hit))
-        return 0;
-    return glms_vec3_dot(glms_vec3_sub(hit.position, vector(camera->eye)), vector(camera->forward));
-}
-
-static void develop_row(void *context, size_t row) {
-    const struct picture *picture = context;
-    const struct renderer *renderer = picture->renderer;
-    for (int x = 0, y = (int)row; x < renderer->desc.width; x++) {
-        float *layers = image_at(picture->image, x, y);
-        film_pixel_develop(pixel_at(renderer, x, y), (int)renderer->done * FILM_STREAMS, layers);
-        layers[LAYER_DEPTH] = depth_at(renderer, x, y);
+static void develop_row(void *context, int row) {
+    const struct renderer *renderer = context;
+    int samples = (int)renderer->done * FILM_STREAMS;
+    for (int x = 0; x < renderer->desc.width; x++) {
+        struct hit center;
+        float *layers = image_at(renderer->image, x, row);
+        film_pixel_develop(pixel_at(renderer, x, row), samples, layers);
+        if (view_hit(&renderer->view, (float)x + 0.5f, (float)row + 0.5f, &center))
+            layers[LAYER_DEPTH] = view_depth(&renderer->view, &center);
     }
 }
 
-static void develop(const struct renderer *renderer, struct image *image) {
+static bool develop(struct renderer *renderer) {
     const struct path_tracer_desc *desc = &renderer->desc;
-    struct picture picture = {renderer, image};
-    image_init(image, desc->width, desc->height, LAYERS_OF_PATH_TRACER);
-    parallel_for((size_t)desc->height, desc->threads, develop_row, &picture);
+    image_init(renderer->image, desc->width, desc->height, LAYERS_OF_PATH_TRACER);
+    return rows_render(&(struct rows){desc->height, desc->threads, develop_row, NULL, renderer});
 }
 
 static struct path_tracer_desc resolve(const struct path_tracer_desc *desc) {
@@ -214,21 +184,20 @@ static struct path_tracer_desc resolve(const struct path_tracer_desc *desc) {
 
 bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image,
                         struct path_tracer_progress *reached) {
-    struct renderer renderer = {.desc = resolve(desc),
-                                .emitter = emitter_of(desc->light, desc->geometry)};
-    size_t pixel_count = (size_t)renderer.desc.width * (size_t)renderer.desc.height;
+    struct renderer renderer = {.desc = resolve(desc), .image = image};
     struct hit_table table;
     *image = (struct image){0};
+    desc = &renderer.desc;
     hit_table_init(&table, desc->scene, desc->geometry);
-    renderer.pixels = mem_alloc(pixel_count, sizeof *renderer.pixels);
-    pthread_mutex_init(&renderer.progress_lock, NULL);
-    bool ok = ray_scene_init(&renderer.rays, &table) && render_passes(&renderer);
-    if (ok)
-        develop(&renderer, image);
+    renderer.emitter = emitter_of(desc->light, desc->geometry);
+    renderer.view = (struct view){&renderer.rays, desc->camera, desc->width, desc->height};
+    renderer.pixels =
+        mem_alloc((size_t)desc->width * (size_t)desc->height, sizeof *renderer.pixels);
+    bool ok =
+        ray_scene_init(&renderer.rays, &table) && render_passes(&renderer) && develop(&renderer);
     if (ok && reached)
         *reached =
             (struct path_tracer_progress){1, renderer.noise, (int)renderer.done * FILM_STREAMS};
-    pthread_mutex_destroy(&renderer.progress_lock);
     free(renderer.pixels);
     ray_scene_free(&renderer.rays);
     hit_table_free(&table);

@@ -1,0 +1,11 @@
+/* From the scene's plain arrays to cglm's vectors, which can be passed by value. */
+#ifndef REFERENCE_VECTOR_H
+#define REFERENCE_VECTOR_H
+
+#include <cglm/struct.h>
+
+static inline vec3s vector_of(const float v[3]) {
+    return (vec3s){{v[0], v[1], v[2]}};
+}
+
+#endif

@@ -1,0 +1,127 @@
+#include "reference/vpl_sum.h"
+
+#include "reference/emitter.h"
+#include "reference/layers.h"
+#include "reference/rows.h"
+#include "reference/vector.h"
+#include "reference/view.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+struct summation {
+    struct vpl_sum_desc desc; /* resolved */
+    struct ray_scene rays;
+    struct view view;
+    struct emitter emitter;
+    struct image *image;
+};
+
+static float geometry_term(const struct vpl_sum_desc *desc, const struct hit *x,
+                           const struct vpl *vpl) {
+    vec3s path = glms_vec3_sub(vector_of(vpl->position), x->position);
+    float distance2 = glms_vec3_norm2(path);
+    float cos_x = glms_vec3_dot(x->normal, path);
+    float cos_i = -glms_vec3_dot(vector_of(vpl->normal), path);
+    if (cos_x <= 0 || cos_i <= 0)
+        return 0;
+    float cosines = cos_x * cos_i / distance2;
+    switch (desc->bound) {
+    case VPL_SUM_CLAMPED:
+        return fminf(cosines / distance2, desc->clamp_value);
+    case VPL_SUM_DISK:
+        return cosines / (distance2 + vpl->normal[3] * GLM_1_PIf);
+    case VPL_SUM_UNBOUNDED:
+        break;
+    }
+    return cosines / distance2;
+}
+
+static bool is_visible(const struct summation *summation, const struct hit *x,
+                       const struct vpl *vpl) {
+    vec3s above = glms_vec3_muladds(vector_of(vpl->normal), summation->desc.vpl_clearance,
+                                    vector_of(vpl->position));
+    return summation->desc.unshadowed ||
+           ray_scene_visible(&summation->rays, ray_scene_departure(&summation->rays, x), above);
+}
+
+/* Irradiance over pi. */
+static vec3s gather(const struct summation *summation, const struct hit *x) {
+    const struct vpl_sum_desc *desc = &summation->desc;
+    vec3s sum = glms_vec3_zero();
+    for (int i = 0; i < desc->vpl_count; i++) {
+        const struct vpl *vpl = &desc->vpls[i];
+        float geometry = vpl->flux[3] > 0 ? geometry_term(desc, x, vpl) : 0;
+        if (geometry > 0 && is_visible(summation, x, vpl))
+            sum = glms_vec3_muladds(vector_of(vpl->flux), geometry, sum);
+    }
+    return glms_vec3_scale(sum, GLM_1_PIf * GLM_1_PIf);
+}
+
+static void write(float *layer, vec3s value) {
+    memcpy(layer, value.raw, sizeof value.raw);
+}
+
+static void render_pixel(const struct summation *summation, int px, int py) {
+    struct hit hit;
+    if (!view_hit(&summation->view, (float)px + 0.5f, (float)py + 0.5f, &hit))
+        return;
+    float *layers = image_at(summation->image, px, py);
+    vec3s indirect = gather(summation, &hit), direct = glms_vec3_zero();
+    if (summation->desc.light)
+        direct = emitter_direct(&summation->emitter, &summation->rays, &hit);
+    write(&layers[LAYER_BEAUTY], glms_vec3_mul(hit.albedo, glms_vec3_add(direct, indirect)));
+    layers[LAYER_ALPHA] = 1;
+    layers[LAYER_DEPTH] = view_depth(&summation->view, &hit);
+    write(&layers[LAYER_DIRECT], direct);
+    write(&layers[LAYER_INDIRECT], indirect);
+    write(&layers[LAYER_ALBEDO], hit.albedo);
+    write(&layers[LAYER_NORMAL], hit.normal);
+}
+
+static void render_row(void *context, int row) {
+    const struct summation *summation = context;
+    for (int x = 0; x < summation->desc.width; x++)
+        render_pixel(summation, x, row);
+}
+
+static bool report(void *context, double done) {
+    const struct vpl_sum_desc *desc = &((const struct summation *)context)->desc;
+    return !desc->progress || desc->progress(desc->user, done);
+}
+
+static struct vpl_sum_desc resolve(const struct vpl_sum_desc *desc) {
+    struct vpl_sum_desc resolved = *desc;
+    assert(desc->scene && desc->geometry && desc->camera && (desc->vpls || desc->vpl_count == 0));
+    assert(desc->bound != VPL_SUM_CLAMPED || desc->clamp_value > 0);
+    if (resolved.width == 0)
+        resolved.width = 800;
+    if (resolved.height == 0)
+        resolved.height = 800;
+    if (resolved.vpl_clearance == 0)
+        resolved.vpl_clearance = 1e-3f * desc->geometry->radius;
+    return resolved;
+}
+
+bool vpl_sum_render(const struct vpl_sum_desc *desc, struct image *image) {
+    struct summation summation = {.desc = resolve(desc), .image = image};
+    struct hit_table table;
+    *image = (struct image){0};
+    desc = &summation.desc;
+    summation.view = (struct view){&summation.rays, desc->camera, desc->width, desc->height};
+    if (desc->light)
+        summation.emitter = emitter_of(desc->light, desc->geometry);
+    hit_table_init(&table, desc->scene, desc->geometry);
+    bool ok = ray_scene_init(&summation.rays, &table);
+    if (ok) {
+        image_init(image, desc->width, desc->height, LAYERS_COMMON);
+        ok = rows_render(
+            &(struct rows){desc->height, desc->threads, render_row, report, &summation});
+    }
+    if (!ok)
+        image_free(image);
+    ray_scene_free(&summation.rays);
+    hit_table_free(&table);
+    return ok;
+}

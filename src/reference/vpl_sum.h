@@ -1,0 +1,50 @@
+/* The picture that a many-light renderer would make if its visibility were exact: each pixel's
+ * centre gathers from every virtual point light (VPL) by a ray.
+ *
+ *     indirect = 1/pi sum_i Phi_i / pi  cos_i cos_x / d^2  V(x, i)        [Dong 2009 §4, §6]
+ *
+ * It tells a renderer's error of visibility apart from the error of having few VPLs, which only the
+ * path tracer shows.
+ */
+#ifndef REFERENCE_VPL_SUM_H
+#define REFERENCE_VPL_SUM_H
+
+#include "base/image.h"
+#include "scene/camera.h"
+#include "scene/geometry.h"
+#include "scene/light.h"
+#include "shared/vpl.h"
+
+/* How the geometry term cos_i cos_x / d^2 is bounded near a VPL. */
+enum vpl_sum_bound {
+    VPL_SUM_UNBOUNDED,
+    VPL_SUM_CLAMPED, /* at most clamp_value */
+    VPL_SUM_DISK,    /* cos_i cos_x / (d^2 + area / pi): a disk [Prutkin 2012, eq. 2] */
+};
+
+/* Zero is the default of all but the first five. */
+struct vpl_sum_desc {
+    const struct scene *scene; /* its materials and textures */
+    const struct geometry *geometry;
+    const struct camera *camera;
+    const struct vpl *vpls;
+    int vpl_count;
+    const struct light *light; /* for the direct layer; NULL = none */
+    int width, height;         /* default 800 */
+    enum vpl_sum_bound bound;
+    float clamp_value; /* 1/m2 */
+    bool unshadowed;   /* V = 1 */
+    /* Rays end this far above a VPL's surface, metres: as far as its position may be off. Default:
+     * a thousandth of the scene's radius. */
+    float vpl_clearance;
+    int threads; /* 0 = all cores */
+    /* done in [0, 1]; from any of the threads, one at a time; false cancels. */
+    bool (*progress)(void *user, double done);
+    void *user;
+};
+
+/* Renders into a new image with LAYERS_COMMON. Error: Embree's own, or "cancelled"; the image is
+ * then zeroed. */
+bool vpl_sum_render(const struct vpl_sum_desc *desc, struct image *image);
+
+#endif
