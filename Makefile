@@ -1,4 +1,4 @@
-# manylight: make demo | test | asan | lint | bench | chart | deps | install | clean
+# manylight: make demo | test | asan | lint | bench | chart | accuracy | deps | install | clean
 #
 # A plain `make` only builds ./manylight. `make demo` and `make test` first install what is missing.
 
@@ -49,7 +49,7 @@ OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(BUILD)/gl
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
-.PHONY: all demo test tests asan lint bench chart deps install clean FORCE
+.PHONY: all demo test tests asan lint bench chart accuracy deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -127,8 +127,8 @@ tests: $(BINARY) $(SCENES) $(TESTS)
 # --- benchmark --------------------------------------------------------------------------------------
 
 # The paper's scenes, and what stands in ../shared where there is one.
-BENCH_SCENES := $(wildcard $(addprefix scenes/,cornell-box.glb cornell-animal.glb atrium.glb \
-    metaballs.glb) ../shared/scenes/*.glb)
+OWN_SCENES := $(addprefix scenes/,cornell-box.glb cornell-animal.glb atrium.glb metaballs.glb)
+BENCH_SCENES := $(OWN_SCENES) $(wildcard ../shared/scenes/*.glb)
 # Figures to keep: make bench BENCH_RESULTS=bench/results
 BENCH_RESULTS := $(BUILD)/bench
 REFERENCE_CACHE := $(BUILD)/reference-cache
@@ -150,6 +150,20 @@ $(BENCH_RESULTS)/sweep.csv: | all
 
 chart: $(BENCH_RESULTS)/sweep.csv
 	./manylight bench --chart $< -o bench/plots
+
+# Where the error of a frame comes from, and how it falls with M, K, N and the size of maps. Figures
+# to keep: make accuracy ACCURACY_RESULTS=bench/results ACCURACY_PLOTS=bench/plots
+ACCURACY_RESULTS := $(BENCH_RESULTS)
+ACCURACY_PLOTS := $(BENCH_RESULTS)/plots
+ACCURACY_OPTIONS := --noise .01
+CURVES_SIZE := 200x200
+
+accuracy: all
+	@mkdir -p $(ACCURACY_RESULTS)
+	./manylight bench $(BENCH_SCENES) --budget --cache $(REFERENCE_CACHE) \
+	    --csv $(ACCURACY_RESULTS)/budget.csv $(ACCURACY_OPTIONS)
+	./manylight bench $(OWN_SCENES) --curves --size $(CURVES_SIZE) --cache $(REFERENCE_CACHE) \
+	    --csv $(ACCURACY_RESULTS)/curves.csv -o $(ACCURACY_PLOTS) $(ACCURACY_OPTIONS)
 
 # --- set-up ---------------------------------------------------------------------------------------
 

@@ -2,6 +2,8 @@
  * they are there. */
 #include "support.h"
 
+#include "apps/bench.h"
+#include "apps/bench_budget.h"
 #include "apps/bench_chart.h"
 #include "apps/bench_csv.h"
 #include "apps/bench_sweep.h"
@@ -335,6 +337,67 @@ static void test_chart(void **state) {
     check_says("cannot open no-such-file.csv");
 }
 
+static void test_slope(void **state) {
+    (void)state;
+    double x[] = {1, 10, 100}, cube[3], constant[] = {7, 7, 7};
+    for (int i = 0; i < 3; i++)
+        cube[i] = 5 * x[i] * x[i] * x[i];
+    check_near("slope of a cube", bench_log_slope(x, cube, 3), 3, 1e-9);
+    check_near("slope of a constant", bench_log_slope(x, constant, 3), 0, 1e-9);
+    check_near("slope of a point", bench_log_slope(x, cube, 1), 0, 0);
+}
+
+static void test_scaling(void **state) {
+    (void)state;
+    check_runs("scenes/cornell-box.glb --scaling --size 24x16 --frames 1 --variant fast "
+               "--set map-size=16 --set rsm-size=64 --set shadow-size=64 -q");
+    check_says("  cornell-box      fast               pixels   slope ");
+    check_says("  24: ");
+    check_says("  384: ");
+    check_says("  cornell-box      fast               N        slope ");
+    check_says("  4096: ");
+    check_says("  cornell-box      fast               M        slope ");
+    check_says("  all scenes       fast               faces    slope  0.00 :  36: ");
+}
+
+/* The number in a column of the row of the output that begins so; columns count from 0. */
+static double number_of(const char *row, int column) {
+    const char *at = strstr(output, row);
+    if (!at)
+        fail_msg("'%s' is not in:\n%s", row, output);
+    char *end = (char *)at + strlen(row);
+    double value = 0;
+    for (int i = 0; i <= column; i++)
+        value = strtod(end, &end);
+    return value;
+}
+
+/* The chain from the truth to the frame. Bounds are loose: 48 x 48 pixels, 10 % noise. */
+static void test_budget(void **state) {
+    (void)state;
+    char arguments[1024];
+    const char *csv = scratch("budget.csv");
+    snprintf(arguments, sizeof arguments,
+             "scenes/cornell-box.glb --budget --size 48x48 --noise .1 --cache %s --csv %s -q",
+             scratch("bench-cache"), csv);
+    check_runs(arguments);
+    for (int i = 0; i < BUDGET_STEPS; i++)
+        check_says(budget_steps[i].name);
+    /* Maps see what rays see: a leak or a shifted map costs tens of percent. */
+    check_at_most("hard map per VPL, %", number_of("hard map per VPL", 0), 5);
+    check_at_most("CSSM per VAL, %", number_of("CSSM per VAL", 0), 8);
+    /* Interleaving is noise that the blur takes away again. */
+    double interleaved = number_of("interleaved", 4), blurred = number_of("blurred: the frame", 4);
+    check_at_most("blurred over interleaved", blurred / interleaved, .8);
+    /* The first step alone is the first step so far. */
+    check_near("first step", number_of("all VPLs, ray-traced", 0),
+               number_of("all VPLs, ray-traced", 4), 0);
+    struct csv rows;
+    check_ok("csv", csv_read(&rows, csv));
+    assert_int_equal(rows.row_count, 2 * BUDGET_STEPS);
+    csv_free(&rows);
+}
+
 static void test_refusals(void **state) {
     (void)state;
     assert_int_equal(bench("--sweep woof=1"), 2);
@@ -354,7 +417,9 @@ int main(void) {
         cmocka_unit_test(test_sweep_points),    cmocka_unit_test(test_tables),
         cmocka_unit_test(test_sweep_and_cache), cmocka_unit_test(test_pareto_front),
         cmocka_unit_test(test_log_ticks),       cmocka_unit_test(test_csv),
-        cmocka_unit_test(test_chart),           cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_chart),           cmocka_unit_test(test_slope),
+        cmocka_unit_test(test_scaling),         cmocka_unit_test(test_budget),
+        cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

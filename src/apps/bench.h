@@ -15,6 +15,7 @@ struct bench_values {
     const char *csv, *json, *cache, *chart, *output;
     int size[2], frames, warm_up, reference;
     float noise;
+    bool budget, curves, scaling;
 };
 
 /* A list that grows. */
@@ -23,6 +24,11 @@ struct bench_cases {
     int count;
 };
 
+/* A case of the scene with the options' size and settings over a variant's: a name of the list, or
+ * NAME:KEY=VALUE,... Error: of the variant or a setting. */
+bool bench_prepare(struct bench_case *prepared, const struct bench_values *values,
+                   const struct stage *stage, const char *variant);
+
 /* Appends a case for each of the variants at each point of the sweep. Error: of a variant or a
  * setting. */
 bool bench_list_cases(struct bench_cases *cases, const struct bench_values *values,
@@ -30,5 +36,30 @@ bool bench_list_cases(struct bench_cases *cases, const struct bench_values *valu
 
 /* The named variants, for --help. */
 void bench_print_variants(FILE *out);
+
+/* The protocol for the context, with what the options say. */
+struct bench_protocol bench_choose_protocol(const struct bench_values *values, bool software);
+
+/* Measures cases of one stage in groups that alternate. */
+bool bench_measure_groups(struct bench_case *cases, int count, const struct stage *stage,
+                          const struct bench_protocol *protocol);
+
+/* The slope of log y over log x by least squares; 0 for a single x. */
+double bench_log_slope(const double *x, const double *y, int count);
+
+/* Where charts go. */
+static inline const char *bench_output(const struct bench_values *values) {
+    return values->output ? values->output : ".";
+}
+
+/* The modes. software: whether the current context is. */
+bool bench_times(const struct bench_values *values, const char **scenes, int scene_count,
+                 const struct sweep *sweep, bool software);
+bool bench_scaling(const struct bench_values *values, const char **scenes, int scene_count,
+                   bool software);
+bool bench_budgets(const struct bench_values *values, const char **scenes, int scene_count,
+                   bool software);
+bool bench_all_curves(const struct bench_values *values, const char **scenes, int scene_count,
+                      bool software);
 
 #endif

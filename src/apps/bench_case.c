@@ -1,8 +1,10 @@
 #include "apps/bench_case.h"
 
+#include "base/memory.h"
 #include "metrics/quantile.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 struct summary summary_of(float *values, int count) {
@@ -71,6 +73,21 @@ bool bench_assign(struct bench_case *prepared, const char *assignment) {
             return option_parse(o, prepared, assignment + length + 1);
     }
     return option_assign(settings_table, &prepared->settings, assignment);
+}
+
+bool bench_assign_all(struct bench_case *prepared, const char *assignments) {
+    char *rest = mem_strdup(assignments);
+    bool ok = true;
+    char *text = rest;
+    while (ok && text && *text) {
+        char *comma = strchr(text, ',');
+        if (comma)
+            *comma = '\0';
+        ok = bench_assign(prepared, text);
+        text = comma ? comma + 1 : NULL;
+    }
+    free(rest);
+    return ok;
 }
 
 double bench_frame_ms(const struct bench_case *measured) {

@@ -66,6 +66,9 @@ enum bench_step bench_step_of(const char *path);
 /* "technique=NAME", "size=WxH" or a setting's "key=value". Error: names what is allowed. */
 bool bench_assign(struct bench_case *prepared, const char *assignment);
 
+/* The same for "key=value,key=value"; "" is none. */
+bool bench_assign_all(struct bench_case *prepared, const char *assignments);
+
 double bench_frame_ms(const struct bench_case *measured);
 double bench_step_ms(const struct bench_case *measured, enum bench_step step);
 

@@ -1,7 +1,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "apps/bench_reference.h"
 
-#include "apps/bench_measure.h"
+#include "apps/bench_picture.h"
 #include "base/error.h"
 #include "base/folder.h"
 #include "base/image_file.h"
@@ -85,18 +85,11 @@ static bool trace(const struct bench_reference_desc *desc, struct image *image) 
 }
 
 static bool render_all_vpls(const struct bench_reference_desc *desc, struct image *image) {
-    struct bench_case all = {.width = desc->width, .height = desc->height};
-    struct renderer renderer;
+    struct bench_case all = {.series = "reference", .width = desc->width, .height = desc->height};
+    snprintf(all.scene, sizeof all.scene, "%s", desc->stage->name);
     options_set_defaults(settings_table, &all.settings);
-    bool ok = bench_assign(&all, "technique=instant-radiosity") &&
-              bench_assign(&all, "interleave=1") && bench_assign(&all, "blur-radius=0") &&
-              bench_case_start(&renderer, &all, desc->stage, desc->software);
-    if (!ok)
-        return false;
-    renderer_render(&renderer);
-    ok = renderer_read_layers(&renderer, image);
-    renderer_free(&renderer);
-    return ok;
+    return bench_assign_all(&all, "technique=instant-radiosity,interleave=1,blur-radius=0") &&
+           bench_picture_render(&all, desc->stage, desc->software, image);
 }
 
 bool bench_reference_get(const struct bench_reference_desc *desc, struct image *image) {

@@ -4,7 +4,6 @@
 #include "base/error.h"
 #include "base/memory.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 static const struct variant {
@@ -29,34 +28,19 @@ void bench_print_variants(FILE *out) {
     fprintf(out, "or one of your own, such as NAME:technique=clustered,vals=8\n");
 }
 
-static bool assign_all(struct bench_case *prepared, const char *assignments) {
-    char *rest = mem_strdup(assignments);
-    bool ok = true;
-    char *text = rest;
-    while (ok && text && *text) {
-        char *comma = strchr(text, ',');
-        if (comma)
-            *comma = '\0';
-        ok = bench_assign(prepared, text);
-        text = comma ? comma + 1 : NULL;
-    }
-    free(rest);
-    return ok;
-}
-
 static bool apply_variant(struct bench_case *prepared, const char *text) {
     size_t length = strcspn(text, ":");
     snprintf(prepared->series, sizeof prepared->series, "%.*s", (int)length, text);
     if (text[length] == ':')
-        return assign_all(prepared, text + length + 1) || error_prefix("variant %s", text);
+        return bench_assign_all(prepared, text + length + 1) || error_prefix("variant %s", text);
     for (const struct variant *v = variants; v < variants + VARIANT_COUNT; v++)
         if (strcmp(v->name, text) == 0)
-            return assign_all(prepared, v->assignments) || error_prefix("variant %s", text);
+            return bench_assign_all(prepared, v->assignments) || error_prefix("variant %s", text);
     return error_set("no variant is called '%s' (--help lists them)", text);
 }
 
-static bool prepare(struct bench_case *prepared, const struct bench_values *values,
-                    const struct stage *stage, const char *variant) {
+bool bench_prepare(struct bench_case *prepared, const struct bench_values *values,
+                   const struct stage *stage, const char *variant) {
     *prepared = (struct bench_case){.width = values->size[0], .height = values->size[1]};
     snprintf(prepared->scene, sizeof prepared->scene, "%s", stage->name);
     options_set_defaults(settings_table, &prepared->settings);
@@ -78,7 +62,7 @@ static bool list_variant(struct bench_cases *cases, const struct bench_values *v
                          const char *variant) {
     for (int point = 0; point < sweep_point_count(sweep); point++) {
         struct bench_case *prepared = append(cases);
-        if (!prepare(prepared, values, stage, variant))
+        if (!bench_prepare(prepared, values, stage, variant))
             return false;
         sweep_apply(sweep, point, prepared);
         if (!settings_check(&prepared->settings))

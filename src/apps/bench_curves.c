@@ -1,0 +1,212 @@
+#include "apps/bench_curves.h"
+
+#include "apps/bench_errors.h"
+#include "apps/bench_picture.h"
+#include "apps/bench_plot.h"
+#include "base/error.h"
+#include "base/log.h"
+#include "base/memory.h"
+
+#include "version.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* No interleaving, no blocks, no blur, no near field: the visibility alone. */
+#define VISIBILITY_ALONE                                                                           \
+    "technique=clustered,clamp=disk,visibility-block=0,interleave=1,blur-radius=0"
+
+enum { VALUES_MAX = 10 };
+
+static const struct curve {
+    const char *name, *series, *assignments;
+    const char *title, *x_label;
+    bool against_truth; /* else against ray-traced visibility from the same VPLs */
+    bool traced;
+    int values[VALUES_MAX]; /* ends with 0 */
+} curves_table[] = {
+    {"vals",
+     "CSSM",
+     VISIBILITY_ALONE,
+     "error of visibility against M",
+     "VALs, M",
+     false,
+     false,
+     {2, 4, 8, 16, 30, 60, 120, 1024}},
+    {"vals",
+     "hard",
+     VISIBILITY_ALONE ",visibility=hard",
+     "",
+     "",
+     false,
+     false,
+     {2, 4, 8, 16, 30, 60, 120, 1024}},
+    {"terms",
+     "CSSM",
+     VISIBILITY_ALONE,
+     "error of visibility against K",
+     "terms of the Fourier series, K",
+     false,
+     false,
+     {1, 2, 4, 8, 16}},
+    {"map-size",
+     "CSSM",
+     VISIBILITY_ALONE,
+     "error of visibility against map size",
+     "paraboloid map, texels a side",
+     false,
+     false,
+     {64, 128, 256, 512}},
+    {"map-size",
+     "hard",
+     VISIBILITY_ALONE ",visibility=hard",
+     "",
+     "",
+     false,
+     false,
+     {64, 128, 256, 512}},
+    {"vpls",
+     "the frame",
+     "technique=clustered",
+     "error of the frame against N",
+     "VPLs, N",
+     true,
+     false,
+     {64, 128, 256, 512, 1024, 2048, 4096}},
+    {"vpls",
+     "all VPLs, ray-traced",
+     VISIBILITY_ALONE,
+     "",
+     "",
+     true,
+     true,
+     {64, 128, 256, 512, 1024, 2048, 4096}},
+};
+
+enum { CURVES = sizeof curves_table / sizeof *curves_table };
+
+/* What the points of a scene are held against. */
+struct standards {
+    struct image truth, visibility;
+};
+
+static bool init_standards(struct standards *standards, const struct bench_case *base,
+                           const struct bench_reference_desc *truth) {
+    struct bench_case exact = *base;
+    *standards = (struct standards){0};
+    return bench_reference_get(truth, &standards->truth) &&
+           bench_assign_all(&exact, VISIBILITY_ALONE) &&
+           bench_picture_trace(&exact, truth->stage, truth->software, &standards->visibility);
+}
+
+static void free_standards(struct standards *standards) {
+    image_free(&standards->truth);
+    image_free(&standards->visibility);
+}
+
+static bool measure_point(struct curve_point *point, const struct curve *curve,
+                          const struct bench_case *base, const struct bench_reference_desc *truth,
+                          const struct standards *standards) {
+    struct bench_case prepared = *base;
+    char assignment[64];
+    struct image picture = {0};
+    snprintf(assignment, sizeof assignment, "%s=%d", curve->name, point->value);
+    snprintf(prepared.label, sizeof prepared.label, "%s", assignment);
+    log_note("%s: %s, %s", base->scene, assignment, curve->series);
+    bool ok =
+        bench_assign_all(&prepared, curve->assignments) && bench_assign(&prepared, assignment) &&
+        (curve->traced
+             ? bench_picture_trace(&prepared, truth->stage, truth->software, &picture)
+             : bench_picture_render(&prepared, truth->stage, truth->software, &picture)) &&
+        bench_errors_between(&picture,
+                             curve->against_truth ? &standards->truth : &standards->visibility,
+                             &point->errors);
+    image_free(&picture);
+    return ok;
+}
+
+bool curves_measure(struct curves *curves, const struct bench_case *base,
+                    const struct bench_reference_desc *truth) {
+    struct standards standards;
+    *curves = (struct curves){.width = base->width, .height = base->height};
+    memcpy(curves->scene, base->scene, sizeof curves->scene);
+    curves->points = mem_alloc((size_t)CURVES * VALUES_MAX, sizeof *curves->points);
+    bool ok = init_standards(&standards, base, truth);
+    for (const struct curve *curve = curves_table; curve < curves_table + CURVES; curve++)
+        for (int i = 0; ok && i < VALUES_MAX && curve->values[i]; i++) {
+            struct curve_point *point = &curves->points[curves->count++];
+            *point = (struct curve_point){curve->name, curve->series, curve->values[i], {0}};
+            ok = measure_point(point, curve, base, truth, &standards);
+        }
+    free_standards(&standards);
+    return ok;
+}
+
+void curves_free(struct curves *curves) {
+    free(curves->points);
+    *curves = (struct curves){0};
+}
+
+void curves_print(FILE *out, const struct curves *curves) {
+    fprintf(out, "%s, %dx%d\n  %-24s %-22s  rRMSE %%  bias %% gradient    FLIP\n", curves->scene,
+            curves->width, curves->height, "setting", "of");
+    for (const struct curve_point *p = curves->points; p < curves->points + curves->count; p++) {
+        char setting[64];
+        snprintf(setting, sizeof setting, "%s=%d", p->curve, p->value);
+        fprintf(out, "  %-24s %-22s %8.2f %+7.2f %8.4f %7.4f\n", setting, p->series,
+                100 * p->errors.relative_rmse, 100 * p->errors.relative_bias, p->errors.gradient,
+                p->errors.ldr_flip);
+    }
+}
+
+static void add_point(struct plot *plot, const struct curve_point *point) {
+    char series[BENCH_NAME_SIZE];
+    snprintf(series, sizeof series, "%s, RMSE", point->series);
+    plot_add(plot, series,
+             &(struct plot_point){point->value, 100 * point->errors.relative_rmse, ""});
+    snprintf(series, sizeof series, "%s, gradient", point->series);
+    plot_add(plot, series, &(struct plot_point){point->value, 100 * point->errors.gradient, ""});
+}
+
+static bool draw(const struct curves *curves, const struct curve *curve, const char *folder) {
+    char *title =
+        mem_printf("%s, %dx%d: %s", curves->scene, curves->width, curves->height, curve->title);
+    char *path = mem_printf("%s/%s-%s", folder, curves->scene, curve->name);
+    struct plot plot = {.title = title,
+                        .x_label = curve->x_label,
+                        .y_label = "error of indirect light over its mean, %",
+                        .log_y = true};
+    for (int i = 0; i < curves->count; i++)
+        if (strcmp(curves->points[i].curve, curve->name) == 0)
+            add_point(&plot, &curves->points[i]);
+    bool ok = plot_draw(&plot, path);
+    plot_free(&plot);
+    free(path);
+    free(title);
+    return ok;
+}
+
+bool curves_draw(const struct curves *curves, const char *folder) {
+    for (const struct curve *curve = curves_table; curve < curves_table + CURVES; curve++)
+        if (*curve->title && !draw(curves, curve, folder))
+            return false;
+    return true;
+}
+
+bool curves_write_csv(const char *path, const struct curves *curves, int count) {
+    FILE *out = fopen(path, "w");
+    if (!out)
+        return error_set("cannot write %s: %s", path, strerror(errno));
+    fprintf(out, "scene,width,height,setting,value,series,relative_rmse,relative_bias,gradient,"
+                 "ldr_flip,commit\n");
+    for (const struct curves *c = curves; c < curves + count; c++)
+        for (const struct curve_point *p = c->points; p < c->points + c->count; p++)
+            fprintf(out, "%s,%d,%d,%s,%d,\"%s\",%.5g,%.5g,%.5g,%.5g,%s\n", c->scene, c->width,
+                    c->height, p->curve, p->value, p->series, p->errors.relative_rmse,
+                    p->errors.relative_bias, p->errors.gradient, p->errors.ldr_flip,
+                    MANYLIGHT_COMMIT);
+    bool ok = !ferror(out);
+    ok = fclose(out) == 0 && ok;
+    return ok || error_set("cannot write %s: %s", path, strerror(errno));
+}
