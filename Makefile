@@ -28,7 +28,7 @@ SHADERS := $(sort $(wildcard glsl/*.* glsl/lib/*.* glsl/shared/*.*))
 TESTS := $(patsubst test/%.c,$(BUILD)/test/%,$(sort $(wildcard test/test_*.c)))
 SCENE_TOOL_SOURCES := $(sort $(wildcard scenes/*.c))
 SCENE_TOOL := $(BUILD)/scenes/make_scenes
-SCENE_NAMES := atrium cornell-box cornell-animal sphere metaballs
+SCENE_NAMES := atrium cornell-box cornell-animal sphere metaballs moving-spot door creatures character
 SCENES := $(BUILD)/scenes/made
 
 # Debian's packages; OpenGL itself (libEGL, libOSMesa) is opened at run time.

@@ -108,16 +108,20 @@ int add_cornell_room(struct glb *glb) {
     return WHITE;
 }
 
-void make_cornell_box(struct glb *glb) {
-    int white = add_cornell_room(glb);
+void add_cornell_blocks(struct glb *glb) {
     for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) {
         float top[4][3];
         struct surface surface = {0};
         to_room(blocks[i].top, top);
         add_block(&surface, top, 0.0f);
-        glb_add_mesh(glb, blocks[i].name, &surface, white, NULL);
+        glb_add_mesh(glb, blocks[i].name, &surface, WHITE, NULL);
         surface_free(&surface);
     }
+}
+
+void make_cornell_box(struct glb *glb) {
+    add_cornell_room(glb);
+    add_cornell_blocks(glb);
     glb_add_spot(glb, (const float[]){1.1f, 2.3f, 1.9f}, (const float[]){-0.778f, 0.592f, -0.209f},
                  29.0, 500.0);
 }

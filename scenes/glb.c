@@ -14,6 +14,7 @@
 
 /* Numbers of the glTF and GLB specifications. */
 enum {
+    COMPONENT_UINT8 = 5121,
     COMPONENT_UINT16 = 5123,
     COMPONENT_UINT32 = 5125,
     COMPONENT_FLOAT = 5126,
@@ -52,6 +53,14 @@ static int next_element(struct glb_text *array, int *count) {
     return (*count)++;
 }
 
+/* Begins the next node; returns its index. */
+static int next_node(struct glb *glb, int parent) {
+    int index = next_element(&glb->nodes, &glb->node_count);
+    glb->hierarchy = mem_resize(glb->hierarchy, (size_t)glb->node_count, sizeof *glb->hierarchy);
+    glb->hierarchy[index] = (struct glb_node){glb->nodes.length, parent};
+    return index;
+}
+
 static void text_pad(struct glb_text *text, char with) {
     while (text->length % 4)
         text_append(text, &with, 1);
@@ -62,10 +71,12 @@ void glb_init(struct glb *glb, const char *name) {
 }
 
 void glb_free(struct glb *glb) {
-    struct glb_text *texts[] = {&glb->nodes, &glb->meshes,  &glb->materials, &glb->accessors,
-                                &glb->views, &glb->cameras, &glb->lights,    &glb->binary};
+    struct glb_text *texts[] = {&glb->nodes, &glb->meshes,   &glb->materials, &glb->accessors,
+                                &glb->views, &glb->cameras,  &glb->lights,    &glb->binary,
+                                &glb->skins, &glb->channels, &glb->samplers};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
         free(texts[i]->data);
+    free(glb->hierarchy);
     *glb = (struct glb){0};
 }
 
@@ -84,30 +95,44 @@ int glb_add_material(struct glb *glb, const char *name, const float albedo[3],
 
 static int add_view(struct glb *glb, const void *bytes, size_t size, int target) {
     int index = next_element(&glb->views, &glb->view_count);
-    text_print(&glb->views, "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu,\"target\":%d}",
-               glb->binary.length, size, target);
+    text_print(&glb->views, "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu",
+               glb->binary.length, size);
+    if (target)
+        text_print(&glb->views, ",\"target\":%d", target);
+    text_append(&glb->views, "}", 1);
     text_append(&glb->binary, bytes, size);
     text_pad(&glb->binary, '\0');
     return index;
 }
 
-static int add_vectors(struct glb *glb, float (*vectors)[3], uint32_t count, bool with_bounds) {
-    int view = add_view(glb, vectors, count * sizeof *vectors, TARGET_VERTICES);
+/* The least and the greatest of each component, as the standard asks of positions and times. */
+static void print_bounds(struct glb *glb, const float *numbers, int width, uint32_t count) {
+    for (int greatest = 0; greatest < 2; greatest++) {
+        text_print(&glb->accessors, greatest ? "],\"max\":[" : ",\"min\":[");
+        for (int c = 0; c < width; c++) {
+            float bound = numbers[c];
+            for (uint32_t i = 1; i < count; i++) {
+                float x = numbers[i * (uint32_t)width + (uint32_t)c];
+                bound = greatest ? fmaxf(bound, x) : fminf(bound, x);
+            }
+            text_print(&glb->accessors, "%s%.9g", c ? "," : "", bound);
+        }
+    }
+    text_append(&glb->accessors, "]", 1);
+}
+
+enum { NO_BOUNDS, BOUNDS };
+
+static int add_floats(struct glb *glb, const float *numbers, int width, uint32_t count, int target,
+                      int bounds) {
+    static const char *const types[] = {[1] = "SCALAR", [3] = "VEC3", [4] = "VEC4", [16] = "MAT4"};
+    int view = add_view(glb, numbers, count * (size_t)width * sizeof *numbers, target);
     int index = next_element(&glb->accessors, &glb->accessor_count);
     text_print(&glb->accessors,
-               "{\"bufferView\":%d,\"componentType\":%d,\"count\":%u,\"type\":\"VEC3\"", view,
-               COMPONENT_FLOAT, count);
-    if (with_bounds) {
-        vec3 low, high;
-        glm_vec3_copy(vectors[0], low);
-        glm_vec3_copy(vectors[0], high);
-        for (uint32_t i = 1; i < count; i++) {
-            glm_vec3_minv(low, vectors[i], low);
-            glm_vec3_maxv(high, vectors[i], high);
-        }
-        text_print(&glb->accessors, ",\"min\":[%.9g,%.9g,%.9g],\"max\":[%.9g,%.9g,%.9g]", low[0],
-                   low[1], low[2], high[0], high[1], high[2]);
-    }
+               "{\"bufferView\":%d,\"componentType\":%d,\"count\":%u,\"type\":\"%s\"", view,
+               COMPONENT_FLOAT, count, types[width]);
+    if (bounds)
+        print_bounds(glb, numbers, width, count);
     text_append(&glb->accessors, "}", 1);
     return index;
 }
@@ -133,30 +158,108 @@ static int add_indices(struct glb *glb, const struct surface *surface) {
     return index;
 }
 
-void glb_add_mesh(struct glb *glb, const char *name, const struct surface *surface, int material,
-                  const char *extras) {
-    if (surface->index_count == 0)
-        return;
-    int position = add_vectors(glb, surface->position, surface->vertex_count, true);
-    int normal = add_vectors(glb, surface->normal, surface->vertex_count, false);
+/* `more` is JSON of further attributes. */
+static int add_surface(struct glb *glb, const char *name, const struct surface *surface,
+                       int material, const char *more) {
+    int position =
+        add_floats(glb, *surface->position, 3, surface->vertex_count, TARGET_VERTICES, BOUNDS);
+    int normal =
+        add_floats(glb, *surface->normal, 3, surface->vertex_count, TARGET_VERTICES, NO_BOUNDS);
     int indices = add_indices(glb, surface);
     int mesh = next_element(&glb->meshes, &glb->mesh_count);
     text_print(&glb->meshes,
-               "{\"name\":\"%s\",\"primitives\":[{\"attributes\":{\"POSITION\":%d,\"NORMAL\":%d},"
+               "{\"name\":\"%s\",\"primitives\":[{\"attributes\":{\"POSITION\":%d,\"NORMAL\":%d%s},"
                "\"indices\":%d,\"material\":%d}]}",
-               name, position, normal, indices, material);
-    next_element(&glb->nodes, &glb->node_count);
+               name, position, normal, more, indices, material);
+    return mesh;
+}
+
+int glb_add_mesh(struct glb *glb, const char *name, const struct surface *surface, int material,
+                 const char *extras) {
+    if (surface->index_count == 0)
+        return -1;
+    int mesh = add_surface(glb, name, surface, material, "");
+    int node = next_node(glb, -1);
     text_print(&glb->nodes, "{\"name\":\"%s\",\"mesh\":%d", name, mesh);
     if (extras)
         text_print(&glb->nodes, ",\"extras\":%s", extras);
     text_append(&glb->nodes, "}", 1);
+    return node;
+}
+
+/* --- motion ----------------------------------------------------------------------------------- */
+
+int glb_add_joint(struct glb *glb, const char *name, int parent, const float translation[3]) {
+    int node = next_node(glb, parent);
+    text_print(&glb->nodes, "{\"name\":\"%s\",\"translation\":[%.9g,%.9g,%.9g]}", name,
+               translation[0], translation[1], translation[2]);
+    return node;
+}
+
+void glb_hang(struct glb *glb, int node, int parent) {
+    glb->hierarchy[node].parent = parent;
+}
+
+static int add_skin(struct glb *glb, const char *name, const struct glb_skin *skin) {
+    mat4 *inverse = mem_alloc((size_t)skin->joint_count, sizeof *inverse);
+    for (int i = 0; i < skin->joint_count; i++) {
+        vec3 back;
+        glm_vec3_negate_to((float *)skin->rest[i], back);
+        glm_translate_make(inverse[i], back);
+    }
+    int matrices = add_floats(glb, (float *)inverse, 16, (uint32_t)skin->joint_count, 0, NO_BOUNDS);
+    free(inverse);
+    int index = next_element(&glb->skins, &glb->skin_count);
+    text_print(&glb->skins, "{\"name\":\"%s\",\"inverseBindMatrices\":%d,\"joints\":[", name,
+               matrices);
+    for (int i = 0; i < skin->joint_count; i++)
+        text_print(&glb->skins, "%s%d", i ? "," : "", skin->joints[i]);
+    text_print(&glb->skins, "]}");
+    return index;
+}
+
+void glb_add_skinned_mesh(struct glb *glb, const char *name, const struct surface *surface,
+                          int material, const struct glb_skin *skin) {
+    uint32_t count = surface->vertex_count;
+    int weights = add_floats(glb, *skin->vertex_weights, 4, count, TARGET_VERTICES, NO_BOUNDS);
+    int view =
+        add_view(glb, skin->vertex_joints, count * sizeof *skin->vertex_joints, TARGET_VERTICES);
+    int joints = next_element(&glb->accessors, &glb->accessor_count);
+    text_print(&glb->accessors,
+               "{\"bufferView\":%d,\"componentType\":%d,\"count\":%u,\"type\":\"VEC4\"}", view,
+               COMPONENT_UINT8, count);
+    char more[80];
+    snprintf(more, sizeof more, ",\"JOINTS_0\":%d,\"WEIGHTS_0\":%d", joints, weights);
+    int mesh = add_surface(glb, name, surface, material, more);
+    int index = add_skin(glb, name, skin);
+    next_node(glb, -1);
+    text_print(&glb->nodes, "{\"name\":\"%s\",\"mesh\":%d,\"skin\":%d}", name, mesh, index);
+}
+
+static void animate(struct glb *glb, int node, const char *path, int keys, const float *times,
+                    const float *values, int width) {
+    int input = add_floats(glb, times, 1, (uint32_t)keys, 0, BOUNDS);
+    int output_index = add_floats(glb, values, width, (uint32_t)keys, 0, NO_BOUNDS);
+    int sampler = next_element(&glb->samplers, &glb->sampler_count);
+    text_print(&glb->samplers, "{\"input\":%d,\"output\":%d}", input, output_index);
+    next_element(&glb->channels, &glb->channel_count);
+    text_print(&glb->channels, "{\"sampler\":%d,\"target\":{\"node\":%d,\"path\":\"%s\"}}", sampler,
+               node, path);
+}
+
+void glb_animate_translation(struct glb *glb, int node, int keys, const float *times,
+                             const float (*values)[3]) {
+    animate(glb, node, "translation", keys, times, *values, 3);
+}
+
+void glb_animate_rotation(struct glb *glb, int node, int keys, const float *times,
+                          const float (*values)[4]) {
+    animate(glb, node, "rotation", keys, times, *values, 4);
 }
 
 /* --- camera and lights ------------------------------------------------------------------------ */
 
-/* A node at the eye that turns -Z into the direction; `what` is the rest of its JSON. */
-static void add_placed_node(struct glb *glb, const char *name, const float eye[3],
-                            const float direction[3], const char *what) {
+void glb_direction(const float direction[3], float quaternion[4]) {
     vec3 back, right;
     mat3 turn;
     glm_vec3_scale((float *)direction, -1.0f, back);
@@ -169,13 +272,20 @@ static void add_placed_node(struct glb *glb, const char *name, const float eye[3
     glm_vec3_copy(right, turn[0]);
     glm_vec3_cross(back, right, turn[1]);
     glm_vec3_copy(back, turn[2]);
-    versor q;
-    glm_mat3_quat(turn, q);
-    next_element(&glb->nodes, &glb->node_count);
+    glm_mat3_quat(turn, quaternion);
+}
+
+/* A node at the eye that turns -Z into the direction; `what` is the rest of its JSON. */
+static int add_placed_node(struct glb *glb, const char *name, const float eye[3],
+                           const float direction[3], const char *what) {
+    float q[4];
+    glb_direction(direction, q);
+    int node = next_node(glb, -1);
     text_print(&glb->nodes,
                "{\"name\":\"%s\",\"translation\":[%.9g,%.9g,%.9g],"
                "\"rotation\":[%.9g,%.9g,%.9g,%.9g],%s}",
                name, eye[0], eye[1], eye[2], q[0], q[1], q[2], q[3], what);
+    return node;
 }
 
 void glb_add_camera(struct glb *glb, const float eye[3], const float direction[3], double fov,
@@ -190,22 +300,22 @@ void glb_add_camera(struct glb *glb, const float eye[3], const float direction[3
     add_placed_node(glb, "camera", eye, direction, what);
 }
 
-static void add_light_node(struct glb *glb, const char *name, const float eye[3],
-                           const float direction[3], int light) {
+static int add_light_node(struct glb *glb, const char *name, const float eye[3],
+                          const float direction[3], int light) {
     char what[80];
     snprintf(what, sizeof what, "\"extensions\":{\"KHR_lights_punctual\":{\"light\":%d}}", light);
-    add_placed_node(glb, name, eye, direction, what);
+    return add_placed_node(glb, name, eye, direction, what);
 }
 
-void glb_add_spot(struct glb *glb, const float eye[3], const float direction[3], double half_angle,
-                  double intensity) {
+int glb_add_spot(struct glb *glb, const float eye[3], const float direction[3], double half_angle,
+                 double intensity) {
     double outer = half_angle * GLM_PI / 180.0;
     int light = next_element(&glb->lights, &glb->light_count);
     text_print(&glb->lights,
                "{\"name\":\"spot\",\"type\":\"spot\",\"color\":[1,1,1],\"intensity\":%.9g,"
                "\"spot\":{\"innerConeAngle\":%.9g,\"outerConeAngle\":%.9g}}",
                intensity, outer - 0.005, outer);
-    add_light_node(glb, "spot", eye, direction, light);
+    return add_light_node(glb, "spot", eye, direction, light);
 }
 
 void glb_add_point_light(struct glb *glb, const float position[3], double intensity) {
@@ -224,19 +334,50 @@ static void append_array(struct glb_text *json, const char *name, const struct g
     text_append(json, "]", 1);
 }
 
+/* The nodes, each with those that hang on it. */
+static void append_nodes(const struct glb *glb, struct glb_text *json) {
+    text_print(json, ",\n\"nodes\":[");
+    for (int i = 0; i < glb->node_count; i++) {
+        /* Up to the closing brace: ",\n" divides nodes. */
+        size_t begin = glb->hierarchy[i].begin;
+        size_t end = i + 1 < glb->node_count ? glb->hierarchy[i + 1].begin - 2 : glb->nodes.length;
+        text_print(json, i ? ",\n" : "");
+        text_append(json, glb->nodes.data + begin, end - begin - 1);
+        int children = 0;
+        for (int k = 0; k < glb->node_count; k++)
+            if (glb->hierarchy[k].parent == i)
+                text_print(json, children++ ? ",%d" : ",\"children\":[%d", k);
+        text_print(json, children ? "]}" : "}");
+    }
+    text_append(json, "]", 1);
+}
+
+static void append_motion(const struct glb *glb, struct glb_text *json) {
+    if (glb->skin_count)
+        append_array(json, "skins", &glb->skins);
+    if (!glb->channel_count)
+        return;
+    text_print(json, ",\n\"animations\":[{\"name\":\"motion\"");
+    append_array(json, "channels", &glb->channels);
+    append_array(json, "samplers", &glb->samplers);
+    text_print(json, "}]");
+}
+
 static void compose_json(const struct glb *glb, struct glb_text *json) {
     text_print(json, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"manylight make_scenes\"},\n"
                      "\"extensionsUsed\":[\"KHR_lights_punctual\"],\n"
                      "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[");
     text_append(json, glb->lights.data, glb->lights.length);
     text_print(json, "]}},\n\"scene\":0,\"scenes\":[{\"name\":\"%s\",\"nodes\":[", glb->name);
-    for (int i = 0; i < glb->node_count; i++)
-        text_print(json, "%s%d", i > 0 ? "," : "", i);
+    for (int i = 0, roots = 0; i < glb->node_count; i++)
+        if (glb->hierarchy[i].parent < 0)
+            text_print(json, "%s%d", roots++ ? "," : "", i);
     text_print(json, "]}]");
-    append_array(json, "nodes", &glb->nodes);
+    append_nodes(glb, json);
     append_array(json, "meshes", &glb->meshes);
     append_array(json, "materials", &glb->materials);
     append_array(json, "cameras", &glb->cameras);
+    append_motion(glb, json);
     append_array(json, "accessors", &glb->accessors);
     append_array(json, "bufferViews", &glb->views);
     text_print(json, ",\n\"buffers\":[{\"byteLength\":%zu}]}", glb->binary.length);

@@ -10,6 +10,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 struct glb_text {
     char *data;
@@ -19,10 +20,15 @@ struct glb_text {
 struct glb {
     const char *name;
     /* JSON arrays in the making, without their brackets. */
-    struct glb_text nodes, meshes, materials, accessors, views, cameras, lights;
+    struct glb_text nodes, meshes, materials, accessors, views, cameras, lights, skins;
+    struct glb_text channels, samplers; /* of the one animation */
     struct glb_text binary;
     int node_count, mesh_count, material_count, accessor_count, view_count, camera_count,
-        light_count;
+        light_count, skin_count, channel_count, sampler_count;
+    struct glb_node {
+        size_t begin; /* of its JSON in nodes */
+        int parent;   /* -1 = a root */
+    } * hierarchy;
 };
 
 void glb_init(struct glb *glb, const char *name);
@@ -34,18 +40,45 @@ enum glb_sides { GLB_SINGLE_SIDED, GLB_DOUBLE_SIDED };
 int glb_add_material(struct glb *glb, const char *name, const float albedo[3],
                      enum glb_sides sides);
 
-/* A node with a mesh of one material. extras is a JSON object for the node, or NULL. An empty
- * surface is left out. */
-void glb_add_mesh(struct glb *glb, const char *name, const struct surface *surface, int material,
-                  const char *extras);
+/* A node with a mesh of one material; returns its index. extras is a JSON object for the node, or
+ * NULL. An empty surface is left out, and -1 is returned. */
+int glb_add_mesh(struct glb *glb, const char *name, const struct surface *surface, int material,
+                 const char *extras);
+
+/* A node without anything, for others to hang on; returns its index. */
+int glb_add_joint(struct glb *glb, const char *name, int parent, const float translation[3]);
+
+/* Hangs a node on another. */
+void glb_hang(struct glb *glb, int node, int parent);
+
+/* What makes a surface follow joints: of each vertex up to four of them, and how much. */
+struct glb_skin {
+    const int *joints;      /* nodes */
+    const float (*rest)[3]; /* where each stands when the surface has its shape; unturned */
+    int joint_count;
+    const uint8_t (*vertex_joints)[4]; /* numbers of joints */
+    const float (*vertex_weights)[4];
+};
+void glb_add_skinned_mesh(struct glb *glb, const char *name, const struct surface *surface,
+                          int material, const struct glb_skin *skin);
+
+/* Moves a node through the keys, in straight lines. Quaternions are x y z w. */
+void glb_animate_translation(struct glb *glb, int node, int keys, const float *times,
+                             const float (*values)[3]);
+void glb_animate_rotation(struct glb *glb, int node, int keys, const float *times,
+                          const float (*values)[4]);
 
 /* Angles in degrees; directions need not be unit. fov is vertical. */
 void glb_add_camera(struct glb *glb, const float eye[3], const float direction[3], double fov,
                     double near, double far);
 
-/* A white spot whose edge is sharp: the inner angle is 0.005 rad below the outer. W/sr. */
-void glb_add_spot(struct glb *glb, const float eye[3], const float direction[3], double half_angle,
-                  double intensity);
+/* The turn of a node that makes it look in a direction. */
+void glb_direction(const float direction[3], float quaternion[4]);
+
+/* A white spot whose edge is sharp: the inner angle is 0.005 rad below the outer. W/sr. Returns its
+ * node. */
+int glb_add_spot(struct glb *glb, const float eye[3], const float direction[3], double half_angle,
+                 double intensity);
 void glb_add_point_light(struct glb *glb, const float position[3], double intensity);
 
 /* Leaves a file that already has these bytes alone, so that its time stays. */

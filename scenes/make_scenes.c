@@ -12,9 +12,15 @@ static const struct scene_maker {
     const char *name;
     void (*make)(struct glb *glb);
 } makers[] = {
-    {"cornell-box", make_cornell_box}, {"cornell-animal", make_cornell_animal},
-    {"atrium", make_atrium},           {"sphere", make_sphere},
+    {"cornell-box", make_cornell_box},
+    {"cornell-animal", make_cornell_animal},
+    {"atrium", make_atrium},
+    {"sphere", make_sphere},
     {"metaballs", make_metaballs},
+    {"moving-spot", make_moving_spot},
+    {"door", make_door},
+    {"creatures", make_creatures},
+    {"character", make_character},
 };
 enum { MAKER_COUNT = sizeof makers / sizeof makers[0] };
 
