@@ -210,7 +210,7 @@ static const struct figure walker = {
     .name = "walker",
     .bones = walker_bones,
     .bone_count = COUNT(walker_bones),
-    .cell = 0.03f,
+    .cell = 0.018f,
     .faces = 4000,
     .cycle = 1.2f,
 };
