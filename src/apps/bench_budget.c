@@ -15,6 +15,8 @@
 #define EVERY_VPL "interleave=1,near-samples=1024,blur-radius=0"
 
 const struct budget_step budget_steps[BUDGET_STEPS] = {
+    /* A pixel's centre stands for all of it. */
+    {"pixel centres", NULL, false},
     /* Few lights, and light near to them bounded. */
     {"all VPLs, ray-traced", "technique=instant-radiosity,clamp=disk," EVERY_VPL, true},
     {"hard map per VPL", "technique=instant-radiosity,clamp=disk," EVERY_VPL, false},
@@ -48,30 +50,47 @@ static bool picture_of(const struct budget_step *step, const struct bench_case *
                        const struct bench_reference_desc *truth, struct image *picture) {
     struct bench_case prepared = *base;
     log_note("%s: %s", base->scene, step->name);
+    if (!step->assignments) {
+        struct bench_reference_desc centers = *truth;
+        centers.kind = BENCH_REFERENCE_CENTERS;
+        return bench_reference_get(&centers, picture);
+    }
     snprintf(prepared.series, sizeof prepared.series, "%s", step->name);
     return bench_assign_all(&prepared, step->assignments) &&
            (step->traced ? bench_picture_trace(&prepared, truth->stage, truth->software, picture)
                          : bench_picture_render(&prepared, truth->stage, truth->software, picture));
 }
 
+/* Holds a picture against the truth and against the step before. */
+static bool measure_step(struct budget *budget, int step, const struct image *picture,
+                         const struct image *before, const struct image *truth) {
+    return bench_errors_between(picture, truth, &budget->so_far[step]) &&
+           bench_errors_between(picture, before, &budget->step[step]);
+}
+
+static bool measure_steps(struct budget *budget, const struct bench_case *base,
+                          const struct bench_reference_desc *desc, const struct image *truth,
+                          struct image pictures[BUDGET_STEPS]) {
+    for (int i = 0; i < BUDGET_STEPS; i++)
+        if (!picture_of(&budget_steps[i], base, desc, &pictures[i]) ||
+            !measure_step(budget, i, &pictures[i], i ? &pictures[i - 1] : truth, truth))
+            return false;
+    return bench_errors_between(&pictures[BUDGET_STEPS - 1], &pictures[0], &budget->shading);
+}
+
 bool budget_make(struct budget *budget, const struct bench_case *base,
-                 const struct bench_reference_desc *truth) {
-    struct image reference, before = {0};
+                 const struct bench_reference_desc *desc) {
+    struct image truth, pictures[BUDGET_STEPS] = {{0}};
     *budget = (struct budget){.width = base->width, .height = base->height};
     memcpy(budget->scene, base->scene, sizeof budget->scene);
-    bool ok = bench_reference_get(truth, &reference);
-    if (ok)
-        budget->noise = noise_of(&reference);
-    for (int i = 0; ok && i < BUDGET_STEPS; i++) {
-        struct image picture = {0};
-        ok = picture_of(&budget_steps[i], base, truth, &picture) &&
-             bench_errors_between(&picture, &reference, &budget->so_far[i]) &&
-             bench_errors_between(&picture, i ? &before : &reference, &budget->step[i]);
-        image_free(&before);
-        before = picture;
+    bool ok = bench_reference_get(desc, &truth);
+    if (ok) {
+        budget->noise = noise_of(&truth);
+        ok = measure_steps(budget, base, desc, &truth, pictures);
     }
-    image_free(&before);
-    image_free(&reference);
+    for (int i = 0; i < BUDGET_STEPS; i++)
+        image_free(&pictures[i]);
+    image_free(&truth);
     return ok;
 }
 
@@ -93,6 +112,9 @@ void budget_print(FILE *out, const struct budget *budget) {
         print_errors(out, &budget->so_far[i]);
         fprintf(out, "\n");
     }
+    fprintf(out, "  %-24s %33s   ", "the same but for edges", "");
+    print_errors(out, &budget->shading);
+    fprintf(out, "\n");
 }
 
 static void print_row(FILE *out, const struct budget *budget, int step, const char *against,
@@ -108,11 +130,13 @@ bool budget_write_csv(const char *path, const struct budget *budgets, int count)
         return error_set("cannot write %s: %s", path, strerror(errno));
     fprintf(out, "scene,width,height,noise,step,against,relative_rmse,relative_bias,gradient,"
                  "ldr_flip,commit\n");
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count; i++) {
         for (int step = 0; step < BUDGET_STEPS; step++) {
             print_row(out, &budgets[i], step, "step before", &budgets[i].step[step]);
             print_row(out, &budgets[i], step, "truth", &budgets[i].so_far[step]);
         }
+        print_row(out, &budgets[i], BUDGET_STEPS - 1, "pixel centres", &budgets[i].shading);
+    }
     bool ok = !ferror(out);
     ok = fclose(out) == 0 && ok;
     return ok || error_set("cannot write %s: %s", path, strerror(errno));

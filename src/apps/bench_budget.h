@@ -10,11 +10,12 @@
 
 struct budget_step {
     const char *name;
-    const char *assignments; /* of the settings, comma-separated, over the defaults */
+    const char *assignments; /* of the settings, comma-separated, over the defaults; NULL = none is
+                                rendered, paths are traced through pixels' centres */
     bool traced;             /* visibility by ray tracing */
 };
 
-enum { BUDGET_STEPS = 8 };
+enum { BUDGET_STEPS = 9 };
 
 extern const struct budget_step budget_steps[BUDGET_STEPS];
 
@@ -24,11 +25,13 @@ struct budget {
     double noise; /* of the reference: standard error of the indirect layer, RMS over its mean */
     struct bench_errors step[BUDGET_STEPS];   /* against the step before; the first, the truth */
     struct bench_errors so_far[BUDGET_STEPS]; /* against the truth */
+    struct bench_errors shading;              /* of the frame, against the truth at pixel centres */
 };
 
-/* base: size and settings that all steps share. Error: of the reference or a step. */
+/* base: size and settings that all steps share; desc: of the truth. Error: of the reference or a
+ * step. */
 bool budget_make(struct budget *budget, const struct bench_case *base,
-                 const struct bench_reference_desc *truth);
+                 const struct bench_reference_desc *desc);
 
 void budget_print(FILE *out, const struct budget *budget);
 

@@ -14,7 +14,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-const char *const bench_reference_names[] = {"none", "path", "vpls", NULL};
+const char *const bench_reference_names[] = {"none", "path", "centers", "vpls", NULL};
 
 /* FNV-1a, 64 bits. */
 static uint64_t hash_byte(uint64_t hash, int byte) {
@@ -61,11 +61,13 @@ char *bench_reference_path(const struct bench_reference_desc *desc) {
     char *folder = desc->cache ? mem_strdup(desc->cache) : default_folder();
     if (!folder)
         return NULL;
-    char how[32] = "vpls";
-    if (desc->kind == BENCH_REFERENCE_PATH)
-        snprintf(how, sizeof how, "path-%g", desc->noise);
-    else
+    char how[32];
+    if (desc->kind == BENCH_REFERENCE_VPLS) {
+        snprintf(how, sizeof how, "vpls");
         hash = hash_settings(hash);
+    } else {
+        snprintf(how, sizeof how, "%s-%g", bench_reference_names[desc->kind], desc->noise);
+    }
     char *path = mem_printf("%s/%s-%dx%d-%s-%016llx.exr", folder, desc->stage->name, desc->width,
                             desc->height, how, (unsigned long long)hash);
     free(folder);
@@ -73,15 +75,17 @@ char *bench_reference_path(const struct bench_reference_desc *desc) {
 }
 
 static bool trace(const struct bench_reference_desc *desc, struct image *image) {
-    return path_tracer_render(&(struct path_tracer_desc){.scene = &desc->stage->scene,
-                                                         .geometry = &desc->stage->geometry,
-                                                         .camera = &desc->stage->camera,
-                                                         .light = &desc->stage->light,
-                                                         .width = desc->width,
-                                                         .height = desc->height,
-                                                         .bounces = 1,
-                                                         .noise = desc->noise},
-                              image, NULL);
+    return path_tracer_render(
+        &(struct path_tracer_desc){.scene = &desc->stage->scene,
+                                   .geometry = &desc->stage->geometry,
+                                   .camera = &desc->stage->camera,
+                                   .light = &desc->stage->light,
+                                   .width = desc->width,
+                                   .height = desc->height,
+                                   .bounces = 1,
+                                   .noise = desc->noise,
+                                   .centers = desc->kind == BENCH_REFERENCE_CENTERS},
+        image, NULL);
 }
 
 static bool render_all_vpls(const struct bench_reference_desc *desc, struct image *image) {
@@ -105,8 +109,8 @@ bool bench_reference_get(const struct bench_reference_desc *desc, struct image *
     } else {
         log_note("making reference %s", path);
         ok = folder_make_for(path) &&
-             (desc->kind == BENCH_REFERENCE_PATH ? trace(desc, image)
-                                                 : render_all_vpls(desc, image)) &&
+             (desc->kind == BENCH_REFERENCE_VPLS ? render_all_vpls(desc, image)
+                                                 : trace(desc, image)) &&
              image_write(image, path);
     }
     if (!ok)

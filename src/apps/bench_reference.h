@@ -11,11 +11,12 @@
 
 enum bench_reference_kind {
     BENCH_REFERENCE_NONE,
-    BENCH_REFERENCE_PATH, /* path-traced, one bounce */
-    BENCH_REFERENCE_VPLS, /* every pixel takes every VPL, a hard shadow map each */
+    BENCH_REFERENCE_PATH,    /* path-traced, one bounce */
+    BENCH_REFERENCE_CENTERS, /* the same through pixels' centres: without the error of edges */
+    BENCH_REFERENCE_VPLS,    /* every pixel takes every VPL, a hard shadow map each */
 };
 
-/* For option tables: "none", "path", "vpls", NULL. */
+/* For option tables: "none", "path", "centers", "vpls", NULL. */
 extern const char *const bench_reference_names[];
 
 struct bench_reference_desc {

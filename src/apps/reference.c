@@ -1,7 +1,11 @@
-/* manylight reference: path-traced ground truth. */
+/* manylight reference: ground truth, path-traced; or what the GPU's VPLs would make of it if their
+ * visibility were exact. */
 #include "apps/apps.h"
 #include "apps/arguments.h"
+#include "apps/context_options.h"
 #include "apps/progress.h"
+#include "apps/stage.h"
+#include "apps/vpl_trace.h"
 
 #include "base/error.h"
 #include "base/image_file.h"
@@ -11,11 +15,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum reference_technique { TECHNIQUE_PATH, TECHNIQUE_VPL_RAYTRACED };
+
+static const char *const reference_techniques[] = {"path", "vpl-raytraced", NULL};
+
 struct values {
     struct common_values common;
+    struct context_desc context;
+    struct text_list settings;
     const char *output, *noise, *camera, *light;
-    int size[2], bounces, samples, seed;
+    int size[2], bounces, samples, seed, technique;
     float time;
+    bool centers;
 };
 
 static const struct option options[] = {
@@ -23,12 +34,20 @@ static const struct option options[] = {
      .help = "the picture to write"},
     {"size", 0, OPTION_SIZE, offsetof(struct values, size), 800, 1, 16384,
      .help = "of the picture, pixels"},
+    {"technique", 0, OPTION_CHOICE, offsetof(struct values, technique),
+     .choices = reference_techniques,
+     .help = "path tracing; or the one-bounce sum over the VPLs that the GPU makes, with\n"
+             "                             visibility by ray tracing"},
+    {"set", 0, OPTION_LIST, offsetof(struct values, settings), .value_name = "KEY=VALUE",
+     .help = "a setting of the VPLs (manylight render --help): vpls, seed, clamp ...; repeatable"},
     {"bounces", 0, OPTION_INT, offsetof(struct values, bounces), 1, 0, 1000,
      .help = "of indirect light; 0 = direct light only"},
     {"spp", 0, OPTION_INT, offsetof(struct values, samples), 0, 0, 1e6,
      .help = "samples per pixel, in steps of 4; 0 = by --noise"},
     {"noise", 0, OPTION_TEXT, offsetof(struct values, noise), .value_name = "X%",
      .help = "samples until the indirect light's standard error (RMS over mean) is below [1%]"},
+    {"centers", 0, OPTION_FLAG, offsetof(struct values, centers),
+     .help = "through pixels' centres alone, as a rasteriser has them: edges are not smooth"},
     {"seed", 0, OPTION_INT, offsetof(struct values, seed), 0, 0, 2147483647,
      .help = "another seed, another noise"},
     {"camera", 0, OPTION_TEXT, offsetof(struct values, camera), .value_name = "NAME|N",
@@ -37,14 +56,15 @@ static const struct option options[] = {
      .help = "light of the scene [the first]"},
     {"time", 0, OPTION_FLOAT, offsetof(struct values, time), 0, 0, 1e6, .value_name = "SECONDS",
      .help = "of the animation"},
+    CONTEXT_OPTIONS(struct values, context),
     {NULL},
 };
 
 static const struct arguments arguments = {
     .synopsis = "SCENE -o FILE.exr [OPTION ...]",
-    .summary = "Path traces the scene on all cores. The layers are those of render: beauty, Z,\n"
+    .summary = "Traces the scene on all cores. The layers are those of render: beauty, Z,\n"
                "direct, indirect (irradiance / pi, without albedo), albedo, normal; and\n"
-               "standard_error, that of the indirect layer.",
+               "standard_error, that of the indirect layer, where it is path-traced.",
     .options = options,
     .min_positional = 1,
     .max_positional = 1,
@@ -74,13 +94,6 @@ static bool check_values(const struct values *values, double *noise) {
     return !values->noise || parse_noise(values->noise, noise);
 }
 
-static bool find_nodes(const struct scene *scene, const struct values *values, int *camera,
-                       int *light) {
-    *camera = values->camera ? camera_find(scene, values->camera) : 0;
-    *light = values->light ? light_find(scene, values->light) : 0;
-    return *camera >= 0 && *light >= 0;
-}
-
 static bool show(void *user, const struct path_tracer_progress *progress) {
     char note[64] = "";
     if (progress->samples > 0)
@@ -90,28 +103,22 @@ static bool show(void *user, const struct path_tracer_progress *progress) {
     return true;
 }
 
-static bool trace(const struct values *values, double noise, const struct scene *scene,
-                  const struct geometry *geometry, struct image *image) {
-    int camera_number, light_number;
-    struct camera camera;
-    struct light light;
+static bool trace_paths(const struct values *values, double noise, const struct stage *stage,
+                        struct image *image) {
     struct progress progress;
     struct path_tracer_progress reached;
-    if (!find_nodes(scene, values, &camera_number, &light_number))
-        return false;
-    camera_place(&camera, scene, camera_number, values->time);
-    light_place(&light, scene, light_number, values->time);
     progress_start(&progress);
-    bool ok = path_tracer_render(&(struct path_tracer_desc){.scene = scene,
-                                                            .geometry = geometry,
-                                                            .camera = &camera,
-                                                            .light = &light,
+    bool ok = path_tracer_render(&(struct path_tracer_desc){.scene = &stage->scene,
+                                                            .geometry = &stage->geometry,
+                                                            .camera = &stage->camera,
+                                                            .light = &stage->light,
                                                             .width = values->size[0],
                                                             .height = values->size[1],
                                                             .bounces = values->bounces,
                                                             .samples = values->samples,
                                                             .noise = noise,
                                                             .seed = (uint32_t)values->seed,
+                                                            .centers = values->centers,
                                                             .progress = show,
                                                             .user = &progress},
                                  image, &reached);
@@ -122,23 +129,68 @@ static bool trace(const struct values *values, double noise, const struct scene 
     return ok;
 }
 
+/* The VPLs do not depend on the size of the picture, and a frame of few pixels costs little. */
+enum { VPL_FRAME_SIZE = 16 };
+
+static bool trace_vpls(const struct values *values, const struct settings *settings,
+                       const struct stage *stage, struct image *image) {
+    struct context *context = context_create(&values->context);
+    if (!context)
+        return false;
+    struct renderer renderer;
+    struct progress progress;
+    bool ok = renderer_init(&renderer, &(struct renderer_desc){.width = VPL_FRAME_SIZE,
+                                                               .height = VPL_FRAME_SIZE,
+                                                               .settings = *settings,
+                                                               .scene = &stage->scene,
+                                                               .geometry = &stage->geometry,
+                                                               .light = stage->light,
+                                                               .camera = stage->camera});
+    if (ok) {
+        renderer_render(&renderer);
+        progress_start(&progress);
+        ok = vpl_trace(&renderer, values->size[0], values->size[1], &progress, image);
+        double seconds = progress_end(&progress);
+        if (ok)
+            log_note("%d VPLs in %.1f s", settings->vpl_count, seconds);
+        renderer_free(&renderer);
+    }
+    context_free(context);
+    return ok;
+}
+
+static bool parse_settings(const struct values *values, struct settings *settings) {
+    options_set_defaults(settings_table, settings);
+    for (int i = 0; i < values->settings.count; i++)
+        if (!option_assign(settings_table, settings, values->settings.items[i]))
+            return false;
+    if (values->technique == TECHNIQUE_PATH && values->settings.count)
+        return error_set("--set is for --technique vpl-raytraced");
+    return settings_check(settings);
+}
+
 int app_reference(int argc, char **argv) {
     struct values values;
+    struct settings settings;
     const char *path;
     int status, count;
     double noise;
-    struct scene scene = {0};
-    struct geometry geometry = {0};
+    struct stage stage;
     struct image image = {0};
     if (!arguments_parse(&arguments, &values, argc, argv, &path, &count, &status))
         return status;
-    if (!check_values(&values, &noise))
+    if (!check_values(&values, &noise) || !parse_settings(&values, &settings))
         return arguments_misuse(argv[0]);
-    bool ok = scene_load(&scene, path) && geometry_init(&geometry, &scene, values.time) &&
-              trace(&values, noise, &scene, &geometry, &image) &&
-              image_write(&image, values.output);
+    if (!stage_init(&stage, &(struct stage_desc){.path = path,
+                                                 .camera = values.camera,
+                                                 .light = values.light,
+                                                 .time = (double)values.time}))
+        return arguments_fail(argv[0]);
+    bool ok =
+        (values.technique == TECHNIQUE_PATH ? trace_paths(&values, noise, &stage, &image)
+                                            : trace_vpls(&values, &settings, &stage, &image)) &&
+        image_write(&image, values.output);
     image_free(&image);
-    geometry_free(&geometry);
-    scene_free(&scene);
+    stage_free(&stage);
     return ok ? STATUS_OK : arguments_fail(argv[0]);
 }

@@ -51,8 +51,10 @@ static vec3s mean_of_paths(const struct renderer *renderer, const struct hit *hi
 static bool take_sample(const struct renderer *renderer, int px, int py, uint32_t seed,
                         uint32_t index, struct film_sample *sample) {
     struct hit hit;
-    vec2s jitter = sampler_next(&(struct sampler){.seed = seed, .index = index});
-    if (!view_hit(&renderer->view, (float)px + jitter.x, (float)py + jitter.y, &hit))
+    vec2s at = {{0.5f, 0.5f}};
+    if (!renderer->desc.centers)
+        at = sampler_next(&(struct sampler){.seed = seed, .index = index});
+    if (!view_hit(&renderer->view, (float)px + at.x, (float)py + at.y, &hit))
         return false;
     *sample = (struct film_sample){
         .albedo = hit.albedo,

@@ -34,7 +34,8 @@ struct path_tracer_desc {
     int samples;       /* per pixel, rounded up to a multiple of 4; 0 = until noise is reached */
     double noise;      /* standard error of the indirect layer, RMS over its mean; default 0.01 */
     uint32_t seed;
-    int threads; /* 0 = all cores; does not change the picture */
+    bool centers; /* through pixels' centres, as a rasteriser has them; else all over pixels */
+    int threads;  /* 0 = all cores; does not change the picture */
     /* Called now and then from any of the threads, one at a time; false cancels. */
     bool (*progress)(void *user, const struct path_tracer_progress *progress);
     void *user;
