@@ -1,6 +1,7 @@
 #include "apps/stage.h"
 
 #include "scene/animation.h"
+#include "scene/placing.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -11,35 +12,24 @@ static void name_after(struct stage *stage, const char *path) {
     snprintf(stage->name, sizeof stage->name, "%.*s", (int)strcspn(file, "."), file);
 }
 
-static bool choose(struct stage *stage, const struct stage_desc *desc) {
-    stage->camera_number = desc->camera ? camera_find(&stage->scene, desc->camera) : 0;
-    stage->light_number = desc->light ? light_find(&stage->scene, desc->light) : 0;
-    return stage->camera_number >= 0 && stage->light_number >= 0 &&
-           (!desc->clip || scene_select_clip(&stage->scene, desc->clip));
-}
-
-static void place(struct stage *stage, double time) {
-    camera_place(&stage->camera, &stage->scene, stage->camera_number, time);
-    light_place(&stage->light, &stage->scene, stage->light_number, time);
+static bool place(struct stage *stage, double time) {
+    return camera_from_text(&stage->camera, &stage->scene, stage->camera_text, time, NULL) &&
+           light_from_text(&stage->light, &stage->scene, stage->light_text, time, NULL);
 }
 
 bool stage_init(struct stage *stage, const struct stage_desc *desc) {
-    *stage = (struct stage){0};
+    *stage = (struct stage){.camera_text = desc->camera, .light_text = desc->light};
     name_after(stage, desc->path);
-    if (scene_load(&stage->scene, desc->path) && choose(stage, desc) &&
-        geometry_init(&stage->geometry, &stage->scene, desc->time)) {
-        place(stage, desc->time);
+    if (scene_load(&stage->scene, desc->path) &&
+        (!desc->clip || scene_select_clip(&stage->scene, desc->clip)) && place(stage, desc->time) &&
+        geometry_init(&stage->geometry, &stage->scene, desc->time))
         return true;
-    }
     stage_free(stage);
     return false;
 }
 
 bool stage_pose(struct stage *stage, double time) {
-    if (!geometry_pose(&stage->geometry, &stage->scene, time))
-        return false;
-    place(stage, time);
-    return true;
+    return geometry_pose(&stage->geometry, &stage->scene, time) && place(stage, time);
 }
 
 void stage_free(struct stage *stage) {

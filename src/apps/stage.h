@@ -9,8 +9,9 @@
 
 struct stage_desc {
     const char *path;
-    const char *camera, *light; /* name or number; NULL = the first */
-    const char *clip;           /* likewise */
+    const char *camera, *light; /* as scene/placing.h has it; NULL = the first; must outlive the
+ stage */
+    const char *clip;           /* name or number; NULL = the first */
     double time;                /* of the animation, seconds */
 };
 
@@ -20,7 +21,7 @@ struct stage {
     struct geometry geometry;
     struct camera camera;
     struct light light;
-    int camera_number, light_number;
+    const char *camera_text, *light_text;
 };
 
 /* Error: of the file, or no such camera, light or clip; the stage is then zeroed. */

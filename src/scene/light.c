@@ -25,6 +25,18 @@ void light_place(struct light *light, const struct scene *scene, int n, double t
     node_frame(world, light->right, light->up, light->direction);
 }
 
+void light_aim(struct light *light, const float direction[3]) {
+    vec3 forward, right;
+    glm_vec3_normalize_to((float *)direction, forward);
+    /* Straight up and down, the frame turns about z. */
+    vec3 aside = {0, fabsf(forward[1]) < .99F, fabsf(forward[1]) >= .99F};
+    glm_vec3_cross(forward, aside, right);
+    glm_vec3_normalize(right);
+    glm_vec3_copy(forward, light->direction);
+    glm_vec3_copy(right, light->right);
+    glm_vec3_cross(right, forward, light->up);
+}
+
 float light_cone(const struct light *light, float cos_angle) {
     if (light->type != LIGHT_SPOT)
         return 1;

@@ -20,6 +20,9 @@ struct light {
 /* Places the scene's n-th light node (in node order). Asserts that there is one. */
 void light_place(struct light *light, const struct scene *scene, int n, double time);
 
+/* Turns the light: its frame is made of the direction, which need not be unit. */
+void light_aim(struct light *light, const float direction[3]);
+
 /* The n of a light by name or number in text; -1 and an error when there is none such. */
 int light_find(const struct scene *scene, const char *text);
 

@@ -4,7 +4,7 @@
 #include "base/image_file.h"
 #include "base/log.h"
 #include "gl/glsl.h"
-#include "gl/memory.h"
+#include "scene/placing.h"
 #include "shared/params.h"
 #include "viewer/ui.h"
 
@@ -37,14 +37,6 @@ void viewer_touch(struct viewer *viewer) {
 
 /* --- scenes --- */
 
-static int find_or_first(struct viewer *viewer, int (*find)(const struct scene *, const char *),
-                         const char *text) {
-    int found = text ? find(&viewer->document.scene, text) : 0;
-    if (found < 0)
-        tell_error(viewer);
-    return found < 0 ? 0 : found;
-}
-
 void viewer_pick_camera(struct viewer *viewer, int n) {
     const struct geometry *geometry = &viewer->document.geometry;
     struct camera camera;
@@ -58,6 +50,24 @@ void viewer_pick_light(struct viewer *viewer, int n) {
     light_place(&viewer->placed_light, &viewer->document.scene, n, 0);
     viewer->light = n;
     viewer_touch(viewer);
+}
+
+/* Those that the command line asks for, or the first. */
+static void place_first(struct viewer *viewer) {
+    const struct scene *scene = &viewer->document.scene;
+    struct camera camera;
+    struct light light;
+    viewer_pick_camera(viewer, 0);
+    viewer_pick_light(viewer, 0);
+    if (camera_from_text(&camera, scene, viewer->desc.camera, 0, &viewer->camera))
+        orbit_start(&viewer->orbit, &camera, viewer->document.geometry.center,
+                    viewer->document.geometry.radius);
+    else
+        tell_error(viewer);
+    if (light_from_text(&light, scene, viewer->desc.light, 0, &viewer->light))
+        viewer->placed_light = light;
+    else
+        tell_error(viewer);
 }
 
 void viewer_open(struct viewer *viewer, const char *path) {
@@ -91,8 +101,7 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     struct viewer before = *viewer;
     struct renderer renderer;
     viewer->document = *document;
-    viewer_pick_camera(viewer, find_or_first(viewer, camera_find, viewer->desc.camera));
-    viewer_pick_light(viewer, find_or_first(viewer, light_find, viewer->desc.light));
+    place_first(viewer);
     struct renderer_desc desc = describe(viewer, &viewer->document);
     desc.camera = viewer->orbit.camera;
     desc.light = viewer->placed_light;
@@ -330,8 +339,11 @@ static bool finish_script(struct viewer *viewer) {
 
 static bool open_window(struct viewer *viewer) {
     const struct viewer_desc *desc = &viewer->desc;
-    viewer->window = window_create(&(struct window_desc){
-        .title = "manylight", .width = desc->width, .height = desc->height, .debug = desc->debug});
+    viewer->window = window_create(&(struct window_desc){.title = "manylight",
+                                                         .margin = PANEL_WIDTH,
+                                                         .width = desc->width,
+                                                         .height = desc->height,
+                                                         .debug = desc->debug});
     if (!viewer->window)
         return false;
     viewer->context = context_adopt(window_getproc, desc->debug);

@@ -1,0 +1,32 @@
+/* Which camera and which light, as text: the name or number of one in the scene, and what is to be
+ * different from it.
+ *
+ *     "0"   "Camera.001"   "eye=1,2,3 forward=0,0,-1"   "Lamp position=0,2,0 intensity=5,5,5"
+ *
+ * Cameras have eye, forward, up, right, fov (radians, vertical) and extent (orthographic: half the
+ * height); lights have position, direction, up, right and intensity. Without right the frame is
+ * made of the direction and of up; with it all are taken as they are, so that a text that was
+ * written here gives the very same camera again.
+ */
+#ifndef SCENE_PLACING_H
+#define SCENE_PLACING_H
+
+#include "scene/camera.h"
+#include "scene/light.h"
+
+enum { PLACING_TEXT_SIZE = 320 };
+
+/* text NULL: the scene's first. n, unless NULL: which of the scene's it is, or is made from. Error:
+ * no such one, or a word that is not understood. */
+bool camera_from_text(struct camera *camera, const struct scene *scene, const char *text,
+                      double time, int *n);
+bool light_from_text(struct light *light, const struct scene *scene, const char *text, double time,
+                     int *n);
+
+/* The number alone where the camera is just the scene's n-th. */
+void camera_to_text(const struct camera *camera, const struct scene *scene, int n, double time,
+                    char text[PLACING_TEXT_SIZE]);
+void light_to_text(const struct light *light, const struct scene *scene, int n, double time,
+                   char text[PLACING_TEXT_SIZE]);
+
+#endif
