@@ -117,6 +117,10 @@ struct inspect_params {
 #define INSPECT_DIMMED 7
 #define INSPECT_VISIBILITY 8
 
+struct probe_params {
+    vec4 position, normal; /* of a surface */
+};
+
 struct mark_params {
     float width, height; /* of the picture, pixels */
     float size;          /* of a point or width of a line, pixels */

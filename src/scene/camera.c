@@ -49,3 +49,16 @@ void camera_ray(const struct camera *camera, float x, float y, float aspect, flo
                  camera->orthographic ? origin : direction);
     glm_vec3_normalize(direction);
 }
+
+bool camera_project(const struct camera *camera, const float point[3], float aspect,
+                    float place[2]) {
+    vec3 to_point;
+    glm_vec3_sub((float *)point, (float *)camera->eye, to_point);
+    float depth = glm_vec3_dot(to_point, (float *)camera->forward);
+    float half = camera->orthographic ? camera->y_extent : tanf(camera->fov_y / 2) * depth;
+    if (depth <= 0)
+        return false;
+    place[0] = .5F + .5F * glm_vec3_dot(to_point, (float *)camera->right) / (half * aspect);
+    place[1] = .5F - .5F * glm_vec3_dot(to_point, (float *)camera->up) / half;
+    return true;
+}

@@ -28,4 +28,8 @@ int camera_node_count(const struct scene *scene);
 void camera_ray(const struct camera *camera, float x, float y, float aspect, float origin[3],
                 float direction[3]);
 
+/* The other way round: where a point lies in the picture. False: not in front of the camera. */
+bool camera_project(const struct camera *camera, const float point[3], float aspect,
+                    float place[2]);
+
 #endif

@@ -1,0 +1,162 @@
+#include "viewer/compare.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "metrics/heat_map.h"
+#include "metrics/layer.h"
+#include "shared/params.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void free_other(struct compare *compare) {
+    if (compare->has_other)
+        renderer_free(&compare->other);
+    compare->has_other = false;
+}
+
+void compare_free(struct compare *compare) {
+    free_other(compare);
+    reference_free(&compare->reference);
+    texture_free(&compare->heat_map);
+}
+
+/* --- the right picture --- */
+
+/* The other renderer is made, or follows the first one. */
+static bool follow(struct compare *compare, const struct renderer *renderer) {
+    struct renderer_desc desc = renderer->desc;
+    struct renderer *other = &compare->other;
+    desc.technique = compare->technique;
+    desc.settings = compare->settings;
+    desc.timed = false;
+    if (compare->has_other && other->desc.geometry != desc.geometry)
+        free_other(compare);
+    if (!compare->has_other)
+        return compare->has_other = renderer_init(other, &desc);
+    renderer_set_camera(other, &desc.camera);
+    return renderer_configure(other, desc.technique, &desc.settings) &&
+           renderer_set_light(other, &desc.light) &&
+           renderer_resize(other, desc.width, desc.height);
+}
+
+bool compare_render(struct compare *compare, const struct renderer *renderer) {
+    compare->measured = false;
+    if (compare->mode != COMPARE_TECHNIQUE)
+        free_other(compare);
+    if (compare->mode != COMPARE_TECHNIQUE)
+        return true;
+    if (!follow(compare, renderer)) {
+        compare->mode = COMPARE_OFF;
+        return error_prefix("the right picture");
+    }
+    renderer_render(&compare->other);
+    return true;
+}
+
+static const char *layer_name(int layer) {
+    return layer == LAYER_DIRECT ? "direct" : layer == LAYER_INDIRECT ? "indirect" : "";
+}
+
+const struct texture *compare_compose(struct compare *compare, const struct renderer *renderer,
+                                      int layer) {
+    switch (compare->mode) {
+    case COMPARE_TECHNIQUE:
+        if (!compare->has_other)
+            return NULL;
+        renderer_compose(&compare->other, layer);
+        return &compare->other.composite.display;
+    case COMPARE_REFERENCE:
+        if (!compare->reference.framebuffer ||
+            !reference_show(&compare->reference, layer_name(layer), &renderer->desc.settings))
+            return NULL;
+        return &compare->reference.display;
+    case COMPARE_OFF:
+    case COMPARE_MODES:
+        break;
+    }
+    return NULL;
+}
+
+/* --- errors --- */
+
+static bool read_layer(struct renderer *renderer, int layer, struct image *rgb) {
+    struct image all = {0};
+    *rgb = (struct image){0};
+    bool ok = renderer_read_layers(renderer, &all) && layer_extract(rgb, &all, layer_name(layer));
+    image_free(&all);
+    return ok;
+}
+
+/* The texture's row 0 is the lowest. */
+static bool upload_heat_map(struct compare *compare, const struct bitmap *bitmap) {
+    texture_free(&compare->heat_map);
+    if (!texture_init(&compare->heat_map, &(struct texture_desc){.label = "heat map",
+                                                                 .format = GL_RGBA8,
+                                                                 .width = bitmap->width,
+                                                                 .height = bitmap->height}))
+        return false;
+    for (int y = 0; y < bitmap->height; y++)
+        gl.TextureSubImage2D(compare->heat_map.id, 0, 0, bitmap->height - 1 - y, bitmap->width, 1,
+                             GL_RGBA, GL_UNSIGNED_BYTE,
+                             bitmap->rgba + (size_t)y * (size_t)bitmap->width * 4);
+    return true;
+}
+
+static bool draw_heat_map(struct compare *compare, const struct comparison *comparison) {
+    const struct metric *metric = &metrics[compare->heat_metric];
+    int width = comparison->reference->width, height = comparison->reference->height;
+    size_t count = (size_t)width * (size_t)height;
+    float *values = mem_alloc(count, sizeof *values);
+    struct bitmap picture;
+    compare->values[compare->heat_metric] = metric_measure(metric, comparison, values);
+    compare->is_known[compare->heat_metric] = true;
+    heat_map_draw(
+        &(struct heat_map){
+            .title = metric->name,
+            .width = width,
+            .height = height,
+            .values = values,
+            .top = metric->range == RANGE_UNIT ? 1 : heat_map_fit_top(values, count),
+            .is_signed = metric->range == RANGE_SIGNED,
+        },
+        &picture);
+    bool ok = upload_heat_map(compare, &picture);
+    bitmap_free(&picture);
+    free(values);
+    return ok;
+}
+
+static bool measure(struct compare *compare, const struct comparison *comparison, bool all) {
+    const struct image *test = comparison->test, *reference = comparison->reference;
+    if (test->width != reference->width || test->height != reference->height)
+        return error_set("the reference is %dx%d, the picture %dx%d", reference->width,
+                         reference->height, test->width, test->height);
+    for (int i = 0; i < METRIC_COUNT; i++) {
+        compare->is_known[i] = all || metrics[i].pixel_error;
+        if (compare->is_known[i])
+            compare->values[i] = metric_measure(&metrics[i], comparison, NULL);
+    }
+    return !compare->heat || draw_heat_map(compare, comparison);
+}
+
+bool compare_measure(struct compare *compare, struct renderer *renderer, int layer, bool all) {
+    struct image left, right = {0};
+    bool ok = read_layer(renderer, layer, &left);
+    if (ok && compare->mode == COMPARE_TECHNIQUE)
+        ok = read_layer(&compare->other, layer, &right);
+    const struct comparison comparison = {
+        .test = &left,
+        .reference = compare->mode == COMPARE_TECHNIQUE ? &right : &compare->reference.layer,
+        .pixels_per_degree = (float)DEFAULT_PIXELS_PER_DEGREE,
+    };
+    ok = ok && measure(compare, &comparison, all);
+    compare->measured = true;
+    if (!ok) {
+        memset(compare->is_known, 0, sizeof compare->is_known);
+        compare->heat = false;
+    }
+    image_free(&left);
+    image_free(&right);
+    return ok;
+}

@@ -1,0 +1,205 @@
+#include "viewer/pick.h"
+
+#include "base/memory.h"
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/params.h"
+#include "shared/vpl.h"
+
+#include <cglm/cglm.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- the surface --- */
+
+static void copy_layer(const struct image *image, const float *pixel, const char *first,
+                       float values[3]) {
+    int channel = image_find_channel(image, first);
+    memcpy(values, pixel + channel, 3 * sizeof *values);
+}
+
+/* The point that the pixel's centre sees at that distance along the axis. */
+static void place_point(const struct renderer *renderer, int x, int y, float depth,
+                        float point[3]) {
+    const struct renderer_desc *desc = &renderer->desc;
+    vec3 origin, direction;
+    camera_ray(&desc->camera, ((float)x + .5F) / (float)desc->width,
+               ((float)y + .5F) / (float)desc->height, (float)desc->width / (float)desc->height,
+               origin, direction);
+    glm_vec3_copy(origin, point);
+    glm_vec3_muladds(direction, depth / glm_vec3_dot(direction, (float *)desc->camera.forward),
+                     point);
+}
+
+static bool read_surface(struct pick *pick, struct renderer *renderer, float x, float y) {
+    struct image image;
+    if (!renderer_read_layers(renderer, &image))
+        return false;
+    int column = (int)glm_clamp(x * (float)image.width, 0, (float)image.width - 1);
+    int row = (int)glm_clamp(y * (float)image.height, 0, (float)image.height - 1);
+    const float *pixel = image_at(&image, column, row);
+    pick->present = pixel[image_find_channel(&image, "A")] > 0;
+    copy_layer(&image, pixel, "R", pick->radiance);
+    copy_layer(&image, pixel, "direct.R", pick->direct);
+    copy_layer(&image, pixel, "indirect.R", pick->indirect);
+    copy_layer(&image, pixel, "albedo.R", pick->albedo);
+    copy_layer(&image, pixel, "normal.X", pick->normal);
+    place_point(renderer, column, row, pixel[image_find_channel(&image, "Z")], pick->position);
+    image_free(&image);
+    return true;
+}
+
+/* --- visibility of each VAL at the point --- */
+
+struct probe {
+    GLuint program, framebuffer;
+    struct texture lit; /* M x 1 */
+    struct buffer params, visibility_params;
+};
+
+static bool probe_init(struct probe *probe, const struct visibility_desc *desc) {
+    *probe = (struct probe){0};
+    char *defines = visibility_defines(desc);
+    bool ok =
+        program_init(&probe->program, &(struct program_desc){.vertex = "fullscreen.vert",
+                                                             .fragment = "probe.frag",
+                                                             .defines = defines}) &&
+        texture_init(&probe->lit, &(struct texture_desc){.label = "probe",
+                                                         .format = GL_R32F,
+                                                         .width = desc->map_count}) &&
+        framebuffer_init(&probe->framebuffer,
+                         &(struct framebuffer_desc){.label = "probe", .colors = {&probe->lit}}) &&
+        buffer_init(&probe->params, "probe parameters", sizeof(struct probe_params), NULL) &&
+        buffer_init(&probe->visibility_params, "probe visibility parameters",
+                    sizeof(struct visibility_params), NULL);
+    free(defines);
+    return ok;
+}
+
+static void probe_free(struct probe *probe) {
+    program_free(&probe->program);
+    framebuffer_free(&probe->framebuffer);
+    texture_free(&probe->lit);
+    buffer_free(&probe->params);
+    buffer_free(&probe->visibility_params);
+}
+
+static bool read_visibility(const struct pick *pick, struct renderer *renderer,
+                            const struct technique_outputs *outputs, float *lit) {
+    struct probe probe;
+    bool ok = probe_init(&probe, outputs->visibility);
+    if (ok) {
+        struct frame frame = renderer_frame(renderer);
+        struct probe_params params = {.position = {0}};
+        int count = outputs->visibility->map_count;
+        memcpy(params.position, pick->position, sizeof pick->position);
+        memcpy(params.normal, pick->normal, sizeof pick->normal);
+        buffer_write(&probe.params, 0, sizeof params, &params);
+        pass_set_state(&(struct pass_state){.name = "probe",
+                                            .program = probe.program,
+                                            .framebuffer = probe.framebuffer,
+                                            .width = count,
+                                            .height = 1});
+        gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, probe.params.id);
+        visibility_bind(outputs->visibility, &frame, &probe.visibility_params,
+                        &(struct visibility_inputs){.views = outputs->val_views,
+                                                    .depth = outputs->depth_maps,
+                                                    .bases = outputs->basis_maps});
+        pass_draw_fullscreen(1);
+        gl.GetTextureImage(probe.lit.id, 0, GL_RED, GL_FLOAT, count * (GLsizei)sizeof *lit, lit);
+    }
+    probe_free(&probe);
+    return ok;
+}
+
+/* --- what each VAL brings --- */
+
+/* Luminance of the irradiance from one VPL, without shadow: Phi / pi cos cos / d^2 with the form
+ * factor of a disk of the VPL's area. */
+static float irradiance_from(const struct vpl *vpl, const struct pick *pick) {
+    vec3 to_vpl;
+    glm_vec3_sub((float *)vpl->position, (float *)pick->position, to_vpl);
+    float distance2 = glm_vec3_norm2(to_vpl);
+    float cosines = fmaxf(glm_vec3_dot(to_vpl, (float *)pick->normal), 0) *
+                    fmaxf(-glm_vec3_dot(to_vpl, (float *)vpl->normal), 0);
+    float flux = .2126F * vpl->flux[0] + .7152F * vpl->flux[1] + .0722F * vpl->flux[2];
+    if (cosines <= 0)
+        return 0;
+    return flux * cosines /
+           ((float)GLM_PI * distance2 * (distance2 + vpl->normal[3] / (float)GLM_PI));
+}
+
+static int brightest_first(const void *a, const void *b) {
+    const struct pick_val *x = a, *y = b;
+    return (x->share < y->share) - (x->share > y->share);
+}
+
+static void sum_vals(struct pick *pick, const struct technique_outputs *outputs, const float *lit) {
+    int count = outputs->visibility->map_count, vpl_count = outputs->vpls->count;
+    struct vpl *vpls = mem_alloc((size_t)vpl_count, sizeof *vpls);
+    struct pick_val *vals = mem_alloc((size_t)count, sizeof *vals);
+    buffer_read(&outputs->vpls->buffer, 0, (size_t)vpl_count * sizeof *vpls, vpls);
+    float total = 0;
+    for (int k = 0; k < count; k++)
+        vals[k] = (struct pick_val){.val = k, .visibility = lit[k]};
+    for (int i = 0; i < vpl_count; i++) {
+        if (vpls[i].flux[3] <= 0)
+            continue;
+        struct pick_val *val = &vals[(int)vpls[i].position[3]];
+        float brought = irradiance_from(&vpls[i], pick) * val->visibility;
+        val->vpl_count++;
+        val->share += brought;
+        total += brought;
+    }
+    qsort(vals, (size_t)count, sizeof *vals, brightest_first);
+    for (int k = 0; k < count && k < PICK_VALS_MAX && vals[k].share > 0; k++) {
+        pick->vals[k] = vals[k];
+        pick->vals[k].share /= total;
+        pick->val_count = k + 1;
+    }
+    free(vpls);
+    free(vals);
+}
+
+bool pick_at(struct pick *pick, struct renderer *renderer, float x, float y) {
+    struct technique_outputs outputs;
+    renderer_outputs(renderer, &outputs);
+    *pick = (struct pick){0};
+    if (!read_surface(pick, renderer, x, y))
+        return false;
+    if (!pick->present || !outputs.val_views)
+        return true;
+    float *lit = mem_alloc((size_t)outputs.visibility->map_count, sizeof *lit);
+    bool ok = read_visibility(pick, renderer, &outputs, lit);
+    if (ok)
+        sum_vals(pick, &outputs, lit);
+    free(lit);
+    return ok;
+}
+
+int pick_nearest_val(struct renderer *renderer, float x, float y) {
+    struct technique_outputs outputs;
+    renderer_outputs(renderer, &outputs);
+    if (!outputs.val_positions)
+        return -1;
+    int count = outputs.val_views->count, nearest = -1;
+    float aspect = (float)renderer->desc.width / (float)renderer->desc.height, least = .05F;
+    float(*centers)[4] = mem_alloc((size_t)count, sizeof *centers);
+    gl.GetTextureImage(outputs.val_positions->id, 0, GL_RGBA, GL_FLOAT,
+                       count * (GLsizei)sizeof *centers, centers);
+    for (int k = 0; k < count; k++) {
+        float at[2];
+        if (centers[k][3] <= 0 || !camera_project(&renderer->desc.camera, centers[k], aspect, at))
+            continue;
+        float away = hypotf((at[0] - x) * aspect, at[1] - y);
+        if (away < least) {
+            least = away;
+            nearest = k;
+        }
+    }
+    free(centers);
+    return nearest;
+}

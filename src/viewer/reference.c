@@ -1,0 +1,102 @@
+#include "viewer/reference.h"
+
+#include "base/error.h"
+#include "base/image_file.h"
+#include "base/memory.h"
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "metrics/layer.h"
+#include "shared/params.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool init_gpu(struct reference *reference) {
+    int width = reference->picture.width, height = reference->picture.height;
+    return program_init(
+               &reference->program,
+               &(struct program_desc){.vertex = "fullscreen.vert", .fragment = "reference.frag"}) &&
+           texture_init(&reference->radiance, &(struct texture_desc){.label = "reference",
+                                                                     .format = GL_RGBA32F,
+                                                                     .width = width,
+                                                                     .height = height}) &&
+           texture_init(&reference->display, &(struct texture_desc){.label = "reference display",
+                                                                    .format = GL_RGBA8,
+                                                                    .width = width,
+                                                                    .height = height}) &&
+           framebuffer_init(&reference->framebuffer,
+                            &(struct framebuffer_desc){.label = "reference display",
+                                                       .colors = {&reference->display}}) &&
+           buffer_init(&reference->params, "reference parameters", sizeof(struct composite_params),
+                       NULL);
+}
+
+/* GL's row 0 is at the bottom. */
+static void upload(struct reference *reference) {
+    const struct image *layer = &reference->layer;
+    size_t row = (size_t)layer->width * 3;
+    float *flipped = mem_alloc(row * (size_t)layer->height, sizeof *flipped);
+    for (int y = 0; y < layer->height; y++)
+        memcpy(flipped + (size_t)y * row, image_at(layer, 0, layer->height - 1 - y),
+               row * sizeof *flipped);
+    gl.TextureSubImage2D(reference->radiance.id, 0, 0, 0, layer->width, layer->height, GL_RGB,
+                         GL_FLOAT, flipped);
+    free(flipped);
+}
+
+static bool pick_layer(struct reference *reference, const char *name) {
+    struct image layer;
+    if (!layer_extract(&layer, &reference->picture, name) &&
+        !layer_extract(&layer, &reference->picture, ""))
+        return false;
+    image_free(&reference->layer);
+    reference->layer = layer;
+    snprintf(reference->layer_name, sizeof reference->layer_name, "%s", name);
+    upload(reference);
+    return true;
+}
+
+bool reference_load(struct reference *reference, const char *path) {
+    struct reference fresh = {0};
+    if (image_read(&fresh.picture, path) && init_gpu(&fresh) && pick_layer(&fresh, "")) {
+        reference_free(reference);
+        *reference = fresh;
+        return true;
+    }
+    reference_free(&fresh);
+    return error_prefix("%s", path);
+}
+
+void reference_free(struct reference *reference) {
+    image_free(&reference->picture);
+    image_free(&reference->layer);
+    program_free(&reference->program);
+    framebuffer_free(&reference->framebuffer);
+    texture_free(&reference->radiance);
+    texture_free(&reference->display);
+    buffer_free(&reference->params);
+    *reference = (struct reference){0};
+}
+
+bool reference_show(struct reference *reference, const char *layer,
+                    const struct settings *settings) {
+    if (strcmp(layer, reference->layer_name) != 0 && !pick_layer(reference, layer))
+        return false;
+    struct composite_params params = {
+        .exposure = exp2f(settings->exposure),
+        .tone_map = (float)settings->tone_map,
+    };
+    buffer_write(&reference->params, 0, sizeof params, &params);
+    pass_set_state(&(struct pass_state){.name = "reference",
+                                        .program = reference->program,
+                                        .framebuffer = reference->framebuffer,
+                                        .width = reference->display.desc.width,
+                                        .height = reference->display.desc.height});
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, reference->params.id);
+    gl.BindTextureUnit(0, reference->radiance.id);
+    pass_draw_fullscreen(1);
+    return true;
+}

@@ -1,0 +1,32 @@
+/* What is looked at and how, as text: a command line that renders the very same picture offscreen,
+ * and a file of settings. */
+#ifndef VIEWER_SESSION_H
+#define VIEWER_SESSION_H
+
+#include "scene/placing.h"
+#include "techniques/settings.h"
+
+#include <stdbool.h>
+
+struct session {
+    const char *scene; /* path */
+    int width, height;
+    int technique;
+    struct settings settings;
+    double time; /* of the animation, seconds */
+    char camera[PLACING_TEXT_SIZE], light[PLACING_TEXT_SIZE];
+};
+
+/* "manylight render SCENE --size ... -o picture.png", quoted for a shell; to be freed. Settings at
+ * their defaults are left out. */
+char *session_command(const struct session *session);
+
+/* One "key = value" a line: technique, camera, light and the settings that are not at their
+ * defaults. */
+bool session_save(const struct session *session, const char *path);
+
+/* Sets what the file has; settings it does not name get their defaults. Error: names file and line;
+ * nothing is changed. */
+bool session_load(struct session *session, const char *path);
+
+#endif
