@@ -9,8 +9,7 @@
 
 struct stage_desc {
     const char *path;
-    const char *camera, *light; /* as scene/placing.h has it; NULL = the first; must outlive the
- stage */
+    const char *camera, *light; /* as scene/placing.h has it; NULL = the first; must live on */
     const char *clip;           /* name or number; NULL = the first */
     double time;                /* of the animation, seconds */
 };

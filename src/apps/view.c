@@ -11,7 +11,7 @@ struct values {
     struct text_list settings;
     int size[2];
     int technique, frames;
-    const char *camera, *light, *glsl, *screenshot;
+    const char *camera, *light, *reference, *glsl, *screenshot;
     bool debug;
 };
 
@@ -26,6 +26,8 @@ static const struct option options[] = {
      .help = "camera of the scene [the first], or changed: \"0 eye=0,1,3 forward=0,0,-1\""},
     {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N",
      .help = "light of the scene [the first], or changed: \"0 position=0,2,0 intensity=9,9,9\""},
+    {"reference", 0, OPTION_TEXT, offsetof(struct values, reference), .value_name = "FILE",
+     .help = "picture of the same view to compare with"},
     {"frames", 0, OPTION_INT, offsetof(struct values, frames), 0, 0, 1e9,
      .help = "render so many frames at the full size and end; 0 = until closed"},
     {"screenshot", 0, OPTION_TEXT, offsetof(struct values, screenshot), .value_name = "FILE",
@@ -71,6 +73,7 @@ int app_view(int argc, char **argv) {
         .technique = values.technique,
         .camera = values.camera,
         .light = values.light,
+        .reference = values.reference,
         .glsl = values.glsl,
         .debug = values.debug,
         .frames = values.frames,

@@ -9,14 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void free_other(struct compare *compare) {
+void compare_forget(struct compare *compare) {
     if (compare->has_other)
         renderer_free(&compare->other);
     compare->has_other = false;
 }
 
 void compare_free(struct compare *compare) {
-    free_other(compare);
+    compare_forget(compare);
     reference_free(&compare->reference);
     texture_free(&compare->heat_map);
 }
@@ -30,22 +30,19 @@ static bool follow(struct compare *compare, const struct renderer *renderer) {
     desc.technique = compare->technique;
     desc.settings = compare->settings;
     desc.timed = false;
-    if (compare->has_other && other->desc.geometry != desc.geometry)
-        free_other(compare);
     if (!compare->has_other)
         return compare->has_other = renderer_init(other, &desc);
-    renderer_set_camera(other, &desc.camera);
     return renderer_configure(other, desc.technique, &desc.settings) &&
-           renderer_set_light(other, &desc.light) &&
-           renderer_resize(other, desc.width, desc.height);
+           renderer_resize(other, desc.width, desc.height) &&
+           renderer_update(other, &desc.light, &desc.camera);
 }
 
 bool compare_render(struct compare *compare, const struct renderer *renderer) {
     compare->measured = false;
-    if (compare->mode != COMPARE_TECHNIQUE)
-        free_other(compare);
-    if (compare->mode != COMPARE_TECHNIQUE)
+    if (compare->mode != COMPARE_TECHNIQUE) {
+        compare_forget(compare);
         return true;
+    }
     if (!follow(compare, renderer)) {
         compare->mode = COMPARE_OFF;
         return error_prefix("the right picture");

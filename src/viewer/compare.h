@@ -34,6 +34,9 @@ struct compare {
 /* Accepts zeroed ones. */
 void compare_free(struct compare *compare);
 
+/* Lets the other renderer go: shaders or scene are no more what they were. */
+void compare_forget(struct compare *compare);
+
 /* Renders the other technique's picture of what the renderer has just rendered. Error: the
  * comparison is then off. */
 bool compare_render(struct compare *compare, const struct renderer *renderer);

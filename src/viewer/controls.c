@@ -12,6 +12,7 @@
 static void show_layer(struct viewer *viewer, int layer) {
     viewer->layer = layer;
     viewer->choice.kind = SHOW_PICTURE;
+    viewer->compare.measured = false;
     viewer->recompose = true;
 }
 
@@ -34,7 +35,23 @@ static void key_previous(struct viewer *viewer) {
 }
 static void key_home(struct viewer *viewer) {
     if (viewer->has_scene)
-        viewer_pick_camera(viewer, viewer->camera);
+        viewer_pick_camera(viewer, viewer->placed.camera_number);
+}
+static void key_light(struct viewer *viewer) {
+    viewer->light_tool.shown = !viewer->light_tool.shown;
+}
+static void key_wipe(struct viewer *viewer) {
+    struct compare *compare = &viewer->compare;
+    compare->mode = (enum compare_mode)((compare->mode + 1) % COMPARE_MODES);
+    if (compare->mode == COMPARE_REFERENCE && !compare->reference.framebuffer)
+        compare->mode = COMPARE_OFF;
+    viewer->dirty = true;
+}
+static void key_toggle(struct viewer *viewer) {
+    viewer->compare.only_right = !viewer->compare.only_right;
+}
+static void key_play(struct viewer *viewer) {
+    viewer->plays = !viewer->plays;
 }
 static void key_help(struct viewer *viewer) {
     viewer->show_help = !viewer->show_help;
@@ -62,10 +79,15 @@ static const struct key {
     {'3', "3", "direct light alone", key_direct},
     {KEY_LEFT_BRACKET, "[", "previous buffer of the frame", key_previous},
     {KEY_RIGHT_BRACKET, "]", "next buffer", key_next},
+    {'L', "L", "handles to move and turn the light", key_light},
+    {'C', "C", "compare: a technique, the reference, off", key_wipe},
+    {'M', "M", "compare: right picture alone, or the wipe", key_toggle},
     {'R', "R", "back to the scene's camera", key_home},
+    {KEY_SPACE, "Space", "play and pause the animation", key_play},
     {KEY_F1, "F1", "this help", key_help},
     {KEY_F2, "F2", "panel", key_panel},
     {KEY_F3, "F3", "times and counts", key_overlay},
+    {KEY_F5, "F5", "read the shaders again (--glsl)", viewer_reload_shaders},
     {KEY_F11, "F11", "full screen", key_full_screen},
     {KEY_F12, "F12", "screenshot: PNG, and EXR with all layers", viewer_take_screenshot},
     {KEY_ESCAPE, "Esc", "quit", key_quit},
@@ -77,10 +99,13 @@ static const struct {
     const char *name, *help;
 } gestures[] = {
     {"left drag", "orbit"},
-    {"middle or Shift left drag", "pan"},
+    {"middle drag, Shift left drag", "pan"},
     {"right drag", "look around"},
     {"wheel", "zoom"},
     {"W A S D Q E", "fly; Shift fast, Ctrl slow"},
+    {"click", "what a surface is and which VALs light it"},
+    {"click on a cluster or a sheet", "that VAL's shadow, that layer alone"},
+    {"drop a .gltf or .glb file", "open it"},
 };
 
 static void run_keys(struct viewer *viewer) {
@@ -92,13 +117,18 @@ static void run_keys(struct viewer *viewer) {
 
 void controls_draw_help(void) {
     for (int i = 0; i < KEY_ROWS; i++)
-        ui_value(keys[i].help, "%s", keys[i].name);
+        ui_definition(keys[i].name, keys[i].help);
     ui_separator();
     for (size_t i = 0; i < sizeof gestures / sizeof *gestures; i++)
-        ui_value(gestures[i].help, "%s", gestures[i].name);
+        ui_definition(gestures[i].name, gestures[i].help);
 }
 
 /* --- the camera --- */
+
+static void touch_camera(struct viewer *viewer) {
+    viewer->placed.camera_moved = true;
+    viewer_touch(viewer);
+}
 
 static void fly(struct viewer *viewer, double seconds) {
     const struct input *input = viewer->input;
@@ -108,26 +138,59 @@ static void fly(struct viewer *viewer, double seconds) {
     float forward = (float)(input->key_held['W'] - input->key_held['S']);
     if (right == 0 && up == 0 && forward == 0)
         return;
-    orbit_fly(&viewer->orbit, right * step, up * step, forward * step);
-    viewer_touch(viewer);
+    orbit_fly(&viewer->placed.orbit, right * step, up * step, forward * step);
+    touch_camera(viewer);
 }
 
-static void drag(struct viewer *viewer) {
+static void drag_camera(struct viewer *viewer) {
     const struct input *input = viewer->input;
+    struct orbit *orbit = &viewer->placed.orbit;
     float height = (float)viewer->picture.height;
     float right = (float)input->dx / height, down = (float)input->dy / height;
     bool pan = input->held[BUTTON_MIDDLE] || (input->held[BUTTON_LEFT] && input->shift);
     if (right == 0 && down == 0)
         return;
     if (pan)
-        orbit_pan(&viewer->orbit, right, down);
+        orbit_pan(orbit, right, down);
     else if (input->held[BUTTON_LEFT])
-        orbit_turn(&viewer->orbit, right, down);
+        orbit_turn(orbit, right, down);
     else if (input->held[BUTTON_RIGHT])
-        orbit_look(&viewer->orbit, right, down);
+        orbit_look(orbit, right, down);
     else
         return;
-    viewer_touch(viewer);
+    touch_camera(viewer);
+}
+
+/* --- what lies on the picture: the light's handles, the wipe --- */
+
+static bool drag_light(struct viewer *viewer) {
+    bool moved;
+    bool held =
+        light_tool_update(&viewer->light_tool,
+                          &(struct light_stage){&viewer->placed.orbit.camera,
+                                                &viewer->document.geometry, &viewer->picture},
+                          viewer->input, &viewer->placed.light, &moved);
+    if (moved) {
+        viewer->placed.light_moved = true;
+        viewer_touch(viewer);
+    }
+    return held;
+}
+
+static bool drag_split(struct viewer *viewer) {
+    const struct input *input = viewer->input;
+    const struct rectangle *picture = &viewer->picture;
+    struct compare *compare = &viewer->compare;
+    double x = (input->x - picture->x) / picture->width;
+    double reach = 7 * (double)input->scale / picture->width;
+    bool near_line = fabs(x - (double)compare->split) < reach;
+    if (input->pressed[BUTTON_LEFT] && viewer->right && !compare->only_right && near_line)
+        viewer->drags_split = true;
+    if (!input->held[BUTTON_LEFT])
+        viewer->drags_split = false;
+    if (viewer->drags_split)
+        compare->split = (float)fmin(fmax(x, 0), 1);
+    return viewer->drags_split;
 }
 
 /* --- clicks --- */
@@ -139,43 +202,68 @@ static void click_layer(struct viewer *viewer, float x, float y) {
     viewer->recompose = true;
 }
 
+static void click_cluster(struct viewer *viewer, float x, float y) {
+    int val = pick_nearest_val(&viewer->renderer, x, y);
+    if (val < 0)
+        return;
+    viewer->choice.kind = SHOW_VISIBILITY;
+    viewer->choice.layer = viewer->choice.chosen = val;
+    viewer->recompose = true;
+}
+
 static void click(struct viewer *viewer) {
-    const struct input *input = viewer->input;
     const struct rectangle *picture = &viewer->picture;
+    float x = (float)(viewer->input->x - picture->x) / (float)picture->width;
+    float y = (float)(viewer->input->y - picture->y) / (float)picture->height;
+    if (x < 0 || y < 0 || x >= 1 || y >= 1)
+        return;
+    if (inspect_layers(&viewer->renderer, viewer->choice.kind) > 1)
+        click_layer(viewer, x, y);
+    else if (viewer->choice.kind == SHOW_CLUSTERS)
+        click_cluster(viewer, x, y);
+    else
+        viewer_pick_surface(viewer, x, y);
+}
+
+static bool was_clicked(struct viewer *viewer) {
+    const struct input *input = viewer->input;
     if (input->pressed[BUTTON_LEFT]) {
         viewer->press_x = input->x;
         viewer->press_y = input->y;
     }
     double away = fabs(input->x - viewer->press_x) + fabs(input->y - viewer->press_y);
-    if (!input->released[BUTTON_LEFT] || !viewer->drags_picture || away > 4)
-        return;
-    float x = (float)(input->x - picture->x) / (float)picture->width;
-    float y = (float)(input->y - picture->y) / (float)picture->height;
-    if (inspect_layers(&viewer->renderer, viewer->choice.kind) > 1)
-        click_layer(viewer, x, y);
+    return input->released[BUTTON_LEFT] && viewer->drags_picture && away < 4;
 }
 
-void controls_update(struct viewer *viewer) {
+static void use_mouse(struct viewer *viewer) {
     const struct input *input = viewer->input;
-    double now = window_time(), seconds = now - viewer->last_update;
-    viewer->last_update = now;
-    if (input->dropped)
-        viewer_open(viewer, input->dropped);
-    if (!ui_wants_keys())
-        run_keys(viewer);
-    if (!viewer->has_scene)
-        return;
-    click(viewer);
     /* A drag that began on the picture goes on wherever the mouse is. */
     for (int i = 0; i < BUTTON_COUNT; i++)
         if (input->pressed[i])
             viewer->drags_picture = !ui_wants_mouse();
-    if (viewer->drags_picture)
-        drag(viewer);
-    if (!ui_wants_mouse() && input->scroll != 0) {
-        orbit_zoom(&viewer->orbit, (float)input->scroll);
-        viewer_touch(viewer);
+    bool holds = viewer->light_tool.held != HANDLE_NONE || viewer->drags_split;
+    if ((holds || viewer->drags_picture) && (drag_light(viewer) || drag_split(viewer))) {
+        viewer->drags_picture = false;
+        return;
     }
+    if (was_clicked(viewer))
+        click(viewer);
+    if (viewer->drags_picture)
+        drag_camera(viewer);
+    if (!ui_wants_mouse() && input->scroll != 0) {
+        orbit_zoom(&viewer->placed.orbit, (float)input->scroll);
+        touch_camera(viewer);
+    }
+}
+
+void controls_update(struct viewer *viewer, double seconds) {
+    if (viewer->input->dropped)
+        viewer_open(viewer, viewer->input->dropped);
     if (!ui_wants_keys())
-        fly(viewer, seconds < .25 ? seconds : .25);
+        run_keys(viewer);
+    if (!viewer->has_scene || viewer->picture.width == 0)
+        return;
+    use_mouse(viewer);
+    if (!ui_wants_keys())
+        fly(viewer, seconds);
 }

@@ -44,6 +44,10 @@ static void draw_statistics(struct viewer *viewer) {
     draw_times(pace);
     ui_separator();
     ui_value("pictures a second", "%.1f", pace_fps(pace, window_time()));
+    ui_value("faces", "%u", viewer->document.geometry.index_count / 3);
+    ui_value("VPLs", "%d", desc->settings.vpl_count);
+    if (inspect_layers(&viewer->renderer, SHOW_CLUSTERS))
+        ui_value("VALs", "%d", desc->settings.val_count);
     ui_value("size", "%d x %d%s", desc->width, desc->height, viewer->moving ? " while moving" : "");
     ui_value("GPU memory", "%.0f MiB", (double)gpu_memory_total() / (1 << 20));
     if (context_is_software(viewer->context))
@@ -84,7 +88,63 @@ static void draw_help(struct viewer *viewer) {
     ui_area_end();
 }
 
+/* --- on the picture --- */
+
+static const char *right_name(const struct compare *compare) {
+    return compare->mode == COMPARE_REFERENCE ? "reference" : technique_names[compare->technique];
+}
+
+static void draw_split(const struct viewer *viewer) {
+    const struct rectangle *picture = &viewer->picture;
+    const struct compare *compare = &viewer->compare;
+    float line = ui_line_height(), y = (float)(picture->y + picture->height) - 2 * line;
+    float x = (float)picture->x + compare->split * (float)picture->width;
+    if (!viewer->right)
+        return;
+    if (compare->only_right) {
+        ui_draw_label((float)(picture->x + picture->width) - line, y, 1, right_name(compare));
+        return;
+    }
+    ui_draw_clip((float)picture->x, (float)picture->y, (float)picture->width,
+                 (float)picture->height);
+    ui_draw_line(x, (float)picture->y, x, (float)(picture->y + picture->height),
+                 UI_RGBA(0, 0, 0, 160), 3);
+    ui_draw_line(x, (float)picture->y, x, (float)(picture->y + picture->height),
+                 UI_RGBA(255, 255, 255, 230), 1.2F);
+    ui_draw_disc(x, (float)picture->y + .5F * (float)picture->height, 7,
+                 UI_RGBA(255, 255, 255, 230));
+    ui_draw_label(x - .6F * line, y, 1,
+                  compare->heat ? metrics[compare->heat_metric].name
+                                : technique_names[viewer->technique]);
+    ui_draw_label(x + .6F * line, y, 0, right_name(compare));
+    ui_draw_unclip();
+}
+
+static void draw_pick(const struct viewer *viewer) {
+    const struct rectangle *picture = &viewer->picture;
+    float place[2], aspect = (float)picture->width / (float)picture->height;
+    if (!viewer->has_pick || viewer->choice.kind != SHOW_PICTURE ||
+        !camera_project(&viewer->placed.orbit.camera, viewer->pick.position, aspect, place) ||
+        place[0] < 0 || place[0] > 1 || place[1] < 0 || place[1] > 1)
+        return;
+    float x = (float)picture->x + place[0] * (float)picture->width;
+    float y = (float)picture->y + place[1] * (float)picture->height;
+    ui_draw_ring(x, y, 6, UI_RGBA(0, 0, 0, 200), 3.5F);
+    ui_draw_ring(x, y, 6, UI_RGBA(240, 168, 72, 255), 1.8F);
+}
+
+static void draw_marks(const struct viewer *viewer) {
+    draw_split(viewer);
+    draw_pick(viewer);
+    light_tool_draw(&viewer->light_tool,
+                    &(struct light_stage){&viewer->placed.orbit.camera, &viewer->document.geometry,
+                                          &viewer->picture},
+                    &viewer->placed.light);
+}
+
 void overlay_draw(struct viewer *viewer) {
+    if (viewer->left)
+        draw_marks(viewer);
     if (viewer->show_overlay && viewer->has_scene)
         draw_statistics(viewer);
     if (!viewer->has_scene || atomic_load(&viewer->loader.state) != LOADER_IDLE)

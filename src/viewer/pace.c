@@ -59,7 +59,7 @@ float pace_median(const struct pace_pass *pass) {
     float sorted[PACE_MEDIAN];
     memcpy(sorted, pass->ms, sizeof sorted);
     qsort(sorted, (size_t)pass->count, sizeof *sorted, ascending);
-    return pass->count ? sorted[pass->count / 2] : 0;
+    return pass->count ? sorted[(pass->count - 1) / 2] : 0;
 }
 
 double pace_fps(const struct pace *pace, double now) {

@@ -3,10 +3,14 @@
 #include "viewer/viewer.h"
 
 #include "base/error.h"
+#include "scene/animation.h"
+#include "scene/node.h"
 #include "shared/params.h"
 #include "viewer/ui.h"
 
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static int count_names(const char *const *names) {
@@ -16,7 +20,100 @@ static int count_names(const char *const *names) {
     return count;
 }
 
-/* --- settings --- */
+/* --- scene --- */
+
+/* A choice among nodes of the scene, by name. */
+static bool draw_node_choice(const struct ui_row *row, const struct scene *scene,
+                             enum node_kind kind, int *chosen) {
+    enum { NAMES_MAX = 64 };
+    const char *names[NAMES_MAX];
+    int count = node_count_carrying(scene, kind);
+    count = count < NAMES_MAX ? count : NAMES_MAX;
+    for (int i = 0; i < count; i++) {
+        const char *name = scene->nodes[node_carrying(scene, kind, i)].name;
+        names[i] = *name ? name : "without a name";
+    }
+    enum ui_result result = ui_choice(row, chosen, names, count);
+    if (result == UI_RESET)
+        *chosen = *chosen < count ? *chosen : 0;
+    return result != UI_NOTHING;
+}
+
+static void draw_animation(struct viewer *viewer) {
+    double duration = scene_duration(&viewer->document.scene);
+    float time = (float)viewer->placed.time;
+    if (duration <= 0)
+        return;
+    struct ui_row row = {.name = "time", .help = "of the animation, seconds; Space plays"};
+    if (ui_float(&row, &time, 0, (float)duration))
+        viewer->placed.time = (double)time;
+    if (ui_wide_button(viewer->plays ? "Pause" : "Play", "Space"))
+        viewer->plays = !viewer->plays;
+}
+
+static void draw_scene(struct viewer *viewer) {
+    struct ui_row open = {.name = "open",
+                          .help = "a .gltf or .glb file; one may also be dropped on the window"};
+    if (ui_text_field(&open, viewer->scene_path, sizeof viewer->scene_path, "path, Enter"))
+        viewer_open(viewer, viewer->scene_path);
+    if (!viewer->has_scene)
+        return;
+    const struct scene *scene = &viewer->document.scene;
+    int camera = viewer->placed.camera_number;
+    struct ui_row row = {.name = "camera",
+                         .help = "of the scene; R goes back to it",
+                         .differs = viewer->placed.camera_moved};
+    if (draw_node_choice(&row, scene, NODE_CAMERA, &camera))
+        viewer_pick_camera(viewer, camera);
+    draw_animation(viewer);
+}
+
+/* --- light --- */
+
+static void draw_brightness(struct viewer *viewer) {
+    struct light *light = &viewer->placed.light;
+    float brightest = fmaxf(light->intensity[0], fmaxf(light->intensity[1], light->intensity[2]));
+    float ev = log2f(fmaxf(brightest, 1e-6F)), before = ev;
+    struct ui_row row = {.name = "intensity",
+                         .help = "of the brightest colour, as a power of two: W/sr, or W/m2 of a "
+                                 "directional light"};
+    if (!ui_float(&row, &ev, -20, 20) || brightest <= 0)
+        return;
+    for (int c = 0; c < 3; c++)
+        light->intensity[c] *= exp2f(ev - before);
+    viewer->placed.light_moved = true;
+    viewer_touch(viewer);
+}
+
+static void draw_light(struct viewer *viewer) {
+    struct placed *placed = &viewer->placed;
+    int number = placed->light_number;
+    struct ui_row row = {.name = "light", .help = "of the scene", .differs = placed->light_moved};
+    if (draw_node_choice(&row, &viewer->document.scene, NODE_LIGHT, &number))
+        viewer_pick_light(viewer, number);
+    ui_flag(&(struct ui_row){.name = "handles", .help = "move and turn it in the picture (L)"},
+            &viewer->light_tool.shown);
+    float direction[3];
+    memcpy(direction, placed->light.direction, sizeof direction);
+    struct ui_row position_row = {.name = "position", .help = "metres"},
+                  direction_row = {.name = "direction", .help = "where it shines"};
+    bool moved =
+        placed->light.type != LIGHT_DIRECTIONAL &&
+        ui_vector(&position_row, placed->light.position, .005F * viewer->document.geometry.radius);
+    if (placed->light.type != LIGHT_POINT && ui_vector(&direction_row, direction, .01F) &&
+        direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2] >
+            0) {
+        light_aim(&placed->light, direction);
+        moved = true;
+    }
+    if (moved) {
+        placed->light_moved = true;
+        viewer_touch(viewer);
+    }
+    draw_brightness(viewer);
+}
+
+/* --- picture --- */
 
 static enum ui_result draw_widget(const struct option *option, void *at, const struct ui_row *row) {
     switch (option->type) {
@@ -52,24 +149,12 @@ static bool draw_setting(const struct option *option, struct settings *settings)
     return result != UI_NOTHING;
 }
 
-static void draw_settings(struct viewer *viewer, bool of_picture) {
+static bool draw_settings(struct settings *settings, bool of_picture) {
+    bool changed = false;
     for (const struct option *option = settings_table; option->name; option++)
-        if (option->reinit != of_picture && draw_setting(option, &viewer->settings))
-            viewer_touch(viewer);
-}
-
-/* --- sections --- */
-
-static void draw_scene(struct viewer *viewer) {
-    static char path[512];
-    if (ui_text_field(
-            &(struct ui_row){.name = "open",
-                             .help = "a .gltf or .glb file; one may also be dropped on the window"},
-            path, sizeof path, "path of a glTF file"))
-        viewer_open(viewer, path);
-    if (!viewer->has_scene)
-        return;
-    ui_value("faces", "%u", viewer->document.geometry.index_count / 3);
+        if (option->reinit != of_picture)
+            changed |= draw_setting(option, settings);
+    return changed;
 }
 
 /* Those that the technique has. */
@@ -112,31 +197,171 @@ static void draw_picture(struct viewer *viewer) {
     if (ui_segments("light", &shown, names, 3)) {
         viewer->layer = layers[shown];
         viewer->choice.kind = SHOW_PICTURE;
+        viewer->compare.measured = false;
         viewer->recompose = true;
     }
     ui_space();
     draw_buffer(viewer);
-    draw_settings(viewer, true);
+    if (draw_settings(&viewer->settings, true)) {
+        /* Both pictures are shown alike. */
+        viewer->compare.settings.exposure = viewer->settings.exposure;
+        viewer->compare.settings.tone_map = viewer->settings.tone_map;
+        viewer->dirty = true;
+    }
 }
 
+/* --- technique --- */
+
 static void draw_technique(struct viewer *viewer) {
-    struct ui_row row = {.name = "technique", .help = techniques[viewer->technique]->help};
-    if (ui_choice(&row, &viewer->technique, technique_names, count_names(technique_names)))
-        viewer_touch(viewer);
+    struct compare *compare = &viewer->compare;
+    bool two = compare->mode == COMPARE_TECHNIQUE;
+    static const char *const sides[] = {"left picture", "right picture"};
+    int side = two && viewer->edits_right;
+    if (two && ui_segments("side", &side, sides, 2))
+        viewer->edits_right = side == 1;
+    int *technique = side ? &compare->technique : &viewer->technique;
+    struct settings *settings = side ? &compare->settings : &viewer->settings;
+    struct ui_row row = {.name = "technique", .help = techniques[*technique]->help};
+    bool changed =
+        ui_choice(&row, technique, technique_names, count_names(technique_names)) != UI_NOTHING;
     ui_space();
-    draw_settings(viewer, false);
+    if (draw_settings(settings, false) || changed)
+        viewer_touch(viewer);
+}
+
+/* --- comparison --- */
+
+static void draw_errors(struct viewer *viewer) {
+    struct compare *compare = &viewer->compare;
+    const char *names[METRIC_COUNT];
+    ui_space();
+    for (int i = 0; i < METRIC_COUNT; i++) {
+        names[i] = metrics[i].name;
+        if (compare->measured && compare->is_known[i])
+            ui_value(metrics[i].name, "%.5g", compare->values[i]);
+        else
+            ui_value(metrics[i].name, "-");
+    }
+    ui_space();
+    struct ui_row heat = {.name = "heat map", .help = "errors in place of the left picture"},
+                  metric = {.name = "of", .help = metrics[compare->heat_metric].help};
+    enum ui_result result = ui_flag(&heat, &compare->heat);
+    if (compare->heat && ui_choice(&metric, &compare->heat_metric, names, METRIC_COUNT))
+        result = UI_CHANGED;
+    if (result)
+        compare->measured = false;
+    if (ui_wide_button("Measure FLIP too", "looks at neighbourhoods, and takes its time"))
+        viewer_measure_all(viewer);
+}
+
+static void draw_compare(struct viewer *viewer) {
+    static const char *const modes[] = {"off", "technique", "reference"};
+    struct compare *compare = &viewer->compare;
+    int mode = compare->mode;
+    if (ui_segments("compare", &mode, modes, COMPARE_MODES)) {
+        compare->mode = (enum compare_mode)mode;
+        viewer->edits_right = mode == COMPARE_TECHNIQUE;
+        viewer->dirty = true;
+    }
+    if (mode == COMPARE_REFERENCE) {
+        struct ui_row row = {.name = "file", .help = "EXR, PFM, ... of the same view"};
+        if (ui_text_field(&row, viewer->reference_path, sizeof viewer->reference_path,
+                          "path, Enter"))
+            viewer_load_reference(viewer, viewer->reference_path);
+    }
+    if (viewer->fixed_width > 0 &&
+        ui_wide_button("Fill the window again", "the picture has the reference's size now")) {
+        viewer->fixed_width = viewer->fixed_height = 0;
+        viewer->dirty = true;
+    }
+    if (viewer->right) {
+        if (ui_flag(&(struct ui_row){.name = "right alone", .help = "M"}, &compare->only_right))
+            viewer->recompose = true;
+        draw_errors(viewer);
+    }
+}
+
+/* --- surface --- */
+
+static void draw_triple(const char *name, const float values[3]) {
+    ui_value(name, "%.4g  %.4g  %.4g", (double)values[0], (double)values[1], (double)values[2]);
+}
+
+static void draw_surface(struct viewer *viewer) {
+    const struct pick *pick = &viewer->pick;
+    if (!viewer->has_pick) {
+        ui_text(UI_DIM, "Click on the picture.");
+        return;
+    }
+    draw_triple("position", pick->position);
+    draw_triple("normal", pick->normal);
+    draw_triple("albedo", pick->albedo);
+    draw_triple("radiance", pick->radiance);
+    draw_triple("direct, on white", pick->direct);
+    draw_triple("indirect, on white", pick->indirect);
+    ui_space();
+    if (pick->val_count)
+        ui_text(UI_DIM, "lit by");
+    for (int i = 0; i < pick->val_count; i++) {
+        const struct pick_val *val = &pick->vals[i];
+        char text[64];
+        snprintf(text, sizeof text, "VAL %-3d  %4.1f %%   visible %3.0f %%", val->val,
+                 100 * (double)val->share, 100 * (double)val->visibility);
+        if (ui_list_item(text, marks_cluster_color(val->val), val->share,
+                         viewer->choice.kind == SHOW_VISIBILITY &&
+                             viewer->choice.layer == val->val)) {
+            viewer->choice.kind = SHOW_VISIBILITY;
+            viewer->choice.layer = viewer->choice.chosen = val->val;
+            viewer->recompose = true;
+        }
+    }
+}
+
+/* --- session --- */
+
+static void draw_session(struct viewer *viewer) {
+    struct ui_row row = {.name = "file", .help = "of settings, camera and light"};
+    ui_text_field(&row, viewer->session_path, sizeof viewer->session_path, "path");
+    struct session session = viewer_session(viewer);
+    if (ui_button("Save", NULL)) {
+        if (session_save(&session, viewer->session_path))
+            messages_add(&viewer->messages, UI_NORMAL, "saved: %s", viewer->session_path);
+        else
+            viewer_tell_error(viewer);
+    }
+    ui_same_line();
+    if (ui_button("Load", NULL)) {
+        if (session_load(&session, viewer->session_path))
+            viewer_apply_session(viewer, &session);
+        else
+            viewer_tell_error(viewer);
+    }
+    ui_same_line();
+    if (ui_button("Copy command line", "renders the very same picture offscreen")) {
+        char *command = session_command(&session);
+        window_set_clipboard(viewer->window, command);
+        messages_add(&viewer->messages, UI_NORMAL, "%s", command);
+        free(command);
+    }
 }
 
 void panel_draw(struct viewer *viewer) {
     const struct rectangle *area = &viewer->area;
+    const struct {
+        const char *title;
+        bool open;
+        void (*draw)(struct viewer *viewer);
+    } sections[] = {
+        {"Picture", true, draw_picture},   {"Light", false, draw_light},
+        {"Compare", false, draw_compare},  {"Surface", true, draw_surface},
+        {"Settings", false, draw_session}, {"Technique", true, draw_technique},
+    };
     ui_area_begin("panel", UI_PANEL, (float)area->width, 0,
                   (float)(viewer->input->width - area->width), (float)viewer->input->height);
-    ui_text(UI_TITLE, "manylight");
     if (ui_section("Scene", true))
         draw_scene(viewer);
-    if (viewer->has_scene && ui_section("Picture", true))
-        draw_picture(viewer);
-    if (ui_section("Technique", true))
-        draw_technique(viewer);
+    for (size_t i = 0; viewer->has_scene && i < sizeof sections / sizeof *sections; i++)
+        if (ui_section(sections[i].title, sections[i].open))
+            sections[i].draw(viewer);
     ui_area_end();
 }

@@ -305,6 +305,14 @@ void ui_value(const char *name, const char *format, ...) {
     ImGui::TextUnformatted(text);
 }
 
+void ui_definition(const char *term, const char *meaning) {
+    ImGui::PushStyleColor(ImGuiCol_Text, accent);
+    ImGui::TextUnformatted(term);
+    ImGui::PopStyleColor();
+    ImGui::SameLine(units(16));
+    ImGui::TextUnformatted(meaning);
+}
+
 /* --- rows --- */
 
 ui_result ui_flag(const ui_row *row, bool *value) {

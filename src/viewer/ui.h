@@ -63,6 +63,9 @@ void ui_text(enum ui_tone tone, const char *format, ...) __attribute__((format(p
 /* A name on the left and its value on the right. */
 void ui_value(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* A term, and what it means in a column of its own. */
+void ui_definition(const char *term, const char *meaning);
+
 /* --- rows: a name, a widget, and an arrow back to the default --- */
 
 struct ui_row {

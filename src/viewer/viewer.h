@@ -8,12 +8,16 @@
 
 #include "gl/context.h"
 #include "renderer/renderer.h"
+#include "viewer/compare.h"
 #include "viewer/inspect.h"
+#include "viewer/light_tool.h"
 #include "viewer/loader.h"
 #include "viewer/messages.h"
 #include "viewer/orbit.h"
 #include "viewer/pace.h"
+#include "viewer/pick.h"
 #include "viewer/screen.h"
+#include "viewer/session.h"
 #include "viewer/window.h"
 
 struct viewer_desc {
@@ -21,7 +25,8 @@ struct viewer_desc {
     int width, height; /* of the picture */
     int technique;
     struct settings settings;
-    const char *camera, *light; /* names or numbers; NULL = the first */
+    const char *camera, *light; /* as scene/placing.h has it; NULL = the first */
+    const char *reference;      /* a picture to compare with; NULL = none */
     const char *glsl;           /* folder of shaders; NULL = embedded */
     bool debug;
     int frames;             /* render so many and end; 0 = until closed */
@@ -46,17 +51,28 @@ struct viewer {
     /* What is wanted; the renderer follows. */
     int technique;
     struct settings settings;
-    int camera, light; /* of the scene */
-    struct orbit orbit;
-    struct light placed_light;
+    struct placed {
+        int camera_number, light_number; /* of the scene */
+        bool camera_moved, light_moved;  /* by hand: an animation then leaves them alone */
+        struct orbit orbit;
+        struct light light;
+        double time, posed_time; /* of the animation, seconds */
+    } placed;
+    bool plays;
 
     /* What is shown. */
     int layer; /* LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
     struct inspect inspect;
     struct inspect_choice choice; /* SHOW_PICTURE, or a buffer */
+    struct compare compare;
+    struct light_tool light_tool;
+    struct pick pick;
+    bool has_pick;
     bool show_panel, show_overlay, show_help;
-    struct rectangle area;    /* of the window that the picture may take */
-    struct rectangle picture; /* where it lies */
+    int fixed_width, fixed_height;      /* of the picture; 0 = as large as the window lets it */
+    struct rectangle area;              /* of the window that the picture may take */
+    struct rectangle picture;           /* where it lies */
+    const struct texture *left, *right; /* what was composed */
 
     bool dirty;      /* the picture is not what is wanted */
     bool recompose;  /* the frame is, but not what is shown of it */
@@ -67,35 +83,78 @@ struct viewer {
     /* viewer/controls.c */
     double last_update;
     bool drags_picture; /* the mouse was pressed on it */
+    bool drags_split;
     double press_x, press_y;
+
+    /* viewer/panel.c */
+    char scene_path[512], reference_path[512], session_path[512];
+    bool edits_right; /* the settings shown are the right picture's */
 };
 
 /* Runs until the window is closed, or until desc->frames. Error: no window, or, where frames are
  * counted, a scene or file that fails. */
 bool viewer_run(const struct viewer_desc *desc);
 
-/* --- what its modules do with it --- */
+/* --- viewer/viewer.c --- */
+
+/* Whether it renders a given number of frames, always at the given size. */
+bool viewer_is_scripted(const struct viewer *viewer);
 
 /* Marks the picture as moving: it is rendered at once, and as small as it must be. */
 void viewer_touch(struct viewer *viewer);
 
+/* Shows the present error. */
+void viewer_tell_error(struct viewer *viewer);
+
+void viewer_reload_shaders(struct viewer *viewer);
+
+/* --- viewer/scenes.c --- */
+
 void viewer_open(struct viewer *viewer, const char *path);
+
+/* Takes a scene that has been loaded. False: it cannot be shown, and the one before stays. */
+bool viewer_poll_loader(struct viewer *viewer);
 
 /* Places the scene's n-th camera or light. */
 void viewer_pick_camera(struct viewer *viewer, int n);
 void viewer_pick_light(struct viewer *viewer, int n);
 
+/* Lets the animation play on, and poses the scene where the time has changed. */
+void viewer_animate(struct viewer *viewer, double seconds);
+
+/* What is looked at and how; the texts are the session's. */
+struct session viewer_session(const struct viewer *viewer);
+void viewer_apply_session(struct viewer *viewer, const struct session *session);
+
+/* --- viewer/picture.c --- */
+
+/* The size of the picture at rest. */
+void viewer_full_size(const struct viewer *viewer, int *width, int *height);
+
+/* Renders and composes what has changed. */
+void viewer_update_picture(struct viewer *viewer);
+
 /* Shows the next buffer that the technique has, or the one before. */
 void viewer_step_buffer(struct viewer *viewer, int step);
+
+/* Reads what lies at a place of the picture, 0 to 1, y down. */
+void viewer_pick_surface(struct viewer *viewer, float x, float y);
+
+void viewer_load_reference(struct viewer *viewer, const char *path);
+
+/* FLIP too, which takes its time. */
+void viewer_measure_all(struct viewer *viewer);
+
+bool viewer_write_picture(struct viewer *viewer, const char *path);
 
 /* Writes the picture as PNG and EXR under a fresh name in the working folder. */
 void viewer_take_screenshot(struct viewer *viewer);
 
-/* viewer/controls.c: keys and mouse. */
-void controls_update(struct viewer *viewer);
+/* --- viewer/controls.c: keys and mouse --- */
+void controls_update(struct viewer *viewer, double seconds);
 void controls_draw_help(void);
 
-/* viewer/panel.c and viewer/overlay.c */
+/* --- viewer/panel.c, viewer/overlay.c --- */
 void panel_draw(struct viewer *viewer);
 void overlay_draw(struct viewer *viewer);
 

@@ -1,0 +1,202 @@
+/* Renders what is wanted and composes what is shown of it. */
+#include "viewer/viewer.h"
+
+#include "base/error.h"
+#include "base/image_file.h"
+#include "shared/params.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <unistd.h>
+
+/* A moving picture on a slow machine: what a frame may take. */
+static const double moving_ms = 60;
+
+void viewer_full_size(const struct viewer *viewer, int *width, int *height) {
+    bool scripted = viewer_is_scripted(viewer), fixed = viewer->fixed_width > 0;
+    *width = fixed ? viewer->fixed_width : scripted ? viewer->desc.width : viewer->area.width;
+    *height = fixed ? viewer->fixed_height : scripted ? viewer->desc.height : viewer->area.height;
+    *width = *width < 16 ? 16 : *width;
+    *height = *height < 16 ? 16 : *height;
+}
+
+/* --- rendering --- */
+
+/* What is wanted of the renderer, where it differs from what it has. What it refuses goes back to
+ * what it was. */
+static void follow_wishes(struct viewer *viewer) {
+    struct renderer *renderer = &viewer->renderer;
+    int technique = renderer->desc.technique;
+    if (!renderer_configure(renderer, viewer->technique, &viewer->settings)) {
+        viewer_tell_error(viewer);
+        viewer->technique = technique;
+        viewer->settings = renderer->desc.settings;
+    }
+    if (technique != viewer->technique)
+        pace_forget(&viewer->pace);
+    if (!renderer_set_light(renderer, &viewer->placed.light)) {
+        viewer_tell_error(viewer);
+        viewer->placed.light = renderer->desc.light;
+    }
+    renderer_set_camera(renderer, &viewer->placed.orbit.camera);
+}
+
+/* Lower while things move and the machine is slow. */
+static void choose_size(struct viewer *viewer, int *width, int *height) {
+    const struct pace *pace = &viewer->pace;
+    viewer_full_size(viewer, width, height);
+    if (viewer_is_scripted(viewer) || !viewer->moving || pace->frame_count == 0)
+        return;
+    double scale = pace_scale(pace, (double)*width * *height, moving_ms);
+    *width = (int)lround(*width * scale);
+    *height = (int)lround(*height * scale);
+}
+
+static void render(struct viewer *viewer) {
+    struct renderer *renderer = &viewer->renderer;
+    int width, height;
+    choose_size(viewer, &width, &height);
+    bool resized = width != renderer->desc.width || height != renderer->desc.height;
+    if (!viewer->dirty && !resized)
+        return;
+    follow_wishes(viewer);
+    if (resized) {
+        if (!renderer_resize(renderer, width, height))
+            viewer_tell_error(viewer);
+        pace_forget(&viewer->pace);
+    }
+    if (!renderer_update(renderer, &viewer->placed.light, &viewer->placed.orbit.camera))
+        viewer_tell_error(viewer);
+    renderer_render(renderer);
+    if (!compare_render(&viewer->compare, renderer))
+        viewer_tell_error(viewer);
+    pace_add(&viewer->pace, &renderer->timers, (double)width * height, window_time());
+    viewer->dirty = false;
+    viewer->recompose = true;
+    viewer->frame_count++;
+}
+
+/* --- composing --- */
+
+static bool prepare_choice(struct viewer *viewer) {
+    struct inspect_choice *choice = &viewer->choice;
+    choice->width = viewer->area.width;
+    choice->height = viewer->area.height;
+    choice->scale = viewer->input->scale;
+    int layers = inspect_layers(&viewer->renderer, choice->kind);
+    if (layers == 0) /* the technique before had it */
+        choice->kind = SHOW_PICTURE;
+    if (choice->layer >= layers)
+        choice->layer = -1;
+    return choice->kind != SHOW_PICTURE;
+}
+
+static void compose(struct viewer *viewer) {
+    struct renderer *renderer = &viewer->renderer;
+    const struct inspect_choice *choice = &viewer->choice;
+    bool resized = choice->width != viewer->area.width || choice->height != viewer->area.height;
+    if (!viewer->recompose && !resized)
+        return;
+    viewer->recompose = false;
+    renderer_compose(renderer, viewer->layer);
+    viewer->left = &renderer->composite.display;
+    viewer->right = compare_compose(&viewer->compare, renderer, viewer->layer);
+    if (!prepare_choice(viewer))
+        return;
+    viewer->right = NULL;
+    if (inspect_draw(&viewer->inspect, renderer, choice)) {
+        viewer->left = &viewer->inspect.canvas;
+    } else {
+        viewer_tell_error(viewer);
+        viewer->choice.kind = SHOW_PICTURE;
+    }
+}
+
+/* Errors of a picture at rest. */
+static void measure(struct viewer *viewer, bool all) {
+    struct compare *compare = &viewer->compare;
+    if (!viewer->right || (viewer->moving && !viewer_is_scripted(viewer)) ||
+        (compare->measured && !all))
+        return;
+    if (!compare_measure(compare, &viewer->renderer, viewer->layer, all))
+        viewer_tell_error(viewer);
+    viewer->recompose = true; /* reading layers used the display's framebuffer state */
+}
+
+void viewer_update_picture(struct viewer *viewer) {
+    render(viewer);
+    compose(viewer);
+    measure(viewer, false);
+}
+
+void viewer_measure_all(struct viewer *viewer) {
+    measure(viewer, true);
+}
+
+void viewer_step_buffer(struct viewer *viewer, int step) {
+    struct inspect_choice *choice = &viewer->choice;
+    do
+        choice->kind = (enum inspect_kind)((choice->kind + SHOW_COUNT + step) % SHOW_COUNT);
+    while (inspect_layers(&viewer->renderer, choice->kind) == 0);
+    choice->layer = -1;
+    viewer->recompose = true;
+}
+
+void viewer_pick_surface(struct viewer *viewer, float x, float y) {
+    struct pick pick;
+    if (!pick_at(&pick, &viewer->renderer, x, y)) {
+        viewer_tell_error(viewer);
+        return;
+    }
+    viewer->pick = pick;
+    viewer->has_pick = pick.present;
+}
+
+void viewer_load_reference(struct viewer *viewer, const char *path) {
+    struct compare *compare = &viewer->compare;
+    if (!reference_load(&compare->reference, path)) {
+        viewer_tell_error(viewer);
+        return;
+    }
+    compare->mode = COMPARE_REFERENCE;
+    compare->measured = false;
+    /* Errors need pictures of one size. */
+    viewer->fixed_width = compare->reference.picture.width;
+    viewer->fixed_height = compare->reference.picture.height;
+    viewer->dirty = true;
+}
+
+/* --- files --- */
+
+bool viewer_write_picture(struct viewer *viewer, const char *path) {
+    bool is_float, ok;
+    if (!image_format_is_float(path, &is_float))
+        return false;
+    if (is_float) {
+        struct image image = {0};
+        ok = renderer_read_layers(&viewer->renderer, &image) && image_write(&image, path);
+        image_free(&image);
+    } else {
+        struct bitmap bitmap;
+        renderer_read_display(&viewer->renderer, &bitmap);
+        ok = bitmap_write(&bitmap, path);
+        bitmap_free(&bitmap);
+    }
+    return ok;
+}
+
+void viewer_take_screenshot(struct viewer *viewer) {
+    if (!viewer->has_scene)
+        return;
+    char png[64], exr[64];
+    for (int i = 1; i < 10000; i++) {
+        snprintf(png, sizeof png, "manylight-%04d.png", i);
+        snprintf(exr, sizeof exr, "manylight-%04d.exr", i);
+        if (access(png, F_OK) != 0 && access(exr, F_OK) != 0)
+            break;
+    }
+    if (viewer_write_picture(viewer, png) && viewer_write_picture(viewer, exr))
+        messages_add(&viewer->messages, UI_NORMAL, "written: %s, and %s with all layers", png, exr);
+    else
+        viewer_tell_error(viewer);
+}
