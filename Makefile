@@ -1,4 +1,4 @@
-# manylight: make demo | test | asan | lint | bench | chart | accuracy | deps | install | clean
+# manylight: make demo | test | asan | lint | bench | chart | accuracy | portable | deps | install | clean
 #
 # A plain `make` only builds ./manylight. `make demo` and `make test` first install what is missing.
 
@@ -49,7 +49,7 @@ OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(BUILD)/gl
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
-.PHONY: all demo test tests asan lint bench chart accuracy deps install clean FORCE
+.PHONY: all demo test tests asan lint bench chart accuracy portable deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -164,6 +164,26 @@ accuracy: all
 	    --csv $(ACCURACY_RESULTS)/budget.csv $(ACCURACY_OPTIONS)
 	./manylight bench $(OWN_SCENES) --curves --size $(CURVES_SIZE) --cache $(REFERENCE_CACHE) \
 	    --csv $(ACCURACY_RESULTS)/curves.csv -o $(ACCURACY_PLOTS) $(ACCURACY_OPTIONS)
+
+# --- portable -------------------------------------------------------------------------------------
+
+# Bench, render, compare and info in one file that needs libc and, when it runs, an EGL or OSMesa to
+# open: for a bare GPU server. Built here, carried there.
+PORTABLE := $(BUILD)/portable
+PORTABLE_SOURCES := $(filter-out src/reference/% src/viewer/% src/apps/view.c src/apps/reference.c, \
+    $(SOURCES)) $(wildcard portable/*.c) src/main.c
+PORTABLE_BRIDGES := $(filter-out src/base/image_file.cpp src/viewer/%,$(BRIDGES))
+PORTABLE_NEEDS := 'linux-vdso|libc\.so|libm\.so|libdl\.so|libpthread\.so|ld-linux'
+
+portable:
+	@$(MAKE) --no-print-directory $(PORTABLE)/manylight BUILD=$(PORTABLE) PKG=cglm \
+	    CFLAGS="$(CFLAGS) -DMANYLIGHT_PORTABLE"
+	@! ldd $(PORTABLE)/manylight | grep -vE $(PORTABLE_NEEDS)
+
+$(BUILD)/manylight: $(PORTABLE_SOURCES:%.c=$(BUILD)/%.o) $(PORTABLE_BRIDGES:%.cpp=$(BUILD)/%.o) \
+    $(BUILD)/glsl_embedded.o
+	$(say) LINK $@
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -static-libstdc++ -static-libgcc -o $@ $^ -ldl -lpthread -lm
 
 # --- set-up ---------------------------------------------------------------------------------------
 

@@ -14,8 +14,10 @@ static const struct subcommand {
     {"compare", "error metrics between two pictures", app_compare},
     {"info", "what renders here, and what a scene holds", app_info},
     {"render", "pictures offscreen", app_render},
+#ifndef MANYLIGHT_PORTABLE
     {"view", "a scene in a window", app_view},
     {"reference", "path-traced ground truth of a scene", app_reference},
+#endif
     {NULL, NULL, NULL},
 };
 

@@ -105,8 +105,9 @@ static void summarise(struct bench_case *measured, const struct renderer *render
 static void check_clock(const struct bench_case *measured) {
     double frame = bench_frame_ms(measured), wall = measured->wall_ms.median;
     if (fabs(frame - wall) > clock_tolerance * wall)
-        log_warning("%s, %s %s: the timers say %.3g ms a frame, the clock %.3g ms%s",
-                    measured->scene, measured->series, measured->label, frame, wall,
+        log_warning("%s, %s%s%s: the timers say %.3g ms a frame, the clock %.3g ms%s",
+                    measured->scene, measured->series, *measured->label ? " " : "", measured->label,
+                    frame, wall,
                     frame < wall ? " (the CPU is the slower one, or the timers lie)" : "");
 }
 

@@ -1,0 +1,122 @@
+/* Picture files without OpenImageIO, for `make portable`: PFM (the beauty layer) and 8-bit PNG.
+ * Textures are decoded by stb_image. The only place that names stb. */
+#include "base/image_file.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_NO_STDIO
+#define STBI_NO_HDR
+#define STBI_NO_LINEAR
+#include <stb/stb_image.h>
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#include <stb/stb_image_write.h>
+
+#include <errno.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool has_extension(const char *path, const char *extension) {
+    const char *dot = strrchr(path, '.');
+    return dot && strcmp(dot + 1, extension) == 0;
+}
+
+bool image_format_is_float(const char *path, bool *is_float) {
+    *is_float = has_extension(path, "pfm");
+    return *is_float || has_extension(path, "png") ||
+           error_set("%s: this build writes .pfm and .png alone", path);
+}
+
+/* Renames the finished file, so that no half-written one is left. */
+static bool finish(const char *beside, const char *path, bool ok) {
+    if (ok && rename(beside, path) == 0)
+        return true;
+    error_set("cannot write %s: %s", path, strerror(errno));
+    remove(beside);
+    return false;
+}
+
+/* Rows from the bottom up, little-endian: the sign of the scale says so. */
+static bool write_pfm(FILE *file, const struct image *image, const int channels[3]) {
+    fprintf(file, "PF\n%d %d\n-1.0\n", image->width, image->height);
+    for (int y = image->height - 1; y >= 0; y--)
+        for (int x = 0; x < image->width; x++)
+            for (int c = 0; c < 3; c++)
+                fwrite(image_at(image, x, y) + channels[c], sizeof(float), 1, file);
+    return !ferror(file);
+}
+
+bool image_write(const struct image *image, const char *path) {
+    int channels[3];
+    if (!has_extension(path, "pfm"))
+        return error_set("%s: this build writes floats to .pfm alone", path);
+    if (!image_find_layer(image, "", channels))
+        return error_prefix("%s", path);
+    char *beside = mem_printf("%s.part", path);
+    FILE *file = fopen(beside, "wb");
+    bool ok = file && write_pfm(file, image, channels);
+    ok = file && fclose(file) == 0 && ok;
+    ok = finish(beside, path, ok);
+    free(beside);
+    return ok;
+}
+
+bool bitmap_write(const struct bitmap *bitmap, const char *path) {
+    size_t count = (size_t)bitmap->width * (size_t)bitmap->height;
+    unsigned char *rgb = mem_alloc(count, 3);
+    for (size_t i = 0; i < count; i++)
+        memcpy(rgb + 3 * i, bitmap->rgba + 4 * i, 3);
+    char *beside = mem_printf("%s.part", path);
+    bool ok = stbi_write_png(beside, bitmap->width, bitmap->height, 3, rgb, 0) != 0;
+    ok = finish(beside, path, ok);
+    free(beside);
+    free(rgb);
+    return ok;
+}
+
+static bool read_pfm(FILE *file, struct image *image, const char *path) {
+    int width, height;
+    double scale;
+    enum { SIDE_MAX = 16384 };
+    if (fscanf(file, "PF %d %d %lf", &width, &height, &scale) != 3 || fgetc(file) != '\n' ||
+        width < 1 || height < 1 || width > SIDE_MAX || height > SIDE_MAX || scale >= 0)
+        return error_set("%s: not a little-endian PFM in colour", path);
+    image_init(image, width, height, "R G B");
+    size_t row = 3 * (size_t)width;
+    for (int y = height - 1; y >= 0; y--)
+        if (fread(image_at(image, 0, y), sizeof(float), row, file) != row) {
+            image_free(image);
+            return error_set("%s: ends too soon", path);
+        }
+    return true;
+}
+
+bool image_read(struct image *image, const char *path) {
+    *image = (struct image){0};
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return error_set("cannot open %s: %s", path, strerror(errno));
+    bool ok = has_extension(path, "pfm") ? read_pfm(file, image, path)
+                                         : error_set("%s: this build reads .pfm alone", path);
+    fclose(file);
+    return ok;
+}
+
+bool bitmap_decode(struct bitmap *bitmap, const void *bytes, size_t size) {
+    int channels;
+    *bitmap = (struct bitmap){0};
+    if (size > INT_MAX)
+        return error_set("picture: too large");
+    stbi_uc *rgba =
+        stbi_load_from_memory(bytes, (int)size, &bitmap->width, &bitmap->height, &channels, 4);
+    if (!rgba)
+        return error_set("not a picture of a known format: %s", stbi_failure_reason());
+    size_t count = (size_t)bitmap->width * (size_t)bitmap->height;
+    bitmap->rgba = mem_alloc(count, 4);
+    memcpy(bitmap->rgba, rgba, 4 * count);
+    stbi_image_free(rgba);
+    return true;
+}
