@@ -1,9 +1,17 @@
-// Sums become means. An empty cluster keeps its centre; a mean normal of zero keeps the old one.
+// Sums become means. An empty cluster keeps its centre, or begins again from its seed [Prutkin 2012
+// §4]; a mean normal of zero keeps the old one.
+#include "lib/val_seed.glsl"
+#include "shared/params.h"
+
+layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
+    cluster_params params;
+};
 layout(binding = 0) uniform sampler2D old_positions;
 layout(binding = 1) uniform sampler2D old_normals;
 layout(binding = 2) uniform sampler2D sum_positions;
 layout(binding = 3) uniform sampler2D sum_normals;
 layout(binding = 4) uniform sampler2D sum_fluxes;
+layout(binding = 5) uniform samplerBuffer vpls;
 
 layout(location = 0) out vec4 val_position; // w: count
 layout(location = 1) out vec4 val_normal;
@@ -14,7 +22,13 @@ void main() {
     vec4 position = texelFetch(sum_positions, k, 0);
     vec3 normal = texelFetch(sum_normals, k, 0).xyz;
     float count = position.w, strength = length(normal);
-    val_position = vec4(count > 0.0 ? position.xyz / count : texelFetch(old_positions, k, 0).xyz, count);
-    val_normal = vec4(strength > 1e-6 ? normal / strength : texelFetch(old_normals, k, 0).xyz, 0.0);
+    vec3 empty_position = texelFetch(old_positions, k, 0).xyz, empty_normal = texelFetch(old_normals, k, 0).xyz;
+    if (count == 0.0 && params.reseed > 0.0) {
+        int i = seed_vpl(vpls, k.x, int(params.val_count), int(params.vpl_count));
+        empty_position = texelFetch(vpls, 3 * i).xyz;
+        empty_normal = texelFetch(vpls, 3 * i + 1).xyz;
+    }
+    val_position = vec4(count > 0.0 ? position.xyz / count : empty_position, count);
+    val_normal = vec4(strength > 1e-6 ? normal / strength : empty_normal, 0.0);
     val_flux = vec4(texelFetch(sum_fluxes, k, 0).rgb, 0.0);
 }

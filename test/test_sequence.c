@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "gl/memory.h"
+#include "shared/vpl.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -208,14 +209,81 @@ static void test_memory(void **state) {
     stage_free(&stage);
 }
 
+/* VALs in use while a spot walks from the wall to the ceiling [Dong 2009, Fig. 8]. */
+static int least_vals(const char *start) {
+    struct stage stage;
+    struct renderer renderer;
+    char settings[128];
+    snprintf(settings, sizeof settings, "%s vpls=256 vals=16 iterations=5 start=%s", small, start);
+    open_stage(&stage, "scenes/moving-spot.glb");
+    struct renderer_desc desc = desc_of(&stage, "clustered", settings, 16, 16);
+    open_renderer(&renderer, &desc);
+    int least = 16;
+    for (int frame = 0; frame < 40; frame++) {
+        pose(&stage, &renderer, frame * .25);
+        struct vpl *vpls = read_vpls(&renderer);
+        bool used[16] = {false};
+        int count = 0;
+        for (int i = 0; i < 256; i++) {
+            bool *val = &used[(int)vpls[i].position[3]];
+            count += vpls[i].flux[3] > 0 && !*val;
+            *val |= vpls[i].flux[3] > 0;
+        }
+        least = count < least ? count : least;
+        free(vpls);
+    }
+    printf("    start=%s: at least %d of 16 VALs in use\n", start, least);
+    renderer_free(&renderer);
+    stage_free(&stage);
+    return least;
+}
+
+static void test_starts(void **state) {
+    (void)state;
+    assert_true(least_vals("seeds") >= 15);
+    assert_true(least_vals("reseed") >= 15);
+    assert_true(least_vals("warm") <= 8);
+}
+
+static void test_flicker(void **state) {
+    (void)state;
+    char command[1024];
+    snprintf(command, sizeof command,
+             "%s bench --temporal scenes/moving-spot.glb --size 16x16 --frames 3 --set vpls=64 "
+             "--set map-size=32 --variant instant-radiosity --variant "
+             "R:technique=instant-radiosity,interleave=1,blur-radius=0 --csv %s",
+             binary_path(), scratch("temporal.csv"));
+    if (run_command(command, output, sizeof output) != 0) {
+        printf("    %s\n", output);
+        skip();
+    }
+    FILE *csv = fopen(scratch("temporal.csv"), "r");
+    assert_non_null(csv);
+    char line[256], variant[64];
+    int rows = 0, frame;
+    double flicker;
+    assert_non_null(fgets(line, sizeof line, csv));
+    while (fgets(line, sizeof line, csv)) {
+        assert_int_equal(sscanf(line, "moving-spot,%63[^,],%d,%*f,%lf", variant, &frame, &flicker),
+                         3);
+        /* The reference does not flicker against itself; what is interleaved and blurred does. */
+        assert_int_equal(flicker > 0, frame > 0 && strcmp(variant, "R") != 0);
+        rows++;
+    }
+    assert_int_equal(rows, 6);
+    fclose(csv);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ranges), cmocka_unit_test(test_names),  cmocka_unit_test(test_split),
-        cmocka_unit_test(test_resume), cmocka_unit_test(test_misuse),
+        cmocka_unit_test(test_ranges), cmocka_unit_test(test_names),
+        cmocka_unit_test(test_split),  cmocka_unit_test(test_resume),
+        cmocka_unit_test(test_misuse), cmocka_unit_test(test_flicker),
     };
     const struct CMUnitTest rendering[] = {
         cmocka_unit_test(test_any_start),
         cmocka_unit_test(test_memory),
+        cmocka_unit_test(test_starts),
     };
     return cmocka_run_group_tests_name("sequence", tests, NULL, NULL) +
            cmocka_run_group_tests_name("moving", rendering, open_group_context,

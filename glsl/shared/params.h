@@ -17,7 +17,8 @@ struct cluster_params {
     vec4 bounds_min, bounds_max; /* metres */
     float depth_range; /* map depth of the farthest point of the scene */
     float near_clip;   /* metres */
-    float unused0, unused1;
+    float reseed;      /* > 0: empty clusters begin again */
+    float unused;
 };
 
 struct map_params {

@@ -4,6 +4,7 @@
 #include "apps/apps.h"
 #include "apps/bench_chart.h"
 #include "apps/context_options.h"
+#include "apps/temporal.h"
 
 #include "base/error.h"
 #include "base/log.h"
@@ -43,6 +44,8 @@ static const struct option options[] = {
      .help = "no times: the error of the frame, step by step on the way from the truth"},
     {"curves", 0, OPTION_FLAG, offsetof(struct bench_values, curves),
      .help = "no times: the error against M, K, N and map size, drawn into --output"},
+    {"temporal", 0, OPTION_FLAG, offsetof(struct bench_values, temporal),
+     .help = "no times: flicker over each scene's clip, of --frames [50] frames spread over it"},
     {"chart", 0, OPTION_TEXT, offsetof(struct bench_values, chart), .value_name = "FILE.csv",
      .help = "measure nothing: draw time against error, a chart a scene, from a sweep's --csv"},
     {"output", 'o', OPTION_TEXT, offsetof(struct bench_values, output), .value_name = "DIR",
@@ -83,7 +86,8 @@ static bool run(const struct bench_values *values, const char **scenes, int scen
     if (!context)
         return false;
     bool software = context_is_software(context);
-    bool ok = values->budget    ? bench_budgets(values, scenes, scene_count, software)
+    bool ok = values->temporal  ? bench_temporal(values, scenes, scene_count, software)
+              : values->budget  ? bench_budgets(values, scenes, scene_count, software)
               : values->curves  ? bench_all_curves(values, scenes, scene_count, software)
               : values->scaling ? bench_scaling(values, scenes, scene_count, software)
                                 : bench_times(values, scenes, scene_count, sweep, software);

@@ -137,7 +137,8 @@ static void print_script(FILE *out, const struct plot *plot, const char *path) {
     fprintf(out, "\nset ylabel ");
     print_quoted(out, plot->y_label);
     fprintf(out, "\n");
-    print_log_axis(out, plot, 'x');
+    if (!plot->linear_x)
+        print_log_axis(out, plot, 'x');
     if (plot->log_y)
         print_log_axis(out, plot, 'y');
     for (int i = 0; i < plot->count; i++) {

@@ -20,7 +20,7 @@ struct plot_series {
 
 struct plot {
     const char *title, *x_label, *y_label;
-    bool log_y; /* x always is */
+    bool log_y, linear_x; /* x is logarithmic unless linear */
     struct plot_series *series;
     int count;
     /* Points of all series that a line of their own connects in steps, with rings around them. */

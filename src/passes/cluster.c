@@ -102,6 +102,7 @@ static void write_params(const struct cluster_pass *pass, const struct frame *fr
         .vpl_count = (float)desc->vpl_count,
         .depth_range = desc->depth_range,
         .near_clip = desc->near_clip * frame->radius,
+        .reseed = desc->start == CLUSTER_START_RESEED,
     };
     memcpy(params.bounds_min, frame->bounds_min, sizeof frame->bounds_min);
     memcpy(params.bounds_max, frame->bounds_max, sizeof frame->bounds_max);
@@ -120,10 +121,10 @@ static struct pass_state row_state(const struct cluster_pass *pass, GLuint progr
     };
 }
 
-static void seed(const struct cluster_pass *pass, const struct vpl_buffer *vpls) {
-    struct pass_state state = row_state(pass, pass->seed_program, pass->centers[0].framebuffer);
+static void seed(const struct cluster_pass *pass) {
+    struct pass_state state =
+        row_state(pass, pass->seed_program, pass->centers[pass->last].framebuffer);
     pass_set_state(&state);
-    gl.TextureBuffer(pass->vpl_texture, GL_RGBA32F, vpls->buffer.id);
     gl.BindTextureUnit(0, pass->vpl_texture);
     pass_draw_fullscreen(1);
 }
@@ -161,21 +162,33 @@ static void iterate(const struct cluster_pass *pass, const struct vpl_buffer *vp
     gl.BindTextureUnit(2, pass->sums.position.id);
     gl.BindTextureUnit(3, pass->sums.normal.id);
     gl.BindTextureUnit(4, pass->sums.flux.id);
+    gl.BindTextureUnit(5, pass->vpl_texture);
     pass_draw_fullscreen(1);
 }
 
 const struct val_targets *cluster_pass_centers(const struct cluster_pass *pass) {
-    return &pass->centers[pass->desc.iterations % 2];
+    return &pass->centers[pass->last];
+}
+
+/* k-means; afterwards pass->last is where the means are. */
+static void find_centers(struct cluster_pass *pass, const struct vpl_buffer *vpls) {
+    gl.TextureBuffer(pass->vpl_texture, GL_RGBA32F, vpls->buffer.id);
+    if (pass->desc.start == CLUSTER_START_SEEDS || !pass->started)
+        seed(pass);
+    pass->started = true;
+    for (int i = 0; i < pass->desc.iterations; i++) {
+        int next = 1 - pass->last;
+        iterate(pass, vpls, &pass->centers[pass->last], &pass->centers[next]);
+        pass->last = next;
+    }
 }
 
 void cluster_pass_render(struct cluster_pass *pass, const struct frame *frame,
                          const struct vpl_buffer *vpls) {
-    const struct val_targets *centers = cluster_pass_centers(pass);
     timer_begin(frame->timers, "clustering");
     write_params(pass, frame);
-    seed(pass, vpls);
-    for (int i = 0; i < pass->desc.iterations; i++)
-        iterate(pass, vpls, &pass->centers[i % 2], &pass->centers[(i + 1) % 2]);
+    find_centers(pass, vpls);
+    const struct val_targets *centers = cluster_pass_centers(pass);
 
     struct pass_state state = row_state(pass, pass->map_program, 0);
     state.vertex_array = vpls->vertices;

@@ -12,8 +12,15 @@
 
 #include "passes/frame.h"
 
+enum cluster_start {
+    CLUSTER_START_SEEDS,  /* from the same VPLs every frame */
+    CLUSTER_START_WARM,   /* from the last frame's centres; clusters get lost (§5.2, Fig. 8) */
+    CLUSTER_START_RESEED, /* likewise, but empty clusters begin again [Prutkin 2012 §4] */
+};
+
 struct cluster_desc {
     int vpl_count, val_count;
+    enum cluster_start start;
     int iterations;
     float weight_position, weight_normal; /* w_x, w_alpha */
     float near_clip;                      /* of the VALs' maps, over the scene's radius */
@@ -31,6 +38,8 @@ struct cluster_pass {
     GLuint seed_program, scatter_program, divide_program, map_program;
     GLuint extent_program, views_program;
     struct val_targets centers[2], sums;
+    int last;     /* which centers hold the last means */
+    bool started; /* they are there */
     struct texture extremes;
     GLuint extremes_framebuffer;
     GLuint vpl_texture;     /* buffer texture over the VPLs that come in */

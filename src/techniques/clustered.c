@@ -36,6 +36,7 @@ static bool init_cluster(struct clustered *technique, const struct settings *set
                              &(struct cluster_desc){
                                  .vpl_count = settings->vpl_count,
                                  .val_count = settings->val_count,
+                                 .start = (enum cluster_start)settings->start,
                                  .iterations = settings->iterations,
                                  .weight_position = settings->weight_position,
                                  .weight_normal = settings->weight_normal,

@@ -4,6 +4,7 @@
 
 #define FIELD(name) offsetof(struct settings, name)
 
+static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
 static const char *const visibility_names[] = {"cssm", "hard", NULL};
 static const char *const clamp_names[] = {"none", "value", "disk", "near", NULL};
 static const char *const tone_map_names[] = {"clamp", "filmic", NULL};
@@ -23,6 +24,11 @@ const struct option settings_table[] = {
     {"shadow-bias", 0, OPTION_FLOAT, FIELD(shadow_bias), 1.5, 0, 100,
      .help = "receiver offset along its normal, in shadow texels", .reinit = true},
     {"iterations", 0, OPTION_INT, FIELD(iterations), 5, 1, 64, .help = "k-means iterations",
+     .reinit = true},
+    {"start", 0, OPTION_CHOICE, FIELD(start), 0, .choices = start_names,
+     .help = "where k-means begins: the same seeds each frame, the last frame's centres, or\n"
+             "                             those with empty clusters seeded again; frames then\n"
+             "                             depend on the ones before",
      .reinit = true},
     {"weight-position", 0, OPTION_FLOAT, FIELD(weight_position), .7, 0, 1000,
      .help = "clustering weight of distance, w_x", .reinit = true},

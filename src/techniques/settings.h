@@ -16,6 +16,7 @@ struct settings {
     int rsm_size, shadow_size;
     float shadow_bias;
     int iterations;
+    int start;                            /* enum cluster_start of passes/cluster.h */
     float weight_position, weight_normal; /* w_x, w_alpha */
     int visibility;                       /* enum visibility_kind, of `clustered` */
     int map_size, basis_terms;            /* K */

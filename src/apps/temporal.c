@@ -1,0 +1,355 @@
+#include "apps/temporal.h"
+
+#include "apps/bench_plot.h"
+#include "apps/progress.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "scene/animation.h"
+#include "shared/vpl.h"
+
+#include <cglm/cglm.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The clustering starts [METHOD §2.4] beside what the benchmark compares anyway. */
+static const char *const usual_variants[] = {
+    "instant-radiosity",
+    "paper",
+    "fast",
+    "warm:technique=clustered,start=warm",
+    "reseed:technique=clustered,start=reseed",
+};
+
+static const char reference_variant[] = "R:technique=instant-radiosity,interleave=1,blur-radius=0";
+
+enum { VARIANTS_MAX = 8 };
+
+/* One frame of one variant. */
+struct temporal_frame {
+    double time, flicker; /* seconds; share of mean R, 0 in the first frame */
+    int vals;             /* in use; 0 = it has none */
+    double center_travel; /* mean over VALs since the frame before, metres */
+    double light_travel;  /* likewise of VPLs */
+};
+
+/* A variant and what its last frame was. */
+struct track {
+    struct bench_case prepared;
+    struct renderer renderer;
+    struct image image, before;
+    struct vpl *vpls, *vpls_before;
+    float (*centers)[4], (*centers_before)[4];
+    struct temporal_frame *frames;
+};
+
+static bool track_start(struct track *track, const struct bench_values *values,
+                        const struct stage *stage, const char *variant, int frames, bool software) {
+    *track = (struct track){0};
+    if (!bench_prepare(&track->prepared, values, stage, variant) ||
+        !bench_case_start(&track->renderer, &track->prepared, stage, software))
+        return false;
+    size_t vpls = (size_t)track->prepared.settings.vpl_count;
+    size_t vals = (size_t)track->prepared.settings.val_count;
+    track->renderer.timers.enabled = false;
+    track->frames = mem_alloc((size_t)frames, sizeof *track->frames);
+    track->vpls = mem_alloc(vpls, sizeof *track->vpls);
+    track->vpls_before = mem_alloc(vpls, sizeof *track->vpls);
+    track->centers = mem_alloc(vals, sizeof *track->centers);
+    track->centers_before = mem_alloc(vals, sizeof *track->centers);
+    return true;
+}
+
+static void track_free(struct track *track) {
+    renderer_free(&track->renderer);
+    image_free(&track->image);
+    image_free(&track->before);
+    free(track->vpls);
+    free(track->vpls_before);
+    free(track->centers);
+    free(track->centers_before);
+    free(track->frames);
+}
+
+/* --- measures --------------------------------------------------------------------------------- */
+
+/* A layer's mean over pixels and colours. */
+static double layer_mean(const struct image *image, const int channels[3]) {
+    double sum = 0;
+    for (int y = 0; y < image->height; y++)
+        for (int x = 0; x < image->width; x++)
+            for (int c = 0; c < 3; c++)
+                sum += (double)image_at(image, x, y)[channels[c]];
+    return sum / (3. * image->width * image->height);
+}
+
+/* The change of F beyond that of R, mean over pixels and colours. */
+static double excess_change(const struct track *f, const struct track *r, const int channels[3]) {
+    double sum = 0;
+    for (int y = 0; y < f->image.height; y++)
+        for (int x = 0; x < f->image.width; x++)
+            for (int c = 0; c < 3; c++) {
+                int k = channels[c];
+                double of_f =
+                    (double)image_at(&f->image, x, y)[k] - (double)image_at(&f->before, x, y)[k];
+                double of_r =
+                    (double)image_at(&r->image, x, y)[k] - (double)image_at(&r->before, x, y)[k];
+                sum += fabs(of_f - of_r);
+            }
+    return sum / (3. * f->image.width * f->image.height);
+}
+
+static int count_vals(const struct track *track) {
+    int used = 0, count = track->prepared.settings.val_count;
+    bool *seen = mem_alloc((size_t)count, sizeof *seen);
+    for (int i = 0; i < track->prepared.settings.vpl_count; i++) {
+        int val = (int)track->vpls[i].position[3];
+        if (track->vpls[i].flux[3] <= 0 || seen[val])
+            continue;
+        seen[val] = true;
+        used++;
+    }
+    free(seen);
+    return used;
+}
+
+/* Positions whose fourth number tells that they count in both frames. */
+static double mean_travel(float (*now)[4], float (*before)[4], int count) {
+    double sum = 0;
+    int counted = 0;
+    for (int i = 0; i < count; i++)
+        if (now[i][3] > 0 && before[i][3] > 0) {
+            sum += (double)glm_vec3_distance(now[i], before[i]);
+            counted++;
+        }
+    return counted ? sum / counted : 0;
+}
+
+static double vpl_travel(const struct track *track) {
+    int count = track->prepared.settings.vpl_count;
+    float(*places)[4] = mem_alloc(2 * (size_t)count, sizeof *places);
+    for (int i = 0; i < count; i++) {
+        const struct vpl *now = &track->vpls[i], *before = &track->vpls_before[i];
+        glm_vec3_copy((float *)now->position, places[i]);
+        glm_vec3_copy((float *)before->position, places[count + i]);
+        places[i][3] = now->flux[3];
+        places[count + i][3] = before->flux[3];
+    }
+    double travel = mean_travel(places, places + count, count);
+    free(places);
+    return travel;
+}
+
+static void swap_frames(struct track *track) {
+    struct image image = track->before;
+    struct vpl *vpls = track->vpls_before;
+    float(*centers)[4] = track->centers_before;
+    image_free(&image);
+    track->before = track->image;
+    track->image = (struct image){0};
+    track->vpls_before = track->vpls;
+    track->vpls = vpls;
+    track->centers_before = track->centers;
+    track->centers = centers;
+}
+
+static void read_lights(struct track *track, struct temporal_frame *frame) {
+    const struct settings *settings = &track->prepared.settings;
+    struct technique_outputs outputs;
+    renderer_outputs(&track->renderer, &outputs);
+    buffer_read(&outputs.vpls->buffer, 0, (size_t)settings->vpl_count * sizeof *track->vpls,
+                track->vpls);
+    if (!outputs.val_positions)
+        return;
+    size_t bytes = (size_t)settings->val_count * sizeof *track->centers;
+    gl.GetTextureImage(outputs.val_positions->id, 0, GL_RGBA, GL_FLOAT, (GLsizei)bytes,
+                       track->centers);
+    frame->vals = count_vals(track);
+}
+
+static bool track_frame(struct track *track, const struct stage *stage, int index, double time) {
+    struct temporal_frame *frame = &track->frames[index];
+    frame->time = time;
+    swap_frames(track);
+    if (!renderer_update(&track->renderer, &stage->light, &stage->camera))
+        return false;
+    renderer_render(&track->renderer);
+    read_lights(track, frame);
+    if (index > 0) {
+        frame->light_travel = vpl_travel(track);
+        frame->center_travel = frame->vals ? mean_travel(track->centers, track->centers_before,
+                                                         track->prepared.settings.val_count)
+                                           : 0;
+    }
+    return renderer_read_layers(&track->renderer, &track->image);
+}
+
+/* --- a clip ----------------------------------------------------------------------------------- */
+
+struct clip_run {
+    struct track reference, tracks[VARIANTS_MAX];
+    int track_count, frame_count;
+    double mean_r; /* over the frames */
+};
+
+static void finish_flicker(struct clip_run *run) {
+    for (int t = 0; t < run->track_count; t++)
+        for (int i = 1; i < run->frame_count; i++)
+            run->tracks[t].frames[i].flicker /= run->mean_r / run->frame_count;
+}
+
+static bool run_frame(struct clip_run *run, struct stage *stage, int index, double time) {
+    int channels[3];
+    if (!stage_pose(stage, time) || !track_frame(&run->reference, stage, index, time) ||
+        !image_find_layer(&run->reference.image, "indirect", channels))
+        return false;
+    run->mean_r += layer_mean(&run->reference.image, channels);
+    for (int t = 0; t < run->track_count; t++) {
+        struct track *track = &run->tracks[t];
+        if (!track_frame(track, stage, index, time))
+            return false;
+        if (index > 0)
+            track->frames[index].flicker = excess_change(track, &run->reference, channels);
+    }
+    return true;
+}
+
+static bool run_clip(struct clip_run *run, struct stage *stage) {
+    double duration = scene_duration(&stage->scene);
+    struct progress progress;
+    bool ok = true;
+    progress_start(&progress);
+    for (int i = 0; ok && i < run->frame_count; i++) {
+        ok = run_frame(run, stage, i, duration * i / run->frame_count);
+        progress_show(&progress, (i + 1.) / run->frame_count, stage->name);
+    }
+    progress_end(&progress);
+    finish_flicker(run);
+    return ok;
+}
+
+static bool start_tracks(struct clip_run *run, const struct bench_values *values,
+                         const struct stage *stage, bool software) {
+    const char *const *variants = values->variants.count ? values->variants.items : usual_variants;
+    int count = values->variants.count ? values->variants.count
+                                       : (int)(sizeof usual_variants / sizeof *usual_variants);
+    if (count > VARIANTS_MAX)
+        return error_set("more than %d variants", VARIANTS_MAX);
+    if (!track_start(&run->reference, values, stage, reference_variant, run->frame_count, software))
+        return false;
+    while (run->track_count < count)
+        if (!track_start(&run->tracks[run->track_count], values, stage, variants[run->track_count],
+                         run->frame_count, software))
+            return false;
+        else
+            run->track_count++;
+    return true;
+}
+
+static void run_free(struct clip_run *run) {
+    track_free(&run->reference);
+    for (int t = 0; t < run->track_count; t++)
+        track_free(&run->tracks[t]);
+}
+
+/* --- results ---------------------------------------------------------------------------------- */
+
+static void print_track(const struct clip_run *run, const struct track *track) {
+    double sum = 0, centers = 0, light = 0;
+    int worst = 1, least = track->frames[0].vals, most = least;
+    for (int i = 0; i < run->frame_count; i++) {
+        const struct temporal_frame *frame = &track->frames[i];
+        sum += frame->flicker;
+        centers += frame->center_travel;
+        light += frame->light_travel;
+        worst = frame->flicker > track->frames[worst].flicker ? i : worst;
+        least = frame->vals < least ? frame->vals : least;
+        most = frame->vals > most ? frame->vals : most;
+    }
+    char vals[32] = "-", travel[32] = "-";
+    if (most)
+        snprintf(vals, sizeof vals, "%d..%d", least, most);
+    if (most && light > 0)
+        snprintf(travel, sizeof travel, "%.2f", centers / light);
+    printf("  %-20s %8.3f %%  %8.3f %% at %.2f s  %8s  %8s\n", track->prepared.series,
+           100 * sum / (run->frame_count - 1), 100 * track->frames[worst].flicker,
+           track->frames[worst].time, vals, travel);
+}
+
+static void print_run(const struct clip_run *run, const struct stage *stage) {
+    printf("%s, %d frames\n  %-20s %10s  %20s  %8s  %8s\n", stage->name, run->frame_count,
+           "variant", "flicker", "worst frame", "VALs", "travel");
+    for (int t = 0; t < run->track_count; t++)
+        print_track(run, &run->tracks[t]);
+    printf("  (flicker: change beyond that of all VPLs with a map each, over its mean;\n"
+           "   travel: of VALs' centres over that of VPLs)\n");
+}
+
+static void write_rows(FILE *csv, const struct clip_run *run, const struct stage *stage) {
+    for (int t = 0; t < run->track_count; t++)
+        for (int i = 0; i < run->frame_count; i++) {
+            const struct temporal_frame *frame = &run->tracks[t].frames[i];
+            fprintf(csv, "%s,%s,%d,%.6g,%.6g,%d,%.6g,%.6g\n", stage->name,
+                    run->tracks[t].prepared.series, i, frame->time, frame->flicker, frame->vals,
+                    frame->center_travel, frame->light_travel);
+        }
+}
+
+/* Flicker in per cent, or VALs in use, over time. */
+static bool draw(const struct clip_run *run, const struct stage *stage, const char *folder,
+                 bool vals) {
+    struct plot plot = {.title = stage->name,
+                        .x_label = "time, s",
+                        .y_label = vals ? "VALs in use" : "flicker, %",
+                        .linear_x = true};
+    for (int t = 0; t < run->track_count; t++)
+        for (int i = 1; i < run->frame_count; i++) {
+            const struct temporal_frame *frame = &run->tracks[t].frames[i];
+            struct plot_point point = {frame->time, vals ? frame->vals : 100 * frame->flicker, ""};
+            if (!vals || frame->vals)
+                plot_add(&plot, run->tracks[t].prepared.series, &point);
+        }
+    char *path = mem_printf("%s/%s-%s", folder, stage->name, vals ? "vals" : "flicker");
+    bool ok = plot.count == 0 || plot_draw(&plot, path);
+    free(path);
+    plot_free(&plot);
+    return ok;
+}
+
+static bool bench_clip(const struct bench_values *values, const char *path, FILE *csv,
+                       bool software) {
+    struct stage stage;
+    struct clip_run run = {.frame_count = values->frames ? values->frames : 50};
+    if (!stage_init(&stage, &(struct stage_desc){.path = path}))
+        return false;
+    bool ok = (run.frame_count > 1 || error_set("flicker needs two frames")) &&
+              (scene_duration(&stage.scene) > 0 || error_set("%s: nothing moves", path)) &&
+              start_tracks(&run, values, &stage, software) && run_clip(&run, &stage);
+    if (ok) {
+        print_run(&run, &stage);
+        if (csv)
+            write_rows(csv, &run, &stage);
+        ok = !values->output || (draw(&run, &stage, values->output, false) &&
+                                 draw(&run, &stage, values->output, true));
+    }
+    run_free(&run);
+    stage_free(&stage);
+    return ok;
+}
+
+bool bench_temporal(const struct bench_values *values, const char **scenes, int scene_count,
+                    bool software) {
+    FILE *csv = NULL;
+    if (values->csv && !(csv = fopen(values->csv, "w")))
+        return error_set("%s: %s", values->csv, strerror(errno));
+    if (csv)
+        fprintf(csv, "scene,variant,frame,time,flicker,vals,center_travel,light_travel\n");
+    bool ok = true;
+    for (int i = 0; ok && i < scene_count; i++)
+        ok = bench_clip(values, scenes[i], csv, software);
+    if (csv && fclose(csv) != 0)
+        ok = error_set("%s: %s", values->csv, strerror(errno));
+    return ok;
+}
