@@ -129,8 +129,9 @@ tests: $(BINARY) $(SCENES) $(TESTS)
 # The paper's scenes, and what stands in ../shared where there is one.
 OWN_SCENES := $(addprefix scenes/,cornell-box.glb cornell-animal.glb atrium.glb metaballs.glb)
 BENCH_SCENES := $(OWN_SCENES) $(wildcard ../shared/scenes/*.glb)
-# Figures to keep: make bench BENCH_RESULTS=bench/results
+# Figures to keep: make bench BENCH_RESULTS=bench/results BENCH_PLOTS=bench/plots
 BENCH_RESULTS := $(BUILD)/bench
+BENCH_PLOTS := $(BENCH_RESULTS)/plots
 REFERENCE_CACHE := $(BUILD)/reference-cache
 
 # Speed against accuracy: a grid of the method, and what it competes with.
@@ -149,21 +150,18 @@ $(BENCH_RESULTS)/sweep.csv: | all
 	@rm $@.more && mv $@.new $@
 
 chart: $(BENCH_RESULTS)/sweep.csv
-	./manylight bench --chart $< -o bench/plots
+	./manylight bench --chart $< -o $(BENCH_PLOTS)
 
-# Where the error of a frame comes from, and how it falls with M, K, N and the size of maps. Figures
-# to keep: make accuracy ACCURACY_RESULTS=bench/results ACCURACY_PLOTS=bench/plots
-ACCURACY_RESULTS := $(BENCH_RESULTS)
-ACCURACY_PLOTS := $(BENCH_RESULTS)/plots
+# Where the error of a frame comes from, and how it falls with M, K, N and the size of maps.
 ACCURACY_OPTIONS := --noise .01
 CURVES_SIZE := 200x200
 
 accuracy: all
-	@mkdir -p $(ACCURACY_RESULTS)
+	@mkdir -p $(BENCH_RESULTS)
 	./manylight bench $(BENCH_SCENES) --budget --cache $(REFERENCE_CACHE) \
-	    --csv $(ACCURACY_RESULTS)/budget.csv $(ACCURACY_OPTIONS)
+	    --csv $(BENCH_RESULTS)/budget.csv $(ACCURACY_OPTIONS)
 	./manylight bench $(OWN_SCENES) --curves --size $(CURVES_SIZE) --cache $(REFERENCE_CACHE) \
-	    --csv $(ACCURACY_RESULTS)/curves.csv -o $(ACCURACY_PLOTS) $(ACCURACY_OPTIONS)
+	    --csv $(BENCH_RESULTS)/curves.csv -o $(BENCH_PLOTS) $(ACCURACY_OPTIONS)
 
 # --- portable -------------------------------------------------------------------------------------
 

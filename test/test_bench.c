@@ -385,7 +385,7 @@ static void test_budget(void **state) {
         check_says(budget_steps[i].name);
     /* Maps see what rays see: a leak or a shifted map costs tens of percent. */
     check_at_most("hard map per VPL, %", number_of("hard map per VPL", 0), 5);
-    check_at_most("CSSM per VAL, %", number_of("CSSM per VAL", 0), 8);
+    check_at_most("soft map per VAL, %", number_of("soft map per VAL", 0), 8);
     /* Interleaving is noise that the blur takes away again. */
     double interleaved = number_of("interleaved", 4), blurred = number_of("blurred: the frame", 4);
     check_at_most("blurred over interleaved", blurred / interleaved, .8);

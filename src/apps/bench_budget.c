@@ -24,7 +24,7 @@ const struct budget_step budget_steps[BUDGET_STEPS] = {
     {"near field", "technique=instant-radiosity," EVERY_VPL, false},
     {"hard map per VAL", "technique=clustered,visibility=hard,visibility-block=0," EVERY_VPL,
      false},
-    {"CSSM per VAL", "technique=clustered,visibility-block=0," EVERY_VPL, false},
+    {"soft map per VAL", "technique=clustered,visibility-block=0," EVERY_VPL, false},
     {"visibility per block", "technique=clustered," EVERY_VPL, false},
     {"interleaved", "technique=clustered,blur-radius=0", false},
     {"blurred: the frame", "technique=clustered", false},

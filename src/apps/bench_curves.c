@@ -17,71 +17,51 @@
 #define VISIBILITY_ALONE                                                                           \
     "technique=clustered,clamp=disk,visibility-block=0,interleave=1,blur-radius=0"
 
-enum { VALUES_MAX = 10 };
+enum { VALUES_MAX = 10, SERIES_MAX = 4 };
+
+struct curve_series {
+    const char *name, *assignments;
+    bool traced; /* visibility by ray tracing */
+};
 
 static const struct curve {
-    const char *name, *series, *assignments;
-    const char *title, *x_label;
-    bool against_truth; /* else against ray-traced visibility from the same VPLs */
-    bool traced;
+    const char *setting, *title, *x_label;
+    bool against_truth;     /* else against ray-traced visibility from the same VPLs */
     int values[VALUES_MAX]; /* ends with 0 */
+    struct curve_series series[SERIES_MAX];
 } curves_table[] = {
-    {"vals",
-     "CSSM",
-     VISIBILITY_ALONE,
-     "error of visibility against M",
-     "VALs, M",
-     false,
-     false,
-     {2, 4, 8, 16, 30, 60, 120, 1024}},
-    {"vals",
-     "hard",
-     VISIBILITY_ALONE ",visibility=hard",
-     "",
-     "",
-     false,
-     false,
-     {2, 4, 8, 16, 30, 60, 120, 1024}},
-    {"terms",
-     "CSSM",
-     VISIBILITY_ALONE,
-     "error of visibility against K",
-     "terms of the Fourier series, K",
-     false,
-     false,
-     {1, 2, 4, 8, 16}},
-    {"map-size",
-     "CSSM",
-     VISIBILITY_ALONE,
-     "error of visibility against map size",
-     "paraboloid map, texels a side",
-     false,
-     false,
-     {64, 128, 256, 512}},
-    {"map-size",
-     "hard",
-     VISIBILITY_ALONE ",visibility=hard",
-     "",
-     "",
-     false,
-     false,
-     {64, 128, 256, 512}},
-    {"vpls",
-     "the frame",
-     "technique=clustered",
-     "error of the frame against N",
-     "VPLs, N",
-     true,
-     false,
-     {64, 128, 256, 512, 1024, 2048, 4096}},
-    {"vpls",
-     "all VPLs, ray-traced",
-     VISIBILITY_ALONE,
-     "",
-     "",
-     true,
-     true,
-     {64, 128, 256, 512, 1024, 2048, 4096}},
+    {
+        .setting = "vals",
+        .title = "error of visibility against M",
+        .x_label = "VALs, M",
+        .values = {2, 4, 8, 16, 30, 60, 120, 1024},
+        .series = {{"CSSM", VISIBILITY_ALONE ",visibility=cssm", false},
+                   {"hard", VISIBILITY_ALONE ",visibility=hard", false}},
+    },
+    {
+        .setting = "terms",
+        .title = "error of visibility against K",
+        .x_label = "terms of the Fourier series, K",
+        .values = {1, 2, 4, 8, 16},
+        .series = {{"CSSM", VISIBILITY_ALONE ",visibility=cssm", false}},
+    },
+    {
+        .setting = "map-size",
+        .title = "error of visibility against the size of maps",
+        .x_label = "paraboloid map, texels a side",
+        .values = {64, 128, 256, 512},
+        .series = {{"CSSM", VISIBILITY_ALONE ",visibility=cssm", false},
+                   {"hard", VISIBILITY_ALONE ",visibility=hard", false}},
+    },
+    {
+        .setting = "vpls",
+        .title = "error of the frame against N",
+        .x_label = "VPLs, N",
+        .against_truth = true,
+        .values = {64, 128, 256, 512, 1024, 2048, 4096},
+        .series = {{"the frame", "technique=clustered", false},
+                   {"all VPLs, ray-traced", VISIBILITY_ALONE, true}},
+    },
 };
 
 enum { CURVES = sizeof curves_table / sizeof *curves_table };
@@ -106,17 +86,18 @@ static void free_standards(struct standards *standards) {
 }
 
 static bool measure_point(struct curve_point *point, const struct curve *curve,
-                          const struct bench_case *base, const struct bench_reference_desc *truth,
+                          const struct curve_series *series, const struct bench_case *base,
+                          const struct bench_reference_desc *truth,
                           const struct standards *standards) {
     struct bench_case prepared = *base;
     char assignment[64];
     struct image picture = {0};
-    snprintf(assignment, sizeof assignment, "%s=%d", curve->name, point->value);
+    snprintf(assignment, sizeof assignment, "%s=%d", curve->setting, point->value);
     snprintf(prepared.label, sizeof prepared.label, "%s", assignment);
-    log_note("%s: %s, %s", base->scene, assignment, curve->series);
+    log_note("%s: %s, %s", base->scene, assignment, series->name);
     bool ok =
-        bench_assign_all(&prepared, curve->assignments) && bench_assign(&prepared, assignment) &&
-        (curve->traced
+        bench_assign_all(&prepared, series->assignments) && bench_assign(&prepared, assignment) &&
+        (series->traced
              ? bench_picture_trace(&prepared, truth->stage, truth->software, &picture)
              : bench_picture_render(&prepared, truth->stage, truth->software, &picture)) &&
         bench_errors_between(&picture,
@@ -126,19 +107,29 @@ static bool measure_point(struct curve_point *point, const struct curve *curve,
     return ok;
 }
 
+static bool measure_series(struct curves *curves, const struct curve *curve,
+                           const struct curve_series *series, const struct bench_case *base,
+                           const struct bench_reference_desc *truth,
+                           const struct standards *standards) {
+    for (int i = 0; i < VALUES_MAX && curve->values[i]; i++) {
+        struct curve_point *point = &curves->points[curves->count++];
+        *point = (struct curve_point){curve->setting, series->name, curve->values[i], {0}};
+        if (!measure_point(point, curve, series, base, truth, standards))
+            return false;
+    }
+    return true;
+}
+
 bool curves_measure(struct curves *curves, const struct bench_case *base,
                     const struct bench_reference_desc *truth) {
     struct standards standards;
     *curves = (struct curves){.width = base->width, .height = base->height};
     memcpy(curves->scene, base->scene, sizeof curves->scene);
-    curves->points = mem_alloc((size_t)CURVES * VALUES_MAX, sizeof *curves->points);
+    curves->points = mem_alloc(CURVES * SERIES_MAX * VALUES_MAX, sizeof *curves->points);
     bool ok = init_standards(&standards, base, truth);
-    for (const struct curve *curve = curves_table; curve < curves_table + CURVES; curve++)
-        for (int i = 0; ok && i < VALUES_MAX && curve->values[i]; i++) {
-            struct curve_point *point = &curves->points[curves->count++];
-            *point = (struct curve_point){curve->name, curve->series, curve->values[i], {0}};
-            ok = measure_point(point, curve, base, truth, &standards);
-        }
+    for (const struct curve *c = curves_table; c < curves_table + CURVES; c++)
+        for (int i = 0; ok && i < SERIES_MAX && c->series[i].name; i++)
+            ok = measure_series(curves, c, &c->series[i], base, truth, &standards);
     free_standards(&standards);
     return ok;
 }
@@ -153,7 +144,7 @@ void curves_print(FILE *out, const struct curves *curves) {
             curves->width, curves->height, "setting", "of");
     for (const struct curve_point *p = curves->points; p < curves->points + curves->count; p++) {
         char setting[64];
-        snprintf(setting, sizeof setting, "%s=%d", p->curve, p->value);
+        snprintf(setting, sizeof setting, "%s=%d", p->setting, p->value);
         fprintf(out, "  %-24s %-22s %8.2f %+7.2f %8.4f %7.4f\n", setting, p->series,
                 100 * p->errors.relative_rmse, 100 * p->errors.relative_bias, p->errors.gradient,
                 p->errors.ldr_flip);
@@ -172,13 +163,13 @@ static void add_point(struct plot *plot, const struct curve_point *point) {
 static bool draw(const struct curves *curves, const struct curve *curve, const char *folder) {
     char *title =
         mem_printf("%s, %dx%d: %s", curves->scene, curves->width, curves->height, curve->title);
-    char *path = mem_printf("%s/%s-%s", folder, curves->scene, curve->name);
+    char *path = mem_printf("%s/%s-%s", folder, curves->scene, curve->setting);
     struct plot plot = {.title = title,
                         .x_label = curve->x_label,
                         .y_label = "error of indirect light over its mean, %",
                         .log_y = true};
     for (int i = 0; i < curves->count; i++)
-        if (strcmp(curves->points[i].curve, curve->name) == 0)
+        if (strcmp(curves->points[i].setting, curve->setting) == 0)
             add_point(&plot, &curves->points[i]);
     bool ok = plot_draw(&plot, path);
     plot_free(&plot);
@@ -189,7 +180,7 @@ static bool draw(const struct curves *curves, const struct curve *curve, const c
 
 bool curves_draw(const struct curves *curves, const char *folder) {
     for (const struct curve *curve = curves_table; curve < curves_table + CURVES; curve++)
-        if (*curve->title && !draw(curves, curve, folder))
+        if (!draw(curves, curve, folder))
             return false;
     return true;
 }
@@ -203,7 +194,7 @@ bool curves_write_csv(const char *path, const struct curves *curves, int count) 
     for (const struct curves *c = curves; c < curves + count; c++)
         for (const struct curve_point *p = c->points; p < c->points + c->count; p++)
             fprintf(out, "%s,%d,%d,%s,%d,\"%s\",%.5g,%.5g,%.5g,%.5g,%s\n", c->scene, c->width,
-                    c->height, p->curve, p->value, p->series, p->errors.relative_rmse,
+                    c->height, p->setting, p->value, p->series, p->errors.relative_rmse,
                     p->errors.relative_bias, p->errors.gradient, p->errors.ldr_flip,
                     MANYLIGHT_COMMIT);
     bool ok = !ferror(out);

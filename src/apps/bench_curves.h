@@ -8,8 +8,8 @@
 #include <stdio.h>
 
 struct curve_point {
-    const char *curve, *series; /* "vals", "CSSM" */
-    int value;                  /* of the setting that the curve is called after */
+    const char *setting, *series; /* "vals", "CSSM" */
+    int value;                    /* of the setting */
     struct bench_errors errors;
 };
 
@@ -28,7 +28,7 @@ void curves_free(struct curves *curves);
 
 void curves_print(FILE *out, const struct curves *curves);
 
-/* FOLDER/SCENE-CURVE.svg and .png. */
+/* FOLDER/SCENE-SETTING.svg and .png. */
 bool curves_draw(const struct curves *curves, const char *folder);
 
 /* A row for each point of each scene. */
