@@ -23,7 +23,7 @@ struct values {
     struct common_values common;
     struct context_desc context;
     struct text_list settings;
-    const char *output, *noise, *camera, *light;
+    const char *output, *noise, *camera, *light, *clip;
     int size[2], bounces, samples, seed, technique;
     float time;
     bool centers;
@@ -54,8 +54,10 @@ static const struct option options[] = {
      .help = "camera of the scene [the first]"},
     {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N",
      .help = "light of the scene [the first]"},
-    {"time", 0, OPTION_FLOAT, offsetof(struct values, time), 0, 0, 1e6, .value_name = "SECONDS",
-     .help = "of the animation"},
+    {"clip", 0, OPTION_TEXT, offsetof(struct values, clip), .value_name = "NAME|N",
+     .help = "animation of the scene [the first]"},
+    {"time", 0, OPTION_FLOAT, offsetof(struct values, time), 0, 0, 1e6,
+     .help = "of the animation, seconds"},
     CONTEXT_OPTIONS(struct values, context),
     {NULL},
 };
@@ -184,6 +186,7 @@ int app_reference(int argc, char **argv) {
     if (!stage_init(&stage, &(struct stage_desc){.path = path,
                                                  .camera = values.camera,
                                                  .light = values.light,
+                                                 .clip = values.clip,
                                                  .time = (double)values.time}))
         return arguments_fail(argv[0]);
     bool ok =

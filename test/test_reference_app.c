@@ -1,0 +1,163 @@
+/* manylight reference: the command, and its pictures against those of an independent path tracer.
+ */
+#include "support.h"
+
+#include "base/image.h"
+#include "base/image_file.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { SIZE = 80 };
+
+static int reference(const char *arguments, char *output, size_t output_size) {
+    char command[1024];
+    snprintf(command, sizeof command, "%s reference %s", binary_path(), arguments);
+    int status = run_command(command, output, output_size);
+    printf("    %s -> %d: %.160s\n", arguments, status, output);
+    return status;
+}
+
+static void test_usage(void **state) {
+    (void)state;
+    static const struct {
+        const char *arguments, *says;
+        int status;
+    } cases[] = {
+        {"--help", "standard_error", 0},
+        {"", "arguments are missing", 2},
+        {"scenes/sphere.glb", "-o FILE.exr is missing", 2},
+        {"scenes/sphere.glb -o x.png", "x.png: only EXR", 2},
+        {"scenes/sphere.glb -o x.exr --noise 0%", "'0%'", 2},
+        {"scenes/sphere.glb -o x.exr --noise 1% --spp 4", "exclude each other", 2},
+        {"no-such.glb -o x.exr", "no-such.glb", 1},
+        {"scenes/sphere.glb -o x.exr --light sun", "no light 'sun'", 1},
+        {"scenes/sphere.glb -o no/such/x.exr --size 8x8 --spp 4", "no/such/x.exr", 1},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char output[8192];
+        assert_int_equal(reference(cases[i].arguments, output, sizeof output), cases[i].status);
+        assert_non_null(strstr(output, cases[i].says));
+        assert_int_equal(access("x.exr", F_OK), -1);
+    }
+}
+
+/* Scene file to picture file: 0.5 direct, 0.25 bounced radiance in every pixel [METHOD 6]. */
+static void test_sphere_file(void **state) {
+    (void)state;
+    char arguments[700], output[4096];
+    const char *path = scratch("reference-sphere.exr");
+    snprintf(arguments, sizeof arguments, "scenes/sphere.glb -o %s --size 16x12 --noise 1%% -q",
+             path);
+    assert_int_equal(reference(arguments, output, sizeof output), 0);
+    assert_string_equal(output, "");
+    struct image image;
+    check_ok("read", image_read(&image, path));
+    assert_true(image.width == 16 && image.height == 12);
+    static const struct {
+        const char *channel;
+        double value, tolerance;
+    } cases[] = {
+        /* Half floats are good to 0.05 %, noise is below 1 %. */
+        {"R", 0.75, 0.01},       {"direct.G", 1, 2e-3}, {"indirect.B", 0.5, 0.01},
+        {"albedo.R", 0.5, 5e-4}, {"A", 1, 0},           {"standard_error.G", 0, 0.02},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        int channel = image_find_channel(&image, cases[i].channel);
+        assert_true(channel >= 0);
+        check_near(cases[i].channel, image_at(&image, 5, 7)[channel], cases[i].value,
+                   cases[i].tolerance);
+    }
+    assert_true(image_find_channel(&image, "Z") >= 0);
+    assert_true(image_find_channel(&image, "normal.X") >= 0);
+    image_free(&image);
+}
+
+/* A block of pixels as one: layer x albedo, which a box filter keeps, unlike the layer alone. */
+static double block_mean(const struct image *image, int block, int x, int y, int layer,
+                         int albedo) {
+    double sum = 0;
+    for (int j = 0; j < block; j++)
+        for (int i = 0; i < block; i++) {
+            const float *pixel = image_at(image, x * block + i, y * block + j);
+            sum += (double)pixel[layer] * (albedo < 0 ? 1 : pixel[albedo]);
+        }
+    return sum / block / block;
+}
+
+struct difference {
+    double mean, relative_bias, relative_rmse;
+};
+
+/* Of the radiance that a layer stands for. */
+static struct difference compare_layer(const struct image *test, const struct image *given,
+                                       const char *layer) {
+    int a[3], b[3], test_albedo[3], given_albedo[3];
+    bool is_light = strcmp(layer, "direct") == 0 || strcmp(layer, "indirect") == 0;
+    int block = given->width / test->width;
+    check_ok("layer", image_find_layer(test, layer, a) && image_find_layer(given, layer, b));
+    check_ok("albedo", image_find_layer(test, "albedo", test_albedo) &&
+                           image_find_layer(given, "albedo", given_albedo));
+    double sum = 0, bias = 0, squares = 0, values = 3.0 * test->width * test->height;
+    for (int y = 0; y < test->height; y++)
+        for (int x = 0; x < test->width; x++)
+            for (int c = 0; c < 3; c++) {
+                double v = block_mean(test, 1, x, y, a[c], is_light ? test_albedo[c] : -1);
+                double r = block_mean(given, block, x, y, b[c], is_light ? given_albedo[c] : -1);
+                sum += r / values;
+                bias += (v - r) / values;
+                squares += (v - r) * (v - r) / values;
+            }
+    return (struct difference){sum, bias / sum, sqrt(squares) / sum};
+}
+
+/* The given pictures are 800 x 800 with a noise of 1.1 and 0.9 %, here averaged over 10 x 10
+ * pixels: what differs is our noise, which the indirect layer knows, and the sampling of shadow
+ * edges. */
+static void compare_with_given(const char *name) {
+    char arguments[700], output[4096], given_path[256];
+    if (!shared_path())
+        skip();
+    const char *path = scratch("reference-given.exr");
+    snprintf(arguments, sizeof arguments, "%s/scenes/%s.glb -o %s --size %dx%d --spp 32",
+             shared_path(), name, path, SIZE, SIZE);
+    assert_int_equal(reference(arguments, output, sizeof output), 0);
+    snprintf(given_path, sizeof given_path, "%s/reference/%s.exr", shared_path(), name);
+    struct image test, given;
+    check_ok("read", image_read(&test, path));
+    check_ok("read", image_read(&given, given_path));
+    static const struct {
+        const char *layer;
+        double rmse;
+    } cases[] = {{"albedo", 0.015}, {"direct", 0.08}, {"indirect", 0.08}, {"", 0.06}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct difference difference = compare_layer(&test, &given, cases[i].layer);
+        printf("    %s %s, mean %g\n", name, cases[i].layer, difference.mean);
+        check_near("relative bias", difference.relative_bias, 0, 1e-3);
+        check_at_most("relative RMSE", difference.relative_rmse, cases[i].rmse);
+    }
+    image_free(&test);
+    image_free(&given);
+}
+
+static void test_given_box(void **state) {
+    (void)state;
+    compare_with_given("cornell-box");
+}
+
+static void test_given_horse(void **state) {
+    (void)state;
+    compare_with_given("cornell-horse");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_usage),
+        cmocka_unit_test(test_sphere_file),
+        cmocka_unit_test(test_given_box),
+        cmocka_unit_test(test_given_horse),
+    };
+    return cmocka_run_group_tests_name("reference_app", tests, NULL, NULL);
+}

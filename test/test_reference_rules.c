@@ -1,0 +1,311 @@
+/* The rules of the path tracer: what a material's sides and holes do, what a seed and a number of
+ * threads do not, and that its noise is as large as it says. */
+#include "hand_made.h"
+
+#include "base/error.h"
+#include "reference/sampler.h"
+#include "reference/warp.h"
+
+static const vec3s down = {{0, -1, 0}};
+
+/* A floor that the camera sees as [0, 1]^2 from above, lit straight down by pi W/m2: direct light
+ * over pi of 1. Something in between is added by the test. */
+static void start_floor(struct world *world) {
+    world_init(world);
+    add_rectangle(world, 0, (vec3s){{-2, 0, 3}}, (vec3s){{5, 0, 0}}, (vec3s){{0, 0, -5}});
+    look_down(world, 0, 0, 1, 3);
+    place_light(world, LIGHT_DIRECTIONAL, glms_vec3_zero(), down, GLM_PIf);
+}
+
+/* A rectangle over half of what the camera sees, x < 1/2, facing up or down. */
+static void add_half_cover(struct world *world, int material, bool faces_up) {
+    vec3s u = {{1.5f, 0, 0}}, v = {{0, 0, -3}};
+    add_rectangle(world, material, (vec3s){{-1, 1, 2}}, faces_up ? u : v, faces_up ? v : u);
+}
+
+static struct image render_floor(struct world *world, int bounces, int samples) {
+    struct image image;
+    world_finish(world);
+    struct path_tracer_desc desc = describe(world, 8, samples);
+    desc.bounces = bounces;
+    render(&desc, &image);
+    world_free(world);
+    return image;
+}
+
+static const float *left_pixel(const struct image *image) {
+    return image_at(image, 1, 4);
+}
+
+static const float *right_pixel(const struct image *image) {
+    return image_at(image, 6, 4);
+}
+
+static void test_back_of_single_sided(void **state) {
+    (void)state;
+    struct world world;
+    start_floor(&world);
+    add_half_cover(&world, 1, false);
+    struct image image = render_floor(&world, 0, 4);
+    check_near("the camera looks through the back", left_pixel(&image)[LAYER_DEPTH], 3, 1e-5);
+    check_near("which casts a shadow", left_pixel(&image)[LAYER_DIRECT], 0, 0);
+    check_near("beside it is light", right_pixel(&image)[LAYER_DIRECT], 1, 1e-6);
+    image_free(&image);
+}
+
+static void test_back_of_double_sided(void **state) {
+    (void)state;
+    struct world world;
+    start_floor(&world);
+    world.materials[1].double_sided = true;
+    world.materials[1].base_color[0] = 0.25f;
+    add_half_cover(&world, 1, false);
+    struct image image = render_floor(&world, 0, 4);
+    check_near("the camera sees the back", left_pixel(&image)[LAYER_DEPTH], 2, 1e-5);
+    check_near("lit like a front", left_pixel(&image)[LAYER_DIRECT], 1, 1e-6);
+    check_near("with its normal towards us", left_pixel(&image)[LAYER_NORMAL + 1], 1, 1e-6);
+    check_near("and its albedo", left_pixel(&image)[LAYER_ALBEDO], 0.25, 1e-6);
+    check_near("beauty", left_pixel(&image)[LAYER_BEAUTY], 0.25, 1e-6);
+    image_free(&image);
+}
+
+/* Light bounces off the floor beside the cover to the cover's under side and down again: none of it
+ * where the under side is the back of a single-sided material. */
+static void test_bounce_off_a_back(void **state) {
+    (void)state;
+    double under[3];
+    for (int kind = 0; kind < 3; kind++) {
+        struct world world;
+        start_floor(&world);
+        world.materials[1].double_sided = kind == 1;
+        add_half_cover(&world, 1, kind < 2);
+        /* From below the cover, so that it hides nothing. */
+        world.camera.eye[1] = 0.5f;
+        struct image image = render_floor(&world, 2, 256);
+        under[kind] = left_pixel(&image)[LAYER_INDIRECT];
+        image_free(&image);
+    }
+    check_near("two bounces under a black back", under[0], 0, 0);
+    assert_true(under[1] > 0.01);
+    /* Two noisy pixels of one truth. */
+    check_near("a double-sided back is as good as a front", under[1], under[2], 0.03 * under[2]);
+}
+
+/* A texture of 2 x 2 texels whose diagonal is holes. */
+static void set_mask(struct world *world, struct scene_texture *texture) {
+    static unsigned char texels[] = {255, 255, 255, 255, 255, 255, 255, 0,
+                                     188, 188, 188, 0,   188, 188, 188, 255};
+    *texture = (struct scene_texture){.bitmap = {2, 2, texels}, .nearest = true};
+    world->scene.textures = texture;
+    world->materials[1].texture = 0;
+    world->materials[1].alpha_mask = true;
+}
+
+static void test_alpha_mask(void **state) {
+    (void)state;
+    struct world world;
+    struct scene_texture texture;
+    start_floor(&world);
+    set_mask(&world, &texture);
+    add_rectangle(&world, 1, (vec3s){{0, 1, 1}}, (vec3s){{1, 0, 0}}, (vec3s){{0, 0, -1}});
+    struct image image = render_floor(&world, 0, 4);
+    /* uv (0, 0) is at the lower left of the picture and texel (0, 0) lies there. */
+    const float *solid = image_at(&image, 1, 6), *hole = image_at(&image, 6, 6);
+    check_near("solid texel", solid[LAYER_DEPTH], 2, 1e-5);
+    check_near("its albedo is factor x texel", solid[LAYER_ALBEDO], 0.5, 1e-6);
+    check_near("hole", hole[LAYER_DEPTH], 3, 1e-5);
+    check_near("light falls through it", hole[LAYER_DIRECT], 1, 1e-6);
+    const float *dark = image_at(&image, 6, 1);
+    /* Byte 188 is 0.5029 of linear light. */
+    check_near("sRGB-encoded texel", dark[LAYER_ALBEDO], 0.5 * 0.502886, 1e-5);
+    image_free(&image);
+
+    start_floor(&world);
+    set_mask(&world, &texture);
+    add_rectangle(&world, 1, (vec3s){{0, 1, 1}}, (vec3s){{1, 0, 0}}, (vec3s){{0, 0, -1}});
+    world.camera.eye[1] = 0.5f;
+    image = render_floor(&world, 0, 4);
+    check_near("shadow of the solid", image_at(&image, 1, 6)[LAYER_DIRECT], 0, 0);
+    check_near("light under the hole", image_at(&image, 6, 6)[LAYER_DIRECT], 1, 1e-6);
+    image_free(&image);
+}
+
+/* Where a pixel shows two surfaces, and where it is partly empty. */
+static void test_albedo_weighting(void **state) {
+    (void)state;
+    struct world world;
+    world_init(&world);
+    world.materials[1].base_color[0] = 0.1f;
+    add_rectangle(&world, 0, (vec3s){{0, 0, 1}}, (vec3s){{0.5f, 0, 0}}, (vec3s){{0, 0, -0.75f}});
+    add_rectangle(&world, 1, (vec3s){{0.5f, 1, 1}}, (vec3s){{0.5f, 0, 0}}, (vec3s){{0, 0, -0.75f}});
+    look_down(&world, 0, 0, 1, 3);
+    place_light(&world, LIGHT_POINT, (vec3s){{0.2f, 2, 0.5f}}, down, 5);
+    world_finish(&world);
+    struct image image;
+    struct path_tracer_desc desc = describe(&world, 1, 4096);
+    desc.bounces = 1;
+    render(&desc, &image);
+    const float *pixel = image.pixels;
+    check_near("coverage", pixel[LAYER_ALPHA], 0.75, 1e-3);
+    check_near("mean albedo", pixel[LAYER_ALBEDO], 0.75 * 0.3, 1e-3);
+    check_near("beauty = albedo x (direct + indirect)", pixel[LAYER_BEAUTY],
+               pixel[LAYER_ALBEDO] * (pixel[LAYER_DIRECT] + pixel[LAYER_INDIRECT]), 1e-5);
+    image_free(&image);
+    world_free(&world);
+}
+
+/* An open box in which all parts of the tracer work. */
+static void make_corner(struct world *world) {
+    world_init(world);
+    add_rectangle(world, 0, (vec3s){{0, 0, 1}}, (vec3s){{1, 0, 0}}, (vec3s){{0, 0, -1}});
+    add_rectangle(world, 1, (vec3s){{0, 0, 1}}, (vec3s){{0, 0, -1}}, (vec3s){{0, 1, 0}});
+    look_down(world, 0, 0, 1, 3);
+    place_light(world, LIGHT_SPOT, (vec3s){{0.9f, 0.8f, 0.5f}}, (vec3s){{-1, -0.1f, 0.1f}}, 5);
+    world->light.cos_inner = cosf(0.4f);
+    world->light.cos_outer = cosf(0.5f);
+    world_finish(world);
+}
+
+static void test_threads_and_seeds(void **state) {
+    (void)state;
+    struct world world;
+    struct image one, three, other;
+    make_corner(&world);
+    struct path_tracer_desc desc = describe(&world, 32, 32);
+    desc.bounces = 2;
+    desc.threads = 1;
+    double noise = render(&desc, &one).noise;
+    desc.threads = 3;
+    render(&desc, &three);
+    desc.seed = 1;
+    render(&desc, &other);
+    size_t count = 32 * 32 * (size_t)one.channel_count;
+    assert_memory_equal(one.pixels, three.pixels, count * sizeof(float));
+    /* Two independent pictures differ by sqrt 2 times the noise: 1024 pixels of unlike noise tell
+     * that to some 5 %. */
+    double squares = 0, values = 3 * 32 * 32, mean = 0;
+    for (size_t pixel = 0; pixel < 32 * 32; pixel++)
+        for (int c = LAYER_INDIRECT; c < LAYER_INDIRECT + 3; c++) {
+            const float *a = image_at(&one, (int)pixel % 32, (int)pixel / 32);
+            const float *b = image_at(&other, (int)pixel % 32, (int)pixel / 32);
+            squares += pow(a[c] - b[c], 2);
+            mean += a[c] / values;
+        }
+    double difference = sqrt(squares / values / 2) / mean;
+    check_near("noise between seeds, as estimated", difference, noise, 0.15 * noise);
+    double errors = 0;
+    for (size_t pixel = 0; pixel < 32 * 32; pixel++)
+        for (int c = 0; c < 3; c++)
+            errors +=
+                pow(image_at(&one, (int)pixel % 32, (int)pixel / 32)[LAYER_STANDARD_ERROR + c], 2);
+    check_near("RMS of the standard errors", sqrt(errors / values) / mean, noise, 1e-4 * noise);
+    image_free(&one);
+    image_free(&three);
+    image_free(&other);
+    world_free(&world);
+}
+
+static bool count_calls(void *user, const struct path_tracer_progress *progress) {
+    int *calls = user;
+    assert_true(progress->done >= 0 && progress->done <= 1);
+    return ++*calls < 20;
+}
+
+static void test_noise_and_cancel(void **state) {
+    (void)state;
+    struct world world;
+    struct image image, coarse;
+    make_corner(&world);
+    struct path_tracer_desc desc = describe(&world, 16, 0);
+    desc.bounces = 1;
+    desc.noise = 0.01;
+    struct path_tracer_progress fine = render(&desc, &image);
+    desc.noise = 0.1;
+    struct path_tracer_progress rough = render(&desc, &coarse);
+    check_at_most("noise asked for", fine.noise, 0.01);
+    assert_true(rough.samples < fine.samples);
+    check_near("means agree", mean_of(&coarse, LAYER_INDIRECT), mean_of(&image, LAYER_INDIRECT),
+               0.02 * mean_of(&image, LAYER_INDIRECT));
+    image_free(&image);
+    image_free(&coarse);
+
+    int calls = 0;
+    desc.progress = count_calls;
+    desc.user = &calls;
+    desc.noise = 1e-6;
+    assert_false(path_tracer_render(&desc, &image, NULL));
+    assert_string_equal(error_get(), "cancelled");
+    assert_null(image.pixels);
+    world_free(&world);
+}
+
+/* The first 256 points of a pair are a (0,2)-net: one in each elementary interval. Over many seeds
+ * any one point is uniform in the square. */
+static void test_sampler(void **state) {
+    (void)state;
+    int cells[64] = {0};
+    for (uint32_t seed = 0; seed < 4096; seed++) {
+        vec2s first = sampler_next(&(struct sampler){.seed = sampler_hash(seed, 7)});
+        cells[(int)(first.x * 8) * 8 + (int)(first.y * 8)]++;
+    }
+    double chi_square = 0;
+    for (int i = 0; i < 64; i++)
+        chi_square += pow(cells[i] - 64, 2) / 64;
+    /* 63 degrees of freedom: above 103 once in a thousand. */
+    check_at_most("chi square of the first point", chi_square, 103);
+    for (uint32_t pair = 0; pair < 3; pair++)
+        for (int bits = 0; bits <= 8; bits++) {
+            bool hit[256] = {0};
+            for (uint32_t i = 0; i < 256; i++) {
+                struct sampler sampler = {.seed = 5, .index = i, .pair = pair};
+                vec2s p = sampler_next(&sampler);
+                int cell = ((int)(p.x * (1 << bits)) << (8 - bits)) | (int)(p.y * (256 >> bits));
+                assert_false(hit[cell]);
+                hit[cell] = true;
+            }
+        }
+}
+
+static void test_warps(void **state) {
+    (void)state;
+    static const vec3s axes[] = {{{0, 0, 1}}, {{0, 0, -1}}, {{0.6f, -0.8f, 0}}, {{0, 0.6f, -0.8f}}};
+    enum { COUNT = 4096 };
+    for (size_t a = 0; a < sizeof axes / sizeof *axes; a++) {
+        double cosine = 0, cone = 0, radius2 = 0, worst = 0, least = 1;
+        vec3s sideways = glms_vec3_zero();
+        for (uint32_t i = 0; i < COUNT; i++) {
+            vec2s sample = sampler_next(&(struct sampler){.index = i});
+            vec3s p = warp_to_cosine(sample, axes[a]), q = warp_to_cone(sample, axes[a], 0.25f);
+            vec3s r = warp_to_disc(sample, axes[a]);
+            cosine += glms_vec3_dot(p, axes[a]) / COUNT;
+            cone += glms_vec3_dot(q, axes[a]) / COUNT;
+            radius2 += glms_vec3_norm2(r) / COUNT;
+            least = fmin(least, glms_vec3_dot(q, axes[a]));
+            worst = fmax(worst, fabs(glms_vec3_norm(p) - 1));
+            worst = fmax(worst, fabs(glms_vec3_norm(q) - 1));
+            worst = fmax(worst, fabsf(glms_vec3_dot(r, axes[a])));
+            sideways = glms_vec3_add(sideways, glms_vec3_scale(r, 1.0f / COUNT));
+        }
+        check_near("mean cosine, 2/3", cosine, 2. / 3, 1e-3);
+        check_near("mean cosine in the cone, (1 + 1/4) / 2", cone, 0.625, 1e-3);
+        check_near("least cosine in the cone", least, 0.25, 1e-3);
+        check_near("mean squared radius of the disc", radius2, 0.5, 1e-3);
+        check_near("centre of the disc", glms_vec3_norm(sideways), 0, 2e-3);
+        check_at_most("unit and in the plane", worst, 1e-6);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_sampler),
+        cmocka_unit_test(test_warps),
+        cmocka_unit_test(test_back_of_single_sided),
+        cmocka_unit_test(test_back_of_double_sided),
+        cmocka_unit_test(test_bounce_off_a_back),
+        cmocka_unit_test(test_alpha_mask),
+        cmocka_unit_test(test_albedo_weighting),
+        cmocka_unit_test(test_threads_and_seeds),
+        cmocka_unit_test(test_noise_and_cancel),
+    };
+    return cmocka_run_group_tests_name("reference_rules", tests, NULL, NULL);
+}

@@ -1,0 +1,175 @@
+/* The sum over virtual point lights with ray-traced visibility, against closed forms and against
+ * the path tracer. */
+#include "hand_made.h"
+
+#include "base/halton.h"
+#include "reference/emitter.h"
+#include "reference/vpl_sum.h"
+
+static struct vpl_sum_desc sum_desc(const struct world *world, const struct vpl *vpls, int count,
+                                    int size) {
+    return (struct vpl_sum_desc){.scene = &world->scene,
+                                 .geometry = &world->geometry,
+                                 .camera = &world->camera,
+                                 .light = &world->light,
+                                 .vpls = vpls,
+                                 .vpl_count = count,
+                                 .width = size,
+                                 .height = size};
+}
+
+/* VPL i of the world's spot or point light, from the light's first hit. */
+static struct vpl trace_vpl(const struct world *world, const struct ray_scene *rays, int i,
+                            int count) {
+    struct emitter emitter = emitter_of(&world->light, &world->geometry);
+    vec2s sample = {
+        {(float)radical_inverse(2, (uint32_t)i), (float)radical_inverse(3, (uint32_t)i)}};
+    struct hit hit;
+    if (!emitter_first_hit(&emitter, rays, sample, &hit))
+        return (struct vpl){.flux = {0}};
+    const float *p = hit.position.raw, *n = hit.normal.raw;
+    vec3s from = {{world->light.position[0], world->light.position[1], world->light.position[2]}};
+    vec3s axis = {
+        {world->light.direction[0], world->light.direction[1], world->light.direction[2]}};
+    vec3s way = glms_vec3_normalize(glms_vec3_sub(hit.position, from));
+    float intensity =
+        world->light.intensity[0] * light_cone(&world->light, glms_vec3_dot(way, axis));
+    float flux = hit.albedo.x * intensity * emitter.solid_angle / (float)count;
+    return (struct vpl){.position = {p[0], p[1], p[2]},
+                        .normal = {n[0], n[1], n[2]},
+                        .flux = {flux, flux, flux, 1}};
+}
+
+static struct vpl *trace_vpls(const struct world *world, int count) {
+    struct hit_table table;
+    struct ray_scene rays;
+    struct vpl *vpls = mem_alloc((size_t)count, sizeof *vpls);
+    hit_table_init(&table, &world->scene, &world->geometry);
+    check_ok("rays", ray_scene_init(&rays, &table));
+    for (int i = 0; i < count; i++)
+        vpls[i] = trace_vpl(world, &rays, i, count);
+    ray_scene_free(&rays);
+    hit_table_free(&table);
+    return vpls;
+}
+
+/* Any VPLs whose flux sums to the reflected flux give albedo x direct in every pixel [METHOD 6];
+ * and nothing inside a sphere hides anything. */
+static void test_sphere(void **state) {
+    (void)state;
+    struct world world;
+    struct image image;
+    world_init(&world);
+    add_sphere(&world, 0, 64);
+    world_finish(&world);
+    world.camera = (struct camera){.eye = {0.2f, 0.1f, 0.6f},
+                                   .right = {1, 0, 0},
+                                   .up = {0, 1, 0},
+                                   .forward = {0, 0, -1},
+                                   .fov_y = 1.4f};
+    place_light(&world, LIGHT_POINT, glms_vec3_zero(), (vec3s){{0, 0, -1}}, GLM_PIf);
+    struct vpl *vpls = trace_vpls(&world, 37);
+    struct vpl_sum_desc desc = sum_desc(&world, vpls, 37, 32);
+    check_ok("sum", vpl_sum_render(&desc, &image));
+    /* Facets lie 3e-4 within the sphere, at both ends of a ray; and turn by 0.025 against it, which
+     * counts where pixel and VPL are near. One VPL hidden would be 1/37. */
+    check_near("mean", mean_of(&image, LAYER_INDIRECT), 0.5, 1e-3);
+    check_at_most("spread over the pixels", spread_about(&image, LAYER_INDIRECT, 0.5), 5e-3);
+    check_near("direct", mean_of(&image, LAYER_DIRECT), 1, 1e-3);
+    check_near("beauty", mean_of(&image, LAYER_BEAUTY), 0.75, 1e-3);
+    image_free(&image);
+    free(vpls);
+    world_free(&world);
+}
+
+/* A floor of which the camera sees [0, 1]^2 and a rectangle above that hides the VPL from x < 1/2:
+ * the VPL is over x = 1/2, so the shadow's edge is there too. */
+static void test_one_vpl(void **state) {
+    (void)state;
+    struct world world;
+    world_init(&world);
+    add_rectangle(&world, 0, (vec3s){{-2, 0, 3}}, (vec3s){{5, 0, 0}}, (vec3s){{0, 0, -5}});
+    add_rectangle(&world, 0, (vec3s){{-2, 0.25f, 3}}, (vec3s){{2.5f, 0, 0}}, (vec3s){{0, 0, -5}});
+    world_finish(&world);
+    look_down(&world, 0, 0, 1, 0.2f); /* from below the rectangle */
+    struct vpl vpl = {
+        .position = {0.5f, 0.5f, 0.5f}, .normal = {0, -1, 0, 0.3f}, .flux = {2, 1, 0, 1}};
+    struct vpl_sum_desc desc = sum_desc(&world, &vpl, 1, 4);
+    desc.light = NULL;
+    /* At the pixel whose centre is (5/8, 5/8); cos = height / d at both ends. */
+    const double height = 0.5, distance2 = 2.0 / 64 + height * height;
+    const double cosines = height * height / distance2, unit = 2 / (GLM_PI * GLM_PI);
+    const double values[] = {cosines / distance2, 2, cosines / (distance2 + 0.3 / GLM_PI)};
+    static const char *const names[] = {"unbounded", "clamped", "disk"};
+    desc.clamp_value = 2;
+    for (int bound = VPL_SUM_UNBOUNDED; bound <= VPL_SUM_DISK; bound++) {
+        struct image image;
+        desc.bound = (enum vpl_sum_bound)bound;
+        desc.unshadowed = false;
+        check_ok("sum", vpl_sum_render(&desc, &image));
+        check_near(names[bound], image_at(&image, 2, 2)[LAYER_INDIRECT], unit * values[bound],
+                   1e-5);
+        check_near("green", image_at(&image, 2, 2)[LAYER_INDIRECT + 1], unit / 2 * values[bound],
+                   1e-5);
+        check_near("in the shadow", image_at(&image, 1, 2)[LAYER_INDIRECT], 0, 0);
+        check_near("no light, no direct light", mean_of(&image, LAYER_DIRECT), 0, 0);
+        image_free(&image);
+        desc.unshadowed = true;
+        check_ok("sum", vpl_sum_render(&desc, &image));
+        check_near("unshadowed", image_at(&image, 1, 2)[LAYER_INDIRECT], unit * values[bound],
+                   1e-5);
+        image_free(&image);
+    }
+    vpl.flux[3] = 0;
+    struct image image;
+    check_ok("sum", vpl_sum_render(&desc, &image));
+    check_near("a sample that met nothing", mean_of(&image, LAYER_INDIRECT), 0, 0);
+    image_free(&image);
+    world_free(&world);
+}
+
+/* Two implementations of one integral: a spot lights part of a wall, a screen stands between wall
+ * and floor. */
+static void test_against_path_tracer(void **state) {
+    (void)state;
+    struct world world;
+    struct image sum, traced;
+    world_init(&world);
+    add_rectangle(&world, 0, (vec3s){{0, 0, 1}}, (vec3s){{1, 0, 0}}, (vec3s){{0, 0, -1}});
+    add_rectangle(&world, 0, (vec3s){{0, 0, 1}}, (vec3s){{0, 0, -1}}, (vec3s){{0, 1.5f, 0}});
+    add_rectangle(&world, 0, (vec3s){{0.2f, 0, 0.8f}}, (vec3s){{0, 0.3f, 0}},
+                  (vec3s){{0, 0, -0.5f}});
+    world_finish(&world);
+    look_down(&world, 0, 0, 1, 3);
+    place_light(&world, LIGHT_SPOT, (vec3s){{0.9f, 0.9f, 0.5f}}, (vec3s){{-1, 0.1f, 0}}, 5);
+    world.light.cos_inner = cosf(0.2f);
+    world.light.cos_outer = cosf(0.4f);
+    struct path_tracer_desc path_desc = describe(&world, 24, 128);
+    path_desc.bounces = 1;
+    double noise = render(&path_desc, &traced).noise;
+    struct vpl *vpls = trace_vpls(&world, 4096);
+    struct vpl_sum_desc desc = sum_desc(&world, vpls, 4096, 24);
+    check_ok("sum", vpl_sum_render(&desc, &sum));
+    double mean = mean_of(&traced, LAYER_INDIRECT), squares = 0;
+    for (int y = 0; y < 24; y++)
+        for (int x = 0; x < 24; x++)
+            squares += pow(
+                image_at(&sum, x, y)[LAYER_INDIRECT] - image_at(&traced, x, y)[LAYER_INDIRECT], 2);
+    /* The VPLs' own error is about 1 / sqrt 4096 of a small variance; edges of the screen's shadow
+     * fall within pixels of which the sum sees the centres alone. */
+    check_near("mean", mean_of(&sum, LAYER_INDIRECT), mean, 0.01 * mean);
+    check_at_most("relative RMSE", sqrt(squares / 24 / 24) / mean, noise + 0.03);
+    image_free(&sum);
+    image_free(&traced);
+    free(vpls);
+    world_free(&world);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_sphere),
+        cmocka_unit_test(test_one_vpl),
+        cmocka_unit_test(test_against_path_tracer),
+    };
+    return cmocka_run_group_tests_name("vpl_sum", tests, NULL, NULL);
+}
