@@ -40,29 +40,73 @@ bool check_size(const ImageSpec &spec, const char *path) {
     return true;
 }
 
-/* Writes beside the target and renames, so that the target is whole or untouched. */
-bool write_whole(const char *path, const ImageSpec &spec, TypeDesc type, const void *pixels) {
+/* Writes beside the target and renames, so that the target is whole or untouched. write(file)
+ * returns the reason of a failure, or "". */
+template <typename Write> bool write_whole(const char *path, Write write) {
     /* The extension must stay last, for it picks the format. */
     const char *slash = strrchr(path, '/');
     std::string folder = slash ? std::string(path, slash + 1) : "";
     std::string beside =
         folder + "." + std::to_string(getpid()) + ".part." + (slash ? slash + 1 : path);
-    auto out = ImageOutput::create(path);
-    if (!out)
-        return fail(path, geterror());
-    bool good = out->open(beside, spec) && out->write_image(type, pixels);
-    std::string reason = good ? "" : out->geterror();
-    good = out->close() && good;
-    if (good && rename(beside.c_str(), path) == 0)
+    std::string reason = write(beside);
+    if (reason.empty() && rename(beside.c_str(), path) == 0)
         return true;
-    if (good)
+    if (reason.empty())
         reason = strerror(errno);
     remove(beside.c_str());
     /* The message may name the file beside; the user knows only the target. */
     size_t at = reason.find(beside);
     if (at != std::string::npos)
         reason.replace(at, beside.size(), path);
-    return fail(path, reason.empty() ? "cannot be written" : reason);
+    return fail(path, reason);
+}
+
+bool write_pixels(const char *path, const ImageSpec &spec, TypeDesc type, const void *pixels) {
+    return write_whole(path, [&](const std::string &beside) -> std::string {
+        auto out = ImageOutput::create(path);
+        if (!out)
+            return geterror();
+        bool good = out->open(beside, spec) && out->write_image(type, pixels);
+        std::string reason = good ? "" : out->geterror();
+        if (out->close() && good)
+            return "";
+        return reason.empty() ? "cannot be written" : reason;
+    });
+}
+
+/* Portable float map, which OpenImageIO reads but does not write: a line each of kind, size and
+ * byte order (negative: little endian), then rows of RGB from the bottom up. */
+bool write_pfm(const char *path, int width, int height, const std::vector<float> &rgb) {
+    return write_whole(path, [&](const std::string &beside) -> std::string {
+        FILE *file = fopen(beside.c_str(), "wb");
+        if (!file)
+            return strerror(errno);
+        bool good = fprintf(file, "PF\n%d %d\n-1.0\n", width, height) > 0;
+        size_t row = size_t(width) * 3;
+        for (int y = height - 1; good && y >= 0; y--)
+            good = fwrite(&rgb[y * row], sizeof rgb[0], row, file) == row;
+        good = fclose(file) == 0 && good;
+        return good ? "" : strerror(errno);
+    });
+}
+
+/* Formats of floats that have no more than red, green and blue. */
+bool is_plain(const std::string &extension) {
+    return extension == "pfm" || extension == "hdr";
+}
+
+bool write_plain(const struct image *image, const char *path, const std::string &extension) {
+    int channels[3];
+    if (!image_find_layer(image, "", channels))
+        return error_prefix("%s", path);
+    size_t count = size_t(image->width) * image->height;
+    std::vector<float> rgb(count * 3);
+    for (size_t i = 0; i < rgb.size(); i++)
+        rgb[i] = image->pixels[i / 3 * image->channel_count + channels[i % 3]];
+    if (extension == "pfm")
+        return write_pfm(path, image->width, image->height, rgb);
+    ImageSpec spec(image->width, image->height, 3, TypeDesc::FLOAT);
+    return write_pixels(path, spec, TypeDesc::FLOAT, rgb.data());
 }
 
 bool is_colour(const std::string &name) {
@@ -96,11 +140,13 @@ extern "C" bool image_read(struct image *image, const char *path) try {
 }
 
 extern "C" bool image_write(const struct image *image, const char *path) try {
+    std::string extension = Filesystem::extension(path, false);
+    if (is_plain(extension))
+        return write_plain(image, path, extension);
     ImageSpec spec(image->width, image->height, image->channel_count, TypeDesc::FLOAT);
     spec.channelnames.clear();
     for (int i = 0; i < image->channel_count; i++)
         spec.channelnames.push_back(image->names[i]);
-    std::string extension = Filesystem::extension(path, false);
     if (extension == "exr") {
         spec.attribute("compression", "zip");
         spec.attribute("DateTime", ""); /* else it is now, and no two files are alike */
@@ -109,7 +155,7 @@ extern "C" bool image_write(const struct image *image, const char *path) try {
     }
     spec.alpha_channel = image_find_channel(image, "A");
     spec.z_channel = image_find_channel(image, "Z");
-    return write_whole(path, spec, TypeDesc::FLOAT, image->pixels);
+    return write_pixels(path, spec, TypeDesc::FLOAT, image->pixels);
 } catch (const std::exception &error) {
     return fail(path, error.what());
 }
@@ -122,7 +168,7 @@ extern "C" bool bitmap_write(const struct bitmap *bitmap, const char *path) try 
     std::vector<unsigned char> rgb(size_t(bitmap->width) * bitmap->height * 3);
     for (size_t i = 0; i < rgb.size() / 3; i++)
         memcpy(&rgb[i * 3], &bitmap->rgba[i * 4], 3);
-    return write_whole(path, spec, TypeDesc::UINT8, rgb.data());
+    return write_pixels(path, spec, TypeDesc::UINT8, rgb.data());
 } catch (const std::exception &error) {
     return fail(path, error.what());
 }
@@ -131,13 +177,12 @@ extern "C" bool image_format_is_float(const char *path, bool *is_float) try {
     std::string extension = Filesystem::extension(path, false);
     if (extension.empty())
         return fail(path, "no extension, so no picture format (try .exr or .png)");
-    auto out = ImageOutput::create(path);
-    if (!out) {
+    if (extension != "pfm" && !ImageOutput::create(path)) {
         geterror(); /* drops OpenImageIO's long advice */
         return fail(path, "unknown picture format '." + extension + "' (try .exr or .png)");
     }
-    *is_float = extension == "exr" || extension == "pfm" || extension == "hdr" ||
-                extension == "tif" || extension == "tiff";
+    *is_float =
+        is_plain(extension) || extension == "exr" || extension == "tif" || extension == "tiff";
     return true;
 } catch (const std::exception &error) {
     return fail(path, error.what());

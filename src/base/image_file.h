@@ -14,7 +14,8 @@ extern "C" {
 bool image_read(struct image *image, const char *path);
 
 /* Writes floats; the extension picks the format. EXR: half for colour, 32 bit for Z and for layers
- * named in neither RGBA. Written beside and renamed, so that no half-written file is left. */
+ * named in neither RGBA. PFM and HDR get red, green and blue of the beauty layer. Written beside
+ * and renamed, so that no half-written file is left. */
 bool image_write(const struct image *image, const char *path);
 
 /* Writes an 8-bit picture (PNG, JPEG, ...). Alpha is dropped where the format has none. */
