@@ -65,6 +65,20 @@ static void test_layers(void **state) {
     image_free(&image);
 }
 
+static void test_added_channels(void **state) {
+    (void)state;
+    struct image image;
+    image_init(&image, 2, 2, "R Z");
+    for (int i = 0; i < 8; i++)
+        image.pixels[i] = (float)i;
+    image_add_channels(&image, "val.R val.G");
+    assert_int_equal(image.channel_count, 4);
+    assert_int_equal(image_find_channel(&image, "val.G"), 3);
+    const float last[4] = {6, 7, 0, 0};
+    assert_memory_equal(image_at(&image, 1, 1), last, sizeof last);
+    image_free(&image);
+}
+
 static void test_exr_round_trip(void **state) {
     (void)state;
     struct image written, read;
@@ -181,9 +195,10 @@ static void test_options(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_error_prefix),   cmocka_unit_test(test_halton),
-        cmocka_unit_test(test_parallel_for),   cmocka_unit_test(test_layers),
-        cmocka_unit_test(test_exr_round_trip), cmocka_unit_test(test_png_round_trip),
-        cmocka_unit_test(test_file_refusals),  cmocka_unit_test(test_options),
+        cmocka_unit_test(test_added_channels), cmocka_unit_test(test_parallel_for),
+        cmocka_unit_test(test_layers),         cmocka_unit_test(test_exr_round_trip),
+        cmocka_unit_test(test_png_round_trip), cmocka_unit_test(test_file_refusals),
+        cmocka_unit_test(test_options),
     };
     return cmocka_run_group_tests_name("base", tests, NULL, NULL);
 }

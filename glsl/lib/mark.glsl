@@ -1,4 +1,5 @@
 // Marks in the scene: points and lines over its picture.
+#include "lib/cluster_color.glsl"
 #include "lib/view.glsl"
 #include "shared/params.h"
 
@@ -8,14 +9,6 @@ layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     mark_params params;
 };
-
-// Neighbours in number get hues far apart: steps of the golden ratio.
-vec3 cluster_color(int k) {
-    float hue = fract(0.1 + float(k) * 0.61803399) * 6.0;
-    vec3 pure = clamp(abs(mod(hue + vec3(0.0, 4.0, 2.0), 6.0) - 3.0) - 1.0, 0.0, 1.0);
-    float pale = k % 2 == 0 ? 0.15 : 0.4;
-    return mix(pure, vec3(1.0), pale) * (k % 3 == 0 ? 0.8 : 1.0);
-}
 
 // How strongly a VAL is drawn.
 float cluster_strength(int k) {

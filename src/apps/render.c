@@ -12,7 +12,7 @@
 #include "base/image_file.h"
 #include "base/log.h"
 #include "gl/glsl.h"
-#include "renderer/renderer.h"
+#include "renderer/debug_layers.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -24,9 +24,10 @@ struct values {
     struct text_list outputs, settings;
     int size[2];
     int technique;
-    const char *camera, *light, *clip, *frames, *glsl;
+    const char *camera, *light, *clip, *frames, *glsl, *aov;
     float time, fps;
     bool skip_existing, stats;
+    unsigned debug_layers; /* what aov says */
 };
 
 static const struct option options[] = {
@@ -36,6 +37,9 @@ static const struct option options[] = {
      .help = "of the picture, pixels"},
     {"technique", 0, OPTION_CHOICE, offsetof(struct values, technique), .choices = technique_names,
      .help = "how indirect light is made"},
+    {"aov", 0, OPTION_TEXT, offsetof(struct values, aov), .value_name = "LAYER[,LAYER ...]",
+     .help = "more layers in EXR: gathered (before the blur), val (the strongest VAL's colour),\n"
+             "visibility (the share of the VALs' light that arrives), vpl (flux of VPLs)"},
     {"set", 0, OPTION_LIST, offsetof(struct values, settings), .value_name = "KEY=VALUE",
      .help = "a setting of the list below; repeatable"},
     {"camera", 0, OPTION_TEXT, offsetof(struct values, camera), .value_name = "NAME|N",
@@ -100,6 +104,16 @@ static bool check_outputs(const struct values *values, const struct frames *fram
     return true;
 }
 
+static bool parse_debug_layers(struct values *values) {
+    bool is_float, any = !values->aov;
+    values->debug_layers = 0;
+    if (values->aov && !debug_layers_parse(&values->debug_layers, values->aov))
+        return error_prefix("aov");
+    for (int i = 0; i < values->outputs.count; i++)
+        any = any || (image_format_is_float(values->outputs.items[i], &is_float) && is_float);
+    return any || error_set("aov: no output that holds layers: -o FILE.exr");
+}
+
 static bool parse_settings(const struct values *values, struct settings *settings) {
     options_set_defaults(settings_table, settings);
     for (int i = 0; i < values->settings.count; i++)
@@ -108,13 +122,15 @@ static bool parse_settings(const struct values *values, struct settings *setting
     return settings_check(settings);
 }
 
-static bool write_output(struct renderer *renderer, const char *path) {
+static bool write_output(const struct values *values, struct renderer *renderer, const char *path) {
     bool is_float, ok;
     if (!image_format_is_float(path, &is_float))
         return false;
     if (is_float) {
-        struct image image;
-        ok = renderer_read_layers(renderer, &image) && image_write(&image, path);
+        struct image image = {0};
+        ok = renderer_read_layers(renderer, &image) &&
+             debug_layers_append(renderer, values->debug_layers, &image) &&
+             image_write(&image, path);
         image_free(&image);
     } else {
         struct bitmap bitmap;
@@ -129,7 +145,7 @@ static bool write_outputs(const struct values *values, struct renderer *renderer
     bool ok = true;
     for (int i = 0; ok && i < values->outputs.count; i++) {
         char *path = frame_name(values->outputs.items[i], frame);
-        ok = write_output(renderer, path);
+        ok = write_output(values, renderer, path);
         free(path);
     }
     return ok;
@@ -185,7 +201,8 @@ static bool render(const struct values *values, const struct frames *frames,
     struct renderer renderer;
     if (!renderer_init(&renderer, desc))
         return false;
-    bool ok = render_frames(values, frames->count ? frames : &single, &renderer, stage);
+    bool ok = debug_layers_check(&renderer, values->debug_layers) &&
+              render_frames(values, frames->count ? frames : &single, &renderer, stage);
     if (ok && values->stats) {
         renderer_render(&renderer); /* the first frame also compiled */
         stats_print(&renderer);
@@ -233,7 +250,8 @@ int app_render(int argc, char **argv) {
     if (!arguments_parse(&arguments, &values, argc, argv, &scene, &count, &status))
         return status;
     if ((values.frames && !frames_parse(&frames, values.frames)) ||
-        !check_outputs(&values, &frames) || !parse_settings(&values, &settings)) {
+        !check_outputs(&values, &frames) || !parse_debug_layers(&values) ||
+        !parse_settings(&values, &settings)) {
         frames_free(&frames);
         return arguments_misuse(argv[0]);
     }

@@ -8,9 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-void image_init(struct image *image, int width, int height, const char *channel_names) {
-    assert(width > 0 && height > 0);
-    *image = (struct image){.width = width, .height = height};
+static void add_names(struct image *image, const char *channel_names) {
     for (const char *name = channel_names; *name;) {
         size_t length = strcspn(name, " ");
         assert(length > 0 && length < IMAGE_NAME_SIZE);
@@ -20,8 +18,24 @@ void image_init(struct image *image, int width, int height, const char *channel_
         memcpy(image->names[i], name, length);
         name += length + (name[length] == ' ');
     }
-    size_t pixel_count = (size_t)width * (size_t)height;
-    image->pixels = mem_alloc(pixel_count * (size_t)image->channel_count, sizeof(float));
+}
+
+void image_init(struct image *image, int width, int height, const char *channel_names) {
+    assert(width > 0 && height > 0);
+    *image = (struct image){.width = width, .height = height};
+    image_add_channels(image, channel_names);
+}
+
+void image_add_channels(struct image *image, const char *channel_names) {
+    size_t old_count = (size_t)image->channel_count;
+    size_t pixel_count = (size_t)image->width * (size_t)image->height;
+    add_names(image, channel_names);
+    size_t count = (size_t)image->channel_count;
+    float *pixels = mem_alloc(pixel_count * count, sizeof *pixels);
+    for (size_t i = 0; i < pixel_count && old_count; i++)
+        memcpy(pixels + i * count, image->pixels + i * old_count, old_count * sizeof *pixels);
+    free(image->pixels);
+    image->pixels = pixels;
 }
 
 void image_free(struct image *image) {

@@ -26,6 +26,9 @@ struct bitmap {
 /* Zero pixels; names as in "R G B direct.R direct.G direct.B". Sizes must be positive. */
 void image_init(struct image *image, int width, int height, const char *channel_names);
 
+/* More channels, of zeros, after those that are there. */
+void image_add_channels(struct image *image, const char *channel_names);
+
 /* Accepts zeroed structs. */
 void image_free(struct image *image);
 void bitmap_free(struct bitmap *bitmap);

@@ -1,9 +1,8 @@
-/* Pictures of the last frame, read back from the GPU. GL's row 0 is at the bottom, a file's at the
- * top. */
+/* Pictures of the last frame, read back from the GPU. */
 #include "renderer/renderer.h"
 
 #include "base/memory.h"
-#include "gl/framebuffer.h"
+#include "renderer/layer_target.h"
 #include "shared/params.h"
 
 #include <stdlib.h>
@@ -21,33 +20,20 @@ static const struct layer_row {
 
 enum { LAYER_ROWS = sizeof layer_rows / sizeof *layer_rows };
 
-static void copy_channels(struct image *image, const float *rgba, int first, int count) {
-    for (int y = 0; y < image->height; y++) {
-        const float *from = rgba + (size_t)(image->height - 1 - y) * (size_t)image->width * 4;
-        for (int x = 0; x < image->width; x++)
-            memcpy(image_at(image, x, y) + first, from + (size_t)x * 4,
-                   (size_t)count * sizeof(float));
-    }
-}
-
 static void read_layers(struct renderer *renderer, struct image *image,
-                        const struct texture *target, GLuint framebuffer) {
+                        const struct layer_target *target) {
     struct timers untimed = {0};
     struct frame frame = renderer_frame(renderer);
     frame.timers = &untimed;
     struct composite_inputs inputs = renderer_composite_inputs(renderer);
-    size_t bytes = (size_t)image->width * (size_t)image->height * 4 * sizeof(float);
-    float *rgba = mem_alloc(bytes, 1);
-    int first = 0;
+    int channel = 0;
     for (int i = 0; i < LAYER_ROWS; i++) {
-        composite_pass_render_layer(&renderer->composite, &frame, &inputs, layer_rows[i].layer,
-                                    framebuffer);
-        gl.GetTextureImage(target->id, 0, GL_RGBA, GL_FLOAT, (GLsizei)bytes, rgba);
         int count = (int)strlen(layer_rows[i].channels);
-        copy_channels(image, rgba, first, count);
-        first += count;
+        composite_pass_render_layer(&renderer->composite, &frame, &inputs, layer_rows[i].layer,
+                                    target->framebuffer);
+        layer_target_read(target, 0, count, image, channel);
+        channel += count;
     }
-    free(rgba);
 }
 
 bool renderer_read_layers(struct renderer *renderer, struct image *image) {
@@ -59,22 +45,14 @@ bool renderer_read_layers(struct renderer *renderer, struct image *image) {
             snprintf(names + used, sizeof names - used, "%s%s%c", used ? " " : "",
                      layer_rows[i].prefix, *c);
         }
-    struct texture target;
-    GLuint framebuffer = 0;
-    if (!texture_init(
-            &target, &(struct texture_desc){
-                         .label = "layer", .format = GL_RGBA32F, .width = width, .height = height}))
+    struct layer_target target;
+    if (!layer_target_init(&target, width, height))
         return false;
-    bool ok = framebuffer_init(&framebuffer,
-                               &(struct framebuffer_desc){.label = "layer", .colors = {&target}});
-    if (ok) {
-        image_init(image, width, height, names);
-        renderer_bind_frame(renderer);
-        read_layers(renderer, image, &target, framebuffer);
-    }
-    framebuffer_free(&framebuffer);
-    texture_free(&target);
-    return ok;
+    image_init(image, width, height, names);
+    renderer_bind_frame(renderer);
+    read_layers(renderer, image, &target);
+    layer_target_free(&target);
+    return true;
 }
 
 void renderer_read_display(const struct renderer *renderer, struct bitmap *bitmap) {

@@ -1,0 +1,45 @@
+#include "passes/val_light.h"
+
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/params.h"
+
+#include <stdlib.h>
+
+bool val_light_pass_init(struct val_light_pass *pass, const struct visibility_desc *desc) {
+    *pass = (struct val_light_pass){.desc = *desc};
+    char *defines = visibility_defines(desc);
+    bool ok = program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
+                                                                  .fragment = "val_light.frag",
+                                                                  .defines = defines}) &&
+              buffer_init(&pass->visibility_params, "visibility parameters",
+                          sizeof(struct visibility_params), NULL);
+    free(defines);
+    if (!ok)
+        val_light_pass_free(pass);
+    return ok;
+}
+
+void val_light_pass_free(struct val_light_pass *pass) {
+    program_free(&pass->program);
+    buffer_free(&pass->visibility_params);
+    *pass = (struct val_light_pass){0};
+}
+
+void val_light_pass_render(const struct val_light_pass *pass, const struct frame *frame,
+                           const struct gbuffer *gbuffer, const struct visibility_inputs *inputs,
+                           const struct texture *val_fluxes, GLuint framebuffer) {
+    pass_begin(frame->timers, &(struct pass_state){
+                                  .name = "val light",
+                                  .program = pass->program,
+                                  .framebuffer = framebuffer,
+                                  .width = gbuffer->width,
+                                  .height = gbuffer->height,
+                              });
+    gl.BindTextureUnit(0, gbuffer->depth.id);
+    gl.BindTextureUnit(1, gbuffer->normal.id);
+    gl.BindTextureUnit(7, val_fluxes->id);
+    visibility_bind(&pass->desc, frame, &pass->visibility_params, inputs);
+    pass_draw_fullscreen(1);
+    pass_end(frame->timers);
+}

@@ -1,0 +1,396 @@
+/* manylight render: exit statuses, messages and files, as a shell sees them; and --aov's layers. */
+#include "render_support.h"
+
+#include "base/error.h"
+#include "base/image_file.h"
+#include "base/memory.h"
+#include "renderer/debug_layers.h"
+#include "shared/vpl.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static char output[16384];
+
+/* Runs `manylight render ARGUMENTS`; the output is kept. */
+static void expect(int status, const char *arguments) {
+    char command[2048];
+    snprintf(command, sizeof command, "%s render %s", binary_path(), arguments);
+    int actual = run_command(command, output, sizeof output);
+    printf("    %s\n    -> %d %.300s\n", arguments, actual, output);
+    if (actual != status)
+        fail_msg("exit status %d, expected %d: %s", actual, status, output);
+}
+
+static void expect_text(const char *text) {
+    if (!strstr(output, text))
+        fail_msg("'%s' is not in: %s", text, output);
+}
+
+/* A quick frame of the Cornell box with more arguments. */
+static void expect_box(int status, const char *format, ...) {
+    char arguments[1600] = "scenes/cornell-box.glb --size 40x30 --set vpls=64 --set vals=4"
+                           " --set map-size=32 --set rsm-size=64 --set shadow-size=128 ";
+    size_t used = strlen(arguments);
+    va_list more;
+    va_start(more, format);
+    vsnprintf(arguments + used, sizeof arguments - used, format, more);
+    va_end(more);
+    expect(status, arguments);
+}
+
+/* --- refusals --------------------------------------------------------------------------------- */
+
+static void test_usage_errors(void **state) {
+    (void)state;
+    static const struct {
+        const char *arguments, *message;
+    } cases[] = {
+        {"", "manylight render: arguments are missing: SCENE"},
+        {"a.glb", "no output: -o FILE"},
+        {"a.glb b.glb -o c.png", "one argument too many: 'b.glb'"},
+        {"a.glb -o picture", "picture: no extension"},
+        {"a.glb -o picture.xyz", "picture.xyz"},
+        {"a.glb -o b.png --technique radiosity",
+         "'radiosity' is not one of clustered, instant-radiosity"},
+        {"a.glb -o b.png --size 0x10", "1 to 16384"},
+        {"a.glb -o b.png --size 10", "size"},
+        {"a.glb -o b.png --set vpls=0", "vpls: '0' is not a whole number from 1 to 65536"},
+        {"a.glb -o b.png --set terms=17", "terms: '17' is not a whole number from 1 to 16"},
+        {"a.glb -o b.png --set vals=many", "vals"},
+        {"a.glb -o b.png --set nothing=1", "nothing"},
+        {"a.glb -o b.png --set vpls=63 --set interleave=8", "interleave=8 needs at least 64 VPLs"},
+        {"a.glb -o b.png --context cuda", "context"},
+        {"a.glb -o b.exr --aov normals", "aov: no layer is called 'normals' (there is: gathered"},
+        {"a.glb -o b.exr --aov val,", "aov: no layer is called ''"},
+        {"a.glb -o b.png --aov val", "aov: no output that holds layers"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        expect(2, cases[i].arguments);
+        expect_text(cases[i].message);
+    }
+}
+
+/* Every setting that has a range states it when a value is outside, and takes its ends. */
+static void test_ranges(void **state) {
+    (void)state;
+    for (const struct option *row = settings_table; row->name; row++) {
+        struct settings settings;
+        char range[96], text[64];
+        options_set_defaults(settings_table, &settings);
+        if (row->type != OPTION_INT && row->type != OPTION_FLOAT)
+            continue;
+        for (int end = 0; end < 2; end++) {
+            double limit = end ? row->maximum : row->minimum;
+            snprintf(text, sizeof text, "%.10g", limit);
+            check_ok(row->name, option_parse(row, &settings, text));
+            snprintf(text, sizeof text, "%.10g", limit + (end ? 1 : -1) * (1 + fabs(limit)));
+            assert_false(option_parse(row, &settings, text));
+            snprintf(range, sizeof range, row->type == OPTION_INT ? "%.0f to %.0f" : "%g to %g",
+                     row->minimum, row->maximum);
+            if (!strstr(error_get(), range))
+                fail_msg("'%s' is not in: %s", range, error_get());
+        }
+        assert_false(option_parse(row, &settings, "nan"));
+        assert_false(option_parse(row, &settings, ""));
+    }
+}
+
+static void test_failures(void **state) {
+    (void)state;
+    expect(1, "nowhere.glb -o a.png");
+    expect_text("manylight render: cannot open nowhere.glb: No such file");
+    expect_box(1, "--camera nobody -o a.png");
+    expect_text("nobody");
+    expect_box(1, "--light 7 -o a.png");
+    expect_box(1, "-o /nowhere/at/all.png");
+    expect_text("/nowhere/at/all.png");
+    expect_box(1, "--glsl /nowhere -o %s", scratch("glsl.png"));
+    expect_text("cannot open /nowhere/");
+    assert_int_not_equal(access(scratch("glsl.png"), F_OK), 0);
+    expect_box(1, "--technique unshadowed --aov val -o %s", scratch("aov.exr"));
+    expect_text("layer 'val': technique 'unshadowed' has no VALs");
+}
+
+/* When the second output cannot be written, nothing half-written lies beside it. */
+static void test_nothing_half_written(void **state) {
+    (void)state;
+    char command[512];
+    const char *folder = scratch("whole");
+    snprintf(command, sizeof command, "rm -rf %s && mkdir -p %s && chmod 555 %s", folder, folder,
+             folder);
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+    if (access(folder, W_OK) != 0) /* root writes all the same */
+        expect_box(1, "-o %s/a.exr", folder);
+    snprintf(command, sizeof command, "chmod 755 %s; mkdir %s/b.exr", folder, folder);
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+    expect_box(1, "-o %s/b.exr", folder); /* a folder of that name */
+    snprintf(command, sizeof command, "ls %s", folder);
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+    assert_string_equal(output, "b.exr\n");
+}
+
+/* --- files ------------------------------------------------------------------------------------ */
+
+static struct image read_picture(const char *path) {
+    struct image image;
+    check_ok(path, image_read(&image, path));
+    assert_int_equal(image.width, 40);
+    assert_int_equal(image.height, 30);
+    return image;
+}
+
+static float at(const struct image *image, const char *name, int x, int y) {
+    int channel = image_find_channel(image, name);
+    if (channel < 0)
+        fail_msg("no channel %s", name);
+    return image_at(image, x, y)[channel];
+}
+
+/* beauty = albedo x (direct + indirect), Z of what is seen, unit normals. */
+static void check_layers(const struct image *image) {
+    static const char rgb[] = "RGB";
+    double worst_sum = 0, worst_normal = 0;
+    for (int y = 0; y < image->height; y++)
+        for (int x = 0; x < image->width; x++) {
+            float length = 0;
+            for (int c = 0; c < 3; c++) {
+                char names[5][16];
+                const char *layers[5] = {"", "albedo.", "direct.", "indirect.", "normal."};
+                for (int l = 0; l < 5; l++)
+                    snprintf(names[l], sizeof names[l], "%s%c", layers[l],
+                             (l == 4 ? "XYZ" : rgb)[c]);
+                float sum = at(image, names[1], x, y) *
+                            (at(image, names[2], x, y) + at(image, names[3], x, y));
+                worst_sum =
+                    fmax(worst_sum, fabs((double)(at(image, names[0], x, y) / (sum + .01f) - 1)) -
+                                        .01 / ((double)sum + .01));
+                length += powf(at(image, names[4], x, y), 2);
+            }
+            if (at(image, "A", x, y) > 0)
+                worst_normal = fmax(worst_normal, fabs((double)length - 1));
+            assert_true((at(image, "Z", x, y) > 0) == (at(image, "A", x, y) > 0));
+        }
+    check_at_most("beauty over albedo (direct + indirect), in halves", worst_sum, 2e-3);
+    check_at_most("normals' distance from unit", worst_normal, 4e-3);
+}
+
+static double mean_of(const struct image *image) {
+    double sum = 0;
+    for (int i = 0; i < 40 * 30; i++)
+        sum += (double)at(image, "G", i % 40, i / 40) / (40 * 30);
+    return sum;
+}
+
+/* One run, a file of each kind; they agree. */
+static void test_files(void **state) {
+    (void)state;
+    const char *exr = scratch("files.exr"), *png = scratch("files.png"),
+               *jpeg = scratch("files.jpg"), *pfm = scratch("files.pfm"),
+               *hdr = scratch("files.hdr");
+    expect_box(0, "-q -o %s -o %s -o %s -o %s -o %s", exr, png, jpeg, pfm, hdr);
+    assert_string_equal(output, "");
+    struct image layers = read_picture(exr), display = read_picture(png),
+                 lossy = read_picture(jpeg), plain = read_picture(pfm), rgbe = read_picture(hdr);
+    assert_int_equal(layers.channel_count, 17);
+    check_layers(&layers);
+    assert_true(display.encoded && lossy.encoded);
+    double worst_display = 0, worst_plain = 0, lossy_sum = 0;
+    for (int i = 0; i < 40 * 30; i++) {
+        double linear = fmin(1, fmax(0, (double)at(&layers, "G", i % 40, i / 40)));
+        double srgb = linear <= .0031308 ? 12.92 * linear : 1.055 * pow(linear, 1 / 2.4) - .055;
+        double shown = (double)at(&display, "G", i % 40, i / 40);
+        worst_display = fmax(worst_display, fabs(shown - srgb));
+        lossy_sum += fabs(shown - (double)at(&lossy, "G", i % 40, i / 40)) / (40 * 30);
+        double half = (double)at(&layers, "G", i % 40, i / 40);
+        worst_plain =
+            fmax(worst_plain, fabs((double)at(&plain, "G", i % 40, i / 40) - half) / (half + 1e-3));
+    }
+    check_at_most("PNG less the EXR's radiance, encoded", worst_display, 1.1 / 255);
+    check_at_most("JPEG less PNG, mean", lossy_sum, .03);
+    check_at_most("PFM less EXR's half floats, relative", worst_plain, 1e-3);
+    check_near("mean of HDR over that of EXR", mean_of(&rgbe) / mean_of(&layers), 1, .01);
+    image_free(&layers);
+    image_free(&display);
+    image_free(&lossy);
+    image_free(&plain);
+    image_free(&rgbe);
+}
+
+static void test_exposure(void **state) {
+    (void)state;
+    const char *plain = scratch("plain.exr"), *bright = scratch("bright.exr"),
+               *dark_png = scratch("dark.png");
+    expect_box(0, "-o %s", plain);
+    expect_box(0, "--set exposure=3 -o %s", bright);
+    expect_box(0, "--set exposure=-30 -o %s", dark_png);
+    struct image a = read_picture(plain), b = read_picture(bright), c = read_picture(dark_png);
+    assert_true(same_pixels(&a, &b)); /* radiance is radiance */
+    for (int i = 0; i < 40 * 30; i++)
+        assert_true(at(&c, "R", i % 40, i / 40) == 0);
+    image_free(&a);
+    image_free(&b);
+    image_free(&c);
+}
+
+static void test_stats(void **state) {
+    (void)state;
+    expect_box(0, "--stats -o %s", scratch("stats.png"));
+    static const char *const texts[] = {"faces  36",
+                                        "VPLs   64, of which",
+                                        "VALs   4, of which",
+                                        "all GPU memory",
+                                        "frame",
+                                        "gbuffer",
+                                        "clustering",
+                                        "depth maps",
+                                        "gather",
+                                        "blur",
+                                        "composite",
+                                        " ms"};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        expect_text(texts[i]);
+    expect_box(0, "--technique unshadowed --stats -o %s", scratch("stats.png"));
+    assert_null(strstr(output, "VALs   4"));
+}
+
+/* --glsl reads the very shaders that are embedded. */
+static void test_shader_folder(void **state) {
+    (void)state;
+    const char *embedded = scratch("embedded.exr"), *folder = scratch("folder.exr");
+    if (access("glsl/gather.frag", R_OK) != 0)
+        skip();
+    expect_box(0, "-o %s", embedded);
+    expect_box(0, "--glsl glsl -o %s", folder);
+    struct image a = read_picture(embedded), b = read_picture(folder);
+    assert_true(same_pixels(&a, &b));
+    image_free(&a);
+    image_free(&b);
+}
+
+/* --- debug layers ----------------------------------------------------------------------------- */
+
+static void test_aov(void **state) {
+    (void)state;
+    const char *with = scratch("with.exr"), *without = scratch("without.exr");
+    expect_box(0, "--aov vpl,visibility,gathered,val -o %s", with);
+    expect_box(0, "-o %s", without);
+    struct image a = read_picture(with), b = read_picture(without);
+    assert_int_equal(a.channel_count, b.channel_count + 10);
+    for (int i = 0; i < 40 * 30; i++) {
+        int x = i % 40, y = i / 40;
+        float share = at(&a, "visibility.Y", x, y);
+        assert_true(share >= 0 && share <= 1);
+        assert_true(at(&a, "val.G", x, y) >= 0 && at(&a, "val.G", x, y) <= 1);
+        assert_true(at(&a, "vpl.B", x, y) >= 0);
+        assert_true(at(&a, "R", x, y) == at(&b, "R", x, y));
+        assert_true(at(&a, "indirect.R", x, y) == at(&b, "indirect.R", x, y));
+    }
+    image_free(&a);
+    image_free(&b);
+}
+
+static struct image append_layers(const struct stage *stage, const char *technique,
+                                  const char *settings, const char *names,
+                                  struct renderer *renderer) {
+    struct renderer_desc desc = desc_of(stage, technique, settings, 64, 64);
+    struct image image;
+    unsigned layers;
+    check_ok(names, debug_layers_parse(&layers, names));
+    open_renderer(renderer, &desc);
+    check_ok("layers", renderer_read_layers(renderer, &image));
+    check_ok("debug layers", debug_layers_append(renderer, layers, &image));
+    return image;
+}
+
+/* Without interleaving and blur what is gathered is the indirect layer. */
+static void test_gathered(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    struct image image = append_layers(&stage, "unshadowed", "vpls=256 interleave=4 blur-radius=0",
+                                       "gathered", &renderer);
+    double worst = 0;
+    for (int i = 0; i < 64 * 64; i++)
+        worst = fmax(worst, fabs((double)at(&image, "gathered.G", i % 64, i / 64) -
+                                 (double)at(&image, "indirect.G", i % 64, i / 64)));
+    check_at_most("gathered less indirect, worst pixel", worst, 0);
+    image_free(&image);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* With a VAL for each VPL the share is the clustered light over the unshadowed. */
+static void test_visibility_share(void **state) {
+    (void)state;
+    const char *settings = "vpls=64 vals=64 interleave=1 clamp=disk visibility=hard "
+                           "visibility-block=0 map-size=128";
+    struct stage stage;
+    struct renderer renderer;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    struct image image = append_layers(&stage, "clustered", settings, "visibility", &renderer);
+    struct image open = render_stage(&stage, "unshadowed", settings, 64);
+    double sum = 0, difference = 0;
+    for (int i = 0; i < 64 * 64; i++) {
+        double most = 0, arrives = 0;
+        for (int c = 0; c < 3; c++) {
+            static const char *const names[] = {"indirect.R", "indirect.G", "indirect.B"};
+            most += (double)at(&open, names[c], i % 64, i / 64);
+            arrives += (double)at(&image, names[c], i % 64, i / 64);
+        }
+        if (most <= 0)
+            continue;
+        sum++;
+        difference += fabs(arrives / most - (double)at(&image, "visibility.Y", i % 64, i / 64));
+    }
+    /* VPLs have an area, VALs of one VPL none: next to a VPL the weights differ. */
+    check_at_most("share less light over unshadowed light, mean", difference / sum, .02);
+    image_free(&image);
+    image_free(&open);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* No more flux in the picture than there is, and those VPLs that the camera sees. */
+static void test_vpl_layer(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    struct image image =
+        append_layers(&stage, "clustered", "vpls=1024 vals=8 map-size=32", "vpl", &renderer);
+    struct vpl *vpls = read_vpls(&renderer);
+    double all = 0, seen = 0;
+    for (int i = 0; i < 1024; i++)
+        all += (double)vpls[i].flux[0];
+    for (int i = 0; i < 64 * 64; i++)
+        seen += (double)at(&image, "vpl.R", i % 64, i / 64);
+    printf("    seen %.4g of %.4g W\n", seen, all);
+    assert_true(seen <= all * 1.001 && seen > .1 * all);
+    free(vpls);
+    image_free(&image);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_usage_errors),
+        cmocka_unit_test(test_ranges),
+        cmocka_unit_test(test_failures),
+        cmocka_unit_test(test_nothing_half_written),
+        cmocka_unit_test(test_files),
+        cmocka_unit_test(test_exposure),
+        cmocka_unit_test(test_stats),
+        cmocka_unit_test(test_shader_folder),
+        cmocka_unit_test(test_aov),
+        cmocka_unit_test(test_gathered),
+        cmocka_unit_test(test_visibility_share),
+        cmocka_unit_test(test_vpl_layer),
+    };
+    return cmocka_run_group_tests_name("render", tests, open_group_context, close_group_context);
+}
