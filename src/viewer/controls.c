@@ -183,7 +183,8 @@ static bool drag_split(struct viewer *viewer) {
     struct compare *compare = &viewer->compare;
     double x = (input->x - picture->x) / picture->width;
     double reach = 7 * (double)input->scale / picture->width;
-    bool near_line = fabs(x - (double)compare->split) < reach;
+    double press_x = (input->press_x - picture->x) / picture->width;
+    bool near_line = fabs(press_x - (double)compare->split) < reach;
     if (input->pressed[BUTTON_LEFT] && viewer->right && !compare->only_right && near_line)
         viewer->drags_split = true;
     if (!input->held[BUTTON_LEFT])
@@ -227,11 +228,7 @@ static void click(struct viewer *viewer) {
 
 static bool was_clicked(struct viewer *viewer) {
     const struct input *input = viewer->input;
-    if (input->pressed[BUTTON_LEFT]) {
-        viewer->press_x = input->x;
-        viewer->press_y = input->y;
-    }
-    double away = fabs(input->x - viewer->press_x) + fabs(input->y - viewer->press_y);
+    double away = fabs(input->x - input->press_x) + fabs(input->y - input->press_y);
     return input->released[BUTTON_LEFT] && viewer->drags_picture && away < 4;
 }
 

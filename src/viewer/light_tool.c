@@ -41,7 +41,8 @@ static bool is_under(const struct light_stage *stage, const struct input *input,
                      const float point[3]) {
     float at[2];
     return project(stage, point, at) &&
-           hypot(input->x - (double)at[0], input->y - (double)at[1]) < 11 * (double)input->scale;
+           hypot(input->press_x - (double)at[0], input->press_y - (double)at[1]) <
+               11 * (double)input->scale;
 }
 
 /* The point under the mouse at the same depth as another one. */

@@ -189,6 +189,9 @@ void viewer_take_screenshot(struct viewer *viewer) {
     if (!viewer->has_scene)
         return;
     char png[64], exr[64];
+    viewer->moving = false; /* in the full size, whatever is on its way */
+    viewer->pace.last_motion = 0;
+    viewer_update_picture(viewer);
     for (int i = 1; i < 10000; i++) {
         snprintf(png, sizeof png, "manylight-%04d.png", i);
         snprintf(exr, sizeof exr, "manylight-%04d.exr", i);

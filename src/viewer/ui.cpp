@@ -192,10 +192,15 @@ void ui_free(void) {
     ImGui::DestroyContext();
 }
 
-void ui_frame_begin(void) {
+void ui_frame_begin(const int *taps, int tap_count) {
+    ImGuiIO &io = ImGui::GetIO();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    for (int i = 0; i < tap_count; i++)
+        io.KeysDown[taps[i]] = true;
     ImGui::NewFrame();
+    for (int i = 0; i < tap_count; i++)
+        io.KeysDown[taps[i]] = false;
 }
 
 void ui_frame_end(void) {

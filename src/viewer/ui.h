@@ -18,8 +18,9 @@ extern "C" {
 bool ui_init(void *native_window, float scale);
 void ui_free(void);
 
-/* All widgets lie between these; end draws them into the window's framebuffer. */
-void ui_frame_begin(void);
+/* All widgets lie between these. taps: keys that were pressed and released since the last frame,
+ * which a slow frame would miss. end draws them into the window's framebuffer. */
+void ui_frame_begin(const int *taps, int tap_count);
 void ui_frame_end(void);
 
 /* Whether the mouse is over a widget, or text is typed into one: then it is not the picture's. */

@@ -116,7 +116,7 @@ static bool turn(struct viewer *viewer) {
     viewer->done |= viewer->input->close;
     if (viewer->input->width == 0)
         return true; /* minimised */
-    ui_frame_begin();
+    ui_frame_begin(viewer->input->taps, viewer->input->tap_count);
     lay_out(viewer);
     bool ok = viewer_poll_loader(viewer);
     if (!ok && !viewer_is_scripted(viewer)) {
@@ -171,7 +171,7 @@ static void close_window(struct viewer *viewer) {
 
 static void begin(struct viewer *viewer) {
     const struct viewer_desc *desc = &viewer->desc;
-    options_set_defaults(settings_table, &viewer->compare.settings);
+    viewer->compare.settings = desc->settings;
     /* To begin with, against the last technique of the list. */
     while (technique_names[viewer->compare.technique + 1])
         viewer->compare.technique++;

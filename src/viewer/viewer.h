@@ -84,7 +84,6 @@ struct viewer {
     double last_update;
     bool drags_picture; /* the mouse was pressed on it */
     bool drags_split;
-    double press_x, press_y;
 
     /* viewer/panel.c */
     char scene_path[512], reference_path[512], session_path[512];

@@ -14,6 +14,8 @@ struct window {
     struct input input;
     /* What callbacks collect until the next poll. */
     struct input next;
+    int last_code;             /* the key pressed since the last poll, GLFW's code */
+    double cursor_x, cursor_y; /* of the last event, in screen coordinates */
     /* Where to come back to from full screen, in screen coordinates. */
     int x, y, width, height;
 };
@@ -34,21 +36,60 @@ static void on_error(int code, const char *description) {
 
 static void on_key(GLFWwindow *handle, int code, int scancode, int action, int modifiers) {
     (void)scancode, (void)modifiers;
-    struct input *next = &((struct window *)glfwGetWindowUserPointer(handle))->next;
+    struct window *window = glfwGetWindowUserPointer(handle);
+    struct input *next = &window->next;
     int key = key_of(code);
     next->any = true;
     next->key_held[key] = action != GLFW_RELEASE;
+    if (action == GLFW_PRESS)
+        window->last_code = code;
+    if (action == GLFW_RELEASE && code == window->last_code && next->tap_count < INPUT_KEYS_MAX)
+        next->taps[next->tap_count++] = code;
     if (action == GLFW_PRESS && key && next->key_count < INPUT_KEYS_MAX)
         next->keys[next->key_count++] = key;
 }
 
+/* From the system's own units, which may be several pixels, to pixels. */
+static void to_pixels(GLFWwindow *handle, double *x, double *y) {
+    int width, height, pixel_width, pixel_height;
+    glfwGetWindowSize(handle, &width, &height);
+    glfwGetFramebufferSize(handle, &pixel_width, &pixel_height);
+    if (width > 0 && height > 0) {
+        *x *= (double)pixel_width / width;
+        *y *= (double)pixel_height / height;
+    }
+}
+
+static bool was_pressed(const struct input *input) {
+    for (int i = 0; i < BUTTON_COUNT; i++)
+        if (input->pressed[i])
+            return true;
+    return false;
+}
+
+/* Since the last poll; a drag begins where the button was pressed. */
+static void read_motion(const struct window *window, struct input *input) {
+    bool pressed = was_pressed(input);
+    glfwGetCursorPos(window->handle, &input->x, &input->y);
+    to_pixels(window->handle, &input->x, &input->y);
+    input->dx = input->x - (pressed ? input->press_x : window->input.x);
+    input->dy = input->y - (pressed ? input->press_y : window->input.y);
+}
+
 static void on_button(GLFWwindow *handle, int button, int action, int modifiers) {
     (void)modifiers;
-    struct input *next = &((struct window *)glfwGetWindowUserPointer(handle))->next;
+    struct window *window = glfwGetWindowUserPointer(handle);
+    struct input *next = &window->next;
     if (button >= BUTTON_COUNT)
         return;
     next->any = true;
     next->held[button] = action == GLFW_PRESS;
+    if (action == GLFW_PRESS) {
+        /* Where the mouse was then, which glfwGetCursorPos does not know. */
+        next->press_x = window->cursor_x;
+        next->press_y = window->cursor_y;
+        to_pixels(handle, &next->press_x, &next->press_y);
+    }
     next->pressed[button] |= action == GLFW_PRESS;
     next->released[button] |= action == GLFW_RELEASE;
 }
@@ -61,8 +102,10 @@ static void on_scroll(GLFWwindow *handle, double x, double y) {
 }
 
 static void on_cursor(GLFWwindow *handle, double x, double y) {
-    (void)x, (void)y;
-    ((struct window *)glfwGetWindowUserPointer(handle))->next.any = true;
+    struct window *window = glfwGetWindowUserPointer(handle);
+    window->next.any = true;
+    window->cursor_x = x;
+    window->cursor_y = y;
 }
 
 static void on_refresh(GLFWwindow *handle) {
@@ -145,19 +188,6 @@ static bool either(GLFWwindow *handle, int left, int right) {
     return glfwGetKey(handle, left) == GLFW_PRESS || glfwGetKey(handle, right) == GLFW_PRESS;
 }
 
-static void read_cursor(struct window *window, struct input *input) {
-    int width, height;
-    glfwGetWindowSize(window->handle, &width, &height);
-    glfwGetCursorPos(window->handle, &input->x, &input->y);
-    /* Some systems give positions in units of several pixels. */
-    if (width > 0 && height > 0) {
-        input->x *= (double)input->width / width;
-        input->y *= (double)input->height / height;
-    }
-    input->dx = input->x - window->input.x;
-    input->dy = input->y - window->input.y;
-}
-
 const struct input *window_poll(struct window *window, double wait) {
     if (wait > 0)
         glfwWaitEventsTimeout(wait);
@@ -169,16 +199,23 @@ const struct input *window_poll(struct window *window, double wait) {
     glfwGetWindowContentScale(window->handle, &input->scale, &scale_y);
     if (glfwGetWindowAttrib(window->handle, GLFW_ICONIFIED))
         input->width = input->height = 0;
-    read_cursor(window, input);
+    read_motion(window, input);
     input->shift = either(window->handle, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
     input->control = either(window->handle, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
     input->close = glfwWindowShouldClose(window->handle);
 
     free(window->input.dropped);
     window->input = *input;
+    for (int i = 0; i < BUTTON_COUNT; i++)
+        window->input.held[i] |= input->pressed[i];
+    window->last_code = GLFW_KEY_UNKNOWN;
     /* What is held goes on, what happened is over. */
+    bool held[BUTTON_COUNT];
+    memcpy(held, input->held, sizeof held);
     *input = (struct input){0};
-    memcpy(input->held, window->input.held, sizeof input->held);
+    memcpy(input->held, held, sizeof input->held);
+    input->press_x = window->input.press_x;
+    input->press_y = window->input.press_y;
     memcpy(input->key_held, window->input.key_held, sizeof input->key_held);
     return &window->input;
 }

@@ -36,11 +36,15 @@ struct input {
     int width, height; /* of the framebuffer; 0 while minimised */
     float scale;       /* of the monitor: 2 = twice as many pixels an inch */
     double x, y, dx, dy, scroll;
+    double press_x, press_y; /* where a button was pressed last */
+    /* A button that was pressed and released since the last poll counts as held in this one. */
     bool held[BUTTON_COUNT], pressed[BUTTON_COUNT], released[BUTTON_COUNT];
     bool shift, control;
     bool key_held[KEY_COUNT];
     int keys[INPUT_KEYS_MAX]; /* pressed, in order */
     int key_count;
+    int taps[INPUT_KEYS_MAX]; /* keys pressed and released again, in the system's own codes */
+    int tap_count;
     char *dropped; /* a file's path, or NULL */
     bool any;      /* anything at all happened */
     bool close;    /* asked for by the window manager */
