@@ -150,7 +150,7 @@ static int find_section(int n) {
 }
 
 enum { SECTION_SCENE, SECTION_SETTINGS = 5, SECTION_TECHNIQUE = 6 };
-enum { COLUMN_WIDGET = 123, COLUMN_BUTTON = 22 };
+enum { COLUMN_WIDGET = 123, COLUMN_BUTTON = 17 };
 
 static void click(int x, int y) {
     xdo("mousemove %d %d sleep .3 mousedown 1 sleep .3 mouseup 1 sleep .3", x, y);
