@@ -92,6 +92,5 @@ int main(void) {
         cmocka_unit_test(test_far),
         cmocka_unit_test(test_closed_door),
     };
-    return cmocka_run_group_tests_name("stability", tests, open_group_context,
-                                       close_group_context);
+    return cmocka_run_group_tests_name("stability", tests, open_group_context, close_group_context);
 }

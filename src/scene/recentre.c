@@ -4,8 +4,8 @@
 
 #include <cglm/cglm.h>
 
-/* Nearer than so many radii nothing is gained. */
-static const float far_radii = 8;
+/* Nearer than so many radii floats are fine to a ten thousandth of the radius: enough. */
+static const float far_radii = 1000;
 
 static void shift(const struct scene *scene, float position[3]) {
     for (int c = 0; c < 3; c++)
