@@ -125,7 +125,7 @@ static void test_bound_area_and_cracks(void **state) {
     static const float bounds[] = {100, 5, 1.3F, .4F, .05F};
     for (int i = 0; i < 5; i++) {
         struct caster caster;
-        caster_init(&caster, &box, bounds[i]);
+        caster_init(&caster, &box, &(struct caster_desc){.max_edge = bounds[i]});
         struct filled pose = filled_of(&caster, &box);
         check_near("bound", caster.max_edge, bounds[i], 0);
         check_at_most("longest edge", longest_edge(pose.position, &caster), bounds[i] * 1.000001);
@@ -145,7 +145,7 @@ static void test_batches(void **state) {
     struct geometry box;
     make_box(&box);
     struct caster caster;
-    caster_init(&caster, &box, .5F);
+    caster_init(&caster, &box, &(struct caster_desc){.max_edge = .5F});
     struct filled pose = filled_of(&caster, &box);
     assert_int_equal(caster.batch_count, 2);
     assert_int_equal(caster.batches[0].material, 3);
@@ -179,7 +179,7 @@ static void test_moved(void **state) {
     struct geometry box;
     make_box(&box);
     struct caster caster;
-    caster_init(&caster, &box, .3F);
+    caster_init(&caster, &box, &(struct caster_desc){.max_edge = .3F});
     for (int i = 0; i < 36; i++) {
         float x = box.position[i][0], y = box.position[i][1];
         box.position[i][0] = .8F * x - .6F * y;
@@ -201,7 +201,7 @@ static void test_limit(void **state) {
     struct geometry box;
     make_box(&box);
     struct caster caster;
-    caster_init(&caster, &box, 1e-30F);
+    caster_init(&caster, &box, &(struct caster_desc){.max_edge = 1e-30F});
     check_at_most("triangles", caster.index_count / 3, 12 + CASTER_MAX_EXTRA_TRIANGLES);
     check_at_most("a tenth of the limit", CASTER_MAX_EXTRA_TRIANGLES / 10., caster.index_count / 3);
     caster_free(&caster);

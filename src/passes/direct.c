@@ -71,17 +71,16 @@ static void render_shadow_map(const struct direct_pass *pass, const struct frame
         .name = "shadow map",
         .program = pass->opaque_program,
         .framebuffer = pass->shadow_framebuffer,
-        .vertex_array = frame->scene->caster_vertices,
+        .vertex_array = frame->scene->shaded_vertices,
         .width = pass->shadow_size,
         .height = pass->shadow_size,
         .depth = PASS_DEPTH_GREATER,
     };
     pass_begin(frame->timers, &state);
     gl.ClearNamedFramebufferfv(pass->shadow_framebuffer, GL_DEPTH, 0, &far);
-    scene_gpu_draw_opaque_casters(frame->scene, frame->light_views);
+    scene_gpu_draw_opaque(frame->scene, frame->light_views);
     if (frame->scene->masked_caster_count) {
         state.program = pass->masked_program;
-        state.vertex_array = frame->scene->shaded_vertices;
         pass_set_state(&state);
         scene_gpu_draw_masked(frame->scene, frame->light_views);
     }

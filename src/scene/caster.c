@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "scene/edge_table.h"
+#include "scene/weld.h"
 
 #include <assert.h>
 #include <cglm/cglm.h>
@@ -12,6 +13,7 @@
 struct splitter {
     struct caster *caster;
     const struct geometry *geometry;
+    const uint32_t *welded;      /* which vertex stands for each; NULL = itself */
     struct edge_table midpoints; /* vertex number of each split edge's; 0 = not made yet */
     float (*extra)[3];           /* positions of the extra vertices */
     uint32_t index_capacity, extra_capacity;
@@ -94,14 +96,29 @@ static bool split(struct splitter *splitter, const uint32_t corner[3], uint32_t 
            split(splitter, (uint32_t[]){middle, b, c}, max_indices);
 }
 
+/* False where welding leaves nothing of the triangle. */
+static bool weld_triangle(const struct splitter *splitter, const uint32_t corner[3],
+                          uint32_t welded[3]) {
+    for (int c = 0; c < 3; c++)
+        welded[c] = splitter->welded[corner[c]];
+    return welded[0] != welded[1] && welded[1] != welded[2] && welded[2] != welded[0];
+}
+
 static bool split_batch(struct splitter *splitter, const struct geometry_batch *batch) {
     struct caster *caster = splitter->caster;
+    bool opaque = batch->first_index < splitter->geometry->opaque_index_count;
+    bool weld = splitter->welded && opaque && !batch->dynamic;
     struct geometry_batch *made = &caster->batches[caster->batch_count++];
     *made = *batch;
     made->first_index = caster->index_count;
     for (uint32_t k = 0; k < batch->index_count; k += 3) {
         uint32_t at = batch->first_index + k;
         const uint32_t *corner = &splitter->geometry->indices[at];
+        uint32_t welded[3];
+        if (weld && !weld_triangle(splitter, corner, welded))
+            continue;
+        if (weld)
+            corner = welded;
         if (batch->dynamic)
             emit(splitter, corner);
         else if (!split(splitter, corner, at + 3 + 3 * CASTER_MAX_EXTRA_TRIANGLES))
@@ -112,11 +129,16 @@ static bool split_batch(struct splitter *splitter, const struct geometry_batch *
 }
 
 /* Splits everything by the bound; false when there would be too many triangles. */
-static bool try_bound(struct caster *caster, const struct geometry *geometry, float max_edge) {
+static bool try_bound(struct caster *caster, const struct geometry *geometry,
+                      const uint32_t *welded, float max_edge) {
     *caster = (struct caster){.max_edge = max_edge, .base_count = geometry->vertex_count};
     caster->batches = mem_alloc((size_t)geometry->batch_count, sizeof *caster->batches);
     struct splitter splitter = {
-        .caster = caster, .geometry = geometry, .max_edge_squared = max_edge * max_edge};
+        .caster = caster,
+        .geometry = geometry,
+        .welded = welded,
+        .max_edge_squared = max_edge * max_edge,
+    };
     bool good = true;
     for (int i = 0; good && i < geometry->batch_count; i++) {
         good = split_batch(&splitter, &geometry->batches[i]);
@@ -168,8 +190,11 @@ static void find_parts(struct caster *caster, const struct geometry *geometry) {
     }
 }
 
-void caster_init(struct caster *caster, const struct geometry *geometry, float max_edge) {
+void caster_init(struct caster *caster, const struct geometry *geometry,
+                 const struct caster_desc *desc) {
+    float max_edge = desc->max_edge;
     assert(max_edge > 0);
+    uint32_t *welded = desc->weld > 0 ? weld_vertices(geometry, desc->weld) : NULL;
     /* An edge only a few steps of a float long has no midpoint of its own. */
     for (int c = 0; c < 3; c++)
         max_edge = fmaxf(max_edge, 1e-6F * fmaxf(fabsf(geometry->bounds_min[c]),
@@ -177,11 +202,12 @@ void caster_init(struct caster *caster, const struct geometry *geometry, float m
     float least = least_bound(geometry);
     while (max_edge < least)
         max_edge *= 2;
-    while (!try_bound(caster, geometry, max_edge)) {
+    while (!try_bound(caster, geometry, welded, max_edge)) {
         caster_free(caster);
         max_edge *= 2;
     }
     find_parts(caster, geometry);
+    free(welded);
 }
 
 void caster_free(struct caster *caster) {

@@ -1,4 +1,4 @@
-/* Shadow casters with short edges, for paraboloid maps.
+/* Shadow casters for paraboloid maps: few triangles, and with short edges.
  *
  * A paraboloid map bends straight lines, but a rasteriser draws them straight, so that a large
  * triangle ends up in the wrong place. Here every edge longer than a bound is split at its middle,
@@ -33,9 +33,16 @@ struct caster {
 /* Beside those that the geometry has, no more triangles than this are made. */
 enum { CASTER_MAX_EXTRA_TRIANGLES = 2000000 };
 
-/* Splits the geometry as it is posed now, but for its dynamic batches, until no edge is longer than
- * max_edge > 0, or than the least multiple of it by a power of two that keeps the limit. */
-void caster_init(struct caster *caster, const struct geometry *geometry, float max_edge);
+/* Lengths in metres. */
+struct caster_desc {
+    float max_edge; /* > 0 */
+    float weld;     /* vertices of opaque parts this close become one (scene/weld.h); 0 = none do */
+};
+
+/* Welds and splits the geometry as it is posed now, but for its dynamic batches, until no edge is
+ * longer than max_edge, or than the least multiple of it by a power of two that keeps the limit. */
+void caster_init(struct caster *caster, const struct geometry *geometry,
+                 const struct caster_desc *desc);
 void caster_free(struct caster *caster);
 
 /* Fills the extra_count extra positions and texture coordinates (unless NULL) from the geometry,

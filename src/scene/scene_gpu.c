@@ -125,6 +125,7 @@ static void copy_batches(struct scene_gpu *gpu, const struct geometry *geometry,
     gpu->batch_count = geometry->batch_count;
     gpu->batches = mem_alloc((size_t)geometry->batch_count, sizeof *gpu->batches);
     memcpy(gpu->batches, geometry->batches, (size_t)geometry->batch_count * sizeof *gpu->batches);
+    gpu->opaque_indices = geometry->opaque_index_count;
     gpu->opaque_caster_indices = caster->opaque_index_count;
     gpu->masked_casters = mem_alloc((size_t)caster->batch_count, sizeof *gpu->masked_casters);
     for (int i = 0; i < caster->batch_count; i++)
@@ -280,6 +281,11 @@ void scene_gpu_draw_masked(const struct scene_gpu *gpu, int instances) {
     for (int i = 0; i < gpu->batch_count; i++)
         if (gpu->scene->materials[gpu->batches[i].material].alpha_mask)
             draw_batch(gpu, &gpu->batches[i], instances);
+}
+
+void scene_gpu_draw_opaque(const struct scene_gpu *gpu, int instances) {
+    if (gpu->opaque_indices)
+        draw_indices(0, gpu->opaque_indices, instances);
 }
 
 void scene_gpu_draw_opaque_casters(const struct scene_gpu *gpu, int instances) {

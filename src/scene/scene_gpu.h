@@ -20,7 +20,7 @@ struct scene_gpu {
     const struct scene *scene; /* must outlive this */
     struct geometry_batch *batches, *masked_casters;
     int batch_count, masked_caster_count;
-    uint32_t opaque_caster_indices;
+    uint32_t opaque_indices, opaque_caster_indices;
     uint32_t vertex_count;
     unsigned pose;             /* of the geometry, that was uploaded last */
     float (*extra)[3];         /* the casters' extra positions */
@@ -39,10 +39,11 @@ bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry,
                       struct caster *caster);
 void scene_gpu_free(struct scene_gpu *gpu);
 
-/* With vertex array shaded_vertices: all batches, or those with an alpha mask. Binds BLOCK_MATERIAL
- * and texture unit 0. */
+/* With vertex array shaded_vertices: all batches; those with an alpha mask; all others at once, for
+ * depth alone. The first two bind BLOCK_MATERIAL and texture unit 0. */
 void scene_gpu_draw_shaded(const struct scene_gpu *gpu, int instances);
 void scene_gpu_draw_masked(const struct scene_gpu *gpu, int instances);
+void scene_gpu_draw_opaque(const struct scene_gpu *gpu, int instances);
 
 /* With vertex array caster_vertices; the masked ones bind as shaded ones do. */
 void scene_gpu_draw_opaque_casters(const struct scene_gpu *gpu, int instances);
