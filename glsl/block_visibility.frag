@@ -21,5 +21,5 @@ void main() {
     int size = int(params.block);
     ivec2 pixel = min(ivec2(gl_FragCoord.xy) * size + size / 2, textureSize(depths, 0).xy - 1);
     surface s = surface_fetch(camera, depths, normals, ivec3(pixel, 0));
-    lit = s.present ? visibility(instance, s.position + s.normal * lookup.bias) : 1.0;
+    lit = s.present ? visibility(instance, s.position, s.normal) : 1.0;
 }

@@ -1,4 +1,4 @@
-// Geometry-aware blur along one axis [Dong 2009 §6; Laine et al. 2007]: neighbours count where they are
+// Geometry-aware blur along one axis, or over a square at once [Dong 2009 §6; Laine et al. 2007]: neighbours count where they are
 // near in space and normal. The ends have half weight, so that the window holds each place of the
 // interleaving pattern equally and is not shifted by half a pixel.
 #include "lib/surface.glsl"
@@ -29,19 +29,22 @@ void main() {
     surface center = surface_fetch(camera, depths, normals, ivec3(pixel, 0));
     if (!center.present)
         return;
-    int radius = int(params.radius);
+    int radius = int(params.radius), rows = int(params.radius_y);
+    ivec2 along = ivec2(params.direction.xy), across = along.yx;
     vec4 sum = vec4(0.0);
-    for (int i = -radius; i <= radius; i++) {
-        ivec2 tap = pixel + i * ivec2(params.direction.xy);
-        if (any(lessThan(tap, ivec2(0))) || any(greaterThanEqual(tap, size)))
-            continue;
-        surface s = surface_fetch(camera, depths, normals, ivec3(tap, 0));
-        vec3 apart = s.position - center.position;
-        if (s.present && dot(apart, apart) < params.distance2 &&
-            dot(s.normal, center.normal) > params.cosine) {
-            float weight = radius > 0 && abs(i) == radius ? 0.5 : 1.0;
-            sum += weight * vec4(texelFetch(source, source_texel(tap), 0).rgb, 1.0);
+    for (int j = -rows; j <= rows; j++)
+        for (int i = -radius; i <= radius; i++) {
+            ivec2 tap = pixel + i * along + j * across;
+            if (any(lessThan(tap, ivec2(0))) || any(greaterThanEqual(tap, size)))
+                continue;
+            surface s = surface_fetch(camera, depths, normals, ivec3(tap, 0));
+            vec3 apart = s.position - center.position;
+            if (s.present && dot(apart, apart) < params.distance2 &&
+                dot(s.normal, center.normal) > params.cosine) {
+                float weight = (radius > 0 && abs(i) == radius ? 0.5 : 1.0) *
+                               (rows > 0 && abs(j) == rows ? 0.5 : 1.0);
+                sum += weight * vec4(texelFetch(source, source_texel(tap), 0).rgb, 1.0);
+            }
         }
-    }
-    blurred = vec4(sum.rgb / max(sum.a, 0.5), 1.0);
+    blurred = vec4(sum.rgb / max(sum.a, 0.25), 1.0);
 }

@@ -89,10 +89,9 @@ void main() {
 #endif
     // A loop of its own: a software rasteriser leaves a loop that no pixel is in, but executes both
     // sides of a branch.
-    vec3 receiver = s.position + s.normal * lookup.bias;
     for (int i = slot.x; i < last; i++) {
         vec3 light = unshadowed(i, s, map);
-        sum += light * visibility(map, receiver);
+        sum += light * visibility(map, s.position, s.normal);
     }
     irradiance = vec4(sum * (INVERSE_PI * weight * params.scale), 1.0);
 }

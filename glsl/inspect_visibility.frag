@@ -22,7 +22,7 @@ void main() {
     surface s = surface_fetch(camera, depths, normals, ivec3(pixel, 0));
     if (!s.present)
         return;
-    float lit = visibility(at.layer, s.position + s.normal * lookup.bias);
+    float lit = visibility(at.layer, s.position, s.normal);
     // What the VAL cannot light, as it lies behind it or faces away, is blue.
     vec3 to_val = views[at.layer].center.xyz - s.position;
     bool faces = dot(s.normal, to_val) > 0.0 && dot(views[at.layer].axis.xyz, to_val) < 0.0;

@@ -10,5 +10,5 @@ layout(location = 0) out float lit;
 #include "lib/visibility.glsl"
 
 void main() {
-    lit = visibility(int(gl_FragCoord.x), params.position.xyz + params.normal.xyz * lookup.bias);
+    lit = visibility(int(gl_FragCoord.x), params.position.xyz, params.normal.xyz);
 }

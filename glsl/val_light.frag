@@ -29,13 +29,12 @@ void main() {
     surface s = surface_fetch(camera, depths, normals, ivec3(gl_FragCoord.xy, 0));
     if (!s.present)
         return;
-    vec3 receiver = s.position + s.normal * lookup.bias;
     float most = 0.0, sum = 0.0, arriving = 0.0;
     for (int k = 0; k < MAP_COUNT; k++) {
         float light = unshadowed(k, s);
         if (light <= 0.0)
             continue;
-        float visible = light * visibility(k, receiver);
+        float visible = light * visibility(k, s.position, s.normal);
         sum += light;
         arriving += visible;
         if (visible > most) {

@@ -1,5 +1,5 @@
-// float visibility(int map, vec3 position): which part of a map's light reaches a point. VISIBILITY
-// picks the file: 0 none, 1 hard, 2 convolution soft shadow maps.
+// float visibility(int map, vec3 position, vec3 normal): which part of a map's light reaches a point of a
+// surface. VISIBILITY picks the file, as enum visibility_lookup.
 #include "lib/paraboloid.glsl"
 
 layout(std140, binding = BLOCK_MAPS) uniform map_uniforms {
@@ -9,10 +9,16 @@ layout(std140, binding = BLOCK_VISIBILITY) uniform visibility_uniforms {
     visibility_params lookup;
 };
 
+#if VISIBILITY == 1 || VISIBILITY == 3
+#include "lib/depth_maps.glsl"
+#endif
+
 #if VISIBILITY == 0
 #include "lib/visibility_none.glsl"
 #elif VISIBILITY == 1
 #include "lib/visibility_hard.glsl"
-#else
+#elif VISIBILITY == 2
 #include "lib/visibility_cssm.glsl"
+#else
+#include "lib/visibility_pcss.glsl"
 #endif

@@ -66,9 +66,9 @@ float filter_width(float alpha, vec2 p) {
 #endif
 }
 
-float visibility(int map, vec3 position) {
+float visibility(int map, vec3 position, vec3 normal) {
     map_view v = views[map];
-    vec3 q = paraboloid_local(v, position);
+    vec3 q = paraboloid_receiver(v, position, normal, lookup.bias, lookup.map_size);
     if (q.z <= 0.0)
         return 1.0;
     float r = length(q);

@@ -1,3 +1,3 @@
-float visibility(int map, vec3 position) {
+float visibility(int map, vec3 position, vec3 normal) {
     return 1.0;
 }

@@ -37,9 +37,9 @@ struct basis_params {
 
 /* How a point looks itself up in the maps; at BLOCK_VISIBILITY. */
 struct visibility_params {
-    float bias;     /* of the point along its normal, metres */
+    float bias;     /* of the point along its normal, texels of the map */
     float map_size; /* texels */
-    float map_bias; /* of a hard lookup, metres */
+    float map_bias; /* of a hard lookup, of the distance */
     float shift;    /* of the receiver depth, map depth */
     float gain;     /* of the blocked fraction about one half */
     float sharpen_a, sharpen_b;
@@ -79,7 +79,8 @@ struct blur_params {
     vec4 direction;   /* x y: one pixel */
     float distance2;  /* alpha^2, m2 */
     float cosine;     /* beta */
-    float unused0, unused1;
+    float radius_y;   /* rows to each side; 0 = along the direction alone */
+    float unused;
 };
 
 struct composite_params {

@@ -71,7 +71,7 @@ void block_visibility_pass_render(const struct block_visibility_pass *pass,
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
     gl.BindTextureUnit(0, gbuffer->depth.id);
     gl.BindTextureUnit(1, gbuffer->normal.id);
-    visibility_bind(&pass->desc.visibility, frame, &pass->visibility_params, inputs);
+    visibility_bind(&pass->desc.visibility, &pass->visibility_params, inputs);
     gl.ProgramUniform1i(pass->program, 0, 0);
     pass_draw_fullscreen(pass->desc.visibility.map_count);
     pass_end(frame->timers);

@@ -8,7 +8,8 @@ bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc) {
     *pass = (struct blur_pass){.desc = *desc};
     if (program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
                                                             .fragment = "blur.frag"}) &&
-        irradiance_init(&pass->half, "half-blurred irradiance", desc->width, desc->height, 1) &&
+        (desc->square ||
+         irradiance_init(&pass->half, "half-blurred irradiance", desc->width, desc->height, 1)) &&
         irradiance_init(&pass->blurred, "blurred irradiance", desc->width, desc->height, 1) &&
         buffer_init(&pass->params[0], "blur parameters", sizeof(struct blur_params), NULL) &&
         buffer_init(&pass->params[1], "blur parameters", sizeof(struct blur_params), NULL))
@@ -35,6 +36,7 @@ static void blur(const struct blur_pass *pass, const struct frame *frame,
         .tile_width = (float)source->tile_width,
         .tile_height = (float)source->tile_height,
         .radius = (float)pass->desc.radius,
+        .radius_y = pass->desc.square ? (float)pass->desc.radius : 0,
         .direction = {axis == 0, axis == 1},
         .distance2 = distance * distance,
         .cosine = pass->desc.cosine,
@@ -57,7 +59,11 @@ static void blur(const struct blur_pass *pass, const struct frame *frame,
 void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
                       const struct gbuffer *gbuffer, const struct irradiance *source) {
     timer_begin(frame->timers, "blur");
-    blur(pass, frame, gbuffer, source, &pass->half, 0);
-    blur(pass, frame, gbuffer, &pass->half, &pass->blurred, 1);
+    if (pass->desc.square) {
+        blur(pass, frame, gbuffer, source, &pass->blurred, 0);
+    } else {
+        blur(pass, frame, gbuffer, source, &pass->half, 0);
+        blur(pass, frame, gbuffer, &pass->half, &pass->blurred, 1);
+    }
     timer_end(frame->timers);
 }

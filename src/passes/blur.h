@@ -1,8 +1,8 @@
-/* Geometry-aware blur of the irradiance, separable [Dong 2009 §6; Laine et al. 2007].
+/* Geometry-aware blur of the irradiance [Dong 2009 §6; Laine et al. 2007].
  *
  * Neighbours count where |x - x'| < alpha and n . n' > beta. The first draw also puts the
  * interleaved tiles back into picture order. The end taps have half weight: a window of 2 r + 1
- * taps then holds each place of an r x 2 pattern equally and is centred.
+ * taps then holds each place of a pattern of 2 r pixels equally and is centred.
  */
 #ifndef PASSES_BLUR_H
 #define PASSES_BLUR_H
@@ -14,13 +14,14 @@ struct blur_desc {
     int radius;     /* taps to each side; 0 only puts the tiles in order */
     float distance; /* alpha, over the extent (twice the radius) of the scene */
     float cosine;   /* beta */
+    bool square;    /* over all taps of the square at once, as published; else along x, then y */
 };
 
 struct blur_pass {
     struct blur_desc desc;
     GLuint program;
-    struct irradiance half, blurred;
-    struct buffer params[2]; /* along x, along y */
+    struct irradiance half, blurred; /* half: not where square */
+    struct buffer params[2];         /* along x, along y */
 };
 
 bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc);

@@ -71,13 +71,13 @@ static void write_params(const struct gather_pass *pass, const struct frame *fra
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
 }
 
-static void bind_inputs(const struct gather_pass *pass, const struct frame *frame,
-                        const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
+static void bind_inputs(const struct gather_pass *pass, const struct gbuffer *gbuffer,
+                        const struct gather_inputs *inputs) {
     gl.BindTextureUnit(0, gbuffer->depth.id);
     gl.BindTextureUnit(1, gbuffer->normal.id);
     if (pass->desc.share)
         gl.BindTextureUnit(7, inputs->blocks->texture.id);
-    visibility_bind(&pass->desc.visibility, frame, &pass->visibility_params, &inputs->visibility);
+    visibility_bind(&pass->desc.visibility, &pass->visibility_params, &inputs->visibility);
 }
 
 /* VPLs first .. last of a slot, in runs that fit one uniform block. */
@@ -127,7 +127,7 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
                                   .blend = PASS_BLEND_ADD,
                               });
     write_params(pass, frame, inputs);
-    bind_inputs(pass, frame, gbuffer, inputs);
+    bind_inputs(pass, gbuffer, inputs);
     for (int slot = 0; slot < pass->desc.interleave * pass->desc.interleave; slot++)
         draw_slot(pass, inputs, slot);
     pass_end(frame->timers);

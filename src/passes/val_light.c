@@ -39,7 +39,7 @@ void val_light_pass_render(const struct val_light_pass *pass, const struct frame
     gl.BindTextureUnit(0, gbuffer->depth.id);
     gl.BindTextureUnit(1, gbuffer->normal.id);
     gl.BindTextureUnit(7, val_fluxes->id);
-    visibility_bind(&pass->desc, frame, &pass->visibility_params, inputs);
+    visibility_bind(&pass->desc, &pass->visibility_params, inputs);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);
 }

@@ -8,16 +8,16 @@
 char *visibility_defines(const struct visibility_desc *desc) {
     int terms = desc->basis_terms > 0 ? desc->basis_terms : 1;
     return mem_printf("VISIBILITY %d;MAP_COUNT %d;BASIS_TERMS %d;BASIS_GROUPS %d;"
-                      "FILTER_JACOBIAN %d;SHARPEN %d",
+                      "FILTER_JACOBIAN %d;SHARPEN %d;FILTER_TAPS %d;SEARCH_TAPS %d",
                       desc->lookup, desc->map_count, terms, (terms + 3) / 4, desc->filter_jacobian,
-                      desc->sharpen_a > 0);
+                      desc->sharpen_a > 0, desc->taps, (desc->taps + 1) / 2);
 }
 
 static void bind_maps(const struct visibility_desc *desc, const struct visibility_inputs *inputs) {
     if (desc->lookup == VISIBILITY_LOOKUP_NONE)
         return;
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_MAPS, inputs->views->buffer.id);
-    if (desc->lookup == VISIBILITY_LOOKUP_HARD) {
+    if (desc->lookup != VISIBILITY_LOOKUP_CSSM) {
         gl.BindTextureUnit(2, inputs->depth->depth.id);
         return;
     }
@@ -28,12 +28,12 @@ static void bind_maps(const struct visibility_desc *desc, const struct visibilit
     gl.BindTextureUnit(6, inputs->bases->z.id);
 }
 
-void visibility_bind(const struct visibility_desc *desc, const struct frame *frame,
-                     const struct buffer *params, const struct visibility_inputs *inputs) {
+void visibility_bind(const struct visibility_desc *desc, const struct buffer *params,
+                     const struct visibility_inputs *inputs) {
     struct visibility_params values = {
-        .bias = desc->bias * frame->radius,
+        .bias = desc->bias,
         .map_size = (float)desc->map_size,
-        .map_bias = desc->map_bias * frame->radius,
+        .map_bias = desc->map_bias,
         .shift = desc->shift / (2 * fmaxf((float)desc->basis_terms, 1)),
         .gain = desc->gain,
         .sharpen_a = desc->sharpen_a,

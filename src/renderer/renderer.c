@@ -19,7 +19,7 @@ static float irradiance_scale(const struct renderer_desc *desc) {
 
 /* What is made together, and anew when what it depends on changes. */
 enum part {
-    PART_SCENE = 1,      /* caster, scene: caster_edge */
+    PART_SCENE = 1,      /* caster, scene: caster_edge, caster_weld */
     PART_SIZE = 2,       /* G-buffer, composite: size */
     PART_GEOMETRY = 4,   /* nothing but shaders */
     PART_DIRECT = 8,     /* size, shadow settings, number of light views */
@@ -30,8 +30,10 @@ enum part {
 
 static bool init_scene(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
+    float radius = desc->geometry->radius;
     caster_init(&renderer->caster, desc->geometry,
-                desc->settings.caster_edge * desc->geometry->radius);
+                &(struct caster_desc){.max_edge = desc->settings.caster_edge * radius,
+                                      .weld = desc->settings.caster_weld * radius});
     return scene_gpu_init(&renderer->scene, desc->scene, desc->geometry, &renderer->caster);
 }
 
@@ -162,7 +164,8 @@ static bool change(struct renderer *renderer, const struct renderer_desc *desc, 
 static unsigned parts_of_setting(const struct option *option) {
     if (!option->reinit)
         return 0;
-    if (option->offset == offsetof(struct settings, caster_edge))
+    if (option->offset == offsetof(struct settings, caster_edge) ||
+        option->offset == offsetof(struct settings, caster_weld))
         return PART_SCENE;
     if (option->offset == offsetof(struct settings, shadow_size) ||
         option->offset == offsetof(struct settings, shadow_bias))

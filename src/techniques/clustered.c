@@ -16,7 +16,7 @@ struct clustered {
     struct paraboloid_pass paraboloid;
     struct basis_pass basis;
     struct block_visibility_pass blocks;
-    bool soft, share;
+    bool convolve, share;
 };
 
 static void free_state(void *state) {
@@ -52,7 +52,7 @@ static bool init_maps(struct clustered *technique, const struct settings *settin
                                     .count = settings->val_count,
                                     .depth_range = many_lights_depth_range(settings),
                                 }) &&
-           (!technique->soft ||
+           (!technique->convolve ||
             basis_pass_init(&technique->basis, &(struct basis_desc){
                                                    .size = settings->map_size,
                                                    .count = settings->val_count,
@@ -77,14 +77,21 @@ static bool init_blocks(struct clustered *technique, const struct technique_desc
 static bool init(void **state, const struct technique_desc *desc) {
     const struct settings *settings = desc->settings;
     struct clustered *technique = *state = mem_alloc(1, sizeof *technique);
-    technique->soft = settings->visibility == VISIBILITY_CSSM;
+    technique->convolve = settings->visibility == VISIBILITY_CSSM;
     technique->share = settings->visibility_block > 0;
-    enum visibility_lookup lookup =
-        technique->soft ? VISIBILITY_LOOKUP_CSSM : VISIBILITY_LOOKUP_HARD;
+    static const enum visibility_lookup lookups[] = {
+        [VISIBILITY_CSSM] = VISIBILITY_LOOKUP_CSSM,
+        [VISIBILITY_HARD] = VISIBILITY_LOOKUP_HARD,
+        [VISIBILITY_PCSS] = VISIBILITY_LOOKUP_PCSS,
+    };
+    enum visibility_lookup lookup = lookups[settings->visibility];
+    /* A pixel on its own, at a silhouette, needs no soft shadow: its VPLs' maps all differ. */
+    bool own_hard = technique->share && lookup == VISIBILITY_LOOKUP_PCSS;
     return many_lights_init(&technique->lights, desc,
-                            &(struct many_lights_visibility){.lookup = lookup,
-                                                             .map_count = settings->val_count,
-                                                             .share = technique->share}) &&
+                            &(struct many_lights_visibility){
+                                .lookup = own_hard ? VISIBILITY_LOOKUP_HARD : lookup,
+                                .map_count = settings->val_count,
+                                .share = technique->share}) &&
            init_cluster(technique, settings) && init_maps(technique, settings) &&
            init_blocks(technique, desc, lookup);
 }
@@ -92,7 +99,7 @@ static bool init(void **state, const struct technique_desc *desc) {
 static void render_maps(struct clustered *technique, const struct frame *frame) {
     timer_begin(frame->timers, "cssm");
     paraboloid_pass_render(&technique->paraboloid, frame, &technique->cluster.views);
-    if (technique->soft)
+    if (technique->convolve)
         basis_pass_render(&technique->basis, frame, &technique->paraboloid.maps);
     timer_end(frame->timers);
 }
@@ -131,7 +138,7 @@ static void outputs(const void *state, struct technique_outputs *outputs) {
     outputs->val_fluxes = &centers->flux;
     outputs->val_extremes = &technique->cluster.extremes;
     outputs->depth_maps = &technique->paraboloid.maps;
-    outputs->basis_maps = technique->soft ? &technique->basis.maps : NULL;
+    outputs->basis_maps = technique->convolve ? &technique->basis.maps : NULL;
 }
 
 extern const struct technique clustered_technique;

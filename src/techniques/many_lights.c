@@ -13,6 +13,7 @@ struct visibility_desc many_lights_lookup(const struct settings *settings,
         .gain = settings->gain,
         .sharpen_a = settings->sharpen_a,
         .sharpen_b = settings->sharpen_b,
+        .taps = settings->taps,
         .filter_jacobian = settings->filter_jacobian,
     };
 }
@@ -56,6 +57,7 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
                                              .radius = radius,
                                              .distance = settings->blur_distance,
                                              .cosine = settings->blur_cosine,
+                                             .square = !settings->blur_separable,
                                          });
 }
 

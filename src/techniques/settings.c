@@ -1,16 +1,25 @@
 #include "techniques/settings.h"
 
 #include "base/error.h"
+#include "passes/gather.h"
+
+#include <string.h>
 
 #define FIELD(name) offsetof(struct settings, name)
 
 static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
-static const char *const visibility_names[] = {"cssm", "hard", NULL};
+static const char *const visibility_names[] = {"cssm", "hard", "pcss", NULL};
 static const char *const clamp_names[] = {"none", "value", "disk", "near", NULL};
 static const char *const tone_map_names[] = {"clamp", "filmic", NULL};
 
+static const char *const path_names[] = {"fast", "paper", NULL};
+
 /* Columns: name, letter, type, field, default, minimum, maximum. */
 const struct option settings_table[] = {
+    {"path", 0, OPTION_CHOICE, FIELD(path), PATH_FAST, .choices = path_names,
+     .help = "paper: as published, with CSSM at each pixel and VPL; sets visibility, "
+             "visibility-block, clamp, caster-weld, blur-separable",
+     .reinit = true},
     {"vpls", 0, OPTION_INT, FIELD(vpl_count), 1024, 1, 65536, .help = "virtual point lights, N",
      .reinit = true},
     {"vals", 0, OPTION_INT, FIELD(val_count), 30, 1, 1024,
@@ -34,18 +43,19 @@ const struct option settings_table[] = {
      .help = "clustering weight of distance, w_x", .reinit = true},
     {"weight-normal", 0, OPTION_FLOAT, FIELD(weight_normal), .3, 0, 1000,
      .help = "clustering weight of the angle between normals, w_alpha", .reinit = true},
-    {"visibility", 0, OPTION_CHOICE, FIELD(visibility), VISIBILITY_CSSM,
-     .choices = visibility_names, .help = "lookup in a VAL's map: soft, by convolution, or hard",
+    {"visibility", 0, OPTION_CHOICE, FIELD(visibility), VISIBILITY_PCSS,
+     .choices = visibility_names,
+     .help = "lookup in a VAL's map: soft by convolution, hard, or percentage-closer soft",
      .reinit = true},
     {"map-size", 0, OPTION_INT, FIELD(map_size), 256, 16, 4096,
      .help = "paraboloid map, texels a side", .reinit = true},
     {"terms", 0, OPTION_INT, FIELD(basis_terms), 4, 1, 16, .help = "terms of the Fourier series, K",
      .reinit = true},
-    {"bias", 0, OPTION_FLOAT, FIELD(bias), .015, 0, 1,
-     .help = "receiver offset along its normal in soft lookups, over the scene's radius",
+    {"bias", 0, OPTION_FLOAT, FIELD(bias), .25, 0, 100,
+     .help = "receiver offset along its normal, in texels of the map at its distance",
      .reinit = true},
-    {"map-bias", 0, OPTION_FLOAT, FIELD(map_bias), .01, 0, 1,
-     .help = "depth bias of hard lookups, over the scene's radius", .reinit = true},
+    {"map-bias", 0, OPTION_FLOAT, FIELD(map_bias), .005, 0, 1,
+     .help = "depth bias of hard lookups, of the distance", .reinit = true},
     {"near-clip", 0, OPTION_FLOAT, FIELD(near_clip), .01, 0, 1,
      .help = "casters nearer to a VAL's centre are ignored, over the scene's radius",
      .reinit = true},
@@ -56,6 +66,8 @@ const struct option settings_table[] = {
     {"sharpen-a", 0, OPTION_FLOAT, FIELD(sharpen_a), 0, 0, 1000,
      .help = "contact sharpening A (thesis eq. 5.9); 0 = off", .reinit = true},
     {"sharpen-b", 0, OPTION_FLOAT, FIELD(sharpen_b), 10, 0, 1000, .help = "contact sharpening B",
+     .reinit = true},
+    {"taps", 0, OPTION_INT, FIELD(taps), 16, 1, 256, .help = "visibility=pcss: texels of a filter",
      .reinit = true},
     {"filter-jacobian", 0, OPTION_FLAG, FIELD(filter_jacobian), 0,
      .help = "filter width by the paraboloid's Jacobian, not alpha/pi", .reinit = true},
@@ -76,6 +88,8 @@ const struct option settings_table[] = {
      .help = "n: each pixel of n x n takes its share of the VPLs; 1 = all", .reinit = true},
     {"blur-radius", 0, OPTION_INT, FIELD(blur_radius), -1, -1, 64,
      .help = "taps to each side; -1 = half the interleave", .reinit = true},
+    {"blur-separable", 0, OPTION_FLAG, FIELD(blur_separable), 1,
+     .help = "blur along x, then y, not over the whole square at once", .reinit = true},
     {"blur-distance", 0, OPTION_FLOAT, FIELD(blur_distance), .1, 0, 10,
      .help = "blur within this distance, over the scene's extent, alpha", .reinit = true},
     {"blur-cosine", 0, OPTION_FLOAT, FIELD(blur_cosine), .8, -1, 1,
@@ -83,11 +97,32 @@ const struct option settings_table[] = {
     {"caster-edge", 0, OPTION_FLOAT, FIELD(caster_edge), .3, .005, 10,
      .help = "longest edge of a caster in paraboloid maps, over the scene's radius",
      .reinit = true},
+    {"caster-weld", 0, OPTION_FLOAT, FIELD(caster_weld), .004, 0, 1,
+     .help = "casters' vertices this close become one in paraboloid maps, over the scene's radius",
+     .reinit = true},
     {"exposure", 0, OPTION_FLOAT, FIELD(exposure), 0, -32, 32, .help = "of the picture, EV"},
     {"tone-map", 0, OPTION_CHOICE, FIELD(tone_map), 0, .choices = tone_map_names,
      .help = "of the picture"},
     {NULL},
 };
+
+void settings_apply_path(struct settings *settings) {
+    bool paper = settings->path == PATH_PAPER;
+    settings->visibility = paper ? VISIBILITY_CSSM : VISIBILITY_PCSS;
+    settings->visibility_block = paper ? 0 : 8;
+    settings->clamp = paper ? GATHER_CLAMP_DISK : GATHER_CLAMP_NEAR;
+    settings->caster_weld = paper ? 0 : .004F;
+    settings->blur_separable = !paper;
+    settings->bias = paper ? 2 : .25F;
+}
+
+bool settings_assign(struct settings *settings, const char *assignment) {
+    if (!option_assign(settings_table, settings, assignment))
+        return false;
+    if (strncmp(assignment, "path=", 5) == 0)
+        settings_apply_path(settings);
+    return true;
+}
 
 bool settings_check(const struct settings *settings) {
     int slots = settings->interleave * settings->interleave;

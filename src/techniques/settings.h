@@ -8,9 +8,13 @@
 
 #include "base/option.h"
 
-enum visibility_kind { VISIBILITY_CSSM, VISIBILITY_HARD };
+enum visibility_kind { VISIBILITY_CSSM, VISIBILITY_HARD, VISIBILITY_PCSS };
+
+/* Which way through the frame: sets other settings when it is assigned (settings_assign). */
+enum path_kind { PATH_FAST, PATH_PAPER };
 
 struct settings {
+    int path;                 /* enum path_kind: the last one assigned */
     int vpl_count, val_count; /* N, M */
     int seed;
     int rsm_size, shadow_size;
@@ -21,6 +25,7 @@ struct settings {
     int visibility;                       /* enum visibility_kind, of `clustered` */
     int map_size, basis_terms;            /* K */
     float bias, map_bias, near_clip, shift, gain, sharpen_a, sharpen_b;
+    int taps;
     bool filter_jacobian;
     int visibility_block; /* pixels a side; 0 = each pixel looks itself up */
     int map_batch;        /* maps in memory at once, of `instant-radiosity` */
@@ -29,13 +34,21 @@ struct settings {
     float near_reach;
     int near_samples;
     int interleave, blur_radius;
+    bool blur_separable;
     float blur_distance, blur_cosine; /* alpha, beta */
-    float caster_edge;
+    float caster_edge, caster_weld;
     float exposure;
     int tone_map;
 };
 
 extern const struct option settings_table[];
+
+/* Parses "key=value"; "path=NAME" also sets what belongs to that path. Use it, not option_assign.
+ */
+bool settings_assign(struct settings *settings, const char *assignment);
+
+/* Sets what belongs to settings->path, after that alone was changed. */
+void settings_apply_path(struct settings *settings);
 
 /* Checks what single ranges cannot: M <= N, interleave^2 <= N ... Error: a sentence for the user.
  */

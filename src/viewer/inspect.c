@@ -218,7 +218,7 @@ static void draw_layers(const struct inspect *inspect, const struct texture *sou
 }
 
 static void draw_visibility(const struct inspect *inspect, const struct renderer *renderer,
-                            const struct frame *frame, const struct technique_outputs *outputs) {
+                            const struct technique_outputs *outputs) {
     pass_set_state(&(struct pass_state){.name = "inspect visibility",
                                         .program = inspect->visibility_program,
                                         .framebuffer = inspect->framebuffer,
@@ -227,7 +227,7 @@ static void draw_visibility(const struct inspect *inspect, const struct renderer
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, inspect->params.id);
     gl.BindTextureUnit(0, renderer->gbuffer.depth.id);
     gl.BindTextureUnit(1, renderer->gbuffer.normal.id);
-    visibility_bind(&inspect->visibility, frame, &inspect->visibility_params,
+    visibility_bind(&inspect->visibility, &inspect->visibility_params,
                     &(struct visibility_inputs){.views = outputs->val_views,
                                                 .depth = outputs->depth_maps,
                                                 .bases = outputs->basis_maps});
@@ -306,7 +306,7 @@ bool inspect_draw(struct inspect *inspect, struct renderer *renderer,
     renderer_bind_frame(renderer);
     write_params(inspect, renderer, &frame, choice, whole ? &sheet : NULL, layers);
     if (visibility)
-        draw_visibility(inspect, renderer, &frame, &outputs);
+        draw_visibility(inspect, renderer, &outputs);
     else
         draw_layers(inspect, source, choice->kind);
     if (choice->kind == SHOW_VPLS || choice->kind == SHOW_CLUSTERS || (visibility && !whole))

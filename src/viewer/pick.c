@@ -87,12 +87,11 @@ static void probe_free(struct probe *probe) {
     buffer_free(&probe->visibility_params);
 }
 
-static bool read_visibility(const struct pick *pick, struct renderer *renderer,
-                            const struct technique_outputs *outputs, float *lit) {
+static bool read_visibility(const struct pick *pick, const struct technique_outputs *outputs,
+                            float *lit) {
     struct probe probe;
     bool ok = probe_init(&probe, outputs->visibility);
     if (ok) {
-        struct frame frame = renderer_frame(renderer);
         struct probe_params params = {.position = {0}};
         int count = outputs->visibility->map_count;
         memcpy(params.position, pick->position, sizeof pick->position);
@@ -104,7 +103,7 @@ static bool read_visibility(const struct pick *pick, struct renderer *renderer,
                                             .width = count,
                                             .height = 1});
         gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, probe.params.id);
-        visibility_bind(outputs->visibility, &frame, &probe.visibility_params,
+        visibility_bind(outputs->visibility, &probe.visibility_params,
                         &(struct visibility_inputs){.views = outputs->val_views,
                                                     .depth = outputs->depth_maps,
                                                     .bases = outputs->basis_maps});
@@ -173,7 +172,7 @@ bool pick_at(struct pick *pick, struct renderer *renderer, float x, float y) {
     if (!pick->present || !outputs.val_views)
         return true;
     float *lit = mem_alloc((size_t)outputs.visibility->map_count, sizeof *lit);
-    bool ok = read_visibility(pick, renderer, &outputs, lit);
+    bool ok = read_visibility(pick, &outputs, lit);
     if (ok)
         sum_vals(pick, &outputs, lit);
     free(lit);
