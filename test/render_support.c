@@ -89,7 +89,7 @@ static void assign_settings(struct settings *settings, const char *text) {
     options_set_defaults(settings_table, settings);
     char *copy = mem_strdup(text), *rest = NULL;
     for (char *item = strtok_r(copy, " ", &rest); item; item = strtok_r(NULL, " ", &rest))
-        check_ok(item, option_assign(settings_table, settings, item));
+        check_ok(item, settings_assign(settings, item));
     check_ok(text, settings_check(settings));
     free(copy);
 }

@@ -229,7 +229,7 @@ static void test_tables(void **state) {
     char *text = read_text(csv);
     assert_true(check_csv(text) > 10);
     assert_non_null(strstr(text, "\ncornell-box,36,24,16,1024,4,clustered,fast,,vals=4 map-size=32,"
-                                 "frame/cssm/basis,ms,2,"));
+                                 "frame/cssm/depth maps,ms,2,"));
     assert_non_null(strstr(text, ",unshadowed,\"none, \"\"it\"\"\",,"));
     free(text);
 

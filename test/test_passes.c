@@ -417,7 +417,9 @@ static void check_bases(const struct frame_of_vals *frame, int k, int group) {
 static void test_bases(void **state) {
     (void)state;
     struct frame_of_vals frame;
-    open_vals(&frame, "scenes/cornell-box.glb", "vpls=64 vals=3 interleave=1 map-size=64 terms=6");
+    open_vals(&frame, "scenes/cornell-box.glb",
+              "vpls=64 vals=3 interleave=1 map-size=64 visibility=cssm "
+              "terms=6");
     for (int k = 0; k < frame.val_count; k++)
         for (int group = 0; group < 2; group++)
             check_bases(&frame, k, group);
@@ -497,7 +499,7 @@ static void test_blur_conserves(void **state) {
     (void)state;
     for (int interleave = 1; interleave <= 8; interleave += 7) {
         struct blur_bench bench;
-        open_blur(&bench, &(struct blur_desc){61, 43, 4, .1f, .8f}, interleave);
+        open_blur(&bench, &(struct blur_desc){61, 43, 4, .1f, .8f, false}, interleave);
         float *blurred = run_blur(&bench, constant);
         double worst = 0;
         int alpha = image_find_channel(&bench.layers, "A");
@@ -521,7 +523,7 @@ static float normal_code(const struct blur_bench *bench, int x, int y) {
 static void test_blur_keeps_edges(void **state) {
     (void)state;
     struct blur_bench bench;
-    open_blur(&bench, &(struct blur_desc){64, 64, 6, 10, .99f}, 1);
+    open_blur(&bench, &(struct blur_desc){64, 64, 6, 10, .99f, false}, 1);
     float *blurred = run_blur(&bench, normal_code);
     double worst = 0;
     int alpha = image_find_channel(&bench.layers, "A");
@@ -544,7 +546,7 @@ static float slot_code(const struct blur_bench *bench, int x, int y) {
 static void test_blur_holds_every_slot(void **state) {
     (void)state;
     struct blur_bench bench;
-    open_blur(&bench, &(struct blur_desc){64, 64, 4, 10, .9f}, 8);
+    open_blur(&bench, &(struct blur_desc){64, 64, 4, 10, .9f, false}, 8);
     float *blurred = run_blur(&bench, slot_code);
     int whole = 0;
     double worst = 0;

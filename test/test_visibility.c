@@ -51,8 +51,8 @@ static void test_convergence(void **state) {
     (void)state;
     double none = relative_rmse(&unshadowed, &truth, "indirect");
     printf("    unshadowed: relative RMSE %.4f\n", none);
-    double m2 = error_of(2, ""), m8 = error_of(8, ""), m30 = error_of(30, ""),
-           m120 = error_of(120, "");
+    double m2 = error_of(2, "visibility-block=0"), m8 = error_of(8, "visibility-block=0"),
+           m30 = error_of(30, "visibility-block=0"), m120 = error_of(120, "visibility-block=0");
     check_at_most("M = 8", m8, .09);
     check_at_most("M = 30", m30, .04);
     check_at_most("M = 8 over M = 2", m8 / m2, .8);
@@ -96,10 +96,14 @@ static void test_blocks(void **state) {
     check_at_most("no blocks over blocks of 3", none / narrow, 1);
 }
 
+/* The paper's lookup at each pixel. */
+#define CSSM "visibility=cssm visibility-block=0 bias=2 "
+
 /* Four terms are worth their memory; more are no loss. */
 static void test_terms(void **state) {
     (void)state;
-    double k1 = error_of(30, "terms=1"), k4 = error_of(30, ""), k8 = error_of(30, "terms=8");
+    double k1 = error_of(30, CSSM "terms=1"), k4 = error_of(30, CSSM),
+           k8 = error_of(30, CSSM "terms=8");
     check_at_most("K = 4 over K = 1", k4 / k1, .6);
     check_at_most("K = 8", k8, .04);
 }
@@ -152,7 +156,7 @@ static void test_flat_blocker(void **state) {
     open_stage(&flat, scratch("blocker.glb"));
     struct image exact =
         render_stage(&flat, "instant-radiosity", "vpls=1024 interleave=1 clamp=none", 64);
-#define ONE_VAL "vals=1 visibility-block=0 "
+#define ONE_VAL "vals=1 " CSSM
     double hard = flat_error(&flat, &exact, ONE_VAL "visibility=hard");
     double soft = flat_error(&flat, &exact, ONE_VAL);
     double wide = flat_error(&flat, &exact, ONE_VAL "gain=1 shift=.5");

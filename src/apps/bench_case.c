@@ -72,7 +72,7 @@ bool bench_assign(struct bench_case *prepared, const char *assignment) {
         if (strncmp(assignment, o->name, length) == 0 && assignment[length] == '=')
             return option_parse(o, prepared, assignment + length + 1);
     }
-    return option_assign(settings_table, &prepared->settings, assignment);
+    return settings_assign(&prepared->settings, assignment);
 }
 
 bool bench_assign_all(struct bench_case *prepared, const char *assignments) {

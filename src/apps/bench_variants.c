@@ -9,8 +9,7 @@
 static const struct variant {
     const char *name, *assignments, *help;
 } variants[] = {
-    {"paper", "technique=clustered,visibility-block=0,clamp=disk",
-     "clustered visibility as in the paper"},
+    {"paper", "technique=clustered,path=paper", "clustered visibility as in the paper"},
     {"fast", "technique=clustered", "clustered visibility at its best"},
     {"instant-radiosity", "technique=instant-radiosity", "a hard shadow map per VPL"},
     {"unshadowed", "technique=unshadowed", "no visibility"},

@@ -55,7 +55,7 @@ static const struct arguments arguments = {
 static bool parse_settings(const struct values *values, struct settings *settings) {
     options_set_defaults(settings_table, settings);
     for (int i = 0; i < values->settings.count; i++)
-        if (!option_assign(settings_table, settings, values->settings.items[i]))
+        if (!settings_assign(settings, values->settings.items[i]))
             return false;
     return settings_check(settings);
 }

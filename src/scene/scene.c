@@ -7,7 +7,6 @@
 #include "scene/gltf.h"
 #include "scene/node.h"
 #include "scene/primitive.h"
-#include "scene/recentre.h"
 
 #include <stdlib.h>
 
@@ -21,11 +20,8 @@ static bool check_worlds(const struct scene *scene) {
 
 bool scene_load(struct scene *scene, const char *path) {
     *scene = (struct scene){0};
-    if (gltf_load(scene, path) && check_worlds(scene)) {
-        scene_recentre(scene);
-        if (scene_frame(scene))
-            return true;
-    }
+    if (gltf_load(scene, path) && check_worlds(scene) && scene_frame(scene))
+        return true;
     scene_free(scene);
     return false;
 }
