@@ -196,9 +196,10 @@ test: deps
 	@$(MAKE) --no-print-directory tests
 
 SANITIZE := -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined
+# Not build/asan/manylight: that name is the portable build's.
 asan: deps
 	@LSAN_OPTIONS=suppressions=test/leaks-of-others:print_suppressions=0 \
-	    $(MAKE) --no-print-directory tests BUILD=build/asan BINARY=build/asan/manylight \
+	    $(MAKE) --no-print-directory tests BUILD=build/asan BINARY=build/asan/manylight-asan \
 	    CFLAGS="-O1 -g $(SANITIZE)" LDFLAGS="$(SANITIZE)"
 
 lint:
