@@ -1,4 +1,4 @@
-# manylight: make demo | test | asan | lint | bench | chart | accuracy | portable | deps | install | clean
+# manylight: make demo | test | asan | lint | bench | chart | accuracy | stability | portable | deps | install | clean
 #
 # A plain `make` only builds ./manylight. `make demo` and `make test` first install what is missing.
 
@@ -49,7 +49,7 @@ OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(BUILD)/gl
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
-.PHONY: all demo test tests asan lint bench chart accuracy portable deps install clean FORCE
+.PHONY: all demo test tests asan lint bench chart accuracy stability portable deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -162,6 +162,19 @@ accuracy: all
 	    --csv $(BENCH_RESULTS)/budget.csv $(ACCURACY_OPTIONS)
 	./manylight bench $(OWN_SCENES) --curves --size $(CURVES_SIZE) --cache $(REFERENCE_CACHE) \
 	    --csv $(BENCH_RESULTS)/curves.csv -o $(BENCH_PLOTS) $(ACCURACY_OPTIONS)
+
+# --- stability ------------------------------------------------------------------------------------
+
+# Flicker and VALs in use over the clips of the moving scenes; then the cases where methods break.
+MOVING_SCENES := $(patsubst %,scenes/%.glb,moving-spot metaballs door)
+STABILITY_OPTIONS := --size 80x60 --frames 20
+
+stability: all $(BUILD)/test/test_stability $(BUILD)/test/test_robust
+	@mkdir -p $(BENCH_RESULTS)
+	./manylight bench $(MOVING_SCENES) --temporal --csv $(BENCH_RESULTS)/temporal.csv \
+	    -o $(BENCH_PLOTS) $(STABILITY_OPTIONS)
+	$(BUILD)/test/test_robust
+	$(BUILD)/test/test_stability
 
 # --- portable -------------------------------------------------------------------------------------
 

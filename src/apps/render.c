@@ -65,6 +65,13 @@ static const struct option options[] = {
 };
 
 static void print_settings(FILE *out) {
+    fprintf(
+        out,
+        "\na sequence, split between processes by GNU parallel or by a job array of Slurm:\n"
+        "  seq 0 25 225 | parallel 'manylight render S.glb -o out.####.exr --skip-existing \\\n"
+        "      --frames {}..$(({} + 24))'\n"
+        "  sbatch --array=0-9 --wrap 'i=$((SLURM_ARRAY_TASK_ID * 25)); manylight render S.glb \\\n"
+        "      -o out.####.exr --skip-existing --frames $i..$((i + 24))'\n");
     fprintf(out, "\nsettings, for --set:\n");
     options_print_help(out, settings_table, "");
 }
