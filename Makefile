@@ -154,11 +154,12 @@ chart: $(BENCH_RESULTS)/sweep.csv
 
 # Where the error of a frame comes from, and how it falls with M, K, N and the size of maps.
 ACCURACY_OPTIONS := --noise .01
+BUDGET_SIZE := 800x800
 CURVES_SIZE := 200x200
 
 accuracy: all
 	@mkdir -p $(BENCH_RESULTS)
-	./manylight bench $(BENCH_SCENES) --budget --cache $(REFERENCE_CACHE) \
+	./manylight bench $(BENCH_SCENES) --budget --size $(BUDGET_SIZE) --cache $(REFERENCE_CACHE) \
 	    --csv $(BENCH_RESULTS)/budget.csv $(ACCURACY_OPTIONS)
 	./manylight bench $(OWN_SCENES) --curves --size $(CURVES_SIZE) --cache $(REFERENCE_CACHE) \
 	    --csv $(BENCH_RESULTS)/curves.csv -o $(BENCH_PLOTS) $(ACCURACY_OPTIONS)

@@ -378,7 +378,8 @@ static void test_budget(void **state) {
     char arguments[1024];
     const char *csv = scratch("budget.csv");
     snprintf(arguments, sizeof arguments,
-             "scenes/cornell-box.glb --budget --size 48x48 --noise .1 --cache %s --csv %s -q",
+             "scenes/cornell-box.glb --budget --variant fast --size 48x48 --noise .1 --cache %s "
+             "--csv %s -q",
              scratch("bench-cache"), csv);
     check_runs(arguments);
     for (int i = 0; i < BUDGET_STEPS; i++)

@@ -29,6 +29,9 @@ struct bench_cases {
 bool bench_prepare(struct bench_case *prepared, const struct bench_values *values,
                    const struct stage *stage, const char *variant);
 
+/* How many variants are compared. */
+int bench_variant_count(const struct bench_values *values);
+
 /* Appends a case for each of the variants at each point of the sweep. Error: of a variant or a
  * setting. */
 bool bench_list_cases(struct bench_cases *cases, const struct bench_values *values,

@@ -20,29 +20,34 @@ static struct bench_reference_desc truth_of(const struct bench_values *values, c
                                          .software = software};
 }
 
-static bool make_budget(struct budget *budget, const struct bench_values *values, const char *path,
-                        bool software) {
+/* A budget for each variant that is asked for. */
+static bool make_budgets(struct budget *budgets, const struct bench_values *values,
+                         const char *path, bool software) {
+    static const struct sweep no_sweep;
     struct stage stage;
-    struct bench_case base;
+    struct bench_cases cases = {0};
     if (!stage_init(&stage, &(struct stage_desc){.path = path}))
         return false;
     struct bench_reference_desc truth = truth_of(values, path, &stage, software);
-    bool ok = bench_prepare(&base, values, &stage, ":") && budget_make(budget, &base, &truth);
-    if (ok) {
-        budget_print(stdout, budget);
-        printf("\n");
+    bool ok = bench_list_cases(&cases, values, &stage, &no_sweep);
+    for (int i = 0; ok && i < cases.count; i++) {
+        ok = budget_make(&budgets[i], &cases.items[i], &truth);
+        if (ok)
+            budget_print(stdout, &budgets[i]);
     }
+    free(cases.items);
     stage_free(&stage);
     return ok;
 }
 
 bool bench_budgets(const struct bench_values *values, const char **scenes, int scene_count,
                    bool software) {
-    struct budget *budgets = mem_alloc((size_t)scene_count, sizeof *budgets);
+    int variants = bench_variant_count(values), count = scene_count * variants;
+    struct budget *budgets = mem_alloc((size_t)count, sizeof *budgets);
     bool ok = true;
     for (int i = 0; ok && i < scene_count; i++)
-        ok = make_budget(&budgets[i], values, scenes[i], software);
-    ok = ok && (!values->csv || budget_write_csv(values->csv, budgets, scene_count));
+        ok = make_budgets(&budgets[i * variants], values, scenes[i], software);
+    ok = ok && (!values->csv || budget_write_csv(values->csv, budgets, count));
     free(budgets);
     return ok;
 }

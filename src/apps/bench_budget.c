@@ -83,6 +83,7 @@ bool budget_make(struct budget *budget, const struct bench_case *base,
     struct image truth, pictures[BUDGET_STEPS] = {{0}};
     *budget = (struct budget){.width = base->width, .height = base->height};
     memcpy(budget->scene, base->scene, sizeof budget->scene);
+    memcpy(budget->variant, base->series, sizeof budget->variant);
     bool ok = bench_reference_get(desc, &truth);
     if (ok) {
         budget->noise = noise_of(&truth);
@@ -101,8 +102,8 @@ static void print_errors(FILE *out, const struct bench_errors *errors) {
 
 void budget_print(FILE *out, const struct budget *budget) {
     static const char columns[] = " rRMSE %  bias % gradient    FLIP";
-    fprintf(out, "%s, %dx%d, against a reference with %.2f %% noise\n", budget->scene,
-            budget->width, budget->height, 100 * budget->noise);
+    fprintf(out, "%s, %s, %dx%d, against a reference with %.2f %% noise\n", budget->scene,
+            budget->variant, budget->width, budget->height, 100 * budget->noise);
     fprintf(out, "  %-24s %33s   %33s\n", "", "this step alone", "against the truth");
     fprintf(out, "  %-24s %s   %s\n", "step", columns, columns);
     for (int i = 0; i < BUDGET_STEPS; i++) {
@@ -119,17 +120,19 @@ void budget_print(FILE *out, const struct budget *budget) {
 
 static void print_row(FILE *out, const struct budget *budget, int step, const char *against,
                       const struct bench_errors *errors) {
-    fprintf(out, "%s,%d,%d,%.4g,\"%s\",%s,%.5g,%.5g,%.5g,%.5g,%s\n", budget->scene, budget->width,
-            budget->height, budget->noise, budget_steps[step].name, against, errors->relative_rmse,
-            errors->relative_bias, errors->gradient, errors->ldr_flip, MANYLIGHT_COMMIT);
+    fprintf(out, "%s,%s,%d,%d,%.4g,\"%s\",%s,%.5g,%.5g,%.5g,%.5g,%s\n", budget->scene,
+            budget->variant, budget->width, budget->height, budget->noise, budget_steps[step].name,
+            against, errors->relative_rmse, errors->relative_bias, errors->gradient,
+            errors->ldr_flip, MANYLIGHT_COMMIT);
 }
 
 bool budget_write_csv(const char *path, const struct budget *budgets, int count) {
     FILE *out = fopen(path, "w");
     if (!out)
         return error_set("cannot write %s: %s", path, strerror(errno));
-    fprintf(out, "scene,width,height,noise,step,against,relative_rmse,relative_bias,gradient,"
-                 "ldr_flip,commit\n");
+    fprintf(out,
+            "scene,variant,width,height,noise,step,against,relative_rmse,relative_bias,gradient,"
+            "ldr_flip,commit\n");
     for (int i = 0; i < count; i++) {
         for (int step = 0; step < BUDGET_STEPS; step++) {
             print_row(out, &budgets[i], step, "step before", &budgets[i].step[step]);

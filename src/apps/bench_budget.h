@@ -20,7 +20,7 @@ enum { BUDGET_STEPS = 9 };
 extern const struct budget_step budget_steps[BUDGET_STEPS];
 
 struct budget {
-    char scene[BENCH_NAME_SIZE];
+    char scene[BENCH_NAME_SIZE], variant[BENCH_NAME_SIZE];
     int width, height;
     double noise; /* of the reference: standard error of the indirect layer, RMS over its mean */
     struct bench_errors step[BUDGET_STEPS];   /* against the step before; the first, the truth */

@@ -14,8 +14,10 @@
 #include <string.h>
 
 /* No interleaving, no blocks, no blur, no near field: the visibility alone. */
-#define VISIBILITY_ALONE                                                                           \
-    "technique=clustered,clamp=disk,visibility-block=0,interleave=1,blur-radius=0"
+#define VISIBILITY_ALONE "clamp=disk,visibility-block=0,interleave=1,blur-radius=0"
+#define CSSM "technique=clustered,path=paper," VISIBILITY_ALONE
+#define HARD "technique=clustered,path=fast,visibility=hard," VISIBILITY_ALONE
+#define PCSS "technique=clustered,path=fast,visibility=pcss," VISIBILITY_ALONE
 
 enum { VALUES_MAX = 10, SERIES_MAX = 4 };
 
@@ -35,23 +37,21 @@ static const struct curve {
         .title = "error of visibility against M",
         .x_label = "VALs, M",
         .values = {2, 4, 8, 16, 30, 60, 120, 1024},
-        .series = {{"CSSM", VISIBILITY_ALONE ",visibility=cssm", false},
-                   {"hard", VISIBILITY_ALONE ",visibility=hard", false}},
+        .series = {{"CSSM", CSSM, false}, {"PCSS", PCSS, false}, {"hard", HARD, false}},
     },
     {
         .setting = "terms",
         .title = "error of visibility against K",
         .x_label = "terms of the Fourier series, K",
         .values = {1, 2, 4, 8, 16},
-        .series = {{"CSSM", VISIBILITY_ALONE ",visibility=cssm", false}},
+        .series = {{"CSSM", CSSM, false}},
     },
     {
         .setting = "map-size",
         .title = "error of visibility against the size of maps",
         .x_label = "paraboloid map, texels a side",
         .values = {64, 128, 256, 512},
-        .series = {{"CSSM", VISIBILITY_ALONE ",visibility=cssm", false},
-                   {"hard", VISIBILITY_ALONE ",visibility=hard", false}},
+        .series = {{"CSSM", CSSM, false}, {"PCSS", PCSS, false}, {"hard", HARD, false}},
     },
     {
         .setting = "vpls",
@@ -59,8 +59,9 @@ static const struct curve {
         .x_label = "VPLs, N",
         .against_truth = true,
         .values = {64, 128, 256, 512, 1024, 2048, 4096},
-        .series = {{"the frame", "technique=clustered", false},
-                   {"all VPLs, ray-traced", VISIBILITY_ALONE, true}},
+        .series = {{"the frame", "technique=clustered,path=fast", false},
+                   {"the paper's frame", "technique=clustered,path=paper", false},
+                   {"all VPLs, ray-traced", HARD, true}},
     },
 };
 
@@ -75,8 +76,7 @@ static bool init_standards(struct standards *standards, const struct bench_case 
                            const struct bench_reference_desc *truth) {
     struct bench_case exact = *base;
     *standards = (struct standards){0};
-    return bench_reference_get(truth, &standards->truth) &&
-           bench_assign_all(&exact, VISIBILITY_ALONE) &&
+    return bench_reference_get(truth, &standards->truth) && bench_assign_all(&exact, HARD) &&
            bench_picture_trace(&exact, truth->stage, truth->software, &standards->visibility);
 }
 

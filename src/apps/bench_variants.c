@@ -18,7 +18,9 @@ static const struct variant {
 enum { VARIANT_COUNT = sizeof variants / sizeof *variants };
 
 /* Compared unless --variant says otherwise. */
-static const char *const usual_variants[] = {"paper", "fast", NULL};
+static const char *const usual_variants[] = {"paper", "fast"};
+
+enum { USUAL_VARIANTS = sizeof usual_variants / sizeof *usual_variants };
 
 void bench_print_variants(FILE *out) {
     fprintf(out, "\nvariants, for --variant:\n");
@@ -70,14 +72,17 @@ static bool list_variant(struct bench_cases *cases, const struct bench_values *v
     return true;
 }
 
+int bench_variant_count(const struct bench_values *values) {
+    return values->variants.count ? values->variants.count : USUAL_VARIANTS;
+}
+
 bool bench_list_cases(struct bench_cases *cases, const struct bench_values *values,
                       const struct stage *stage, const struct sweep *sweep) {
     if (values->variants.count == 0 && sweep_has_series(sweep))
         return list_variant(cases, values, stage, sweep, ":");
+    const char *const *names = values->variants.count ? values->variants.items : usual_variants;
     bool ok = true;
-    for (int i = 0; ok && i < values->variants.count; i++)
-        ok = list_variant(cases, values, stage, sweep, values->variants.items[i]);
-    for (int i = 0; ok && values->variants.count == 0 && usual_variants[i]; i++)
-        ok = list_variant(cases, values, stage, sweep, usual_variants[i]);
+    for (int i = 0; ok && i < bench_variant_count(values); i++)
+        ok = list_variant(cases, values, stage, sweep, names[i]);
     return ok;
 }
