@@ -164,7 +164,7 @@ static bool trace_vpls(const struct values *values, const struct settings *setti
 static bool parse_settings(const struct values *values, struct settings *settings) {
     options_set_defaults(settings_table, settings);
     for (int i = 0; i < values->settings.count; i++)
-        if (!option_assign(settings_table, settings, values->settings.items[i]))
+        if (!settings_assign(settings, values->settings.items[i]))
             return false;
     if (values->technique == TECHNIQUE_PATH && values->settings.count)
         return error_set("--set is for --technique vpl-raytraced");
