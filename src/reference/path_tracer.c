@@ -111,15 +111,18 @@ static void add_pass_to_row(void *context, int row) {
         add_pass(renderer, x, row);
 }
 
-/* Standard error, RMS over pixels and channels, over the mean. */
+/* Standard error, RMS over pixels and channels, over the mean. A pixel counts as far as it is
+ * covered: of slivers at silhouettes few samples tell, and little of them is seen. */
 static double estimate_noise(const struct renderer *renderer) {
     size_t pixel_count = (size_t)renderer->desc.width * (size_t)renderer->desc.height;
-    double mean_sum = 0, variance_sum = 0;
+    double samples = (double)renderer->done * FILM_STREAMS, mean_sum = 0, variance_sum = 0;
     for (size_t i = 0; i < pixel_count; i++) {
-        struct film_estimate estimate = film_pixel_estimate(&renderer->pixels[i]);
+        const struct film_pixel *pixel = &renderer->pixels[i];
+        struct film_estimate estimate = film_pixel_estimate(pixel);
+        double alpha = pixel->coverage / samples;
         for (int c = 0; c < 3; c++) {
-            mean_sum += estimate.mean[c];
-            variance_sum += estimate.variance[c];
+            mean_sum += alpha * estimate.mean[c];
+            variance_sum += alpha * alpha * estimate.variance[c];
         }
     }
     double values = 3 * (double)pixel_count;
@@ -137,10 +140,13 @@ static bool render_pass(struct renderer *renderer, uint32_t end) {
     return true;
 }
 
-/* Low-discrepancy points are best by powers of two; of the counts between, midway is good too. */
+/* A quarter of the greatest power of two below: the picture is done soon after it is good enough,
+ * and the powers of two, where low-discrepancy points are best, are not stepped over. */
 static uint32_t next_end(uint32_t done) {
-    bool is_power_of_two = (done & (done - 1)) == 0;
-    return is_power_of_two ? done + done / 2 : done / 3 * 4;
+    uint32_t power = 1;
+    while (power <= done / 2)
+        power *= 2;
+    return done + power / 4;
 }
 
 static bool render_passes(struct renderer *renderer) {
