@@ -47,6 +47,10 @@ bool emitter_reach(const struct emitter *emitter, const struct hit *hit, struct 
     return true;
 }
 
+vec3s emitter_reflected(const struct hit *hit, const struct arrival *arrival) {
+    return glms_vec3_scale(glms_vec3_mul(hit->albedo, arrival->irradiance), GLM_1_PIf);
+}
+
 vec3s emitter_direct(const struct emitter *emitter, const struct ray_scene *rays,
                      const struct hit *hit) {
     struct arrival arrival;

@@ -24,6 +24,9 @@ struct emitter emitter_of(const struct light *light, const struct geometry *geom
 /* False where no light can arrive: outside the cone, or from behind. */
 bool emitter_reach(const struct emitter *emitter, const struct hit *hit, struct arrival *arrival);
 
+/* The radiance that the surface reflects of what arrives. */
+vec3s emitter_reflected(const struct hit *hit, const struct arrival *arrival);
+
 /* What a Lambertian surface of albedo 1 would reflect: irradiance over pi, W/(sr m2). Traces the
  * shadow ray. */
 vec3s emitter_direct(const struct emitter *emitter, const struct ray_scene *rays,

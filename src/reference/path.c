@@ -11,11 +11,6 @@ static float weight(float density, float other_density) {
     return 1 / (1 + ratio * ratio);
 }
 
-/* What y sends on towards x of the light that arrives. */
-static vec3s reflected_radiance(const struct hit *y, const struct arrival *arrival) {
-    return glms_vec3_scale(glms_vec3_mul(y->albedo, arrival->irradiance), GLM_1_PIf);
-}
-
 /* The density, per area at y, with which sampling the cosine at x finds y; 0 where x and y do not
  * face each other. */
 static float cosine_density(const struct hit *x, const struct hit *y) {
@@ -28,21 +23,15 @@ static float cosine_density(const struct hit *x, const struct hit *y) {
 }
 
 /* By way of the first hit y of a light ray. */
-static vec3s from_light_ray(const struct ray_scene *rays, const struct emitter *emitter,
-                            const struct hit *x, vec2s sample) {
-    struct hit y;
-    struct arrival arrival;
-    if (!emitter_first_hit(emitter, rays, sample, &y) || glms_vec3_norm2(y.albedo) == 0 ||
-        !emitter_reach(emitter, &y, &arrival))
-        return glms_vec3_zero();
-    float p_cosine = cosine_density(x, &y);
+static vec3s from_light_ray(const struct ray_scene *rays, const struct light_vertex *vertex,
+                            const struct hit *x) {
+    const struct hit *y = &vertex->hit;
+    float p_light = vertex->density, p_cosine = p_light > 0 ? cosine_density(x, y) : 0;
     if (p_cosine == 0 ||
-        !ray_scene_visible(rays, ray_scene_departure(rays, x), ray_scene_departure(rays, &y)))
+        !ray_scene_visible(rays, ray_scene_departure(rays, x), ray_scene_departure(rays, y)))
         return glms_vec3_zero();
     /* The geometry term over pi, cos(x) cos(y) / (pi d^2), equals p_cosine. */
-    float p_light = arrival.density;
-    return glms_vec3_scale(reflected_radiance(&y, &arrival),
-                           p_cosine / p_light * weight(p_light, p_cosine));
+    return glms_vec3_scale(vertex->radiance, p_cosine / p_light * weight(p_light, p_cosine));
 }
 
 /* By way of the y that the cosine at x found. */
@@ -52,7 +41,7 @@ static vec3s from_cosine_ray(const struct ray_scene *rays, const struct emitter 
     if (!emitter_reach(emitter, y, &arrival) ||
         !ray_scene_visible(rays, ray_scene_departure(rays, y), arrival.source))
         return glms_vec3_zero();
-    return glms_vec3_scale(reflected_radiance(y, &arrival),
+    return glms_vec3_scale(emitter_reflected(y, &arrival),
                            weight(cosine_density(x, y), arrival.density));
 }
 
@@ -65,15 +54,16 @@ static bool extend(const struct ray_scene *rays, const struct hit *x, vec2s samp
            glms_vec3_norm2(y->albedo) > 0;
 }
 
-vec3s path_indirect(const struct ray_scene *rays, const struct emitter *emitter, int bounces,
+vec3s path_indirect(const struct path_scene *scene, const struct light_vertex *lights,
                     const struct hit *first, struct sampler *sampler) {
+    const struct ray_scene *rays = scene->rays;
     vec3s sum = glms_vec3_zero(), throughput = glms_vec3_one();
     struct hit x = *first, y;
-    for (int bounce = 0; bounce < bounces; bounce++) {
-        vec3s light = from_light_ray(rays, emitter, &x, sampler_next(sampler));
+    for (int bounce = 0; bounce < scene->bounces; bounce++) {
+        vec3s light = from_light_ray(rays, light_vertices_pick(lights, sampler), &x);
         bool goes_on = extend(rays, &x, sampler_next(sampler), &y);
         if (goes_on)
-            light = glms_vec3_add(light, from_cosine_ray(rays, emitter, &x, &y));
+            light = glms_vec3_add(light, from_cosine_ray(rays, scene->emitter, &x, &y));
         sum = glms_vec3_add(sum, glms_vec3_mul(throughput, light));
         if (!goes_on)
             break;

@@ -24,6 +24,7 @@ struct renderer {
     struct ray_scene rays;
     struct view view;
     struct emitter emitter;
+    struct light_vertex *lights[FILM_STREAMS];
     struct film_pixel *pixels;
     struct image *image; /* once developed */
     uint32_t done, end;  /* points of each stream: of earlier passes, and after the present one */
@@ -36,47 +37,46 @@ static struct film_pixel *pixel_at(const struct renderer *renderer, int x, int y
     return &renderer->pixels[(size_t)y * (size_t)renderer->desc.width + (size_t)x];
 }
 
-static vec3s mean_of_paths(const struct renderer *renderer, const struct hit *hit, uint32_t seed,
-                           uint32_t index) {
+static vec3s mean_of_paths(const struct renderer *renderer, const struct hit *hit, int stream,
+                           const struct sampler *start) {
+    struct path_scene scene = {&renderer->rays, &renderer->emitter, renderer->desc.bounces};
     vec3s sum = glms_vec3_zero();
     for (uint32_t i = 0; i < PATHS_PER_SAMPLE; i++) {
-        struct sampler sampler = {.seed = seed, .index = index * PATHS_PER_SAMPLE + i, .pair = 1};
-        sum = glms_vec3_add(sum, path_indirect(&renderer->rays, &renderer->emitter,
-                                               renderer->desc.bounces, hit, &sampler));
+        struct sampler sampler = {start->seed, start->index * PATHS_PER_SAMPLE + i, start->pair};
+        vec3s light = path_indirect(&scene, renderer->lights[stream], hit, &sampler);
+        sum = glms_vec3_add(sum, light);
     }
     return glms_vec3_scale(sum, 1.0f / PATHS_PER_SAMPLE);
 }
 
 /* What the sample of that index of a stream sees; false where that is nothing. */
-static bool take_sample(const struct renderer *renderer, int px, int py, uint32_t seed,
-                        uint32_t index, struct film_sample *sample) {
+static bool take_sample(const struct renderer *renderer, int px, int py, int stream, uint32_t index,
+                        struct film_sample *sample) {
+    const struct path_tracer_desc *desc = &renderer->desc;
+    uint32_t pixel_number = (uint32_t)py * (uint32_t)desc->width + (uint32_t)px;
+    uint32_t pixel_seed = sampler_hash(desc->seed, pixel_number);
+    struct sampler sampler = {.seed = sampler_hash(pixel_seed, (uint32_t)stream), .index = index};
+    vec2s jitter = sampler_next(&sampler), at = desc->centers ? (vec2s){{0.5f, 0.5f}} : jitter;
     struct hit hit;
-    vec2s at = {{0.5f, 0.5f}};
-    if (!renderer->desc.centers)
-        at = sampler_next(&(struct sampler){.seed = seed, .index = index});
     if (!view_hit(&renderer->view, (float)px + at.x, (float)py + at.y, &hit))
         return false;
     *sample = (struct film_sample){
         .albedo = hit.albedo,
         .normal = hit.normal,
         .direct = emitter_direct(&renderer->emitter, &renderer->rays, &hit),
-        .indirect = mean_of_paths(renderer, &hit, seed, index),
+        .indirect = mean_of_paths(renderer, &hit, stream, &sampler),
     };
     return true;
 }
 
 /* Sums of a pass are made apart, so that a long render loses no digits. */
 static void add_pass(const struct renderer *renderer, int px, int py) {
-    uint32_t pixel_number = (uint32_t)py * (uint32_t)renderer->desc.width + (uint32_t)px;
-    uint32_t pixel_seed = sampler_hash(renderer->desc.seed, pixel_number);
     struct film_pixel sums = {0};
     struct film_sample sample;
-    for (int stream = 0; stream < FILM_STREAMS; stream++) {
-        uint32_t seed = sampler_hash(pixel_seed, (uint32_t)stream);
+    for (int stream = 0; stream < FILM_STREAMS; stream++)
         for (uint32_t i = renderer->done; i < renderer->end; i++)
-            if (take_sample(renderer, px, py, seed, i, &sample))
+            if (take_sample(renderer, px, py, stream, i, &sample))
                 film_pixel_add(&sums, stream, &sample);
-    }
     film_pixel_merge(pixel_at(renderer, px, py), &sums);
 }
 
@@ -190,6 +190,21 @@ static struct path_tracer_desc resolve(const struct path_tracer_desc *desc) {
     return resolved;
 }
 
+static void trace_lights(struct renderer *renderer) {
+    const struct path_tracer_desc *desc = &renderer->desc;
+    for (int stream = 0; stream < FILM_STREAMS && desc->bounces > 0; stream++)
+        renderer->lights[stream] =
+            light_vertices_trace(&renderer->emitter, &renderer->rays,
+                                 sampler_hash(~desc->seed, (uint32_t)stream), desc->threads);
+}
+
+static bool render(struct renderer *renderer, const struct hit_table *table) {
+    if (!ray_scene_init(&renderer->rays, table))
+        return false;
+    trace_lights(renderer);
+    return render_passes(renderer) && develop(renderer);
+}
+
 bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image,
                         struct path_tracer_progress *reached) {
     struct renderer renderer = {.desc = resolve(desc), .image = image};
@@ -201,11 +216,12 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     renderer.view = (struct view){&renderer.rays, desc->camera, desc->width, desc->height};
     renderer.pixels =
         mem_alloc((size_t)desc->width * (size_t)desc->height, sizeof *renderer.pixels);
-    bool ok =
-        ray_scene_init(&renderer.rays, &table) && render_passes(&renderer) && develop(&renderer);
+    bool ok = render(&renderer, &table);
     if (ok && reached)
         *reached =
             (struct path_tracer_progress){1, renderer.noise, (int)renderer.done * FILM_STREAMS};
+    for (int stream = 0; stream < FILM_STREAMS; stream++)
+        free(renderer.lights[stream]);
     free(renderer.pixels);
     ray_scene_free(&renderer.rays);
     hit_table_free(&table);

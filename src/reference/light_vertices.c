@@ -1,0 +1,43 @@
+#include "reference/light_vertices.h"
+
+#include "base/memory.h"
+#include "base/parallel.h"
+
+struct work {
+    const struct emitter *emitter;
+    const struct ray_scene *rays;
+    uint32_t seed;
+    struct light_vertex *vertices;
+};
+
+enum { CHUNK = 1 << 10 };
+
+static void trace(const struct work *work, uint32_t i) {
+    struct sampler sampler = {.seed = work->seed, .index = i};
+    struct light_vertex *vertex = &work->vertices[i];
+    struct arrival arrival;
+    if (!emitter_first_hit(work->emitter, work->rays, sampler_next(&sampler), &vertex->hit) ||
+        !emitter_reach(work->emitter, &vertex->hit, &arrival))
+        return;
+    vertex->radiance = emitter_reflected(&vertex->hit, &arrival);
+    if (glms_vec3_norm2(vertex->radiance) > 0)
+        vertex->density = arrival.density;
+}
+
+static void trace_chunk(void *context, size_t chunk) {
+    for (uint32_t i = 0; i < CHUNK; i++)
+        trace(context, (uint32_t)chunk * CHUNK + i);
+}
+
+struct light_vertex *light_vertices_trace(const struct emitter *emitter,
+                                          const struct ray_scene *rays, uint32_t seed,
+                                          int threads) {
+    struct work work = {emitter, rays, seed, mem_alloc(LIGHT_VERTEX_COUNT, sizeof *work.vertices)};
+    parallel_for(LIGHT_VERTEX_COUNT / CHUNK, threads, trace_chunk, &work);
+    return work.vertices;
+}
+
+const struct light_vertex *light_vertices_pick(const struct light_vertex *vertices,
+                                               struct sampler *sampler) {
+    return &vertices[sampler_next_index(sampler) % LIGHT_VERTEX_COUNT];
+}

@@ -1,0 +1,31 @@
+/* Where rays of light first meet the scene: vertices that many paths share.
+ *
+ * They are the virtual point lights of [Keller 1997, Instant Radiosity], but so many that each path
+ * takes another one, and weighted so that none stands out. A stream of samples has vertices of its
+ * own, so that streams stay independent; a pixel's walk through them is shifted by its own random
+ * bits. A pixel that takes more paths than there are vertices sees some again, which costs it no
+ * bias, only convergence beyond some 0.01 % of noise.
+ */
+#ifndef REFERENCE_LIGHT_VERTICES_H
+#define REFERENCE_LIGHT_VERTICES_H
+
+#include "reference/emitter.h"
+#include "reference/sampler.h"
+
+enum { LIGHT_VERTEX_COUNT = 1 << 16 };
+
+struct light_vertex {
+    struct hit hit;
+    vec3s radiance; /* reflected, W/(sr m2) */
+    float density;  /* of light rays at the hit, 1/m2; 0 where none is reflected */
+};
+
+/* Traces LIGHT_VERTEX_COUNT rays on some threads (0 = all cores); free() frees. */
+struct light_vertex *light_vertices_trace(const struct emitter *emitter,
+                                          const struct ray_scene *rays, uint32_t seed, int threads);
+
+/* The vertex for a sample; takes the place of a pair of numbers. */
+const struct light_vertex *light_vertices_pick(const struct light_vertex *vertices,
+                                               struct sampler *sampler);
+
+#endif
