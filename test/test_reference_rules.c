@@ -218,11 +218,11 @@ static void test_noise_and_cancel(void **state) {
     make_corner(&world);
     struct path_tracer_desc desc = describe(&world, 16, 0);
     desc.bounces = 1;
-    desc.noise = 0.01;
+    desc.noise = 0.002;
     struct path_tracer_progress fine = render(&desc, &image);
     desc.noise = 0.1;
     struct path_tracer_progress rough = render(&desc, &coarse);
-    check_at_most("noise asked for", fine.noise, 0.01);
+    check_at_most("noise asked for", fine.noise, 0.002);
     assert_true(rough.samples < fine.samples);
     check_near("means agree", mean_of(&coarse, LAYER_INDIRECT), mean_of(&image, LAYER_INDIRECT),
                0.02 * mean_of(&image, LAYER_INDIRECT));

@@ -36,8 +36,3 @@ struct light_vertex *light_vertices_trace(const struct emitter *emitter,
     parallel_for(LIGHT_VERTEX_COUNT / CHUNK, threads, trace_chunk, &work);
     return work.vertices;
 }
-
-const struct light_vertex *light_vertices_pick(const struct light_vertex *vertices,
-                                               struct sampler *sampler) {
-    return &vertices[sampler_next_index(sampler) % LIGHT_VERTEX_COUNT];
-}

@@ -24,8 +24,4 @@ struct light_vertex {
 struct light_vertex *light_vertices_trace(const struct emitter *emitter,
                                           const struct ray_scene *rays, uint32_t seed, int threads);
 
-/* The vertex for a sample; takes the place of a pair of numbers. */
-const struct light_vertex *light_vertices_pick(const struct light_vertex *vertices,
-                                               struct sampler *sampler);
-
 #endif

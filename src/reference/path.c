@@ -4,6 +4,9 @@
 
 #include <math.h>
 
+/* Light vertices for each cosine ray: they cost a shadow ray only. */
+enum { LIGHTS_PER_VERTEX = 4 };
+
 /* The power heuristic with exponent 2 [Veach 1997, §9.2.4]: of the weights tried, the best on
  * scenes where light bounces off small patches. */
 static float weight(float density, float other_density) {
@@ -23,15 +26,27 @@ static float cosine_density(const struct hit *x, const struct hit *y) {
 }
 
 /* By way of the first hit y of a light ray. */
-static vec3s from_light_ray(const struct ray_scene *rays, const struct light_vertex *vertex,
-                            const struct hit *x) {
+static vec3s from_light_vertex(const struct ray_scene *rays, const struct hit *x,
+                               const struct light_vertex *vertex) {
     const struct hit *y = &vertex->hit;
-    float p_light = vertex->density, p_cosine = p_light > 0 ? cosine_density(x, y) : 0;
+    float p_light = LIGHTS_PER_VERTEX * vertex->density;
+    float p_cosine = p_light > 0 ? cosine_density(x, y) : 0;
     if (p_cosine == 0 ||
         !ray_scene_visible(rays, ray_scene_departure(rays, x), ray_scene_departure(rays, y)))
         return glms_vec3_zero();
     /* The geometry term over pi, cos(x) cos(y) / (pi d^2), equals p_cosine. */
     return glms_vec3_scale(vertex->radiance, p_cosine / p_light * weight(p_light, p_cosine));
+}
+
+static vec3s from_light_vertices(const struct ray_scene *rays, const struct hit *x,
+                                 const struct light_vertex *vertices, struct sampler *sampler) {
+    uint32_t first = sampler_next_run(sampler, LIGHTS_PER_VERTEX);
+    vec3s sum = glms_vec3_zero();
+    for (uint32_t i = 0; i < LIGHTS_PER_VERTEX; i++) {
+        const struct light_vertex *vertex = &vertices[(first ^ i) % LIGHT_VERTEX_COUNT];
+        sum = glms_vec3_add(sum, from_light_vertex(rays, x, vertex));
+    }
+    return sum;
 }
 
 /* By way of the y that the cosine at x found. */
@@ -41,8 +56,8 @@ static vec3s from_cosine_ray(const struct ray_scene *rays, const struct emitter 
     if (!emitter_reach(emitter, y, &arrival) ||
         !ray_scene_visible(rays, ray_scene_departure(rays, y), arrival.source))
         return glms_vec3_zero();
-    return glms_vec3_scale(emitter_reflected(y, &arrival),
-                           weight(cosine_density(x, y), arrival.density));
+    float p_light = LIGHTS_PER_VERTEX * arrival.density;
+    return glms_vec3_scale(emitter_reflected(y, &arrival), weight(cosine_density(x, y), p_light));
 }
 
 /* The next vertex; false where the path ends: it leaves the scene, runs into its own surface, or
@@ -60,7 +75,7 @@ vec3s path_indirect(const struct path_scene *scene, const struct light_vertex *l
     vec3s sum = glms_vec3_zero(), throughput = glms_vec3_one();
     struct hit x = *first, y;
     for (int bounce = 0; bounce < scene->bounces; bounce++) {
-        vec3s light = from_light_ray(rays, light_vertices_pick(lights, sampler), &x);
+        vec3s light = from_light_vertices(rays, &x, lights, sampler);
         bool goes_on = extend(rays, &x, sampler_next(sampler), &y);
         if (goes_on)
             light = glms_vec3_add(light, from_cosine_ray(rays, scene->emitter, &x, &y));

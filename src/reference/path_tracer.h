@@ -1,10 +1,11 @@
 /* Ground truth: a path tracer for diffuse scenes under one spot, point or directional light.
  *
  * A path of b bounces runs camera -> x0 -> x1 ... -> xb -> light. All vertices but the last are
- * found by sampling the cosine; the last one both so and by the first hit of a light ray, weighted
+ * found by sampling the cosine; the last one both so and by the first hits of light rays, weighted
  * by the power heuristic [Veach 1997, §9.2.4]: light that bounces off a small bright patch is hard
  * for the first way, corners are hard for the second. No clamping, no Russian roulette: the result
- * is unbiased, and its noise is estimated from independent streams of samples.
+ * is unbiased, and its noise is estimated from independent streams of samples. The light rays' hits
+ * are traced once and shared by all pixels (reference/light_vertices.h).
  *
  * Vertices carry shading normals without any terminator correction. A surface passes light only
  * between directions on one side of its triangle.

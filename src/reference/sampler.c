@@ -44,8 +44,8 @@ static float to_unit_interval(uint32_t x) {
     return (float)(x >> 8) * 0x1p-24f;
 }
 
-uint32_t sampler_next_index(struct sampler *sampler) {
-    return sampler->index ^ sampler_hash(sampler->seed, sampler->pair++);
+uint32_t sampler_next_run(struct sampler *sampler, uint32_t count) {
+    return sampler->index * count ^ sampler_hash(sampler->seed, sampler->pair++);
 }
 
 vec2s sampler_next(struct sampler *sampler) {

@@ -19,9 +19,10 @@ struct sampler {
 /* A well-mixed function of both, to build seeds of several numbers. */
 uint32_t sampler_hash(uint32_t seed, uint32_t value);
 
-/* In place of a pair: the sample's index with bits flipped at random for the sequence and the pair.
- * The first 2^k samples take an aligned run of 2^k points of a sequence that is made beforehand. */
-uint32_t sampler_next_index(struct sampler *sampler);
+/* In place of a pair: where the sample finds `count` points, a power of two, of a sequence made
+ * beforehand, at the index returned xor 0 .. count - 1. Bits are flipped at random for the sequence
+ * and the pair; the first 2^k samples take an aligned run of points. */
+uint32_t sampler_next_run(struct sampler *sampler, uint32_t count);
 
 /* The next pair, each in [0, 1). */
 vec2s sampler_next(struct sampler *sampler);
