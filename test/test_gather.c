@@ -365,11 +365,29 @@ static void test_map_of_vpl(void **state) {
     }
 }
 
+/* Light that is summed up in many draws is not less than in one. */
+static void test_batches(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, cornell_box);
+    struct image one = render_stage(&stage, "instant-radiosity",
+                                    "vpls=256 interleave=1 map-size=64 map-batch=256", 48);
+    struct image many = render_stage(&stage, "instant-radiosity",
+                                     "vpls=256 interleave=1 map-size=64 map-batch=1", 48);
+    check_near("mean of many draws over one",
+               layer_mean(&many, "indirect") / layer_mean(&one, "indirect"), 1, 1e-4);
+    check_at_most("relative RMSE", relative_rmse(&many, &one, "indirect"), 2e-4);
+    image_free(&one);
+    image_free(&many);
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_surfaces), cmocka_unit_test(test_direct),
         cmocka_unit_test(test_vpls),     cmocka_unit_test(test_sums),
         cmocka_unit_test(test_slots),    cmocka_unit_test(test_map_of_vpl),
+        cmocka_unit_test(test_batches),
     };
     return cmocka_run_group_tests_name("gather", tests, open_group_context, close_group_context);
 }

@@ -447,8 +447,8 @@ static void open_blur(struct blur_bench *bench, const struct blur_desc *desc, in
     open_renderer(&bench->renderer, &renderer_desc);
     check_ok("layers", renderer_read_layers(&bench->renderer, &bench->layers));
     check_ok("blur", blur_pass_init(&bench->blur, desc));
-    check_ok("source",
-             irradiance_init(&bench->source, "source", desc->width, desc->height, interleave));
+    check_ok("source", irradiance_init(&bench->source, "source", GL_RGBA16F, desc->width,
+                                       desc->height, interleave));
 }
 
 static void close_blur(struct blur_bench *bench) {

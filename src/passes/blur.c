@@ -8,9 +8,10 @@ bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc) {
     *pass = (struct blur_pass){.desc = *desc};
     if (program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
                                                             .fragment = "blur.frag"}) &&
-        (desc->square ||
-         irradiance_init(&pass->half, "half-blurred irradiance", desc->width, desc->height, 1)) &&
-        irradiance_init(&pass->blurred, "blurred irradiance", desc->width, desc->height, 1) &&
+        (desc->square || irradiance_init(&pass->half, "half-blurred irradiance", GL_RGBA16F,
+                                         desc->width, desc->height, 1)) &&
+        irradiance_init(&pass->blurred, "blurred irradiance", GL_RGBA16F, desc->width, desc->height,
+                        1) &&
         buffer_init(&pass->params[0], "blur parameters", sizeof(struct blur_params), NULL) &&
         buffer_init(&pass->params[1], "blur parameters", sizeof(struct blur_params), NULL))
         return true;

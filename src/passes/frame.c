@@ -64,8 +64,8 @@ void vpl_buffer_free(struct vpl_buffer *vpls) {
     *vpls = (struct vpl_buffer){0};
 }
 
-bool irradiance_init(struct irradiance *irradiance, const char *label, int width, int height,
-                     int interleave) {
+bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum format, int width,
+                     int height, int interleave) {
     *irradiance = (struct irradiance){
         .width = width,
         .height = height,
@@ -76,7 +76,7 @@ bool irradiance_init(struct irradiance *irradiance, const char *label, int width
     if (texture_init(&irradiance->texture,
                      &(struct texture_desc){
                          .label = label,
-                         .format = GL_RGBA16F,
+                         .format = format,
                          .width = irradiance->tile_width * interleave,
                          .height = irradiance->tile_height * interleave,
                      }) &&

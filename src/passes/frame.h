@@ -70,8 +70,9 @@ struct block_visibilities {
     int block;
 };
 
-/* RGBA16F irradiance times irradiance_scale; in tiles of equal place in the n x n pattern, or plain
- * where interleave is 1. */
+/* Irradiance times irradiance_scale; in tiles of equal place in the n x n pattern, or plain where
+ * interleave is 1. RGBA32F where many draws add up: halves would lose some of each. RGBA16F where
+ * one draw writes. */
 struct irradiance {
     struct texture texture;
     GLuint framebuffer;
@@ -85,8 +86,8 @@ void gbuffer_free(struct gbuffer *gbuffer);
 bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count);
 void vpl_buffer_free(struct vpl_buffer *vpls);
 
-bool irradiance_init(struct irradiance *irradiance, const char *label, int width, int height,
-                     int interleave);
+bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum format, int width,
+                     int height, int interleave);
 void irradiance_free(struct irradiance *irradiance);
 
 #endif

@@ -27,8 +27,8 @@ static bool init_program(struct gather_pass *pass) {
 bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) {
     *pass = (struct gather_pass){.desc = *desc};
     if (init_program(pass) &&
-        irradiance_init(&pass->irradiance, "gathered irradiance", desc->width, desc->height,
-                        desc->interleave) &&
+        irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, desc->width,
+                        desc->height, desc->interleave) &&
         buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL) &&
         buffer_init(&pass->visibility_params, "visibility parameters",
                     sizeof(struct visibility_params), NULL))
