@@ -497,9 +497,9 @@ static float constant(const struct blur_bench *bench, int x, int y) {
  * sizes are no multiples of the pattern. */
 static void test_blur_conserves(void **state) {
     (void)state;
-    for (int interleave = 1; interleave <= 8; interleave += 7) {
+    for (int way = 0; way < 4; way++) {
         struct blur_bench bench;
-        open_blur(&bench, &(struct blur_desc){61, 43, 4, .1f, .8f, false}, interleave);
+        open_blur(&bench, &(struct blur_desc){61, 43, 4, .1f, .8f, way & 1}, way & 2 ? 8 : 1);
         float *blurred = run_blur(&bench, constant);
         double worst = 0;
         int alpha = image_find_channel(&bench.layers, "A");

@@ -21,6 +21,7 @@ static const struct recipe {
     const char *technique, *settings;
 } recipes[] = {
     {"clustered", "vpls=256 vals=12 map-size=128 interleave=4"},
+    {"clustered", "path=paper vpls=256 vals=12 map-size=128 interleave=4"},
     {"instant-radiosity", "vpls=32 map-size=128 interleave=4"},
     {"unshadowed", "vpls=256 interleave=4"},
 };
@@ -328,16 +329,16 @@ static void test_seeds(void **state) {
     struct stage stage;
     open_stage(&stage, cornell_animal);
     for (int i = 0; i < RECIPES; i++) {
-        const char *settings = i == 1 ? "vpls=256 map-size=128 interleave=1 seed=%d"
-                                      : "vpls=1024 map-size=128 interleave=1 seed=%d";
+        bool map_per_vpl = strcmp(recipes[i].technique, "instant-radiosity") == 0;
         struct image images[2];
         for (int k = 0; k < 2; k++) {
-            char text[128];
-            snprintf(text, sizeof text, settings, 7 * k);
+            char text[192];
+            snprintf(text, sizeof text, "%s vpls=%d interleave=1 seed=%d", recipes[i].settings,
+                     map_per_vpl ? 256 : 1024, 7 * k);
             images[k] = render_stage(&stage, recipes[i].technique, text, 48);
         }
         double mean = layer_mean(&images[1], "indirect") / layer_mean(&images[0], "indirect");
-        printf("  %s\n", recipes[i].technique);
+        printf("  %s %s\n", recipes[i].technique, recipes[i].settings);
         check_near("mean of another seed", mean, 1, .02);
         check_at_most("another seed, relative RMSE",
                       relative_rmse(&images[1], &images[0], "indirect"), .1);
@@ -381,9 +382,10 @@ static void test_memory(void **state) {
         struct renderer renderer;
         size_t before = gpu_memory_total();
         int objects = gpu_memory_object_count();
-        struct renderer_desc desc = desc_of(&stage, recipes[i].technique, "", 800, 800);
+        const char *settings = strstr(recipes[i].settings, "path=paper") ? "path=paper" : "";
+        struct renderer_desc desc = desc_of(&stage, recipes[i].technique, settings, 800, 800);
         check_ok("renderer", renderer_init(&renderer, &desc));
-        printf("  %s\n", recipes[i].technique);
+        printf("  %s %s\n", recipes[i].technique, settings);
         check_at_most("MiB at 800x800 with default settings",
                       (double)(gpu_memory_total() - before) / (1 << 20), 128);
         renderer_free(&renderer);

@@ -30,6 +30,7 @@ static void check_scene(const char *path, int size) {
     struct stage stage;
     open_stage(&stage, path);
     check_picture(path, &stage, "clustered", "vpls=256 vals=12 map-size=128", size, size);
+    check_picture(path, &stage, "clustered", "path=paper vpls=256 vals=6 map-size=64", size, size);
     check_picture(path, &stage, "instant-radiosity", "vpls=8 map-size=128 interleave=2", size,
                   size);
     check_picture(path, &stage, "unshadowed", "", size, size);
@@ -81,9 +82,9 @@ static void test_extremes(void **state) {
         SMALL "interleave=8 blur-radius=0",
         SMALL "interleave=7 vpls=50",
         SMALL "vpls=65536 interleave=16 vals=1024 map-size=16 iterations=1",
-        SMALL "terms=1",
-        SMALL "terms=5",
-        SMALL "terms=16 sharpen-a=30",
+        SMALL "visibility=cssm terms=1",
+        SMALL "visibility=cssm terms=5",
+        SMALL "visibility=cssm terms=16 sharpen-a=30",
         SMALL "map-size=16 terms=16 rsm-size=16 shadow-size=16",
         SMALL "visibility=hard map-size=16",
         SMALL "map-batch=1",
@@ -96,8 +97,7 @@ static void test_extremes(void **state) {
         SMALL "clamp=near near-reach=100 near-samples=1024 interleave=1",
         SMALL "bias=0 map-bias=0 near-clip=0 shadow-bias=0",
         SMALL "bias=1 map-bias=1 near-clip=1 shadow-bias=100",
-        SMALL "shift=0 gain=.1",
-        SMALL "shift=2 gain=16",
+        SMALL "visibility=cssm shift=0 gain=.1",
         SMALL "weight-position=0 weight-normal=0",
         SMALL "weight-position=1000 weight-normal=0 iterations=64",
         SMALL "blur-distance=0",
@@ -105,7 +105,18 @@ static void test_extremes(void **state) {
         SMALL "blur-cosine=1",
         SMALL "caster-edge=10",
         SMALL "caster-edge=.05",
-        SMALL "filter-jacobian=on",
+        SMALL "filter-jacobian=on visibility=cssm",
+        SMALL "path=paper",
+        SMALL "path=paper terms=16 sharpen-a=30 interleave=1",
+        SMALL "visibility=cssm shift=2 gain=16 bias=100",
+        SMALL "visibility=pcss taps=1",
+        SMALL "visibility=pcss taps=256 visibility-block=64",
+        SMALL "visibility-block=1 vals=64",
+        SMALL "caster-weld=0",
+        SMALL "caster-weld=1",
+        SMALL "blur-separable=off blur-radius=16",
+        SMALL "start=warm",
+        SMALL "start=reseed vals=64",
         SMALL "exposure=-32 tone-map=filmic",
         SMALL "exposure=32 tone-map=filmic seed=1000000000",
     };

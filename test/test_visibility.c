@@ -160,7 +160,9 @@ static void test_flat_blocker(void **state) {
     double hard = flat_error(&flat, &exact, ONE_VAL "visibility=hard");
     double soft = flat_error(&flat, &exact, ONE_VAL);
     double wide = flat_error(&flat, &exact, ONE_VAL "gain=1 shift=.5");
+    double closer = flat_error(&flat, &exact, "vals=1 visibility-block=0 visibility=pcss");
     check_at_most("hard", hard, .35);
+    check_at_most("percentage-closer, over soft by convolution", closer / soft, .8);
     check_at_most("soft, over hard", soft / hard, .8);
     check_at_most("without gain", wide, .12);
     image_free(&exact);
