@@ -327,7 +327,7 @@ static void test_panel(void **state) {
     int section = find_section(SECTION_TECHNIQUE);
     assert_true(section > 0);
     int technique = find_widget(COLUMN_WIDGET, section + 14, 0);
-    int vals = find_widget(COLUMN_WIDGET, section + 14, 2);
+    int vals = find_widget(COLUMN_WIDGET, section + 14, 3); /* after path and vpls */
     assert_true(technique > 0 && vals > technique);
     /* Ctrl and a click let a slider's value be typed. */
     xdo("mousemove %d %d sleep .3 keydown ctrl sleep .3 mousedown 1 sleep .3 mouseup 1 sleep .2",
