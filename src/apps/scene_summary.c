@@ -131,6 +131,9 @@ bool scene_summary_print(FILE *out, const char *path) {
         fprintf(out, "scene      %s\n", path);
         print_meshes(out, &scene);
         print_geometry(out, &geometry);
+        if (scene.origin[0] != 0 || scene.origin[1] != 0 || scene.origin[2] != 0)
+            fprintf(out, "origin     (%.9g, %.9g, %.9g) m: positions are relative to it\n",
+                    scene.origin[0], scene.origin[1], scene.origin[2]);
         print_materials(out, &scene);
         print_placed(out, &scene);
         print_clips(out, &scene);

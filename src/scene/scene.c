@@ -7,6 +7,7 @@
 #include "scene/gltf.h"
 #include "scene/node.h"
 #include "scene/primitive.h"
+#include "scene/recentre.h"
 
 #include <stdlib.h>
 
@@ -20,8 +21,11 @@ static bool check_worlds(const struct scene *scene) {
 
 bool scene_load(struct scene *scene, const char *path) {
     *scene = (struct scene){0};
-    if (gltf_load(scene, path) && check_worlds(scene) && scene_frame(scene))
-        return true;
+    if (gltf_load(scene, path) && check_worlds(scene)) {
+        scene_recentre(scene);
+        if (scene_frame(scene))
+            return true;
+    }
     scene_free(scene);
     return false;
 }

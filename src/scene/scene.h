@@ -128,6 +128,7 @@ struct clip {
 
 struct scene {
     char *path;
+    double origin[3]; /* all positions are relative to it, metres; scene/recentre.h */
     struct node *nodes;
     struct mesh *meshes;
     struct material *materials;

@@ -1,0 +1,14 @@
+/* Scenes far from the world's origin.
+ *
+ * Floats are dense near 0: ten kilometres away they are a millimetre apart. Where a scene lies far
+ * out compared with its size, its root nodes are moved back, and all that follows sees it there.
+ */
+#ifndef SCENE_RECENTRE_H
+#define SCENE_RECENTRE_H
+
+#include "scene/scene.h"
+
+/* Sets scene->origin, and moves root nodes and their animation by its opposite. */
+void scene_recentre(struct scene *scene);
+
+#endif

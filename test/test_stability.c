@@ -1,0 +1,96 @@
+/* Where such methods break: far from the origin, and behind a closed door. */
+#include "render_support.h"
+
+#include "base/memory.h"
+#include "scene/recentre.h"
+
+#include <cglm/cglm.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char small[] = "vpls=256 vals=16 map-size=64 rsm-size=128 shadow-size=256";
+static const char *const shadowing[] = {"clustered", "instant-radiosity"};
+
+/* --- far from the origin ---------------------------------------------------------------------- */
+
+/* Hangs all roots on a new one that stands elsewhere. */
+static void move_away(struct scene *scene, const float translation[3]) {
+    scene->nodes = mem_resize(scene->nodes, (size_t)scene->node_count + 1, sizeof *scene->nodes);
+    memmove(scene->nodes + 1, scene->nodes, (size_t)scene->node_count++ * sizeof *scene->nodes);
+    for (int i = 1; i < scene->node_count; i++)
+        scene->nodes[i].parent++;
+    scene->nodes[0] = (struct node){.parent = -1,
+                                    .mesh = -1,
+                                    .light = -1,
+                                    .camera = -1,
+                                    .skin = -1,
+                                    .metaballs = -1,
+                                    .rotation = {0, 0, 0, 1},
+                                    .scale = {1, 1, 1}};
+    memcpy(scene->nodes[0].translation, translation, sizeof scene->nodes[0].translation);
+}
+
+static void test_far(void **state) {
+    (void)state;
+    static const float away[3] = {10000, -10000, 10000};
+    for (int i = 0; i < 2; i++) {
+        struct stage stage;
+        open_stage(&stage, "scenes/cornell-box.glb");
+        assert_true(stage.scene.origin[0] == 0);
+        struct image near = render_stage(&stage, shadowing[i], small, 48);
+        move_away(&stage.scene, away);
+        scene_recentre(&stage.scene);
+        check_near("origin", stage.scene.origin[0], 10000, 8);
+        pose_stage(&stage);
+        struct image far = render_stage(&stage, shadowing[i], small, 48);
+        check_at_most("17 km away", relative_rmse(&far, &near, "indirect"), .005);
+        image_free(&near);
+        image_free(&far);
+        stage_free(&stage);
+    }
+}
+
+/* --- the closed door -------------------------------------------------------------------------- */
+
+/* The mean of the indirect light that a camera sees. */
+static double mean_from(struct stage *stage, const char *technique, const char *settings,
+                        const float eye[3], const float direction[3]) {
+    struct camera *camera = &stage->camera;
+    glm_vec3_copy((float *)eye, camera->eye);
+    glm_vec3_normalize_to((float *)direction, camera->forward);
+    glm_vec3_crossn(camera->forward, (vec3){0, 1, 0}, camera->right);
+    glm_vec3_cross(camera->right, camera->forward, camera->up);
+    struct image image = render_stage(stage, technique, settings, 64);
+    double mean = layer_mean(&image, "indirect");
+    image_free(&image);
+    return mean;
+}
+
+static double leak(const char *technique, const char *settings) {
+    struct stage stage;
+    open_stage(&stage, "scenes/door.glb");
+    double lit = mean_from(&stage, technique, settings, (const float[]){-.4F, 1.6F, 1.6F},
+                           (const float[]){-1, -.1F, -.6F});
+    double dark = mean_from(&stage, technique, settings, (const float[]){3.9F, 1.6F, 1.2F},
+                            (const float[]){-1, -.1F, -.3F});
+    assert_true(lit > 0);
+    stage_free(&stage);
+    printf("    %-20s lit %.4g, behind the door %.4g\n", technique, lit, dark);
+    return dark / lit;
+}
+
+static void test_closed_door(void **state) {
+    (void)state;
+    for (int i = 0; i < 2; i++)
+        check_at_most("light behind a closed door", leak(shadowing[i], "vpls=512"), .01);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_far),
+        cmocka_unit_test(test_closed_door),
+    };
+    return cmocka_run_group_tests_name("stability", tests, open_group_context, close_group_context);
+}
