@@ -22,18 +22,19 @@ struct fixture {
     struct renderer_desc desc;
 };
 
-static int set_up(void **state) {
+static int set_up_scene(void **state, const char *path) {
     struct fixture *fixture = *state = calloc(1, sizeof *fixture);
     fixture->context = context_create(&(struct context_desc){.device = -1, .debug = true});
     if (!fixture->context)
         return 0;
-    check_ok("scene", scene_load(&fixture->scene, "scenes/cornell-box.glb"));
+    check_ok("scene", scene_load(&fixture->scene, path));
     check_ok("geometry", geometry_init(&fixture->geometry, &fixture->scene, 0));
     struct renderer_desc *desc = &fixture->desc;
     *desc = (struct renderer_desc){.width = WIDTH,
                                    .height = HEIGHT,
                                    .scene = &fixture->scene,
                                    .geometry = &fixture->geometry,
+                                   .keep_lights = true,
                                    .software = context_is_software(fixture->context)};
     options_set_defaults(settings_table, &desc->settings);
     desc->settings.vpl_count = 128;
@@ -44,6 +45,14 @@ static int set_up(void **state) {
     camera_place(&desc->camera, &fixture->scene, 0, 0);
     light_place(&desc->light, &fixture->scene, 0, 0);
     return 0;
+}
+
+static int set_up(void **state) {
+    return set_up_scene(state, "scenes/cornell-box.glb");
+}
+
+static int set_up_moving(void **state) {
+    return set_up_scene(state, "scenes/door.glb");
 }
 
 static int tear_down(void **state) {
@@ -207,11 +216,62 @@ static void test_no_leak(void **state) {
     assert_int_equal(gpu_memory_total(), 0);
 }
 
+/* Renders; the light's passes are drawn or kept, and either way the picture is a new renderer's. */
+static void check_frame(const char *what, struct renderer *renderer, bool draws_lights) {
+    renderer_render(renderer);
+    static const char *const light_passes[] = {"frame/shadow map", "frame/rsm", "frame/vpls"};
+    for (size_t i = 0; i < sizeof light_passes / sizeof *light_passes; i++) {
+        double ms = timer_ms(&renderer->timers, light_passes[i]);
+        printf("    %-20s %-18s %.3f ms\n", what, light_passes[i], ms);
+        assert_true(draws_lights == (ms > 0));
+    }
+    assert_true(timer_ms(&renderer->timers, "frame/gather") > 0);
+    check_as_new(what, renderer);
+}
+
+static void test_lights_are_kept(void **state) {
+    struct fixture *fixture = need_context(state);
+    struct renderer_desc desc = fixture->desc;
+    struct renderer renderer;
+    desc.timed = true;
+    check_ok("init", renderer_init(&renderer, &desc));
+    check_frame("first", &renderer, true);
+
+    struct camera camera = desc.camera;
+    struct light light = desc.light;
+    struct settings settings = desc.settings;
+    camera.eye[0] += .1F;
+    check_ok("camera", renderer_update(&renderer, &light, &camera));
+    check_frame("camera", &renderer, false);
+    settings.exposure = 1;
+    check_ok("exposure", renderer_configure(&renderer, 0, &settings));
+    check_frame("exposure", &renderer, false);
+    light.position[1] -= .1F;
+    check_ok("light", renderer_update(&renderer, &light, &camera));
+    check_frame("light", &renderer, true);
+    settings.val_count = 4;
+    check_ok("settings", renderer_configure(&renderer, 0, &settings));
+    check_frame("settings", &renderer, true);
+    check_ok("pose", geometry_pose(&fixture->geometry, &fixture->scene, 1));
+    check_ok("pose", renderer_update(&renderer, &light, &camera));
+    check_frame("geometry", &renderer, true);
+    check_ok("nothing", renderer_update(&renderer, &light, &camera));
+    check_frame("nothing", &renderer, false);
+    renderer_free(&renderer);
+
+    desc.keep_lights = false; /* as a benchmark has it */
+    check_ok("init", renderer_init(&renderer, &desc));
+    renderer_render(&renderer);
+    check_frame("not kept", &renderer, true);
+    renderer_free(&renderer);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_as_new, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_failures, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_no_leak, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_lights_are_kept, set_up_moving, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -65,7 +65,7 @@ void direct_pass_free(struct direct_pass *pass) {
     *pass = (struct direct_pass){0};
 }
 
-static void render_shadow_map(const struct direct_pass *pass, const struct frame *frame) {
+void direct_pass_render_shadow_map(const struct direct_pass *pass, const struct frame *frame) {
     static const float far = 0;
     struct pass_state state = {
         .name = "shadow map",
@@ -89,7 +89,6 @@ static void render_shadow_map(const struct direct_pass *pass, const struct frame
 
 void direct_pass_render(const struct direct_pass *pass, const struct frame *frame,
                         const struct gbuffer *gbuffer) {
-    render_shadow_map(pass, frame);
     pass_begin(frame->timers, &(struct pass_state){
                                   .name = "direct",
                                   .program = pass->direct_program,

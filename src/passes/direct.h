@@ -30,7 +30,10 @@ struct direct_pass {
 bool direct_pass_init(struct direct_pass *pass, const struct direct_desc *desc);
 void direct_pass_free(struct direct_pass *pass);
 
-/* Timers "shadow map", "direct". */
+/* Depth from the light, for any number of cameras. Timer "shadow map". */
+void direct_pass_render_shadow_map(const struct direct_pass *pass, const struct frame *frame);
+
+/* What the G-buffer gets of the light. Timer "direct". */
 void direct_pass_render(const struct direct_pass *pass, const struct frame *frame,
                         const struct gbuffer *gbuffer);
 

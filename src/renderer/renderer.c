@@ -26,6 +26,7 @@ enum part {
     PART_TECHNIQUE = 16, /* size, technique, all settings, number of light views */
     PART_ALL = 31,
     PART_SHADERS = PART_ALL & ~PART_SCENE,
+    PART_LIGHTS = PART_SCENE | PART_DIRECT | PART_TECHNIQUE, /* what render_lights draws with */
 };
 
 static bool init_scene(struct renderer *renderer) {
@@ -152,6 +153,7 @@ static bool change(struct renderer *renderer, const struct renderer_desc *desc, 
         swap_parts(renderer, &fresh, parts);
         renderer->desc = *desc;
         write_views(renderer);
+        renderer->lights_drawn &= !(parts & PART_LIGHTS);
         if (parts & PART_TECHNIQUE) { /* other passes, other timers */
             timers_free(&renderer->timers);
             timers_init(&renderer->timers, desc->timed, desc->software);
@@ -196,6 +198,7 @@ bool renderer_resize(struct renderer *renderer, int width, int height) {
 bool renderer_set_light(struct renderer *renderer, const struct light *light) {
     struct renderer_desc desc = renderer->desc;
     bool same_views = light_view_count(light) == light_view_count(&desc.light);
+    renderer->lights_drawn &= memcmp(light, &desc.light, sizeof *light) == 0;
     desc.light = *light;
     return change(renderer, &desc, same_views ? 0 : PART_DIRECT | PART_TECHNIQUE);
 }
@@ -208,6 +211,7 @@ void renderer_set_camera(struct renderer *renderer, const struct camera *camera)
 bool renderer_update(struct renderer *renderer, const struct light *light,
                      const struct camera *camera) {
     renderer->desc.camera = *camera;
+    renderer->lights_drawn &= renderer->scene.pose == renderer->desc.geometry->pose_count;
     return scene_gpu_update(&renderer->scene, renderer->desc.geometry, &renderer->caster) &&
            renderer_set_light(renderer, light);
 }
@@ -256,14 +260,23 @@ void renderer_bind_frame(const struct renderer *renderer) {
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_LIGHT, renderer->light_buffer.id);
 }
 
+static void render_lights(struct renderer *renderer, const struct frame *frame) {
+    if (renderer->lights_drawn && renderer->desc.keep_lights)
+        return;
+    direct_pass_render_shadow_map(&renderer->direct, frame);
+    renderer->technique->render_lights(renderer->technique_state, frame);
+    renderer->lights_drawn = true;
+}
+
 void renderer_render(struct renderer *renderer) {
     struct frame frame = renderer_frame(renderer);
     struct composite_inputs inputs = renderer_composite_inputs(renderer);
     timer_begin(&renderer->timers, "frame");
     renderer_bind_frame(renderer);
+    render_lights(renderer, &frame);
     geometry_pass_render_camera(&renderer->geometry, &frame, &renderer->gbuffer);
     direct_pass_render(&renderer->direct, &frame, &renderer->gbuffer);
-    renderer->technique->render(renderer->technique_state, &frame, &renderer->gbuffer);
+    renderer->technique->render_view(renderer->technique_state, &frame, &renderer->gbuffer);
     composite_pass_render(&renderer->composite, &frame, &inputs);
     timer_end(&renderer->timers);
 }

@@ -21,8 +21,10 @@ struct renderer_desc {
     const struct geometry *geometry;
     struct light light;
     struct camera camera;
-    bool timed;    /* measure passes */
-    bool software; /* of the context: how to measure them */
+    bool keep_lights; /* frames in which only the camera moved use the lights' passes of the one
+                         before: the same picture in less time */
+    bool timed;       /* measure passes */
+    bool software;    /* of the context: how to measure them */
 };
 
 struct renderer {
@@ -36,6 +38,7 @@ struct renderer {
     struct composite_pass composite;
     const struct technique *technique;
     void *technique_state;
+    bool lights_drawn; /* shadow map and the technique's lights are those of desc */
     struct view camera_view;
     struct light_block light_block;
     struct buffer view_buffer, light_buffer;

@@ -104,14 +104,17 @@ static void render_maps(struct clustered *technique, const struct frame *frame) 
     timer_end(frame->timers);
 }
 
-static void render(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
+static void render_lights(void *state, const struct frame *frame) {
+    struct clustered *technique = state;
+    many_lights_render_vpls(&technique->lights, frame);
+    cluster_pass_render(&technique->cluster, frame, &technique->lights.vpls);
+    render_maps(technique, frame);
+}
+
+static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct clustered *technique = state;
     struct many_lights *lights = &technique->lights;
     struct cluster_pass *cluster = &technique->cluster;
-    many_lights_render_vpls(lights, frame);
-    cluster_pass_render(cluster, frame, &lights->vpls);
-
-    render_maps(technique, frame);
     struct visibility_inputs visibility = {
         .views = &cluster->views,
         .depth = &technique->paraboloid.maps,
@@ -147,6 +150,7 @@ const struct technique clustered_technique = {
     .help = "soft shadow maps of clusters of VPLs",
     .init = init,
     .free = free_state,
-    .render = render,
+    .render_lights = render_lights,
+    .render_view = render_view,
     .outputs = outputs,
 };

@@ -37,11 +37,16 @@ static bool init(void **state, const struct technique_desc *desc) {
                                                         });
 }
 
-static void render(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
+static void render_lights(void *state, const struct frame *frame) {
+    struct instant_radiosity *technique = state;
+    many_lights_render_vpls(&technique->lights, frame);
+}
+
+/* The maps are here: only one batch of them is kept. */
+static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct instant_radiosity *technique = state;
     struct many_lights *lights = &technique->lights;
     struct paraboloid_pass *paraboloid = &technique->paraboloid;
-    many_lights_render_vpls(lights, frame);
     gather_pass_clear(&lights->gather);
     int total = lights->vpls.count, batch = paraboloid->desc.count;
     for (int first = 0; first < total; first += batch) {
@@ -70,6 +75,7 @@ const struct technique instant_radiosity_technique = {
     .help = "a hard shadow map per VPL",
     .init = init,
     .free = free_state,
-    .render = render,
+    .render_lights = render_lights,
+    .render_view = render_view,
     .outputs = outputs,
 };

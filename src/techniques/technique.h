@@ -31,8 +31,10 @@ struct technique {
     /* Allocates and compiles all there is. Error: of the first pass that fails. */
     bool (*init)(void **state, const struct technique_desc *desc);
     void (*free)(void *state);
-    /* Cannot fail, allocate or compile. */
-    void (*render)(void *state, const struct frame *frame, const struct gbuffer *gbuffer);
+    /* Both cannot fail, allocate or compile. What no camera can change, to be used by any number
+     * of views; and what one camera's G-buffer sees of it. */
+    void (*render_lights)(void *state, const struct frame *frame);
+    void (*render_view)(void *state, const struct frame *frame, const struct gbuffer *gbuffer);
     void (*outputs)(const void *state, struct technique_outputs *outputs);
 };
 

@@ -17,9 +17,12 @@ static bool init(void **state, const struct technique_desc *desc) {
         *state, desc, &(struct many_lights_visibility){VISIBILITY_LOOKUP_NONE, .map_count = 1});
 }
 
-static void render(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
+static void render_lights(void *state, const struct frame *frame) {
+    many_lights_render_vpls(state, frame);
+}
+
+static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct many_lights *lights = state;
-    many_lights_render_vpls(lights, frame);
     gather_pass_clear(&lights->gather);
     gather_pass_render(&lights->gather, frame, gbuffer,
                        &(struct gather_inputs){.vpls = &lights->vpls});
@@ -36,6 +39,7 @@ const struct technique unshadowed_technique = {
     .help = "all VPLs, no visibility",
     .init = init,
     .free = free_state,
-    .render = render,
+    .render_lights = render_lights,
+    .render_view = render_view,
     .outputs = outputs,
 };

@@ -62,6 +62,7 @@ static bool init_renderer(struct viewer *viewer, struct renderer *renderer) {
         .geometry = &viewer->document.geometry,
         .camera = viewer->placed.orbit.camera,
         .light = viewer->placed.light,
+        .keep_lights = true,
         .timed = true,
         .software = context_is_software(viewer->context),
     };
