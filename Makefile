@@ -104,7 +104,7 @@ $(BUILD)/glsl_embedded.o: $(BUILD)/glsl_embedded.c
 
 # Every build runs its own tool on the one folder: the tool leaves files that would not change alone.
 # A scene that went missing is made again.
-$(SCENES): $(SCENE_TOOL) $(if $(filter-out $(wildcard scenes/*.glb),$(SCENE_NAMES:%=scenes/%.glb)),FORCE)
+$(SCENES): $(SCENE_TOOL) $(if $(filter-out $(wildcard scenes/*.glb scenes/failures),$(SCENE_NAMES:%=scenes/%.glb) scenes/failures),FORCE)
 	$(SCENE_TOOL) scenes
 	@touch $@
 
@@ -166,14 +166,18 @@ accuracy: all
 
 # --- stability ------------------------------------------------------------------------------------
 
-# Flicker and VALs in use over the clips of the moving scenes; then the cases where methods break.
+# Flicker and VALs in use over the clips of the moving scenes; then the cases where methods break,
+# each with a picture.
 MOVING_SCENES := $(patsubst %,scenes/%.glb,moving-spot metaballs door)
 STABILITY_OPTIONS := --size 80x60 --frames 20
+FAILURES_OPTIONS := --size 160x120 --noise .02
 
 stability: all $(BUILD)/test/test_stability $(BUILD)/test/test_robust
 	@mkdir -p $(BENCH_RESULTS)
 	./manylight bench $(MOVING_SCENES) --temporal --csv $(BENCH_RESULTS)/temporal.csv \
 	    -o $(BENCH_PLOTS) $(STABILITY_OPTIONS)
+	./manylight bench --failures --csv $(BENCH_RESULTS)/failures.csv --cache $(REFERENCE_CACHE) \
+	    -o $(BENCH_RESULTS)/failures $(FAILURES_OPTIONS)
 	$(BUILD)/test/test_robust
 	$(BUILD)/test/test_stability
 
@@ -223,4 +227,4 @@ install: all
 	install -D -m 755 manylight $(DESTDIR)$(PREFIX)/bin/manylight
 
 clean:
-	rm -rf build manylight scenes/*.glb
+	rm -rf build manylight scenes/*.glb scenes/failures

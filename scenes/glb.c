@@ -288,8 +288,8 @@ static int add_placed_node(struct glb *glb, const char *name, const float eye[3]
     return node;
 }
 
-void glb_add_camera(struct glb *glb, const float eye[3], const float direction[3], double fov,
-                    double near, double far) {
+int glb_add_camera(struct glb *glb, const float eye[3], const float direction[3], double fov,
+                   double near, double far) {
     int camera = next_element(&glb->cameras, &glb->camera_count);
     text_print(&glb->cameras,
                "{\"name\":\"camera\",\"type\":\"perspective\",\"perspective\":{\"yfov\":%.9g,"
@@ -297,7 +297,7 @@ void glb_add_camera(struct glb *glb, const float eye[3], const float direction[3
                fov * GLM_PI / 180.0, near, far);
     char what[32];
     snprintf(what, sizeof what, "\"camera\":%d", camera);
-    add_placed_node(glb, "camera", eye, direction, what);
+    return add_placed_node(glb, "camera", eye, direction, what);
 }
 
 static int add_light_node(struct glb *glb, const char *name, const float eye[3],

@@ -68,9 +68,9 @@ void glb_animate_translation(struct glb *glb, int node, int keys, const float *t
 void glb_animate_rotation(struct glb *glb, int node, int keys, const float *times,
                           const float (*values)[4]);
 
-/* Angles in degrees; directions need not be unit. fov is vertical. */
-void glb_add_camera(struct glb *glb, const float eye[3], const float direction[3], double fov,
-                    double near, double far);
+/* Angles in degrees; directions need not be unit. fov is vertical. Returns its node. */
+int glb_add_camera(struct glb *glb, const float eye[3], const float direction[3], double fov,
+                   double near, double far);
 
 /* The turn of a node that makes it look in a direction. */
 void glb_direction(const float direction[3], float quaternion[4]);

@@ -2,6 +2,7 @@
 #include "scenes.h"
 
 #include "base/error.h"
+#include "base/folder.h"
 #include "base/memory.h"
 
 #include <stdio.h>
@@ -21,6 +22,26 @@ static const struct scene_maker {
     {"door", make_door},
     {"creatures", make_creatures},
     {"character", make_character},
+    {"failures/room", make_room},
+    {"failures/table-legs", make_table_legs},
+    {"failures/contact", make_contact},
+    {"failures/wide-light", make_wide_light},
+    {"failures/grazing-receivers", make_grazing_receivers},
+    {"failures/val-plane", make_val_plane},
+    {"failures/center-inside", make_center_inside},
+    {"failures/thin-wall", make_thin_wall},
+    {"failures/closed-door", make_closed_door},
+    {"failures/grazing-light", make_grazing_light},
+    {"failures/empty-map", make_empty_map},
+    {"failures/needle", make_needle},
+    {"failures/corner", make_corner},
+    {"failures/black", make_black},
+    {"failures/white", make_white},
+    {"failures/giant-triangle", make_giant_triangle},
+    {"failures/tiny-triangles", make_tiny_triangles},
+    {"failures/millimetre", make_millimetre},
+    {"failures/kilometre", make_kilometre},
+    {"failures/far-away", make_far_away},
 };
 enum { MAKER_COUNT = sizeof makers / sizeof makers[0] };
 
@@ -29,7 +50,7 @@ static bool write_scene(const struct scene_maker *maker, const char *folder) {
     glb_init(&glb, maker->name);
     maker->make(&glb);
     char *path = mem_printf("%s/%s.glb", folder, maker->name);
-    bool ok = glb_write(&glb, path);
+    bool ok = folder_make_for(path) && glb_write(&glb, path);
     free(path);
     glb_free(&glb);
     return ok;

@@ -14,6 +14,28 @@ void make_door(struct glb *glb);
 void make_creatures(struct glb *glb);
 void make_character(struct glb *glb);
 
+/* scenes/failures.c */
+void make_room(struct glb *glb);
+void make_table_legs(struct glb *glb);
+void make_contact(struct glb *glb);
+void make_wide_light(struct glb *glb);
+void make_grazing_receivers(struct glb *glb);
+void make_val_plane(struct glb *glb);
+void make_center_inside(struct glb *glb);
+void make_thin_wall(struct glb *glb);
+void make_closed_door(struct glb *glb);
+void make_grazing_light(struct glb *glb);
+void make_empty_map(struct glb *glb);
+void make_needle(struct glb *glb);
+void make_corner(struct glb *glb);
+void make_black(struct glb *glb);
+void make_white(struct glb *glb);
+void make_giant_triangle(struct glb *glb);
+void make_tiny_triangles(struct glb *glb);
+void make_millimetre(struct glb *glb);
+void make_kilometre(struct glb *glb);
+void make_far_away(struct glb *glb);
+
 /* The walls, the lamp and the camera of the Cornell box without its blocks; returns the white
  * material. */
 int add_cornell_room(struct glb *glb);

@@ -4,6 +4,7 @@
 #include "apps/apps.h"
 #include "apps/bench_chart.h"
 #include "apps/context_options.h"
+#include "apps/failures.h"
 #include "apps/temporal.h"
 
 #include "base/error.h"
@@ -46,6 +47,9 @@ static const struct option options[] = {
      .help = "no times: the error against M, K, N and map size, drawn into --output"},
     {"temporal", 0, OPTION_FLAG, offsetof(struct bench_values, temporal),
      .help = "no times: flicker over each scene's clip, of --frames [50] frames spread over it"},
+    {"failures", 0, OPTION_FLAG, offsetof(struct bench_values, failures),
+     .help = "no times: the errors where such methods break; names of rows stand for SCENEs,\n"
+             "                             and pictures go to --output"},
     {"chart", 0, OPTION_TEXT, offsetof(struct bench_values, chart), .value_name = "FILE.csv",
      .help = "measure nothing: draw time against error, a chart a scene, from a sweep's --csv"},
     {"output", 'o', OPTION_TEXT, offsetof(struct bench_values, output), .value_name = "DIR",
@@ -82,15 +86,18 @@ static int pick_usual_scenes(const char **scenes) {
 /* One of the modes that render. */
 static bool run(const struct bench_values *values, const char **scenes, int scene_count,
                 const struct sweep *sweep) {
-    struct context *context = context_create(&values->context);
+    struct context_desc desc = values->context;
+    desc.debug = desc.debug || values->failures; /* the suite counts messages */
+    struct context *context = context_create(&desc);
     if (!context)
         return false;
     bool software = context_is_software(context);
-    bool ok = values->temporal  ? bench_temporal(values, scenes, scene_count, software)
-              : values->budget  ? bench_budgets(values, scenes, scene_count, software)
-              : values->curves  ? bench_all_curves(values, scenes, scene_count, software)
-              : values->scaling ? bench_scaling(values, scenes, scene_count, software)
-                                : bench_times(values, scenes, scene_count, sweep, software);
+    bool ok = values->failures   ? bench_failures(values, scenes, scene_count, context)
+              : values->temporal ? bench_temporal(values, scenes, scene_count, software)
+              : values->budget   ? bench_budgets(values, scenes, scene_count, software)
+              : values->curves   ? bench_all_curves(values, scenes, scene_count, software)
+              : values->scaling  ? bench_scaling(values, scenes, scene_count, software)
+                                 : bench_times(values, scenes, scene_count, sweep, software);
     context_free(context);
     return ok;
 }
@@ -108,7 +115,7 @@ int app_bench(int argc, char **argv) {
     if (values.chart)
         return bench_chart(values.chart, bench_output(&values)) ? STATUS_OK
                                                                 : arguments_fail(argv[0]);
-    if (count == 0 && (count = pick_usual_scenes(scenes)) == 0) {
+    if (count == 0 && !values.failures && (count = pick_usual_scenes(scenes)) == 0) {
         error_set("no SCENE, and none of the usual ones is here");
         return arguments_misuse(argv[0]);
     }

@@ -15,7 +15,7 @@ struct bench_values {
     const char *csv, *json, *cache, *chart, *output;
     int size[2], frames, warm_up, reference;
     float noise;
-    bool budget, curves, scaling, temporal;
+    bool budget, curves, scaling, temporal, failures;
 };
 
 /* A list that grows. */

@@ -32,13 +32,18 @@ static bool hash_file(const char *path, uint64_t *hash) {
     return true;
 }
 
+static uint64_t hash_text(uint64_t hash, const char *text) {
+    for (const char *c = text ? text : ""; *c; c++)
+        hash = hash_byte(hash, *c);
+    return hash_byte(hash, 0);
+}
+
 /* What a rendered reference depends on beside the scene. */
 static uint64_t hash_settings(uint64_t hash) {
     for (const struct option *o = settings_table; o->name; o++) {
         char text[64];
         snprintf(text, sizeof text, "%s=%g ", o->name, o->default_value);
-        for (const char *c = text; *c; c++)
-            hash = hash_byte(hash, *c);
+        hash = hash_text(hash, text);
     }
     return hash;
 }
@@ -58,6 +63,8 @@ char *bench_reference_path(const struct bench_reference_desc *desc) {
     uint64_t hash = 0;
     if (!hash_file(desc->scene_path, &hash))
         return NULL;
+    if (desc->stage->camera_text || desc->stage->light_text)
+        hash = hash_text(hash_text(hash, desc->stage->camera_text), desc->stage->light_text);
     char *folder = desc->cache ? mem_strdup(desc->cache) : default_folder();
     if (!folder)
         return NULL;

@@ -1,7 +1,7 @@
 /* Pictures that hold the truth, made once and kept in a folder.
  *
- * A file's name tells the scene, the size, how it was made and a hash of the scene file, so that a
- * changed scene gets a new reference.
+ * A file's name tells the scene, the size, how it was made and a hash of the scene file and of
+ * the camera and the light that were picked, so that a changed scene gets a new reference.
  */
 #ifndef APPS_BENCH_REFERENCE_H
 #define APPS_BENCH_REFERENCE_H
