@@ -105,6 +105,7 @@ $(BUILD)/glsl_embedded.o: $(BUILD)/glsl_embedded.c
 # Every build runs its own tool on the one folder: the tool leaves files that would not change alone.
 # A scene that went missing is made again.
 $(SCENES): $(SCENE_TOOL) $(if $(filter-out $(wildcard scenes/*.glb scenes/failures),$(SCENE_NAMES:%=scenes/%.glb) scenes/failures),FORCE)
+	@mkdir -p scenes/failures
 	$(SCENE_TOOL) scenes
 	@touch $@
 

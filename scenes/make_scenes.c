@@ -1,8 +1,8 @@
-/* make_scenes OUTDIR [NAME...]: writes the scenes named, or all, as OUTDIR/NAME.glb. */
+/* make_scenes OUTDIR [NAME...]: writes the scenes named, or all, as OUTDIR/NAME.glb. The folders
+ * are there: OUTDIR, and OUTDIR/failures where those are asked for. */
 #include "scenes.h"
 
 #include "base/error.h"
-#include "base/folder.h"
 #include "base/memory.h"
 
 #include <stdio.h>
@@ -50,7 +50,7 @@ static bool write_scene(const struct scene_maker *maker, const char *folder) {
     glb_init(&glb, maker->name);
     maker->make(&glb);
     char *path = mem_printf("%s/%s.glb", folder, maker->name);
-    bool ok = folder_make_for(path) && glb_write(&glb, path);
+    bool ok = glb_write(&glb, path);
     free(path);
     glb_free(&glb);
     return ok;

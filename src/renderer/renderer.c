@@ -13,7 +13,12 @@ static float irradiance_scale(const struct renderer_desc *desc) {
     const struct light *light = &desc->light;
     float brightest = fmaxf(light->intensity[0], fmaxf(light->intensity[1], light->intensity[2]));
     float radius = desc->geometry->radius;
-    float typical = light->type == LIGHT_DIRECTIONAL ? brightest : brightest / (radius * radius);
+    /* A narrow cone lights little, and less than its intensity says. */
+    float share = light->type == LIGHT_SPOT
+                      ? light_cone(light, 1) * fminf((float)light_solid_angle(light), 1)
+                      : 1;
+    float typical =
+        light->type == LIGHT_DIRECTIONAL ? brightest : brightest * share / (radius * radius);
     return typical > 0 && isfinite(typical) ? exp2f(-roundf(log2f(typical))) : 1;
 }
 
