@@ -23,7 +23,7 @@ struct values {
     struct context_desc context;
     struct text_list outputs, settings;
     int size[2];
-    int technique;
+    int technique, layer;
     const char *camera, *light, *clip, *frames, *glsl, *aov;
     float time, fps;
     bool skip_existing, stats;
@@ -37,6 +37,8 @@ static const struct option options[] = {
      .help = "of the picture, pixels"},
     {"technique", 0, OPTION_CHOICE, offsetof(struct values, technique), .choices = technique_names,
      .help = "how indirect light is made"},
+    {"layer", 0, OPTION_CHOICE, offsetof(struct values, layer), .choices = shown_layer_names,
+     .help = "light that PNG, JPEG and the like show; EXR has all layers"},
     {"aov", 0, OPTION_TEXT, offsetof(struct values, aov), .value_name = "LAYER[,LAYER ...]",
      .help = "more layers in EXR: gathered (before the blur), val (the strongest VAL's colour),\n"
              "visibility (the share of the VALs' light that arrives), vpl (flux of VPLs)"},
@@ -141,6 +143,7 @@ static bool write_output(const struct values *values, struct renderer *renderer,
         image_free(&image);
     } else {
         struct bitmap bitmap;
+        renderer_compose(renderer, values->layer);
         renderer_read_display(renderer, &bitmap);
         ok = bitmap_write(&bitmap, path);
         bitmap_free(&bitmap);

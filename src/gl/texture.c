@@ -1,10 +1,13 @@
 #include "gl/texture.h"
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "gl/memory.h"
 
 #include <assert.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 static size_t texel_bytes(GLenum format) {
     switch (format) {
@@ -122,4 +125,16 @@ int texture_full_levels(int width, int height) {
         levels++;
     }
     return levels;
+}
+
+/* GL's row 0 is at the bottom. */
+void texture_read_bitmap(const struct texture *texture, struct bitmap *bitmap) {
+    int width = texture->desc.width, height = texture->desc.height;
+    size_t row = (size_t)width * 4, bytes = row * (size_t)height;
+    *bitmap = (struct bitmap){.width = width, .height = height, .rgba = mem_alloc(bytes, 1)};
+    unsigned char *flipped = mem_alloc(bytes, 1);
+    gl.GetTextureImage(texture->id, 0, GL_RGBA, GL_UNSIGNED_BYTE, (GLsizei)bytes, flipped);
+    for (int y = 0; y < height; y++)
+        memcpy(bitmap->rgba + (size_t)y * row, flipped + (size_t)(height - 1 - y) * row, row);
+    free(flipped);
 }

@@ -2,6 +2,7 @@
 #ifndef GL_TEXTURE_H
 #define GL_TEXTURE_H
 
+#include "base/image.h"
 #include "gl/api.h"
 
 #include <stdbool.h>
@@ -35,6 +36,9 @@ struct texture {
 /* Error: out of GPU memory, or larger than the limits; names label and size. */
 bool texture_init(struct texture *texture, const struct texture_desc *desc);
 void texture_free(struct texture *texture);
+
+/* Copies an RGBA8 texture's first layer, row 0 at the top; bitmap_free it. */
+void texture_read_bitmap(const struct texture *texture, struct bitmap *bitmap);
 
 /* Levels of a full MIP chain. */
 int texture_full_levels(int width, int height);

@@ -56,13 +56,5 @@ bool renderer_read_layers(struct renderer *renderer, struct image *image) {
 }
 
 void renderer_read_display(const struct renderer *renderer, struct bitmap *bitmap) {
-    int width = renderer->desc.width, height = renderer->desc.height;
-    size_t row = (size_t)width * 4, bytes = row * (size_t)height;
-    *bitmap = (struct bitmap){.width = width, .height = height, .rgba = mem_alloc(bytes, 1)};
-    unsigned char *flipped = mem_alloc(bytes, 1);
-    gl.GetTextureImage(renderer->composite.display.id, 0, GL_RGBA, GL_UNSIGNED_BYTE, (GLsizei)bytes,
-                       flipped);
-    for (int y = 0; y < height; y++)
-        memcpy(bitmap->rgba + (size_t)y * row, flipped + (size_t)(height - 1 - y) * row, row);
-    free(flipped);
+    texture_read_bitmap(&renderer->composite.display, bitmap);
 }

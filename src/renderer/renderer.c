@@ -7,6 +7,9 @@
 #include <math.h>
 #include <string.h>
 
+const char *const shown_layer_names[] = {
+    [LAYER_BEAUTY] = "full", [LAYER_DIRECT] = "direct", [LAYER_INDIRECT] = "indirect", NULL};
+
 /* A power of two near the irradiance that the light could make across the scene, inverted: exact to
  * multiply by, and keeps half floats in range whatever the units. */
 static float irradiance_scale(const struct renderer_desc *desc) {

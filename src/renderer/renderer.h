@@ -13,6 +13,9 @@
 #include "scene/view.h"
 #include "techniques/technique.h"
 
+/* What a picture can show, by LAYER_BEAUTY, LAYER_DIRECT and LAYER_INDIRECT; null-terminated. */
+extern const char *const shown_layer_names[];
+
 struct renderer_desc {
     int width, height;
     int technique; /* index into techniques */

@@ -116,6 +116,12 @@ void settings_apply_path(struct settings *settings) {
     settings->bias = paper ? 2 : .25F;
 }
 
+void settings_of_path(struct settings *settings, int path) {
+    options_set_defaults(settings_table, settings);
+    settings->path = path;
+    settings_apply_path(settings);
+}
+
 bool settings_assign(struct settings *settings, const char *assignment) {
     if (!option_assign(settings_table, settings, assignment))
         return false;

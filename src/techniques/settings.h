@@ -47,6 +47,9 @@ extern const struct option settings_table[];
  */
 bool settings_assign(struct settings *settings, const char *assignment);
 
+/* The defaults, but for what belongs to that path. */
+void settings_of_path(struct settings *settings, int path);
+
 /* Sets what belongs to settings->path, after that alone was changed. */
 void settings_apply_path(struct settings *settings);
 
