@@ -34,7 +34,7 @@ SCENES := $(BUILD)/scenes/made
 # Debian's packages; OpenGL itself (libEGL, libOSMesa) is opened at run time.
 PACKAGES := gcc g++ make pkg-config git libegl-dev libegl1 libgl-dev libgl1-mesa-dri libosmesa6 \
     libglfw3-dev libtinygltf-dev libstb-dev nlohmann-json3-dev libopenimageio-dev libcglm-dev \
-    libembree-dev libimgui-dev fonts-dejavu-core libcmocka-dev gnuplot-nox xvfb xdotool
+    libembree-dev libimgui-dev fonts-dejavu-core libcmocka-dev libx11-dev gnuplot-nox xvfb xdotool
 
 PKG := OpenImageIO cglm imgui glfw3
 INCLUDES := -Isrc -Iglsl -I$(BUILD)/include
@@ -120,7 +120,7 @@ TEST_SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out test/test_%.c,$(sort $(
 
 $(BUILD)/test/%: $(BUILD)/test/%.o $(TEST_SUPPORT) $(LIBRARY)
 	$(say) LINK $@
-	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka -lX11
 
 tests: $(BINARY) $(SCENES) $(TESTS)
 	@MANYLIGHT_BUILD=$(BUILD) MANYLIGHT_BINARY=$(if $(findstring /,$(BINARY)),,./)$(BINARY) test/run $(TESTS)

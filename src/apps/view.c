@@ -10,8 +10,9 @@ struct values {
     struct common_values common;
     struct text_list settings;
     int size[2];
-    int technique, frames;
-    const char *camera, *light, *reference, *glsl, *screenshot;
+    int technique, layer, frames;
+    const char *camera, *light, *clip, *reference, *glsl, *screenshot;
+    float time;
     bool debug;
 };
 
@@ -26,6 +27,12 @@ static const struct option options[] = {
      .help = "camera of the scene [the first], or changed: \"0 eye=0,1,3 forward=0,0,-1\""},
     {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N",
      .help = "light of the scene [the first], or changed: \"0 position=0,2,0 intensity=9,9,9\""},
+    {"clip", 0, OPTION_TEXT, offsetof(struct values, clip), .value_name = "NAME|N",
+     .help = "animation of the scene [the first]"},
+    {"time", 0, OPTION_FLOAT, offsetof(struct values, time), 0, 0, 1e6,
+     .help = "of the animation, seconds"},
+    {"layer", 0, OPTION_CHOICE, offsetof(struct values, layer), .choices = shown_layer_names,
+     .help = "light to show"},
     {"reference", 0, OPTION_TEXT, offsetof(struct values, reference), .value_name = "FILE",
      .help = "picture of the same view to compare with"},
     {"frames", 0, OPTION_INT, offsetof(struct values, frames), 0, 0, 1e9,
@@ -73,6 +80,9 @@ int app_view(int argc, char **argv) {
         .technique = values.technique,
         .camera = values.camera,
         .light = values.light,
+        .clip = values.clip,
+        .time = (double)values.time,
+        .layer = values.layer,
         .reference = values.reference,
         .glsl = values.glsl,
         .debug = values.debug,

@@ -23,31 +23,44 @@ void compare_free(struct compare *compare) {
 
 /* --- the right picture --- */
 
-/* The other renderer is made, or follows the first one. */
-static bool follow(struct compare *compare, const struct renderer *renderer) {
+static bool give_up(struct compare *compare) {
+    compare_forget(compare);
+    compare->mode = COMPARE_OFF;
+    return error_prefix("the right picture");
+}
+
+static bool make_other(struct compare *compare, const struct renderer *renderer) {
     struct renderer_desc desc = renderer->desc;
-    struct renderer *other = &compare->other;
     desc.technique = compare->technique;
     desc.settings = compare->settings;
     desc.timed = false;
-    if (!compare->has_other)
-        return compare->has_other = renderer_init(other, &desc);
-    return renderer_configure(other, desc.technique, &desc.settings) &&
-           renderer_resize(other, desc.width, desc.height) &&
-           renderer_update(other, &desc.light, &desc.camera);
+    return compare->has_other = renderer_init(&compare->other, &desc);
 }
 
-bool compare_render(struct compare *compare, const struct renderer *renderer) {
-    compare->measured = false;
+bool compare_follow(struct compare *compare, const struct renderer *renderer) {
     if (compare->mode != COMPARE_TECHNIQUE) {
         compare_forget(compare);
         return true;
     }
-    if (!follow(compare, renderer)) {
-        compare->mode = COMPARE_OFF;
-        return error_prefix("the right picture");
-    }
-    renderer_render(&compare->other);
+    if (!compare->has_other)
+        return make_other(compare, renderer) || give_up(compare);
+    if (renderer_configure(&compare->other, compare->technique, &compare->settings))
+        return true;
+    compare->technique = compare->other.desc.technique;
+    compare->settings = compare->other.desc.settings;
+    return error_prefix("the right picture");
+}
+
+bool compare_render(struct compare *compare, const struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    struct renderer *other = &compare->other;
+    compare->measured = false;
+    if (compare->mode != COMPARE_TECHNIQUE)
+        return true;
+    if (!renderer_resize(other, desc->width, desc->height) ||
+        !renderer_update(other, &desc->light, &desc->camera))
+        return give_up(compare);
+    renderer_render(other);
     return true;
 }
 

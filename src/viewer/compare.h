@@ -37,8 +37,12 @@ void compare_free(struct compare *compare);
 /* Lets the other renderer go: shaders or scene are no more what they were. */
 void compare_forget(struct compare *compare);
 
-/* Renders the other technique's picture of what the renderer has just rendered. Error: the
- * comparison is then off. */
+/* Makes the other technique's renderer, or changes its settings. Error: they are what they were, or
+ * the comparison is off. */
+bool compare_follow(struct compare *compare, const struct renderer *renderer);
+
+/* Renders the other technique's picture of what the renderer has just rendered, after
+ * compare_follow. Error: the comparison is then off. */
 bool compare_render(struct compare *compare, const struct renderer *renderer);
 
 /* Makes the right picture show that layer, LAYER_..., and says which it is; NULL = none. */

@@ -51,7 +51,7 @@ static void key_toggle(struct viewer *viewer) {
     viewer->compare.only_right = !viewer->compare.only_right;
 }
 static void key_play(struct viewer *viewer) {
-    viewer->plays = !viewer->plays;
+    viewer_toggle_play(viewer);
 }
 static void key_help(struct viewer *viewer) {
     viewer->show_help = !viewer->show_help;

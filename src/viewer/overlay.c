@@ -44,7 +44,7 @@ static void draw_statistics(struct viewer *viewer) {
     draw_times(pace);
     ui_separator();
     ui_value("pictures a second", "%.1f", pace_fps(pace, window_time()));
-    ui_value("faces", "%u", viewer->document.geometry.index_count / 3);
+    ui_value("faces", "%u", geometry_triangle_count(&viewer->document.geometry));
     ui_value("VPLs", "%d", desc->settings.vpl_count);
     if (inspect_layers(&viewer->renderer, SHOW_CLUSTERS))
         ui_value("VALs", "%d", desc->settings.val_count);
@@ -61,8 +61,8 @@ static void draw_messages(struct viewer *viewer) {
     float line = ui_line_height();
     if (count == 0)
         return;
-    float y = (float)viewer->input->height - (1.4F * (float)count + 3) * line;
-    ui_area_begin("messages", UI_OVERLAY, line, y, (float)viewer->area.width - 2 * line, 0);
+    ui_area_begin("messages", UI_NOTE, line, (float)viewer->input->height - line,
+                  (float)viewer->area.width - 2 * line, 0);
     for (int i = 0; i < count; i++)
         ui_text(recent[i].tone, "%s", recent[i].text);
     ui_area_end();

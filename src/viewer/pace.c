@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Passes whose cost goes with the pixels of the picture; that of the others goes with the lights.
- */
-static bool goes_with_pixels(const char *path) {
-    static const char *const names[] = {"gbuffer", "direct", "gather", "blur", "composite"};
+/* Passes whose cost goes with the lights; that of the others goes with the pixels. */
+static bool goes_with_lights(const char *path) {
+    static const char *const names[] = {"shadow map", "rsm",  "vpls",
+                                        "clustering", "cssm", "depth maps"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strstr(path, names[i]))
             return true;
@@ -32,7 +32,7 @@ void pace_add(struct pace *pace, struct timers *timers, double pixels, double no
     double frame = timer_ms(timers, "frame"), by_pixel = 0;
     for (int i = 0; i < timers->count; i++) {
         add_pass(pace, &timers->results[i]);
-        if (timers->results[i].depth == 1 && goes_with_pixels(timers->results[i].path))
+        if (timers->results[i].depth == 1 && !goes_with_lights(timers->results[i].path))
             by_pixel += timers->results[i].ms;
     }
     pace->fixed_ms = fmax(frame - by_pixel, 0);
@@ -75,7 +75,8 @@ double pace_fps(const struct pace *pace, double now) {
 
 double pace_scale(const struct pace *pace, double full_pixels, double target_ms) {
     double full_ms = pace->ms_per_pixel * full_pixels;
-    double left = fmax(target_ms - pace->fixed_ms, target_ms / 4);
+    /* Where the lights alone take longer than that, few pixels gain little. */
+    double left = fmax(target_ms - pace->fixed_ms, fmax(target_ms, pace->fixed_ms) / 2);
     if (full_ms <= left)
         return 1;
     /* Few steps, so that the size does not change at every frame. */

@@ -39,16 +39,38 @@ static bool draw_node_choice(const struct ui_row *row, const struct scene *scene
     return result != UI_NOTHING;
 }
 
+/* Clips are few, and told apart by their names. */
+static void draw_clip(struct viewer *viewer) {
+    enum { NAMES_MAX = 64 };
+    const struct scene *scene = &viewer->document.scene;
+    const char *names[NAMES_MAX];
+    int clip = scene->clip, count = scene->clip_count < NAMES_MAX ? scene->clip_count : NAMES_MAX;
+    for (int i = 0; i < count; i++)
+        names[i] = *scene->clips[i].name ? scene->clips[i].name : "without a name";
+    struct ui_row row = {.name = "clip", .help = "animation of the scene"};
+    if (count > 0 && ui_choice(&row, &clip, names, count) && clip != scene->clip)
+        viewer_pick_clip(viewer, clip);
+}
+
 static void draw_animation(struct viewer *viewer) {
+    struct playing *play = &viewer->play;
     double duration = scene_duration(&viewer->document.scene);
     float time = (float)viewer->placed.time;
+    draw_clip(viewer);
     if (duration <= 0)
         return;
-    struct ui_row row = {.name = "time", .help = "of the animation, seconds; Space plays"};
-    if (ui_float(&row, &time, 0, (float)duration))
-        viewer->placed.time = (double)time;
-    if (ui_wide_button(viewer->plays ? "Pause" : "Play", "Space"))
-        viewer->plays = !viewer->plays;
+    struct ui_row time_row = {.name = "time", .help = "of the animation, seconds; Space plays"},
+                  speed_row = {.name = "speed",
+                               .help = "seconds of the animation a second",
+                               .differs = play->speed != 1},
+                  loop_row = {.name = "loop", .help = "begin again at the end"};
+    if (ui_float(&time_row, &time, 0, (float)duration))
+        viewer_go_to(viewer, (double)time);
+    if (ui_float(&speed_row, &play->speed, .05F, 4) == UI_RESET)
+        play->speed = 1;
+    ui_flag(&loop_row, &play->loops);
+    if (ui_wide_button(play->on ? "Pause" : "Play", "Space"))
+        viewer_toggle_play(viewer);
 }
 
 static void draw_scene(struct viewer *viewer) {
@@ -136,7 +158,8 @@ static enum ui_result draw_widget(const struct option *option, void *at, const s
 /* Whether the user changed it. */
 static bool draw_setting(const struct option *option, struct settings *settings) {
     struct settings defaults;
-    options_set_defaults(settings_table, &defaults);
+    bool is_path = option->offset == offsetof(struct settings, path);
+    settings_of_path(&defaults, is_path ? PATH_FAST : settings->path);
     struct ui_row row = {.name = option->name,
                          .help = option->help,
                          .differs = !option_equal(option, settings, &defaults)};

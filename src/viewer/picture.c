@@ -2,12 +2,9 @@
 #include "viewer/viewer.h"
 
 #include "base/error.h"
-#include "base/image_file.h"
 #include "shared/params.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <unistd.h>
 
 /* A moving picture on a slow machine: what a frame may take. */
 static const double moving_ms = 60;
@@ -39,6 +36,31 @@ static void follow_wishes(struct viewer *viewer) {
         viewer->placed.light = renderer->desc.light;
     }
     renderer_set_camera(renderer, &viewer->placed.orbit.camera);
+    if (!compare_follow(&viewer->compare, renderer))
+        viewer_tell_error(viewer);
+}
+
+static bool same_casters(const struct settings *a, const struct settings *b) {
+    return a->caster_edge == b->caster_edge && a->caster_weld == b->caster_weld;
+}
+
+/* Whether a renderer is about to split and weld the scene's triangles. */
+static bool makes_casters(const struct viewer *viewer) {
+    const struct compare *compare = &viewer->compare;
+    return !same_casters(&viewer->settings, &viewer->renderer.desc.settings) ||
+           (compare->mode == COMPARE_TECHNIQUE &&
+            (!compare->has_other ||
+             !same_casters(&compare->settings, &compare->other.desc.settings)));
+}
+
+/* Casters are those of time 0, as a picture rendered offscreen has them. */
+static void follow_wishes_from_start(struct viewer *viewer) {
+    struct document *document = &viewer->document;
+    bool away = viewer->placed.posed_time != 0 && makes_casters(viewer) &&
+                geometry_pose(&document->geometry, &document->scene, 0);
+    follow_wishes(viewer);
+    if (away)
+        geometry_pose(&document->geometry, &document->scene, viewer->placed.posed_time);
 }
 
 /* Lower while things move and the machine is slow. */
@@ -59,14 +81,17 @@ static void render(struct viewer *viewer) {
     bool resized = width != renderer->desc.width || height != renderer->desc.height;
     if (!viewer->dirty && !resized)
         return;
-    follow_wishes(viewer);
+    follow_wishes_from_start(viewer);
     if (resized) {
         if (!renderer_resize(renderer, width, height))
             viewer_tell_error(viewer);
         pace_forget(&viewer->pace);
     }
-    if (!renderer_update(renderer, &viewer->placed.light, &viewer->placed.orbit.camera))
+    if (!renderer_update(renderer, &viewer->placed.light, &viewer->placed.orbit.camera)) {
         viewer_tell_error(viewer);
+        viewer_close_scene(viewer);
+        return;
+    }
     renderer_render(renderer);
     if (!compare_render(&viewer->compare, renderer))
         viewer_tell_error(viewer);
@@ -125,6 +150,8 @@ static void measure(struct viewer *viewer, bool all) {
 
 void viewer_update_picture(struct viewer *viewer) {
     render(viewer);
+    if (!viewer->has_scene)
+        return;
     compose(viewer);
     measure(viewer, false);
 }
@@ -166,40 +193,12 @@ void viewer_load_reference(struct viewer *viewer, const char *path) {
     viewer->dirty = true;
 }
 
-/* --- files --- */
-
-bool viewer_write_picture(struct viewer *viewer, const char *path) {
-    bool is_float, ok;
-    if (!image_format_is_float(path, &is_float))
-        return false;
-    if (is_float) {
-        struct image image = {0};
-        ok = renderer_read_layers(&viewer->renderer, &image) && image_write(&image, path);
-        image_free(&image);
-    } else {
-        struct bitmap bitmap;
-        renderer_read_display(&viewer->renderer, &bitmap);
-        ok = bitmap_write(&bitmap, path);
-        bitmap_free(&bitmap);
-    }
-    return ok;
-}
-
-void viewer_take_screenshot(struct viewer *viewer) {
-    if (!viewer->has_scene)
-        return;
-    char png[64], exr[64];
-    viewer->moving = false; /* in the full size, whatever is on its way */
-    viewer->pace.last_motion = 0;
-    viewer_update_picture(viewer);
-    for (int i = 1; i < 10000; i++) {
-        snprintf(png, sizeof png, "manylight-%04d.png", i);
-        snprintf(exr, sizeof exr, "manylight-%04d.exr", i);
-        if (access(png, F_OK) != 0 && access(exr, F_OK) != 0)
-            break;
-    }
-    if (viewer_write_picture(viewer, png) && viewer_write_picture(viewer, exr))
-        messages_add(&viewer->messages, UI_NORMAL, "written: %s, and %s with all layers", png, exr);
-    else
-        viewer_tell_error(viewer);
+struct screen_pictures viewer_pictures(const struct viewer *viewer) {
+    const struct compare *compare = &viewer->compare;
+    bool heat = viewer->right && compare->heat && compare->heat_map.id;
+    return (struct screen_pictures){
+        .left = heat ? &compare->heat_map : viewer->left,
+        .right = viewer->right,
+        .split = compare->only_right ? 0 : compare->split,
+    };
 }

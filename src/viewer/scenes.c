@@ -26,6 +26,40 @@ void viewer_pick_light(struct viewer *viewer, int n) {
     viewer_touch(viewer);
 }
 
+static bool init_renderer(struct viewer *viewer, struct renderer *renderer) {
+    struct renderer_desc desc = {
+        .technique = viewer->technique,
+        .settings = viewer->settings,
+        .scene = &viewer->document.scene,
+        .geometry = &viewer->document.geometry,
+        .camera = viewer->placed.orbit.camera,
+        .light = viewer->placed.light,
+        .keep_lights = true,
+        .timed = true,
+        .software = context_is_software(viewer->context),
+    };
+    viewer_full_size(viewer, &desc.width, &desc.height);
+    return renderer_init(renderer, &desc);
+}
+
+/* The renderer is made anew, as one that begins with this clip would be. */
+void viewer_pick_clip(struct viewer *viewer, int n) {
+    struct document *document = &viewer->document;
+    struct renderer fresh;
+    document->scene.clip = n;
+    viewer->placed.time = 0;
+    viewer->placed.posed_time = -1;
+    viewer_animate(viewer, 0);
+    if (!init_renderer(viewer, &fresh)) {
+        viewer_tell_error(viewer);
+        return;
+    }
+    renderer_free(&viewer->renderer);
+    viewer->renderer = fresh;
+    compare_forget(&viewer->compare);
+    viewer->left = viewer->right = NULL;
+}
+
 /* Camera and light by texts; those that are not understood stay what they were. */
 static bool place(struct viewer *viewer, const char *camera_text, const char *light_text) {
     const struct scene *scene = &viewer->document.scene;
@@ -54,27 +88,29 @@ void viewer_open(struct viewer *viewer, const char *path) {
     loader_start(&viewer->loader, path);
 }
 
-static bool init_renderer(struct viewer *viewer, struct renderer *renderer) {
-    struct renderer_desc desc = {
-        .technique = viewer->technique,
-        .settings = viewer->settings,
-        .scene = &viewer->document.scene,
-        .geometry = &viewer->document.geometry,
-        .camera = viewer->placed.orbit.camera,
-        .light = viewer->placed.light,
-        .keep_lights = true,
-        .timed = true,
-        .software = context_is_software(viewer->context),
-    };
-    viewer_full_size(viewer, &desc.width, &desc.height);
-    return renderer_init(renderer, &desc);
-}
-
 static void set_title(struct viewer *viewer) {
     const char *path = viewer->document.scene.path, *slash = strrchr(path, '/');
     char title[256];
     snprintf(title, sizeof title, "%s - manylight", slash ? slash + 1 : path);
     window_set_title(viewer->window, title);
+}
+
+void viewer_close_scene(struct viewer *viewer) {
+    compare_forget(&viewer->compare);
+    renderer_free(&viewer->renderer);
+    document_free(&viewer->document);
+    viewer->has_scene = viewer->has_pick = false;
+    viewer->left = viewer->right = NULL;
+}
+
+/* What the command line says of the first scene. */
+static bool place_as_told(struct viewer *viewer) {
+    struct viewer_desc *desc = &viewer->desc;
+    struct document *document = &viewer->document;
+    bool ok = !desc->clip || (scene_select_clip(&document->scene, desc->clip) &&
+                              geometry_pose(&document->geometry, &document->scene, 0));
+    viewer_go_to(viewer, desc->time);
+    return place(viewer, desc->camera, desc->light) && ok;
 }
 
 /* The new scene takes the place of the old one when it has a renderer; the old one is kept
@@ -87,7 +123,7 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     viewer->placed = (struct placed){0};
     viewer_pick_camera(viewer, 0);
     viewer_pick_light(viewer, 0);
-    bool placed = place(viewer, viewer->desc.camera, viewer->desc.light);
+    bool placed = place_as_told(viewer);
     if (!placed && !viewer_is_scripted(viewer))
         viewer_tell_error(viewer);
     if ((!placed && viewer_is_scripted(viewer)) || !init_renderer(viewer, &renderer)) {
@@ -102,11 +138,14 @@ static bool show_document(struct viewer *viewer, struct document *document) {
         renderer_free(&viewer->renderer);
         document_free(&before);
     }
+    viewer->play.on = false;
     viewer->renderer = renderer;
     viewer->has_scene = true;
     viewer->has_pick = false;
     viewer->left = viewer->right = NULL;
-    viewer->desc.camera = viewer->desc.light = NULL; /* they meant the first scene */
+    /* They meant the first scene. */
+    viewer->desc.camera = viewer->desc.light = viewer->desc.clip = NULL;
+    viewer->desc.time = 0;
     pace_forget(&viewer->pace);
     set_title(viewer);
     return true;
@@ -126,38 +165,6 @@ bool viewer_poll_loader(struct viewer *viewer) {
     return true;
 }
 
-/* --- animation --- */
-
-static void pose(struct viewer *viewer) {
-    struct document *document = &viewer->document;
-    if (!viewer->placed.camera_moved) {
-        const struct geometry *geometry = &document->geometry;
-        struct camera camera;
-        camera_place(&camera, &document->scene, viewer->placed.camera_number, viewer->placed.time);
-        orbit_start(&viewer->placed.orbit, &camera, geometry->center, geometry->radius);
-    }
-    if (!viewer->placed.light_moved)
-        light_place(&viewer->placed.light, &document->scene, viewer->placed.light_number,
-                    viewer->placed.time);
-    /* What a broken pose leaves cannot be drawn: back to where it began. */
-    if (!geometry_pose(&document->geometry, &document->scene, viewer->placed.time)) {
-        viewer_tell_error(viewer);
-        viewer->plays = false;
-        viewer->placed.time = 0;
-        geometry_pose(&document->geometry, &document->scene, 0);
-    }
-    viewer->placed.posed_time = viewer->placed.time;
-    viewer_touch(viewer);
-}
-
-void viewer_animate(struct viewer *viewer, double seconds) {
-    double duration = scene_duration(&viewer->document.scene);
-    if (viewer->plays && duration > 0)
-        viewer->placed.time = fmod(viewer->placed.time + seconds, duration);
-    if (viewer->placed.time != viewer->placed.posed_time)
-        pose(viewer);
-}
-
 /* --- sessions --- */
 
 struct session viewer_session(const struct viewer *viewer) {
@@ -166,7 +173,9 @@ struct session viewer_session(const struct viewer *viewer) {
         .scene = scene->path,
         .technique = viewer->technique,
         .settings = viewer->settings,
-        .time = viewer->placed.time,
+        .layer = viewer->layer,
+        .clip = scene->clip,
+        .time = (float)viewer->placed.time,
     };
     viewer_full_size(viewer, &session.width, &session.height);
     camera_to_text(&viewer->placed.orbit.camera, scene, viewer->placed.camera_number,
@@ -179,6 +188,12 @@ struct session viewer_session(const struct viewer *viewer) {
 void viewer_apply_session(struct viewer *viewer, const struct session *session) {
     viewer->technique = session->technique;
     viewer->settings = session->settings;
+    viewer->layer = session->layer;
+    viewer->play.on = false;
+    if (session->clip < viewer->document.scene.clip_count &&
+        session->clip != viewer->document.scene.clip)
+        viewer_pick_clip(viewer, session->clip);
+    viewer_go_to(viewer, (double)session->time);
     if (!place(viewer, session->camera, session->light))
         viewer_tell_error(viewer);
 }

@@ -2,12 +2,30 @@
 
 #include "base/error.h"
 #include "base/memory.h"
-#include "techniques/technique.h"
+#include "renderer/renderer.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* What a session has beside settings and placings. */
+static const struct option session_table[] = {
+    {"technique", 0, OPTION_CHOICE, offsetof(struct session, technique),
+     .choices = technique_names},
+    {"layer", 0, OPTION_CHOICE, offsetof(struct session, layer), .choices = shown_layer_names},
+    {"clip", 0, OPTION_INT, offsetof(struct session, clip), 0, 0, 1e6, .help = NULL},
+    {"time", 0, OPTION_FLOAT, offsetof(struct session, time), 0, 0, 1e6, .help = NULL},
+    {NULL},
+};
+
+/* Whether to leave a setting out: the path says it. */
+static bool is_told(const struct option *option, const struct settings *settings) {
+    struct settings usual;
+    bool is_path = option->offset == offsetof(struct settings, path);
+    settings_of_path(&usual, is_path ? PATH_FAST : settings->path);
+    return option_equal(option, settings, &usual);
+}
 
 /* --- the command line --- */
 
@@ -37,24 +55,22 @@ static void append_quoted(char **text, const char *option, const char *word) {
     free(quoted);
 }
 
-static bool is_default(const struct option *option, const struct settings *settings) {
-    struct settings defaults;
-    options_set_defaults(settings_table, &defaults);
-    return option_equal(option, settings, &defaults);
-}
-
 char *session_command(const struct session *session) {
     char *text = mem_strdup("manylight render"), value[64];
     append_quoted(&text, "", session->scene);
-    append(&text, mem_printf(" --size %dx%d --technique %s", session->width, session->height,
-                             technique_names[session->technique]));
+    append(&text, mem_printf(" --size %dx%d", session->width, session->height));
+    struct session usual = *session;
+    options_set_defaults(session_table, &usual);
+    for (const struct option *option = session_table; option->name; option++)
+        if (!option_equal(option, session, &usual)) {
+            option_format(option, session, value, sizeof value);
+            append(&text, mem_printf(" --%s %s", option->name, value));
+        }
     for (const struct option *option = settings_table; option->name; option++)
-        if (!is_default(option, &session->settings)) {
+        if (!is_told(option, &session->settings)) {
             option_format(option, &session->settings, value, sizeof value);
             append(&text, mem_printf(" --set %s=%s", option->name, value));
         }
-    if (session->time > 0)
-        append(&text, mem_printf(" --time %.9g", session->time));
     append_quoted(&text, "--camera", session->camera);
     append_quoted(&text, "--light", session->light);
     append(&text, mem_strdup(" -o picture.png"));
@@ -63,30 +79,26 @@ char *session_command(const struct session *session) {
 
 /* --- the file --- */
 
+static void write_value(FILE *file, const struct option *option, const void *values) {
+    char value[64];
+    option_format(option, values, value, sizeof value);
+    fprintf(file, "%s = %s\n", option->name, value);
+}
+
 bool session_save(const struct session *session, const char *path) {
     FILE *file = fopen(path, "w");
     if (!file)
         return error_set("cannot write %s: %s", path, strerror(errno));
-    char value[64];
-    fprintf(file, "# manylight view: settings\ntechnique = %s\ncamera = %s\nlight = %s\n",
-            technique_names[session->technique], session->camera, session->light);
+    fprintf(file, "# manylight view: settings\ncamera = %s\nlight = %s\n", session->camera,
+            session->light);
+    for (const struct option *option = session_table; option->name; option++)
+        write_value(file, option, session);
     for (const struct option *option = settings_table; option->name; option++)
-        if (!is_default(option, &session->settings)) {
-            option_format(option, &session->settings, value, sizeof value);
-            fprintf(file, "%s = %s\n", option->name, value);
-        }
+        if (!is_told(option, &session->settings))
+            write_value(file, option, &session->settings);
     if (fclose(file) != 0)
         return error_set("cannot write %s: %s", path, strerror(errno));
     return true;
-}
-
-static bool read_technique(struct session *session, const char *name) {
-    for (int i = 0; technique_names[i]; i++)
-        if (strcmp(technique_names[i], name) == 0) {
-            session->technique = i;
-            return true;
-        }
-    return error_set("no technique is called '%s'", name);
 }
 
 static bool read_line(struct session *session, char *line) {
@@ -98,16 +110,21 @@ static bool read_line(struct session *session, char *line) {
         return error_set("'%s' is not 'key = value'", line);
     *equals = '\0';
     const char *value = equals + 3;
-    const struct option *option = option_find(settings_table, line);
-    if (strcmp(line, "technique") == 0)
-        return read_technique(session, value);
+    const struct option *option = option_find(session_table, line);
+    if (option)
+        return option_parse(option, session, value);
     if (strcmp(line, "camera") == 0)
         return snprintf(session->camera, sizeof session->camera, "%s", value) > 0;
     if (strcmp(line, "light") == 0)
         return snprintf(session->light, sizeof session->light, "%s", value) > 0;
+    option = option_find(settings_table, line);
     if (!option)
         return error_set("no setting is called '%s'", line);
-    return option_parse(option, &session->settings, value);
+    if (!option_parse(option, &session->settings, value))
+        return false;
+    if (option->offset == offsetof(struct settings, path))
+        settings_of_path(&session->settings, session->settings.path);
+    return true;
 }
 
 bool session_load(struct session *session, const char *path) {
@@ -115,6 +132,7 @@ bool session_load(struct session *session, const char *path) {
     if (!file)
         return error_set("cannot read %s: %s", path, strerror(errno));
     struct session read = *session;
+    options_set_defaults(session_table, &read);
     options_set_defaults(settings_table, &read.settings);
     char line[1024];
     bool ok = true;

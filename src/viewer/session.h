@@ -13,7 +13,9 @@ struct session {
     int width, height;
     int technique;
     struct settings settings;
-    double time; /* of the animation, seconds */
+    int layer;  /* that is shown: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
+    int clip;   /* number of the animation */
+    float time; /* of it, seconds */
     char camera[PLACING_TEXT_SIZE], light[PLACING_TEXT_SIZE];
 };
 
@@ -21,8 +23,8 @@ struct session {
  * their defaults are left out. */
 char *session_command(const struct session *session);
 
-/* One "key = value" a line: technique, camera, light and the settings that are not at their
- * defaults. */
+/* One "key = value" a line: technique, layer, clip, time, camera, light and the settings that are
+ * not at their defaults. */
 bool session_save(const struct session *session, const char *path);
 
 /* Sets what the file has; settings it does not name get their defaults. Error: names file and line;

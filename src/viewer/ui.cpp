@@ -229,14 +229,15 @@ void ui_area_begin(const char *id, ui_area kind, float x, float y, float width, 
         flags &= ~ImGuiWindowFlags_NoScrollbar;
     else
         flags |= ImGuiWindowFlags_AlwaysAutoResize;
-    if (kind == UI_OVERLAY)
+    bool see = kind == UI_OVERLAY || kind == UI_NOTE;
+    if (see)
         flags |= ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing |
                  ImGuiWindowFlags_NoBringToFrontOnFocus;
-    ImVec2 pivot = kind == UI_DIALOG ? ImVec2(.5F, .5F) : ImVec2(0, 0);
+    ImVec2 pivot = kind == UI_DIALOG ? ImVec2(.5F, .5F) : ImVec2(0, kind == UI_NOTE ? 1 : 0);
     ImGui::SetNextWindowPos(ImVec2(x, y), ImGuiCond_Always, pivot);
     if (kind != UI_DIALOG)
         ImGui::SetNextWindowSize(ImVec2(width, height));
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, kind == UI_OVERLAY ? see_through : ground);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, see ? see_through : ground);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, kind == UI_PANEL ? 0 : units(.4F));
     ImGui::Begin(id, nullptr, flags);
     ImGui::PopStyleVar();

@@ -35,6 +35,7 @@ float ui_line_height(void);
 enum ui_area {
     UI_PANEL,   /* opaque, scrolls */
     UI_OVERLAY, /* see-through, lets the mouse pass; as large as what is in it */
+    UI_NOTE,    /* the same, above the point x y */
     UI_DIALOG,  /* opaque; as large as what is in it, about the point x y */
 };
 

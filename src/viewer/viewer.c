@@ -73,16 +73,10 @@ static void fit_picture(struct viewer *viewer) {
 static void draw(struct viewer *viewer) {
     static const struct texture nothing = {0};
     const struct input *input = viewer->input;
-    const struct compare *compare = &viewer->compare;
     struct screen_pictures pictures = {.left = &nothing};
     if (viewer->left) {
-        bool heat = viewer->right && compare->heat && compare->heat_map.id;
         fit_picture(viewer);
-        pictures = (struct screen_pictures){
-            .left = heat ? &compare->heat_map : viewer->left,
-            .right = viewer->right,
-            .split = compare->only_right ? 0 : compare->split,
-        };
+        pictures = viewer_pictures(viewer);
     }
     screen_draw(&viewer->screen, input->width, input->height, &viewer->picture, &pictures);
     ui_frame_end();
@@ -90,7 +84,7 @@ static void draw(struct viewer *viewer) {
 }
 
 static double waiting_time(const struct viewer *viewer) {
-    bool busy = viewer->dirty || viewer->recompose || viewer->moving || viewer->plays ||
+    bool busy = viewer->dirty || viewer->recompose || viewer->moving || viewer->play.on ||
                 viewer_is_scripted(viewer) || !context_is_software(viewer->context);
     return busy ? 0 : .05;
 }
@@ -186,7 +180,8 @@ bool viewer_run(const struct viewer_desc *desc) {
         .desc = *desc,
         .technique = desc->technique,
         .settings = desc->settings,
-        .layer = LAYER_BEAUTY,
+        .layer = desc->layer,
+        .play = {.loops = true, .speed = 1},
         .choice = {.layer = -1, .chosen = -1},
         .compare = {.split = .5F, .technique = desc->technique},
         .session_path = "manylight.settings",

@@ -26,6 +26,9 @@ struct viewer_desc {
     int technique;
     struct settings settings;
     const char *camera, *light; /* as scene/placing.h has it; NULL = the first */
+    const char *clip;           /* name or number; NULL = the first */
+    double time;                /* of the animation, seconds */
+    int layer;                  /* to show: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
     const char *reference;      /* a picture to compare with; NULL = none */
     const char *glsl;           /* folder of shaders; NULL = embedded */
     bool debug;
@@ -58,7 +61,10 @@ struct viewer {
         struct light light;
         double time, posed_time; /* of the animation, seconds */
     } placed;
-    bool plays;
+    struct playing {
+        bool on, loops;
+        float speed; /* seconds of the animation a second */
+    } play;
 
     /* What is shown. */
     int layer; /* LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
@@ -118,12 +124,26 @@ bool viewer_poll_loader(struct viewer *viewer);
 void viewer_pick_camera(struct viewer *viewer, int n);
 void viewer_pick_light(struct viewer *viewer, int n);
 
-/* Lets the animation play on, and poses the scene where the time has changed. */
-void viewer_animate(struct viewer *viewer, double seconds);
+/* Begins the scene's n-th clip. */
+void viewer_pick_clip(struct viewer *viewer, int n);
+
+/* Lets the scene go, which cannot be drawn any more. */
+void viewer_close_scene(struct viewer *viewer);
 
 /* What is looked at and how; the texts are the session's. */
 struct session viewer_session(const struct viewer *viewer);
 void viewer_apply_session(struct viewer *viewer, const struct session *session);
+
+/* --- viewer/animation.c --- */
+
+/* Lets the animation play on, and poses the scene where the time has changed. */
+void viewer_animate(struct viewer *viewer, double seconds);
+
+/* To that time of the animation, seconds: around where it loops, else as far as it goes. */
+void viewer_go_to(struct viewer *viewer, double time);
+
+/* Plays or pauses; begins anew where it had come to its end. */
+void viewer_toggle_play(struct viewer *viewer);
 
 /* --- viewer/picture.c --- */
 
@@ -144,9 +164,15 @@ void viewer_load_reference(struct viewer *viewer, const char *path);
 /* FLIP too, which takes its time. */
 void viewer_measure_all(struct viewer *viewer);
 
+/* What is drawn into the window, where has_scene and left. */
+struct screen_pictures viewer_pictures(const struct viewer *viewer);
+
+/* --- viewer/screenshot.c --- */
+
+/* What is shown, in its own size, as PNG and the like; the renderer's layers as EXR. */
 bool viewer_write_picture(struct viewer *viewer, const char *path);
 
-/* Writes the picture as PNG and EXR under a fresh name in the working folder. */
+/* Writes both under a fresh name in the working folder. */
 void viewer_take_screenshot(struct viewer *viewer);
 
 /* --- viewer/controls.c: keys and mouse --- */

@@ -1,0 +1,150 @@
+/* What the viewer is asked to do, by real input events: play, show layers, open what is dropped,
+ * save and load, and live on after what fails. Checked by picture. */
+#define _XOPEN_SOURCE 700
+#include "view_stage.h"
+
+#include "xdnd.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define MOVING "scenes/metaballs.glb"
+
+static unsigned long viewer_window(void) {
+    char output[256];
+    assert_int_equal(run_command("xdotool search --name manylight", output, sizeof output), 0);
+    return strtoul(output, NULL, 10);
+}
+
+static void drop(const char *path) {
+    char full[600];
+    snprintf(full, sizeof full, "%s%s%s", *path == '/' ? "" : stage.here, *path == '/' ? "" : "/",
+             path);
+    assert_true(xdnd_drop(viewer_window(), full));
+}
+
+static void write_file(const char *name, const char *text) {
+    char path[700];
+    snprintf(path, sizeof path, "%s/%s", stage.folder, name);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+}
+
+/* Two pictures of the same view apart. */
+static void check_apart(const char *what, const char *one, const char *other) {
+    struct bitmap a = offscreen(one), b = offscreen(other);
+    int apart = count_differences(&a, &b);
+    printf("    %-48s %d pixels differ\n", what, apart);
+    assert_true(apart > WIDTH * HEIGHT / 50);
+    bitmap_free(&a);
+    bitmap_free(&b);
+}
+
+static void open_settings(void) {
+    click(WIDTH + 60, find_section(SECTION_SETTINGS));
+    xdo("mousemove %d %d sleep .3", WIDTH / 2, HEIGHT / 2); /* no widget is lit */
+}
+
+/* The buttons Save, Load side by side. */
+enum { BUTTON_SAVE = 25, BUTTON_LOAD = 75 };
+
+static void press_in_settings(int button) {
+    int row = find_widget(COLUMN_BUTTON, find_section(SECTION_SETTINGS) + 14, 0);
+    click(WIDTH + button, row);
+    xdo("mousemove %d %d sleep .6", WIDTH / 2, HEIGHT / 2);
+}
+
+/* The value of a line "key = value" of the saved settings. */
+static void read_setting(const char *key, char *value, size_t size) {
+    char path[700], line[600];
+    size_t length = strlen(key);
+    snprintf(path, sizeof path, "%s/manylight.settings", stage.folder);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    value[0] = '\0';
+    while (fgets(line, sizeof line, file))
+        if (strncmp(line, key, length) == 0 && strncmp(line + length, " = ", 3) == 0)
+            snprintf(value, size, "%.*s", (int)strcspn(line + length + 3, "\n"), line + length + 3);
+    fclose(file);
+}
+
+static void test_play(void **state) {
+    (void)state;
+    start_viewer(MOVING, "--time 1.5");
+    check_same("at a time", MOVING " --time 1.5");
+    xdo("key space sleep 2 key space sleep .8");
+    char time[64], arguments[200];
+    open_settings();
+    press_in_settings(BUTTON_SAVE);
+    read_setting("time", time, sizeof time);
+    printf("    paused at %s s\n", time);
+    assert_true(atof(time) > 1.6 || atof(time) < 1.4);
+    snprintf(arguments, sizeof arguments, MOVING " --time %s", time);
+    check_same("paused", arguments);
+    check_apart("and what moved", arguments, MOVING " --time 1.5");
+}
+
+static void test_layers(void **state) {
+    (void)state;
+    need_viewer();
+    char time[64], arguments[200];
+    read_setting("time", time, sizeof time);
+    xdo("key 2 sleep .5");
+    snprintf(arguments, sizeof arguments, MOVING " --layer indirect --time %s", time);
+    check_same("indirect light", arguments);
+    xdo("key 3 sleep .5");
+    snprintf(arguments, sizeof arguments, MOVING " --layer direct --time %s", time);
+    check_same("direct light", arguments);
+}
+
+/* Settings that were saved come back, in a viewer that has others. */
+static void test_load(void **state) {
+    (void)state;
+    need_viewer();
+    write_file("manylight.settings", "layer = indirect\ntime = 2.25\ntechnique = unshadowed\n"
+                                     "light = 0 position=0.5,3,0.5\nvpls = 64\nvals = 4\n"
+                                     "map-size = 32\nrsm-size = 64\nshadow-size = 256\n"
+                                     "interleave = 4\nexposure = 1\n");
+    press_in_settings(BUTTON_LOAD);
+    check_same("loaded settings", MOVING " --layer indirect --time 2.25 --technique unshadowed "
+                                         "--light '0 position=0.5,3,0.5' --set exposure=1");
+    write_file("manylight.settings", "vpls = many\n");
+    press_in_settings(BUTTON_LOAD);
+    check_same("after a bad line", MOVING " --layer indirect --time 2.25 --technique unshadowed "
+                                          "--light '0 position=0.5,3,0.5' --set exposure=1");
+}
+
+static void test_drop(void **state) {
+    (void)state;
+    need_viewer();
+    drop("scenes/sphere.glb");
+    wait_for_scene("sphere.glb");
+    check_same("a scene that was dropped",
+               "scenes/sphere.glb --layer indirect --technique unshadowed --set exposure=1");
+    write_file("broken.glb", "glTF and then nothing");
+    char path[700];
+    snprintf(path, sizeof path, "%s/broken.glb", stage.folder);
+    drop(path);
+    pause_ms(500);
+    check_same("after a broken one",
+               "scenes/sphere.glb --layer indirect --technique unshadowed --set exposure=1");
+}
+
+static void test_end(void **state) {
+    (void)state;
+    need_viewer();
+    end_viewer();
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_play), cmocka_unit_test(test_layers), cmocka_unit_test(test_load),
+        cmocka_unit_test(test_drop), cmocka_unit_test(test_end),
+    };
+    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
+}

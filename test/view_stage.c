@@ -1,0 +1,283 @@
+/* The X server lets its screen be read as a file (-fbdir). */
+#define _XOPEN_SOURCE 700
+#include "view_stage.h"
+
+#include "base/image_file.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+struct view_stage stage;
+
+/* --- processes --- */
+
+void pause_ms(long ms) {
+    nanosleep(&(struct timespec){ms / 1000, ms % 1000 * 1000000}, NULL);
+}
+
+static pid_t spawn(const char *command) {
+    char line[4096];
+    snprintf(line, sizeof line, "exec %s", command);
+    pid_t child = fork();
+    if (child == 0) {
+        execl("/bin/sh", "sh", "-c", line, (char *)NULL);
+        _exit(127);
+    }
+    return child;
+}
+
+int shell(const char *format, ...) {
+    char command[3000], output[4096];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(command, sizeof command, format, args);
+    va_end(args);
+    int status = run_command(command, output, sizeof output);
+    if (status != 0 && !strstr(command, "search"))
+        printf("    %s\n    -> %d: %s\n", command, status, output);
+    return status;
+}
+
+/* Begins a server on a display that is free. */
+static bool start_server(void) {
+    char command[2048], number[640], text[16] = "";
+    char output[64];
+    if (run_command("command -v Xvfb && command -v xdotool", output, sizeof output) != 0)
+        return false;
+    snprintf(number, sizeof number, "%s/display", stage.folder);
+    remove(number);
+    snprintf(command, sizeof command,
+             "Xvfb -displayfd 3 -screen 0 800x800x24 -nolisten tcp -fbdir %s 3>%s 2>/dev/null",
+             stage.folder, number);
+    stage.server = spawn(command);
+    for (int i = 0; i < 100 && !strchr(text, '\n'); i++) {
+        pause_ms(50);
+        FILE *file = fopen(number, "r");
+        if (file && !fgets(text, sizeof text, file))
+            text[0] = '\0';
+        if (file)
+            fclose(file);
+    }
+    snprintf(stage.display, sizeof stage.display, ":%d", atoi(text));
+    snprintf(stage.screen, sizeof stage.screen, "%s/Xvfb_screen0", stage.folder);
+    setenv("DISPLAY", stage.display, 1);
+    return strchr(text, '\n') != NULL;
+}
+
+static void stop(pid_t *process) {
+    if (*process > 0) {
+        kill(*process, SIGTERM);
+        waitpid(*process, NULL, 0);
+    }
+    *process = 0;
+}
+
+/* --- the screen --- */
+
+/* X's window dump: a header of big-endian words, then B G R x. */
+struct bitmap read_screen(void) {
+    FILE *file = fopen(stage.screen, "rb");
+    unsigned char header[100];
+    assert_non_null(file);
+    assert_int_equal(fread(header, 1, sizeof header, file), sizeof header);
+#define WORD(i)                                                                                    \
+    (long)((unsigned)header[4 * (i)] << 24 | header[4 * (i) + 1] << 16 |                           \
+           header[4 * (i) + 2] << 8 | header[4 * (i) + 3])
+    int width = (int)WORD(4), height = (int)WORD(5);
+    long row = WORD(12), start = WORD(0) + 12 * WORD(19);
+    struct bitmap screen = {width, height, calloc((size_t)width * (size_t)height, 4)};
+    unsigned char *line = malloc((size_t)row);
+    for (int y = 0; y < height; y++) {
+        fseek(file, start + y * row, SEEK_SET);
+        assert_int_equal(fread(line, 1, (size_t)row, file), row);
+        for (int x = 0; x < width; x++)
+            for (int c = 0; c < 4; c++)
+                screen.rgba[4 * (y * width + x) + c] = c < 3 ? line[4 * x + 2 - c] : 255;
+    }
+    free(line);
+    fclose(file);
+    return screen;
+}
+
+const unsigned char *pixel(const struct bitmap *bitmap, int x, int y) {
+    return bitmap->rgba + 4 * (y * bitmap->width + x);
+}
+
+int find_widget(int x, int below, int n) {
+    static const unsigned char raised[3] = {42, 46, 54};
+    struct bitmap screen = read_screen();
+    int start = -1, found = 0;
+    for (int y = below; y < HEIGHT && !found; y++) {
+        bool on = memcmp(pixel(&screen, WIDTH + x, y), raised, 3) == 0;
+        if (on && start < 0)
+            start = y;
+        if (!on && start >= 0) {
+            if (y - start > 12 && n-- == 0)
+                found = (start + y) / 2;
+            start = -1;
+        }
+    }
+    bitmap_free(&screen);
+    return found;
+}
+
+int find_section(int n) {
+    return find_widget(10, 0, n);
+}
+
+void click(int x, int y) {
+    xdo("mousemove %d %d sleep .3 mousedown 1 sleep .3 mouseup 1 sleep .3", x, y);
+}
+
+/* --- pictures --- */
+
+struct bitmap read_bitmap(const char *path) {
+    struct image image;
+    check_ok(path, image_read(&image, path));
+    struct bitmap bitmap = {image.width, image.height,
+                            calloc((size_t)image.width * (size_t)image.height, 4)};
+    for (int i = 0; i < image.width * image.height; i++)
+        for (int c = 0; c < 3; c++)
+            bitmap.rgba[4 * i + c] = (unsigned char)lrintf(
+                255 * image.pixels[(size_t)i * (size_t)image.channel_count + (size_t)c]);
+    image_free(&image);
+    return bitmap;
+}
+
+int count_differences(const struct bitmap *a, const struct bitmap *b) {
+    assert_int_equal(a->width, b->width);
+    assert_int_equal(a->height, b->height);
+    int count = 0;
+    for (int i = 0; i < a->width * a->height; i++)
+        count += memcmp(a->rgba + 4 * i, b->rgba + 4 * i, 3) != 0;
+    return count;
+}
+
+struct bitmap offscreen(const char *arguments) {
+    char path[700];
+    snprintf(path, sizeof path, "%s/offscreen.png", stage.folder);
+    remove(path);
+    assert_int_equal(shell("%s render --size %dx%d %s %s -q -o %s", stage.binary, WIDTH, HEIGHT,
+                           CHEAP, arguments, path),
+                     0);
+    return read_bitmap(path);
+}
+
+/* Leaves what the screen shows for whoever looks into it. */
+static void fail_with_screen(const char *why) {
+    char path[700];
+    struct bitmap screen = read_screen();
+    snprintf(path, sizeof path, "%s/screen.png", stage.folder);
+    bitmap_write(&screen, path);
+    fail_msg("%s; the screen: %s", why, path);
+}
+
+struct bitmap screenshot(void) {
+    char png[700], exr[700];
+    snprintf(png, sizeof png, "%s/manylight-0001.png", stage.folder);
+    snprintf(exr, sizeof exr, "%s/manylight-0001.exr", stage.folder);
+    remove(png);
+    remove(exr);
+    xdo("key F12");
+    for (int i = 0; i < 300 && access(exr, R_OK) != 0; i++)
+        pause_ms(50);
+    if (access(exr, R_OK) != 0)
+        fail_with_screen("no screenshot came");
+    struct bitmap bitmap = read_bitmap(png);
+    remove(png);
+    remove(exr);
+    return bitmap;
+}
+
+void check_same(const char *what, const char *arguments) {
+    struct bitmap expected = offscreen(arguments), got = screenshot();
+    int different = count_differences(&expected, &got);
+    printf("    %-48s %d pixels differ\n", what, different);
+    if (different)
+        fail_with_screen(what);
+    bitmap_free(&expected);
+    bitmap_free(&got);
+}
+
+/* --- the viewer --- */
+
+void wait_for_scene(const char *file) {
+    for (int i = 0; i < 200 && shell("xdotool search --name '%s - manylight'", file); i++)
+        pause_ms(50);
+    xdo("mousemove %d %d", WIDTH / 2, HEIGHT / 2);
+    pause_ms(500);
+}
+
+void start_viewer(const char *scene, const char *arguments) {
+    char command[2000], line[2100];
+    const char *slash = strrchr(scene, '/');
+    if (!stage.server)
+        skip();
+    snprintf(command, sizeof command,
+             "cd %s && exec %s view %s/%s --size %dx%d %s %s --gl-debug >viewer.log 2>&1",
+             stage.folder, stage.binary, stage.here, scene, WIDTH, HEIGHT, CHEAP, arguments);
+    snprintf(line, sizeof line, "sh -c '%s'", command);
+    stage.viewer = spawn(line);
+    wait_for_scene(slash ? slash + 1 : scene);
+}
+
+void need_viewer(void) {
+    if (!stage.viewer)
+        skip();
+}
+
+void end_viewer(void) {
+    char log[700], output[4096];
+    int status = -1;
+    xdo("key Escape");
+    for (int i = 0; i < 100 && waitpid(stage.viewer, &status, WNOHANG) == 0; i++)
+        pause_ms(50);
+    assert_true(WIFEXITED(status));
+    assert_int_equal(WEXITSTATUS(status), 0);
+    stage.viewer = 0;
+    snprintf(log, sizeof log, "cat %s/viewer.log", stage.folder);
+    run_command(log, output, sizeof output);
+    printf("%s", output);
+    assert_null(strstr(output, "OpenGL"));
+}
+
+void open_by_panel(const char *path) {
+    xdo("mousemove %d %d sleep .3", WIDTH / 2, HEIGHT / 2); /* no widget is lit */
+    int open = find_widget(COLUMN_WIDGET, find_section(SECTION_SCENE) + 14, 0);
+    click(WIDTH + COLUMN_WIDGET, open);
+    xdo("keydown ctrl sleep .5 key a sleep .5 keyup ctrl sleep .2");
+    xdo("type --delay 15 %s/%s", stage.here, path);
+    xdo("key Return sleep .5");
+}
+
+int open_view_stage(void **state) {
+    (void)state;
+    assert_non_null(getcwd(stage.here, sizeof stage.here));
+    char name[64];
+    snprintf(name, sizeof name, "view-%d", (int)getpid());
+    const char *folder = scratch(name);
+    snprintf(stage.folder, sizeof stage.folder, "%s%s%s", folder[0] == '/' ? "" : stage.here,
+             folder[0] == '/' ? "" : "/", folder);
+    mkdir(stage.folder, 0777);
+    char *binary = realpath(binary_path(), NULL);
+    assert_non_null(binary);
+    snprintf(stage.binary, sizeof stage.binary, "%s", binary);
+    free(binary);
+    if (!start_server())
+        printf("    skipped: Xvfb or xdotool is not here\n");
+    return 0;
+}
+
+int close_view_stage(void **state) {
+    (void)state;
+    stop(&stage.viewer);
+    stop(&stage.server);
+    return 0;
+}

@@ -1,0 +1,85 @@
+/* The viewer under an X server of its own, driven by real input events: what its tests share. */
+#ifndef TEST_VIEW_STAGE_H
+#define TEST_VIEW_STAGE_H
+
+#include "support.h"
+
+#include "base/image.h"
+
+#include <sys/types.h>
+
+/* Small and cheap, but tall enough that the panel's rows are on screen. */
+enum { WIDTH = 240, HEIGHT = 740, PANEL = 340 };
+#define CHEAP                                                                                      \
+    "--set vpls=64 --set vals=4 --set map-size=32 --set rsm-size=64 --set shadow-size=256 "        \
+    "--set interleave=4"
+
+struct view_stage {
+    pid_t server, viewer; /* 0: none */
+    char display[16], screen[640], here[256], folder[600], binary[512];
+};
+
+extern struct view_stage stage;
+
+/* For cmocka_run_group_tests: an X server and a scratch folder. Without Xvfb or xdotool there is no
+ * server, and tests skip. */
+int open_view_stage(void **state);
+int close_view_stage(void **state);
+
+/* Starts the viewer in the scratch folder, and waits for the window to show the scene. Skips the
+ * test where there is no server. */
+void start_viewer(const char *scene, const char *arguments);
+
+/* Skips the test where no viewer runs. */
+void need_viewer(void);
+
+/* Waits until the window shows a scene of that file. */
+void wait_for_scene(const char *file);
+
+/* Presses Esc: the viewer ends well, and OpenGL had nothing to say. */
+void end_viewer(void);
+
+void pause_ms(long ms);
+
+/* The status of a shell command; a failure is printed. */
+int shell(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* Input events. */
+#define xdo(...) assert_int_equal(shell("xdotool " __VA_ARGS__), 0)
+void click(int x, int y);
+
+/* Types a path into the panel's open field. */
+void open_by_panel(const char *path);
+
+/* --- the panel --- */
+
+/* In the order of the sections. */
+enum { SECTION_SCENE, SECTION_SETTINGS = 5, SECTION_TECHNIQUE = 6 };
+enum { COLUMN_WIDGET = 123, COLUMN_BUTTON = 17 };
+
+/* The middle of the n-th run of a widget's ground colour down a column of the panel, below y; 0 =
+ * there is none. */
+int find_widget(int x, int below, int n);
+
+/* The headings' row; they alone reach the panel's left edge. */
+int find_section(int n);
+
+/* --- pictures --- */
+
+/* What the X server's screen shows. */
+struct bitmap read_screen(void);
+const unsigned char *pixel(const struct bitmap *bitmap, int x, int y);
+
+struct bitmap read_bitmap(const char *path);
+int count_differences(const struct bitmap *a, const struct bitmap *b);
+
+/* What `manylight render` makes of these arguments, at the viewer's size. */
+struct bitmap offscreen(const char *arguments);
+
+/* Presses F12 and takes the picture that comes. */
+struct bitmap screenshot(void);
+
+/* What the viewer has is, bit for bit, what is rendered offscreen. */
+void check_same(const char *what, const char *arguments);
+
+#endif

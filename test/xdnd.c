@@ -1,0 +1,81 @@
+#define _POSIX_C_SOURCE 199309L
+#include "xdnd.h"
+
+#include <X11/Xatom.h>
+#include <X11/Xlib.h>
+
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+struct source {
+    Display *display;
+    Window window, target;
+    char list[1100]; /* text/uri-list */
+};
+
+static Atom atom(const struct source *source, const char *name) {
+    return XInternAtom(source->display, name, False);
+}
+
+static void tell(const struct source *source, const char *type, long l1, long l2, long l4) {
+    XEvent event = {.xclient = {.type = ClientMessage,
+                                .window = source->target,
+                                .message_type = atom(source, type),
+                                .format = 32,
+                                .data = {.l = {(long)source->window, l1, l2, CurrentTime, l4}}}};
+    XSendEvent(source->display, source->target, False, NoEventMask, &event);
+    XFlush(source->display);
+}
+
+/* The target asks for what is dropped. */
+static void answer(const struct source *source, const XSelectionRequestEvent *request) {
+    XChangeProperty(source->display, request->requestor, request->property, request->target, 8,
+                    PropModeReplace, (const unsigned char *)source->list,
+                    (int)strlen(source->list));
+    XEvent event = {.xselection = {.type = SelectionNotify,
+                                   .requestor = request->requestor,
+                                   .selection = request->selection,
+                                   .target = request->target,
+                                   .property = request->property,
+                                   .time = request->time}};
+    XSendEvent(source->display, request->requestor, False, NoEventMask, &event);
+    XFlush(source->display);
+}
+
+/* Serves the target until it sends a message of that type; false after some seconds. */
+static bool wait_for(const struct source *source, const char *type) {
+    for (int i = 0; i < 500; i++) {
+        while (XPending(source->display)) {
+            XEvent event;
+            XNextEvent(source->display, &event);
+            if (event.type == SelectionRequest)
+                answer(source, &event.xselectionrequest);
+            if (event.type == ClientMessage && event.xclient.message_type == atom(source, type))
+                return true;
+        }
+        nanosleep(&(struct timespec){0, 10000000}, NULL);
+    }
+    return false;
+}
+
+bool xdnd_drop(unsigned long window, const char *path) {
+    struct source source = {.display = XOpenDisplay(NULL), .target = window};
+    if (!source.display)
+        return false;
+    enum { VERSION = 5 };
+    Atom list = atom(&source, "text/uri-list"), copy = atom(&source, "XdndActionCopy");
+    snprintf(source.list, sizeof source.list, "file://%s\r\n", path);
+    source.window =
+        XCreateSimpleWindow(source.display, DefaultRootWindow(source.display), 0, 0, 1, 1, 0, 0, 0);
+    XSetSelectionOwner(source.display, atom(&source, "XdndSelection"), source.window, CurrentTime);
+    tell(&source, "XdndEnter", VERSION << 24, (long)list, 0);
+    tell(&source, "XdndPosition", 0, 100 << 16 | 100, (long)copy);
+    bool ok = wait_for(&source, "XdndStatus");
+    if (ok) {
+        tell(&source, "XdndDrop", 0, CurrentTime, 0);
+        ok = wait_for(&source, "XdndFinished");
+    }
+    XCloseDisplay(source.display);
+    return ok;
+}
