@@ -1,7 +1,8 @@
-// Geometry-aware blur along one axis, or over a square at once [Dong 2009 §6; Laine et al. 2007]: neighbours count where they are
-// near in space and normal. The ends have half weight, so that the window holds each place of the
-// interleaving pattern equally and is not shifted by half a pixel.
-#include "lib/surface.glsl"
+// Geometry-aware blur along one axis, or over a square at once [Dong 2009 §6; Laine et al. 2007]:
+// neighbours count where they are near in space and normal. The ends have half weight, so that the window
+// holds each place of the interleaving pattern equally and is not shifted by half a pixel.
+#include "lib/blur_tap.glsl"
+#include "lib/view.glsl"
 #include "shared/params.h"
 
 layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
@@ -10,41 +11,48 @@ layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     blur_params params;
 };
-layout(binding = 0) uniform sampler2DArray depths;
-layout(binding = 1) uniform sampler2DArray normals;
-layout(binding = 2) uniform sampler2D source;
+layout(binding = 0) uniform usampler2D taps;
 
+#ifdef PACK
+layout(location = 0) out uvec4 packed_tap;
+#else
 layout(location = 0) out vec4 blurred;
+#endif
 
-// Where a pixel lies in a picture of interleaved tiles.
-ivec2 source_texel(ivec2 pixel) {
-    int n = int(params.interleave);
-    ivec2 tile = pixel % n;
-    return tile * ivec2(params.tile_width, params.tile_height) + pixel / n;
+vec3 tap_position(ivec2 pixel, vec2 per_pixel, uvec4 tap) {
+    return view_position(camera, (vec2(pixel) + 0.5) * per_pixel - 1.0, blur_tap_depth(tap));
+}
+
+void write(uvec4 center, vec3 irradiance) {
+#ifdef PACK
+    packed_tap = blur_tap_pack(
+        blur_tap(blur_tap_depth(center), unpackUnorm2x16(center.y), irradiance));
+#else
+    blurred = vec4(irradiance, blur_tap_depth(center) > 0.0 ? 1.0 : 0.0);
+#endif
 }
 
 void main() {
-    blurred = vec4(0.0);
-    ivec2 pixel = ivec2(gl_FragCoord.xy), size = textureSize(depths, 0).xy;
-    surface center = surface_fetch(camera, depths, normals, ivec3(pixel, 0));
-    if (!center.present)
-        return;
+    ivec2 pixel = ivec2(gl_FragCoord.xy), size = textureSize(taps, 0);
+    vec2 per_pixel = 2.0 / vec2(size);
+    uvec4 center = texelFetch(taps, pixel, 0);
+    vec3 position = tap_position(pixel, per_pixel, center), normal = blur_tap_normal(center);
     int radius = int(params.radius), rows = int(params.radius_y);
     ivec2 along = ivec2(params.direction.xy), across = along.yx;
     vec4 sum = vec4(0.0);
     for (int j = -rows; j <= rows; j++)
         for (int i = -radius; i <= radius; i++) {
-            ivec2 tap = pixel + i * along + j * across;
-            if (any(lessThan(tap, ivec2(0))) || any(greaterThanEqual(tap, size)))
+            ivec2 at = pixel + i * along + j * across;
+            if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size)))
                 continue;
-            surface s = surface_fetch(camera, depths, normals, ivec3(tap, 0));
-            vec3 apart = s.position - center.position;
-            if (s.present && dot(apart, apart) < params.distance2 &&
-                dot(s.normal, center.normal) > params.cosine) {
+            uvec4 tap = texelFetch(taps, at, 0);
+            vec3 apart = tap_position(at, per_pixel, tap) - position;
+            if (blur_tap_depth(tap) > 0.0 && dot(apart, apart) < params.distance2 &&
+                dot(blur_tap_normal(tap), normal) > params.cosine) {
                 float weight = (radius > 0 && abs(i) == radius ? 0.5 : 1.0) *
                                (rows > 0 && abs(j) == rows ? 0.5 : 1.0);
-                sum += weight * vec4(texelFetch(source, source_texel(tap), 0).rgb, 1.0);
+                sum += weight * vec4(blur_tap_irradiance(tap), 1.0);
             }
         }
-    blurred = vec4(sum.rgb / max(sum.a, 0.25), 1.0);
+    write(center, blur_tap_depth(center) > 0.0 ? sum.rgb / max(sum.a, 0.25) : vec3(0.0));
 }

@@ -4,14 +4,25 @@
 #include "gl/program.h"
 #include "shared/params.h"
 
+static bool init_programs(struct blur_pass *pass) {
+    struct program_desc desc = {.vertex = "fullscreen.vert", .fragment = "blur.frag"};
+    struct program_desc half = desc, pack = desc;
+    half.defines = "PACK 1";
+    pack.fragment = "blur_pack.frag";
+    return program_init(&pass->pack_program, &pack) && program_init(&pass->half_program, &half) &&
+           program_init(&pass->program, &desc);
+}
+
+static bool init_target(struct irradiance *target, const char *label, GLenum format,
+                        const struct blur_desc *desc) {
+    return irradiance_init(target, label, format, desc->width, desc->height, 1);
+}
+
 bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc) {
     *pass = (struct blur_pass){.desc = *desc};
-    if (program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                            .fragment = "blur.frag"}) &&
-        (desc->square || irradiance_init(&pass->half, "half-blurred irradiance", GL_RGBA16F,
-                                         desc->width, desc->height, 1)) &&
-        irradiance_init(&pass->blurred, "blurred irradiance", GL_RGBA16F, desc->width, desc->height,
-                        1) &&
+    if (init_programs(pass) && init_target(&pass->taps, "blur taps", GL_RGBA32UI, desc) &&
+        (desc->square || init_target(&pass->half, "blur taps", GL_RGBA32UI, desc)) &&
+        init_target(&pass->blurred, "blurred irradiance", GL_RGBA16F, desc) &&
         buffer_init(&pass->params[0], "blur parameters", sizeof(struct blur_params), NULL) &&
         buffer_init(&pass->params[1], "blur parameters", sizeof(struct blur_params), NULL))
         return true;
@@ -20,7 +31,10 @@ bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc) {
 }
 
 void blur_pass_free(struct blur_pass *pass) {
+    program_free(&pass->pack_program);
+    program_free(&pass->half_program);
     program_free(&pass->program);
+    irradiance_free(&pass->taps);
     irradiance_free(&pass->half);
     irradiance_free(&pass->blurred);
     buffer_free(&pass->params[0]);
@@ -28,43 +42,52 @@ void blur_pass_free(struct blur_pass *pass) {
     *pass = (struct blur_pass){0};
 }
 
-static void blur(const struct blur_pass *pass, const struct frame *frame,
-                 const struct gbuffer *gbuffer, const struct irradiance *source,
-                 const struct irradiance *target, int axis) {
+static void write_params(const struct blur_pass *pass, const struct frame *frame,
+                         const struct irradiance *source) {
     float distance = pass->desc.distance * 2 * frame->radius;
-    struct blur_params params = {
-        .interleave = (float)source->interleave,
-        .tile_width = (float)source->tile_width,
-        .tile_height = (float)source->tile_height,
-        .radius = (float)pass->desc.radius,
-        .radius_y = pass->desc.square ? (float)pass->desc.radius : 0,
-        .direction = {axis == 0, axis == 1},
-        .distance2 = distance * distance,
-        .cosine = pass->desc.cosine,
-    };
-    buffer_write(&pass->params[axis], 0, sizeof params, &params);
+    for (int axis = 0; axis < 2; axis++) {
+        struct blur_params params = {
+            .interleave = (float)source->interleave,
+            .tile_width = (float)source->tile_width,
+            .tile_height = (float)source->tile_height,
+            .radius = (float)pass->desc.radius,
+            .radius_y = pass->desc.square ? (float)pass->desc.radius : 0,
+            .direction = {axis == 0, axis == 1},
+            .distance2 = distance * distance,
+            .cosine = pass->desc.cosine,
+        };
+        buffer_write(&pass->params[axis], 0, sizeof params, &params);
+    }
+}
+
+static void draw(const struct blur_pass *pass, GLuint program, const struct irradiance *target,
+                 int axis) {
     pass_set_state(&(struct pass_state){
         .name = "blur",
-        .program = pass->program,
+        .program = program,
         .framebuffer = target->framebuffer,
         .width = target->width,
         .height = target->height,
     });
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params[axis].id);
-    gl.BindTextureUnit(0, gbuffer->depth.id);
-    gl.BindTextureUnit(1, gbuffer->normal.id);
-    gl.BindTextureUnit(2, source->texture.id);
     pass_draw_fullscreen(1);
 }
 
 void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
                       const struct gbuffer *gbuffer, const struct irradiance *source) {
     timer_begin(frame->timers, "blur");
+    write_params(pass, frame, source);
+    gl.BindTextureUnit(0, gbuffer->depth.id);
+    gl.BindTextureUnit(1, gbuffer->normal.id);
+    gl.BindTextureUnit(2, source->texture.id);
+    draw(pass, pass->pack_program, &pass->taps, 0);
+    gl.BindTextureUnit(0, pass->taps.texture.id);
     if (pass->desc.square) {
-        blur(pass, frame, gbuffer, source, &pass->blurred, 0);
+        draw(pass, pass->program, &pass->blurred, 0);
     } else {
-        blur(pass, frame, gbuffer, source, &pass->half, 0);
-        blur(pass, frame, gbuffer, &pass->half, &pass->blurred, 1);
+        draw(pass, pass->half_program, &pass->half, 0);
+        gl.BindTextureUnit(0, pass->half.texture.id);
+        draw(pass, pass->program, &pass->blurred, 1);
     }
     timer_end(frame->timers);
 }

@@ -1,8 +1,9 @@
 /* Geometry-aware blur of the irradiance [Dong 2009 §6; Laine et al. 2007].
  *
- * Neighbours count where |x - x'| < alpha and n . n' > beta. The first draw also puts the
- * interleaved tiles back into picture order. The end taps have half weight: a window of 2 r + 1
- * taps then holds each place of a pattern of 2 r pixels equally and is centred.
+ * Neighbours count where |x - x'| < alpha and n . n' > beta. A first draw puts the interleaved
+ * tiles back into picture order, with the place and normal of each pixel in the same texel: a tap
+ * is then one fetch. The end taps have half weight: a window of 2 r + 1 taps then holds each place
+ * of a pattern of 2 r pixels equally and is centred.
  */
 #ifndef PASSES_BLUR_H
 #define PASSES_BLUR_H
@@ -19,9 +20,10 @@ struct blur_desc {
 
 struct blur_pass {
     struct blur_desc desc;
-    GLuint program;
-    struct irradiance half, blurred; /* half: not where square */
-    struct buffer params[2];         /* along x, along y */
+    GLuint pack_program, half_program, program;
+    struct irradiance taps, half; /* RGBA32UI, glsl/lib/blur_tap.glsl; half: not where square */
+    struct irradiance blurred;
+    struct buffer params[2]; /* along x, along y */
 };
 
 bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc);
