@@ -3,7 +3,7 @@
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 
-#include "xdnd.h"
+#include "desktop.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,7 +23,7 @@ static void drop(const char *path) {
     char full[600];
     snprintf(full, sizeof full, "%s%s%s", *path == '/' ? "" : stage.here, *path == '/' ? "" : "/",
              path);
-    assert_true(xdnd_drop(viewer_window(), full));
+    assert_true(desktop_drop(viewer_window(), full));
 }
 
 static void write_file(const char *name, const char *text) {

@@ -56,14 +56,18 @@ static void colour_signed(float t, unsigned char rgb8[3]) {
     lch_to_rgb8(97 - 57 * magnitude, 60 * magnitude, t < 0 ? 288 : 35, rgb8);
 }
 
-static void set_pixel(struct bitmap *picture, int x, int y, const struct heat_map *map,
-                      float value) {
-    unsigned char *rgba = picture->rgba + ((size_t)y * (size_t)picture->width + (size_t)x) * 4;
+void heat_map_color(const struct heat_map *map, float value, unsigned char rgb8[3]) {
     float t = value / map->top;
     if (map->is_signed)
-        colour_signed(fmaxf(-1, fminf(t, 1)), rgba);
+        colour_signed(fmaxf(-1, fminf(t, 1)), rgb8);
     else
-        colour_positive(clamp_unit(t), rgba);
+        colour_positive(clamp_unit(t), rgb8);
+}
+
+static void set_pixel(struct bitmap *picture, int x, int y, const struct heat_map *map,
+                      float value) {
+    heat_map_color(map, value,
+                   picture->rgba + ((size_t)y * (size_t)picture->width + (size_t)x) * 4);
 }
 
 static void draw_values(const struct heat_map *map, struct bitmap *picture, int zoom) {
@@ -94,17 +98,25 @@ static void draw_legend(const struct heat_map *map, struct bitmap *picture, int 
     label_draw(picture, left, top + TITLE_TOP * dot, dot, map->title);
 }
 
+static void init_picture(struct bitmap *picture, int width, int height) {
+    size_t pixel_count = (size_t)width * (size_t)height;
+    *picture = (struct bitmap){width, height, mem_alloc(pixel_count, 4)};
+    for (size_t i = 0; i < pixel_count; i++)
+        picture->rgba[4 * i + 3] = 255;
+}
+
+void heat_map_draw_values(const struct heat_map *map, struct bitmap *picture) {
+    init_picture(picture, map->width, map->height);
+    draw_values(map, picture, 1);
+}
+
 void heat_map_draw(const struct heat_map *map, struct bitmap *picture) {
     int longest = map->width > map->height ? map->width : map->height;
     int zoom = longest < SMALLEST_WIDTH ? SMALLEST_WIDTH / longest : 1;
     int map_width = map->width * zoom, map_height = map->height * zoom;
     int width = map_width > SMALLEST_WIDTH ? map_width : SMALLEST_WIDTH;
     int dot = 1 + width / WIDTH_PER_SCALE;
-    *picture = (struct bitmap){.width = width, .height = map_height + LEGEND_HEIGHT * dot};
-    size_t pixel_count = (size_t)picture->width * (size_t)picture->height;
-    picture->rgba = mem_alloc(pixel_count, 4);
-    for (size_t i = 0; i < pixel_count; i++)
-        picture->rgba[4 * i + 3] = 255;
+    init_picture(picture, width, map_height + LEGEND_HEIGHT * dot);
     draw_values(map, picture, zoom);
     draw_legend(map, picture, map_height, dot);
 }

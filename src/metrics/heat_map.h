@@ -22,7 +22,14 @@ struct heat_map {
 /* A round number that 99 % of the values' magnitudes do not exceed; 1 when all are 0. */
 float heat_map_fit_top(const float *values, size_t count);
 
-/* Makes the picture. Small maps are enlarged by a whole factor, so that the scale has room. */
+/* The colour of one value. */
+void heat_map_color(const struct heat_map *map, float value, unsigned char rgb8[3]);
+
+/* Makes the picture of the values alone, in their own size. */
+void heat_map_draw_values(const struct heat_map *map, struct bitmap *picture);
+
+/* Makes the picture with scale and title. Small maps are enlarged by a whole factor, so that the
+ * scale has room. */
 void heat_map_draw(const struct heat_map *map, struct bitmap *picture);
 
 #endif

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/memory.h"
-#include "metrics/heat_map.h"
 #include "metrics/layer.h"
 #include "shared/params.h"
 
@@ -121,16 +120,17 @@ static bool draw_heat_map(struct compare *compare, const struct comparison *comp
     struct bitmap picture;
     compare->values[compare->heat_metric] = metric_measure(metric, comparison, values);
     compare->is_known[compare->heat_metric] = true;
-    heat_map_draw(
-        &(struct heat_map){
-            .title = metric->name,
-            .width = width,
-            .height = height,
-            .values = values,
-            .top = metric->range == RANGE_UNIT ? 1 : heat_map_fit_top(values, count),
-            .is_signed = metric->range == RANGE_SIGNED,
-        },
-        &picture);
+    struct heat_map map = {
+        .title = metric->name,
+        .width = width,
+        .height = height,
+        .values = values,
+        .top = metric->range == RANGE_UNIT ? 1 : heat_map_fit_top(values, count),
+        .is_signed = metric->range == RANGE_SIGNED,
+    };
+    heat_map_draw_values(&map, &picture);
+    map.values = NULL;
+    compare->heat_scale = map;
     bool ok = upload_heat_map(compare, &picture);
     bitmap_free(&picture);
     free(values);

@@ -3,6 +3,7 @@
 #ifndef VIEWER_COMPARE_H
 #define VIEWER_COMPARE_H
 
+#include "metrics/heat_map.h"
 #include "metrics/metric.h"
 #include "renderer/renderer.h"
 #include "viewer/reference.h"
@@ -28,6 +29,7 @@ struct compare {
     bool measured;
     double values[METRIC_COUNT];
     bool is_known[METRIC_COUNT]; /* those that look at single pixels always are */
+    struct heat_map heat_scale;  /* without values */
     struct texture heat_map;
 };
 

@@ -27,7 +27,9 @@ static void draw_times(const struct pace *pace) {
     for (int i = 0; i < pace->pass_count; i++) {
         const struct pace_pass *pass = &pace->passes[i];
         float ms = pace_median(pass);
-        if (pass->depth > 0)
+        if (pass->depth > 0 && pass->kept)
+            ui_bar(last_part(pass->path), pass->depth - 1, 0, "kept");
+        else if (pass->depth > 0)
             ui_bar(last_part(pass->path), pass->depth - 1, ms / frame, "%.1f ms", (double)ms);
     }
 }
@@ -94,6 +96,27 @@ static const char *right_name(const struct compare *compare) {
     return compare->mode == COMPARE_REFERENCE ? "reference" : technique_names[compare->technique];
 }
 
+/* What the colours of the heat map stand for, in the corner below. */
+static void draw_heat_scale(const struct viewer *viewer) {
+    enum { STEPS = 60 };
+    const struct heat_map *scale = &viewer->compare.heat_scale;
+    float line = ui_line_height(), step = 8 * line / STEPS;
+    float x = (float)viewer->picture.x + 4.5F * line;
+    float y = (float)(viewer->picture.y + viewer->picture.height) - 2 * line;
+    float lowest = scale->is_signed ? -scale->top : 0;
+    char text[32];
+    for (int i = 0; i < STEPS; i++) {
+        unsigned char c[3];
+        heat_map_color(scale, lowest + (scale->top - lowest) * ((float)i + .5F) / STEPS, c);
+        ui_draw_rectangle(x + (float)i * step, y, step + 1, 1.35F * line,
+                          UI_RGBA(c[0], c[1], c[2], 255));
+    }
+    snprintf(text, sizeof text, "%g", (double)lowest);
+    ui_draw_label(x - .3F * line, y, 1, text);
+    snprintf(text, sizeof text, "%g", (double)scale->top);
+    ui_draw_label(x + 8.3F * line, y, 0, text);
+}
+
 static void draw_split(const struct viewer *viewer) {
     const struct rectangle *picture = &viewer->picture;
     const struct compare *compare = &viewer->compare;
@@ -113,6 +136,8 @@ static void draw_split(const struct viewer *viewer) {
                  UI_RGBA(255, 255, 255, 230), 1.2F);
     ui_draw_disc(x, (float)picture->y + .5F * (float)picture->height, 7,
                  UI_RGBA(255, 255, 255, 230));
+    if (compare->heat && compare->heat_map.id)
+        draw_heat_scale(viewer);
     ui_draw_label(x - .6F * line, y, 1,
                   compare->heat ? metrics[compare->heat_metric].name
                                 : technique_names[viewer->technique]);

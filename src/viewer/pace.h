@@ -16,6 +16,7 @@ struct pace {
     struct pace_pass {
         char path[TIMER_PATH_SIZE];
         int depth;
+        bool kept; /* the last frame used what this pass made before */
         float ms[PACE_MEDIAN];
         int count, next;
     } passes[TIMERS_MAX];

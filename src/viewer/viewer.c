@@ -1,6 +1,7 @@
 #include "viewer/viewer.h"
 
 #include "base/error.h"
+#include "base/log.h"
 #include "gl/glsl.h"
 #include "shared/params.h"
 #include "viewer/ui.h"
@@ -70,6 +71,15 @@ static void fit_picture(struct viewer *viewer) {
     viewer->picture = screen_fit(viewer->area, width, height);
 }
 
+static void tell_start(struct viewer *viewer) {
+    if (!viewer->shown)
+        log_detail("the window is there after %.2f s", window_time());
+    if (!viewer->shown_picture && viewer->frame_count > 0)
+        log_detail("the first picture is there after %.2f s", window_time());
+    viewer->shown = true;
+    viewer->shown_picture = viewer->frame_count > 0;
+}
+
 static void draw(struct viewer *viewer) {
     static const struct texture nothing = {0};
     const struct input *input = viewer->input;
@@ -81,9 +91,12 @@ static void draw(struct viewer *viewer) {
     screen_draw(&viewer->screen, input->width, input->height, &viewer->picture, &pictures);
     ui_frame_end();
     window_swap(viewer->window);
+    tell_start(viewer);
 }
 
 static double waiting_time(const struct viewer *viewer) {
+    if (viewer->input->width == 0)
+        return .1; /* minimised */
     bool busy = viewer->dirty || viewer->recompose || viewer->moving || viewer->play.on ||
                 viewer_is_scripted(viewer) || !context_is_software(viewer->context);
     return busy ? 0 : .05;
@@ -104,15 +117,15 @@ static void update(struct viewer *viewer) {
     viewer_update_picture(viewer);
 }
 
-/* One turn. False ends all with an error. */
-static bool turn(struct viewer *viewer) {
+bool viewer_turn(struct viewer *viewer) {
     viewer->input = window_poll(viewer->window, waiting_time(viewer));
     viewer->done |= viewer->input->close;
     if (viewer->input->width == 0)
         return true; /* minimised */
     ui_frame_begin(viewer->input->taps, viewer->input->tap_count);
     lay_out(viewer);
-    bool ok = viewer_poll_loader(viewer);
+    /* The window shows itself before the scene takes its time. */
+    bool ok = !viewer->shown || viewer_poll_loader(viewer);
     if (!ok && !viewer_is_scripted(viewer)) {
         viewer_tell_error(viewer);
         ok = true;
@@ -175,8 +188,8 @@ static void begin(struct viewer *viewer) {
         viewer_load_reference(viewer, desc->reference);
 }
 
-bool viewer_run(const struct viewer_desc *desc) {
-    struct viewer viewer = {
+bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc) {
+    *viewer = (struct viewer){
         .desc = *desc,
         .technique = desc->technique,
         .settings = desc->settings,
@@ -189,14 +202,28 @@ bool viewer_run(const struct viewer_desc *desc) {
         .show_overlay = true,
     };
     glsl_set_folder(desc->glsl);
-    messages_init(&viewer.messages);
-    bool ok = open_window(&viewer);
-    if (ok)
-        begin(&viewer);
+    messages_init(&viewer->messages);
+    if (!open_window(viewer)) {
+        viewer_end(viewer);
+        return false;
+    }
+    begin(viewer);
+    return true;
+}
+
+void viewer_end(struct viewer *viewer) {
+    loader_free(&viewer->loader);
+    close_window(viewer);
+    messages_free(&viewer->messages);
+}
+
+bool viewer_run(const struct viewer_desc *desc) {
+    struct viewer viewer;
+    if (!viewer_begin(&viewer, desc))
+        return false;
+    bool ok = true;
     while (ok && !viewer.done)
-        ok = turn(&viewer) && finish_script(&viewer);
-    loader_free(&viewer.loader);
-    close_window(&viewer);
-    messages_free(&viewer.messages);
+        ok = viewer_turn(&viewer) && finish_script(&viewer);
+    viewer_end(&viewer);
     return ok;
 }

@@ -80,9 +80,11 @@ struct viewer {
     struct rectangle picture;           /* where it lies */
     const struct texture *left, *right; /* what was composed */
 
-    bool dirty;      /* the picture is not what is wanted */
-    bool recompose;  /* the frame is, but not what is shown of it */
-    bool moving;     /* and this will go on for some frames */
+    bool dirty;     /* the picture is not what is wanted */
+    bool recompose; /* the frame is, but not what is shown of it */
+    bool moving;    /* and this will go on for some frames */
+    bool shown;     /* the window, once */
+    bool shown_picture;
     bool done;       /* close the window */
     int frame_count; /* rendered */
 
@@ -99,6 +101,13 @@ struct viewer {
 /* Runs until the window is closed, or until desc->frames. Error: no window, or, where frames are
  * counted, a scene or file that fails. */
 bool viewer_run(const struct viewer_desc *desc);
+
+/* The same step by step. viewer_begin: error: no window; nothing is left open. */
+bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc);
+
+/* Takes what the user did, renders where something changed, and shows it. Error: as viewer_run. */
+bool viewer_turn(struct viewer *viewer);
+void viewer_end(struct viewer *viewer);
 
 /* --- viewer/viewer.c --- */
 

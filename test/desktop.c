@@ -1,8 +1,9 @@
 #define _POSIX_C_SOURCE 199309L
-#include "xdnd.h"
+#include "desktop.h"
 
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
+#include <X11/Xutil.h>
 
 #include <stdio.h>
 #include <string.h>
@@ -59,7 +60,7 @@ static bool wait_for(const struct source *source, const char *type) {
     return false;
 }
 
-bool xdnd_drop(unsigned long window, const char *path) {
+bool desktop_drop(unsigned long window, const char *path) {
     struct source source = {.display = XOpenDisplay(NULL), .target = window};
     if (!source.display)
         return false;
@@ -78,4 +79,21 @@ bool xdnd_drop(unsigned long window, const char *path) {
     }
     XCloseDisplay(source.display);
     return ok;
+}
+
+/* ICCCM 4.1.3.1: the state is a property, and the window is unmapped. */
+bool desktop_minimise(unsigned long window, bool away) {
+    Display *display = XOpenDisplay(NULL);
+    if (!display)
+        return false;
+    Atom state = XInternAtom(display, "WM_STATE", False);
+    const long values[2] = {away ? IconicState : NormalState, None};
+    XChangeProperty(display, window, state, state, 32, PropModeReplace,
+                    (const unsigned char *)values, 2);
+    if (away)
+        XUnmapWindow(display, window);
+    else
+        XMapWindow(display, window);
+    XCloseDisplay(display);
+    return true;
 }

@@ -1,0 +1,15 @@
+/* What a desktop does to a window; Xvfb alone has none. Windows are X11's, of the display that
+ * DISPLAY names. */
+#ifndef TEST_DESKTOP_H
+#define TEST_DESKTOP_H
+
+#include <stdbool.h>
+
+/* Drops a file, as a file manager does: the source's side of XDND 5. False: the window did not take
+ * it within some seconds. */
+bool desktop_drop(unsigned long window, const char *path);
+
+/* Minimises it, or shows it again, as a window manager does. */
+bool desktop_minimise(unsigned long window, bool away);
+
+#endif

@@ -1,0 +1,203 @@
+/* The viewer over and over: techniques, scenes, sizes, wipes, animations, minimised and back. What
+ * GL holds and what memory takes stay as they were, and GL has nothing to say.
+ *
+ *     build/test/test_view_leaks [ROUNDS]     few by default; 200 takes minutes
+ */
+#define _GNU_SOURCE
+#include "view_stage.h"
+
+#include "desktop.h"
+
+#include "gl/memory.h"
+#include "viewer/viewer.h"
+
+#include <malloc.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static int rounds = 4;
+static struct viewer viewer;
+
+/* --- what there is --- */
+
+static int count_objects(const char *function) {
+    enum {
+        NAMES = 30000
+    }; /* GL hands names out from 1 on, and takes those that became free again */
+    GLboolean (*is)(GLuint) = (GLboolean(*)(GLuint))window_getproc(function);
+    assert_non_null(is);
+    int count = 0;
+    for (GLuint name = 1; name < NAMES; name++)
+        count += is(name) != 0;
+    return count;
+}
+
+struct holdings {
+    int objects[5];
+    size_t gpu_bytes;
+    double resident; /* MiB */
+};
+
+static const char *const kinds[5] = {"glIsTexture", "glIsBuffer", "glIsFramebuffer",
+                                     "glIsVertexArray", "glIsQuery"};
+
+static struct holdings take_stock(void) {
+    struct holdings holdings = {.gpu_bytes = gpu_memory_total()};
+    for (int i = 0; i < 5; i++)
+        holdings.objects[i] = count_objects(kinds[i]);
+    long pages = 0, ignored;
+    malloc_trim(0);
+    FILE *file = fopen("/proc/self/statm", "r");
+    if (file && fscanf(file, "%ld %ld", &ignored, &pages) != 2)
+        pages = 0;
+    if (file)
+        fclose(file);
+    holdings.resident = (double)pages * (double)sysconf(_SC_PAGESIZE) / (1 << 20);
+    return holdings;
+}
+
+static void print_holdings(const char *when, const struct holdings *holdings) {
+    printf("    %-28s textures %d, buffers %d, framebuffers %d, vertex arrays %d, queries %d, "
+           "%.1f MiB of GPU, %.0f MiB resident\n",
+           when, holdings->objects[0], holdings->objects[1], holdings->objects[2],
+           holdings->objects[3], holdings->objects[4], (double)holdings->gpu_bytes / (1 << 20),
+           holdings->resident);
+    fflush(stdout);
+}
+
+/* --- turns --- */
+
+static void turn(int count) {
+    for (int i = 0; i < count; i++)
+        check_ok("turn", viewer_turn(&viewer));
+}
+
+static void load(const char *path) {
+    viewer_open(&viewer, path);
+    for (int i = 0; i < 1000 && (i < 2 || atomic_load(&viewer.loader.state) != LOADER_IDLE); i++) {
+        turn(1);
+        pause_ms(2);
+    }
+    turn(2);
+}
+
+static void switch_technique(int round) {
+    viewer.technique = round % 3;
+    viewer.settings.val_count = 4 + round % 2;
+    viewer_touch(&viewer);
+    turn(1);
+}
+
+static void switch_scene(int round) {
+    static const char *const scenes[] = {"scenes/metaballs.glb", "scenes/no-such-file.glb",
+                                         "scenes/moving-spot.glb", "scenes/cornell-box.glb"};
+    load(scenes[round % 4]);
+}
+
+static void switch_size(int round) {
+    window_set_size(viewer.window, PANEL + 100 + 7 * (round % 5), 90 + 5 * (round % 3));
+    turn(2);
+}
+
+static void switch_wipe(int round) {
+    viewer.compare.mode = round % 2 ? COMPARE_OFF : COMPARE_TECHNIQUE;
+    viewer.compare.technique = round / 2 % 3;
+    viewer_touch(&viewer);
+    turn(2);
+}
+
+static void switch_buffer(int round) {
+    (void)round;
+    viewer_step_buffer(&viewer, 1);
+    turn(1);
+}
+
+static void play(int round) {
+    viewer.play.on = true;
+    viewer_go_to(&viewer, .07 * round);
+    turn(1);
+    viewer.play.on = false;
+}
+
+static void minimise(int round) {
+    char output[64];
+    assert_int_equal(run_command("xdotool search --name manylight", output, sizeof output), 0);
+    assert_true(desktop_minimise(strtoul(output, NULL, 10), round % 2 == 0));
+    pause_ms(30);
+    turn(2);
+    if (round % 2 == 0)
+        assert_int_equal(viewer.input->width, 0);
+    else
+        assert_true(viewer.input->width > 0);
+}
+
+/* As at the beginning, so that what is there can be compared. */
+static void go_back(void) {
+    viewer.technique = 0;
+    viewer.settings = viewer.desc.settings;
+    viewer.compare.mode = COMPARE_OFF;
+    viewer.choice.kind = SHOW_PICTURE;
+    viewer.recompose = true;
+    window_set_size(viewer.window, PANEL + 100, 90);
+    load("scenes/metaballs.glb");
+    viewer_go_to(&viewer, 0);
+    turn(30);
+    pause_ms(300); /* at rest, in the full size */
+    turn(3);
+}
+
+static void check_kept(const char *what, void (*step)(int round), int least) {
+    int count = rounds > least ? rounds : least;
+    for (int i = 0; i < least; i++) /* once through all, so that caches are full */
+        step(i);
+    go_back();
+    struct holdings before = take_stock();
+    print_holdings(what, &before);
+    for (int i = 0; i < count; i++)
+        step(i);
+    go_back();
+    struct holdings after = take_stock();
+    char when[64];
+    snprintf(when, sizeof when, "after %d", count);
+    print_holdings(when, &after);
+    for (int i = 0; i < 5; i++)
+        if (after.objects[i] != before.objects[i])
+            fail_msg("%s: %s: %d, then %d", what, kinds[i], before.objects[i], after.objects[i]);
+    assert_int_equal(after.gpu_bytes, before.gpu_bytes);
+    /* What grew by a picture or a scene a round would be more. */
+    assert_true(after.resident - before.resident < 24);
+    assert_int_equal(context_message_count(viewer.context), 0);
+}
+
+static void test_kept(void **state) {
+    (void)state;
+    if (!stage.server)
+        skip();
+    struct viewer_desc desc = {.width = 100, .height = 90, .debug = true};
+    options_set_defaults(settings_table, &desc.settings);
+    static const char *const cheap[] = {"vpls=64",     "vals=4",          "map-size=32",
+                                        "rsm-size=64", "shadow-size=128", "interleave=4"};
+    for (size_t i = 0; i < sizeof cheap / sizeof *cheap; i++)
+        check_ok(cheap[i], settings_assign(&desc.settings, cheap[i]));
+    check_ok("viewer", viewer_begin(&viewer, &desc));
+    load("scenes/metaballs.glb");
+    check_kept("techniques", switch_technique, 6);
+    check_kept("scenes", switch_scene, 4);
+    check_kept("sizes", switch_size, 6);
+    check_kept("wipes", switch_wipe, 6);
+    check_kept("buffers", switch_buffer, SHOW_COUNT);
+    check_kept("frames of an animation", play, 40);
+    check_kept("minimised and back", minimise, 2);
+    viewer_end(&viewer);
+    assert_int_equal(gpu_memory_object_count(), 0);
+    assert_int_equal(gpu_memory_total(), 0);
+}
+
+int main(int argc, char **argv) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kept)};
+    if (argc > 1)
+        rounds = atoi(argv[1]);
+    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
+}
