@@ -97,3 +97,33 @@ bool desktop_minimise(unsigned long window, bool away) {
     XCloseDisplay(display);
     return true;
 }
+
+bool desktop_read_clipboard(char *text, size_t size) {
+    struct source reader = {.display = XOpenDisplay(NULL)};
+    if (!reader.display)
+        return false;
+    Display *display = reader.display;
+    Atom utf8 = atom(&reader, "UTF8_STRING"), property = atom(&reader, "MANYLIGHT_TEST");
+    Window window = XCreateSimpleWindow(display, DefaultRootWindow(display), 0, 0, 1, 1, 0, 0, 0);
+    XConvertSelection(display, atom(&reader, "CLIPBOARD"), utf8, property, window, CurrentTime);
+    XFlush(display);
+    bool ok = false;
+    for (int i = 0; i < 300 && !ok; i++) {
+        XEvent event;
+        ok = XCheckTypedWindowEvent(display, window, SelectionNotify, &event);
+        nanosleep(&(struct timespec){0, 10000000}, NULL);
+    }
+    Atom type;
+    int format;
+    unsigned long count, left;
+    unsigned char *data = NULL;
+    ok = ok &&
+         XGetWindowProperty(display, window, property, 0, (long)size / 4, True, AnyPropertyType,
+                            &type, &format, &count, &left, &data) == Success &&
+         data;
+    snprintf(text, size, "%s", ok ? (char *)data : "");
+    if (data)
+        XFree(data);
+    XCloseDisplay(display);
+    return ok;
+}

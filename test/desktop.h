@@ -4,6 +4,7 @@
 #define TEST_DESKTOP_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 /* Drops a file, as a file manager does: the source's side of XDND 5. False: the window did not take
  * it within some seconds. */
@@ -11,5 +12,8 @@ bool desktop_drop(unsigned long window, const char *path);
 
 /* Minimises it, or shows it again, as a window manager does. */
 bool desktop_minimise(unsigned long window, bool away);
+
+/* The text that was copied last. False: there is none. */
+bool desktop_read_clipboard(char *text, size_t size);
 
 #endif

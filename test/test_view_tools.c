@@ -50,8 +50,8 @@ static void open_settings(void) {
     xdo("mousemove %d %d sleep .3", WIDTH / 2, HEIGHT / 2); /* no widget is lit */
 }
 
-/* The buttons Save, Load side by side. */
-enum { BUTTON_SAVE = 25, BUTTON_LOAD = 75 };
+/* The buttons side by side. */
+enum { BUTTON_SAVE = 25, BUTTON_LOAD = 75, BUTTON_COPY = 160 };
 
 static void press_in_settings(int button) {
     int row = find_widget(COLUMN_BUTTON, find_section(SECTION_SETTINGS) + 14, 0);
@@ -135,6 +135,31 @@ static void test_drop(void **state) {
                "scenes/sphere.glb --layer indirect --technique unshadowed --set exposure=1");
 }
 
+/* The command line that was copied renders the very same picture: another camera, light, layer. */
+static void test_copy(void **state) {
+    (void)state;
+    need_viewer();
+    xdo("mousemove 60 300 mousedown 1 sleep .1 mousemove 90 310 sleep .2 mousemove 100 315 sleep "
+        ".2 "
+        "mouseup 1 sleep .8");
+    press_in_settings(BUTTON_COPY);
+    char command[2000];
+    assert_true(desktop_read_clipboard(command, sizeof command));
+    printf("    %s\n", command);
+    const char *name = "manylight ";
+    assert_int_equal(strncmp(command, name, strlen(name)), 0);
+    assert_int_equal(shell("cd %s && %s %s -q", stage.folder, stage.binary, command + strlen(name)),
+                     0);
+    char path[700];
+    snprintf(path, sizeof path, "%s/picture.png", stage.folder);
+    struct bitmap expected = read_bitmap(path), got = screenshot();
+    int different = count_differences(&expected, &got);
+    printf("    %-48s %d pixels differ\n", "the copied command line's picture", different);
+    assert_int_equal(different, 0);
+    bitmap_free(&expected);
+    bitmap_free(&got);
+}
+
 static void test_end(void **state) {
     (void)state;
     need_viewer();
@@ -144,7 +169,7 @@ static void test_end(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_play), cmocka_unit_test(test_layers), cmocka_unit_test(test_load),
-        cmocka_unit_test(test_drop), cmocka_unit_test(test_end),
+        cmocka_unit_test(test_drop), cmocka_unit_test(test_copy),   cmocka_unit_test(test_end),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

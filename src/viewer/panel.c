@@ -330,12 +330,12 @@ static void draw_surface(struct viewer *viewer) {
         ui_text(UI_DIM, "lit by");
     for (int i = 0; i < pick->val_count; i++) {
         const struct pick_val *val = &pick->vals[i];
-        char text[64];
-        snprintf(text, sizeof text, "VAL %-3d  %4.1f %%   visible %3.0f %%", val->val,
-                 100 * (double)val->share, 100 * (double)val->visibility);
-        if (ui_list_item(text, marks_cluster_color(val->val), val->share,
-                         viewer->choice.kind == SHOW_VISIBILITY &&
-                             viewer->choice.layer == val->val)) {
+        char name[32], share[32], visible[32];
+        bool chosen = viewer->choice.kind == SHOW_VISIBILITY && viewer->choice.layer == val->val;
+        snprintf(name, sizeof name, "VAL %d", val->val);
+        snprintf(share, sizeof share, "%.1f %%", 100 * (double)val->share);
+        snprintf(visible, sizeof visible, "visible %.0f %%", 100 * (double)val->visibility);
+        if (ui_list_item(marks_cluster_color(val->val), name, share, visible, val->share, chosen)) {
             viewer->choice.kind = SHOW_VISIBILITY;
             viewer->choice.layer = viewer->choice.chosen = val->val;
             viewer->recompose = true;

@@ -148,12 +148,26 @@ static void measure(struct viewer *viewer, bool all) {
     viewer->recompose = true; /* reading layers used the display's framebuffer state */
 }
 
+/* What was clicked on may have moved, and another light may shine on it: at rest, the place where
+ * it was is read again. */
+static void follow_pick(struct viewer *viewer) {
+    const struct renderer_desc *desc = &viewer->renderer.desc;
+    float place[2], aspect = (float)desc->width / (float)desc->height;
+    if (viewer->moving || !viewer->has_pick || viewer->pick_motion == viewer->pace.last_motion)
+        return;
+    viewer->has_pick = camera_project(&desc->camera, viewer->pick.position, aspect, place) &&
+                       place[0] >= 0 && place[0] < 1 && place[1] >= 0 && place[1] < 1;
+    if (viewer->has_pick)
+        viewer_pick_surface(viewer, place[0], place[1]);
+}
+
 void viewer_update_picture(struct viewer *viewer) {
     render(viewer);
     if (!viewer->has_scene)
         return;
     compose(viewer);
     measure(viewer, false);
+    follow_pick(viewer);
 }
 
 void viewer_measure_all(struct viewer *viewer) {
@@ -177,6 +191,7 @@ void viewer_pick_surface(struct viewer *viewer, float x, float y) {
     }
     viewer->pick = pick;
     viewer->has_pick = pick.present;
+    viewer->pick_motion = viewer->pace.last_motion;
 }
 
 void viewer_load_reference(struct viewer *viewer, const char *path) {

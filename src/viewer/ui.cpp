@@ -393,7 +393,8 @@ bool ui_segments(const char *id, int *value, const char *const *names, int count
     return changed;
 }
 
-bool ui_list_item(const char *text, uint32_t patch, float share, bool chosen) {
+bool ui_list_item(uint32_t patch, const char *name, const char *middle, const char *right,
+                  float share, bool chosen) {
     ImVec2 at = ImGui::GetCursorScreenPos();
     float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
     ImDrawList *list = ImGui::GetWindowDrawList();
@@ -405,8 +406,14 @@ bool ui_list_item(const char *text, uint32_t patch, float share, bool chosen) {
     list->AddRectFilled(ImVec2(at.x, at.y + (height - size) / 2),
                         ImVec2(at.x + size, at.y + (height + size) / 2), patch, units(.15F));
     ImGui::Indent(left);
-    bool clicked = ImGui::Selectable(text, chosen);
+    bool clicked = ImGui::Selectable(name, chosen);
     ImGui::Unindent(left);
+    float columns[] = {.55F * width, width};
+    const char *texts[] = {middle, right};
+    for (int i = 0; i < 2; i++)
+        list->AddText(
+            ImVec2(at.x + columns[i] - ImGui::CalcTextSize(texts[i]).x - units(.2F), at.y),
+            text_color, texts[i]);
     return clicked;
 }
 

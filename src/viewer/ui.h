@@ -100,8 +100,10 @@ bool ui_wide_button(const char *name, const char *help);
 /* Buttons side by side of which one is on; whether another was chosen. */
 bool ui_segments(const char *id, int *value, const char *const *names, int count);
 
-/* A line that can be chosen, with a patch of colour and a share as a bar behind it. */
-bool ui_list_item(const char *text, uint32_t color, float share, bool chosen);
+/* A line that can be chosen: a patch of colour, a name, and two texts in columns of their own; a
+ * share as a bar behind. */
+bool ui_list_item(uint32_t color, const char *name, const char *middle, const char *right,
+                  float share, bool chosen);
 
 /* A bar behind a name and a value: a share of a whole. */
 void ui_bar(const char *name, int indent, float share, const char *format, ...)

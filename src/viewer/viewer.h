@@ -74,6 +74,7 @@ struct viewer {
     struct light_tool light_tool;
     struct pick pick;
     bool has_pick;
+    double pick_motion; /* pace.last_motion when it was read */
     bool show_panel, show_overlay, show_help;
     int fixed_width, fixed_height;      /* of the picture; 0 = as large as the window lets it */
     struct rectangle area;              /* of the window that the picture may take */
