@@ -246,6 +246,8 @@ static void test_lights_are_kept(void **state) {
     settings.exposure = 1;
     check_ok("exposure", renderer_configure(&renderer, 0, &settings));
     check_frame("exposure", &renderer, false);
+    check_ok("size", renderer_resize(&renderer, 57, 31));
+    check_frame("size", &renderer, false);
     light.position[1] -= .1F;
     check_ok("light", renderer_update(&renderer, &light, &camera));
     check_frame("light", &renderer, true);

@@ -1,8 +1,7 @@
 /* Direct light with a hard shadow map [Dong 2009 §6].
  *
- * The map is the light's depth, D32F reversed, one layer a light view. The lookup compares the four
- * nearest texels and weights the results, so that the shadow's edge is a texel wide and not
- * stepped.
+ * The lookup compares the four nearest texels and weights the results, so that the shadow's edge is
+ * a texel wide and not stepped.
  */
 #ifndef PASSES_DIRECT_H
 #define PASSES_DIRECT_H
@@ -11,30 +10,23 @@
 
 struct direct_desc {
     int width, height;
-    int shadow_size; /* texels a side; of a cube's faces half as many */
-    int light_views;
     float bias; /* receiver offset along its normal, in shadow texels */
 };
 
 struct direct_pass {
     struct direct_desc desc;
-    GLuint opaque_program, masked_program, direct_program;
-    struct texture shadow_map;
+    GLuint program;
     struct texture
         direct; /* R32F: irradiance over intensity (W/m2 per W/sr), times light.direct_scale */
-    GLuint shadow_framebuffer, direct_framebuffer;
+    GLuint framebuffer;
     struct buffer params;
-    int shadow_size;
 };
 
 bool direct_pass_init(struct direct_pass *pass, const struct direct_desc *desc);
 void direct_pass_free(struct direct_pass *pass);
 
-/* Depth from the light, for any number of cameras. Timer "shadow map". */
-void direct_pass_render_shadow_map(const struct direct_pass *pass, const struct frame *frame);
-
-/* What the G-buffer gets of the light. Timer "direct". */
+/* From the depth that each light view sees, a layer each. Timer "direct". */
 void direct_pass_render(const struct direct_pass *pass, const struct frame *frame,
-                        const struct gbuffer *gbuffer);
+                        const struct gbuffer *gbuffer, const struct texture *shadow_map);
 
 #endif

@@ -30,11 +30,13 @@ enum part {
     PART_SCENE = 1,      /* caster, scene: caster_edge, caster_weld */
     PART_SIZE = 2,       /* G-buffer, composite: size */
     PART_GEOMETRY = 4,   /* nothing but shaders */
-    PART_DIRECT = 8,     /* size, shadow settings, number of light views */
-    PART_TECHNIQUE = 16, /* size, technique, all settings, number of light views */
-    PART_ALL = 31,
+    PART_SHADOW = 8,     /* shadow_size, number of light views */
+    PART_DIRECT = 16,    /* size, shadow_bias */
+    PART_TECHNIQUE = 32, /* technique, all settings, number of light views; the size it takes as it
+                            is */
+    PART_ALL = 63,
     PART_SHADERS = PART_ALL & ~PART_SCENE,
-    PART_LIGHTS = PART_SCENE | PART_DIRECT | PART_TECHNIQUE, /* what render_lights draws with */
+    PART_LIGHTS = PART_SCENE | PART_SHADOW | PART_TECHNIQUE, /* what render_lights draws with */
 };
 
 static bool init_scene(struct renderer *renderer) {
@@ -53,15 +55,17 @@ static bool init_size(struct renderer *renderer) {
                                &(struct composite_desc){desc->width, desc->height});
 }
 
+static bool init_shadow(struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    return shadow_map_pass_init(
+        &renderer->shadow_map,
+        &(struct shadow_map_desc){desc->settings.shadow_size, light_view_count(&desc->light)});
+}
+
 static bool init_direct(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
-    return direct_pass_init(&renderer->direct, &(struct direct_desc){
-                                                   .width = desc->width,
-                                                   .height = desc->height,
-                                                   .shadow_size = desc->settings.shadow_size,
-                                                   .light_views = light_view_count(&desc->light),
-                                                   .bias = desc->settings.shadow_bias,
-                                               });
+    return direct_pass_init(&renderer->direct, &(struct direct_desc){desc->width, desc->height,
+                                                                     desc->settings.shadow_bias});
 }
 
 static bool init_technique(struct renderer *renderer) {
@@ -80,6 +84,7 @@ static bool init_parts(struct renderer *renderer, unsigned parts) {
     return (!(parts & PART_SCENE) || init_scene(renderer)) &&
            (!(parts & PART_SIZE) || init_size(renderer)) &&
            (!(parts & PART_GEOMETRY) || geometry_pass_init(&renderer->geometry)) &&
+           (!(parts & PART_SHADOW) || init_shadow(renderer)) &&
            (!(parts & PART_DIRECT) || init_direct(renderer)) &&
            (!(parts & PART_TECHNIQUE) || init_technique(renderer));
 }
@@ -112,6 +117,7 @@ void renderer_free(struct renderer *renderer) {
     scene_gpu_free(&renderer->scene);
     gbuffer_free(&renderer->gbuffer);
     geometry_pass_free(&renderer->geometry);
+    shadow_map_pass_free(&renderer->shadow_map);
     direct_pass_free(&renderer->direct);
     composite_pass_free(&renderer->composite);
     if (renderer->technique)
@@ -145,6 +151,8 @@ static void swap_parts(struct renderer *a, struct renderer *b, unsigned parts) {
     }
     if (parts & PART_GEOMETRY)
         SWAP(geometry);
+    if (parts & PART_SHADOW)
+        SWAP(shadow_map);
     if (parts & PART_DIRECT)
         SWAP(direct);
     if (parts & PART_TECHNIQUE) {
@@ -153,10 +161,18 @@ static void swap_parts(struct renderer *a, struct renderer *b, unsigned parts) {
     }
 }
 
+/* Where the technique stays, it takes another size as it is: its lights do not depend on it. */
+static bool resize_technique(struct renderer *renderer, const struct renderer_desc *desc) {
+    bool same = desc->width == renderer->desc.width && desc->height == renderer->desc.height;
+    return same ||
+           renderer->technique->resize(renderer->technique_state, desc->width, desc->height);
+}
+
 /* The new parts are made beside the old ones, which go only when all are there. */
 static bool change(struct renderer *renderer, const struct renderer_desc *desc, unsigned parts) {
     struct renderer fresh = {.desc = *desc};
-    bool ok = init_parts(&fresh, parts);
+    bool ok =
+        init_parts(&fresh, parts) && (parts & PART_TECHNIQUE || resize_technique(renderer, desc));
     if (ok) {
         swap_parts(renderer, &fresh, parts);
         renderer->desc = *desc;
@@ -177,8 +193,9 @@ static unsigned parts_of_setting(const struct option *option) {
     if (option->offset == offsetof(struct settings, caster_edge) ||
         option->offset == offsetof(struct settings, caster_weld))
         return PART_SCENE;
-    if (option->offset == offsetof(struct settings, shadow_size) ||
-        option->offset == offsetof(struct settings, shadow_bias))
+    if (option->offset == offsetof(struct settings, shadow_size))
+        return PART_SHADOW;
+    if (option->offset == offsetof(struct settings, shadow_bias))
         return PART_DIRECT;
     return PART_TECHNIQUE;
 }
@@ -200,7 +217,7 @@ bool renderer_resize(struct renderer *renderer, int width, int height) {
         return true;
     desc.width = width;
     desc.height = height;
-    return change(renderer, &desc, PART_SIZE | PART_DIRECT | PART_TECHNIQUE);
+    return change(renderer, &desc, PART_SIZE | PART_DIRECT);
 }
 
 bool renderer_set_light(struct renderer *renderer, const struct light *light) {
@@ -208,7 +225,7 @@ bool renderer_set_light(struct renderer *renderer, const struct light *light) {
     bool same_views = light_view_count(light) == light_view_count(&desc.light);
     renderer->lights_drawn &= memcmp(light, &desc.light, sizeof *light) == 0;
     desc.light = *light;
-    return change(renderer, &desc, same_views ? 0 : PART_DIRECT | PART_TECHNIQUE);
+    return change(renderer, &desc, same_views ? 0 : PART_SHADOW | PART_TECHNIQUE);
 }
 
 void renderer_set_camera(struct renderer *renderer, const struct camera *camera) {
@@ -271,7 +288,7 @@ void renderer_bind_frame(const struct renderer *renderer) {
 static void render_lights(struct renderer *renderer, const struct frame *frame) {
     if (renderer->lights_drawn && renderer->desc.keep_lights)
         return;
-    direct_pass_render_shadow_map(&renderer->direct, frame);
+    shadow_map_pass_render(&renderer->shadow_map, frame);
     renderer->technique->render_lights(renderer->technique_state, frame);
     renderer->lights_drawn = true;
 }
@@ -283,7 +300,7 @@ void renderer_render(struct renderer *renderer) {
     renderer_bind_frame(renderer);
     render_lights(renderer, &frame);
     geometry_pass_render_camera(&renderer->geometry, &frame, &renderer->gbuffer);
-    direct_pass_render(&renderer->direct, &frame, &renderer->gbuffer);
+    direct_pass_render(&renderer->direct, &frame, &renderer->gbuffer, &renderer->shadow_map.map);
     renderer->technique->render_view(renderer->technique_state, &frame, &renderer->gbuffer);
     composite_pass_render(&renderer->composite, &frame, &inputs);
     timer_end(&renderer->timers);

@@ -10,6 +10,7 @@
 #include "passes/composite.h"
 #include "passes/direct.h"
 #include "passes/geometry.h"
+#include "passes/shadow_map.h"
 #include "scene/view.h"
 #include "techniques/technique.h"
 
@@ -37,6 +38,7 @@ struct renderer {
     struct scene_gpu scene;
     struct gbuffer gbuffer;
     struct geometry_pass geometry;
+    struct shadow_map_pass shadow_map;
     struct direct_pass direct;
     struct composite_pass composite;
     const struct technique *technique;

@@ -96,6 +96,22 @@ static bool init(void **state, const struct technique_desc *desc) {
            init_blocks(technique, desc, lookup);
 }
 
+static bool resize(void *state, int width, int height) {
+    struct clustered *technique = state;
+    struct block_visibility_desc desc = technique->blocks.desc;
+    struct block_visibility_pass blocks = {0};
+    desc.width = width;
+    desc.height = height;
+    if ((technique->share && !block_visibility_pass_init(&blocks, &desc)) ||
+        !many_lights_resize(&technique->lights, width, height)) {
+        block_visibility_pass_free(&blocks);
+        return false;
+    }
+    block_visibility_pass_free(&technique->blocks);
+    technique->blocks = blocks;
+    return true;
+}
+
 static void render_maps(struct clustered *technique, const struct frame *frame) {
     timer_begin(frame->timers, "cssm");
     paraboloid_pass_render(&technique->paraboloid, frame, &technique->cluster.views);
@@ -150,6 +166,7 @@ const struct technique clustered_technique = {
     .help = "soft shadow maps of clusters of VPLs",
     .init = init,
     .free = free_state,
+    .resize = resize,
     .render_lights = render_lights,
     .render_view = render_view,
     .outputs = outputs,

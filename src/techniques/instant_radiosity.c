@@ -37,6 +37,11 @@ static bool init(void **state, const struct technique_desc *desc) {
                                                         });
 }
 
+static bool resize(void *state, int width, int height) {
+    struct instant_radiosity *technique = state;
+    return many_lights_resize(&technique->lights, width, height);
+}
+
 static void render_lights(void *state, const struct frame *frame) {
     struct instant_radiosity *technique = state;
     many_lights_render_vpls(&technique->lights, frame);
@@ -75,6 +80,7 @@ const struct technique instant_radiosity_technique = {
     .help = "a hard shadow map per VPL",
     .init = init,
     .free = free_state,
+    .resize = resize,
     .render_lights = render_lights,
     .render_view = render_view,
     .outputs = outputs,

@@ -89,6 +89,26 @@ void many_lights_free(struct many_lights *lights) {
     blur_pass_free(&lights->blur);
 }
 
+bool many_lights_resize(struct many_lights *lights, int width, int height) {
+    struct gather_desc gather_desc = lights->gather.desc;
+    struct blur_desc blur_desc = lights->blur.desc;
+    struct gather_pass gather;
+    struct blur_pass blur;
+    gather_desc.width = blur_desc.width = width;
+    gather_desc.height = blur_desc.height = height;
+    if (!gather_pass_init(&gather, &gather_desc))
+        return false;
+    if (!blur_pass_init(&blur, &blur_desc)) {
+        gather_pass_free(&gather);
+        return false;
+    }
+    gather_pass_free(&lights->gather);
+    blur_pass_free(&lights->blur);
+    lights->gather = gather;
+    lights->blur = blur;
+    return true;
+}
+
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame) {
     geometry_pass_render_light(&lights->geometry, frame, &lights->rsm);
     vpl_pass_render(&lights->vpl, frame, &lights->rsm, &lights->vpls);

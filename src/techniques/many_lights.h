@@ -36,6 +36,9 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
                       const struct many_lights_visibility *visibility);
 void many_lights_free(struct many_lights *lights);
 
+/* As technique->resize. */
+bool many_lights_resize(struct many_lights *lights, int width, int height);
+
 /* RSM and VPLs, into lights->vpls. */
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame);
 

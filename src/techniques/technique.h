@@ -31,6 +31,9 @@ struct technique {
     /* Allocates and compiles all there is. Error: of the first pass that fails. */
     bool (*init)(void **state, const struct technique_desc *desc);
     void (*free)(void *state);
+    /* Another size of picture; the lights that were rendered stay. Error: out of GPU memory; all is
+     * as it was. */
+    bool (*resize)(void *state, int width, int height);
     /* Both cannot fail, allocate or compile. What no camera can change, to be used by any number
      * of views; and what one camera's G-buffer sees of it. */
     void (*render_lights)(void *state, const struct frame *frame);

@@ -17,6 +17,10 @@ static bool init(void **state, const struct technique_desc *desc) {
         *state, desc, &(struct many_lights_visibility){VISIBILITY_LOOKUP_NONE, .map_count = 1});
 }
 
+static bool resize(void *state, int width, int height) {
+    return many_lights_resize(state, width, height);
+}
+
 static void render_lights(void *state, const struct frame *frame) {
     many_lights_render_vpls(state, frame);
 }
@@ -39,6 +43,7 @@ const struct technique unshadowed_technique = {
     .help = "all VPLs, no visibility",
     .init = init,
     .free = free_state,
+    .resize = resize,
     .render_lights = render_lights,
     .render_view = render_view,
     .outputs = outputs,
