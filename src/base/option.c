@@ -288,10 +288,18 @@ static void describe_range(const struct option *o, char *text, size_t size) {
     }
 }
 
+/* What goes on in a new line stands below its beginning. */
+static void print_indented(FILE *out, const char *text) {
+    for (; *text; text++)
+        fprintf(out, *text == '\n' ? "\n%29s" : "%.1s", *text == '\n' ? "" : text);
+}
+
 void options_print_help(FILE *out, const struct option *table, const char *prefix) {
     static const char *const value_names[] = {"", "N", "X", "NAME", "TEXT", "TEXT", "WxH"};
     for (const struct option *o = table; o->name; o++) {
         char left[96], range[512], letter[8] = "";
+        if (o->group)
+            fprintf(out, "\n  %s:\n", o->group);
         if (o->letter)
             snprintf(letter, sizeof letter, "-%c, ", o->letter);
         const char *value = o->value_name ? o->value_name : value_names[o->type];
@@ -299,6 +307,8 @@ void options_print_help(FILE *out, const struct option *table, const char *prefi
         snprintf(left, sizeof left, "%s%s%s%s%s", letter, prefix, o->name, shown ? " " : "",
                  shown ? value : "");
         describe_range(o, range, sizeof range);
-        fprintf(out, "  %-26s %s%s\n", left, o->help, range);
+        fprintf(out, "  %-26s ", left);
+        print_indented(out, o->help);
+        fprintf(out, "%s\n", range);
     }
 }

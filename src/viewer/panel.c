@@ -174,12 +174,17 @@ static bool draw_setting(const struct option *option, struct settings *settings)
 
 static bool draw_settings(struct settings *settings, bool of_picture) {
     bool changed = false;
-    for (const struct option *option = settings_table; option->name; option++)
-        if (option->reinit != of_picture && draw_setting(option, settings)) {
+    for (const struct option *option = settings_table; option->name; option++) {
+        if (option->reinit == of_picture)
+            continue;
+        if (option->group && !of_picture)
+            ui_heading(option->group);
+        if (draw_setting(option, settings)) {
             if (option->offset == offsetof(struct settings, path))
                 settings_apply_path(settings);
             changed = true;
         }
+    }
     return changed;
 }
 

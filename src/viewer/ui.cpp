@@ -10,8 +10,10 @@ extern "C" {
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <cstdarg>
 #include <cstdio>
+#include <string>
 #include <unistd.h>
 
 namespace {
@@ -128,7 +130,9 @@ void explain(const char *help) {
         return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(units(22));
-    ImGui::TextUnformatted(help);
+    std::string text = help; /* its lines are a terminal's */
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
@@ -256,6 +260,11 @@ bool ui_section(const char *title, bool open_at_first) {
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
     return open;
+}
+
+void ui_heading(const char *title) {
+    ImGui::Dummy(ImVec2(0, units(.2F)));
+    ui_text(UI_ACCENT, "%s", title);
 }
 
 void ui_separator(void) {

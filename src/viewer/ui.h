@@ -45,6 +45,9 @@ void ui_area_end(void);
 /* A heading that opens and closes; whether it is open. */
 bool ui_section(const char *title, bool open_at_first);
 
+/* A small title within a section. */
+void ui_heading(const char *title);
+
 /* A thin line with space around. */
 void ui_separator(void);
 void ui_space(void);
