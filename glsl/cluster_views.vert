@@ -1,5 +1,8 @@
 // Vertex k becomes the paraboloid view from VAL k. The extent is the side of the square as large as the
 // bounding rectangle.
+//
+// The mean of VPLs on a ball lies within the ball, which then hides all the rest: a mean behind the tangent
+// plane of the VPL that is nearest to it is moved onto that plane, and the map looks from there.
 #include "lib/frame.glsl"
 #include "lib/map_range.glsl"
 #include "shared/params.h"
@@ -10,17 +13,35 @@ layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
 layout(binding = 0) uniform sampler2D val_positions;
 layout(binding = 1) uniform sampler2D val_normals;
 layout(binding = 2) uniform sampler2D val_extremes;
+layout(binding = 3) uniform samplerBuffer vpls; // with their VALs' numbers
 
 out vec4 view_center, view_axis, view_tangent;
 
+vec3 on_surface(int k, vec3 center, vec3 mean) {
+    vec3 foot = center;
+    float least = 1e30;
+    for (int i = 0; i < int(params.vpl_count); i++) {
+        vec4 position = texelFetch(vpls, 3 * i);
+        vec3 normal = texelFetch(vpls, 3 * i + 1).xyz;
+        bool lights = int(position.w) == k && texelFetch(vpls, 3 * i + 2).w > 0.0;
+        float angle = acos(clamp(dot(normal, mean), -1.0, 1.0));
+        float d = params.weight_position * distance(position.xyz, center) + params.weight_normal * angle;
+        if (lights && d < least) {
+            least = d;
+            foot = center + normal * max(dot(position.xyz - center, normal), 0.0);
+        }
+    }
+    return foot;
+}
+
 void main() {
     ivec2 k = ivec2(gl_VertexID, 0);
-    vec4 position = texelFetch(val_positions, k, 0);
     vec3 normal = texelFetch(val_normals, k, 0).xyz;
+    vec3 center = on_surface(gl_VertexID, texelFetch(val_positions, k, 0).xyz, normal);
     vec4 extremes = texelFetch(val_extremes, k, 0);
     vec2 sides = max(extremes.xy + extremes.zw, vec2(0.0));
-    float z_far = farthest_corner(position.xyz, params.bounds_min.xyz, params.bounds_max.xyz);
-    view_center = vec4(position.xyz, z_far / params.depth_range);
+    float z_far = farthest_corner(center, params.bounds_min.xyz, params.bounds_max.xyz);
+    view_center = vec4(center, z_far / params.depth_range);
     view_axis = vec4(normal, sqrt(sides.x * sides.y));
     view_tangent = vec4(perpendicular(normal), params.near_clip);
 }

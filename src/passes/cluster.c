@@ -204,6 +204,8 @@ void cluster_pass_render(struct cluster_pass *pass, const struct frame *frame,
     pass_set_state(&state);
     bind_centers(centers);
     gl.BindTextureUnit(2, pass->extremes.id);
+    gl.TextureBuffer(pass->vpl_texture, GL_RGBA32F, pass->vpls.buffer.id);
+    gl.BindTextureUnit(3, pass->vpl_texture);
     pass_feedback(pass->views.buffer.id, 0, pass->desc.val_count);
     timer_end(frame->timers);
 }
