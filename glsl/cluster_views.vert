@@ -17,18 +17,21 @@ layout(binding = 3) uniform samplerBuffer vpls; // with their VALs' numbers
 
 out vec4 view_center, view_axis, view_tangent;
 
-vec3 on_surface(int k, vec3 center, vec3 mean) {
+// spacing: of the VPLs there, metres.
+vec3 on_surface(int k, vec3 center, vec3 mean, out float spacing) {
     vec3 foot = center;
     float least = 1e30;
+    spacing = 0.0;
     for (int i = 0; i < int(params.vpl_count); i++) {
         vec4 position = texelFetch(vpls, 3 * i);
-        vec3 normal = texelFetch(vpls, 3 * i + 1).xyz;
+        vec4 normal = texelFetch(vpls, 3 * i + 1);
         bool lights = int(position.w) == k && texelFetch(vpls, 3 * i + 2).w > 0.0;
-        float angle = acos(clamp(dot(normal, mean), -1.0, 1.0));
+        float angle = acos(clamp(dot(normal.xyz, mean), -1.0, 1.0));
         float d = params.weight_position * distance(position.xyz, center) + params.weight_normal * angle;
         if (lights && d < least) {
             least = d;
-            foot = center + normal * max(dot(position.xyz - center, normal), 0.0);
+            foot = center + normal.xyz * max(dot(position.xyz - center, normal.xyz), 0.0);
+            spacing = sqrt(normal.w);
         }
     }
     return foot;
@@ -37,11 +40,14 @@ vec3 on_surface(int k, vec3 center, vec3 mean) {
 void main() {
     ivec2 k = ivec2(gl_VertexID, 0);
     vec3 normal = texelFetch(val_normals, k, 0).xyz;
-    vec3 center = on_surface(gl_VertexID, texelFetch(val_positions, k, 0).xyz, normal);
+    float spacing;
+    vec3 center = on_surface(gl_VertexID, texelFetch(val_positions, k, 0).xyz, normal, spacing);
     vec4 extremes = texelFetch(val_extremes, k, 0);
     vec2 sides = max(extremes.xy + extremes.zw, vec2(0.0));
     float z_far = farthest_corner(center, params.bounds_min.xyz, params.bounds_max.xyz);
     view_center = vec4(center, z_far / params.depth_range);
-    view_axis = vec4(normal, sqrt(sides.x * sides.y));
-    view_tangent = vec4(perpendicular(normal), params.near_clip);
+    float extent = sqrt(sides.x * sides.y);
+    view_axis = vec4(normal, extent);
+    // What the VAL itself spans may be left out, but no more, however large the scene is.
+    view_tangent = vec4(perpendicular(normal), min(params.near_clip, max(extent, spacing)));
 }

@@ -10,12 +10,24 @@ struct cell {
     int32_t at[3], part;
 };
 
+/* A small thing in a large scene keeps its shape: cells are at most so large, over its diagonal. */
+static const float part_fraction = 0.01f;
+
 /* Open addressing; each slot has the vertex that came first, plus one. */
 struct grid {
     const struct geometry *geometry;
-    float size;
+    float size; /* of the present part's cells */
     uint32_t *slots, mask;
 };
+
+static float diagonal(const struct geometry_part *part) {
+    float sum = 0;
+    for (int c = 0; c < 3; c++) {
+        float side = part->bounds_max[c] - part->bounds_min[c];
+        sum += side * side;
+    }
+    return sqrtf(sum);
+}
 
 static struct cell cell_of(const struct grid *grid, uint32_t vertex, int part) {
     struct cell cell = {.part = part};
@@ -52,11 +64,12 @@ uint32_t *weld_vertices(const struct geometry *geometry, float cell) {
     uint32_t *first = mem_alloc(geometry->vertex_count, sizeof *first), size = 16;
     while (size < 2 * geometry->vertex_count)
         size *= 2;
-    struct grid grid = {geometry, cell, mem_alloc(size, sizeof(uint32_t)), size - 1};
+    struct grid grid = {geometry, 0, mem_alloc(size, sizeof(uint32_t)), size - 1};
     for (uint32_t i = 0; i < geometry->vertex_count; i++)
         first[i] = i;
     for (int part = 0; part < geometry->part_count; part++) {
         const struct geometry_part *range = &geometry->parts[part];
+        grid.size = fminf(cell, part_fraction * diagonal(range));
         for (uint32_t i = 0; i < range->vertex_count; i++)
             first[range->first_vertex + i] = first_in_cell(&grid, range->first_vertex + i, part);
     }

@@ -6,8 +6,8 @@
 
 #include "scene/geometry.h"
 
-/* For each vertex the first one of its part within the same cell of this size, in metres; to be
- * freed. */
+/* For each vertex the first one of its part within the same cell of this size, in metres, or
+ * smaller in small parts; to be freed. */
 uint32_t *weld_vertices(const struct geometry *geometry, float cell);
 
 #endif

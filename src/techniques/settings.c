@@ -57,7 +57,8 @@ const struct option settings_table[] = {
     {"map-bias", 0, OPTION_FLOAT, FIELD(map_bias), .005, 0, 1,
      .help = "depth bias of hard lookups, of the distance", .reinit = true},
     {"near-clip", 0, OPTION_FLOAT, FIELD(near_clip), .01, 0, 1,
-     .help = "casters nearer to a VAL's centre are ignored, over the scene's radius",
+     .help = "casters nearer to a VAL's centre are ignored, over the scene's radius; at most\n"
+             "                             the VAL's extent",
      .reinit = true},
     {"shift", 0, OPTION_FLOAT, FIELD(shift), .25, 0, 2,
      .help = "ringing suppression: shift of the receiver depth, over 1/(2K)", .reinit = true},
