@@ -4,8 +4,8 @@
 #ifndef APPS_FAILURE_ROWS_H
 #define APPS_FAILURE_ROWS_H
 
-/* In this order everywhere: names of the benchmark's variants. */
-enum { FAILURE_TECHNIQUES = 4 };
+/* In this order everywhere, as the benchmark's variants: NAME:KEY=VALUE,... */
+enum { FAILURE_TECHNIQUES = 5, FAILURE_FRAME = 4 };
 extern const char *const failure_techniques[FAILURE_TECHNIQUES];
 
 struct failure_row {
@@ -14,8 +14,8 @@ struct failure_row {
     const char *camera, *light; /* as scene/placing.h has it; NULL = the first */
     const char *settings;       /* "key=value,..." over each technique's own; NULL = none */
     int width, height;          /* 0 = as asked for */
-    /* Of the relative RMSE of the indirect light, in per cent: what is known and held, at 120x90
-     * and the default settings. 0 = none: nothing is promised. */
+    /* Of the relative RMSE of the indirect light, in per cent: what is known and held, at 160x120.
+     * 0 = none: nothing is promised. */
     double bounds[FAILURE_TECHNIQUES];
 };
 

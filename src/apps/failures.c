@@ -17,6 +17,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Of the part before the colon. */
+static int name_length(int technique) {
+    return (int)strcspn(failure_techniques[technique], ":");
+}
+
 /* --- one row ---------------------------------------------------------------------------------- */
 
 static int count_non_finite(const struct image *image) {
@@ -136,7 +141,8 @@ bool failure_measure(const struct failure_row *row, const struct bench_values *v
         &run.stage,
         &(struct stage_desc){.path = row->scene, .camera = row->camera, .light = row->light});
     for (int t = 0; ok && t < FAILURE_TECHNIQUES; t++)
-        ok = measure(&run, t, &results[t]) || error_prefix("%s", failure_techniques[t]);
+        ok = measure(&run, t, &results[t]) ||
+             error_prefix("%.*s", name_length(t), failure_techniques[t]);
     ok = ok && draw(&run);
     for (int t = 0; t < FAILURE_TECHNIQUES; t++)
         image_free(&run.tests[t]);
@@ -157,7 +163,7 @@ bool failure_holds(const struct failure_row *row, int technique,
 static void print_head(void) {
     printf("%-18s", "");
     for (int t = 0; t < FAILURE_TECHNIQUES; t++)
-        printf("  %-24s", failure_techniques[t]);
+        printf("  %-24.*s", name_length(t), failure_techniques[t]);
     printf("\n%-18s", "per cent");
     for (int t = 0; t < FAILURE_TECHNIQUES; t++)
         printf("  %7s %7s %8s", "rRMSE", "bias", "worst");
@@ -181,10 +187,11 @@ static void print_row(const struct failure_row *row, const struct failure_result
 static void write_row(FILE *csv, const struct failure_row *row,
                       const struct failure_result *results) {
     for (int t = 0; t < FAILURE_TECHNIQUES; t++)
-        fprintf(csv, "%s,%s,\"%s\",%.5g,%.5g,%.5g,%d,%d,%d,%d,%.4g,%s\n", row->name,
-                failure_techniques[t], row->settings ? row->settings : "", results[t].relative_rmse,
-                results[t].relative_bias, results[t].worst, results[t].worst_x, results[t].worst_y,
-                results[t].non_finite, results[t].messages, row->bounds[t] / 100, MANYLIGHT_COMMIT);
+        fprintf(csv, "%s,%.*s,\"%s\",%.5g,%.5g,%.5g,%d,%d,%d,%d,%.4g,%s\n", row->name,
+                name_length(t), failure_techniques[t], row->settings ? row->settings : "",
+                results[t].relative_rmse, results[t].relative_bias, results[t].worst,
+                results[t].worst_x, results[t].worst_y, results[t].non_finite, results[t].messages,
+                row->bounds[t] / 100, MANYLIGHT_COMMIT);
 }
 
 /* Prints and writes one row; counts what does not hold. */
