@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #define MOVING "scenes/metaballs.glb"
+#define BOX "scenes/cornell-box.glb"
 
 static unsigned long viewer_window(void) {
     char output[256];
@@ -166,10 +167,46 @@ static void test_end(void **state) {
     end_viewer();
 }
 
+/* Left the technique, right what was rendered before, read from its EXR and toned alike. */
+static void test_reference(void **state) {
+    (void)state;
+    if (!stage.server)
+        skip();
+    char path[700], arguments[800];
+    snprintf(path, sizeof path, "%s/reference.exr", stage.folder);
+    assert_int_equal(shell("%s render --size %dx%d %s " BOX " -q -o %s", stage.binary, WIDTH,
+                           HEIGHT, CHEAP, path),
+                     0);
+    snprintf(arguments, sizeof arguments, "--technique unshadowed --reference %s", path);
+    start_viewer(BOX, arguments);
+    struct bitmap left = offscreen(BOX " --technique unshadowed"), right = offscreen(BOX),
+                  shown = screenshot();
+    int wrong = 0, apart = 0;
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++) {
+            const unsigned char *expected = pixel(x < WIDTH / 2 ? &left : &right, x, y),
+                                *got = pixel(&shown, x, y);
+            /* Half floats in the file. */
+            for (int c = 0; c < 3; c++)
+                wrong += abs(expected[c] - got[c]) > (x < WIDTH / 2 ? 0 : 1);
+            apart += memcmp(pixel(&left, x, y), pixel(&right, x, y), 3) != 0;
+        }
+    printf("    wipe against a reference: %d values wrong, %d pixels differ between the two\n",
+           wrong, apart);
+    assert_int_equal(wrong, 0);
+    assert_true(apart > WIDTH * HEIGHT / 20);
+    bitmap_free(&left);
+    bitmap_free(&right);
+    bitmap_free(&shown);
+    end_viewer();
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_play), cmocka_unit_test(test_layers), cmocka_unit_test(test_load),
-        cmocka_unit_test(test_drop), cmocka_unit_test(test_copy),   cmocka_unit_test(test_end),
+        cmocka_unit_test(test_play),      cmocka_unit_test(test_layers),
+        cmocka_unit_test(test_load),      cmocka_unit_test(test_drop),
+        cmocka_unit_test(test_copy),      cmocka_unit_test(test_end),
+        cmocka_unit_test(test_reference),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

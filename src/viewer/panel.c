@@ -59,7 +59,9 @@ static void draw_animation(struct viewer *viewer) {
     draw_clip(viewer);
     if (duration <= 0)
         return;
-    struct ui_row time_row = {.name = "time", .help = "of the animation, seconds; Space plays"},
+    struct ui_row time_row = {.name = "time",
+                              .help = "of the animation, seconds; Space plays",
+                              .even = true},
                   speed_row = {.name = "speed",
                                .help = "seconds of the animation a second",
                                .differs = play->speed != 1},

@@ -338,7 +338,7 @@ ui_result ui_flag(const ui_row *row, bool *value) {
 ui_result ui_int(const ui_row *row, int *value, int minimum, int maximum) {
     row_begin(row);
     ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
-    if (is_wide(minimum, maximum))
+    if (is_wide(minimum, maximum) && !row->even)
         flags |= ImGuiSliderFlags_Logarithmic;
     return row_end(row, ImGui::SliderInt("##", value, minimum, maximum, "%d", flags));
 }
@@ -346,7 +346,7 @@ ui_result ui_int(const ui_row *row, int *value, int minimum, int maximum) {
 ui_result ui_float(const ui_row *row, float *value, float minimum, float maximum) {
     row_begin(row);
     ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat;
-    if (is_wide(minimum, maximum))
+    if (is_wide(minimum, maximum) && !row->even)
         flags |= ImGuiSliderFlags_Logarithmic;
     return row_end(row, ImGui::SliderFloat("##", value, minimum, maximum, "%.4g", flags));
 }
