@@ -151,6 +151,8 @@ static void outputs(const void *state, struct technique_outputs *outputs) {
     const struct val_targets *centers = cluster_pass_centers(&technique->cluster);
     many_lights_outputs(&technique->lights, outputs);
     outputs->vpls = &technique->cluster.vpls;
+    if (technique->share)
+        outputs->visibility = &technique->blocks.desc.visibility;
     outputs->val_views = &technique->cluster.views;
     outputs->val_positions = &centers->position;
     outputs->val_normals = &centers->normal;

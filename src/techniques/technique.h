@@ -21,7 +21,8 @@ struct technique_outputs {
     const struct map_views *val_views;
     const struct texture *val_positions, *val_normals, *val_fluxes; /* M x 1 */
     const struct texture *val_extremes; /* bounding rectangles: max s, max t, -min s, -min t */
-    const struct visibility_desc *visibility; /* how the gather looks maps up */
+    const struct visibility_desc
+        *visibility; /* how maps are looked up; by blocks, where they are */
     const struct depth_maps *depth_maps;
     const struct basis_maps *basis_maps;
 };

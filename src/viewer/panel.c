@@ -212,7 +212,8 @@ static void draw_buffer(struct viewer *viewer) {
     }
     int layers = inspect_layers(&viewer->renderer, choice->kind);
     struct ui_row layer = {.name = "layer",
-                           .help = "-1 = a sheet of all; a click on one shows it alone",
+                           .help = "one alone, or a sheet of all; a click on one shows it",
+                           .least = "all",
                            .differs = choice->layer >= 0};
     if (layers > 1 && (result = ui_int(&layer, &choice->layer, -1, layers - 1)) != UI_NOTHING) {
         choice->layer = result == UI_RESET ? -1 : choice->layer;
@@ -223,9 +224,9 @@ static void draw_buffer(struct viewer *viewer) {
 static void draw_picture(struct viewer *viewer) {
     static const char *const names[] = {"full", "indirect", "direct"};
     static const int layers[] = {LAYER_BEAUTY, LAYER_INDIRECT, LAYER_DIRECT};
-    int shown = 0;
+    int shown = -1; /* none of them while a buffer is looked at */
     for (int i = 0; i < 3; i++)
-        if (layers[i] == viewer->layer)
+        if (layers[i] == viewer->layer && viewer->choice.kind == SHOW_PICTURE)
             shown = i;
     if (ui_segments("light", &shown, names, 3)) {
         viewer->layer = layers[shown];

@@ -340,7 +340,8 @@ ui_result ui_int(const ui_row *row, int *value, int minimum, int maximum) {
     ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     if (is_wide(minimum, maximum) && !row->even)
         flags |= ImGuiSliderFlags_Logarithmic;
-    return row_end(row, ImGui::SliderInt("##", value, minimum, maximum, "%d", flags));
+    const char *format = row->least && *value == minimum ? row->least : "%d";
+    return row_end(row, ImGui::SliderInt("##", value, minimum, maximum, format, flags));
 }
 
 ui_result ui_float(const ui_row *row, float *value, float minimum, float maximum) {

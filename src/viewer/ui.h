@@ -77,6 +77,7 @@ struct ui_row {
     const char *name;
     const char *help;  /* shown while the mouse rests on it; NULL = none */
     bool differs;      /* from the default: the arrow is there */
+    const char *least; /* written in place of the least number of a slider; NULL = the number */
     bool even;         /* a slider moves evenly, however wide its range */
     const char *scope; /* tells rows of the same name apart; NULL = "" */
 };
