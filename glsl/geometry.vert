@@ -1,7 +1,9 @@
 // Draws the scene into a G-buffer: the camera's, or the light's (the reflective shadow map), of which
-// instance i is the i-th view.
+// instance i is the i-th view. Or the camera's depth alone, for antialiasing, instance i shifted by the
+// i-th part of a pixel.
 #extension GL_ARB_shader_viewport_layer_array : require
 #include "shared/light.h"
+#include "shared/params.h"
 
 #ifdef LIGHT_VIEW
 layout(std140, binding = BLOCK_LIGHT) uniform light_uniforms {
@@ -13,6 +15,11 @@ layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
     view camera;
 };
 #define VIEW camera
+#endif
+#ifdef SAMPLE_LAYERS
+layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
+    antialias_params params;
+};
 #endif
 
 layout(location = 0) in vec3 position;
@@ -26,6 +33,9 @@ out vec4 surface_color;
 
 void main() {
     gl_Position = VIEW.world_to_clip * vec4(position, 1.0);
+#ifdef SAMPLE_LAYERS
+    gl_Position.xy += params.shifts[gl_InstanceID].xy * gl_Position.w;
+#endif
     gl_Layer = gl_InstanceID;
     surface_normal = normal;
     surface_uv = uv;

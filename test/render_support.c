@@ -87,6 +87,7 @@ static int technique_index(const char *name) {
 
 static void assign_settings(struct settings *settings, const char *text) {
     options_set_defaults(settings_table, settings);
+    settings->samples = 1;
     char *copy = mem_strdup(text), *rest = NULL;
     for (char *item = strtok_r(copy, " ", &rest); item; item = strtok_r(NULL, " ", &rest))
         check_ok(item, settings_assign(settings, item));

@@ -39,7 +39,8 @@ struct rays {
 void open_rays(struct rays *rays, const struct stage *stage);
 void close_rays(struct rays *rays);
 
-/* The desc of a renderer: settings as "vpls=64 vals=8", in order; the technique by name. */
+/* The desc of a renderer: settings as "vpls=64 vals=8", in order; the technique by name. A pixel is
+ * its centre, which other ways to a pixel's value have too, unless the settings say samples=8. */
 struct renderer_desc desc_of(const struct stage *stage, const char *technique, const char *settings,
                              int width, int height);
 

@@ -1,4 +1,5 @@
 // The layers of a picture, from the buffers of the frame.
+#include "lib/picks.glsl"
 #include "lib/surface.glsl"
 #include "shared/params.h"
 
@@ -13,17 +14,43 @@ layout(binding = 1) uniform sampler2DArray normals;
 layout(binding = 2) uniform sampler2DArray albedos;
 layout(binding = 3) uniform sampler2D directs;
 layout(binding = 4) uniform sampler2D indirects;
+layout(binding = 5) uniform usampler2D sample_picks;
 
-// Irradiance over pi: the radiance of a white surface.
-vec3 direct_layer(ivec2 pixel) {
-    return params.light.rgb * texelFetch(directs, pixel, 0).r;
-}
+// Takes the place of the albedo where it is zero, so that the light on a black surface is told.
+const float LEAST_WEIGHT = 1e-6;
 
-vec3 indirect_layer(ivec2 pixel) {
-    return params.indirect * texelFetch(indirects, pixel, 0).rgb;
-}
+// What the pixel sees, the mean over its samples. Light is irradiance over pi, the radiance of a
+// white surface; weighted by the albedo, so that albedo (direct + indirect) = radiance at edges too.
+struct seen {
+    float coverage;
+    vec3 albedo, direct, indirect, radiance;
+};
 
-// L = albedo (direct + indirect), linear radiance.
-vec3 beauty_layer(ivec2 pixel) {
-    return albedo_fetch(albedos, ivec3(pixel, 0)) * (direct_layer(pixel) + indirect_layer(pixel));
+seen seen_from(ivec2 pixel) {
+    uvec2 picks = texelFetch(sample_picks, min(pixel, textureSize(sample_picks, 0) - 1), 0).rg;
+    ivec2 last = textureSize(depths, 0).xy - 1;
+    int count = picks == uvec2(0u) ? 1 : int(params.light.w);
+    seen sum = seen(0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    vec3 weights = vec3(0.0);
+    for (int i = 0; i < count; i++) {
+        uint pick = pick_of(picks, i);
+        if (pick == PICK_NOTHING)
+            continue;
+        ivec2 texel = clamp(pixel + pick_offset(pick), ivec2(0), last);
+        float present = texelFetch(depths, ivec3(texel, 0), 0).r > 0.0 ? 1.0 : 0.0;
+        vec3 albedo = albedo_fetch(albedos, ivec3(texel, 0));
+        vec3 direct = params.light.rgb * texelFetch(directs, texel, 0).r;
+        vec3 indirect = params.indirect * texelFetch(indirects, texel, 0).rgb;
+        vec3 weight = (albedo + LEAST_WEIGHT) * present;
+        weights += weight;
+        sum.coverage += present;
+        sum.albedo += albedo;
+        sum.direct += weight * direct;
+        sum.indirect += weight * indirect;
+        sum.radiance += albedo * (direct + indirect);
+    }
+    float share = 1.0 / float(count);
+    vec3 weighted = 1.0 / max(weights, vec3(LEAST_WEIGHT));
+    return seen(sum.coverage * share, sum.albedo * share, sum.direct * weighted,
+                sum.indirect * weighted, sum.radiance * share);
 }

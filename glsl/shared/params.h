@@ -83,8 +83,18 @@ struct blur_params {
     float unused;
 };
 
+#define SAMPLES_MAX 16
+#define SAMPLES_PER_LAYER 4
+
+struct antialias_params {
+    vec4 places[SAMPLES_MAX]; /* xy: of the sample from the pixel's centre, pixels */
+    vec4 shifts[SAMPLES_MAX / SAMPLES_PER_LAYER]; /* xy: of each layer, in clip space */
+    float samples;
+    float unused0, unused1, unused2;
+};
+
 struct composite_params {
-    vec4 light;       /* radiance per stored direct value, RGB */
+    vec4 light;       /* radiance per stored direct value, RGB; w: samples of a pixel */
     float indirect;   /* radiance per stored irradiance */
     float exposure;   /* factor */
     float tone_map;   /* 0 clamp, 1 filmic */

@@ -12,7 +12,7 @@
 #include <string.h>
 
 /* Each pixel takes all that the pixels of an interleaving pattern take together. */
-#define EVERY_VPL "interleave=1,near-samples=1024,blur-radius=0"
+#define EVERY_VPL "interleave=1,near-samples=1024,blur-radius=0,samples=1"
 
 const struct budget_step budget_steps[BUDGET_STEPS] = {
     /* A pixel's centre stands for all of it. */
@@ -26,9 +26,13 @@ const struct budget_step budget_steps[BUDGET_STEPS] = {
      false},
     {"soft map per VAL", "technique=clustered,visibility-block=0," EVERY_VPL, false},
     {"visibility per block", "technique=clustered," EVERY_VPL, false},
-    {"interleaved", "technique=clustered,blur-radius=0", false},
-    {"blurred: the frame", "technique=clustered", false},
+    {"interleaved", "technique=clustered,blur-radius=0,samples=1", false},
+    {"blurred", "technique=clustered,samples=1", false},
+    {"antialiased: the frame", "technique=clustered", false},
 };
+
+/* The last one in which a pixel is its centre. */
+enum { LAST_OF_CENTERS = BUDGET_STEPS - 2 };
 
 static double noise_of(const struct image *truth) {
     int indirect[3], error[3];
@@ -75,7 +79,7 @@ static bool measure_steps(struct budget *budget, const struct bench_case *base,
         if (!picture_of(&budget_steps[i], base, desc, &pictures[i]) ||
             !measure_step(budget, i, &pictures[i], i ? &pictures[i - 1] : truth, truth))
             return false;
-    return bench_errors_between(&pictures[BUDGET_STEPS - 1], &pictures[0], &budget->shading);
+    return bench_errors_between(&pictures[LAST_OF_CENTERS], &pictures[0], &budget->shading);
 }
 
 bool budget_make(struct budget *budget, const struct bench_case *base,
@@ -113,7 +117,7 @@ void budget_print(FILE *out, const struct budget *budget) {
         print_errors(out, &budget->so_far[i]);
         fprintf(out, "\n");
     }
-    fprintf(out, "  %-24s %33s   ", "the same but for edges", "");
+    fprintf(out, "  %-24s %33s   ", "blurred, but for edges", "");
     print_errors(out, &budget->shading);
     fprintf(out, "\n");
 }
@@ -138,7 +142,7 @@ bool budget_write_csv(const char *path, const struct budget *budgets, int count)
             print_row(out, &budgets[i], step, "step before", &budgets[i].step[step]);
             print_row(out, &budgets[i], step, "truth", &budgets[i].so_far[step]);
         }
-        print_row(out, &budgets[i], BUDGET_STEPS - 1, "pixel centres", &budgets[i].shading);
+        print_row(out, &budgets[i], LAST_OF_CENTERS, "pixel centres", &budgets[i].shading);
     }
     bool ok = !ferror(out);
     ok = fclose(out) == 0 && ok;

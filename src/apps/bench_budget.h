@@ -15,7 +15,7 @@ struct budget_step {
     bool traced;             /* visibility by ray tracing */
 };
 
-enum { BUDGET_STEPS = 9 };
+enum { BUDGET_STEPS = 10 };
 
 extern const struct budget_step budget_steps[BUDGET_STEPS];
 

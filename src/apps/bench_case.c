@@ -32,6 +32,7 @@ enum bench_step bench_step_of(const char *path) {
         {"gbuffer", STEP_DEFERRED},
         {"shadow map", STEP_DEFERRED},
         {"direct", STEP_DEFERRED},
+        {"antialias", STEP_DEFERRED},
         {"composite", STEP_DEFERRED},
         {"rsm", STEP_VPLS},
         {"vpls", STEP_VPLS},

@@ -21,6 +21,7 @@
     X(PFNGLTEXTURESTORAGE2DPROC, TextureStorage2D)                                                 \
     X(PFNGLTEXTURESTORAGE3DPROC, TextureStorage3D)                                                 \
     X(PFNGLTEXTURESTORAGE2DMULTISAMPLEPROC, TextureStorage2DMultisample)                           \
+    X(PFNGLTEXTURESTORAGE3DMULTISAMPLEPROC, TextureStorage3DMultisample)                           \
     X(PFNGLTEXTURESUBIMAGE1DPROC, TextureSubImage1D)                                               \
     X(PFNGLTEXTURESUBIMAGE2DPROC, TextureSubImage2D)                                               \
     X(PFNGLTEXTURESUBIMAGE3DPROC, TextureSubImage3D)                                               \
@@ -32,6 +33,7 @@
     X(PFNGLBINDTEXTUREUNITPROC, BindTextureUnit)                                                   \
     X(PFNGLBINDTEXTURESPROC, BindTextures)                                                         \
     X(PFNGLGETTEXTUREIMAGEPROC, GetTextureImage)                                                   \
+    X(PFNGLGETMULTISAMPLEFVPROC, GetMultisamplefv)                                                 \
     X(PFNGLGETTEXTURESUBIMAGEPROC, GetTextureSubImage)                                             \
     X(PFNGLGETTEXTURELEVELPARAMETERIVPROC, GetTextureLevelParameteriv)                             \
     X(PFNGLGETTEXTUREPARAMETERIVPROC, GetTextureParameteriv)                                       \

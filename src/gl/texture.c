@@ -31,6 +31,7 @@ static size_t texel_bytes(GLenum format) {
     case GL_RGBA16:
     case GL_RGBA16F:
     case GL_RG32F:
+    case GL_RG32UI:
         return 8;
     case GL_RGBA32F:
     case GL_RGBA32UI:
@@ -50,7 +51,7 @@ static size_t storage_bytes(const struct texture_desc *desc) {
     for (int level = 0; level < desc->levels; level++)
         texels += (size_t)at_least_one(desc->width >> level) *
                   (size_t)at_least_one(desc->height >> level) * (size_t)desc->layers;
-    return texels * texel_bytes(desc->format);
+    return texels * (size_t)desc->samples * texel_bytes(desc->format);
 }
 
 static void set_sampling(GLuint id, const struct texture_desc *desc) {
@@ -64,9 +65,13 @@ static void set_sampling(GLuint id, const struct texture_desc *desc) {
 }
 
 static bool fits_limits(const char *label, const struct texture_desc *desc) {
-    GLint size, layers;
+    GLint size, layers, samples;
     gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
     gl.GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &layers);
+    gl.GetIntegerv(GL_MAX_DEPTH_TEXTURE_SAMPLES, &samples);
+    if (desc->samples > samples)
+        return error_set("texture '%s': %d samples are above the driver's limit of %d", label,
+                         desc->samples, samples);
     if (desc->width <= size && desc->height <= size && desc->layers <= layers)
         return true;
     return error_set("texture '%s': %dx%dx%d is above the limit of %dx%dx%d", label, desc->width,
@@ -83,6 +88,7 @@ bool texture_init(struct texture *texture, const struct texture_desc *desc) {
     resolved->height = at_least_one(desc->height);
     resolved->layers = at_least_one(desc->layers);
     resolved->levels = at_least_one(desc->levels);
+    resolved->samples = at_least_one(desc->samples);
     resolved->wrap_s = desc->wrap_s ? desc->wrap_s : GL_CLAMP_TO_EDGE;
     resolved->wrap_t = desc->wrap_t ? desc->wrap_t : GL_CLAMP_TO_EDGE;
     if (!fits_limits(texture->label, resolved))
@@ -90,7 +96,11 @@ bool texture_init(struct texture *texture, const struct texture_desc *desc) {
     gl.CreateTextures(resolved->target, 1, &texture->id);
     while (gl.GetError() != GL_NO_ERROR) /* what follows must be this texture's own error */
         ;
-    if (resolved->target == GL_TEXTURE_2D)
+    if (resolved->target == GL_TEXTURE_2D_MULTISAMPLE_ARRAY)
+        gl.TextureStorage3DMultisample(texture->id, resolved->samples, resolved->format,
+                                       resolved->width, resolved->height, resolved->layers,
+                                       GL_TRUE);
+    else if (resolved->target == GL_TEXTURE_2D)
         gl.TextureStorage2D(texture->id, resolved->levels, resolved->format, resolved->width,
                             resolved->height);
     else
@@ -106,7 +116,8 @@ bool texture_init(struct texture *texture, const struct texture_desc *desc) {
     texture->bytes = bytes;
     gpu_memory_add(texture->label, (ptrdiff_t)bytes);
     gl.ObjectLabel(GL_TEXTURE, texture->id, -1, texture->label);
-    set_sampling(texture->id, resolved);
+    if (resolved->target != GL_TEXTURE_2D_MULTISAMPLE_ARRAY)
+        set_sampling(texture->id, resolved);
     return true;
 }
 

@@ -22,6 +22,7 @@ struct texture_desc {
     GLenum format;             /* sized internal format; required */
     int width, height, layers; /* at least 1; height and layers 1 */
     int levels;                /* 1 */
+    int samples;               /* of GL_TEXTURE_2D_MULTISAMPLE_ARRAY: 1 */
     enum texture_filter filter;
     GLenum wrap_s, wrap_t; /* GL_CLAMP_TO_EDGE */
 };
@@ -33,7 +34,7 @@ struct texture {
     size_t bytes;
 };
 
-/* Error: out of GPU memory, or larger than the limits; names label and size. */
+/* Error: out of GPU memory, or larger than the limits; names label and size, or samples. */
 bool texture_init(struct texture *texture, const struct texture_desc *desc);
 void texture_free(struct texture *texture);
 

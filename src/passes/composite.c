@@ -42,7 +42,7 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
                  const struct composite_inputs *inputs, int layer, GLuint program,
                  GLuint framebuffer) {
     struct composite_params params = {
-        .light = {inputs->light[0], inputs->light[1], inputs->light[2]},
+        .light = {inputs->light[0], inputs->light[1], inputs->light[2], (float)inputs->samples},
         .indirect = 1 / ((float)GLM_PI * frame->irradiance_scale),
         .exposure = exp2f(inputs->exposure),
         .tone_map = (float)inputs->tone_map,
@@ -62,6 +62,7 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
     gl.BindTextureUnit(2, inputs->gbuffer->albedo.id);
     gl.BindTextureUnit(3, inputs->direct->id);
     gl.BindTextureUnit(4, inputs->indirect->texture.id);
+    gl.BindTextureUnit(5, inputs->picks->id);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);
 }

@@ -19,11 +19,13 @@ struct composite_pass {
     struct buffer params;
 };
 
-/* What the picture is made of. */
+/* What the picture is made of. The picks of the pixels' samples are passes/antialias.h's. */
 struct composite_inputs {
     const struct gbuffer *gbuffer;
     const struct texture *direct;
     const struct irradiance *indirect;
+    const struct texture *picks;
+    int samples;
     float light[3]; /* radiance of a white surface per stored direct value */
     float exposure; /* EV */
     enum tone_map tone_map;
@@ -37,8 +39,8 @@ void composite_pass_free(struct composite_pass *pass);
 void composite_pass_render(const struct composite_pass *pass, const struct frame *frame,
                            const struct composite_inputs *inputs);
 
-/* Writes one layer, LAYER_..., into an RGBA32F target of the picture's size: A = 1 where a surface
- * is. */
+/* Writes one layer, LAYER_..., into an RGBA32F target of the picture's size; A = the share of
+ * the pixel where a surface is. */
 void composite_pass_render_layer(const struct composite_pass *pass, const struct frame *frame,
                                  const struct composite_inputs *inputs, int layer,
                                  GLuint framebuffer);

@@ -34,7 +34,8 @@ enum part {
     PART_DIRECT = 16,    /* size, shadow_bias */
     PART_TECHNIQUE = 32, /* technique, all settings, number of light views; the size it takes as it
                             is */
-    PART_ALL = 63,
+    PART_ANTIALIAS = 64, /* size, samples */
+    PART_ALL = 127,
     PART_SHADERS = PART_ALL & ~PART_SCENE,
     PART_LIGHTS = PART_SCENE | PART_SHADOW | PART_TECHNIQUE, /* what render_lights draws with */
 };
@@ -68,6 +69,13 @@ static bool init_direct(struct renderer *renderer) {
                                                                      desc->settings.shadow_bias});
 }
 
+static bool init_antialias(struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    return antialias_pass_init(
+        &renderer->antialias,
+        &(struct antialias_desc){desc->width, desc->height, desc->settings.samples});
+}
+
 static bool init_technique(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     renderer->technique = techniques[desc->technique];
@@ -86,6 +94,7 @@ static bool init_parts(struct renderer *renderer, unsigned parts) {
            (!(parts & PART_GEOMETRY) || geometry_pass_init(&renderer->geometry)) &&
            (!(parts & PART_SHADOW) || init_shadow(renderer)) &&
            (!(parts & PART_DIRECT) || init_direct(renderer)) &&
+           (!(parts & PART_ANTIALIAS) || init_antialias(renderer)) &&
            (!(parts & PART_TECHNIQUE) || init_technique(renderer));
 }
 
@@ -119,6 +128,7 @@ void renderer_free(struct renderer *renderer) {
     geometry_pass_free(&renderer->geometry);
     shadow_map_pass_free(&renderer->shadow_map);
     direct_pass_free(&renderer->direct);
+    antialias_pass_free(&renderer->antialias);
     composite_pass_free(&renderer->composite);
     if (renderer->technique)
         renderer->technique->free(renderer->technique_state);
@@ -155,6 +165,8 @@ static void swap_parts(struct renderer *a, struct renderer *b, unsigned parts) {
         SWAP(shadow_map);
     if (parts & PART_DIRECT)
         SWAP(direct);
+    if (parts & PART_ANTIALIAS)
+        SWAP(antialias);
     if (parts & PART_TECHNIQUE) {
         SWAP(technique);
         SWAP(technique_state);
@@ -197,6 +209,8 @@ static unsigned parts_of_setting(const struct option *option) {
         return PART_SHADOW;
     if (option->offset == offsetof(struct settings, shadow_bias))
         return PART_DIRECT;
+    if (option->offset == offsetof(struct settings, samples))
+        return PART_ANTIALIAS;
     return PART_TECHNIQUE;
 }
 
@@ -217,7 +231,7 @@ bool renderer_resize(struct renderer *renderer, int width, int height) {
         return true;
     desc.width = width;
     desc.height = height;
-    return change(renderer, &desc, PART_SIZE | PART_DIRECT);
+    return change(renderer, &desc, PART_SIZE | PART_DIRECT | PART_ANTIALIAS);
 }
 
 bool renderer_set_light(struct renderer *renderer, const struct light *light) {
@@ -270,6 +284,8 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
         .gbuffer = &renderer->gbuffer,
         .direct = &renderer->direct.direct,
         .indirect = outputs.irradiance,
+        .picks = &renderer->antialias.picks,
+        .samples = desc->settings.samples,
         .exposure = desc->settings.exposure,
         .tone_map = (enum tone_map)desc->settings.tone_map,
         .layer = LAYER_BEAUTY,
@@ -302,6 +318,7 @@ void renderer_render(struct renderer *renderer) {
     geometry_pass_render_camera(&renderer->geometry, &frame, &renderer->gbuffer);
     direct_pass_render(&renderer->direct, &frame, &renderer->gbuffer, &renderer->shadow_map.map);
     renderer->technique->render_view(renderer->technique_state, &frame, &renderer->gbuffer);
+    antialias_pass_render(&renderer->antialias, &frame, &renderer->gbuffer);
     composite_pass_render(&renderer->composite, &frame, &inputs);
     timer_end(&renderer->timers);
 }

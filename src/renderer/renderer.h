@@ -7,6 +7,7 @@
 #define RENDERER_RENDERER_H
 
 #include "base/image.h"
+#include "passes/antialias.h"
 #include "passes/composite.h"
 #include "passes/direct.h"
 #include "passes/geometry.h"
@@ -40,6 +41,7 @@ struct renderer {
     struct geometry_pass geometry;
     struct shadow_map_pass shadow_map;
     struct direct_pass direct;
+    struct antialias_pass antialias;
     struct composite_pass composite;
     const struct technique *technique;
     void *technique_state;

@@ -18,7 +18,7 @@ static const char *const path_names[] = {"fast", "paper", NULL};
 const struct option settings_table[] = {
     {"path", 0, OPTION_CHOICE, FIELD(path), PATH_FAST, .choices = path_names,
      .help = "paper: as published, with CSSM at each pixel and VPL; sets visibility, "
-             "visibility-block, clamp, caster-weld, blur-separable",
+             "visibility-block, clamp, caster-weld, blur-separable, samples",
      .reinit = true},
     {"vpls", 0, OPTION_INT, FIELD(vpl_count), 1024, 1, 65536, .help = "virtual point lights, N",
      .reinit = true, .group = "virtual lights"},
@@ -104,6 +104,10 @@ const struct option settings_table[] = {
      .reinit = true},
     {"exposure", 0, OPTION_FLOAT, FIELD(exposure), 0, -32, 32, .help = "of the picture, EV",
      .group = "picture"},
+    {"samples", 0, OPTION_INT, FIELD(samples), 8, 1, 16,
+     .help = "places of a pixel at which edges are told: antialiasing; 1 = its centre alone,\n"
+             "                             more count in fours",
+     .reinit = true},
     {"tone-map", 0, OPTION_CHOICE, FIELD(tone_map), 0, .choices = tone_map_names,
      .help = "of the picture"},
     {NULL},
@@ -117,6 +121,7 @@ void settings_apply_path(struct settings *settings) {
     settings->caster_weld = paper ? 0 : .004F;
     settings->blur_separable = !paper;
     settings->bias = paper ? 2 : .25F;
+    settings->samples = paper ? 1 : 8;
 }
 
 void settings_of_path(struct settings *settings, int path) {

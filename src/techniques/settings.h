@@ -37,6 +37,7 @@ struct settings {
     bool blur_separable;
     float blur_distance, blur_cosine; /* alpha, beta */
     float caster_edge, caster_weld;
+    int samples; /* of the pixel's area, for its edges */
     float exposure;
     int tone_map;
 };

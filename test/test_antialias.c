@@ -1,0 +1,198 @@
+/* Edges: the samples of a pixel against areas that are known, and against a picture of many more
+ * pixels. */
+#include "render_support.h"
+
+#include "base/memory.h"
+
+#include <cglm/cglm.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { SIZE = 48, FINER = 8 };
+
+/* --- coverage of an outline ------------------------------------------------------------------- */
+
+struct polygon {
+    int count;
+    double at[16][2];
+};
+
+/* The part of a polygon where x (axis 0) or y, times sign, is at most bound times sign. */
+static struct polygon clip(const struct polygon *polygon, int axis, double sign, double bound) {
+    struct polygon kept = {0};
+    for (int i = 0; i < polygon->count; i++) {
+        const double *a = polygon->at[i], *b = polygon->at[(i + 1) % polygon->count];
+        double inside_a = sign * (bound - a[axis]), inside_b = sign * (bound - b[axis]);
+        if (inside_a >= 0)
+            memcpy(kept.at[kept.count++], a, sizeof *kept.at);
+        if ((inside_a < 0) != (inside_b < 0)) {
+            double t = inside_a / (inside_a - inside_b);
+            for (int c = 0; c < 2; c++)
+                kept.at[kept.count][c] = a[c] + t * (b[c] - a[c]);
+            kept.count++;
+        }
+    }
+    return kept;
+}
+
+static double area(const struct polygon *polygon) {
+    double sum = 0;
+    for (int i = 0; i < polygon->count; i++) {
+        const double *a = polygon->at[i], *b = polygon->at[(i + 1) % polygon->count];
+        sum += a[0] * b[1] - a[1] * b[0];
+    }
+    return fabs(sum) / 2;
+}
+
+static double covered(const struct polygon *outline, int x, int y) {
+    struct polygon p = clip(outline, 0, -1, x);
+    p = clip(&p, 0, 1, x + 1);
+    p = clip(&p, 1, -1, y);
+    p = clip(&p, 1, 1, y + 1);
+    return area(&p);
+}
+
+/* The corners of the box's open front, as the picture shows them, row 0 at the top. */
+static struct polygon front_outline(const struct renderer *renderer) {
+    const struct geometry *geometry = renderer->desc.geometry;
+    const float *low = geometry->bounds_min, *high = geometry->bounds_max;
+    struct polygon outline = {.count = 4};
+    for (int i = 0; i < 4; i++) {
+        vec4 corner = {i == 0 || i == 3 ? low[0] : high[0], i < 2 ? low[1] : high[1], high[2], 1};
+        vec4 at;
+        glm_mat4_mulv((vec4 *)renderer->camera_view.world_to_clip, corner, at);
+        outline.at[i][0] = (at[0] / at[3] * .5 + .5) * SIZE;
+        outline.at[i][1] = (.5 - at[1] / at[3] * .5) * SIZE;
+    }
+    return outline;
+}
+
+/* RMS over the pixels that an edge goes through. */
+static double coverage_error(const struct stage *stage, const char *settings) {
+    struct renderer renderer;
+    struct image image;
+    struct renderer_desc desc = desc_of(stage, "unshadowed", settings, SIZE, SIZE);
+    open_renderer(&renderer, &desc);
+    check_ok("layers", renderer_read_layers(&renderer, &image));
+    struct polygon outline = front_outline(&renderer);
+    int channel = image_find_channel(&image, "A"), edges = 0;
+    double sum = 0;
+    for (int y = 0; y < SIZE; y++)
+        for (int x = 0; x < SIZE; x++) {
+            double exact = covered(&outline, x, y), error;
+            error = (double)image_at(&image, x, y)[channel] - exact;
+            if (exact > 0 && exact < 1) {
+                edges++;
+                sum += error * error;
+            } else {
+                assert_true(fabs(error) < 1e-6);
+            }
+        }
+    image_free(&image);
+    renderer_free(&renderer);
+    assert_true(edges > SIZE);
+    return sqrt(sum / edges);
+}
+
+/* A pixel that an edge crosses along x or y is off by sqrt(1/12) = .29 at its centre, and one that
+ * it crosses aslant by .22. Of the patterns of 4, 8 and 16 samples the worst slope is off by .127,
+ * .108 and .084; a tenth is for where these edges happen to fall. */
+static void test_coverage(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    for (int axis = 0; axis < 3; axis++) { /* rolled, so that edges are at all slopes and places */
+        float *right = stage.camera.right, *up = stage.camera.up;
+        for (int c = 0; c < 3; c++) {
+            float r = right[c], u = up[c];
+            right[c] = r * .9553F + u * .2955F; /* .3 rad */
+            up[c] = u * .9553F - r * .2955F;
+        }
+        printf("  rolled by %.1f\n", .3 * (axis + 1));
+        check_near("coverage by the centre alone", coverage_error(&stage, "samples=1"), .25, .05);
+        check_at_most("coverage by 4 samples", coverage_error(&stage, "samples=4"), .14);
+        check_at_most("coverage by 8 samples", coverage_error(&stage, "samples=8"), .119);
+        check_at_most("coverage by 16 samples", coverage_error(&stage, "samples=16"), .092);
+    }
+    stage_free(&stage);
+}
+
+/* --- the layers at edges ---------------------------------------------------------------------- */
+
+/* Each pixel the mean of FINER x FINER; all channels. */
+static struct image shrink(const struct image *fine) {
+    struct image image;
+    image_init(&image, fine->width / FINER, fine->height / FINER, fine->names[0]);
+    for (int c = 1; c < fine->channel_count; c++)
+        image_add_channels(&image, fine->names[c]);
+    for (int y = 0; y < fine->height; y++)
+        for (int x = 0; x < fine->width; x++)
+            for (int c = 0; c < fine->channel_count; c++)
+                image_at(&image, x / FINER, y / FINER)[c] +=
+                    image_at(fine, x, y)[c] / (FINER * FINER);
+    return image;
+}
+
+/* Files have layers of light weighted by albedo, so that R = albedo (direct + indirect) at edges
+ * too. */
+static double worst_of_sum(const struct image *image) {
+    int albedo[3], direct[3], indirect[3];
+    double worst = 0;
+    check_ok("albedo", image_find_layer(image, "albedo", albedo));
+    check_ok("direct", image_find_layer(image, "direct", direct));
+    check_ok("indirect", image_find_layer(image, "indirect", indirect));
+    for (int i = 0; i < image->width * image->height * 3; i++) {
+        const float *pixel = image_at(image, i / 3 % image->width, i / 3 / image->width);
+        float sum = pixel[albedo[i % 3]] * (pixel[direct[i % 3]] + pixel[indirect[i % 3]]);
+        worst = fmax(worst, fabs((double)(pixel[i % 3] - sum)));
+    }
+    return worst;
+}
+
+/* Without interleaving and clusters, whose noise would differ between the sizes. */
+#define SMOOTH "interleave=1 blur-radius=0 clamp=disk vpls=64 "
+
+static void check_layer(const struct image *center, const struct image *edges,
+                        const struct image *truth, const char *layer, double bound) {
+    double before = relative_rmse(center, truth, layer), after = relative_rmse(edges, truth, layer);
+    printf("    %s: error %.4f with the centre alone, %.4f with 8 samples\n", layer, before, after);
+    check_at_most("their ratio", after / before, bound);
+}
+
+/* Bounds of the error that is left, of the albedo and of the picture, whose shadows have edges too.
+ */
+static void check_layers(const char *path, double albedo, double beauty) {
+    struct stage stage;
+    open_stage(&stage, path);
+    printf("  %s\n", path);
+    struct image fine = render_stage(&stage, "unshadowed", SMOOTH "samples=1", SIZE * FINER);
+    struct image truth = shrink(&fine);
+    struct image center = render_stage(&stage, "unshadowed", SMOOTH "samples=1", SIZE);
+    struct image edges = render_stage(&stage, "unshadowed", SMOOTH "samples=8", SIZE);
+    check_layer(&center, &edges, &truth, "albedo", albedo);
+    check_layer(&center, &edges, &truth, "beauty", beauty);
+    check_at_most("R - albedo (direct + indirect)", worst_of_sum(&edges), 1e-4);
+    image_free(&fine);
+    image_free(&truth);
+    image_free(&center);
+    image_free(&edges);
+    stage_free(&stage);
+}
+
+static void test_layers(void **state) {
+    (void)state;
+    check_layers("scenes/cornell-box.glb", .35, .8);
+    check_layers("scenes/cornell-animal.glb", .35, 1);
+    /* Much of it is thinner than a pixel, and some of that no pixel's centre has seen. */
+    check_layers("scenes/atrium.glb", .75, .9);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_coverage),
+        cmocka_unit_test(test_layers),
+    };
+    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
+}
