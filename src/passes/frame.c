@@ -3,6 +3,7 @@
 #include "gl/framebuffer.h"
 #include "shared/vpl.h"
 
+#include <math.h>
 #include <stdio.h>
 
 static bool init_layer(struct texture *texture, const char *label, const char *part, GLenum format,
@@ -39,6 +40,11 @@ void gbuffer_free(struct gbuffer *gbuffer) {
     texture_free(&gbuffer->albedo);
     texture_free(&gbuffer->depth);
     *gbuffer = (struct gbuffer){0};
+}
+
+float frame_near_reach(const struct frame *frame, int vpl_count, float asked) {
+    float widest = frame->light_measure / (float)vpl_count / (float)VPL_COSINE_MIN;
+    return frame->light_directional ? asked : fminf(asked, 1 / sqrtf(widest));
 }
 
 bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {

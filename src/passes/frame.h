@@ -17,7 +17,8 @@ struct frame {
     const struct scene_gpu *scene;
     float light_measure; /* solid angle that the light shines into, sr; a directional light's area,
                             m2 */
-    int light_views;     /* 1 or 6 */
+    bool light_directional;
+    int light_views;                    /* 1 or 6 */
     float bounds_min[3], bounds_max[3]; /* of the scene, metres */
     float radius;                       /* of its bounding sphere, metres */
     float irradiance_scale;             /* stored irradiance = W/m2 times this: a power of two that
@@ -79,6 +80,10 @@ struct irradiance {
     int width, height; /* of the picture that it stands for */
     int interleave, tile_width, tile_height;
 };
+
+/* How far the near field reaches, in spacings of VPLs: as far as is asked for, but no farther from
+ * its point in the light's view than 45 degrees, where few VPLs are far apart. */
+float frame_near_reach(const struct frame *frame, int vpl_count, float asked);
 
 bool gbuffer_init(struct gbuffer *gbuffer, const char *label, int width, int height, int layers);
 void gbuffer_free(struct gbuffer *gbuffer);

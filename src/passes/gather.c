@@ -63,7 +63,7 @@ static void write_params(const struct gather_pass *pass, const struct frame *fra
         .tile_width = (float)target->tile_width,
         .tile_height = (float)target->tile_height,
         .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
-        .reach = desc->reach,
+        .reach = frame_near_reach(frame, inputs->vpls->count, desc->reach),
         .block = desc->share ? (float)inputs->blocks->block : 1,
         .block_apart = block_apart * frame->radius,
     };

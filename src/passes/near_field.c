@@ -46,7 +46,7 @@ static void write_params(const struct near_field_pass *pass, const struct frame 
         .tile_width = (float)target->tile_width,
         .tile_height = (float)target->tile_height,
         .vpl_share = frame->light_measure / (float)pass->desc.vpl_count,
-        .reach = pass->desc.reach,
+        .reach = frame_near_reach(frame, pass->desc.vpl_count, pass->desc.reach),
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);

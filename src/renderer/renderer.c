@@ -267,6 +267,7 @@ struct frame renderer_frame(struct renderer *renderer) {
         .timers = &renderer->timers,
         .scene = &renderer->scene,
         .light_measure = renderer->light_block.intensity[3],
+        .light_directional = desc->light.type == LIGHT_DIRECTIONAL,
         .light_views = light_view_count(&desc->light),
         .radius = desc->geometry->radius,
         .irradiance_scale = irradiance_scale(desc),

@@ -81,7 +81,7 @@ const struct option settings_table[] = {
      .help = "bound of the geometry term near a VPL", .reinit = true, .group = "near the lights"},
     {"clamp-value", 0, OPTION_FLOAT, FIELD(clamp_value), 25, 0, 1e9,
      .help = "the bound for clamp=value, times the squared scene radius", .reinit = true},
-    {"near-reach", 0, OPTION_FLOAT, FIELD(near_reach), 2, .1, 100,
+    {"near-reach", 0, OPTION_FLOAT, FIELD(near_reach), 4, .1, 100,
      .help = "clamp=near: reach of the near field, in spacings of VPLs", .reinit = true},
     {"near-samples", 0, OPTION_INT, FIELD(near_samples), 16, 1, 1024,
      .help = "clamp=near: samples of the near field at each pixel", .reinit = true},
