@@ -50,6 +50,23 @@ void pose_stage(struct stage *stage) {
     light_place(&stage->light, &stage->scene, 0, 0);
 }
 
+void scale_scene(struct scene *scene, float s) {
+    for (int i = 0; i < scene->mesh_count; i++)
+        for (int p = 0; p < scene->meshes[i].primitive_count; p++) {
+            struct primitive *primitive = &scene->meshes[i].primitives[p];
+            for (int k = 0; k < 3 * primitive->vertex_count; k++)
+                primitive->position[0][k] *= s;
+        }
+    for (int i = 0; i < scene->node_count; i++)
+        for (int c = 0; c < 3; c++) {
+            scene->nodes[i].translation[c] *= s;
+            scene->nodes[i].matrix[12 + c] *= s;
+        }
+    for (int i = 0; i < scene->light_count; i++)
+        for (int c = 0; c < 3; c++)
+            scene->lights[i].intensity[c] *= s * s;
+}
+
 void turn_stage(struct stage *stage, double degrees) {
     vec3 y = {0, 1, 0};
     mat4 turn;

@@ -145,25 +145,6 @@ static void test_sizes(void **state) {
 
 /* --- scale ------------------------------------------------------------------------------------ */
 
-/* The scene s times as large, with s^2 times the intensity, is the same picture: no length and no
- * light is absolute. */
-static void scale_scene(struct scene *scene, float s) {
-    for (int i = 0; i < scene->mesh_count; i++)
-        for (int p = 0; p < scene->meshes[i].primitive_count; p++) {
-            struct primitive *primitive = &scene->meshes[i].primitives[p];
-            for (int k = 0; k < 3 * primitive->vertex_count; k++)
-                primitive->position[0][k] *= s;
-        }
-    for (int i = 0; i < scene->node_count; i++)
-        for (int c = 0; c < 3; c++) {
-            scene->nodes[i].translation[c] *= s;
-            scene->nodes[i].matrix[12 + c] *= s;
-        }
-    for (int i = 0; i < scene->light_count; i++)
-        for (int c = 0; c < 3; c++)
-            scene->lights[i].intensity[c] *= s * s;
-}
-
 static void test_scale(void **state) {
     (void)state;
     static const float scales[] = {1e-3f, 1e4f};

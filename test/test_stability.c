@@ -1,4 +1,4 @@
-/* Where such methods break: far from the origin, and behind a closed door. */
+/* Where such methods break: far from the origin, at other scales, behind a closed door. */
 #include "render_support.h"
 
 #include "base/memory.h"
@@ -32,12 +32,11 @@ static void move_away(struct scene *scene, const float translation[3]) {
     memcpy(scene->nodes[0].translation, translation, sizeof scene->nodes[0].translation);
 }
 
-static void test_far(void **state) {
-    (void)state;
+static void check_far(const char *path) {
     static const float away[3] = {10000, -10000, 10000};
     for (int i = 0; i < 2; i++) {
         struct stage stage;
-        open_stage(&stage, "scenes/cornell-box.glb");
+        open_stage(&stage, path);
         assert_true(stage.scene.origin[0] == 0);
         struct image near = render_stage(&stage, shadowing[i], small, 48);
         move_away(&stage.scene, away);
@@ -49,6 +48,39 @@ static void test_far(void **state) {
         image_free(&near);
         image_free(&far);
         stage_free(&stage);
+    }
+}
+
+static void test_far(void **state) {
+    (void)state;
+    check_far("scenes/cornell-box.glb");
+    check_far("scenes/sphere.glb");
+}
+
+/* --- scale ------------------------------------------------------------------------------------ */
+
+/* The inside of a sphere, a millimetre to a kilometre wide: the closed form (test_light.c) has no
+ * length in it but the radius. */
+static void test_scales(void **state) {
+    (void)state;
+    static const float scales[] = {1e-3F, 1e-2F, .1F, 10, 100, 1000};
+    for (int t = 0; technique_names[t]; t++) {
+        struct stage stage;
+        open_stage(&stage, "scenes/sphere.glb");
+        struct image plain = render_stage(&stage, technique_names[t], small, 48);
+        stage_free(&stage);
+        for (size_t i = 0; i < sizeof scales / sizeof *scales; i++) {
+            open_stage(&stage, "scenes/sphere.glb");
+            scale_scene(&stage.scene, scales[i]);
+            pose_stage(&stage);
+            struct image scaled = render_stage(&stage, technique_names[t], small, 48);
+            printf("  %s, radius %g m\n", technique_names[t], (double)scales[i]);
+            check_at_most("indirect light", relative_rmse(&scaled, &plain, "indirect"), .005);
+            check_at_most("picture", relative_rmse(&scaled, &plain, ""), .005);
+            image_free(&scaled);
+            stage_free(&stage);
+        }
+        image_free(&plain);
     }
 }
 
@@ -90,6 +122,7 @@ static void test_closed_door(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_far),
+        cmocka_unit_test(test_scales),
         cmocka_unit_test(test_closed_door),
     };
     return cmocka_run_group_tests_name("stability", tests, open_group_context, close_group_context);
