@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "scene/camera.h"
+#include "scene/room.h"
 #include "scene/geometry.h"
 #include "scene/light.h"
 
@@ -263,6 +264,37 @@ static void test_framing(void **state) {
     unload(&scene, &geometry);
 }
 
+/* A box of 4 x 2 x 10 m about the origin; its faces look inwards, or outwards. */
+static void test_room(void **state) {
+    (void)state;
+    static float corners[9][3];
+    static uint32_t indices[36];
+    static const int faces[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1},
+                                    {4, 6, 7, 5}, {0, 1, 3, 2}, {2, 3, 7, 6}};
+    struct geometry box = {
+        .position = corners, .indices = indices, .index_count = 36, .radius = sqrtf(30)};
+    for (int i = 0; i < 8; i++)
+        memcpy(corners[i], (float[]){i & 1 ? 2 : -2, i & 2 ? 1 : -1, i & 4 ? 5 : -5},
+               sizeof corners[i]);
+    struct room room;
+    for (int inwards = 0; inwards < 2; inwards++) {
+        for (int f = 0; f < 6; f++)
+            for (int t = 0; t < 2; t++) {
+                const uint32_t corner[3] = {(uint32_t)faces[f][0], (uint32_t)faces[f][1 + t],
+                                            (uint32_t)faces[f][2 + t]};
+                for (int i = 0; i < 3; i++)
+                    indices[6 * f + 3 * t + i] = corner[inwards ? i : 2 - i];
+            }
+        assert_int_equal(room_around(&room, &box, (float[]){0, 0, .5F}), inwards);
+    }
+    check_near("up", room.up, 1, 1e-5);
+    check_near("the longest line", room.ahead + room.behind, 10.5, .5);
+    check_near("along z", fabsf(room.forward[2]), 1, .1);
+    assert_false(room_around(&room, &box, (float[]){0, 3, 0})); /* outside */
+    box.index_count -= 6;                                       /* without its ceiling */
+    assert_false(room_around(&room, &box, (float[]){0, 0, 0}));
+}
+
 static void test_shared_scenes(void **state) {
     (void)state;
     static const struct {
@@ -320,6 +352,7 @@ int main(void) {
         cmocka_unit_test(test_lights),
         cmocka_unit_test(test_cameras),
         cmocka_unit_test(test_framing),
+        cmocka_unit_test(test_room),
         cmocka_unit_test(test_shared_scenes),
         cmocka_unit_test(test_shared_cornell_box),
     };

@@ -4,12 +4,13 @@
 #include "base/memory.h"
 #include "scene/geometry.h"
 #include "scene/node.h"
+#include "scene/room.h"
 
 #include <cglm/cglm.h>
 #include <stdio.h>
 #include <string.h>
 
-static const float fov_y = 0.7F;
+static const float fov_y = 0.7F, fov_y_in_room = 1.1F;
 
 /* Appends a node that stands at eye and looks along -Z at the target. */
 static struct node *add_node(struct scene *scene, const char *name, vec3 eye, vec3 target) {
@@ -57,30 +58,50 @@ static float fitting_distance(const struct geometry *geometry, vec3 direction) {
     return distance;
 }
 
-static void add_camera(struct scene *scene, const struct geometry *geometry) {
-    const float margin = 1.05F;
-    vec3 direction = {.6F, .45F, 1}, eye, target;
+static void place_camera(const struct geometry *geometry, const struct room *room, vec3 eye,
+                         vec3 target) {
+    const float margin = 1.05F, step_from_wall = .9F;
+    vec3 direction = {.6F, .45F, 1};
     point_around(geometry, direction,
                  margin * fitting_distance(geometry, direction) / geometry->radius, eye);
     point_around(geometry, direction, 0, target);
+    if (!room)
+        return;
+    glm_vec3_copy(target, eye);
+    glm_vec3_muladds((float *)room->forward, -step_from_wall * room->behind, eye);
+    glm_vec3_muladds((float *)room->forward, room->ahead, target);
+}
+
+static void add_camera(struct scene *scene, const struct geometry *geometry,
+                       const struct room *room) {
+    vec3 eye, target;
+    place_camera(geometry, room, eye, target);
     struct node *node = add_node(scene, "framed camera", eye, target);
     scene->cameras =
         mem_resize(scene->cameras, (size_t)scene->camera_count + 1, sizeof *scene->cameras);
     struct scene_camera *camera = &scene->cameras[scene->camera_count];
-    *camera = (struct scene_camera){
-        .fov_y = fov_y, .near = .01F * geometry->radius, .far = 10 * geometry->radius};
+    *camera = (struct scene_camera){.fov_y = room ? fov_y_in_room : fov_y,
+                                    .near = .01F * geometry->radius,
+                                    .far = 10 * geometry->radius};
     snprintf(camera->name, sizeof camera->name, "framed");
     node->camera = scene->camera_count++;
     log_note("%s: no camera, so one that frames the scene", scene->path);
 }
 
-/* The spot is as wide as the bounding sphere and gives the centre an irradiance of pi: a white
- * surface that faces it has radiance 1. */
-static void add_spot(struct scene *scene, const struct geometry *geometry) {
-    const float radii = 2.5F, outer = asinf(1 / radii);
+/* The spot is as wide as the bounding sphere, or shines down from a room's ceiling, and gives the
+ * centre, or there the floor, an irradiance of pi: a white surface that faces it has radiance 1. */
+static void add_spot(struct scene *scene, const struct geometry *geometry,
+                     const struct room *room) {
+    const float radii = 2.5F, outer = room ? .9F : asinf(1 / radii);
     vec3 eye, target;
     point_around(geometry, (vec3){.2F, 1.2F, 1}, radii, eye);
     point_around(geometry, (vec3){0, 1, 0}, 0, target);
+    if (room) {
+        glm_vec3_copy(target, eye);
+        eye[1] += .9F * room->up;
+        target[1] -= room->up;
+        eye[2] += .01F * room->up; /* not straight down: the light's frame has an up */
+    }
     struct node *node = add_node(scene, "framed spot", eye, target);
     scene->lights =
         mem_resize(scene->lights, (size_t)scene->light_count + 1, sizeof *scene->lights);
@@ -103,10 +124,11 @@ bool scene_frame(struct scene *scene) {
     struct geometry geometry;
     if (!geometry_init(&geometry, scene, 0))
         return false;
+    struct room around, *room = room_around(&around, &geometry, geometry.center) ? &around : NULL;
     if (!camera)
-        add_camera(scene, &geometry);
+        add_camera(scene, &geometry, room);
     if (!light)
-        add_spot(scene, &geometry);
+        add_spot(scene, &geometry, room);
     geometry_free(&geometry);
     return true;
 }

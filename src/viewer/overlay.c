@@ -45,7 +45,9 @@ static void draw_statistics(struct viewer *viewer) {
             15.2F * line, 2.6F * line);
     draw_times(pace);
     ui_separator();
-    ui_value("pictures a second", "%.1f", pace_fps(pace, window_time()));
+    double fps = pace_fps(pace, window_time());
+    if (fps > 0)
+        ui_value("pictures a second", "%.1f", fps);
     ui_value("faces", "%u", geometry_triangle_count(&viewer->document.geometry));
     ui_value("VPLs", "%d", desc->settings.vpl_count);
     if (inspect_layers(&viewer->renderer, SHOW_CLUSTERS))
