@@ -110,7 +110,7 @@ const unsigned char *pixel(const struct bitmap *bitmap, int x, int y) {
     return bitmap->rgba + 4 * (y * bitmap->width + x);
 }
 
-int find_widget(int x, int below, int n) {
+static int find_in_screen(int x, int below, int n) {
     static const unsigned char raised[3] = {42, 46, 54};
     struct bitmap screen = read_screen();
     int start = -1, found = 0;
@@ -125,6 +125,17 @@ int find_widget(int x, int below, int n) {
         }
     }
     bitmap_free(&screen);
+    return found;
+}
+
+/* The screen may be read while it is drawn: what two readings find is there. */
+int find_widget(int x, int below, int n) {
+    int before = -1, found = find_in_screen(x, below, n);
+    for (int i = 0; i < 20 && found != before; i++) {
+        pause_ms(80);
+        before = found;
+        found = find_in_screen(x, below, n);
+    }
     return found;
 }
 
