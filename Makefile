@@ -217,7 +217,7 @@ test: deps
 SANITIZE := -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined
 # Not build/asan/manylight: that name is the portable build's.
 asan: deps
-	@LSAN_OPTIONS=suppressions=test/leaks-of-others:print_suppressions=0 \
+	@LSAN_OPTIONS=suppressions=$(CURDIR)/test/leaks-of-others:print_suppressions=0 \
 	    $(MAKE) --no-print-directory tests BUILD=build/asan BINARY=build/asan/manylight-asan \
 	    CFLAGS="-O1 -g $(SANITIZE)" LDFLAGS="$(SANITIZE)"
 

@@ -11,6 +11,8 @@
 #include "gl/memory.h"
 #include "viewer/viewer.h"
 
+#include <dlfcn.h>
+#include <link.h>
 #include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -166,9 +168,19 @@ static void check_kept(const char *what, void (*step)(int round), int least) {
         if (after.objects[i] != before.objects[i])
             fail_msg("%s: %s: %d, then %d", what, kinds[i], before.objects[i], after.objects[i]);
     assert_int_equal(after.gpu_bytes, before.gpu_bytes);
+#ifndef __SANITIZE_ADDRESS__ /* which keeps freed memory for a while */
     /* What grew by a picture or a scene a round would be more. */
     assert_true(after.resident - before.resident < 24);
+#endif
     assert_int_equal(context_message_count(viewer.context), 0);
+}
+
+/* GLFW unloads the driver at the end: nobody could tell then whose leaks those are. */
+static int keep_library(struct dl_phdr_info *library, size_t size, void *context) {
+    (void)size, (void)context;
+    if (*library->dlpi_name)
+        dlopen(library->dlpi_name, RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
+    return 0;
 }
 
 static void test_kept(void **state) {
@@ -182,6 +194,7 @@ static void test_kept(void **state) {
     for (size_t i = 0; i < sizeof cheap / sizeof *cheap; i++)
         check_ok(cheap[i], settings_assign(&desc.settings, cheap[i]));
     check_ok("viewer", viewer_begin(&viewer, &desc));
+    dl_iterate_phdr(keep_library, NULL);
     load("scenes/metaballs.glb");
     check_kept("techniques", switch_technique, 6);
     check_kept("scenes", switch_scene, 4);
