@@ -72,8 +72,9 @@ const struct option settings_table[] = {
      .reinit = true},
     {"filter-jacobian", 0, OPTION_FLAG, FIELD(filter_jacobian), 0,
      .help = "filter width by the paraboloid's Jacobian, not alpha/pi", .reinit = true},
-    {"visibility-block", 0, OPTION_INT, FIELD(visibility_block), 8, 0, 64,
-     .help = "pixels a side of a block that shares its visibility; 0 = each looks itself up",
+    {"visibility-block", 0, OPTION_INT, FIELD(visibility_block), 7, 0, 64,
+     .help = "pixels a side of a block that shares its visibility; 0 = each looks itself up;\n"
+             "                             blocks that are no multiple of interleave blur better",
      .reinit = true},
     {"map-batch", 0, OPTION_INT, FIELD(map_batch), 64, 1, 1024,
      .help = "instant-radiosity: maps in memory at once", .reinit = true},
@@ -116,7 +117,7 @@ const struct option settings_table[] = {
 void settings_apply_path(struct settings *settings) {
     bool paper = settings->path == PATH_PAPER;
     settings->visibility = paper ? VISIBILITY_CSSM : VISIBILITY_PCSS;
-    settings->visibility_block = paper ? 0 : 8;
+    settings->visibility_block = paper ? 0 : 7;
     settings->clamp = paper ? GATHER_CLAMP_DISK : GATHER_CLAMP_NEAR;
     settings->caster_weld = paper ? 0 : .004F;
     settings->blur_separable = !paper;
