@@ -28,25 +28,30 @@ static bool give_up(struct compare *compare) {
     return error_prefix("the right picture");
 }
 
-static bool make_other(struct compare *compare, const struct renderer *renderer) {
+static bool make_other(struct compare *compare, const struct renderer *renderer,
+                       const struct settings *settings) {
     struct renderer_desc desc = renderer->desc;
     desc.technique = compare->technique;
-    desc.settings = compare->settings;
+    desc.settings = *settings;
     desc.timed = false;
     return compare->has_other = renderer_init(&compare->other, &desc);
 }
 
-bool compare_follow(struct compare *compare, const struct renderer *renderer) {
+bool compare_follow(struct compare *compare, const struct renderer *renderer, bool coarse) {
+    int samples = compare->settings.samples;
+    struct settings wanted = compare->settings;
+    wanted.samples = coarse ? 1 : samples;
     if (compare->mode != COMPARE_TECHNIQUE) {
         compare_forget(compare);
         return true;
     }
     if (!compare->has_other)
-        return make_other(compare, renderer) || give_up(compare);
-    if (renderer_configure(&compare->other, compare->technique, &compare->settings))
+        return make_other(compare, renderer, &wanted) || give_up(compare);
+    if (renderer_configure(&compare->other, compare->technique, &wanted))
         return true;
     compare->technique = compare->other.desc.technique;
     compare->settings = compare->other.desc.settings;
+    compare->settings.samples = samples;
     return error_prefix("the right picture");
 }
 

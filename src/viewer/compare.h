@@ -39,9 +39,9 @@ void compare_free(struct compare *compare);
 /* Lets the other renderer go: shaders or scene are no more what they were. */
 void compare_forget(struct compare *compare);
 
-/* Makes the other technique's renderer, or changes its settings. Error: they are what they were, or
- * the comparison is off. */
-bool compare_follow(struct compare *compare, const struct renderer *renderer);
+/* Makes the other technique's renderer, or changes its settings; coarse: without antialiasing.
+ * Error: they are what they were, or the comparison is off. */
+bool compare_follow(struct compare *compare, const struct renderer *renderer, bool coarse);
 
 /* Renders the other technique's picture of what the renderer has just rendered, after
  * compare_follow. Error: the comparison is then off. */

@@ -27,8 +27,8 @@ static void draw_times(const struct pace *pace) {
     for (int i = 0; i < pace->pass_count; i++) {
         const struct pace_pass *pass = &pace->passes[i];
         float ms = pace_median(pass);
-        if (pass->depth > 0 && pass->kept)
-            ui_bar(last_part(pass->path), pass->depth - 1, 0, "kept");
+        if (pass->depth > 0 && pass->idle)
+            ui_bar(last_part(pass->path), pass->depth - 1, 0, "%s", pass->kept ? "kept" : "-");
         else if (pass->depth > 0)
             ui_bar(last_part(pass->path), pass->depth - 1, ms / frame, "%.1f ms", (double)ms);
     }

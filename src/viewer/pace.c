@@ -23,8 +23,9 @@ static void add_pass(struct pace *pace, const struct timer_result *result) {
         memcpy(pass->path, result->path, sizeof pass->path);
         pace->pass_count++;
     }
-    pass->kept = result->ms <= 0;
-    if (pass->kept)
+    pass->idle = result->ms <= 0;
+    pass->kept = pass->idle && goes_with_lights(result->path);
+    if (pass->idle)
         return;
     pass->ms[pass->next] = (float)result->ms;
     pass->next = (pass->next + 1) % PACE_MEDIAN;

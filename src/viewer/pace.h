@@ -16,7 +16,8 @@ struct pace {
     struct pace_pass {
         char path[TIMER_PATH_SIZE];
         int depth;
-        bool kept; /* the last frame used what this pass made before */
+        bool idle; /* in the last frame */
+        bool kept; /* and what it made before was used */
         float ms[PACE_MEDIAN];
         int count, next;
     } passes[TIMERS_MAX];

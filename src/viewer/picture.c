@@ -24,10 +24,15 @@ void viewer_full_size(const struct viewer *viewer, int *width, int *height) {
 static void follow_wishes(struct viewer *viewer) {
     struct renderer *renderer = &viewer->renderer;
     int technique = renderer->desc.technique;
-    if (!renderer_configure(renderer, viewer->technique, &viewer->settings)) {
+    struct settings wanted = viewer->settings;
+    if (viewer->coarse)
+        wanted.samples = 1;
+    if (!renderer_configure(renderer, viewer->technique, &wanted)) {
+        int samples = viewer->settings.samples;
         viewer_tell_error(viewer);
         viewer->technique = technique;
         viewer->settings = renderer->desc.settings;
+        viewer->settings.samples = samples;
     }
     if (technique != viewer->technique)
         pace_forget(&viewer->pace);
@@ -36,7 +41,7 @@ static void follow_wishes(struct viewer *viewer) {
         viewer->placed.light = renderer->desc.light;
     }
     renderer_set_camera(renderer, &viewer->placed.orbit.camera);
-    if (!compare_follow(&viewer->compare, renderer))
+    if (!compare_follow(&viewer->compare, renderer, viewer->coarse))
         viewer_tell_error(viewer);
 }
 
@@ -67,9 +72,11 @@ static void follow_wishes_from_start(struct viewer *viewer) {
 static void choose_size(struct viewer *viewer, int *width, int *height) {
     const struct pace *pace = &viewer->pace;
     viewer_full_size(viewer, width, height);
+    viewer->coarse = false;
     if (viewer_is_scripted(viewer) || !viewer->moving || pace->frame_count == 0)
         return;
     double scale = pace_scale(pace, (double)*width * *height, moving_ms);
+    viewer->coarse = scale < 1;
     *width = (int)lround(*width * scale);
     *height = (int)lround(*height * scale);
 }

@@ -86,6 +86,7 @@ struct viewer {
     bool moving;    /* and this will go on for some frames */
     bool shown;     /* the window, once */
     bool shown_picture;
+    bool coarse;     /* the picture is smaller than it will be at rest, and its edges are rough */
     bool done;       /* close the window */
     int frame_count; /* rendered */
 
