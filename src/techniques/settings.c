@@ -18,7 +18,8 @@ static const char *const path_names[] = {"fast", "paper", NULL};
 const struct option settings_table[] = {
     {"path", 0, OPTION_CHOICE, FIELD(path), PATH_FAST, .choices = path_names,
      .help = "paper: as published, with CSSM at each pixel and VPL; sets visibility, "
-             "visibility-block, clamp, caster-weld, blur-separable, samples",
+             "visibility-block, clamp, caster-weld, blur-separable, blur-cosine, "
+             "samples",
      .reinit = true},
     {"vpls", 0, OPTION_INT, FIELD(vpl_count), 1024, 1, 65536, .help = "virtual point lights, N",
      .reinit = true, .group = "virtual lights"},
@@ -95,7 +96,7 @@ const struct option settings_table[] = {
      .help = "blur along x, then y, not over the whole square at once", .reinit = true},
     {"blur-distance", 0, OPTION_FLOAT, FIELD(blur_distance), .1, 0, 10,
      .help = "blur within this distance, over the scene's extent, alpha", .reinit = true},
-    {"blur-cosine", 0, OPTION_FLOAT, FIELD(blur_cosine), .8, -1, 1,
+    {"blur-cosine", 0, OPTION_FLOAT, FIELD(blur_cosine), .95, -1, 1,
      .help = "blur within this cosine of the normals, beta", .reinit = true},
     {"caster-edge", 0, OPTION_FLOAT, FIELD(caster_edge), .3, .005, 10,
      .help = "longest edge of a caster in paraboloid maps, over the scene's radius", .reinit = true,
@@ -122,6 +123,7 @@ void settings_apply_path(struct settings *settings) {
     settings->caster_weld = paper ? 0 : .004F;
     settings->blur_separable = !paper;
     settings->bias = paper ? 2 : .25F;
+    settings->blur_cosine = paper ? .8F : .95F;
     settings->samples = paper ? 1 : 8;
 }
 
