@@ -13,8 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* No interleaving, no blocks, no blur, no near field: the visibility alone. */
-#define VISIBILITY_ALONE "clamp=disk,visibility-block=0,interleave=1,blur-radius=0"
+/* No interleaving, no blocks, no blur, no near field, no edges: the visibility alone. */
+#define VISIBILITY_ALONE "clamp=disk,visibility-block=0,interleave=1,blur-radius=0,samples=1"
 #define CSSM "technique=clustered,path=paper," VISIBILITY_ALONE
 #define HARD "technique=clustered,path=fast,visibility=hard," VISIBILITY_ALONE
 #define PCSS "technique=clustered,path=fast,visibility=pcss," VISIBILITY_ALONE
@@ -55,11 +55,11 @@ static const struct curve {
     },
     {
         .setting = "vpls",
-        .title = "error of the frame against N",
+        .title = "error of the frame but for edges against N",
         .x_label = "VPLs, N",
         .against_truth = true,
         .values = {64, 128, 256, 512, 1024, 2048, 4096},
-        .series = {{"the frame", "technique=clustered,path=fast", false},
+        .series = {{"the frame", "technique=clustered,path=fast,samples=1", false},
                    {"the paper's frame", "technique=clustered,path=paper", false},
                    {"all VPLs, ray-traced", HARD, true}},
     },
@@ -75,8 +75,10 @@ struct standards {
 static bool init_standards(struct standards *standards, const struct bench_case *base,
                            const struct bench_reference_desc *truth) {
     struct bench_case exact = *base;
+    struct bench_reference_desc centers = *truth;
+    centers.kind = BENCH_REFERENCE_CENTERS;
     *standards = (struct standards){0};
-    return bench_reference_get(truth, &standards->truth) && bench_assign_all(&exact, HARD) &&
+    return bench_reference_get(&centers, &standards->truth) && bench_assign_all(&exact, HARD) &&
            bench_picture_trace(&exact, truth->stage, truth->software, &standards->visibility);
 }
 
