@@ -73,7 +73,11 @@ static void choose_size(struct viewer *viewer, int *width, int *height) {
     const struct pace *pace = &viewer->pace;
     viewer_full_size(viewer, width, height);
     viewer->coarse = false;
-    if (viewer_is_scripted(viewer) || !viewer->moving || pace->frame_count == 0)
+    if (viewer_is_scripted(viewer))
+        return;
+    if (pace->frame_count == 0) /* the first picture is to come soon */
+        viewer->coarse = context_is_software(viewer->context);
+    if (pace->frame_count == 0 || !viewer->moving)
         return;
     double scale = pace_scale(pace, (double)*width * *height, moving_ms);
     viewer->coarse = scale < 1;
@@ -84,9 +88,10 @@ static void choose_size(struct viewer *viewer, int *width, int *height) {
 static void render(struct viewer *viewer) {
     struct renderer *renderer = &viewer->renderer;
     int width, height;
+    bool was_coarse = viewer->coarse;
     choose_size(viewer, &width, &height);
     bool resized = width != renderer->desc.width || height != renderer->desc.height;
-    if (!viewer->dirty && !resized)
+    if (!viewer->dirty && !resized && viewer->coarse == was_coarse)
         return;
     follow_wishes_from_start(viewer);
     if (resized) {
