@@ -7,9 +7,11 @@ struct blur_tap {
     vec3 irradiance;
 };
 
+// 21 bits of each float: all of its exponent, 13 of its fraction.
 uvec4 blur_tap_pack(blur_tap tap) {
+    uvec3 rgb = floatBitsToUint(max(tap.irradiance, 0.0)) + 512u >> 10;
     return uvec4(floatBitsToUint(tap.depth), packUnorm2x16(tap.normal_code),
-                 packHalf2x16(tap.irradiance.rg), packHalf2x16(vec2(tap.irradiance.b, 0.0)));
+                 rgb.r << 11 | rgb.g >> 10, rgb.g << 22 | rgb.b);
 }
 
 float blur_tap_depth(uvec4 tap) {
@@ -21,5 +23,6 @@ vec3 blur_tap_normal(uvec4 tap) {
 }
 
 vec3 blur_tap_irradiance(uvec4 tap) {
-    return vec3(unpackHalf2x16(tap.z), unpackHalf2x16(tap.w).x);
+    uvec3 rgb = uvec3(tap.z >> 11, (tap.z & 0x7ffu) << 10 | tap.w >> 22, tap.w & 0x1fffffu);
+    return uintBitsToFloat(rgb << 10);
 }
