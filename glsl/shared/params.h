@@ -63,11 +63,12 @@ struct block_params {
 
 struct near_field_params {
     float interleave;
-    float scale;      /* of the stored irradiance */
     float tile_width, tile_height;
-    float vpl_share;  /* solid angle of one VPL, sr; area of a directional light's, m2 */
-    float reach;      /* of the near field, in spacings of VPLs */
-    float unused0, unused1;
+    float vpl_share;      /* solid angle of one VPL, sr; area of a directional light's, m2 */
+    float reach;          /* of the near field, in spacings of VPLs */
+    float power_scale;    /* of the stored power: that of the irradiance over the squared radius */
+    float inverse_radius; /* of the scene, 1/m */
+    float unused;
 };
 
 #define NEAR_SAMPLES_MAX 1024

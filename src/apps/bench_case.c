@@ -42,6 +42,7 @@ enum bench_step bench_step_of(const char *path) {
         {"depth maps", STEP_CSSM},
         {"gather", STEP_INDIRECT},
         {"block visibility", STEP_INDIRECT},
+        {"near light", STEP_INDIRECT},
         {"near field", STEP_INDIRECT},
         {"blur", STEP_BLUR},
     };

@@ -1,9 +1,14 @@
 #include "passes/near_field.h"
 
 #include "base/halton.h"
+#include "base/memory.h"
+#include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/params.h"
+
+#include <math.h>
+#include <stdlib.h>
 
 /* As many samples as each slot may have of its own; fewer slots' worth are shared. */
 static int pattern_count(const struct near_field_desc *desc) {
@@ -15,16 +20,45 @@ static bool upload_samples(struct near_field_pass *pass) {
     float samples[NEAR_SAMPLES_MAX][4] = {{0}};
     for (uint32_t i = 0; i < NEAR_SAMPLES_MAX; i++) {
         samples[i][0] = (float)radical_inverse(2, i);
-        samples[i][1] = (float)radical_inverse(3, i);
+        double turn = 2 * acos(-1) * radical_inverse(3, i);
+        samples[i][1] = (float)cos(turn);
+        samples[i][2] = (float)sin(turn);
     }
     return buffer_init(&pass->samples, "near field samples", sizeof samples, samples);
 }
 
+static bool init_programs(struct near_field_pass *pass) {
+    char *defines = mem_printf("LIGHT_VIEWS %d", pass->desc.light_views);
+    bool ok = program_init(&pass->light_program,
+                           &(struct program_desc){
+                               .vertex = "layers.vert",
+                               .fragment = "near_light.frag",
+                           }) &&
+              program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
+                                                                  .fragment = "near_field.frag",
+                                                                  .defines = defines});
+    free(defines);
+    return ok;
+}
+
+static bool init_lights(struct near_field_pass *pass) {
+    return texture_init(&pass->lights,
+                        &(struct texture_desc){
+                            .label = "near lights",
+                            .target = GL_TEXTURE_2D_ARRAY,
+                            .format = GL_RGBA32UI,
+                            .width = pass->desc.rsm_size,
+                            .height = pass->desc.rsm_size,
+                            .layers = pass->desc.light_views,
+                        }) &&
+           framebuffer_init(
+               &pass->lights_framebuffer,
+               &(struct framebuffer_desc){.label = "near lights", .colors = {&pass->lights}});
+}
+
 bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_desc *desc) {
     *pass = (struct near_field_pass){.desc = *desc};
-    if (program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                            .fragment = "near_field.frag"}) &&
-        upload_samples(pass) &&
+    if (init_programs(pass) && init_lights(pass) && upload_samples(pass) &&
         buffer_init(&pass->params, "near field parameters", sizeof(struct near_field_params), NULL))
         return true;
     near_field_pass_free(pass);
@@ -32,30 +66,51 @@ bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_
 }
 
 void near_field_pass_free(struct near_field_pass *pass) {
+    program_free(&pass->light_program);
     program_free(&pass->program);
+    texture_free(&pass->lights);
+    framebuffer_free(&pass->lights_framebuffer);
     buffer_free(&pass->samples);
     buffer_free(&pass->params);
     *pass = (struct near_field_pass){0};
 }
 
+/* The target is NULL for the light's own pass. */
 static void write_params(const struct near_field_pass *pass, const struct frame *frame,
                          const struct irradiance *target) {
     struct near_field_params params = {
-        .interleave = (float)target->interleave,
-        .scale = frame->irradiance_scale,
-        .tile_width = (float)target->tile_width,
-        .tile_height = (float)target->tile_height,
+        .interleave = (float)pass->desc.interleave,
+        .tile_width = target ? (float)target->tile_width : 0,
+        .tile_height = target ? (float)target->tile_height : 0,
         .vpl_share = frame->light_measure / (float)pass->desc.vpl_count,
         .reach = frame_near_reach(frame, pass->desc.vpl_count, pass->desc.reach),
+        .power_scale = frame->irradiance_scale / (frame->radius * frame->radius),
+        .inverse_radius = 1 / frame->radius,
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_VPLS, pass->samples.id);
+}
+
+void near_field_pass_render_light(const struct near_field_pass *pass, const struct frame *frame,
+                                  const struct gbuffer *rsm) {
+    pass_begin(frame->timers, &(struct pass_state){
+                                  .name = "near light",
+                                  .program = pass->light_program,
+                                  .framebuffer = pass->lights_framebuffer,
+                                  .width = pass->desc.rsm_size,
+                                  .height = pass->desc.rsm_size,
+                              });
+    write_params(pass, frame, NULL);
+    gl.BindTextureUnit(0, rsm->depth.id);
+    gl.BindTextureUnit(1, rsm->normal.id);
+    gl.BindTextureUnit(2, rsm->albedo.id);
+    gl.ProgramUniform1i(pass->light_program, 0, 0);
+    pass_draw_fullscreen(pass->desc.light_views);
+    pass_end(frame->timers);
 }
 
 void near_field_pass_render(const struct near_field_pass *pass, const struct frame *frame,
-                            const struct gbuffer *gbuffer, const struct gbuffer *rsm,
-                            const struct irradiance *irradiance) {
+                            const struct gbuffer *gbuffer, const struct irradiance *irradiance) {
     int n = irradiance->interleave, patterns = pattern_count(&pass->desc);
     pass_begin(frame->timers, &(struct pass_state){
                                   .name = "near field",
@@ -68,9 +123,8 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
     write_params(pass, frame, irradiance);
     gl.BindTextureUnit(0, gbuffer->depth.id);
     gl.BindTextureUnit(1, gbuffer->normal.id);
-    gl.BindTextureUnit(2, rsm->depth.id);
-    gl.BindTextureUnit(3, rsm->normal.id);
-    gl.BindTextureUnit(4, rsm->albedo.id);
+    gl.BindTextureUnit(2, pass->lights.id);
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_VPLS, pass->samples.id);
     for (int slot = 0; slot < n * n; slot++) {
         gl.Viewport(slot % n * irradiance->tile_width, slot / n * irradiance->tile_height,
                     irradiance->tile_width, irradiance->tile_height);

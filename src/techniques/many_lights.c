@@ -44,6 +44,8 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
                                                          .samples = settings->near_samples,
                                                          .interleave = settings->interleave,
                                                          .vpl_count = settings->vpl_count,
+                                                         .rsm_size = lights->rsm.width,
+                                                         .light_views = desc->light_views,
                                                          .reach = settings->near_reach,
                                                      });
 }
@@ -112,13 +114,14 @@ bool many_lights_resize(struct many_lights *lights, int width, int height) {
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame) {
     geometry_pass_render_light(&lights->geometry, frame, &lights->rsm);
     vpl_pass_render(&lights->vpl, frame, &lights->rsm, &lights->vpls);
+    if (lights->has_near_field)
+        near_field_pass_render_light(&lights->near_field, frame, &lights->rsm);
 }
 
 void many_lights_finish(const struct many_lights *lights, const struct frame *frame,
                         const struct gbuffer *gbuffer) {
     if (lights->has_near_field)
-        near_field_pass_render(&lights->near_field, frame, gbuffer, &lights->rsm,
-                               &lights->gather.irradiance);
+        near_field_pass_render(&lights->near_field, frame, gbuffer, &lights->gather.irradiance);
     blur_pass_render(&lights->blur, frame, gbuffer, &lights->gather.irradiance);
 }
 
