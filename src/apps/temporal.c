@@ -1,3 +1,4 @@
+#define _POSIX_C_SOURCE 200809L
 #include "apps/temporal.h"
 
 #include "apps/bench_plot.h"
@@ -5,6 +6,8 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "gl/memory.h"
+#include "reference/path_tracer.h"
 #include "scene/animation.h"
 #include "shared/vpl.h"
 
@@ -13,6 +16,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* The clustering starts [METHOD §2.4] beside what the benchmark compares anyway. */
 static const char *const usual_variants[] = {
@@ -85,19 +89,19 @@ static double layer_mean(const struct image *image, const int channels[3]) {
     return sum / (3. * image->width * image->height);
 }
 
+static double change(const struct track *track, int x, int y, int channel) {
+    return (double)image_at(&track->image, x, y)[channel] -
+           (double)image_at(&track->before, x, y)[channel];
+}
+
 /* The change of F beyond that of R, mean over pixels and colours. */
-static double excess_change(const struct track *f, const struct track *r, const int channels[3]) {
+static double excess_change(const struct track *f, const int of_f[3], const struct track *r,
+                            const int of_r[3]) {
     double sum = 0;
     for (int y = 0; y < f->image.height; y++)
         for (int x = 0; x < f->image.width; x++)
-            for (int c = 0; c < 3; c++) {
-                int k = channels[c];
-                double of_f =
-                    (double)image_at(&f->image, x, y)[k] - (double)image_at(&f->before, x, y)[k];
-                double of_r =
-                    (double)image_at(&r->image, x, y)[k] - (double)image_at(&r->before, x, y)[k];
-                sum += fabs(of_f - of_r);
-            }
+            for (int c = 0; c < 3; c++)
+                sum += fabs(change(f, x, y, of_f[c]) - change(r, x, y, of_r[c]));
     return sum / (3. * f->image.width * f->image.height);
 }
 
@@ -188,11 +192,30 @@ static bool track_frame(struct track *track, const struct stage *stage, int inde
 
 /* --- a clip ----------------------------------------------------------------------------------- */
 
+struct memory {
+    int objects;             /* of OpenGL */
+    double on_gpu, resident; /* MiB */
+};
+
 struct clip_run {
+    const struct bench_values *values;
     struct track reference, tracks[VARIANTS_MAX];
     int track_count, frame_count;
-    double mean_r; /* over the frames */
+    double mean_r;           /* over the frames */
+    struct memory memory[2]; /* after a tenth of the clip, and at its end */
 };
+
+/* What the process and OpenGL hold. */
+static struct memory memory_now(void) {
+    struct memory memory = {gpu_memory_object_count(), (double)gpu_memory_total() / (1 << 20), 0};
+    long pages = 0;
+    FILE *statm = fopen("/proc/self/statm", "r");
+    if (statm && fscanf(statm, "%*d %ld", &pages) == 1)
+        memory.resident = (double)pages * (double)sysconf(_SC_PAGESIZE) / (1 << 20);
+    if (statm)
+        fclose(statm);
+    return memory;
+}
 
 static void finish_flicker(struct clip_run *run) {
     for (int t = 0; t < run->track_count; t++)
@@ -200,19 +223,48 @@ static void finish_flicker(struct clip_run *run) {
             run->tracks[t].frames[i].flicker /= run->mean_r / run->frame_count;
 }
 
+/* The truth: paths of one bounce, whose seed is the same in all frames, as then is most of the
+ * noise. */
+static bool trace_frame(struct clip_run *run, const struct stage *stage) {
+    const struct bench_case *prepared = &run->reference.prepared;
+    swap_frames(&run->reference);
+    return path_tracer_render(
+        &(struct path_tracer_desc){.scene = &stage->scene,
+                                   .geometry = &stage->geometry,
+                                   .camera = &stage->camera,
+                                   .light = &stage->light,
+                                   .width = prepared->width,
+                                   .height = prepared->height,
+                                   .bounces = 1,
+                                   .noise = (double)run->values->noise,
+                                   .centers = run->values->reference == BENCH_REFERENCE_CENTERS},
+        &run->reference.image, NULL);
+}
+
+static bool is_traced(const struct bench_values *values) {
+    return values->reference == BENCH_REFERENCE_PATH ||
+           values->reference == BENCH_REFERENCE_CENTERS;
+}
+
 static bool run_frame(struct clip_run *run, struct stage *stage, int index, double time) {
-    int channels[3];
-    if (!stage_pose(stage, time) || !track_frame(&run->reference, stage, index, time) ||
-        !image_find_layer(&run->reference.image, "indirect", channels))
+    int of_r[3], of_f[3];
+    if (!stage_pose(stage, time) ||
+        !(is_traced(run->values) ? trace_frame(run, stage)
+                                 : track_frame(&run->reference, stage, index, time)) ||
+        !image_find_layer(&run->reference.image, "indirect", of_r))
         return false;
-    run->mean_r += layer_mean(&run->reference.image, channels);
+    run->mean_r += layer_mean(&run->reference.image, of_r);
     for (int t = 0; t < run->track_count; t++) {
         struct track *track = &run->tracks[t];
-        if (!track_frame(track, stage, index, time))
+        if (!track_frame(track, stage, index, time) ||
+            !image_find_layer(&track->image, "indirect", of_f))
             return false;
         if (index > 0)
-            track->frames[index].flicker = excess_change(track, &run->reference, channels);
+            track->frames[index].flicker = excess_change(track, of_f, &run->reference, of_r);
     }
+    run->memory[1] = memory_now();
+    if (index <= run->frame_count / 10)
+        run->memory[0] = run->memory[1];
     return true;
 }
 
@@ -283,8 +335,14 @@ static void print_run(const struct clip_run *run, const struct stage *stage) {
            "variant", "flicker", "worst frame", "VALs", "travel");
     for (int t = 0; t < run->track_count; t++)
         print_track(run, &run->tracks[t]);
-    printf("  (flicker: change beyond that of all VPLs with a map each, over its mean;\n"
-           "   travel: of VALs' centres over that of VPLs)\n");
+    printf("  (flicker: change beyond that of %s, over its mean;\n"
+           "   travel: of VALs' centres over that of VPLs)\n",
+           is_traced(run->values) ? "the path-traced truth" : "all VPLs with a map each");
+    const struct memory *first = &run->memory[0], *last = &run->memory[1];
+    printf("  after a tenth of the clip %d GL objects of %.1f MiB, %.1f MiB resident; at its end "
+           "%d of %.1f, %.1f\n",
+           first->objects, first->on_gpu, first->resident, last->objects, last->on_gpu,
+           last->resident);
 }
 
 static void write_rows(FILE *csv, const struct clip_run *run, const struct stage *stage) {
@@ -321,7 +379,7 @@ static bool draw(const struct clip_run *run, const struct stage *stage, const ch
 static bool bench_clip(const struct bench_values *values, const char *path, FILE *csv,
                        bool software) {
     struct stage stage;
-    struct clip_run run = {.frame_count = values->frames ? values->frames : 50};
+    struct clip_run run = {.values = values, .frame_count = values->frames ? values->frames : 50};
     if (!stage_init(&stage, &(struct stage_desc){.path = path}))
         return false;
     bool ok = (run.frame_count > 1 || error_set("flicker needs two frames")) &&
