@@ -170,20 +170,25 @@ accuracy: all
 
 # --- stability ------------------------------------------------------------------------------------
 
-# Flicker and VALs in use over the clips of the moving scenes; then the cases where methods break,
-# each with a picture.
+# Flicker and VALs in use over the clips of the moving scenes, the largest with fewer lights; against
+# the truth on short clips; then the cases where methods break, each with a picture.
 MOVING_SCENES := $(patsubst %,scenes/%.glb,moving-spot metaballs door)
 STABILITY_OPTIONS := --size 80x60 --frames 20
+CREATURES_OPTIONS := --size 80x60 --frames 6 --set vpls=256 --set map-size=64
+TRUTH_OPTIONS := --size 64x48 --frames 8 --reference path --noise .01
 FAILURES_OPTIONS := --size 160x120 --noise .02
+THREE_VARIANTS := --variant instant-radiosity --variant paper --variant fast
 
-stability: all $(BUILD)/test/test_stability $(BUILD)/test/test_robust
+stability: all
 	@mkdir -p $(BENCH_RESULTS)
 	./manylight bench $(MOVING_SCENES) --temporal --csv $(BENCH_RESULTS)/temporal.csv \
 	    -o $(BENCH_PLOTS) $(STABILITY_OPTIONS)
+	./manylight bench scenes/creatures.glb --temporal --csv $(BENCH_RESULTS)/temporal-creatures.csv \
+	    $(CREATURES_OPTIONS) $(THREE_VARIANTS)
+	./manylight bench $(MOVING_SCENES) --temporal --csv $(BENCH_RESULTS)/temporal-truth.csv \
+	    $(TRUTH_OPTIONS) $(THREE_VARIANTS)
 	./manylight bench --failures --csv $(BENCH_RESULTS)/failures.csv --cache $(REFERENCE_CACHE) \
 	    -o $(BENCH_RESULTS)/failures $(FAILURES_OPTIONS)
-	$(BUILD)/test/test_robust
-	$(BUILD)/test/test_stability
 
 # --- portable -------------------------------------------------------------------------------------
 
