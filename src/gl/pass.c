@@ -25,7 +25,7 @@ void pass_set_state(const struct pass_state *state) {
     enable(GL_BLEND, state->blend != PASS_BLEND_OFF);
     gl.BlendFunc(GL_ONE, state->blend == PASS_BLEND_OVER ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
     gl.BlendEquation(state->blend == PASS_BLEND_MAX ? GL_MAX : GL_FUNC_ADD);
-    gl.Disable(GL_CULL_FACE);
+    enable(GL_CULL_FACE, state->cull_back);
     gl.Disable(GL_SCISSOR_TEST);
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     for (int i = 0; i < CLIP_DISTANCES_MAX; i++)

@@ -18,7 +18,7 @@ struct antialias_desc {
 
 struct antialias_pass {
     struct antialias_desc desc;
-    GLuint depth_program, pick_program;
+    GLuint solid_program, masked_program, pick_program;
     int layers;
     struct texture depths; /* D32F, a layer of four samples after another */
     struct texture

@@ -283,6 +283,15 @@ void scene_gpu_draw_masked(const struct scene_gpu *gpu, int instances) {
             draw_batch(gpu, &gpu->batches[i], instances);
 }
 
+void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided, int instances) {
+    for (int i = 0; i < gpu->batch_count; i++) {
+        const struct geometry_batch *batch = &gpu->batches[i];
+        const struct material *material = &gpu->scene->materials[batch->material];
+        if (!material->alpha_mask && material->double_sided == double_sided)
+            draw_indices(batch->first_index, batch->index_count, instances);
+    }
+}
+
 void scene_gpu_draw_opaque(const struct scene_gpu *gpu, int instances) {
     if (gpu->opaque_indices)
         draw_indices(0, gpu->opaque_indices, instances);

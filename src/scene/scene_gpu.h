@@ -39,10 +39,12 @@ bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry,
                       struct caster *caster);
 void scene_gpu_free(struct scene_gpu *gpu);
 
-/* With vertex array shaded_vertices: all batches; those with an alpha mask; all others at once, for
- * depth alone. The first two bind BLOCK_MATERIAL and texture unit 0. */
+/* With vertex array shaded_vertices: all batches; those with an alpha mask; the others with one
+ * side or two; all others at once, for depth alone. The first two bind BLOCK_MATERIAL and texture
+ * unit 0. */
 void scene_gpu_draw_shaded(const struct scene_gpu *gpu, int instances);
 void scene_gpu_draw_masked(const struct scene_gpu *gpu, int instances);
+void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided, int instances);
 void scene_gpu_draw_opaque(const struct scene_gpu *gpu, int instances);
 
 /* With vertex array caster_vertices; the masked ones bind as shaded ones do. */
