@@ -90,8 +90,6 @@ struct blur_params {
 struct antialias_params {
     vec4 places[SAMPLES_MAX]; /* xy: of the sample from the pixel's centre, pixels */
     vec4 shifts[SAMPLES_MAX / SAMPLES_PER_LAYER]; /* xy: of each layer, in clip space */
-    float samples;
-    float unused0, unused1, unused2;
 };
 
 struct composite_params {

@@ -5,7 +5,11 @@
 #include "gl/program.h"
 #include "shared/params.h"
 
+#include <stdio.h>
+
 static bool init_programs(struct antialias_pass *pass) {
+    char samples[32];
+    snprintf(samples, sizeof samples, "SAMPLES %d", pass->layers * SAMPLES_PER_LAYER);
     return program_init(&pass->solid_program,
                         &(struct program_desc){.vertex = "geometry.vert",
                                                .fragment = "depth_only.frag",
@@ -15,7 +19,8 @@ static bool init_programs(struct antialias_pass *pass) {
                                                .fragment = "geometry.frag",
                                                .defines = "DEPTH_ONLY;SAMPLE_LAYERS"}) &&
            program_init(&pass->pick_program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                                    .fragment = "antialias.frag"});
+                                                                    .fragment = "antialias.frag",
+                                                                    .defines = samples});
 }
 
 static bool init_depths(struct antialias_pass *pass) {
@@ -63,7 +68,7 @@ static void layer_shift(int i, int n, float shift[2]) {
 
 /* The driver tells where it puts samples for the framebuffer that is bound. */
 static bool init_params(struct antialias_pass *pass) {
-    struct antialias_params params = {.samples = (float)(pass->layers * SAMPLES_PER_LAYER)};
+    struct antialias_params params = {0};
     gl.BindFramebuffer(GL_FRAMEBUFFER, pass->depth_framebuffer);
     for (int layer = 0; layer < pass->layers; layer++) {
         float shift[2];
