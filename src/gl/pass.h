@@ -25,7 +25,7 @@ struct pass_state {
     int x, y, width, height;
     enum pass_depth depth;
     enum pass_blend blend;
-    bool cull_back; /* faces seen from behind are left out */
+    bool cull_back;     /* faces seen from behind are left out */
     int clip_distances; /* gl_ClipDistance[0 .. this) */
 };
 
