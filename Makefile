@@ -135,38 +135,47 @@ BENCH_RESULTS := $(BUILD)/bench
 BENCH_PLOTS := $(BENCH_RESULTS)/plots
 REFERENCE_CACHE := $(BUILD)/reference-cache
 
-# Speed against accuracy: a grid of the method, and what it competes with.
-CHART_RUN = ./manylight bench $(BENCH_SCENES) --reference path --cache $(REFERENCE_CACHE) \
-    $(BENCH_OPTIONS)
+# Large scenes take many more paths for the same noise; the two Sponzas are one view.
+LARGE_SCENES := $(filter %/atrium.glb %/sponza-98k.glb,$(BENCH_SCENES))
+SMALL_SCENES := $(filter-out $(LARGE_SCENES) %/sponza.glb,$(BENCH_SCENES))
+NOISE_OF_SMALL := --noise .02
+NOISE_OF_LARGE := --noise .06
+
+# Speed against accuracy: a grid of the method, and what it competes with. A chart a name: of the two
+# Cornell boxes ours.
+CHART_RUN = ./manylight bench --reference path --cache $(REFERENCE_CACHE) --size 400x400 $(BENCH_OPTIONS)
+CHART_SMALL := $(filter-out ../%/cornell-box.glb,$(SMALL_SCENES))
+CHART_GRID := --variant paper --variant fast --sweep M=2,8,30,120
+CHART_RIVALS := --variant unshadowed --variant instant-radiosity
 
 bench: all
 	@mkdir -p $(BENCH_RESULTS)
 	./manylight bench $(BENCH_SCENES) --csv $(BENCH_RESULTS)/tables.csv $(BENCH_OPTIONS)
 
+# Each run's rows, one heading.
 $(BENCH_RESULTS)/sweep.csv: | all
 	@mkdir -p $(@D)
-	$(CHART_RUN) --variant paper --variant fast --sweep M=2,8,30,120 --csv $@.new
-	$(CHART_RUN) --variant unshadowed --variant instant-radiosity --csv $@.more
-	tail -n +2 $@.more >> $@.new
-	@rm $@.more && mv $@.new $@
+	$(CHART_RUN) $(CHART_SMALL) $(NOISE_OF_SMALL) $(CHART_GRID) --csv $@.1
+	$(CHART_RUN) $(CHART_SMALL) $(NOISE_OF_SMALL) $(CHART_RIVALS) --csv $@.2
+	$(CHART_RUN) $(LARGE_SCENES) $(NOISE_OF_LARGE) $(CHART_GRID) --csv $@.3
+	$(CHART_RUN) $(LARGE_SCENES) $(NOISE_OF_LARGE) $(CHART_RIVALS) --csv $@.4
+	awk 'FNR > 1 || NR == 1' $@.[1-4] > $@
+	@rm $@.[1-4]
 
 chart: $(BENCH_RESULTS)/sweep.csv
 	./manylight bench --chart $< -o $(BENCH_PLOTS)
 
-# Where the error of a frame comes from, and how it falls with M, K, N and the size of maps. Large
-# scenes take many more paths for the same noise; the two Sponzas are one view.
-LARGE_SCENES := $(filter %/atrium.glb %/sponza-98k.glb,$(BENCH_SCENES))
-SMALL_SCENES := $(filter-out $(LARGE_SCENES) %/sponza.glb,$(BENCH_SCENES))
+# Where the error of a frame comes from, and how it falls with M, K, N and the size of maps.
 BUDGET_SIZE := 800x800
 BUDGET_RUN = ./manylight bench --budget --size $(BUDGET_SIZE) --cache $(REFERENCE_CACHE)
 CURVES_SIZE := 200x200
 
 accuracy: all
 	@mkdir -p $(BENCH_RESULTS)
-	$(BUDGET_RUN) $(SMALL_SCENES) --noise .02 --csv $(BENCH_RESULTS)/budget.csv
-	$(BUDGET_RUN) $(LARGE_SCENES) --noise .06 --csv $(BENCH_RESULTS)/budget-large.csv
+	$(BUDGET_RUN) $(SMALL_SCENES) $(NOISE_OF_SMALL) --csv $(BENCH_RESULTS)/budget.csv
+	$(BUDGET_RUN) $(LARGE_SCENES) $(NOISE_OF_LARGE) --csv $(BENCH_RESULTS)/budget-large.csv
 	./manylight bench $(filter-out %/atrium.glb,$(OWN_SCENES)) --curves --size $(CURVES_SIZE) \
-	    --noise .02 --cache $(REFERENCE_CACHE) --csv $(BENCH_RESULTS)/curves.csv -o $(BENCH_PLOTS)
+	    $(NOISE_OF_SMALL) --cache $(REFERENCE_CACHE) --csv $(BENCH_RESULTS)/curves.csv -o $(BENCH_PLOTS)
 
 # --- stability ------------------------------------------------------------------------------------
 
