@@ -54,8 +54,8 @@ void scale_scene(struct scene *scene, float s) {
     for (int i = 0; i < scene->mesh_count; i++)
         for (int p = 0; p < scene->meshes[i].primitive_count; p++) {
             struct primitive *primitive = &scene->meshes[i].primitives[p];
-            for (int k = 0; k < 3 * primitive->vertex_count; k++)
-                primitive->position[0][k] *= s;
+            for (int k = 0; k < primitive->vertex_count; k++)
+                glm_vec3_scale(primitive->position[k], s, primitive->position[k]);
         }
     for (int i = 0; i < scene->node_count; i++)
         for (int c = 0; c < 3; c++) {

@@ -143,7 +143,10 @@ static void test_script(void **state) {
         skip();
     char path[700];
     snprintf(path, sizeof path, "%s/script.png", stage.folder);
-    assert_int_equal(shell("%s view " SCENE " --size %dx%d " CHEAP " --frames 3 --screenshot %s",
+    /* GLFW unloads the driver at the end, and with it the names of what the driver loses;
+     * test_view_leaks looks for ours. */
+    assert_int_equal(shell("ASAN_OPTIONS=detect_leaks=0 %s view " SCENE " --size %dx%d " CHEAP
+                           " --frames 3 --screenshot %s",
                            stage.binary, WIDTH, HEIGHT, path),
                      0);
     struct bitmap got = read_bitmap(path), expected = offscreen(SCENE);

@@ -54,7 +54,7 @@ void settings_of_path(struct settings *settings, int path);
 /* Sets what belongs to settings->path, after that alone was changed. */
 void settings_apply_path(struct settings *settings);
 
-/* Checks what single ranges cannot: M <= N, interleave^2 <= N ... Error: a sentence for the user.
+/* Checks what single ranges cannot: interleave^2 <= N. Error: a sentence for the user.
  */
 bool settings_check(const struct settings *settings);
 
