@@ -149,6 +149,20 @@ static inline void place_light(struct world *world, enum light_type type, vec3s 
     memcpy(light->direction, glms_vec3_normalize(direction).raw, sizeof direction.raw);
 }
 
+/* A camera within the unit sphere of albedo 1/2, off its centre, where a point light of pi W/sr is:
+ * direct light is 1 everywhere, and one bounce 1/2 [METHOD 6]. */
+static inline void world_in_sphere(struct world *world) {
+    world_init(world);
+    add_sphere(world, 0, 64);
+    world_finish(world);
+    world->camera = (struct camera){.eye = {0.2f, 0.1f, 0.6f},
+                                    .right = {1, 0, 0},
+                                    .up = {0, 1, 0},
+                                    .forward = {0, 0, -1},
+                                    .fov_y = 1.4f};
+    place_light(world, LIGHT_POINT, glms_vec3_zero(), (vec3s){{0, 0, -1}}, GLM_PIf);
+}
+
 static inline struct path_tracer_desc describe(const struct world *world, int size, int samples) {
     return (struct path_tracer_desc){.scene = &world->scene,
                                      .geometry = &world->geometry,

@@ -73,15 +73,7 @@ static void test_sphere(void **state) {
     (void)state;
     struct world world;
     struct image image;
-    world_init(&world);
-    add_sphere(&world, 0, 64);
-    world_finish(&world);
-    world.camera = (struct camera){.eye = {0.2f, 0.1f, 0.6f},
-                                   .right = {1, 0, 0},
-                                   .up = {0, 1, 0},
-                                   .forward = {0, 0, -1},
-                                   .fov_y = 1.4f};
-    place_light(&world, LIGHT_POINT, glms_vec3_zero(), (vec3s){{0, 0, -1}}, GLM_PIf);
+    world_in_sphere(&world);
     /* The facets' centres lie (pi / 64)^2 / 8 = 3e-4 nearer than the vertices, and light falls off
      * by the square: a thousandth covers it and the noise of the means. */
     double series = 0, power = 1;

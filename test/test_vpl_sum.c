@@ -59,15 +59,7 @@ static void test_sphere(void **state) {
     (void)state;
     struct world world;
     struct image image;
-    world_init(&world);
-    add_sphere(&world, 0, 64);
-    world_finish(&world);
-    world.camera = (struct camera){.eye = {0.2f, 0.1f, 0.6f},
-                                   .right = {1, 0, 0},
-                                   .up = {0, 1, 0},
-                                   .forward = {0, 0, -1},
-                                   .fov_y = 1.4f};
-    place_light(&world, LIGHT_POINT, glms_vec3_zero(), (vec3s){{0, 0, -1}}, GLM_PIf);
+    world_in_sphere(&world);
     struct vpl *vpls = trace_vpls(&world, 37);
     struct vpl_sum_desc desc = sum_desc(&world, vpls, 37, 32);
     check_ok("sum", vpl_sum_render(&desc, &image));
