@@ -113,6 +113,8 @@ static void test_coverage(void **state) {
         printf("  rolled by %.1f\n", .3 * (axis + 1));
         check_near("coverage by the centre alone", coverage_error(&stage, "samples=1"), .25, .05);
         check_at_most("coverage by 4 samples", coverage_error(&stage, "samples=4"), .14);
+        check_near("5 samples, of which there are 8", coverage_error(&stage, "samples=5"),
+                   coverage_error(&stage, "samples=8"), 0);
         check_at_most("coverage by 8 samples", coverage_error(&stage, "samples=8"), .119);
         check_at_most("coverage by 16 samples", coverage_error(&stage, "samples=16"), .092);
     }

@@ -9,7 +9,7 @@
 
 static bool init_programs(struct antialias_pass *pass) {
     char samples[32];
-    snprintf(samples, sizeof samples, "SAMPLES %d", pass->layers * SAMPLES_PER_LAYER);
+    snprintf(samples, sizeof samples, "SAMPLES %d", pass->samples);
     return program_init(&pass->solid_program,
                         &(struct program_desc){.vertex = "geometry.vert",
                                                .fragment = "depth_only.frag",
@@ -41,7 +41,7 @@ static bool init_depths(struct antialias_pass *pass) {
 
 static bool init_picks(struct antialias_pass *pass) {
     static const GLuint itself[4] = {0};
-    bool all = pass->desc.samples > 1;
+    bool all = pass->samples > 1;
     if (!texture_init(&pass->picks,
                       &(struct texture_desc){
                           .label = "picks of samples",
@@ -91,8 +91,9 @@ static bool init_params(struct antialias_pass *pass) {
 bool antialias_pass_init(struct antialias_pass *pass, const struct antialias_desc *desc) {
     *pass = (struct antialias_pass){.desc = *desc};
     pass->layers = (desc->samples + SAMPLES_PER_LAYER - 1) / SAMPLES_PER_LAYER;
+    pass->samples = desc->samples > 1 ? pass->layers * SAMPLES_PER_LAYER : 1;
     if (init_picks(pass) &&
-        (desc->samples == 1 || (init_programs(pass) && init_depths(pass) && init_params(pass))))
+        (pass->samples == 1 || (init_programs(pass) && init_depths(pass) && init_params(pass))))
         return true;
     antialias_pass_free(pass);
     return false;
@@ -158,7 +159,7 @@ static void render_picks(const struct antialias_pass *pass, const struct frame *
 
 void antialias_pass_render(const struct antialias_pass *pass, const struct frame *frame,
                            const struct gbuffer *gbuffer) {
-    if (pass->desc.samples == 1)
+    if (pass->samples == 1)
         return;
     timer_begin(frame->timers, "antialias");
     render_depths(pass, frame);

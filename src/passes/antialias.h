@@ -19,7 +19,7 @@ struct antialias_desc {
 struct antialias_pass {
     struct antialias_desc desc;
     GLuint solid_program, masked_program, pick_program;
-    int layers;
+    int layers, samples;   /* drawn: whole layers, or the one centre */
     struct texture depths; /* D32F, a layer of four samples after another */
     struct texture
         picks; /* RG32UI, four bits a sample: lib/picks.glsl; 0 = itself; 1 x 1 if samples is 1 */

@@ -286,7 +286,7 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
         .direct = &renderer->direct.direct,
         .indirect = outputs.irradiance,
         .picks = &renderer->antialias.picks,
-        .samples = desc->settings.samples,
+        .samples = renderer->antialias.samples,
         .exposure = desc->settings.exposure,
         .tone_map = (enum tone_map)desc->settings.tone_map,
         .layer = LAYER_BEAUTY,
