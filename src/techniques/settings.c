@@ -59,7 +59,7 @@ const struct option settings_table[] = {
      .help = "depth bias of hard lookups, of the distance", .reinit = true},
     {"near-clip", 0, OPTION_FLOAT, FIELD(near_clip), .01, 0, 1,
      .help = "casters nearer to a VAL's centre are ignored, over the scene's radius; at most\n"
-             "                             the VAL's extent",
+             "the VAL's extent",
      .reinit = true},
     {"shift", 0, OPTION_FLOAT, FIELD(shift), .25, 0, 2,
      .help = "ringing suppression: shift of the receiver depth, over 1/(2K)", .reinit = true},
@@ -75,7 +75,7 @@ const struct option settings_table[] = {
      .help = "filter width by the paraboloid's Jacobian, not alpha/pi", .reinit = true},
     {"visibility-block", 0, OPTION_INT, FIELD(visibility_block), 7, 0, 64,
      .help = "pixels a side of a block that shares its visibility; 0 = each looks itself up;\n"
-             "                             blocks that are no multiple of interleave blur better",
+             "blocks that are no multiple of interleave blur better",
      .reinit = true},
     {"map-batch", 0, OPTION_INT, FIELD(map_batch), 64, 1, 1024,
      .help = "instant-radiosity: maps in memory at once", .reinit = true},
@@ -108,7 +108,7 @@ const struct option settings_table[] = {
      .group = "picture"},
     {"samples", 0, OPTION_INT, FIELD(samples), 8, 1, 16,
      .help = "places of a pixel at which edges are told: antialiasing; 1 = its centre alone,\n"
-             "                             more count in fours",
+             "more count in fours",
      .reinit = true},
     {"tone-map", 0, OPTION_CHOICE, FIELD(tone_map), 0, .choices = tone_map_names,
      .help = "of the picture"},
@@ -117,14 +117,16 @@ const struct option settings_table[] = {
 
 void settings_apply_path(struct settings *settings) {
     bool paper = settings->path == PATH_PAPER;
-    settings->visibility = paper ? VISIBILITY_CSSM : VISIBILITY_PCSS;
-    settings->visibility_block = paper ? 0 : 7;
-    settings->clamp = paper ? GATHER_CLAMP_DISK : GATHER_CLAMP_NEAR;
-    settings->caster_weld = paper ? 0 : .004F;
-    settings->blur_separable = !paper;
-    settings->bias = paper ? 2 : .25F;
-    settings->blur_cosine = paper ? .8F : .95F;
-    settings->samples = paper ? 1 : 8;
+    struct settings fast;
+    options_set_defaults(settings_table, &fast);
+    settings->visibility = paper ? VISIBILITY_CSSM : fast.visibility;
+    settings->visibility_block = paper ? 0 : fast.visibility_block;
+    settings->clamp = paper ? GATHER_CLAMP_DISK : fast.clamp;
+    settings->caster_weld = paper ? 0 : fast.caster_weld;
+    settings->blur_separable = paper ? false : fast.blur_separable;
+    settings->bias = paper ? 2 : fast.bias;
+    settings->blur_cosine = paper ? .8F : fast.blur_cosine;
+    settings->samples = paper ? 1 : fast.samples;
 }
 
 void settings_of_path(struct settings *settings, int path) {
