@@ -23,7 +23,7 @@ static const struct option options[] = {
      .help = "a setting of all variants (manylight render --help); repeatable"},
     {"sweep", 0, OPTION_LIST, offsetof(struct bench_values, sweeps), .value_name = "KEY=A,B..C",
      .help = "vary settings, technique or size over a grid: vals=2..128 is powers of two; N, M\n"
-             "                             and K are vpls, vals and terms; repeatable"},
+             "and K are vpls, vals and terms; repeatable"},
     {"frames", 0, OPTION_INT, offsetof(struct bench_values, frames), 0, 0, 100000,
      .help = "measured per case; 0 = 5 on software OpenGL, else 100"},
     {"warm-up", 0, OPTION_INT, offsetof(struct bench_values, warm_up), 0, 0, 100000,
@@ -49,7 +49,7 @@ static const struct option options[] = {
      .help = "no times: flicker over each scene's clip, of --frames [50] frames spread over it"},
     {"failures", 0, OPTION_FLAG, offsetof(struct bench_values, failures),
      .help = "no times: the errors where such methods break; names of rows stand for SCENEs,\n"
-             "                             and pictures go to --output"},
+             "and pictures go to --output"},
     {"chart", 0, OPTION_TEXT, offsetof(struct bench_values, chart), .value_name = "FILE.csv",
      .help = "measure nothing: draw time against error, a chart a scene, from a sweep's --csv"},
     {"output", 'o', OPTION_TEXT, offsetof(struct bench_values, output), .value_name = "DIR",

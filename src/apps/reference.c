@@ -37,7 +37,7 @@ static const struct option options[] = {
     {"technique", 0, OPTION_CHOICE, offsetof(struct values, technique),
      .choices = reference_techniques,
      .help = "path tracing; or the one-bounce sum over the VPLs that the GPU makes, with\n"
-             "                             visibility by ray tracing"},
+             "visibility by ray tracing"},
     {"set", 0, OPTION_LIST, offsetof(struct values, settings), .value_name = "KEY=VALUE",
      .help = "a setting of the VPLs (manylight render --help): vpls, seed, clamp ...; repeatable"},
     {"bounces", 0, OPTION_INT, offsetof(struct values, bounces), 1, 0, 1000,
