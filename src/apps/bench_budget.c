@@ -11,7 +11,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Each pixel takes all that the pixels of an interleaving pattern take together. */
+/* Each pixel takes all that the pixels of an interleaving pattern take together. With EVERY_VPL
+ * blocks of one pixel are as good as none: a lookup for each VAL, not for each of its VPLs. */
 #define EVERY_VPL "interleave=1,near-samples=1024,blur-radius=0,samples=1"
 
 const struct budget_step budget_steps[BUDGET_STEPS] = {
@@ -22,9 +23,9 @@ const struct budget_step budget_steps[BUDGET_STEPS] = {
     {"hard map per VPL", "technique=instant-radiosity,clamp=disk," EVERY_VPL, false},
     /* What the bound took comes back. */
     {"near field", "technique=instant-radiosity," EVERY_VPL, false},
-    {"hard map per VAL", "technique=clustered,visibility=hard,visibility-block=0," EVERY_VPL,
+    {"hard map per VAL", "technique=clustered,visibility=hard,visibility-block=1," EVERY_VPL,
      false},
-    {"soft map per VAL", "technique=clustered,visibility-block=0," EVERY_VPL, false},
+    {"soft map per VAL", "technique=clustered,visibility-block=1," EVERY_VPL, false},
     {"visibility per block", "technique=clustered," EVERY_VPL, false},
     {"interleaved", "technique=clustered,blur-radius=0,samples=1", false},
     {"blurred", "technique=clustered,samples=1", false},

@@ -13,8 +13,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* No interleaving, no blocks, no blur, no near field, no edges: the visibility alone. */
-#define VISIBILITY_ALONE "clamp=disk,visibility-block=0,interleave=1,blur-radius=0,samples=1"
+/* No interleaving, no blocks but of one pixel, no blur, no near field, no edges: the visibility
+ * alone. */
+#define VISIBILITY_ALONE "clamp=disk,visibility-block=1,interleave=1,blur-radius=0,samples=1"
 #define CSSM "technique=clustered,path=paper," VISIBILITY_ALONE
 #define HARD "technique=clustered,path=fast,visibility=hard," VISIBILITY_ALONE
 #define PCSS "technique=clustered,path=fast,visibility=pcss," VISIBILITY_ALONE

@@ -6,13 +6,13 @@
 #include <string.h>
 
 /* Every pixel takes every VPL and looks its own visibility up: in a small picture interleaving,
- * blur and blocks would hide all else. The frame has them. Edges are at pixel centres, as in the
- * reference. */
+ * blur and blocks would hide all else; blocks of one pixel are a lookup for each VAL, not for each
+ * of its VPLs. The frame has them. Edges are at pixel centres, as in the reference. */
 #define EVERY_VPL "interleave=1,near-samples=1024,blur-radius=0,samples=1"
 
 const char *const failure_techniques[FAILURE_TECHNIQUES] = {
-    "fast:technique=clustered,visibility-block=0," EVERY_VPL,
-    "paper:technique=clustered,path=paper," EVERY_VPL,
+    "fast:technique=clustered,visibility-block=1," EVERY_VPL,
+    "paper:technique=clustered,path=paper,visibility-block=1," EVERY_VPL,
     "instant-radiosity:technique=instant-radiosity," EVERY_VPL,
     "unshadowed:technique=unshadowed," EVERY_VPL,
     "frame:technique=clustered,samples=1",
