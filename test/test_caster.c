@@ -1,8 +1,10 @@
-/* Subdivided shadow casters. */
+/* Simplified and subdivided shadow casters. */
 #include "support.h"
 
 #include "base/memory.h"
 #include "scene/caster.h"
+
+#include <cglm/util.h>
 
 #include <math.h>
 #include <stdlib.h>
@@ -208,12 +210,133 @@ static void test_limit(void **state) {
     geometry_free(&box);
 }
 
+enum { ROWS = 32, COLUMNS = 64, BALL_INDICES = ROWS * COLUMNS * 6 };
+
+/* A corner of the unit sphere's grid; the poles and the seam come out as exact as all others. */
+static void ball_point(int row, int column, float point[3]) {
+    double polar = GLM_PI * row / ROWS, around = 2 * GLM_PI * (column % COLUMNS) / COLUMNS;
+    double ring = row % ROWS ? sin(polar) : 0;
+    point[0] = (float)(ring * cos(around));
+    point[1] = (float)cos(polar);
+    point[2] = (float)(ring * sin(around));
+}
+
+/* A unit sphere of triangles with vertices of their own, in two parts: the halves of the rows. */
+static void make_ball(struct geometry *ball) {
+    static const int steps[6][2] = {{0, 0}, {0, 1}, {1, 1}, {0, 0}, {1, 1}, {1, 0}};
+    *ball = (struct geometry){
+        .vertex_count = BALL_INDICES,
+        .index_count = BALL_INDICES,
+        .opaque_index_count = BALL_INDICES,
+        .batch_count = 1,
+        .part_count = 2,
+        .position = mem_alloc(BALL_INDICES + 1, sizeof *ball->position),
+        .uv = mem_alloc(BALL_INDICES, sizeof *ball->uv),
+        .indices = mem_alloc(BALL_INDICES, sizeof *ball->indices),
+        .batches = mem_alloc(1, sizeof *ball->batches),
+        .parts = mem_alloc(2, sizeof *ball->parts),
+    };
+    for (int i = 0; i < BALL_INDICES; i++) {
+        int quad = i / 6, row = quad / COLUMNS, column = quad % COLUMNS;
+        ball_point(row + steps[i % 6][0], column + steps[i % 6][1], ball->position[i]);
+        ball->indices[i] = (uint32_t)i;
+    }
+    ball->batches[0].index_count = BALL_INDICES;
+    for (uint32_t p = 0; p < 2; p++)
+        ball->parts[p] = (struct geometry_part){
+            .first_vertex = p * BALL_INDICES / 2,
+            .vertex_count = BALL_INDICES / 2,
+            .first_index = p * BALL_INDICES / 2,
+            .index_count = BALL_INDICES / 2,
+            .rigid = true,
+            .bounds_min = {-1, -1, -1},
+            .bounds_max = {1, 1, 1},
+        };
+}
+
+/* How deep the triangles lie within the unit sphere. */
+static double deepest(float (*position)[3], const struct caster *caster) {
+    static const float weights[][3] = {
+        {.5F, .5F, 0}, {.5F, 0, .5F}, {0, .5F, .5F}, {1 / 3.F, 1 / 3.F, 1 / 3.F}};
+    double deepest = 0;
+    for (uint32_t k = 0; k < caster->index_count; k += 3)
+        for (int w = 0; w < 4; w++) {
+            double square = 0;
+            for (int c = 0; c < 3; c++) {
+                double sum = 0;
+                for (int i = 0; i < 3; i++)
+                    sum += (double)(weights[w][i] * position[caster->indices[k + i]][c]);
+                square += sum * sum;
+            }
+            deepest = fmax(deepest, 1 - sqrt(square));
+        }
+    return deepest;
+}
+
+/* A ball of few triangles strays no more than was allowed for, and no crack opens in it nor between
+ * its parts. */
+static void test_simplified(void **state) {
+    (void)state;
+    struct geometry ball;
+    make_ball(&ball);
+    /* The poles' rows have triangles without area. */
+    uint32_t before = BALL_INDICES / 3 - 2 * COLUMNS, last = before;
+    static const float errors[] = {.001F, .0025F, .008F};
+    for (int i = 0; i < 3; i++) {
+        struct caster caster;
+        caster_init(&caster, &ball, &(struct caster_desc){.max_edge = 9, .error = errors[i]});
+        check_near("open edges", count_open_edges(ball.position, &caster), 0, 0);
+        check_at_most("depth", deepest(ball.position, &caster), 3 * errors[i] + .0025);
+        check_at_most("triangles", caster.index_count / 3, .9 * last);
+        last = caster.index_count / 3;
+        caster_free(&caster);
+    }
+    check_at_most("triangles", last, before / 3.);
+    geometry_free(&ball);
+}
+
+/* What bends or has holes keeps its triangles, and so does all where nothing may stray. */
+static void test_not_simplified(void **state) {
+    (void)state;
+    enum { OFF, NOT_RIGID, MASKED, KINDS };
+    for (int kind = 0; kind < KINDS; kind++) {
+        struct geometry ball;
+        make_ball(&ball);
+        ball.parts[0].rigid = ball.parts[1].rigid = kind != NOT_RIGID;
+        if (kind == MASKED)
+            ball.opaque_index_count = 0;
+        struct caster caster;
+        caster_init(&caster, &ball,
+                    &(struct caster_desc){.max_edge = 9, .error = kind == OFF ? 0 : .1F});
+        assert_int_equal(caster.index_count, BALL_INDICES);
+        assert_memory_equal(caster.indices, ball.indices, sizeof(uint32_t[BALL_INDICES]));
+        caster_free(&caster);
+        geometry_free(&ball);
+    }
+}
+
+/* A small thing keeps its shape whatever the scene's size allows for. */
+static void test_small_part(void **state) {
+    (void)state;
+    struct geometry ball;
+    make_ball(&ball);
+    struct caster caster;
+    caster_init(&caster, &ball, &(struct caster_desc){.max_edge = 9, .error = 100});
+    check_near("open edges", count_open_edges(ball.position, &caster), 0, 0);
+    check_at_most("depth", deepest(ball.position, &caster), .03);
+    caster_free(&caster);
+    geometry_free(&ball);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bound_area_and_cracks),
         cmocka_unit_test(test_batches),
         cmocka_unit_test(test_moved),
         cmocka_unit_test(test_limit),
+        cmocka_unit_test(test_simplified),
+        cmocka_unit_test(test_not_simplified),
+        cmocka_unit_test(test_small_part),
     };
     return cmocka_run_group_tests_name("caster", tests, NULL, NULL);
 }

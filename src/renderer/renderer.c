@@ -27,7 +27,7 @@ static float irradiance_scale(const struct renderer_desc *desc) {
 
 /* What is made together, and anew when what it depends on changes. */
 enum part {
-    PART_SCENE = 1,      /* caster, scene: caster_edge, caster_weld */
+    PART_SCENE = 1,      /* caster, scene: caster_edge, caster_error of the technique */
     PART_SIZE = 2,       /* G-buffer, composite: size */
     PART_GEOMETRY = 4,   /* nothing but shaders */
     PART_SHADOW = 8,     /* shadow_size, number of light views */
@@ -40,12 +40,19 @@ enum part {
     PART_LIGHTS = PART_SCENE | PART_SHADOW | PART_TECHNIQUE, /* what render_lights draws with */
 };
 
+/* Over the scene's radius. */
+static float caster_error(int technique, const struct settings *settings) {
+    return techniques[technique]->exact_casters ? 0 : settings->caster_error;
+}
+
 static bool init_scene(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     float radius = desc->geometry->radius;
     caster_init(&renderer->caster, desc->geometry,
-                &(struct caster_desc){.max_edge = desc->settings.caster_edge * radius,
-                                      .weld = desc->settings.caster_weld * radius});
+                &(struct caster_desc){
+                    .max_edge = desc->settings.caster_edge * radius,
+                    .error = caster_error(desc->technique, &desc->settings) * radius,
+                });
     return scene_gpu_init(&renderer->scene, desc->scene, desc->geometry, &renderer->caster);
 }
 
@@ -203,8 +210,8 @@ static unsigned parts_of_setting(const struct option *option) {
     if (!option->reinit)
         return 0;
     if (option->offset == offsetof(struct settings, caster_edge) ||
-        option->offset == offsetof(struct settings, caster_weld))
-        return PART_SCENE;
+        option->offset == offsetof(struct settings, caster_error))
+        return 0; /* renderer_makes_casters */
     if (option->offset == offsetof(struct settings, shadow_size))
         return PART_SHADOW;
     if (option->offset == offsetof(struct settings, shadow_bias))
@@ -214,9 +221,17 @@ static unsigned parts_of_setting(const struct option *option) {
     return PART_TECHNIQUE;
 }
 
+bool renderer_makes_casters(const struct renderer *renderer, int technique,
+                            const struct settings *settings) {
+    const struct renderer_desc *desc = &renderer->desc;
+    return settings->caster_edge != desc->settings.caster_edge ||
+           caster_error(technique, settings) != caster_error(desc->technique, &desc->settings);
+}
+
 bool renderer_configure(struct renderer *renderer, int technique, const struct settings *settings) {
     struct renderer_desc desc = renderer->desc;
-    unsigned parts = technique == desc.technique ? 0 : PART_TECHNIQUE;
+    unsigned parts = (technique == desc.technique ? 0 : PART_TECHNIQUE) |
+                     (renderer_makes_casters(renderer, technique, settings) ? PART_SCENE : 0);
     for (const struct option *option = settings_table; option->name; option++)
         if (!option_equal(option, settings, &desc.settings))
             parts |= parts_of_setting(option);

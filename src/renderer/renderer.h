@@ -63,6 +63,11 @@ bool renderer_set_light(struct renderer *renderer, const struct light *light);
 void renderer_set_camera(struct renderer *renderer, const struct camera *camera);
 bool renderer_reload_shaders(struct renderer *renderer);
 
+/* Whether renderer_configure would simplify and split the geometry's triangles again, as it is
+ * posed then. */
+bool renderer_makes_casters(const struct renderer *renderer, int technique,
+                            const struct settings *settings);
+
 /* After geometry_pose: uploads what has moved, and sees it from a light and a camera. For the same
  * bits whatever came before, begin with the geometry at time 0. Error: out of GPU memory; the
  * renderer must then be freed. */

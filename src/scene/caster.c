@@ -2,7 +2,7 @@
 
 #include "base/memory.h"
 #include "scene/edge_table.h"
-#include "scene/weld.h"
+#include "scene/simplify.h"
 
 #include <assert.h>
 #include <cglm/cglm.h>
@@ -13,7 +13,7 @@
 struct splitter {
     struct caster *caster;
     const struct geometry *geometry;
-    const uint32_t *welded;      /* which vertex stands for each; NULL = itself */
+    const uint32_t *moved_to;    /* the vertex that stands for each; NULL = itself */
     struct edge_table midpoints; /* vertex number of each split edge's; 0 = not made yet */
     float (*extra)[3];           /* positions of the extra vertices */
     uint32_t index_capacity, extra_capacity;
@@ -96,32 +96,28 @@ static bool split(struct splitter *splitter, const uint32_t corner[3], uint32_t 
            split(splitter, (uint32_t[]){middle, b, c}, max_indices);
 }
 
-/* False where welding leaves nothing of the triangle. */
-static bool weld_triangle(const struct splitter *splitter, const uint32_t corner[3],
-                          uint32_t welded[3]) {
+/* False where nothing is left of the triangle. */
+static bool simplify_triangle(const struct splitter *splitter, const uint32_t corner[3],
+                              uint32_t moved[3]) {
     for (int c = 0; c < 3; c++)
-        welded[c] = splitter->welded[corner[c]];
-    return welded[0] != welded[1] && welded[1] != welded[2] && welded[2] != welded[0];
+        moved[c] = splitter->moved_to ? splitter->moved_to[corner[c]] : corner[c];
+    return !splitter->moved_to ||
+           (moved[0] != moved[1] && moved[1] != moved[2] && moved[2] != moved[0]);
 }
 
 static bool split_batch(struct splitter *splitter, const struct geometry_batch *batch) {
     struct caster *caster = splitter->caster;
-    bool opaque = batch->first_index < splitter->geometry->opaque_index_count;
-    bool weld = splitter->welded && opaque && !batch->dynamic;
     struct geometry_batch *made = &caster->batches[caster->batch_count++];
     *made = *batch;
     made->first_index = caster->index_count;
     for (uint32_t k = 0; k < batch->index_count; k += 3) {
         uint32_t at = batch->first_index + k;
         const uint32_t *corner = &splitter->geometry->indices[at];
-        uint32_t welded[3];
-        if (weld && !weld_triangle(splitter, corner, welded))
-            continue;
-        if (weld)
-            corner = welded;
+        uint32_t moved[3];
         if (batch->dynamic)
             emit(splitter, corner);
-        else if (!split(splitter, corner, at + 3 + 3 * CASTER_MAX_EXTRA_TRIANGLES))
+        else if (simplify_triangle(splitter, corner, moved) &&
+                 !split(splitter, moved, at + 3 + 3 * CASTER_MAX_EXTRA_TRIANGLES))
             return false;
     }
     made->index_count = caster->index_count - made->first_index;
@@ -130,13 +126,13 @@ static bool split_batch(struct splitter *splitter, const struct geometry_batch *
 
 /* Splits everything by the bound; false when there would be too many triangles. */
 static bool try_bound(struct caster *caster, const struct geometry *geometry,
-                      const uint32_t *welded, float max_edge) {
+                      const uint32_t *moved_to, float max_edge) {
     *caster = (struct caster){.max_edge = max_edge, .base_count = geometry->vertex_count};
     caster->batches = mem_alloc((size_t)geometry->batch_count, sizeof *caster->batches);
     struct splitter splitter = {
         .caster = caster,
         .geometry = geometry,
-        .welded = welded,
+        .moved_to = moved_to,
         .max_edge_squared = max_edge * max_edge,
     };
     bool good = true;
@@ -194,7 +190,6 @@ void caster_init(struct caster *caster, const struct geometry *geometry,
                  const struct caster_desc *desc) {
     float max_edge = desc->max_edge;
     assert(max_edge > 0);
-    uint32_t *welded = desc->weld > 0 ? weld_vertices(geometry, desc->weld) : NULL;
     /* An edge only a few steps of a float long has no midpoint of its own. */
     for (int c = 0; c < 3; c++)
         max_edge = fmaxf(max_edge, 1e-6F * fmaxf(fabsf(geometry->bounds_min[c]),
@@ -202,12 +197,16 @@ void caster_init(struct caster *caster, const struct geometry *geometry,
     float least = least_bound(geometry);
     while (max_edge < least)
         max_edge *= 2;
-    while (!try_bound(caster, geometry, welded, max_edge)) {
+    uint32_t *moved_to =
+        desc->error > 0
+            ? simplify_vertices(geometry, &(struct simplify_desc){desc->error, max_edge})
+            : NULL;
+    while (!try_bound(caster, geometry, moved_to, max_edge)) {
         caster_free(caster);
         max_edge *= 2;
     }
     find_parts(caster, geometry);
-    free(welded);
+    free(moved_to);
 }
 
 void caster_free(struct caster *caster) {

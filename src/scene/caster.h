@@ -36,11 +36,12 @@ enum { CASTER_MAX_EXTRA_TRIANGLES = 2000000 };
 /* Lengths in metres. */
 struct caster_desc {
     float max_edge; /* > 0 */
-    float weld;     /* vertices of opaque parts this close become one (scene/weld.h); 0 = none do */
+    float error;    /* how far rigid opaque parts may stray (scene/simplify.h); 0 = not at all */
 };
 
-/* Welds and splits the geometry as it is posed now, but for its dynamic batches, until no edge is
- * longer than max_edge, or than the least multiple of it by a power of two that keeps the limit. */
+/* Simplifies and splits the geometry as it is posed now, but for its dynamic batches, until no edge
+ * is longer than max_edge, or than the least multiple of it by a power of two that keeps the limit.
+ */
 void caster_init(struct caster *caster, const struct geometry *geometry,
                  const struct caster_desc *desc);
 void caster_free(struct caster *caster);

@@ -53,11 +53,12 @@ static void list_node_parts(struct geometry *geometry, const struct scene *scene
     if (mesh < 0 || dynamic != (scene->nodes[node].metaballs >= 0))
         return;
     int count = dynamic ? 1 : scene->meshes[mesh].primitive_count;
+    bool rigid = !dynamic && scene->nodes[node].skin < 0 && scene->meshes[mesh].target_count == 0;
     geometry->parts = mem_resize(geometry->parts, (size_t)(geometry->part_count + count),
                                  sizeof *geometry->parts);
     for (int p = 0; p < count; p++)
-        geometry->parts[geometry->part_count++] =
-            (struct geometry_part){.node = node, .primitive = p, .dynamic = dynamic};
+        geometry->parts[geometry->part_count++] = (struct geometry_part){
+            .node = node, .primitive = p, .dynamic = dynamic, .rigid = rigid};
 }
 
 /* Dynamic parts come last, so that the others' vertices stay where they are when one grows. */

@@ -2,77 +2,79 @@
 
 #include "base/memory.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-struct cell {
-    int32_t at[3], part;
-};
-
-/* A small thing in a large scene keeps its shape: cells are at most so large, over its diagonal. */
-static const float part_fraction = 0.01f;
+enum { ANY_PART = -1 };
 
 /* Open addressing; each slot has the vertex that came first, plus one. */
-struct grid {
+struct table {
     const struct geometry *geometry;
-    float size; /* of the present part's cells */
     uint32_t *slots, mask;
 };
 
-static float diagonal(const struct geometry_part *part) {
-    float sum = 0;
+static void table_init(struct table *table, const struct geometry *geometry) {
+    uint32_t size = 16;
+    while (size < 2 * geometry->vertex_count)
+        size *= 2;
+    *table = (struct table){geometry, mem_alloc(size, sizeof *table->slots), size - 1};
+}
+
+static uint32_t hash(const float position[3], int part) {
+    uint32_t h = (uint32_t)part * 2654435761U;
     for (int c = 0; c < 3; c++) {
-        float side = part->bounds_max[c] - part->bounds_min[c];
-        sum += side * side;
+        float coordinate = position[c] + 0; /* -0 is 0 */
+        uint32_t bits;
+        memcpy(&bits, &coordinate, sizeof bits);
+        h = (h ^ bits) * 2246822519U;
+        h ^= h >> 15;
     }
-    return sqrtf(sum);
+    return h;
 }
 
-static struct cell cell_of(const struct grid *grid, uint32_t vertex, int part) {
-    struct cell cell = {.part = part};
-    for (int c = 0; c < 3; c++)
-        cell.at[c] = (int32_t)floorf(
-            (grid->geometry->position[vertex][c] - grid->geometry->bounds_min[c]) / grid->size);
-    return cell;
+static bool same_place(const float a[3], const float b[3]) {
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-static uint32_t hash(const struct cell *cell) {
-    uint32_t h = (uint32_t)cell->part * 2654435761U;
-    for (int c = 0; c < 3; c++)
-        h = (h ^ (uint32_t)cell->at[c]) * 2246822519U;
-    return h ^ h >> 15;
-}
-
-static uint32_t first_in_cell(struct grid *grid, uint32_t vertex, int part) {
-    struct cell cell = cell_of(grid, vertex, part);
-    uint32_t i = hash(&cell) & grid->mask;
-    for (; grid->slots[i]; i = (i + 1) & grid->mask) {
-        uint32_t first = grid->slots[i] - 1;
-        struct cell other = cell_of(grid, first, part);
-        /* Parts lie one after another, so that an earlier part's vertex is below the first of this.
-         */
-        bool same_part = first >= grid->geometry->parts[part].first_vertex;
-        if (same_part && memcmp(&cell, &other, sizeof cell) == 0)
+/* The first vertex of the part, or of any, at the place of this one, which may be itself. Parts are
+ * asked for one after another, as they lie: an earlier part's vertices are below this one's. */
+static uint32_t first_alike(struct table *table, uint32_t vertex, int part) {
+    const struct geometry *geometry = table->geometry;
+    const float *position = geometry->position[vertex];
+    uint32_t least = part == ANY_PART ? 0 : geometry->parts[part].first_vertex;
+    uint32_t i = hash(position, part) & table->mask;
+    for (; table->slots[i]; i = (i + 1) & table->mask) {
+        uint32_t first = table->slots[i] - 1;
+        if (first >= least && same_place(geometry->position[first], position))
             return first;
     }
-    grid->slots[i] = vertex + 1;
+    table->slots[i] = vertex + 1;
     return vertex;
 }
 
-uint32_t *weld_vertices(const struct geometry *geometry, float cell) {
-    uint32_t *first = mem_alloc(geometry->vertex_count, sizeof *first), size = 16;
-    while (size < 2 * geometry->vertex_count)
-        size *= 2;
-    struct grid grid = {geometry, 0, mem_alloc(size, sizeof(uint32_t)), size - 1};
+void weld_init(struct weld *weld, const struct geometry *geometry) {
+    struct table own, all;
+    table_init(&own, geometry);
+    table_init(&all, geometry);
+    *weld = (struct weld){mem_alloc(geometry->vertex_count, sizeof *weld->first),
+                          mem_alloc(geometry->vertex_count, sizeof *weld->shared)};
     for (uint32_t i = 0; i < geometry->vertex_count; i++)
-        first[i] = i;
-    for (int part = 0; part < geometry->part_count; part++) {
-        const struct geometry_part *range = &geometry->parts[part];
-        grid.size = fminf(cell, part_fraction * diagonal(range));
-        for (uint32_t i = 0; i < range->vertex_count; i++)
-            first[range->first_vertex + i] = first_in_cell(&grid, range->first_vertex + i, part);
+        weld->first[i] = i;
+    for (int p = 0; p < geometry->part_count; p++) {
+        const struct geometry_part *part = &geometry->parts[p];
+        for (uint32_t i = 0; i < part->vertex_count; i++) {
+            uint32_t vertex = part->first_vertex + i, other = first_alike(&all, vertex, ANY_PART);
+            weld->first[vertex] = first_alike(&own, vertex, p);
+            if (other < part->first_vertex)
+                weld->shared[other] = weld->shared[weld->first[vertex]] = true;
+        }
     }
-    free(grid.slots);
-    return first;
+    free(own.slots);
+    free(all.slots);
+}
+
+void weld_free(struct weld *weld) {
+    free(weld->first);
+    free(weld->shared);
+    *weld = (struct weld){0};
 }

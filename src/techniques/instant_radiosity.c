@@ -78,6 +78,7 @@ extern const struct technique instant_radiosity_technique;
 const struct technique instant_radiosity_technique = {
     .name = "instant-radiosity",
     .help = "a hard shadow map per VPL",
+    .exact_casters = true,
     .init = init,
     .free = free_state,
     .resize = resize,

@@ -18,7 +18,7 @@ static const char *const path_names[] = {"fast", "paper", NULL};
 const struct option settings_table[] = {
     {"path", 0, OPTION_CHOICE, FIELD(path), PATH_FAST, .choices = path_names,
      .help = "paper: as published, with CSSM at each pixel and VPL; sets visibility, "
-             "visibility-block, clamp, caster-weld, blur-separable, blur-cosine, "
+             "visibility-block, clamp, caster-error, blur-separable, blur-cosine, "
              "samples",
      .reinit = true},
     {"vpls", 0, OPTION_INT, FIELD(vpl_count), 1024, 1, 65536, .help = "virtual point lights, N",
@@ -101,8 +101,8 @@ const struct option settings_table[] = {
     {"caster-edge", 0, OPTION_FLOAT, FIELD(caster_edge), .3, .005, 10,
      .help = "longest edge of a caster in paraboloid maps, over the scene's radius", .reinit = true,
      .group = "casters of VAL maps"},
-    {"caster-weld", 0, OPTION_FLOAT, FIELD(caster_weld), .004, 0, 1,
-     .help = "casters' vertices this close become one in paraboloid maps, over the scene's radius",
+    {"caster-error", 0, OPTION_FLOAT, FIELD(caster_error), .0015, 0, 1,
+     .help = "casters in paraboloid maps may stray so far, over the scene's radius; 0 = not at all",
      .reinit = true},
     {"exposure", 0, OPTION_FLOAT, FIELD(exposure), 0, -32, 32, .help = "of the picture, EV",
      .group = "picture"},
@@ -122,7 +122,7 @@ void settings_apply_path(struct settings *settings) {
     settings->visibility = paper ? VISIBILITY_CSSM : fast.visibility;
     settings->visibility_block = paper ? 0 : fast.visibility_block;
     settings->clamp = paper ? GATHER_CLAMP_DISK : fast.clamp;
-    settings->caster_weld = paper ? 0 : fast.caster_weld;
+    settings->caster_error = paper ? 0 : fast.caster_error;
     settings->blur_separable = paper ? false : fast.blur_separable;
     settings->bias = paper ? 2 : fast.bias;
     settings->blur_cosine = paper ? .8F : fast.blur_cosine;

@@ -36,7 +36,7 @@ struct settings {
     int interleave, blur_radius;
     bool blur_separable;
     float blur_distance, blur_cosine; /* alpha, beta */
-    float caster_edge, caster_weld;
+    float caster_edge, caster_error;
     int samples; /* of the pixel's area, for its edges */
     float exposure;
     int tone_map;

@@ -29,6 +29,7 @@ struct technique_outputs {
 
 struct technique {
     const char *name, *help;
+    bool exact_casters; /* its maps show every triangle: what it is for is the plain truth */
     /* Allocates and compiles all there is. Error: of the first pass that fails. */
     bool (*init)(void **state, const struct technique_desc *desc);
     void (*free)(void *state);

@@ -45,17 +45,13 @@ static void follow_wishes(struct viewer *viewer) {
         viewer_tell_error(viewer);
 }
 
-static bool same_casters(const struct settings *a, const struct settings *b) {
-    return a->caster_edge == b->caster_edge && a->caster_weld == b->caster_weld;
-}
-
-/* Whether a renderer is about to split and weld the scene's triangles. */
+/* Whether a renderer is about to simplify and split the scene's triangles. */
 static bool makes_casters(const struct viewer *viewer) {
     const struct compare *compare = &viewer->compare;
-    return !same_casters(&viewer->settings, &viewer->renderer.desc.settings) ||
+    return renderer_makes_casters(&viewer->renderer, viewer->technique, &viewer->settings) ||
            (compare->mode == COMPARE_TECHNIQUE &&
             (!compare->has_other ||
-             !same_casters(&compare->settings, &compare->other.desc.settings)));
+             renderer_makes_casters(&compare->other, compare->technique, &compare->settings)));
 }
 
 /* Casters are those of time 0, as a picture rendered offscreen has them. */
