@@ -38,8 +38,10 @@ float visibility(int map, vec3 position, vec3 normal) {
     float z = blockers > 0.0 ? max(depth_sum / blockers * z_far, 1e-3 * r) : r;
     float penumbra = max(r - z, 0.0) * extent / z;
     float width = max(min(penumbra / r, ANGLE_MAX) * half_width, texel);
+    // As a count and not a branch: a software rasteriser leaves a loop that no pixel is in.
+    int taps = blockers > 0.0 ? FILTER_TAPS : 0;
     float lit = 0.0;
-    for (int i = 0; i < FILTER_TAPS; i++)
+    for (int i = 0; i < taps; i++)
         lit += texel_sees(map, z_far, q, local_normal, uv + width * spiral(i, FILTER_TAPS)) ? 1.0 : 0.0;
-    return blockers > 0.0 ? lit / float(FILTER_TAPS) : 1.0;
+    return taps > 0 ? lit / float(FILTER_TAPS) : 1.0;
 }
