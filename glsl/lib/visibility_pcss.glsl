@@ -4,6 +4,8 @@
 // depth range: the way to go where visibility is looked up seldom.
 
 const float GOLDEN_ANGLE = 2.39996322972865;
+// A cluster fills its bounding rectangle thinly towards the rim: over its side, the least error.
+const float FILLED = 0.7;
 const float ANGLE_MAX = 0.2; // radians: a wider filter leaves the plane that the receiver is taken for
 
 // Tap i of n: a spiral of equal areas in the unit disk.
@@ -17,7 +19,7 @@ float visibility(int map, vec3 position, vec3 normal) {
     vec3 q = paraboloid_receiver(v, position, normal, lookup.bias, lookup.map_size);
     if (q.z <= 0.0)
         return 1.0;
-    float r = length(q), extent = v.axis.w, z_far = v.center.w;
+    float r = length(q), extent = v.axis.w * FILLED, z_far = v.center.w;
     vec3 direction = q / r, local_normal = paraboloid_rotate(v, normal);
     vec2 p = paraboloid_project(direction), uv = p * 0.5 + 0.5;
     // An angle's half width in the map, by the Jacobian (1 + |p|^2) / 4.
