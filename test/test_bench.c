@@ -268,11 +268,11 @@ static void test_sweep_and_cache(void **state) {
 static void test_pareto_front(void **state) {
     (void)state;
     struct plot plot = {0};
-    plot_add(&plot, "a", &(struct plot_point){1, 9, "fast"});
-    plot_add(&plot, "a", &(struct plot_point){8, 1, "true"});
-    plot_add(&plot, "b", &(struct plot_point){4, 4, "between"});
-    plot_add(&plot, "b", &(struct plot_point){4, 5, "as fast, less true"});
-    plot_add(&plot, "b", &(struct plot_point){9, 9, "neither"});
+    plot_add(&plot, "a", &(struct plot_point){.x = 1, .y = 9, .label = "fast"});
+    plot_add(&plot, "a", &(struct plot_point){.x = 8, .y = 1, .label = "true"});
+    plot_add(&plot, "b", &(struct plot_point){.x = 4, .y = 4, .label = "between"});
+    plot_add(&plot, "b", &(struct plot_point){.x = 4, .y = 5, .label = "as fast, less true"});
+    plot_add(&plot, "b", &(struct plot_point){.x = 9, .y = 9, .label = "neither"});
     struct plot_series front = plot_pareto_front(&plot);
     assert_int_equal(front.count, 3);
     assert_string_equal(front.points[0].label, "fast");
@@ -326,7 +326,7 @@ static void test_chart(void **state) {
         skip();
     check_says("cornell-box.svg");
     char *text = read_text(svg);
-    assert_non_null(strstr(text, "cornell-box, 24x16"));
+    assert_non_null(strstr(text, "faces), 24x16"));
     assert_non_null(strstr(text, "Pareto front"));
     assert_non_null(strstr(text, "M=8"));
     free(text);
@@ -335,6 +335,32 @@ static void test_chart(void **state) {
     free(text);
     assert_int_equal(bench("--chart no-such-file.csv"), 1);
     check_says("cannot open no-such-file.csv");
+}
+
+/* Two scenes of one name have a chart each, and points that are close keep their labels. */
+static void test_chart_of_namesakes(void **state) {
+    (void)state;
+    FILE *file = fopen(scratch("namesakes.csv"), "w");
+    fputs("scene,faces,width,height,series,label,quantity,median,gl_renderer\n", file);
+    for (int faces = 30; faces <= 36; faces += 6)
+        for (int vals = 2; vals <= 16; vals *= 2)
+            fprintf(
+                file,
+                "box,%d,8,8,fast,vals=%d,wall,%g,x\nbox,%d,8,8,fast,vals=%d,relative-rmse,%g,x\n",
+                faces, vals, 100. + vals, faces, vals, vals == 16 ? 1 : .1 + .0001 * vals);
+    fclose(file);
+    char arguments[1024];
+    snprintf(arguments, sizeof arguments, "--chart %s -o %s", scratch("namesakes.csv"),
+             scratch("namesakes"));
+    if (bench(arguments) != 0 && strstr(output, "cannot run gnuplot"))
+        skip();
+    check_says("box.svg");
+    check_says("box-36.svg");
+    char *text = read_text(scratch("namesakes/box-36.svg"));
+    assert_non_null(strstr(text, "box (36 faces)"));
+    assert_non_null(strstr(text, "M=2"));
+    assert_non_null(strstr(text, "M=4"));
+    free(text);
 }
 
 static void test_slope(void **state) {
@@ -434,9 +460,10 @@ int main(void) {
         cmocka_unit_test(test_sweep_points),    cmocka_unit_test(test_tables),
         cmocka_unit_test(test_sweep_and_cache), cmocka_unit_test(test_pareto_front),
         cmocka_unit_test(test_log_ticks),       cmocka_unit_test(test_csv),
-        cmocka_unit_test(test_chart),           cmocka_unit_test(test_slope),
-        cmocka_unit_test(test_scaling),         cmocka_unit_test(test_budget),
-        cmocka_unit_test(test_vpl_raytraced),   cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_chart),           cmocka_unit_test(test_chart_of_namesakes),
+        cmocka_unit_test(test_slope),           cmocka_unit_test(test_scaling),
+        cmocka_unit_test(test_budget),          cmocka_unit_test(test_vpl_raytraced),
+        cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

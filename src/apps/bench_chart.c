@@ -10,22 +10,28 @@
 #include <string.h>
 
 struct columns {
-    int scene, width, height, series, label, quantity, median, renderer;
+    int scene, faces, width, height, series, label, quantity, median, renderer;
 };
 
 static bool find_columns(const struct csv *csv, struct columns *c) {
-    return csv_find(csv, "scene", &c->scene) && csv_find(csv, "width", &c->width) &&
-           csv_find(csv, "height", &c->height) && csv_find(csv, "series", &c->series) &&
-           csv_find(csv, "label", &c->label) && csv_find(csv, "quantity", &c->quantity) &&
-           csv_find(csv, "median", &c->median) && csv_find(csv, "gl_renderer", &c->renderer);
+    return csv_find(csv, "scene", &c->scene) && csv_find(csv, "faces", &c->faces) &&
+           csv_find(csv, "width", &c->width) && csv_find(csv, "height", &c->height) &&
+           csv_find(csv, "series", &c->series) && csv_find(csv, "label", &c->label) &&
+           csv_find(csv, "quantity", &c->quantity) && csv_find(csv, "median", &c->median) &&
+           csv_find(csv, "gl_renderer", &c->renderer);
 }
 
 static bool same(const struct csv *csv, int a, int b, int column) {
     return strcmp(csv_cell(csv, a, column), csv_cell(csv, b, column)) == 0;
 }
 
+/* Two scenes may have one name. */
+static bool same_scene(const struct csv *csv, const struct columns *c, int a, int b) {
+    return same(csv, a, b, c->scene) && same(csv, a, b, c->faces);
+}
+
 static bool same_case(const struct csv *csv, const struct columns *c, int a, int b) {
-    return same(csv, a, b, c->scene) && same(csv, a, b, c->width) && same(csv, a, b, c->height) &&
+    return same_scene(csv, c, a, b) && same(csv, a, b, c->width) && same(csv, a, b, c->height) &&
            same(csv, a, b, c->series) && same(csv, a, b, c->label);
 }
 
@@ -83,13 +89,22 @@ struct plot_series plot_pareto_front(const struct plot *plot) {
     return front;
 }
 
-/* Where a label lies in the chart, both axes over [0, 1]. */
-static bool overlaps(const struct plot_point *a, const struct plot_point *b, double decades_x,
-                     double decades_y) {
-    return fabs(log10(a->x / b->x)) < .11 * decades_x && fabs(log10(a->y / b->y)) < .03 * decades_y;
+/* A rectangle of the chart, both axes over [0, 1]. */
+struct box {
+    double x, y, half_width, half_height;
+};
+
+static bool overlap(const struct box *a, const struct box *b) {
+    return fabs(a->x - b->x) < a->half_width + b->half_width &&
+           fabs(a->y - b->y) < a->half_height + b->half_height;
 }
 
-static double decades(const struct plot *plot, bool of_y) {
+/* The logarithms that an axis goes from and over. */
+struct axis {
+    double low, length;
+};
+
+static struct axis axis_of(const struct plot *plot, bool of_y) {
     double low = INFINITY, high = 0;
     for (int s = 0; s < plot->count; s++)
         for (int i = 0; i < plot->series[s].count; i++) {
@@ -97,26 +112,83 @@ static double decades(const struct plot *plot, bool of_y) {
             low = fmin(low, of_y ? point->y : point->x);
             high = fmax(high, of_y ? point->y : point->x);
         }
-    return log10(1.5 * high / low); /* with the axes' own room */
+    return (struct axis){log10(low / PLOT_ROOM), log10(high / low * PLOT_ROOM * PLOT_ROOM)};
 }
 
-/* Drops labels that would lie on others; those of the front go first. */
-static void thin_labels(struct plot *plot) {
-    double decades_x = decades(plot, false), decades_y = decades(plot, true);
-    struct plot_series kept = {0};
-    for (int turn = 0; turn < 2; turn++)
+/* What is drawn so far. */
+struct drawing {
+    struct axis axes[2];
+    struct box *boxes;
+    int count;
+};
+
+static void drawing_add(struct drawing *drawing, struct box box) {
+    drawing->boxes = mem_resize(drawing->boxes, (size_t)drawing->count + 1, sizeof *drawing->boxes);
+    drawing->boxes[drawing->count++] = box;
+}
+
+/* Half the height of a line and half the width of a letter, as gnuplot's fonts have it here. */
+static const double half_line = .016, half_letter = .0062, mark = .009;
+
+static struct box mark_box(const struct drawing *drawing, const struct plot_point *point) {
+    const struct axis *x = &drawing->axes[0], *y = &drawing->axes[1];
+    return (struct box){(log10(point->x) - x->low) / x->length,
+                        (log10(point->y) - y->low) / y->length, mark, mark};
+}
+
+static struct box label_box(const struct drawing *drawing, const struct plot_point *point,
+                            enum plot_side side) {
+    struct box box = mark_box(drawing, point);
+    box.half_width = half_letter * (double)strlen(point->label);
+    box.half_height = half_line;
+    double aside = box.half_width + 1.1 * mark, off = half_line;
+    box.x += side == PLOT_RIGHT_ABOVE || side == PLOT_RIGHT_BELOW ? aside : -aside;
+    box.y += side == PLOT_RIGHT_ABOVE || side == PLOT_LEFT_ABOVE ? off : -off;
+    return box;
+}
+
+/* The first side where the label lies on nothing and in the chart; false where there is none. */
+static bool place_label(struct drawing *drawing, struct plot_point *point) {
+    for (int side = 0; side < PLOT_SIDES; side++) {
+        struct box box = label_box(drawing, point, (enum plot_side)side);
+        bool is_free = fabs(box.x - .5) + box.half_width < .5;
+        for (int i = 0; is_free && i < drawing->count; i++)
+            is_free = !overlap(&box, &drawing->boxes[i]);
+        if (!is_free)
+            continue;
+        point->side = (enum plot_side)side;
+        drawing_add(drawing, box);
+        return true;
+    }
+    return false;
+}
+
+/* Puts labels where they lie on no mark and on no other label, those of the front first; drops them
+ * where there is no such place. */
+static void place_labels(struct plot *plot) {
+    struct drawing drawing = {.axes = {axis_of(plot, false), axis_of(plot, true)}};
+    for (int turn = 0; turn < 3; turn++)
         for (int s = 0; s < plot->count; s++)
             for (int i = 0; i < plot->series[s].count; i++) {
                 struct plot_point *point = &plot->series[s].points[i];
-                if (is_on_front(plot, point) != (turn == 0))
-                    continue;
-                for (int k = 0; k < kept.count; k++)
-                    if (overlaps(point, &kept.points[k], decades_x, decades_y))
-                        point->label[0] = '\0';
-                if (point->label[0])
-                    plot_series_add(&kept, point);
+                if (turn == 0)
+                    drawing_add(&drawing, mark_box(&drawing, point));
+                else if (is_on_front(plot, point) == (turn == 1) && point->label[0] &&
+                         !place_label(&drawing, point))
+                    point->label[0] = '\0';
             }
-    free(kept.points);
+    free(drawing.boxes);
+}
+
+/* Of a scene's chart, without the ending; to be freed. Any but the first of a name tell their faces
+ * too. */
+static char *chart_path(const struct csv *csv, const struct columns *c, int scene_row,
+                        const char *folder) {
+    const char *scene = csv_cell(csv, scene_row, c->scene);
+    for (int i = 0; i < scene_row; i++)
+        if (same(csv, i, scene_row, c->scene))
+            return mem_printf("%s/%s-%s", folder, scene, csv_cell(csv, scene_row, c->faces));
+    return mem_printf("%s/%s", folder, scene);
 }
 
 static bool draw_scene(const struct csv *csv, const struct columns *c, int scene_row,
@@ -125,25 +197,26 @@ static bool draw_scene(const struct csv *csv, const struct columns *c, int scene
                         .y_label = "relative RMSE of indirect light, %",
                         .log_y = true};
     for (int row = 0; row < csv->row_count; row++) {
-        if (!same(csv, row, scene_row, c->scene) ||
+        if (!same_scene(csv, c, row, scene_row) ||
             strcmp(csv_cell(csv, row, c->quantity), "relative-rmse") != 0)
             continue;
         struct plot_point point = {.x = time_of(csv, c, row),
                                    .y = 100 * atof(csv_cell(csv, row, c->median))};
-        shorten(point.label, sizeof point.label, csv_cell(csv, row, c->label));
+        const char *series = csv_cell(csv, row, c->series), *label = csv_cell(csv, row, c->label);
+        shorten(point.label, sizeof point.label, label[0] ? label : series);
         if (point.x > 0 && point.y > 0)
-            plot_add(&plot, csv_cell(csv, row, c->series), &point);
+            plot_add(&plot, series, &point);
     }
     bool ok = true;
     if (plot.count) {
-        const char *scene = csv_cell(csv, scene_row, c->scene);
         char *title =
-            mem_printf("%s, %sx%s, %s", scene, csv_cell(csv, scene_row, c->width),
+            mem_printf("%s (%s faces), %sx%s, %s", csv_cell(csv, scene_row, c->scene),
+                       csv_cell(csv, scene_row, c->faces), csv_cell(csv, scene_row, c->width),
                        csv_cell(csv, scene_row, c->height), csv_cell(csv, scene_row, c->renderer));
-        char *path = mem_printf("%s/%s", folder, scene);
+        char *path = chart_path(csv, c, scene_row, folder);
         plot.title = title;
         plot.emphasis = plot_pareto_front(&plot);
-        thin_labels(&plot);
+        place_labels(&plot);
         ok = plot_draw(&plot, path);
         if (ok)
             printf("%s.svg\n%s.png\n", path, path);
@@ -157,7 +230,7 @@ static bool draw_scene(const struct csv *csv, const struct columns *c, int scene
 
 static bool is_first_of_scene(const struct csv *csv, const struct columns *c, int row) {
     for (int i = 0; i < row; i++)
-        if (same(csv, i, row, c->scene))
+        if (same_scene(csv, c, i, row))
             return false;
     return true;
 }

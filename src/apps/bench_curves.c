@@ -158,9 +158,10 @@ static void add_point(struct plot *plot, const struct curve_point *point) {
     char series[BENCH_NAME_SIZE];
     snprintf(series, sizeof series, "%s, RMSE", point->series);
     plot_add(plot, series,
-             &(struct plot_point){point->value, 100 * point->errors.relative_rmse, ""});
+             &(struct plot_point){.x = point->value, .y = 100 * point->errors.relative_rmse});
     snprintf(series, sizeof series, "%s, gradient", point->series);
-    plot_add(plot, series, &(struct plot_point){point->value, 100 * point->errors.gradient, ""});
+    plot_add(plot, series,
+             &(struct plot_point){.x = point->value, .y = 100 * point->errors.gradient});
 }
 
 static bool draw(const struct curves *curves, const struct curve *curve, const char *folder) {

@@ -86,7 +86,7 @@ static void span(const struct plot *plot, bool of_y, double *low, double *high) 
             *low = value < *low ? value : *low;
             *high = value > *high ? value : *high;
         }
-    *low /= 1.25, *high *= 1.25;
+    *low /= PLOT_ROOM, *high *= PLOT_ROOM;
 }
 
 static void print_log_axis(FILE *out, const struct plot *plot, char axis) {
@@ -99,13 +99,29 @@ static void print_log_axis(FILE *out, const struct plot *plot, char axis) {
     fprintf(out, ")\n");
 }
 
+static void print_labels(FILE *out, const struct plot *plot) {
+    static const char *const places[PLOT_SIDES] = {
+        [PLOT_RIGHT_ABOVE] = "left offset 0.8,0.6",
+        [PLOT_LEFT_BELOW] = "right offset -0.8,-0.6",
+        [PLOT_RIGHT_BELOW] = "left offset 0.8,-0.6",
+        [PLOT_LEFT_ABOVE] = "right offset -0.8,0.6",
+    };
+    for (int s = 0; s < plot->count; s++)
+        for (int i = 0; i < plot->series[s].count; i++) {
+            const struct plot_point *point = &plot->series[s].points[i];
+            if (!point->label[0])
+                continue;
+            fprintf(out, "set label ");
+            print_quoted(out, point->label);
+            fprintf(out, " at %.9g,%.9g %s font ',9' front\n", point->x, point->y,
+                    places[point->side]);
+        }
+}
+
 static void print_data(FILE *out, const char *name, const struct plot_series *series) {
     fprintf(out, "$%s << EOD\n", name);
-    for (int i = 0; i < series->count; i++) {
-        fprintf(out, "%.9g %.9g ", series->points[i].x, series->points[i].y);
-        print_quoted(out, series->points[i].label);
-        fprintf(out, "\n");
-    }
+    for (int i = 0; i < series->count; i++)
+        fprintf(out, "%.9g %.9g\n", series->points[i].x, series->points[i].y);
     fprintf(out, "EOD\n");
 }
 
@@ -122,13 +138,12 @@ static void print_curves(FILE *out, const struct plot *plot) {
         fprintf(out, "  $s%d with linespoints lc rgb '%s' pt %d ps 1.1 dt %d lw 1.3 title ", i,
                 style->color, style->mark, style->dash);
         print_quoted(out, plot->series[i].name);
-        fprintf(out, ", \\\n  $s%d with labels left offset 0.8,0.5 font ',9' notitle%s\n", i,
-                i + 1 < plot->count ? ", \\" : "");
+        fprintf(out, i + 1 < plot->count ? ", \\\n" : "\n");
     }
 }
 
 static void print_script(FILE *out, const struct plot *plot, const char *path) {
-    fprintf(out, "set encoding utf8\nset key outside bottom center horizontal noenhanced\n"
+    fprintf(out, "set encoding utf8\nset key outside right top vertical Left reverse noenhanced\n"
                  "set grid lc rgb '#dddddd'\nset border lc rgb '#444444'\n");
     fprintf(out, "set title noenhanced ");
     print_quoted(out, plot->title);
@@ -148,9 +163,10 @@ static void print_script(FILE *out, const struct plot *plot, const char *path) {
     }
     if (plot->emphasis.count)
         print_data(out, "front", &plot->emphasis);
+    print_labels(out, plot);
     static const char *const terminals[][2] = {
-        {"svg size 800,560 font 'DejaVu Sans,11' background 'white' noenhanced", "svg"},
-        {"pngcairo size 1200,840 fontscale 1.3 font 'DejaVu Sans,11' noenhanced", "png"},
+        {"svg size 900,560 font 'DejaVu Sans,11' background 'white' noenhanced", "svg"},
+        {"pngcairo size 1350,840 fontscale 1.3 font 'DejaVu Sans,11' noenhanced", "png"},
     };
     for (int i = 0; i < 2; i++) {
         fprintf(out, "set terminal %s\nset output ", terminals[i][0]);

@@ -7,9 +7,12 @@
 
 #include "apps/bench_case.h"
 
+enum plot_side { PLOT_RIGHT_ABOVE, PLOT_LEFT_BELOW, PLOT_RIGHT_BELOW, PLOT_LEFT_ABOVE, PLOT_SIDES };
+
 struct plot_point {
     double x, y;
     char label[BENCH_NAME_SIZE]; /* "" = none */
+    enum plot_side side;         /* of the point that the label stands on */
 };
 
 struct plot_series {
@@ -17,6 +20,9 @@ struct plot_series {
     struct plot_point *points;
     int count;
 };
+
+/* Axes go beyond the values by this factor. */
+#define PLOT_ROOM 1.25
 
 struct plot {
     const char *title, *x_label, *y_label;

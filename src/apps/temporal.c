@@ -365,7 +365,8 @@ static bool draw(const struct clip_run *run, const struct stage *stage, const ch
     for (int t = 0; t < run->track_count; t++)
         for (int i = 1; i < run->frame_count; i++) {
             const struct temporal_frame *frame = &run->tracks[t].frames[i];
-            struct plot_point point = {frame->time, vals ? frame->vals : 100 * frame->flicker, ""};
+            struct plot_point point = {.x = frame->time,
+                                       .y = vals ? frame->vals : 100 * frame->flicker};
             if (!vals || frame->vals)
                 plot_add(&plot, run->tracks[t].prepared.series, &point);
         }
