@@ -245,6 +245,28 @@ static void test_starts(void **state) {
     assert_true(least_vals("warm") <= 6);
 }
 
+/* What a clip's run tells of memory, "WHEN: 92 GL objects of 39.8 MiB; 281.5 MiB resident, ...". */
+static void read_memory(const char *when, int *objects, double *resident, double *most) {
+    const char *line = strstr(output, when);
+    assert_non_null(line);
+    assert_int_equal(sscanf(line + strlen(when),
+                            ": %d GL objects of %*f MiB; %lf MiB resident, never more than %lf",
+                            objects, resident, most),
+                     3);
+    printf("    %s %d objects, %g MiB, at most %g\n", when, *objects, *resident, *most);
+    assert_true(*resident > 0 && *most >= *resident - .1);
+}
+
+static void check_memory_kept(void) {
+    int objects[2];
+    double resident[2], most[2];
+    read_memory("after a tenth of the clip", &objects[0], &resident[0], &most[0]);
+    read_memory("at its end", &objects[1], &resident[1], &most[1]);
+    assert_true(objects[0] > 0);
+    assert_int_equal(objects[0], objects[1]);
+    assert_true(most[1] >= most[0]);
+}
+
 static void test_flicker(void **state) {
     (void)state;
     char command[1024];
@@ -257,6 +279,7 @@ static void test_flicker(void **state) {
         printf("    %s\n", output);
         skip();
     }
+    check_memory_kept();
     FILE *csv = fopen(scratch("temporal.csv"), "r");
     assert_non_null(csv);
     char line[256], variant[64];

@@ -16,6 +16,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 /* The clustering starts [METHOD §2.4] beside what the benchmark compares anyway. */
@@ -195,6 +196,7 @@ static bool track_frame(struct track *track, const struct stage *stage, int inde
 struct memory {
     int objects;             /* of OpenGL */
     double on_gpu, resident; /* MiB */
+    double most;             /* ever resident, MiB */
 };
 
 struct clip_run {
@@ -207,13 +209,17 @@ struct clip_run {
 
 /* What the process and OpenGL hold. */
 static struct memory memory_now(void) {
-    struct memory memory = {gpu_memory_object_count(), (double)gpu_memory_total() / (1 << 20), 0};
+    struct memory memory = {.objects = gpu_memory_object_count(),
+                            .on_gpu = (double)gpu_memory_total() / (1 << 20)};
+    struct rusage usage;
     long pages = 0;
     FILE *statm = fopen("/proc/self/statm", "r");
     if (statm && fscanf(statm, "%*d %ld", &pages) == 1)
         memory.resident = (double)pages * (double)sysconf(_SC_PAGESIZE) / (1 << 20);
     if (statm)
         fclose(statm);
+    if (getrusage(RUSAGE_SELF, &usage) == 0)
+        memory.most = (double)usage.ru_maxrss / 1024;
     return memory;
 }
 
@@ -330,6 +336,11 @@ static void print_track(const struct clip_run *run, const struct track *track) {
            track->frames[worst].time, vals, travel);
 }
 
+static void print_memory(const char *when, const struct memory *memory) {
+    printf("  %s: %d GL objects of %.1f MiB; %.1f MiB resident, never more than %.1f\n", when,
+           memory->objects, memory->on_gpu, memory->resident, memory->most);
+}
+
 static void print_run(const struct clip_run *run, const struct stage *stage) {
     printf("%s, %d frames\n  %-20s %10s  %20s  %8s  %8s\n", stage->name, run->frame_count,
            "variant", "flicker", "worst frame", "VALs", "travel");
@@ -338,11 +349,8 @@ static void print_run(const struct clip_run *run, const struct stage *stage) {
     printf("  (flicker: change beyond that of %s, over its mean;\n"
            "   travel: of VALs' centres over that of VPLs)\n",
            is_traced(run->values) ? "the path-traced truth" : "all VPLs with a map each");
-    const struct memory *first = &run->memory[0], *last = &run->memory[1];
-    printf("  after a tenth of the clip %d GL objects of %.1f MiB, %.1f MiB resident; at its end "
-           "%d of %.1f, %.1f\n",
-           first->objects, first->on_gpu, first->resident, last->objects, last->on_gpu,
-           last->resident);
+    print_memory("after a tenth of the clip", &run->memory[0]);
+    print_memory("at its end", &run->memory[1]);
 }
 
 static void write_rows(FILE *csv, const struct clip_run *run, const struct stage *stage) {
