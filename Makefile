@@ -182,9 +182,9 @@ accuracy: all
 # Flicker and VALs in use over the clips of the moving scenes, the largest with fewer lights; against
 # the truth on short clips; then the cases where methods break, each with a picture.
 MOVING_SCENES := $(patsubst %,scenes/%.glb,moving-spot metaballs door)
-STABILITY_OPTIONS := --size 80x60 --frames 20
-CREATURES_OPTIONS := --size 80x60 --frames 6 --set vpls=256 --set map-size=64
-TRUTH_OPTIONS := --size 64x48 --frames 8 --reference path --noise .01
+STABILITY_OPTIONS := --size 160x120 --frames 20
+CREATURES_OPTIONS := --size 160x120 --frames 6 --set vpls=256 --set map-size=64
+TRUTH_OPTIONS := --size 80x60 --frames 8 --reference path --noise .03
 FAILURES_OPTIONS := --size 160x120 --noise .02
 THREE_VARIANTS := --variant instant-radiosity --variant paper --variant fast
 
