@@ -24,9 +24,10 @@ void main() {
     gl_ClipDistance[0] = q.z - clip_z;
     // Geometry around the centre would hide all the rest [Dong 2009 Fig. 7].
     gl_ClipDistance[1] = r - v.tangent.w;
-    // Behind the plane the projection runs off to infinity; what is there is clipped away.
+    // Behind the plane the projection runs off to infinity; what is there is clipped away. The farther off
+    // a corner there is drawn, the farther from its true place an edge to it enters the map.
     vec3 direction = q / max(r, 1e-20);
-    direction.z = max(direction.z, -0.5);
+    direction.z = max(direction.z, -0.25);
     gl_Position = vec4(paraboloid_project(direction), r / v.center.w, 1.0);
     gl_Layer = gl_InstanceID;
     local = q;
