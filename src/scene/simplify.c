@@ -16,6 +16,10 @@ static const float border_weight = 10;
 /* No triangle turns by more than this cosine. */
 static const float least_cosine = 0.2F;
 
+/* Casters may fall back behind what they stand for, but come before it by this much of the error.
+ */
+static const float advance = 0.3F;
+
 /* Of collapses that cost alike, short edges go first, which keeps triangles round. */
 static const float length_weight = 0.01F;
 
@@ -161,7 +165,8 @@ static float quadric_distance(const struct quadric *quadric, const float *point)
     return (float)sqrt(fmax(sum, 0) / fmax(quadric->weight, 1e-300));
 }
 
-/* Whether a triangle may move one of its corners: not where it turns over or grows too long. */
+/* Whether a triangle may move one of its corners: not where it turns over or grows too long, nor
+ * where it comes to lie before the corner, which would be in its shadow. */
 static bool may_move(const struct patch *patch, const uint32_t triangle[3], uint32_t from,
                      uint32_t to) {
     int c = triangle[0] == from ? 0 : triangle[1] == from ? 1 : 2;
@@ -171,7 +176,10 @@ static bool may_move(const struct patch *patch, const uint32_t triangle[3], uint
     vec3 old, made;
     float cosine = least_cosine * triangle_normal(patch->position[from], p, q, old) *
                    triangle_normal(end, p, q, made);
+    vec3 left;
+    glm_vec3_sub(patch->position[from], p, left);
     return glm_vec3_dot(old, made) > cosine &&
+           glm_vec3_dot(left, made) >= -advance * patch->error * glm_vec3_norm(made) &&
            fmaxf(glm_vec3_distance(end, p), glm_vec3_distance(end, q)) <= patch->max_edge;
 }
 

@@ -5,7 +5,8 @@
  * for each of its layers. A vertex is moved onto one of its neighbours where that lies near the
  * planes of all the triangles that the vertex stands for; it stays among the geometry's vertices,
  * so that what moves needs nothing anew. The cheapest collapses come first, in passes of such as do
- * not touch.
+ * not touch. A surface falls back behind the finer one rather than before it, where receivers would
+ * lie in its shadow.
  *
  * What is closed stays closed, and no triangle turns over. A vertex that parts share stays, so that
  * no crack opens between them. Parts with an alpha mask keep their triangles, and so do those that
