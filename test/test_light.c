@@ -112,14 +112,17 @@ static void test_sphere_instant_radiosity(void **state) {
 
 static void test_sphere_clustered(void **state) {
     (void)state;
-    check_technique("clustered", "visibility=cssm visibility-block=0 bias=2", true, .01, .03);
+    check_technique("clustered", "visibility=cssm visibility-block=0 bias=2 caster-error=0", true,
+                    .01, .03);
 }
 
 /* The plane that PCSS compares with leaves the sphere where a filter is as wide as the sphere: with
  * 16 or 64 VPLs a VAL spans a good part of it. */
 static void test_sphere_pcss(void **state) {
     (void)state;
-    check_technique("clustered", "visibility=pcss", true, .02, .04);
+    check_technique("clustered", "visibility=pcss caster-error=0", true, .02, .04);
+    /* Simplified casters are chords of the sphere: at grazing angles they come before it. */
+    check_technique("clustered", "visibility=pcss", true, .02, .15);
 }
 
 static double mean_with(const struct stage *stage, const char *clamp, int vpls) {
