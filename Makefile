@@ -167,7 +167,7 @@ chart: all
 
 # Where the error of a frame comes from, and how it falls with M, K, N and the size of maps.
 BUDGET_SIZE := 800x800
-BUDGET_RUN = ./manylight bench --budget --size $(BUDGET_SIZE) --cache $(REFERENCE_CACHE)
+BUDGET_RUN = ./manylight bench --budget --variant fast --size $(BUDGET_SIZE) --cache $(REFERENCE_CACHE)
 CURVES_SIZE := 200x200
 
 accuracy: all
