@@ -166,7 +166,7 @@ chart: all
 	./manylight bench --chart $(SWEEP) -o $(BENCH_PLOTS)
 
 # Where the error of a frame comes from, and how it falls with M, K, N and the size of maps.
-BUDGET_SIZE := 800x800
+BUDGET_SIZE := 400x400
 BUDGET_RUN = ./manylight bench --budget --variant fast --size $(BUDGET_SIZE) --cache $(REFERENCE_CACHE)
 CURVES_SIZE := 200x200
 
