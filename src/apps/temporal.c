@@ -218,8 +218,10 @@ static struct memory memory_now(void) {
         memory.resident = (double)pages * (double)sysconf(_SC_PAGESIZE) / (1 << 20);
     if (statm)
         fclose(statm);
+    /* The kernel counts the two at different moments. */
+    memory.most = memory.resident;
     if (getrusage(RUSAGE_SELF, &usage) == 0)
-        memory.most = (double)usage.ru_maxrss / 1024;
+        memory.most = fmax(memory.most, (double)usage.ru_maxrss / 1024);
     return memory;
 }
 
