@@ -119,6 +119,26 @@ static void test_clip_choice(void **state) {
     scene_free(&scene);
 }
 
+static bool is_rigid(const char *clips) {
+    static const float values[] = {0, 0, 0, 1, 1, 1, 2, 2, 2};
+    struct scene scene;
+    struct geometry geometry;
+    load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""), clips, values, 9);
+    check_ok("geometry", geometry_init(&geometry, &scene, 1));
+    bool rigid = geometry.parts[0].rigid;
+    geometry_free(&geometry);
+    scene_free(&scene);
+    return rigid;
+}
+
+/* What begins as a point must not be simplified as one. */
+static void test_rigid(void **state) {
+    (void)state;
+    assert_true(is_rigid(CLIPS(CLIP("translation", "LINEAR"))));
+    assert_false(is_rigid(CLIPS(CLIP("scale", "LINEAR"))));
+    assert_false(is_rigid(CLIPS(CLIP("translation", "LINEAR") "," CLIP("scale", "LINEAR"))));
+}
+
 /* Camera and light hang on a node that moves. */
 static void test_camera_and_light(void **state) {
     (void)state;
@@ -377,15 +397,11 @@ static void test_refusals(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_interpolation),
-        cmocka_unit_test(test_cubic),
-        cmocka_unit_test(test_rotation),
-        cmocka_unit_test(test_clip_choice),
-        cmocka_unit_test(test_camera_and_light),
-        cmocka_unit_test(test_morph),
-        cmocka_unit_test(test_skin),
-        cmocka_unit_test(test_order_of_poses),
-        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_interpolation),  cmocka_unit_test(test_cubic),
+        cmocka_unit_test(test_rotation),       cmocka_unit_test(test_clip_choice),
+        cmocka_unit_test(test_rigid),          cmocka_unit_test(test_camera_and_light),
+        cmocka_unit_test(test_morph),          cmocka_unit_test(test_skin),
+        cmocka_unit_test(test_order_of_poses), cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests_name("animation", tests, NULL, NULL);
 }

@@ -30,7 +30,7 @@ const struct failure_row failure_rows[] = {
     {"wide-light", "a very large VAL: wide penumbrae, ringing", OWN("wide-light"),
      .settings = "vals=2", .bounds = {6.8, 18, 2.8, 0, 13}},
     {"grazing-receivers", "receivers seen edge-on: bent penumbrae", OWN("grazing-receivers"),
-     .bounds = {7.2, 59, 8.4, 0, 126}},
+     .bounds = {7.2, 59, 8.4, 0, 129}},
     {"val-plane", "a blocker through a VAL's plane", OWN("val-plane"), .settings = "vals=4",
      .bounds = {12, 25, 5.8, 0, 26}},
     {"center-inside", "VAL centres inside geometry", OWN("center-inside"), .settings = "vals=4",

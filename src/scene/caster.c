@@ -96,9 +96,9 @@ static bool split(struct splitter *splitter, const uint32_t corner[3], uint32_t 
            split(splitter, (uint32_t[]){middle, b, c}, max_indices);
 }
 
-/* False where nothing is left of the triangle. */
-static bool simplify_triangle(const struct splitter *splitter, const uint32_t corner[3],
-                              uint32_t moved[3]) {
+/* False where moving has left nothing of the triangle. */
+static bool move_corners(const struct splitter *splitter, const uint32_t corner[3],
+                         uint32_t moved[3]) {
     for (int c = 0; c < 3; c++)
         moved[c] = splitter->moved_to ? splitter->moved_to[corner[c]] : corner[c];
     return !splitter->moved_to ||
@@ -116,7 +116,7 @@ static bool split_batch(struct splitter *splitter, const struct geometry_batch *
         uint32_t moved[3];
         if (batch->dynamic)
             emit(splitter, corner);
-        else if (simplify_triangle(splitter, corner, moved) &&
+        else if (move_corners(splitter, corner, moved) &&
                  !split(splitter, moved, at + 3 + 3 * CASTER_MAX_EXTRA_TRIANGLES))
             return false;
     }

@@ -47,13 +47,32 @@ static void size_part(const struct geometry *geometry, const struct scene *scene
         part->index_room = room(part->index_count / 3) * 3;
 }
 
+static bool has_scale_channel(const struct scene *scene, int node) {
+    for (int i = 0; i < scene->clip_count; i++)
+        for (int c = 0; c < scene->clips[i].channel_count; c++) {
+            const struct channel *channel = &scene->clips[i].channels[c];
+            if (channel->node == node && channel->path == CHANNEL_SCALE)
+                return true;
+        }
+    return false;
+}
+
+/* Whether a clip scales the node: at the time when casters are made it may be flat, or a point. */
+static bool is_scaled(const struct scene *scene, int node) {
+    for (; node >= 0; node = scene->nodes[node].parent)
+        if (has_scale_channel(scene, node))
+            return true;
+    return false;
+}
+
 static void list_node_parts(struct geometry *geometry, const struct scene *scene, int node,
                             bool dynamic) {
     int mesh = scene->nodes[node].mesh;
     if (mesh < 0 || dynamic != (scene->nodes[node].metaballs >= 0))
         return;
     int count = dynamic ? 1 : scene->meshes[mesh].primitive_count;
-    bool rigid = !dynamic && scene->nodes[node].skin < 0 && scene->meshes[mesh].target_count == 0;
+    bool rigid = !dynamic && scene->nodes[node].skin < 0 && scene->meshes[mesh].target_count == 0 &&
+                 !is_scaled(scene, node);
     geometry->parts = mem_resize(geometry->parts, (size_t)(geometry->part_count + count),
                                  sizeof *geometry->parts);
     for (int p = 0; p < count; p++)

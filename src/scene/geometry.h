@@ -23,7 +23,7 @@ struct geometry_part {
     uint32_t first_vertex, vertex_count, first_index, index_count;
     uint32_t vertex_room, index_room; /* at least the counts; more for dynamic parts alone */
     bool dynamic;                     /* the surface of metaballs */
-    bool rigid;                       /* neither dynamic nor skinned nor morphed */
+    bool rigid;                       /* neither dynamic nor skinned, morphed, scaled by a clip */
     bool mirrored;                    /* the winding of its triangles is swapped */
     unsigned moved, rewound;          /* the poses that last changed vertices, and indices */
     float bounds_min[3], bounds_max[3];

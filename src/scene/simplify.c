@@ -13,11 +13,11 @@ static const float part_fraction = 0.0025F;
 /* How much more than a triangle's plane the line of a border counts. */
 static const float border_weight = 10;
 
-/* No triangle turns by more than this cosine. */
+/* In one collapse no triangle turns by more than this cosine. */
 static const float least_cosine = 0.2F;
 
-/* Casters may fall back behind what they stand for, but come before it by this much of the error.
- */
+/* Casters may fall back behind what they stand for, but in one collapse come before the vertex that
+ * it takes away by no more than this much of the error. */
 static const float advance = 0.3F;
 
 /* Of collapses that cost alike, short edges go first, which keeps triangles round. */
@@ -322,8 +322,10 @@ static void make_quadrics(struct patch *patch) {
 }
 
 static void patch_init(struct patch *patch, const struct geometry *geometry,
-                       const struct geometry_part *part, const struct weld *weld) {
+                       const struct geometry_part *part, const struct simplify_desc *desc,
+                       const struct weld *weld) {
     uint32_t vertices = part->vertex_count, triangles = part->index_count / 3;
+    float diagonal = glm_vec3_distance((float *)part->bounds_min, (float *)part->bounds_max);
     *patch = (struct patch){
         .position = geometry->position + part->first_vertex,
         .locked = weld->shared + part->first_vertex,
@@ -336,6 +338,8 @@ static void patch_init(struct patch *patch, const struct geometry *geometry,
         .best = mem_alloc(vertices, sizeof *patch->best),
         .touched = mem_alloc(vertices, sizeof *patch->touched),
         .moved_to = mem_alloc(vertices, sizeof *patch->moved_to),
+        .error = fminf(desc->error, part_fraction * diagonal),
+        .max_edge = desc->max_edge,
     };
     memset(patch->touched, true, vertices);
     for (uint32_t v = 0; v < vertices; v++)
@@ -361,10 +365,7 @@ static void simplify_part(const struct geometry *geometry, const struct geometry
                           const struct simplify_desc *desc, const struct weld *weld,
                           uint32_t *moved_to) {
     struct patch patch;
-    patch_init(&patch, geometry, part, weld);
-    float diagonal = glm_vec3_distance((float *)part->bounds_min, (float *)part->bounds_max);
-    patch.error = fminf(desc->error, part_fraction * diagonal);
-    patch.max_edge = desc->max_edge;
+    patch_init(&patch, geometry, part, desc, weld);
     struct collapse *list = mem_alloc(part->vertex_count, sizeof *list);
     while (collapse_some(&patch, list))
         ;

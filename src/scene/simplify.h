@@ -8,9 +8,9 @@
  * not touch. A surface falls back behind the finer one rather than before it, where receivers would
  * lie in its shadow.
  *
- * What is closed stays closed, and no triangle turns over. A vertex that parts share stays, so that
- * no crack opens between them. Parts with an alpha mask keep their triangles, and so do those that
- * do not move rigidly.
+ * What is closed stays closed, and no triangle turns over in a step. A vertex that parts share
+ * stays, so that no crack opens between them. Parts with an alpha mask keep their triangles, and so
+ * do those that do not move rigidly.
  */
 #ifndef SCENE_SIMPLIFY_H
 #define SCENE_SIMPLIFY_H

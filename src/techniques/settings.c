@@ -18,8 +18,8 @@ static const char *const path_names[] = {"fast", "paper", NULL};
 const struct option settings_table[] = {
     {"path", 0, OPTION_CHOICE, FIELD(path), PATH_FAST, .choices = path_names,
      .help = "paper: as published, with CSSM at each pixel and VPL; sets visibility, "
-             "visibility-block, clamp, caster-error, blur-separable, blur-cosine, "
-             "samples",
+             "visibility-block, clamp, caster-error, bias, blur-separable, "
+             "blur-cosine, samples",
      .reinit = true},
     {"vpls", 0, OPTION_INT, FIELD(vpl_count), 1024, 1, 65536, .help = "virtual point lights, N",
      .reinit = true, .group = "virtual lights"},
@@ -102,7 +102,7 @@ const struct option settings_table[] = {
      .help = "longest edge of a caster in paraboloid maps, over the scene's radius", .reinit = true,
      .group = "casters of VAL maps"},
     {"caster-error", 0, OPTION_FLOAT, FIELD(caster_error), .0015, 0, 1,
-     .help = "casters in paraboloid maps may stray so far, over the scene's radius; 0 = not at all",
+     .help = "casters in VALs' maps may stray so far, over the scene's radius; 0 = not at all",
      .reinit = true},
     {"exposure", 0, OPTION_FLOAT, FIELD(exposure), 0, -32, 32, .help = "of the picture, EV",
      .group = "picture"},
