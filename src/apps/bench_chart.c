@@ -105,14 +105,9 @@ struct axis {
 };
 
 static struct axis axis_of(const struct plot *plot, bool of_y) {
-    double low = INFINITY, high = 0;
-    for (int s = 0; s < plot->count; s++)
-        for (int i = 0; i < plot->series[s].count; i++) {
-            const struct plot_point *point = &plot->series[s].points[i];
-            low = fmin(low, of_y ? point->y : point->x);
-            high = fmax(high, of_y ? point->y : point->x);
-        }
-    return (struct axis){log10(low / PLOT_ROOM), log10(high / low * PLOT_ROOM * PLOT_ROOM)};
+    double low, high;
+    plot_span(plot, of_y, &low, &high);
+    return (struct axis){log10(low), log10(high / low)};
 }
 
 /* What is drawn so far. */
@@ -147,7 +142,8 @@ static struct box label_box(const struct drawing *drawing, const struct plot_poi
     return box;
 }
 
-/* The first side where the label lies on nothing and in the chart; false where there is none. */
+/* The first side where the label lies on nothing and not beyond the chart's sides; false where
+ * there is none. */
 static bool place_label(struct drawing *drawing, struct plot_point *point) {
     for (int side = 0; side < PLOT_SIDES; side++) {
         struct box box = label_box(drawing, point, (enum plot_side)side);

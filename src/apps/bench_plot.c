@@ -76,8 +76,10 @@ static void print_quoted(FILE *out, const char *text) {
     fputc('"', out);
 }
 
-/* The range of the values with some room around them. */
-static void span(const struct plot *plot, bool of_y, double *low, double *high) {
+/* Axes go beyond the values by this factor. */
+static const double room = 1.25;
+
+void plot_span(const struct plot *plot, bool of_y, double *low, double *high) {
     *low = DBL_MAX, *high = 0;
     for (int s = 0; s < plot->count; s++)
         for (int i = 0; i < plot->series[s].count; i++) {
@@ -86,12 +88,12 @@ static void span(const struct plot *plot, bool of_y, double *low, double *high) 
             *low = value < *low ? value : *low;
             *high = value > *high ? value : *high;
         }
-    *low /= PLOT_ROOM, *high *= PLOT_ROOM;
+    *low /= room, *high *= room;
 }
 
 static void print_log_axis(FILE *out, const struct plot *plot, char axis) {
     double low, high, ticks[40];
-    span(plot, axis == 'y', &low, &high);
+    plot_span(plot, axis == 'y', &low, &high);
     int count = plot_log_ticks(low, high, ticks, 40);
     fprintf(out, "set logscale %c\nset %crange [%g:%g]\nset %ctics (", axis, axis, low, high, axis);
     for (int i = 0; i < count; i++)

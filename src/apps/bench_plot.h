@@ -21,9 +21,6 @@ struct plot_series {
     int count;
 };
 
-/* Axes go beyond the values by this factor. */
-#define PLOT_ROOM 1.25
-
 struct plot {
     const char *title, *x_label, *y_label;
     bool log_y, linear_x; /* x is logarithmic unless linear */
@@ -38,6 +35,9 @@ void plot_series_add(struct plot_series *series, const struct plot_point *point)
 /* Adds a point to the series of that name, which is made when it is new. */
 void plot_add(struct plot *plot, const char *series, const struct plot_point *point);
 void plot_free(struct plot *plot);
+
+/* The range of an axis: that of the values with some room around them. */
+void plot_span(const struct plot *plot, bool of_y, double *low, double *high);
 
 /* Writes path.svg and path.png; folders on the way are made. Error: gnuplot is missing or fails. */
 bool plot_draw(const struct plot *plot, const char *path);
