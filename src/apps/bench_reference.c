@@ -81,7 +81,7 @@ char *bench_reference_path(const struct bench_reference_desc *desc) {
     return path;
 }
 
-static bool trace(const struct bench_reference_desc *desc, struct image *image) {
+bool bench_reference_trace(const struct bench_reference_desc *desc, struct image *image) {
     return path_tracer_render(
         &(struct path_tracer_desc){.scene = &desc->stage->scene,
                                    .geometry = &desc->stage->geometry,
@@ -117,7 +117,7 @@ bool bench_reference_get(const struct bench_reference_desc *desc, struct image *
         log_note("making reference %s", path);
         ok = folder_make_for(path) &&
              (desc->kind == BENCH_REFERENCE_VPLS ? render_all_vpls(desc, image)
-                                                 : trace(desc, image)) &&
+                                                 : bench_reference_trace(desc, image)) &&
              image_write(image, path);
     }
     if (!ok)

@@ -32,6 +32,9 @@ struct bench_reference_desc {
 /* From the cache, or made now and put there. Error: of the tracer, the renderer or the file. */
 bool bench_reference_get(const struct bench_reference_desc *desc, struct image *image);
 
+/* A path-traced one, made now, of the stage as it is posed; the cache has no part in it. */
+bool bench_reference_trace(const struct bench_reference_desc *desc, struct image *image);
+
 /* The file that holds it, whether it exists or not; the caller frees the text. Error: the scene
  * cannot be read, or there is nowhere to keep things. */
 char *bench_reference_path(const struct bench_reference_desc *desc);

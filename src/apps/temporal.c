@@ -2,12 +2,12 @@
 #include "apps/temporal.h"
 
 #include "apps/bench_plot.h"
+#include "apps/bench_reference.h"
 #include "apps/progress.h"
 
 #include "base/error.h"
 #include "base/memory.h"
 #include "gl/memory.h"
-#include "reference/path_tracer.h"
 #include "scene/animation.h"
 #include "shared/vpl.h"
 
@@ -236,17 +236,13 @@ static void finish_flicker(struct clip_run *run) {
 static bool trace_frame(struct clip_run *run, const struct stage *stage) {
     const struct bench_case *prepared = &run->reference.prepared;
     swap_frames(&run->reference);
-    return path_tracer_render(
-        &(struct path_tracer_desc){.scene = &stage->scene,
-                                   .geometry = &stage->geometry,
-                                   .camera = &stage->camera,
-                                   .light = &stage->light,
-                                   .width = prepared->width,
-                                   .height = prepared->height,
-                                   .bounces = 1,
-                                   .noise = (double)run->values->noise,
-                                   .centers = run->values->reference == BENCH_REFERENCE_CENTERS},
-        &run->reference.image, NULL);
+    return bench_reference_trace(
+        &(struct bench_reference_desc){.kind = run->values->reference,
+                                       .stage = stage,
+                                       .width = prepared->width,
+                                       .height = prepared->height,
+                                       .noise = (double)run->values->noise},
+        &run->reference.image);
 }
 
 static bool is_traced(const struct bench_values *values) {
