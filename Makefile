@@ -22,11 +22,11 @@ say = @$(if $(V),:,printf '  %-4s %s\n')
 
 # --- what it is made of ---------------------------------------------------------------------------
 
-SOURCES := $(sort $(wildcard src/*/*.c))
-BRIDGES := $(sort $(wildcard src/*/*.cpp))
+SOURCES := $(sort $(shell find src -mindepth 2 -name '*.c'))
+BRIDGES := $(sort $(shell find src -name '*.cpp'))
 SHADERS := $(sort $(wildcard glsl/*.* glsl/lib/*.* glsl/shared/*.*))
 TESTS := $(patsubst test/%.c,$(BUILD)/test/%,$(sort $(wildcard test/test_*.c)))
-SCENE_TOOL_SOURCES := $(sort $(wildcard scenes/*.c))
+SCENE_TOOL_SOURCES := $(sort $(shell find scenes -name '*.c'))
 SCENE_TOOL := $(BUILD)/scenes/make_scenes
 SCENE_NAMES := atrium cornell-box cornell-animal sphere metaballs moving-spot door creatures character
 SCENES := $(BUILD)/scenes/made
@@ -108,6 +108,8 @@ $(SCENES): $(SCENE_TOOL) $(if $(filter-out $(wildcard scenes/*.glb scenes/failur
 	@mkdir -p scenes/failures
 	$(SCENE_TOOL) scenes
 	@touch $@
+
+$(BUILD)/scenes/%.o: INCLUDES += -Iscenes
 
 $(SCENE_TOOL): $(SCENE_TOOL_SOURCES:%.c=$(BUILD)/%.o) $(LIBRARY)
 	$(say) LINK $@

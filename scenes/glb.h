@@ -6,7 +6,7 @@
 #ifndef SCENES_GLB_H
 #define SCENES_GLB_H
 
-#include "scene/surface.h"
+#include "scene/shapes/surface.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -14,7 +14,7 @@ void make_door(struct glb *glb);
 void make_creatures(struct glb *glb);
 void make_character(struct glb *glb);
 
-/* scenes/failures.c */
+/* scenes/boxes/failures.c */
 void make_room(struct glb *glb);
 void make_table_legs(struct glb *glb);
 void make_contact(struct glb *glb);

@@ -3,7 +3,7 @@
 #define TEST_SURFACE_SHAPE_H
 
 #include "base/memory.h"
-#include "scene/surface.h"
+#include "scene/shapes/surface.h"
 
 #include <cglm/cglm.h>
 #include <math.h>

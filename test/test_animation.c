@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "scene/animation.h"
 #include "scene/camera.h"
-#include "scene/geometry.h"
+#include "scene/mesh/geometry.h"
 #include "scene/light.h"
 
 #include <math.h>

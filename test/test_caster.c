@@ -2,7 +2,7 @@
 #include "support.h"
 
 #include "base/memory.h"
-#include "scene/caster.h"
+#include "scene/mesh/caster.h"
 
 #include <cglm/util.h>
 

@@ -5,7 +5,7 @@
 #include "base/image_file.h"
 #include "base/log.h"
 #include "base/memory.h"
-#include "scene/geometry.h"
+#include "scene/mesh/geometry.h"
 
 #include <math.h>
 #include <stdlib.h>

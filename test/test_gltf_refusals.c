@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/memory.h"
-#include "scene/geometry.h"
+#include "scene/mesh/geometry.h"
 
 #include <stdlib.h>
 #include <sys/stat.h>

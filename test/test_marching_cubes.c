@@ -3,8 +3,8 @@
 #include "support.h"
 #include "surface_shape.h"
 
-#include "scene/marching_cubes.h"
-#include "scene/metaballs.h"
+#include "scene/shapes/marching_cubes.h"
+#include "scene/shapes/metaballs.h"
 
 #include <cglm/cglm.h>
 #include <math.h>

@@ -6,7 +6,7 @@
 #include "base/log.h"
 #include "scene/camera.h"
 #include "scene/room.h"
-#include "scene/geometry.h"
+#include "scene/mesh/geometry.h"
 #include "scene/light.h"
 
 #include <cglm/cglm.h>

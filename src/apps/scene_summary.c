@@ -1,7 +1,7 @@
 #include "apps/scene_summary.h"
 
 #include "scene/camera.h"
-#include "scene/geometry.h"
+#include "scene/mesh/geometry.h"
 #include "scene/light.h"
 #include "scene/node.h"
 #include "scene/scene.h"

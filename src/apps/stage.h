@@ -4,7 +4,7 @@
 #define APPS_STAGE_H
 
 #include "scene/camera.h"
-#include "scene/geometry.h"
+#include "scene/mesh/geometry.h"
 #include "scene/light.h"
 
 struct stage_desc {

@@ -8,7 +8,7 @@
 #include "gl/buffer.h"
 #include "gl/texture.h"
 #include "gl/timer.h"
-#include "scene/scene_gpu.h"
+#include "scene/gpu/scene_gpu.h"
 
 /* What every pass of one frame may use. BLOCK_VIEW and BLOCK_LIGHT are bound for the whole frame.
  */

@@ -7,7 +7,7 @@
 #ifndef REFERENCE_HIT_H
 #define REFERENCE_HIT_H
 
-#include "scene/geometry.h"
+#include "scene/mesh/geometry.h"
 
 #include <cglm/struct.h>
 

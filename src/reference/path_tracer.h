@@ -15,7 +15,7 @@
 
 #include "base/image.h"
 #include "scene/camera.h"
-#include "scene/geometry.h"
+#include "scene/mesh/geometry.h"
 #include "scene/light.h"
 
 struct path_tracer_progress {

@@ -11,7 +11,7 @@
 
 #include "base/image.h"
 #include "scene/camera.h"
-#include "scene/geometry.h"
+#include "scene/mesh/geometry.h"
 #include "scene/light.h"
 #include "shared/vpl.h"
 

@@ -2,7 +2,7 @@
 
 #include "base/log.h"
 #include "base/memory.h"
-#include "scene/geometry.h"
+#include "scene/mesh/geometry.h"
 #include "scene/node.h"
 #include "scene/room.h"
 

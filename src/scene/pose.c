@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "scene/animation.h"
 #include "scene/node.h"
-#include "scene/primitive.h"
+#include "scene/mesh/primitive.h"
 
 #include <cglm/cglm.h>
 #include <stdlib.h>

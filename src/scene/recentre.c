@@ -1,6 +1,6 @@
 #include "scene/recentre.h"
 
-#include "scene/geometry.h"
+#include "scene/mesh/geometry.h"
 
 #include <cglm/cglm.h>
 

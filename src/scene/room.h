@@ -2,7 +2,7 @@
 #ifndef SCENE_ROOM_H
 #define SCENE_ROOM_H
 
-#include "scene/geometry.h"
+#include "scene/mesh/geometry.h"
 
 /* How far a point is from walls, metres. */
 struct room {

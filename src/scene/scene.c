@@ -4,9 +4,9 @@
 #include "base/memory.h"
 #include "scene/animation.h"
 #include "scene/framing.h"
-#include "scene/gltf.h"
+#include "scene/gltf/gltf.h"
 #include "scene/node.h"
-#include "scene/primitive.h"
+#include "scene/mesh/primitive.h"
 #include "scene/recentre.h"
 
 #include <stdlib.h>

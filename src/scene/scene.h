@@ -1,14 +1,14 @@
 /* What a glTF file holds, on the CPU: a node tree, meshes, materials, lights and cameras.
  *
- * A scene is only a description. scene/geometry.h turns it into world-space triangles at one time;
- * scene/light.h and scene/camera.h place a light and a camera. Metres, +Y up, as glTF has it.
+ * A scene is only a description. scene/mesh/geometry.h turns it into world-space triangles at one
+ * time; scene/light.h and scene/camera.h place a light and a camera. Metres, +Y up, as glTF has it.
  * Everything is an index into an array of the scene; -1 is none. Nodes come parents first.
  */
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H
 
 #include "base/image.h"
-#include "scene/metaballs.h"
+#include "scene/shapes/metaballs.h"
 
 #include <stdbool.h>
 #include <stdint.h>

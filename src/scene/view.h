@@ -3,7 +3,7 @@
 #define SCENE_VIEW_H
 
 #include "scene/camera.h"
-#include "scene/geometry.h"
+#include "scene/mesh/geometry.h"
 #include "scene/light.h"
 #include "shared/light.h"
 

@@ -3,7 +3,7 @@
 #define VIEWER_LIGHT_TOOL_H
 
 #include "scene/camera.h"
-#include "scene/geometry.h"
+#include "scene/mesh/geometry.h"
 #include "scene/light.h"
 #include "viewer/screen.h"
 #include "viewer/window.h"

@@ -2,7 +2,7 @@
 #ifndef VIEWER_LOADER_H
 #define VIEWER_LOADER_H
 
-#include "scene/geometry.h"
+#include "scene/mesh/geometry.h"
 
 #include <pthread.h>
 #include <stdatomic.h>

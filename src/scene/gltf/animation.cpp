@@ -1,0 +1,130 @@
+/* Animations become clips. */
+#include "scene/gltf/model.hpp"
+
+extern "C" {
+#include "scene/animation.h"
+}
+
+#include <cmath>
+
+namespace gltf {
+namespace {
+
+/* No coordinate of geometry_init is farther out, and no product of two such leaves floats. */
+const float max_value = 1e15F;
+
+bool load_times(Loader &loader, int index, struct channel &to) {
+    size_t count = loader.model.accessors[index].count;
+    if (loader.model.accessors[index].componentType != COMPONENT_FLOAT)
+        return error_set("accessor %d does not hold floats", index);
+    if (!load_elements(loader, index, 1, count, &to.times))
+        return false;
+    to.key_count = int(count);
+    for (int i = 0; i < to.key_count; i++)
+        if (!std::isfinite(to.times[i]) || to.times[i] < 0 ||
+            (i > 0 && to.times[i] <= to.times[i - 1]))
+            return error_set("time %d is %g s, and times are finite, not negative and increase", i,
+                             double(to.times[i]));
+    return true;
+}
+
+/* A quaternion that is used as a value, and not as a tangent, has a direction. */
+bool check_rotations(const struct channel &channel) {
+    bool cubic = channel.interpolation == INTERPOLATION_CUBIC;
+    for (int key = 0; key < channel.key_count; key++) {
+        const float *q = channel.values + size_t(cubic ? key * 3 + 1 : key) * 4;
+        if (std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])) < 1e-6)
+            return error_set("value %d is a quaternion of length 0", key);
+    }
+    return true;
+}
+
+bool load_values(Loader &loader, int index, struct channel &to) {
+    size_t keys = size_t(to.key_count) * (to.interpolation == INTERPOLATION_CUBIC ? 3 : 1);
+    bool weights = to.path == CHANNEL_WEIGHTS;
+    if (weights && size_t(to.width) > max_elements / keys)
+        return error_set("there are too many weights");
+    size_t elements = weights ? keys * size_t(to.width) : keys;
+    if (!load_elements(loader, index, weights ? 1 : to.width, elements, &to.values))
+        return false;
+    for (size_t i = 0; i < keys * size_t(to.width); i++)
+        if (!(std::fabs(to.values[i]) <= max_value))
+            return error_set("number %zu is %g", i, double(to.values[i]));
+    return to.path != CHANNEL_ROTATION || check_rotations(to);
+}
+
+/* The width is that of what the channel moves; a path that we do not know has none. */
+bool find_path(const std::string &name, const struct scene &scene, struct channel &to) {
+    const struct node &node = scene.nodes[to.node];
+    to.width = 3;
+    if (name == "translation")
+        to.path = CHANNEL_TRANSLATION;
+    else if (name == "scale")
+        to.path = CHANNEL_SCALE;
+    else if (name == "rotation")
+        to.path = CHANNEL_ROTATION, to.width = 4;
+    else if (name == "weights")
+        to.path = CHANNEL_WEIGHTS,
+        to.width = node.mesh >= 0 ? scene.meshes[node.mesh].target_count : 0;
+    else
+        to.width = -1;
+    if (to.width == 0)
+        return error_set("weights of a node without morph targets");
+    if (to.path != CHANNEL_WEIGHTS && node.has_matrix)
+        return error_set("the node '%s' has a matrix, which cannot be animated", node.name);
+    return true;
+}
+
+enum interpolation find_interpolation(const std::string &name) {
+    return name == "STEP"          ? INTERPOLATION_STEP
+           : name == "CUBICSPLINE" ? INTERPOLATION_CUBIC
+                                   : INTERPOLATION_LINEAR;
+}
+
+bool load_channel(Loader &loader, const tinygltf::Animation &animation,
+                  const tinygltf::AnimationChannel &from, struct clip &clip) {
+    const tinygltf::AnimationSampler &sampler = animation.samplers[from.sampler];
+    struct channel &to = clip.channels[clip.channel_count];
+    to.node = from.target_node < 0 ? -1 : loader.node_places[from.target_node];
+    if (to.node < 0)
+        return true; /* of another scene, or of an extension */
+    if (!find_path(from.target_path, *loader.scene, to))
+        return false;
+    if (to.width < 0) {
+        log_warning("%s: animation of '%s' is ignored", loader.scene->path,
+                    clean(from.target_path).c_str());
+        return true;
+    }
+    clip.channel_count++;
+    to.interpolation = find_interpolation(sampler.interpolation);
+    if (!load_times(loader, sampler.input, to))
+        return error_prefix("input");
+    if (!load_values(loader, sampler.output, to))
+        return error_prefix("output");
+    clip.duration = std::fmax(clip.duration, to.times[to.key_count - 1]);
+    return true;
+}
+
+bool load_clip(Loader &loader, const tinygltf::Animation &from, struct clip &to) {
+    copy_name(to.name, from.name);
+    to.channels = allocate<struct channel>(from.channels.size());
+    for (size_t i = 0; i < from.channels.size(); i++)
+        if (!load_channel(loader, from, from.channels[i], to))
+            return error_prefix("channel %zu", i);
+    return true;
+}
+
+} // namespace
+
+bool load_clips(Loader &loader) {
+    const auto &from = loader.model.animations;
+    struct scene *scene = loader.scene;
+    scene->clips = allocate<struct clip>(from.size());
+    scene->clip_count = int(from.size());
+    for (size_t i = 0; i < from.size(); i++)
+        if (!load_clip(loader, from[i], scene->clips[i]))
+            return error_prefix("%s", label("animation", i, from[i].name).c_str());
+    return true;
+}
+
+} // namespace gltf

@@ -1,0 +1,139 @@
+/* Meshes: triangles with attributes, whatever form the file has them in. */
+#include "scene/gltf/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace gltf {
+namespace {
+
+/* Reads an attribute of one element per vertex into a new array, all ones at first; none where the
+ * file has none. */
+template <int Width>
+bool load_attribute(Loader &loader, const tinygltf::Primitive &from, const std::string &name,
+                    size_t count, float (**out)[Width]) {
+    auto found = from.attributes.find(name);
+    if (found == from.attributes.end())
+        return true;
+    float *numbers = nullptr;
+    bool good = load_elements(loader, found->second, Width, count, &numbers);
+    *out = reinterpret_cast<float(*)[Width]>(numbers);
+    return good || error_prefix("%s", name.c_str());
+}
+
+bool load_indices(Loader &loader, int index, struct primitive &to) {
+    struct accessor accessor = {};
+    accessor.count = size_t(to.vertex_count);
+    if ((index >= 0 && !resolve_accessor(loader.model, index, accessor)) ||
+        !spend(loader, accessor.count))
+        return error_prefix("indices");
+    int type = accessor.component_type;
+    if (index >= 0 &&
+        (accessor.components != 1 || accessor.normalized ||
+         (type != COMPONENT_UBYTE && type != COMPONENT_USHORT && type != COMPONENT_UINT)))
+        return error_set("indices: accessor %d does not hold unsigned numbers", index);
+    to.index_count = int(accessor.count);
+    to.indices = allocate<uint32_t>(accessor.count);
+    std::iota(to.indices, to.indices + accessor.count, 0u);
+    return index < 0 || accessor_read_indices(&accessor, to.indices) || error_prefix("indices");
+}
+
+/* KHR_texture_transform: scales, then rotates counter-clockwise as seen with v downward, then
+ * offsets. */
+void transform_uv(const UvSource &source, struct primitive &primitive) {
+    double c = cos(source.rotation), s = sin(source.rotation);
+    for (int i = 0; i < primitive.vertex_count; i++) {
+        double u = primitive.uv[i][0] * source.scale[0], v = primitive.uv[i][1] * source.scale[1];
+        primitive.uv[i][0] = float(c * u + s * v + source.offset[0]);
+        primitive.uv[i][1] = float(c * v - s * u + source.offset[1]);
+    }
+}
+
+bool load_attributes(Loader &loader, const tinygltf::Primitive &from, struct primitive &to) {
+    size_t count = size_t(to.vertex_count);
+    if (!load_attribute(loader, from, "NORMAL", count, &to.normal) ||
+        !load_attribute(loader, from, "COLOR_0", count, &to.color))
+        return false;
+    if (loader.scene->materials[to.material].texture < 0)
+        return true;
+    const UvSource &uv = loader.uv_sources[size_t(to.material)];
+    if (!load_attribute(loader, from, "TEXCOORD_" + std::to_string(uv.set), count, &to.uv))
+        return false;
+    if (to.uv)
+        transform_uv(uv, to);
+    return true;
+}
+
+bool load_primitive(Loader &loader, const tinygltf::Primitive &from, int target_count,
+                    struct primitive &to) {
+    const Model &model = loader.model;
+    to.material = from.material >= 0 ? from.material : int(model.materials.size());
+    auto position = from.attributes.find("POSITION");
+    if (position == from.attributes.end())
+        return error_set("it has no POSITION");
+    size_t count = model.accessors[position->second].count;
+    if (!load_attribute(loader, from, "POSITION", count, &to.position))
+        return false;
+    to.vertex_count = int(count);
+    if (!load_indices(loader, from.indices, to) || !primitive_check(&to) ||
+        !primitive_unroll(&to, static_cast<enum primitive_mode>(from.mode)) ||
+        !load_attributes(loader, from, to) || !load_joints(loader, from, to) ||
+        !load_targets(loader, from, target_count, to))
+        return false;
+    if (to.normal) {
+        primitive_repair_normals(&to);
+        return true;
+    }
+    if (!spend(loader, size_t(to.index_count)))
+        return false;
+    primitive_flatten(&to, target_count);
+    return true;
+}
+
+/* The morph targets' number and weights at rest. */
+bool load_weights(const tinygltf::Mesh &from, struct mesh &to) {
+    to.target_count = from.primitives.empty() ? 0 : int(from.primitives[0].targets.size());
+    if (to.target_count > 0)
+        to.weights = allocate<float>(size_t(to.target_count));
+    if (!from.weights.empty() && from.weights.size() != size_t(to.target_count))
+        return error_set("%zu weights for %d morph targets", from.weights.size(), to.target_count);
+    return copy_numbers(from.weights, to.weights, "weights");
+}
+
+/* Lines and points are left out: lines_ignored tells. */
+bool load_mesh(Loader &loader, const tinygltf::Mesh &from, struct mesh &to, bool &lines_ignored) {
+    copy_name(to.name, from.name);
+    if (!load_weights(from, to))
+        return false;
+    to.primitives = allocate<struct primitive>(from.primitives.size());
+    for (size_t i = 0; i < from.primitives.size(); i++) {
+        int mode = from.primitives[i].mode;
+        if (mode < PRIMITIVE_TRIANGLES) {
+            lines_ignored = true;
+            continue;
+        }
+        if (!load_primitive(loader, from.primitives[i], to.target_count,
+                            to.primitives[to.primitive_count++]))
+            return error_prefix("primitive %zu", i);
+    }
+    return true;
+}
+
+} // namespace
+
+bool load_meshes(Loader &loader) {
+    const auto &from = loader.model.meshes;
+    struct scene *scene = loader.scene;
+    scene->meshes = allocate<struct mesh>(from.size());
+    scene->mesh_count = int(from.size());
+    bool lines_ignored = false;
+    for (size_t i = 0; i < from.size(); i++)
+        if (!load_mesh(loader, from[i], scene->meshes[i], lines_ignored))
+            return error_prefix("%s", label("mesh", i, from[i].name).c_str());
+    if (lines_ignored)
+        log_warning("%s: points and lines are not drawn", scene->path);
+    return true;
+}
+
+} // namespace gltf

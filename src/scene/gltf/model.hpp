@@ -1,0 +1,115 @@
+/* What the parts of the bridge to tinygltf share: the only file that names it.
+ *
+ * Model and Loader live as long as one call of gltf_load. Functions return false with an error set;
+ * exceptions (out of memory, bad JSON) pass through and end in gltf_load.
+ */
+#ifndef SCENE_GLTF_MODEL_HPP
+#define SCENE_GLTF_MODEL_HPP
+
+extern "C" {
+#include "base/error.h"
+#include "base/image_file.h"
+#include "base/log.h"
+#include "base/memory.h"
+#include "scene/gltf/accessor.h"
+#include "scene/gltf/file.h"
+#include "scene/mesh/primitive.h"
+#include "scene/scene.h"
+}
+
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#define TINYGLTF_NO_EXTERNAL_IMAGE
+#include <tiny_gltf.h>
+
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gltf {
+
+using tinygltf::Model;
+
+/* The base colour texture's way from TEXCOORD_n to uv. */
+struct UvSource {
+    int set = 0;
+    double offset[2] = {0, 0}, rotation = 0, scale[2] = {1, 1};
+};
+
+/* The bytes of a file for as long as they are in scope. */
+struct OwnedBytes : file_bytes {
+    OwnedBytes() : file_bytes{nullptr, 0} {
+    }
+    OwnedBytes(const OwnedBytes &) = delete;
+    ~OwnedBytes() {
+        free(data);
+    }
+};
+
+/* So many vertices and indices take about 4 GiB. */
+const size_t max_elements = size_t(1) << 27;
+
+struct Loader {
+    struct scene *scene;
+    std::string folder; /* "" or ends in a slash */
+    Model model;
+    std::string file_error;                        /* why a file that the glTF names was not read */
+    std::vector<UvSource> uv_sources;              /* one per material */
+    std::vector<std::pair<int, int>> texture_keys; /* image and sampler of each texture */
+    std::vector<int> node_places;                  /* each node's index in the scene, or -1 */
+    size_t budget = max_elements; /* vertices, indices and keys that there may still be */
+};
+
+/* schema.cpp: whether the JSON is what the standard demands, given the size of the BIN chunk.
+ * All indices, types and buffer views of the model are right afterwards. */
+bool check_schema(const char *text, size_t size, size_t bin_size);
+
+/* parse.cpp: reads and parses the file and the buffers it names. */
+bool parse(Loader &loader, const char *path);
+std::string decode_uri(const std::string &uri);
+
+/* array.cpp: the bytes of a buffer view; and an accessor, whose elements all lie in theirs. */
+const unsigned char *view_bytes(const Model &model, int view);
+bool resolve_accessor(const Model &model, int index, struct accessor &out);
+
+/* Takes from what one file may hold altogether: users of an accessor that share it, and accessors
+ * without bytes, would let a small file fill any memory. */
+bool spend(Loader &loader, size_t count);
+
+/* Reads an accessor that holds `count` elements, each of `width` floats, into a new array. Where
+ * width is 4, there may be 3; the fourth is 1 then. */
+bool load_elements(Loader &loader, int index, int width, size_t count, float **out);
+
+/* deform.cpp: what moves a primitive's vertices, before they are flattened. */
+bool load_joints(Loader &loader, const tinygltf::Primitive &from, struct primitive &to);
+bool load_targets(Loader &loader, const tinygltf::Primitive &from, int count, struct primitive &to);
+
+/* Each fills its part of the scene, in this order. */
+bool load_materials(Loader &loader);
+bool load_meshes(Loader &loader);
+bool load_lights(Loader &loader);
+bool load_cameras(Loader &loader);
+bool load_nodes(Loader &loader);
+bool load_skins(Loader &loader);
+bool load_clips(Loader &loader);
+
+/* The text for names and messages: cut between UTF-8 characters, and without control characters,
+ * which could upset a terminal. */
+std::string clean(const std::string &text);
+void copy_name(char to[SCENE_NAME_SIZE], const std::string &from);
+
+/* "mesh 3 'name'" */
+std::string label(const char *noun, size_t index, const std::string &name);
+
+/* Copies the numbers of a JSON array, which may be too large for floats; an absent one leaves the
+ * defaults. */
+bool copy_numbers(const std::vector<double> &from, float *to, const char *what);
+
+template <typename T> T *allocate(size_t count) {
+    return static_cast<T *>(mem_alloc(count, sizeof(T)));
+}
+
+} // namespace gltf
+
+#endif

@@ -1,0 +1,169 @@
+/* The node tree. */
+#include "scene/gltf/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace gltf {
+namespace {
+
+/* Each node's parent, or -1. */
+bool find_parents(const Model &model, std::vector<int> &parents) {
+    parents.assign(model.nodes.size(), -1);
+    for (size_t i = 0; i < model.nodes.size(); i++)
+        for (int child : model.nodes[i].children) {
+            if (parents[child] >= 0)
+                return error_set("%s: it has two parents, nodes %d and %zu",
+                                 label("node", child, model.nodes[child].name).c_str(),
+                                 parents[child], i);
+            parents[child] = int(i);
+        }
+    return true;
+}
+
+std::vector<int> parentless(const std::vector<int> &parents) {
+    std::vector<int> roots;
+    for (size_t i = 0; i < parents.size(); i++)
+        if (parents[i] < 0)
+            roots.push_back(int(i));
+    return roots;
+}
+
+/* The nodes to begin with: the default scene's, the first scene's, or all without a parent. */
+bool find_roots(const Model &model, const std::vector<int> &parents, std::vector<int> &roots) {
+    roots = parentless(parents);
+    if (model.scenes.empty())
+        return true;
+    int scene = std::max(model.defaultScene, 0);
+    std::set<int> allowed(roots.begin(), roots.end());
+    roots = model.scenes[scene].nodes;
+    for (int node : roots)
+        if (allowed.erase(node) == 0)
+            return error_set("scene %d: node %d has a parent or is listed twice", scene, node);
+    return true;
+}
+
+/* Parents before children, siblings in the file's order. */
+std::vector<int> order_nodes(const Model &model, const std::vector<int> &roots) {
+    std::vector<int> order, stack(roots.rbegin(), roots.rend());
+    while (!stack.empty()) {
+        int node = stack.back();
+        stack.pop_back();
+        order.push_back(node);
+        const std::vector<int> &children = model.nodes[node].children;
+        stack.insert(stack.end(), children.rbegin(), children.rend());
+    }
+    return order;
+}
+
+/* A loop of nodes hangs on no root. */
+bool check_loops(const Model &model, const std::vector<int> &parents) {
+    std::vector<int> reached = order_nodes(model, parentless(parents));
+    if (reached.size() == parents.size())
+        return true;
+    std::set<int> good(reached.begin(), reached.end());
+    int node = 0;
+    while (good.count(node))
+        node++;
+    return error_set("%s: it is its own ancestor",
+                     label("node", node, model.nodes[node].name).c_str());
+}
+
+bool load_transform(const tinygltf::Node &from, struct node &to) {
+    to.has_matrix = !from.matrix.empty();
+    to.rotation[3] = to.scale[0] = to.scale[1] = to.scale[2] = 1;
+    if (!copy_numbers(from.matrix, to.matrix, "matrix") ||
+        !copy_numbers(from.translation, to.translation, "translation") ||
+        !copy_numbers(from.rotation, to.rotation, "rotation") ||
+        !copy_numbers(from.scale, to.scale, "scale"))
+        return false;
+    const float *m = to.matrix, *q = to.rotation;
+    if (to.has_matrix && (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1))
+        return error_set("matrix: its last row is not 0 0 0 1");
+    if (std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])) < 1e-6)
+        return error_set("rotation: a quaternion of length 0");
+    return true;
+}
+
+/* The light that KHR_lights_punctual puts on the node. */
+int node_light(const tinygltf::Node &node) {
+    auto found = node.extensions.find("KHR_lights_punctual");
+    return found == node.extensions.end() ? -1 : found->second.Get("light").GetNumberAsInt();
+}
+
+bool load_node(const tinygltf::Node &from, struct node &to) {
+    copy_name(to.name, from.name);
+    to.mesh = from.mesh;
+    to.camera = from.camera;
+    to.light = node_light(from);
+    to.skin = from.skin;
+    to.metaballs = -1;
+    return load_transform(from, to);
+}
+
+/* Weights of the node's own for the morph targets of its mesh. */
+bool load_node_weights(const tinygltf::Node &from, const struct scene &scene, struct node &to) {
+    if (from.weights.empty())
+        return true;
+    int targets = to.mesh >= 0 ? scene.meshes[to.mesh].target_count : 0;
+    if (from.weights.size() != size_t(targets))
+        return error_set("%zu weights for %d morph targets", from.weights.size(), targets);
+    to.weights = allocate<float>(from.weights.size());
+    return copy_numbers(from.weights, to.weights, "weights");
+}
+
+bool read_vector(const tinygltf::Value &value, float out[3]) {
+    bool good = value.IsArray() && value.ArrayLen() == 3;
+    for (int i = 0; good && i < 3; i++) {
+        good = value.Get(i).IsNumber();
+        out[i] = good ? float(value.Get(i).GetNumberAsDouble()) : 0;
+    }
+    return good;
+}
+
+float read_number(const tinygltf::Value &value) {
+    return value.IsNumber() ? float(value.GetNumberAsDouble()) : NAN;
+}
+
+/* Our own extras: {"metaballs": {...}} with the fields of struct metaballs. */
+bool load_metaballs(const tinygltf::Node &from, struct scene &scene, struct node &to) {
+    if (!from.extras.IsObject() || !from.extras.Has("metaballs") || to.mesh < 0 ||
+        scene.meshes[to.mesh].primitive_count == 0)
+        return true;
+    const tinygltf::Value &extras = from.extras.Get("metaballs");
+    struct metaballs *balls = &scene.metaballs[to.metaballs = scene.metaballs_count++];
+    balls->count = extras.Get("count").GetNumberAsInt();
+    balls->reach = read_number(extras.Get("reach"));
+    balls->cell = read_number(extras.Get("cell"));
+    balls->period = read_number(extras.Get("period"));
+    return (read_vector(extras.Get("low"), balls->low) &&
+            read_vector(extras.Get("high"), balls->high) && metaballs_are_sound(balls)) ||
+           error_set("extras: these are no metaballs");
+}
+
+} // namespace
+
+bool load_nodes(Loader &loader) {
+    const Model &model = loader.model;
+    struct scene *scene = loader.scene;
+    std::vector<int> parents, roots;
+    if (!find_parents(model, parents) || !check_loops(model, parents) ||
+        !find_roots(model, parents, roots))
+        return false;
+    std::vector<int> order = order_nodes(model, roots), &place = loader.node_places;
+    place.assign(model.nodes.size(), -1);
+    scene->nodes = allocate<struct node>(order.size());
+    scene->metaballs = allocate<struct metaballs>(order.size());
+    for (int i : order) {
+        struct node &node = scene->nodes[scene->node_count];
+        if (!load_node(model.nodes[i], node) || !load_node_weights(model.nodes[i], *scene, node) ||
+            !load_metaballs(model.nodes[i], *scene, node))
+            return error_prefix("%s", label("node", i, model.nodes[i].name).c_str());
+        node.parent = parents[i] >= 0 ? place[parents[i]] : -1;
+        place[i] = scene->node_count++;
+    }
+    return true;
+}
+
+} // namespace gltf

@@ -1,0 +1,308 @@
+#include "scene/gpu/scene_gpu.h"
+
+#include "base/memory.h"
+#include "shared/material.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MATERIAL_STRIDE = 256 }; /* no driver asks for a larger uniform offset alignment */
+
+/* The geometry's vertices, then the extra ones of the casters. */
+static bool upload_positions(struct scene_gpu *gpu, const struct geometry *geometry,
+                             const struct caster *caster) {
+    size_t base = geometry->vertex_count, count = base + caster->extra_count;
+    float(*positions)[3] = mem_alloc(count, sizeof *positions);
+    float(*uvs)[2] = mem_alloc(count, sizeof *uvs);
+    memcpy(positions, geometry->position, base * sizeof *positions);
+    memcpy(uvs, geometry->uv, base * sizeof *uvs);
+    caster_fill(caster, geometry, positions + base, uvs + base);
+    gpu->extra = mem_alloc(caster->extra_count, sizeof *gpu->extra);
+    memcpy(gpu->extra, positions + base, caster->extra_count * sizeof *gpu->extra);
+    bool ok =
+        buffer_init(&gpu->positions, "scene positions", count * sizeof *positions, positions) &&
+        buffer_init(&gpu->uvs, "scene uvs", count * sizeof *uvs, uvs);
+    free(positions);
+    free(uvs);
+    return ok;
+}
+
+static void convert_normals(float (*from)[3], size_t count, int16_t (*to)[4]) {
+    for (size_t i = 0; i < count; i++)
+        for (int c = 0; c < 3; c++)
+            to[i][c] = (int16_t)lrintf(from[i][c] * 32767);
+}
+
+/* Normals as 16-bit signed, colours as 16-bit unsigned fractions, four each. */
+static bool upload_attributes(struct scene_gpu *gpu, const struct geometry *geometry) {
+    size_t count = geometry->vertex_count;
+    int16_t(*normals)[4] = mem_alloc(count, sizeof *normals);
+    uint16_t(*colors)[4] = mem_alloc(count, sizeof *colors);
+    convert_normals(geometry->normal, count, normals);
+    for (size_t i = 0; i < count; i++)
+        for (int c = 0; c < 4; c++)
+            colors[i][c] = (uint16_t)lrintf(fminf(fmaxf(geometry->color[i][c], 0), 1) * 65535);
+    bool ok = buffer_init(&gpu->normals, "scene normals", count * sizeof *normals, normals) &&
+              buffer_init(&gpu->colors, "scene colours", count * sizeof *colors, colors);
+    free(normals);
+    free(colors);
+    return ok;
+}
+
+static bool upload_materials(struct scene_gpu *gpu, const struct scene *scene) {
+    size_t size = (size_t)scene->material_count * MATERIAL_STRIDE;
+    unsigned char *bytes = mem_alloc(size, 1);
+    for (int i = 0; i < scene->material_count; i++) {
+        const struct material *material = &scene->materials[i];
+        struct material_block block = {
+            .alpha_cutoff = material->alpha_mask ? material->alpha_cutoff : -1,
+            .double_sided = material->double_sided,
+            .textured = material->texture >= 0,
+        };
+        memcpy(block.base_color, material->base_color, sizeof block.base_color);
+        memcpy(bytes + i * MATERIAL_STRIDE, &block, sizeof block);
+    }
+    bool ok = buffer_init(&gpu->materials, "scene materials", size, bytes);
+    free(bytes);
+    return ok;
+}
+
+static bool upload_texture(struct texture *texture, const struct scene_texture *source) {
+    static const GLenum wraps[] = {GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT};
+    const struct bitmap *bitmap = &source->bitmap;
+    int levels = source->nearest ? 1 : texture_full_levels(bitmap->width, bitmap->height);
+    if (!texture_init(texture, &(struct texture_desc){
+                                   .label = "scene textures",
+                                   .format = GL_SRGB8_ALPHA8,
+                                   .width = bitmap->width,
+                                   .height = bitmap->height,
+                                   .levels = levels,
+                                   .filter = source->nearest ? FILTER_NEAREST : FILTER_TRILINEAR,
+                                   .wrap_s = wraps[source->wrap_u],
+                                   .wrap_t = wraps[source->wrap_v],
+                               }))
+        return false;
+    gl.TextureSubImage2D(texture->id, 0, 0, 0, bitmap->width, bitmap->height, GL_RGBA,
+                         GL_UNSIGNED_BYTE, bitmap->rgba);
+    if (levels > 1)
+        gl.GenerateTextureMipmap(texture->id);
+    return true;
+}
+
+static bool upload_textures(struct scene_gpu *gpu, const struct scene *scene) {
+    gpu->textures = mem_alloc((size_t)scene->texture_count, sizeof *gpu->textures);
+    gpu->texture_count = scene->texture_count;
+    for (int i = 0; i < scene->texture_count; i++)
+        if (!upload_texture(&gpu->textures[i], &scene->textures[i]))
+            return false;
+    return true;
+}
+
+static void add_attribute(GLuint vertices, GLuint location, const struct buffer *buffer,
+                          GLint count, GLenum type, GLsizei stride) {
+    gl.VertexArrayVertexBuffer(vertices, location, buffer->id, 0, stride);
+    gl.VertexArrayAttribFormat(vertices, location, count, type, type != GL_FLOAT, 0);
+    gl.VertexArrayAttribBinding(vertices, location, location);
+    gl.EnableVertexArrayAttrib(vertices, location);
+}
+
+static void make_vertex_arrays(struct scene_gpu *gpu) {
+    gl.CreateVertexArrays(1, &gpu->shaded_vertices);
+    add_attribute(gpu->shaded_vertices, 0, &gpu->positions, 3, GL_FLOAT, 12);
+    add_attribute(gpu->shaded_vertices, 1, &gpu->normals, 3, GL_SHORT, 8);
+    add_attribute(gpu->shaded_vertices, 2, &gpu->uvs, 2, GL_FLOAT, 8);
+    add_attribute(gpu->shaded_vertices, 3, &gpu->colors, 4, GL_UNSIGNED_SHORT, 8);
+    gl.VertexArrayElementBuffer(gpu->shaded_vertices, gpu->indices.id);
+    gl.CreateVertexArrays(1, &gpu->caster_vertices);
+    add_attribute(gpu->caster_vertices, 0, &gpu->positions, 3, GL_FLOAT, 12);
+    add_attribute(gpu->caster_vertices, 2, &gpu->uvs, 2, GL_FLOAT, 8);
+    gl.VertexArrayElementBuffer(gpu->caster_vertices, gpu->caster_indices.id);
+}
+
+static void copy_batches(struct scene_gpu *gpu, const struct geometry *geometry,
+                         const struct caster *caster) {
+    gpu->batch_count = geometry->batch_count;
+    gpu->batches = mem_alloc((size_t)geometry->batch_count, sizeof *gpu->batches);
+    memcpy(gpu->batches, geometry->batches, (size_t)geometry->batch_count * sizeof *gpu->batches);
+    gpu->opaque_indices = geometry->opaque_index_count;
+    gpu->opaque_caster_indices = caster->opaque_index_count;
+    gpu->masked_casters = mem_alloc((size_t)caster->batch_count, sizeof *gpu->masked_casters);
+    for (int i = 0; i < caster->batch_count; i++)
+        if (caster->batches[i].first_index >= caster->opaque_index_count)
+            gpu->masked_casters[gpu->masked_caster_count++] = caster->batches[i];
+}
+
+static bool init_geometry(struct scene_gpu *gpu, const struct geometry *geometry,
+                          const struct caster *caster) {
+    gpu->vertex_count = geometry->vertex_count;
+    gpu->pose = geometry->pose_count;
+    copy_batches(gpu, geometry, caster);
+    if (!upload_positions(gpu, geometry, caster) || !upload_attributes(gpu, geometry) ||
+        !buffer_init(&gpu->indices, "scene indices", geometry->index_count * sizeof(uint32_t),
+                     geometry->indices) ||
+        !buffer_init(&gpu->caster_indices, "scene caster indices",
+                     caster->index_count * sizeof(uint32_t), caster->indices))
+        return false;
+    make_vertex_arrays(gpu);
+    return true;
+}
+
+static void free_geometry(struct scene_gpu *gpu) {
+    if (gpu->shaded_vertices)
+        gl.DeleteVertexArrays(1, &gpu->shaded_vertices);
+    if (gpu->caster_vertices)
+        gl.DeleteVertexArrays(1, &gpu->caster_vertices);
+    gpu->shaded_vertices = gpu->caster_vertices = 0;
+    buffer_free(&gpu->positions);
+    buffer_free(&gpu->normals);
+    buffer_free(&gpu->uvs);
+    buffer_free(&gpu->colors);
+    buffer_free(&gpu->indices);
+    buffer_free(&gpu->caster_indices);
+    free(gpu->batches);
+    free(gpu->masked_casters);
+    free(gpu->extra);
+    gpu->batches = gpu->masked_casters = NULL;
+    gpu->masked_caster_count = 0;
+    gpu->extra = NULL;
+}
+
+bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
+                    const struct geometry *geometry, const struct caster *caster) {
+    *gpu = (struct scene_gpu){.scene = scene};
+    if (init_geometry(gpu, geometry, caster) && upload_materials(gpu, scene) &&
+        upload_textures(gpu, scene))
+        return true;
+    scene_gpu_free(gpu);
+    return false;
+}
+
+void scene_gpu_free(struct scene_gpu *gpu) {
+    free_geometry(gpu);
+    buffer_free(&gpu->materials);
+    for (int i = 0; i < gpu->texture_count; i++)
+        texture_free(&gpu->textures[i]);
+    free(gpu->textures);
+    free(gpu->normal_room);
+    *gpu = (struct scene_gpu){0};
+}
+
+/* --- what has moved --------------------------------------------------------------------------- */
+
+static void update_vertices(struct scene_gpu *gpu, const struct geometry *geometry,
+                            const struct caster *caster, int index) {
+    const struct geometry_part *part = &geometry->parts[index];
+    const struct caster_part *extra = &caster->parts[index];
+    uint32_t first = part->first_vertex, count = part->vertex_count;
+    if (count > gpu->normal_room_size) {
+        gpu->normal_room_size = part->vertex_room;
+        gpu->normal_room =
+            mem_resize(gpu->normal_room, gpu->normal_room_size, sizeof *gpu->normal_room);
+    }
+    convert_normals(geometry->normal + first, count, gpu->normal_room);
+    caster_fill_part(caster, geometry, index, gpu->extra);
+    buffer_write(&gpu->positions, first * sizeof *geometry->position,
+                 count * sizeof *geometry->position, geometry->position + first);
+    buffer_write(&gpu->positions, (gpu->vertex_count + extra->first_extra) * sizeof *gpu->extra,
+                 extra->extra_count * sizeof *gpu->extra, gpu->extra + extra->first_extra);
+    buffer_write(&gpu->normals, first * sizeof *gpu->normal_room, count * sizeof *gpu->normal_room,
+                 gpu->normal_room);
+}
+
+static void update_indices(const struct scene_gpu *gpu, const struct geometry_part *part,
+                           const struct geometry *geometry) {
+    buffer_write(&gpu->indices, part->first_index * sizeof *geometry->indices,
+                 part->index_room * sizeof *geometry->indices,
+                 geometry->indices + part->first_index);
+}
+
+/* The casters' triangles of dynamic batches. The others keep theirs: whether a triangle is seen
+ * from behind is all one to a depth map. */
+static void update_caster_indices(const struct scene_gpu *gpu, const struct geometry *geometry,
+                                  struct caster *caster) {
+    for (int i = 0; i < caster->batch_count; i++) {
+        const struct geometry_batch *batch = &caster->batches[i];
+        if (!batch->dynamic)
+            continue;
+        caster_take_batch(caster, geometry, i);
+        buffer_write(&gpu->caster_indices, batch->first_index * sizeof *caster->indices,
+                     batch->index_count * sizeof *caster->indices,
+                     caster->indices + batch->first_index);
+    }
+}
+
+bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry,
+                      struct caster *caster) {
+    unsigned seen = gpu->pose;
+    if (geometry->laid_out > seen) {
+        caster_lay_out(caster, geometry);
+        free_geometry(gpu);
+        return init_geometry(gpu, geometry, caster);
+    }
+    gpu->pose = geometry->pose_count;
+    bool rewound = false;
+    for (int i = 0; i < geometry->part_count; i++) {
+        const struct geometry_part *part = &geometry->parts[i];
+        if (part->moved > seen)
+            update_vertices(gpu, geometry, caster, i);
+        if (part->rewound > seen)
+            update_indices(gpu, part, geometry);
+        rewound |= part->rewound > seen;
+    }
+    if (rewound)
+        update_caster_indices(gpu, geometry, caster);
+    return true;
+}
+
+/* --- drawing ---------------------------------------------------------------------------------- */
+
+static void draw_indices(uint32_t first, uint32_t count, int instances) {
+    gl.DrawElementsInstanced(GL_TRIANGLES, (GLsizei)count, GL_UNSIGNED_INT,
+                             (const void *)(uintptr_t)(first * sizeof(uint32_t)), instances);
+}
+
+static void draw_batch(const struct scene_gpu *gpu, const struct geometry_batch *batch,
+                       int instances) {
+    int texture = gpu->scene->materials[batch->material].texture;
+    gl.BindBufferRange(GL_UNIFORM_BUFFER, BLOCK_MATERIAL, gpu->materials.id,
+                       (GLintptr)batch->material * MATERIAL_STRIDE, sizeof(struct material_block));
+    if (texture >= 0)
+        gl.BindTextureUnit(0, gpu->textures[texture].id);
+    draw_indices(batch->first_index, batch->index_count, instances);
+}
+
+void scene_gpu_draw_shaded(const struct scene_gpu *gpu, int instances) {
+    for (int i = 0; i < gpu->batch_count; i++)
+        draw_batch(gpu, &gpu->batches[i], instances);
+}
+
+void scene_gpu_draw_masked(const struct scene_gpu *gpu, int instances) {
+    for (int i = 0; i < gpu->batch_count; i++)
+        if (gpu->scene->materials[gpu->batches[i].material].alpha_mask)
+            draw_batch(gpu, &gpu->batches[i], instances);
+}
+
+void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided, int instances) {
+    for (int i = 0; i < gpu->batch_count; i++) {
+        const struct geometry_batch *batch = &gpu->batches[i];
+        const struct material *material = &gpu->scene->materials[batch->material];
+        if (!material->alpha_mask && material->double_sided == double_sided)
+            draw_indices(batch->first_index, batch->index_count, instances);
+    }
+}
+
+void scene_gpu_draw_opaque(const struct scene_gpu *gpu, int instances) {
+    if (gpu->opaque_indices)
+        draw_indices(0, gpu->opaque_indices, instances);
+}
+
+void scene_gpu_draw_opaque_casters(const struct scene_gpu *gpu, int instances) {
+    if (gpu->opaque_caster_indices)
+        draw_indices(0, gpu->opaque_caster_indices, instances);
+}
+
+void scene_gpu_draw_masked_casters(const struct scene_gpu *gpu, int instances) {
+    for (int i = 0; i < gpu->masked_caster_count; i++)
+        draw_batch(gpu, &gpu->masked_casters[i], instances);
+}

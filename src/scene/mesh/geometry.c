@@ -1,0 +1,360 @@
+#include "scene/mesh/geometry.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "scene/mesh/primitive.h"
+
+#include <cglm/cglm.h>
+#include <float.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* So many vertices take 3 GiB; a scene of instances grows beyond it only by mistake or malice. */
+static const uint64_t max_vertices = 1 << 26, max_indices = 3u << 26;
+
+static const struct primitive *part_primitive(const struct scene *scene,
+                                              const struct geometry_part *part) {
+    return &scene->meshes[scene->nodes[part->node].mesh].primitives[part->primitive];
+}
+
+/* --- parts ------------------------------------------------------------------------------------ */
+
+static struct surface *part_surface(const struct geometry *geometry, const struct scene *scene,
+                                    const struct geometry_part *part) {
+    return &geometry->balls[scene->nodes[part->node].metaballs].surface;
+}
+
+/* Dynamic parts get a half more than they need, so that they seldom outgrow it. */
+static uint32_t room(uint32_t count) {
+    return count + count / 2 + 3;
+}
+
+/* Sets the counts and makes sure of the room. */
+static void size_part(const struct geometry *geometry, const struct scene *scene,
+                      struct geometry_part *part) {
+    const struct primitive *primitive = part_primitive(scene, part);
+    if (!part->dynamic) {
+        part->vertex_count = part->vertex_room = (uint32_t)primitive->vertex_count;
+        part->index_count = part->index_room = (uint32_t)primitive->index_count;
+        return;
+    }
+    const struct surface *surface = part_surface(geometry, scene, part);
+    part->vertex_count = surface->vertex_count;
+    part->index_count = surface->index_count;
+    if (part->vertex_count > part->vertex_room)
+        part->vertex_room = room(part->vertex_count);
+    if (part->index_count > part->index_room)
+        part->index_room = room(part->index_count / 3) * 3;
+}
+
+static bool has_scale_channel(const struct scene *scene, int node) {
+    for (int i = 0; i < scene->clip_count; i++)
+        for (int c = 0; c < scene->clips[i].channel_count; c++) {
+            const struct channel *channel = &scene->clips[i].channels[c];
+            if (channel->node == node && channel->path == CHANNEL_SCALE)
+                return true;
+        }
+    return false;
+}
+
+/* Whether a clip scales the node: at the time when casters are made it may be flat, or a point. */
+static bool is_scaled(const struct scene *scene, int node) {
+    for (; node >= 0; node = scene->nodes[node].parent)
+        if (has_scale_channel(scene, node))
+            return true;
+    return false;
+}
+
+static void list_node_parts(struct geometry *geometry, const struct scene *scene, int node,
+                            bool dynamic) {
+    int mesh = scene->nodes[node].mesh;
+    if (mesh < 0 || dynamic != (scene->nodes[node].metaballs >= 0))
+        return;
+    int count = dynamic ? 1 : scene->meshes[mesh].primitive_count;
+    bool rigid = !dynamic && scene->nodes[node].skin < 0 && scene->meshes[mesh].target_count == 0 &&
+                 !is_scaled(scene, node);
+    geometry->parts = mem_resize(geometry->parts, (size_t)(geometry->part_count + count),
+                                 sizeof *geometry->parts);
+    for (int p = 0; p < count; p++)
+        geometry->parts[geometry->part_count++] = (struct geometry_part){
+            .node = node, .primitive = p, .dynamic = dynamic, .rigid = rigid};
+}
+
+/* Dynamic parts come last, so that the others' vertices stay where they are when one grows. */
+static void list_parts(struct geometry *geometry, const struct scene *scene) {
+    for (int dynamic = 0; dynamic < 2; dynamic++)
+        for (int node = 0; node < scene->node_count; node++)
+            list_node_parts(geometry, scene, node, dynamic);
+}
+
+/* Vertices of part after part. */
+static bool lay_vertices(struct geometry *geometry, const struct scene *scene) {
+    uint64_t vertices = 0, indices = 0;
+    for (int i = 0; i < geometry->part_count; i++) {
+        struct geometry_part *part = &geometry->parts[i];
+        size_part(geometry, scene, part);
+        part->first_vertex = (uint32_t)vertices;
+        vertices += part->vertex_room;
+        indices += part->index_room;
+        if (vertices > max_vertices || indices > max_indices)
+            return error_set("more than %u million vertices or triangles", 1u << 6);
+    }
+    if (indices == 0)
+        return error_set("there is no triangle");
+    geometry->vertex_count = (uint32_t)vertices;
+    geometry->index_count = (uint32_t)indices;
+    return true;
+}
+
+/* Indices of batch after batch, in the order of drawing. */
+static void lay_batches(struct geometry *geometry, const struct scene *scene) {
+    struct key {
+        uint32_t count, next;
+    } *keys = mem_alloc((size_t)scene->material_count * 2, sizeof *keys);
+    for (int i = 0; i < geometry->part_count; i++) {
+        const struct geometry_part *part = &geometry->parts[i];
+        keys[2 * part_primitive(scene, part)->material + part->dynamic].count += part->index_room;
+    }
+    geometry->batch_count = 0;
+    uint32_t first = 0;
+    for (int masked = 0; masked < 2; masked++) {
+        for (int k = 0; k < 2 * scene->material_count; k++) {
+            if (scene->materials[k / 2].alpha_mask != masked || keys[k].count == 0)
+                continue;
+            geometry->batches[geometry->batch_count++] = (struct geometry_batch){
+                .material = k / 2, .first_index = first, .index_count = keys[k].count, k % 2};
+            keys[k].next = first;
+            first += keys[k].count;
+        }
+        if (!masked)
+            geometry->opaque_index_count = first;
+    }
+    for (int i = 0; i < geometry->part_count; i++) {
+        struct geometry_part *part = &geometry->parts[i];
+        struct key *key = &keys[2 * part_primitive(scene, part)->material + part->dynamic];
+        part->first_index = key->next;
+        key->next += part->index_room;
+    }
+    free(keys);
+}
+
+static void allocate_arrays(struct geometry *geometry) {
+    size_t vertices = geometry->vertex_count;
+    geometry->position = mem_alloc(vertices + 1, sizeof *geometry->position);
+    geometry->normal = mem_alloc(vertices, sizeof *geometry->normal);
+    geometry->uv = mem_alloc(vertices, sizeof *geometry->uv);
+    geometry->color = mem_alloc(vertices, sizeof *geometry->color);
+    geometry->indices = mem_alloc(geometry->index_count, sizeof *geometry->indices);
+}
+
+static void free_arrays(struct geometry *geometry) {
+    free(geometry->position);
+    free(geometry->normal);
+    free(geometry->uv);
+    free(geometry->color);
+    free(geometry->indices);
+}
+
+/* What does not move: texture coordinates and colours, white where there is none. */
+static void copy_attributes(struct geometry *geometry, const struct scene *scene,
+                            const struct geometry_part *part) {
+    static const float white[4] = {1, 1, 1, 1};
+    const struct primitive *primitive = part_primitive(scene, part);
+    for (uint32_t i = 0; i < part->vertex_room; i++) {
+        uint32_t to = part->first_vertex + i;
+        if (primitive->uv && !part->dynamic)
+            memcpy(geometry->uv[to], primitive->uv[i], sizeof *geometry->uv);
+        memcpy(geometry->color[to],
+               primitive->color && !part->dynamic ? primitive->color[i] : white, sizeof white);
+    }
+}
+
+/* Makes the arrays for what the parts need now. */
+static bool lay_out(struct geometry *geometry, const struct scene *scene) {
+    free_arrays(geometry);
+    geometry->position = geometry->normal = NULL;
+    geometry->uv = NULL;
+    geometry->color = NULL;
+    geometry->indices = NULL;
+    geometry->laid_out = geometry->pose_count;
+    if (!lay_vertices(geometry, scene))
+        return false;
+    lay_batches(geometry, scene);
+    allocate_arrays(geometry);
+    for (int i = 0; i < geometry->part_count; i++)
+        copy_attributes(geometry, scene, &geometry->parts[i]);
+    return true;
+}
+
+/* --- posing ----------------------------------------------------------------------------------- */
+
+/* A mirroring node turns triangles inside out: their winding is swapped, so that the front stays
+ * the front. Room that a dynamic part leaves becomes triangles without area. */
+static void fill_indices(struct geometry *geometry, const struct geometry_part *part,
+                         const uint32_t *from) {
+    uint32_t *to = geometry->indices + part->first_index;
+    int swap = part->mirrored;
+    for (uint32_t k = 0; k < part->index_count; k += 3) {
+        to[k] = from[k] + part->first_vertex;
+        to[k + 1 + swap] = from[k + 1] + part->first_vertex;
+        to[k + 2 - swap] = from[k + 2] + part->first_vertex;
+    }
+    for (uint32_t k = part->index_count; k < part->index_room; k++)
+        to[k] = part->first_vertex;
+}
+
+static bool pose_part(struct geometry *geometry, const struct scene *scene,
+                      struct geometry_part *part, bool anew) {
+    const struct primitive *primitive = part_primitive(scene, part);
+    const struct pose *pose = &geometry->pose;
+    float(*position)[3] = geometry->position + part->first_vertex;
+    float(*normal)[3] = geometry->normal + part->first_vertex;
+    const struct surface *surface = part->dynamic ? part_surface(geometry, scene, part) : NULL;
+    bool mirrored = pose_mirrors(pose, scene, part->node);
+    part->moved = geometry->pose_count;
+    if (anew || surface || mirrored != part->mirrored) {
+        part->mirrored = mirrored;
+        part->rewound = geometry->pose_count;
+        fill_indices(geometry, part, surface ? surface->indices : primitive->indices);
+    }
+    if (surface ? pose_rigid(pose->worlds[part->node], surface->vertex_count, surface->position,
+                             surface->normal, position, normal)
+                : pose_vertices(pose, scene, part->node, primitive, position, normal))
+        return true;
+    int mesh = scene->nodes[part->node].mesh;
+    return error_prefix("mesh %d '%s'", mesh, scene->meshes[mesh].name);
+}
+
+static void measure_part(const struct geometry *geometry, struct geometry_part *part) {
+    float *low = part->bounds_min, *high = part->bounds_max;
+    for (int c = 0; c < 3; c++)
+        low[c] = FLT_MAX, high[c] = -FLT_MAX;
+    for (uint32_t k = part->first_index; k < part->first_index + part->index_count; k++)
+        for (int c = 0; c < 3; c++) {
+            float x = geometry->position[geometry->indices[k]][c];
+            low[c] = fminf(low[c], x);
+            high[c] = fmaxf(high[c], x);
+        }
+}
+
+static void measure_farthest(const struct geometry *geometry, struct geometry_part *part) {
+    float farthest = 0;
+    for (uint32_t k = part->first_index; k < part->first_index + part->index_count; k++)
+        farthest = fmaxf(farthest, glm_vec3_distance2((float *)geometry->center,
+                                                      geometry->position[geometry->indices[k]]));
+    part->farthest = sqrtf(farthest);
+}
+
+/* The bounds of all parts, of which those that have just moved are measured anew. */
+static void measure(struct geometry *geometry) {
+    float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
+    for (int i = 0; i < geometry->part_count; i++) {
+        struct geometry_part *part = &geometry->parts[i];
+        if (part->moved == geometry->pose_count)
+            measure_part(geometry, part);
+        if (part->index_count) {
+            glm_vec3_minv(low, part->bounds_min, low);
+            glm_vec3_maxv(high, part->bounds_max, high);
+        }
+    }
+    if (low[0] > high[0]) { /* all metaballs have vanished, and there is nothing else */
+        glm_vec3_zero(low);
+        glm_vec3_zero(high);
+    }
+    bool same = memcmp(low, geometry->bounds_min, sizeof low) == 0 &&
+                memcmp(high, geometry->bounds_max, sizeof high) == 0;
+    glm_vec3_copy(low, geometry->bounds_min);
+    glm_vec3_copy(high, geometry->bounds_max);
+    glm_vec3_center(low, high, geometry->center);
+    geometry->radius = 1e-6F;
+    for (int i = 0; i < geometry->part_count; i++) {
+        struct geometry_part *part = &geometry->parts[i];
+        if (!same || part->moved == geometry->pose_count)
+            measure_farthest(geometry, part);
+        geometry->radius = fmaxf(geometry->radius, part->farthest);
+    }
+}
+
+/* Makes the surfaces of metaballs for the time. True when one outgrows its room. */
+static bool polygonise(struct geometry *geometry, const struct scene *scene, double time) {
+    bool outgrown = false;
+    for (int i = 0; i < geometry->part_count; i++) {
+        struct geometry_part *part = &geometry->parts[i];
+        if (!part->dynamic)
+            continue;
+        int index = scene->nodes[part->node].metaballs;
+        struct geometry_balls *balls = &geometry->balls[index];
+        surface_clear(&balls->surface);
+        metaballs_polygonise(&scene->metaballs[index], time, &balls->cubes, &balls->surface);
+        part->vertex_count = balls->surface.vertex_count;
+        part->index_count = balls->surface.index_count;
+        outgrown |= part->vertex_count > part->vertex_room || part->index_count > part->index_room;
+    }
+    return outgrown;
+}
+
+/* Poses the parts that the new pose moves, or all; then the new pose is the present one. */
+static bool pose_parts(struct geometry *geometry, const struct scene *scene, bool all) {
+    struct pose before = geometry->pose;
+    geometry->pose = geometry->next;
+    geometry->next = before;
+    for (int i = 0; i < geometry->part_count; i++) {
+        struct geometry_part *part = &geometry->parts[i];
+        if ((all || pose_differs(&geometry->pose, &before, scene, part->node)) &&
+            !pose_part(geometry, scene, part, all))
+            return false;
+    }
+    measure(geometry);
+    return true;
+}
+
+static bool pose_at(struct geometry *geometry, const struct scene *scene, double time) {
+    bool first = geometry->pose_count++ == 0;
+    if (!pose_set(&geometry->next, scene, time))
+        return false;
+    bool other_balls = first || geometry->pose.time != time;
+    bool outgrown = other_balls && polygonise(geometry, scene, time);
+    bool anew = first || outgrown || geometry->broken;
+    geometry->broken = !((!anew || lay_out(geometry, scene)) && pose_parts(geometry, scene, anew));
+    return !geometry->broken;
+}
+
+bool geometry_pose(struct geometry *geometry, const struct scene *scene, double time) {
+    return pose_at(geometry, scene, time) || error_prefix("%s at %g s", scene->path, time);
+}
+
+bool geometry_init(struct geometry *geometry, const struct scene *scene, double time) {
+    *geometry = (struct geometry){.balls_count = scene->metaballs_count};
+    geometry->balls = mem_alloc((size_t)scene->metaballs_count, sizeof *geometry->balls);
+    for (int i = 0; i < geometry->balls_count; i++)
+        marching_cubes_init(&geometry->balls[i].cubes);
+    geometry->batches = mem_alloc((size_t)scene->material_count * 2, sizeof *geometry->batches);
+    pose_init(&geometry->pose, scene);
+    pose_init(&geometry->next, scene);
+    list_parts(geometry, scene);
+    if (pose_at(geometry, scene, time))
+        return true;
+    geometry_free(geometry);
+    return error_prefix("%s", scene->path);
+}
+
+void geometry_free(struct geometry *geometry) {
+    for (int i = 0; i < geometry->balls_count; i++) {
+        marching_cubes_free(&geometry->balls[i].cubes);
+        surface_free(&geometry->balls[i].surface);
+    }
+    free(geometry->balls);
+    pose_free(&geometry->pose);
+    pose_free(&geometry->next);
+    free_arrays(geometry);
+    free(geometry->batches);
+    free(geometry->parts);
+    *geometry = (struct geometry){0};
+}
+
+uint32_t geometry_triangle_count(const struct geometry *geometry) {
+    uint32_t indices = 0;
+    for (int i = 0; i < geometry->part_count; i++)
+        indices += geometry->parts[i].index_count;
+    return indices / 3;
+}

@@ -1,0 +1,77 @@
+/* The scene's triangles in world space at one time: what the GPU draws and Embree traces.
+ *
+ * Vertices of all meshes lie in one set of arrays and all triangles in one index array, so that a
+ * pass can draw everything at once. Triangles are sorted into batches of one material; batches
+ * without alpha mask come first, so that depth passes draw all of them in one call.
+ */
+#ifndef SCENE_MESH_GEOMETRY_H
+#define SCENE_MESH_GEOMETRY_H
+
+#include "scene/pose.h"
+#include "scene/scene.h"
+
+/* Consecutive triangles of one material. */
+struct geometry_batch {
+    int material;
+    uint32_t first_index, index_count;
+    bool dynamic; /* other triangles with each pose; room that they leave is filled with points */
+};
+
+/* What one primitive of one node has in the arrays. */
+struct geometry_part {
+    int node, primitive;
+    uint32_t first_vertex, vertex_count, first_index, index_count;
+    uint32_t vertex_room, index_room; /* at least the counts; more for dynamic parts alone */
+    bool dynamic;                     /* the surface of metaballs */
+    bool rigid;                       /* neither dynamic nor skinned, morphed, scaled by a clip */
+    bool mirrored;                    /* the winding of its triangles is swapped */
+    unsigned moved, rewound;          /* the poses that last changed vertices, and indices */
+    float bounds_min[3], bounds_max[3];
+    float farthest; /* vertex from the geometry's centre, metres */
+};
+
+/* The polygoniser of a node's metaballs, and what it made last. */
+struct geometry_balls {
+    struct marching_cubes cubes;
+    struct surface surface;
+};
+
+struct geometry {
+    uint32_t vertex_count, index_count;
+    float (*position)[3]; /* world; one spare element, as Embree reads 16 bytes a vertex */
+    float (*normal)[3];   /* world, unit */
+    float (*uv)[2];
+    float (*color)[4];
+    uint32_t *indices;
+    struct geometry_batch *batches;
+    int batch_count;
+    uint32_t opaque_index_count; /* indices of the batches without alpha mask: [0, this) */
+
+    /* Bounding box and sphere of the vertices that triangles use. */
+    float bounds_min[3], bounds_max[3];
+    float center[3], radius; /* radius > 0 */
+
+    struct geometry_part *parts;
+    int part_count;
+    unsigned pose_count; /* poses so far; geometry_init is the first */
+    unsigned laid_out;   /* the pose that last laid the arrays out anew */
+    bool broken;         /* the last pose failed */
+
+    struct pose pose, next;
+    struct geometry_balls *balls; /* of each of the scene's metaballs */
+    int balls_count;
+};
+
+/* Lays out the arrays and fills them for the time. Error: a scene without a triangle. */
+bool geometry_init(struct geometry *geometry, const struct scene *scene, double time);
+void geometry_free(struct geometry *geometry);
+
+/* Moves everything to where it is at a time. What stays where it is costs nothing; part->moved and
+ * part->rewound tell the others. The result depends on the time alone, whatever poses came before.
+ * Error: something ends up too far away; the geometry must not be used until a pose succeeds. */
+bool geometry_pose(struct geometry *geometry, const struct scene *scene, double time);
+
+/* Triangles in use. */
+uint32_t geometry_triangle_count(const struct geometry *geometry);
+
+#endif

@@ -1,0 +1,395 @@
+#include "scene/mesh/simplify.h"
+
+#include "base/memory.h"
+#include "scene/mesh/weld.h"
+
+#include <cglm/cglm.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A small thing in a large scene keeps its shape: it strays at most so far, over its diagonal. */
+static const float part_fraction = 0.0025F;
+
+/* How much more than a triangle's plane the line of a border counts. */
+static const float border_weight = 10;
+
+/* In one collapse no triangle turns by more than this cosine. */
+static const float least_cosine = 0.2F;
+
+/* Casters may fall back behind what they stand for, but in one collapse come before the vertex that
+ * it takes away by no more than this much of the error. */
+static const float advance = 0.3F;
+
+/* Of collapses that cost alike, short edges go first, which keeps triangles round. */
+static const float length_weight = 0.01F;
+
+/* A vertex with more neighbours stays. */
+enum { RING_MAX = 64 };
+
+static const uint32_t none = UINT32_MAX;
+
+/* A sum of squared distances from planes, each with a weight: x' A x + 2 b' x + c. */
+struct quadric {
+    double a[6]; /* xx, yy, zz, xy, xz, yz */
+    double b[3], c, weight;
+};
+
+/* One part; its vertices are counted from its first. */
+struct patch {
+    float (*position)[3];
+    const bool *locked;
+    uint32_t (*triangles)[3];
+    struct quadric *quadrics; /* of each vertex: the surface that it stands for */
+    uint32_t vertex_count, triangle_count;
+    uint32_t *first, *around; /* the triangles of vertex v: around[first[v]] .. [first[v + 1]] */
+    struct collapse *best;    /* of each vertex */
+    bool *touched;            /* by a collapse of this pass */
+    uint32_t *moved_to;
+    float error, max_edge;
+};
+
+struct collapse {
+    uint32_t from, to; /* none: there is no such collapse */
+    float order;       /* what comes first */
+};
+
+struct neighbour {
+    uint32_t vertex;
+    int triangles; /* of the edge to it */
+};
+
+struct ring {
+    struct neighbour items[RING_MAX];
+    int count;
+};
+
+/* --- connectivity ----------------------------------------------------------------------------- */
+
+static void find_around(struct patch *patch) {
+    uint32_t *first = patch->first;
+    memset(first, 0, (patch->vertex_count + 2) * sizeof *first);
+    for (uint32_t t = 0; t < patch->triangle_count; t++)
+        for (int c = 0; c < 3; c++)
+            first[patch->triangles[t][c] + 2]++;
+    for (uint32_t v = 1; v < patch->vertex_count + 2; v++)
+        first[v] += first[v - 1];
+    for (uint32_t t = 0; t < patch->triangle_count; t++)
+        for (int c = 0; c < 3; c++)
+            patch->around[first[patch->triangles[t][c] + 1]++] = t;
+}
+
+static bool has_corner(const uint32_t triangle[3], uint32_t vertex) {
+    return triangle[0] == vertex || triangle[1] == vertex || triangle[2] == vertex;
+}
+
+static bool ring_add(struct ring *ring, uint32_t vertex) {
+    for (int i = 0; i < ring->count; i++)
+        if (ring->items[i].vertex == vertex) {
+            ring->items[i].triangles++;
+            return true;
+        }
+    if (ring->count == RING_MAX)
+        return false;
+    ring->items[ring->count++] = (struct neighbour){vertex, 1};
+    return true;
+}
+
+/* False where there are too many. */
+static bool list_ring(const struct patch *patch, uint32_t vertex, struct ring *ring) {
+    ring->count = 0;
+    for (uint32_t i = patch->first[vertex]; i < patch->first[vertex + 1]; i++)
+        for (int c = 0; c < 3; c++) {
+            uint32_t other = patch->triangles[patch->around[i]][c];
+            if (other != vertex && !ring_add(ring, other))
+                return false;
+        }
+    return true;
+}
+
+static bool adjacent(const struct patch *patch, uint32_t a, uint32_t b) {
+    for (uint32_t i = patch->first[a]; i < patch->first[a + 1]; i++)
+        if (has_corner(patch->triangles[patch->around[i]], b))
+            return true;
+    return false;
+}
+
+/* Whether the surface stays a surface: the ends have no neighbours in common but those of the
+ * edge's own triangles [Dey et al. 1999, the link condition]. */
+static bool keeps_topology(const struct patch *patch, const struct ring *ring,
+                           const struct neighbour *to) {
+    int common = 0;
+    for (int i = 0; i < ring->count; i++)
+        if (ring->items[i].vertex != to->vertex)
+            common += adjacent(patch, ring->items[i].vertex, to->vertex);
+    return common == to->triangles;
+}
+
+/* --- cost ------------------------------------------------------------------------------------- */
+
+static float triangle_normal(const float *a, const float *b, const float *c, vec3 normal) {
+    vec3 edges[2];
+    glm_vec3_sub((float *)b, (float *)a, edges[0]);
+    glm_vec3_sub((float *)c, (float *)a, edges[1]);
+    glm_vec3_cross(edges[0], edges[1], normal);
+    return glm_vec3_norm(normal);
+}
+
+static void add_plane(struct quadric *quadric, const vec3 normal, const float *point,
+                      double weight) {
+    double x = normal[0], y = normal[1], z = normal[2];
+    double d = -(x * point[0] + y * point[1] + z * point[2]);
+    const double a[6] = {x * x, y * y, z * z, x * y, x * z, y * z}, b[3] = {x * d, y * d, z * d};
+    for (int i = 0; i < 6; i++)
+        quadric->a[i] += weight * a[i];
+    for (int i = 0; i < 3; i++)
+        quadric->b[i] += weight * b[i];
+    quadric->c += weight * d * d;
+    quadric->weight += weight;
+}
+
+static void add_quadric(struct quadric *sum, const struct quadric *quadric) {
+    for (int i = 0; i < 6; i++)
+        sum->a[i] += quadric->a[i];
+    for (int i = 0; i < 3; i++)
+        sum->b[i] += quadric->b[i];
+    sum->c += quadric->c;
+    sum->weight += quadric->weight;
+}
+
+/* The mean distance of a point from the planes, root of the mean square. */
+static float quadric_distance(const struct quadric *quadric, const float *point) {
+    const double *a = quadric->a, *b = quadric->b, x = point[0], y = point[1], z = point[2];
+    double sum = a[0] * x * x + a[1] * y * y + a[2] * z * z +
+                 2 * (a[3] * x * y + a[4] * x * z + a[5] * y * z + b[0] * x + b[1] * y + b[2] * z) +
+                 quadric->c;
+    return (float)sqrt(fmax(sum, 0) / fmax(quadric->weight, 1e-300));
+}
+
+/* Whether a triangle may move one of its corners: not where it turns over or grows too long, nor
+ * where it comes to lie before the corner, which would be in its shadow. */
+static bool may_move(const struct patch *patch, const uint32_t triangle[3], uint32_t from,
+                     uint32_t to) {
+    int c = triangle[0] == from ? 0 : triangle[1] == from ? 1 : 2;
+    float *p = patch->position[triangle[(c + 1) % 3]];
+    float *q = patch->position[triangle[(c + 2) % 3]];
+    float *end = patch->position[to];
+    vec3 old, made;
+    float cosine = least_cosine * triangle_normal(patch->position[from], p, q, old) *
+                   triangle_normal(end, p, q, made);
+    vec3 left;
+    glm_vec3_sub(patch->position[from], p, left);
+    return glm_vec3_dot(old, made) > cosine &&
+           glm_vec3_dot(left, made) >= -advance * patch->error * glm_vec3_norm(made) &&
+           fmaxf(glm_vec3_distance(end, p), glm_vec3_distance(end, q)) <= patch->max_edge;
+}
+
+static bool all_may_move(const struct patch *patch, uint32_t from, uint32_t to) {
+    for (uint32_t i = patch->first[from]; i < patch->first[from + 1]; i++) {
+        const uint32_t *triangle = patch->triangles[patch->around[i]];
+        if (!has_corner(triangle, to) && !may_move(patch, triangle, from, to))
+            return false;
+    }
+    return true;
+}
+
+/* The ends of the border at a vertex: 0 or 2; or else it is no plain surface there. */
+static int count_border(const struct ring *ring) {
+    int count = 0;
+    for (int i = 0; i < ring->count; i++) {
+        if (ring->items[i].triangles > 2)
+            return -1;
+        count += ring->items[i].triangles == 1;
+    }
+    return count;
+}
+
+/* Along a border a vertex moves along it alone. */
+static struct collapse best_collapse(const struct patch *patch, uint32_t from) {
+    struct collapse best = {from, none, INFINITY};
+    struct ring ring;
+    if (patch->locked[from] || !list_ring(patch, from, &ring))
+        return best;
+    int border = count_border(&ring);
+    if (border != 0 && border != 2)
+        return best;
+    for (int i = 0; i < ring.count; i++) {
+        uint32_t to = ring.items[i].vertex;
+        if (border && ring.items[i].triangles != 1)
+            continue;
+        float strayed = quadric_distance(&patch->quadrics[from], patch->position[to]);
+        float order =
+            strayed + length_weight * glm_vec3_distance(patch->position[from], patch->position[to]);
+        if (strayed <= patch->error && order < best.order && all_may_move(patch, from, to) &&
+            keeps_topology(patch, &ring, &ring.items[i]))
+            best = (struct collapse){from, to, order};
+    }
+    return best;
+}
+
+/* --- passes ----------------------------------------------------------------------------------- */
+
+static int compare_order(const void *a, const void *b) {
+    const struct collapse *x = a, *y = b;
+    if (x->order != y->order)
+        return x->order < y->order ? -1 : 1;
+    return x->from < y->from ? -1 : x->from > y->from;
+}
+
+static void apply(struct patch *patch, const struct collapse *collapse) {
+    for (uint32_t i = patch->first[collapse->from]; i < patch->first[collapse->from + 1]; i++) {
+        uint32_t *triangle = patch->triangles[patch->around[i]];
+        for (int c = 0; c < 3; c++)
+            patch->touched[triangle[c]] = true;
+        for (int c = 0; c < 3; c++)
+            if (triangle[c] == collapse->from)
+                triangle[c] = collapse->to;
+    }
+    add_quadric(&patch->quadrics[collapse->to], &patch->quadrics[collapse->from]);
+    patch->moved_to[collapse->from] = collapse->to;
+}
+
+static bool is_flat(const uint32_t triangle[3]) {
+    return triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
+}
+
+static void drop_flat(struct patch *patch) {
+    uint32_t count = 0;
+    for (uint32_t t = 0; t < patch->triangle_count; t++)
+        if (!is_flat(patch->triangles[t]))
+            memmove(patch->triangles[count++], patch->triangles[t], sizeof *patch->triangles);
+    patch->triangle_count = count;
+}
+
+/* Looks again where the last pass has changed something. */
+static uint32_t list_collapses(struct patch *patch, struct collapse *list) {
+    uint32_t count = 0;
+    for (uint32_t v = 0; v < patch->vertex_count; v++) {
+        struct collapse *best = &patch->best[v];
+        if (patch->touched[v] || (best->to != none && patch->touched[best->to]))
+            *best = best_collapse(patch, v);
+        if (best->to != none)
+            list[count++] = *best;
+    }
+    return count;
+}
+
+/* The cheaper half of what there is, but for what touches another. False when there is nothing. */
+static bool collapse_some(struct patch *patch, struct collapse *list) {
+    find_around(patch);
+    uint32_t count = list_collapses(patch, list);
+    qsort(list, count, sizeof *list, compare_order);
+    memset(patch->touched, 0, patch->vertex_count);
+    for (uint32_t i = 0; i < (count + 1) / 2; i++)
+        if (!patch->touched[list[i].from] && !patch->touched[list[i].to])
+            apply(patch, &list[i]);
+    drop_flat(patch);
+    return count > 0;
+}
+
+/* A border is held by a plane through each of its edges, upright on the triangle. */
+static void add_border(struct patch *patch, uint32_t a, uint32_t b, vec3 normal) {
+    vec3 edge, upright;
+    glm_vec3_sub(patch->position[b], patch->position[a], edge);
+    float length = glm_vec3_norm(edge);
+    glm_vec3_crossn(edge, normal, upright);
+    add_plane(&patch->quadrics[a], upright, patch->position[a], border_weight * length);
+    add_plane(&patch->quadrics[b], upright, patch->position[a], border_weight * length);
+}
+
+static int count_triangles(const struct patch *patch, uint32_t a, uint32_t b) {
+    int count = 0;
+    for (uint32_t i = patch->first[a]; i < patch->first[a + 1]; i++)
+        count += has_corner(patch->triangles[patch->around[i]], b);
+    return count;
+}
+
+/* Planes count by the root of their area, as lengths do, so that small things on large ones count.
+ */
+static void make_quadrics(struct patch *patch) {
+    find_around(patch);
+    for (uint32_t t = 0; t < patch->triangle_count; t++) {
+        const uint32_t *corner = patch->triangles[t];
+        vec3 normal;
+        float area = triangle_normal(patch->position[corner[0]], patch->position[corner[1]],
+                                     patch->position[corner[2]], normal);
+        glm_vec3_normalize(normal);
+        for (int c = 0; c < 3; c++) {
+            add_plane(&patch->quadrics[corner[c]], normal, patch->position[corner[0]], sqrt(area));
+            if (count_triangles(patch, corner[c], corner[(c + 1) % 3]) == 1)
+                add_border(patch, corner[c], corner[(c + 1) % 3], normal);
+        }
+    }
+}
+
+static void patch_init(struct patch *patch, const struct geometry *geometry,
+                       const struct geometry_part *part, const struct simplify_desc *desc,
+                       const struct weld *weld) {
+    uint32_t vertices = part->vertex_count, triangles = part->index_count / 3;
+    float diagonal = glm_vec3_distance((float *)part->bounds_min, (float *)part->bounds_max);
+    *patch = (struct patch){
+        .position = geometry->position + part->first_vertex,
+        .locked = weld->shared + part->first_vertex,
+        .triangles = mem_alloc(triangles, sizeof *patch->triangles),
+        .quadrics = mem_alloc(vertices, sizeof *patch->quadrics),
+        .vertex_count = vertices,
+        .triangle_count = triangles,
+        .first = mem_alloc((size_t)vertices + 2, sizeof *patch->first),
+        .around = mem_alloc((size_t)triangles * 3, sizeof *patch->around),
+        .best = mem_alloc(vertices, sizeof *patch->best),
+        .touched = mem_alloc(vertices, sizeof *patch->touched),
+        .moved_to = mem_alloc(vertices, sizeof *patch->moved_to),
+        .error = fminf(desc->error, part_fraction * diagonal),
+        .max_edge = desc->max_edge,
+    };
+    memset(patch->touched, true, vertices);
+    for (uint32_t v = 0; v < vertices; v++)
+        patch->moved_to[v] = weld->first[part->first_vertex + v] - part->first_vertex;
+    for (uint32_t k = 0; k < triangles * 3; k++)
+        patch->triangles[k / 3][k % 3] =
+            patch->moved_to[geometry->indices[part->first_index + k] - part->first_vertex];
+    drop_flat(patch);
+    make_quadrics(patch);
+}
+
+static void patch_free(struct patch *patch) {
+    free(patch->triangles);
+    free(patch->quadrics);
+    free(patch->first);
+    free(patch->around);
+    free(patch->best);
+    free(patch->touched);
+    free(patch->moved_to);
+}
+
+static void simplify_part(const struct geometry *geometry, const struct geometry_part *part,
+                          const struct simplify_desc *desc, const struct weld *weld,
+                          uint32_t *moved_to) {
+    struct patch patch;
+    patch_init(&patch, geometry, part, desc, weld);
+    struct collapse *list = mem_alloc(part->vertex_count, sizeof *list);
+    while (collapse_some(&patch, list))
+        ;
+    for (uint32_t v = 0; v < part->vertex_count; v++) {
+        uint32_t to = v;
+        while (patch.moved_to[to] != to)
+            to = patch.moved_to[to];
+        moved_to[part->first_vertex + v] = part->first_vertex + to;
+    }
+    free(list);
+    patch_free(&patch);
+}
+
+uint32_t *simplify_vertices(const struct geometry *geometry, const struct simplify_desc *desc) {
+    uint32_t *moved_to = mem_alloc(geometry->vertex_count, sizeof *moved_to);
+    for (uint32_t v = 0; v < geometry->vertex_count; v++)
+        moved_to[v] = v;
+    struct weld weld;
+    weld_init(&weld, geometry);
+    for (int p = 0; p < geometry->part_count; p++) {
+        const struct geometry_part *part = &geometry->parts[p];
+        if (part->rigid && part->first_index < geometry->opaque_index_count)
+            simplify_part(geometry, part, desc, &weld, moved_to);
+    }
+    weld_free(&weld);
+    return moved_to;
+}
