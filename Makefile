@@ -22,9 +22,12 @@ say = @$(if $(V),:,printf '  %-4s %s\n')
 
 # --- what it is made of ---------------------------------------------------------------------------
 
+# Floors are folders of src/, rooms folders of theirs, to any depth; src/main.c is no floor's. Shaders
+# that belong to one technique or direct method lie in its folder, all others in glsl/.
 SOURCES := $(sort $(shell find src -mindepth 2 -name '*.c'))
-BRIDGES := $(sort $(shell find src -name '*.cpp'))
-SHADERS := $(sort $(wildcard glsl/*.* glsl/lib/*.* glsl/shared/*.*))
+BRIDGES := $(sort $(shell find src -mindepth 2 -name '*.cpp'))
+SHADERS := $(sort $(shell find glsl -type f -name '[!.]*') \
+    $(shell find src -name '*.vert' -o -name '*.geom' -o -name '*.frag' -o -name '*.comp' -o -name '*.glsl'))
 TESTS := $(patsubst test/%.c,$(BUILD)/test/%,$(sort $(wildcard test/test_*.c)))
 SCENE_TOOL_SOURCES := $(sort $(shell find scenes -name '*.c'))
 SCENE_TOOL := $(BUILD)/scenes/make_scenes
@@ -82,13 +85,20 @@ $(BUILD)/include/version.h: FORCE
 	@cmp -s $@ $@.new && rm $@.new || mv $@.new $@
 FORCE:
 
-# Each shader file becomes one string; gl/program.c reads the table.
-$(BUILD)/glsl_embedded.c: $(SHADERS) Makefile
+# Rewritten only when a shader came, went or moved: a moved file may be older than what was made of it.
+$(BUILD)/shaders.list: FORCE
+	@mkdir -p $(@D)
+	@printf '%s\n' $(SHADERS) > $@.new
+	@cmp -s $@ $@.new && rm $@.new || mv $@.new $@
+
+# Each shader file becomes one string, under its path below glsl/ or src/; gl/glsl.c reads the table.
+$(BUILD)/glsl_embedded.c: $(SHADERS) $(BUILD)/shaders.list Makefile
 	@mkdir -p $(@D)
 	@{ echo '#include "gl/glsl_embedded.h"'; \
 	   echo 'const struct glsl_file glsl_embedded[] = {'; \
 	   for f in $(SHADERS); do \
-	       echo "{\"$${f#glsl/}\","; \
+	       name=$${f#glsl/}; \
+	       echo "{\"$${name#src/}\","; \
 	       sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/^/"/' -e 's/$$/\\n"/' $$f; \
 	       echo '},'; \
 	   done; \

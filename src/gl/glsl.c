@@ -34,9 +34,15 @@ static char *read_whole(const char *path) {
     return text;
 }
 
+/* What belongs to one technique or direct method lies in its folder of src/. */
+static char *path_of(const char *name) {
+    bool owned = strncmp(name, "techniques/", 11) == 0 || strncmp(name, "direct/", 7) == 0;
+    return mem_printf("%s%s/%s", source_folder, owned ? "/../src" : "", name);
+}
+
 static char *read_file(const char *name) {
     if (source_folder) {
-        char *path = mem_printf("%s/%s", source_folder, name), *text = read_whole(path);
+        char *path = path_of(name), *text = read_whole(path);
         free(path);
         return text;
     }

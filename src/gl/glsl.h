@@ -1,5 +1,7 @@
 /* GLSL sources: embedded in the binary, or read from a folder (--glsl DIR).
  *
+ * A file's name is its path below the folder, as "lib/view.glsl"; "techniques/NAME/FILE" and
+ * "direct/NAME/FILE" lie in src/ beside the folder.
  * Files have no #version line; the version, the defines and #include "lib/..." are put in here.
  * #line directives tell the place of each line, and glsl_explain turns the numbers of a driver's
  * message into file names and lines.

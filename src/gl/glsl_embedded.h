@@ -3,7 +3,7 @@
 #define GL_GLSL_EMBEDDED_H
 
 struct glsl_file {
-    const char *name; /* path below glsl/ */
+    const char *name; /* path below glsl/ or src/ */
     const char *text;
 };
 
