@@ -22,7 +22,7 @@ struct world {
     struct geometry geometry;
     struct geometry_batch batches[8];
     struct camera camera;
-    struct light light;
+    struct emitter light;
 };
 
 static inline void world_init(struct world *world) {
@@ -138,13 +138,13 @@ static inline void look_down(struct world *world, float x0, float z0, float size
     };
 }
 
-static inline void place_light(struct world *world, enum light_type type, vec3s position,
+static inline void place_light(struct world *world, enum emitter_type type, vec3s position,
                                vec3s direction, float intensity) {
-    struct light *light = &world->light;
-    *light = (struct light){.type = type,
-                            .intensity = {intensity, intensity, intensity},
-                            .cos_inner = -1,
-                            .cos_outer = -1};
+    struct emitter *light = &world->light;
+    *light = (struct emitter){.type = type,
+                              .intensity = {intensity, intensity, intensity},
+                              .cos_inner = -1,
+                              .cos_outer = -1};
     memcpy(light->position, position.raw, sizeof position.raw);
     memcpy(light->direction, glms_vec3_normalize(direction).raw, sizeof direction.raw);
 }
@@ -160,7 +160,7 @@ static inline void world_in_sphere(struct world *world) {
                                     .up = {0, 1, 0},
                                     .forward = {0, 0, -1},
                                     .fov_y = 1.4f};
-    place_light(world, LIGHT_POINT, glms_vec3_zero(), (vec3s){{0, 0, -1}}, GLM_PIf);
+    place_light(world, EMITTER_POINT, glms_vec3_zero(), (vec3s){{0, 0, -1}}, GLM_PIf);
 }
 
 static inline struct path_tracer_desc describe(const struct world *world, int size, int samples) {

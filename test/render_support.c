@@ -47,7 +47,7 @@ void pose_stage(struct stage *stage) {
     geometry_free(&stage->geometry);
     check_ok("geometry", geometry_init(&stage->geometry, &stage->scene, 0));
     camera_place(&stage->camera, &stage->scene, 0, 0);
-    light_place(&stage->light, &stage->scene, 0, 0);
+    emitter_place(&stage->light, &stage->scene, 0, 0);
 }
 
 void scale_scene(struct scene *scene, float s) {

@@ -7,7 +7,7 @@
 #include "scene/animation.h"
 #include "scene/camera.h"
 #include "scene/mesh/geometry.h"
-#include "scene/light.h"
+#include "scene/emitter.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -159,9 +159,9 @@ static void test_camera_and_light(void **state) {
         .extra_size = sizeof extra};
     check_ok("scene", load_parts(&scene, "clip.glb", &parts));
     struct camera camera;
-    struct light light;
+    struct emitter light;
     camera_place(&camera, &scene, 0, 1.5);
-    light_place(&light, &scene, 0, 2);
+    emitter_place(&light, &scene, 0, 2);
     /* An eighth of a turn about y takes +z towards +x; a quarter takes +x to -z. */
     check_near("eye x", (double)camera.eye[0], 5 * sqrt(.5), 1e-5);
     check_near("eye z", (double)camera.eye[2], 5 * sqrt(.5), 1e-5);

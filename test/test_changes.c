@@ -43,7 +43,7 @@ static int set_up_scene(void **state, const char *path) {
     desc->settings.rsm_size = 64;
     desc->settings.shadow_size = 128;
     camera_place(&desc->camera, &fixture->scene, 0, 0);
-    light_place(&desc->light, &fixture->scene, 0, 0);
+    emitter_place(&desc->light, &fixture->scene, 0, 0);
     return 0;
 }
 
@@ -119,8 +119,8 @@ static void test_as_new(void **state) {
     check_ok("size", renderer_resize(&renderer, 33, 21));
     check_as_new("size", &renderer);
 
-    struct light light = renderer.desc.light;
-    light.type = LIGHT_POINT;
+    struct emitter light = renderer.desc.light;
+    light.type = EMITTER_POINT;
     light.position[1] -= .1F;
     check_ok("a light of six views", renderer_set_light(&renderer, &light));
     check_as_new("light", &renderer);
@@ -238,7 +238,7 @@ static void test_lights_are_kept(void **state) {
     check_frame("first", &renderer, true);
 
     struct camera camera = desc.camera;
-    struct light light = desc.light;
+    struct emitter light = desc.light;
     struct settings settings = desc.settings;
     camera.eye[0] += .1F;
     check_ok("camera", renderer_update(&renderer, &light, &camera));

@@ -3,7 +3,7 @@
 #include "render_support.h"
 
 #include "base/memory.h"
-#include "reference/emitter.h"
+#include "reference/emission.h"
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>
@@ -106,13 +106,13 @@ static void test_surfaces(void **state) {
 
 /* The stage's light as a point light, or a directional one through the open front, slanting. */
 static void make_point(struct stage *stage) {
-    stage->light.type = LIGHT_POINT;
+    stage->light.type = EMITTER_POINT;
 }
 
 static void make_directional(struct stage *stage) {
-    struct light *light = &stage->light;
+    struct emitter *light = &stage->light;
     vec3 direction = {.3f, -.4f, -1}, up = {0, 1, 0}, back;
-    light->type = LIGHT_DIRECTIONAL;
+    light->type = EMITTER_DIRECTIONAL;
     glm_vec3_normalize_to(direction, light->direction);
     glm_vec3_negate_to(light->direction, back);
     glm_vec3_crossn(up, back, light->right);
@@ -131,7 +131,7 @@ static const struct light_case {
 
 /* Direct light at pixel centres; the shadow's outline is a texel of the map wide. */
 static void check_direct(struct bench *bench) {
-    struct emitter emitter = emitter_of(&bench->stage.light, &bench->stage.geometry);
+    struct emission emission = emission_of(&bench->stage.light, &bench->stage.geometry);
     int wrong = 0, count = 0, lit = 0;
     run_frame(bench, "unshadowed", "vpls=1 interleave=1", 96);
     for (int y = 0; y < 96; y++)
@@ -139,7 +139,7 @@ static void check_direct(struct bench *bench) {
             struct hit hit;
             if (!pixel_hit(bench, x, y, &hit))
                 continue;
-            vec3s expected = emitter_direct(&emitter, &bench->rays.scene, &hit);
+            vec3s expected = emission_direct(&emission, &bench->rays.scene, &hit);
             count++;
             lit += expected.x > 0;
             wrong += !nearly(layer_at(&bench->layers, "direct.R", x, y), expected,
@@ -166,9 +166,9 @@ static void test_direct(void **state) {
 
 /* The ray of the light that ends at the VPL meets the same surface, and flux is rho I dw. */
 static bool is_true_vpl(const struct bench *bench, const struct vpl *vpl) {
-    const struct light *light = &bench->stage.light;
+    const struct emitter *light = &bench->stage.light;
     float radius = bench->stage.geometry.radius;
-    bool directional = light->type == LIGHT_DIRECTIONAL;
+    bool directional = light->type == EMITTER_DIRECTIONAL;
     vec3s position = to_vec3s(vpl->position);
     vec3s origin = directional
                        ? glms_vec3_muladds(to_vec3s(light->direction), -4 * radius, position)
@@ -179,7 +179,7 @@ static bool is_true_vpl(const struct bench *bench, const struct vpl *vpl) {
         return false;
     float share =
         bench->renderer.light_block.intensity[3] / (float)bench->renderer.desc.settings.vpl_count;
-    float cone = light_cone(light, glms_vec3_dot(direction, to_vec3s(light->direction)));
+    float cone = emitter_cone(light, glms_vec3_dot(direction, to_vec3s(light->direction)));
     vec3s flux =
         glms_vec3_scale(glms_vec3_mul(hit.albedo, to_vec3s(light->intensity)), share * cone);
     return nearly(hit.position, position, 1e-3f * radius) &&

@@ -186,7 +186,7 @@ static double reflected(const struct stage *stage, const struct rays *rays, vec3
 /* The same flux by rays in evenly spread directions of the whole sphere (Fibonacci's spiral). */
 static double reflected_by_rays(const struct stage *stage, const struct rays *rays) {
     enum { DIRECTIONS = 200000 };
-    const struct light *light = &stage->light;
+    const struct emitter *light = &stage->light;
     vec3s origin = to_vec3s(light->position);
     double sum = 0;
     for (int i = 0; i < DIRECTIONS; i++) {
@@ -194,7 +194,7 @@ static double reflected_by_rays(const struct stage *stage, const struct rays *ra
         double azimuth = i * GLM_PI * (3 - sqrt(5));
         vec3s direction = {{(float)(r * cos(azimuth)), (float)(r * sin(azimuth)), (float)z}};
         double cone =
-            (double)light_cone(light, glms_vec3_dot(direction, to_vec3s(light->direction)));
+            (double)emitter_cone(light, glms_vec3_dot(direction, to_vec3s(light->direction)));
         if (cone > 0)
             sum += cone * reflected(stage, rays, origin, direction);
     }
@@ -222,7 +222,7 @@ static double reflected_by_parallel_rays(const struct stage *stage, const struct
 static void check_energy(const char *what, const struct stage *stage) {
     struct rays rays;
     open_rays(&rays, stage);
-    double expected = stage->light.type == LIGHT_DIRECTIONAL
+    double expected = stage->light.type == EMITTER_DIRECTIONAL
                           ? reflected_by_parallel_rays(stage, &rays)
                           : reflected_by_rays(stage, &rays);
     close_rays(&rays);
@@ -233,8 +233,8 @@ static void test_energy(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
-    struct light *light = &stage.light;
-    assert_int_equal(light->type, LIGHT_SPOT);
+    struct emitter *light = &stage.light;
+    assert_int_equal(light->type, EMITTER_SPOT);
     check_energy("reflected flux of the scene's spot", &stage);
     light->cos_outer = cosf(.3f);
     light->cos_inner = cosf(.1f);
@@ -242,10 +242,10 @@ static void test_energy(void **state) {
     light->cos_outer = cosf(1.5f);
     light->cos_inner = cosf(.2f);
     check_energy("of a spot wider than one map", &stage);
-    light->type = LIGHT_POINT;
+    light->type = EMITTER_POINT;
     check_energy("of a point light", &stage);
     /* In through the open front, slanting. */
-    light->type = LIGHT_DIRECTIONAL;
+    light->type = EMITTER_DIRECTIONAL;
     vec3 direction = {.3f, -.4f, -1}, up = {0, 1, 0}, back;
     glm_vec3_normalize_to(direction, light->direction);
     glm_vec3_negate_to(light->direction, back);

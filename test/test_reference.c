@@ -16,12 +16,12 @@ static double mean_on_floor(const struct world *world,
 
 /* I cos / (pi d^2) within the cone, by the formula of KHR_lights_punctual. */
 static double floor_direct(const struct world *world, double x, double z) {
-    const struct light *light = &world->light;
+    const struct emitter *light = &world->light;
     double dx = x - light->position[0], dy = -light->position[1], dz = z - light->position[2];
     double distance = sqrt(dx * dx + dy * dy + dz * dz), cone = 1;
     double cos_axis =
         (dx * light->direction[0] + dy * light->direction[1] + dz * light->direction[2]) / distance;
-    if (light->type == LIGHT_SPOT) {
+    if (light->type == EMITTER_SPOT) {
         double range = fmax(0.001, light->cos_inner - light->cos_outer);
         cone = fmin(fmax((cos_axis - light->cos_outer) / range, 0), 1);
     }
@@ -38,11 +38,11 @@ static void test_light_on_floor(void **state) {
     look_down(&world, -1, -1, 3, 4);
     static const struct {
         const char *what;
-        enum light_type type;
+        enum emitter_type type;
         double inner, outer;
-    } cases[] = {{"point light", LIGHT_POINT, 0, 0},
-                 {"hard spot", LIGHT_SPOT, 29.9, 30},
-                 {"soft spot", LIGHT_SPOT, 10, 40}};
+    } cases[] = {{"point light", EMITTER_POINT, 0, 0},
+                 {"hard spot", EMITTER_SPOT, 29.9, 30},
+                 {"soft spot", EMITTER_SPOT, 10, 40}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         place_light(&world, cases[i].type, (vec3s){{0.3f, 2, -0.2f}}, (vec3s){{0.2f, -1, 0.1f}}, 7);
         world.light.cos_inner = cosf(glm_rad((float)cases[i].inner));
@@ -59,7 +59,7 @@ static void test_light_on_floor(void **state) {
         check_near("normal", image_at(&image, 16, 16)[LAYER_NORMAL + 1], 1, 1e-6);
         image_free(&image);
     }
-    place_light(&world, LIGHT_DIRECTIONAL, glms_vec3_zero(), (vec3s){{1, -1, 0}}, 3);
+    place_light(&world, EMITTER_DIRECTIONAL, glms_vec3_zero(), (vec3s){{1, -1, 0}}, 3);
     struct path_tracer_desc desc = describe(&world, 8, 4);
     render(&desc, &image);
     check_near("directional light", mean_of(&image, LAYER_DIRECT), 3 * sqrt(0.5) / GLM_PI, 1e-6);
@@ -148,7 +148,7 @@ static void test_rectangles(void **state) {
     add_rectangle(&world, 0, (vec3s){{0, 0, 1}}, (vec3s){{0, 0, -1}}, (vec3s){{0, 1, 0}});
     world_finish(&world);
     look_down(&world, 0, 0, 1, 3);
-    place_light(&world, LIGHT_DIRECTIONAL, glms_vec3_zero(), (vec3s){{-1, 0, 0}}, 1);
+    place_light(&world, EMITTER_DIRECTIONAL, glms_vec3_zero(), (vec3s){{-1, 0, 0}}, 1);
     check_one_bounce(&world, "perpendicular rectangles", floor_from_wall);
     world_free(&world);
 
@@ -157,7 +157,7 @@ static void test_rectangles(void **state) {
     add_rectangle(&world, 0, (vec3s){{2, 1, 0}}, (vec3s){{1, 0, 0}}, (vec3s){{0, 0, 1}});
     world_finish(&world);
     look_down(&world, 0, 0, 1, 3);
-    place_light(&world, LIGHT_DIRECTIONAL, glms_vec3_zero(), (vec3s){{0, 1, 0}}, 1);
+    place_light(&world, EMITTER_DIRECTIONAL, glms_vec3_zero(), (vec3s){{0, 1, 0}}, 1);
     check_one_bounce(&world, "parallel rectangles", floor_from_lid);
     world_free(&world);
 }

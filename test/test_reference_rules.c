@@ -14,7 +14,7 @@ static void start_floor(struct world *world) {
     world_init(world);
     add_rectangle(world, 0, (vec3s){{-2, 0, 3}}, (vec3s){{5, 0, 0}}, (vec3s){{0, 0, -5}});
     look_down(world, 0, 0, 1, 3);
-    place_light(world, LIGHT_DIRECTIONAL, glms_vec3_zero(), down, GLM_PIf);
+    place_light(world, EMITTER_DIRECTIONAL, glms_vec3_zero(), down, GLM_PIf);
 }
 
 /* A rectangle over half of what the camera sees, x < 1/2, facing up or down. */
@@ -139,7 +139,7 @@ static void test_albedo_weighting(void **state) {
     add_rectangle(&world, 0, (vec3s){{0, 0, 1}}, (vec3s){{0.5f, 0, 0}}, (vec3s){{0, 0, -0.75f}});
     add_rectangle(&world, 1, (vec3s){{0.5f, 1, 1}}, (vec3s){{0.5f, 0, 0}}, (vec3s){{0, 0, -0.75f}});
     look_down(&world, 0, 0, 1, 3);
-    place_light(&world, LIGHT_POINT, (vec3s){{0.2f, 2, 0.5f}}, down, 5);
+    place_light(&world, EMITTER_POINT, (vec3s){{0.2f, 2, 0.5f}}, down, 5);
     world_finish(&world);
     struct image image;
     struct path_tracer_desc desc = describe(&world, 1, 4096);
@@ -160,7 +160,7 @@ static void make_corner(struct world *world) {
     add_rectangle(world, 0, (vec3s){{0, 0, 1}}, (vec3s){{1, 0, 0}}, (vec3s){{0, 0, -1}});
     add_rectangle(world, 1, (vec3s){{0, 0, 1}}, (vec3s){{0, 0, -1}}, (vec3s){{0, 1, 0}});
     look_down(world, 0, 0, 1, 3);
-    place_light(world, LIGHT_SPOT, (vec3s){{0.9f, 0.8f, 0.5f}}, (vec3s){{-1, -0.1f, 0.1f}}, 5);
+    place_light(world, EMITTER_SPOT, (vec3s){{0.9f, 0.8f, 0.5f}}, (vec3s){{-1, -0.1f, 0.1f}}, 5);
     world->light.cos_inner = cosf(0.4f);
     world->light.cos_outer = cosf(0.5f);
     world_finish(world);

@@ -7,7 +7,7 @@
 #include "scene/camera.h"
 #include "scene/room.h"
 #include "scene/mesh/geometry.h"
-#include "scene/light.h"
+#include "scene/emitter.h"
 
 #include <cglm/cglm.h>
 #include <math.h>
@@ -164,18 +164,18 @@ static void test_lights(void **state) {
     struct scene scene;
     struct geometry geometry;
     load(&scene, &geometry, &(struct gltf_parts){.nodes = lit_nodes, .more = three_lights});
-    assert_int_equal(light_node_count(&scene), 3);
-    struct light sun, spot, point;
-    light_place(&sun, &scene, 0, 0);
-    light_place(&spot, &scene, 1, 0);
-    light_place(&point, &scene, 2, 0);
-    assert_int_equal(sun.type, LIGHT_DIRECTIONAL);
+    assert_int_equal(emitter_node_count(&scene), 3);
+    struct emitter sun, spot, point;
+    emitter_place(&sun, &scene, 0, 0);
+    emitter_place(&spot, &scene, 1, 0);
+    emitter_place(&point, &scene, 2, 0);
+    assert_int_equal(sun.type, EMITTER_DIRECTIONAL);
     check_vector("sun", sun.direction, 0, 0, -1, 1e-7);
     check_near("sun's irradiance", sun.intensity[0], 1, 0);
-    assert_int_equal(point.type, LIGHT_POINT);
+    assert_int_equal(point.type, EMITTER_POINT);
     check_vector("point", point.position, 1, 2, 3, 1e-6);
     check_vector("point's intensity", point.intensity, 8, 4, 2, 1e-6);
-    assert_int_equal(spot.type, LIGHT_SPOT);
+    assert_int_equal(spot.type, EMITTER_SPOT);
     check_vector("spot", spot.direction, -1, 0, 0, 1e-6);
     check_vector("spot's up", spot.up, 0, 1, 0, 1e-6);
     vec3 back;
@@ -183,23 +183,23 @@ static void test_lights(void **state) {
     check_vector("right-handed", back, 1, 0, 0, 1e-6);
 
     /* KHR_lights_punctual's falloff, and the integral of the cone. */
-    check_near("cone, axis", light_cone(&spot, 1), 1, 0);
-    check_near("cone, inner", light_cone(&spot, cosf(.3F)), 1, 1e-6);
-    check_near("cone, outer", light_cone(&spot, cosf(.6F)), 0, 1e-6);
-    check_near("cone, beyond", light_cone(&spot, -1), 0, 0);
+    check_near("cone, axis", emitter_cone(&spot, 1), 1, 0);
+    check_near("cone, inner", emitter_cone(&spot, cosf(.3F)), 1, 1e-6);
+    check_near("cone, outer", emitter_cone(&spot, cosf(.6F)), 0, 1e-6);
+    check_near("cone, beyond", emitter_cone(&spot, -1), 0, 0);
     double middle = (cos(.45) - cos(.6)) / (cos(.3) - cos(.6));
-    check_near("cone, middle", light_cone(&spot, cosf(.45F)), middle * middle, 1e-5);
-    check_near("cone, point", light_cone(&point, -1), 1, 0);
-    check_near("solid angle, spot", light_solid_angle(&spot), 2 * M_PI * (1 - cos(.6)), 1e-6);
-    check_near("solid angle, point", light_solid_angle(&point), 4 * M_PI, 1e-12);
-    check_near("solid angle, sun", light_solid_angle(&sun), 0, 0);
+    check_near("cone, middle", emitter_cone(&spot, cosf(.45F)), middle * middle, 1e-5);
+    check_near("cone, point", emitter_cone(&point, -1), 1, 0);
+    check_near("solid angle, spot", emitter_solid_angle(&spot), 2 * M_PI * (1 - cos(.6)), 1e-6);
+    check_near("solid angle, point", emitter_solid_angle(&point), 4 * M_PI, 1e-12);
+    check_near("solid angle, sun", emitter_solid_angle(&sun), 0, 0);
 
-    assert_int_equal(light_find(&scene, "sun"), 0);
-    assert_int_equal(light_find(&scene, "lamp"), 1);
-    assert_int_equal(light_find(&scene, "2"), 2);
-    assert_int_equal(light_find(&scene, "3"), -1);
+    assert_int_equal(emitter_find(&scene, "sun"), 0);
+    assert_int_equal(emitter_find(&scene, "lamp"), 1);
+    assert_int_equal(emitter_find(&scene, "2"), 2);
+    assert_int_equal(emitter_find(&scene, "3"), -1);
     assert_string_equal(error_get(), "no light '3' (there is: 0=sun 1 2)");
-    assert_int_equal(light_find(&scene, ""), -1);
+    assert_int_equal(emitter_find(&scene, ""), -1);
     unload(&scene, &geometry);
 }
 
@@ -240,11 +240,11 @@ static void test_framing(void **state) {
     load(&scene, &geometry,
          &(struct gltf_parts){.nodes = "[{\"mesh\": 0, \"translation\": [100, 200, 300]}]"});
     assert_int_equal(camera_node_count(&scene), 1);
-    assert_int_equal(light_node_count(&scene), 1);
+    assert_int_equal(emitter_node_count(&scene), 1);
     struct camera camera;
-    struct light light;
+    struct emitter light;
     camera_place(&camera, &scene, 0, 0);
-    light_place(&light, &scene, 0, 0);
+    emitter_place(&light, &scene, 0, 0);
     float widest = 0;
     for (uint32_t i = 0; i < geometry.vertex_count; i++) {
         vec3 to;
@@ -314,7 +314,7 @@ static void test_shared_scenes(void **state) {
         check_ok("load", scene_load(&scene, path));
         check_ok("geometry", geometry_init(&geometry, &scene, 0));
         check_near(expected[i].name, geometry.index_count / 3, expected[i].triangles, 0);
-        assert_int_equal(light_node_count(&scene), 1);
+        assert_int_equal(emitter_node_count(&scene), 1);
         assert_int_equal(camera_node_count(&scene), 1);
         unload(&scene, &geometry);
     }
@@ -329,8 +329,8 @@ static void test_shared_cornell_box(void **state) {
     snprintf(path, sizeof path, "%s/scenes/cornell-box.glb", shared_path());
     struct scene scene;
     check_ok("load", scene_load(&scene, path));
-    struct light light;
-    light_place(&light, &scene, 0, 0);
+    struct emitter light;
+    emitter_place(&light, &scene, 0, 0);
     check_vector("light position", light.position, 1.1, 2.3, 1.9, 1e-3);
     check_vector("light direction", light.direction, -.778, .592, -.209, 1e-3);
     check_vector("light intensity", light.intensity, 500, 500, 500, 1e-3);

@@ -3,7 +3,7 @@
 #include "surface_shape.h"
 
 #include "scene/camera.h"
-#include "scene/light.h"
+#include "scene/emitter.h"
 #include "scene/scene.h"
 
 #include <stdio.h>
@@ -147,7 +147,7 @@ static void check_scene(const struct expectation *expected, const char *path) {
     check_near(expected->name, triangles, expected->triangles, expected->tolerance);
     check_materials(expected, &scene);
     assert_int_equal(camera_node_count(&scene), 1);
-    assert_int_equal(light_node_count(&scene), 1);
+    assert_int_equal(emitter_node_count(&scene), 1);
     scene_free(&scene);
 }
 

@@ -3,7 +3,7 @@
 #include "hand_made.h"
 
 #include "base/halton.h"
-#include "reference/emitter.h"
+#include "reference/emission.h"
 #include "reference/vpl_sum.h"
 
 static struct vpl_sum_desc sum_desc(const struct world *world, const struct vpl *vpls, int count,
@@ -21,11 +21,11 @@ static struct vpl_sum_desc sum_desc(const struct world *world, const struct vpl 
 /* VPL i of the world's spot or point light, from the light's first hit. */
 static struct vpl trace_vpl(const struct world *world, const struct ray_scene *rays, int i,
                             int count) {
-    struct emitter emitter = emitter_of(&world->light, &world->geometry);
+    struct emission emission = emission_of(&world->light, &world->geometry);
     vec2s sample = {
         {(float)radical_inverse(2, (uint32_t)i), (float)radical_inverse(3, (uint32_t)i)}};
     struct hit hit;
-    if (!emitter_first_hit(&emitter, rays, sample, &hit))
+    if (!emission_first_hit(&emission, rays, sample, &hit))
         return (struct vpl){.flux = {0}};
     const float *p = hit.position.raw, *n = hit.normal.raw;
     vec3s from = {{world->light.position[0], world->light.position[1], world->light.position[2]}};
@@ -33,8 +33,8 @@ static struct vpl trace_vpl(const struct world *world, const struct ray_scene *r
         {world->light.direction[0], world->light.direction[1], world->light.direction[2]}};
     vec3s way = glms_vec3_normalize(glms_vec3_sub(hit.position, from));
     float intensity =
-        world->light.intensity[0] * light_cone(&world->light, glms_vec3_dot(way, axis));
-    float flux = hit.albedo.x * intensity * emitter.solid_angle / (float)count;
+        world->light.intensity[0] * emitter_cone(&world->light, glms_vec3_dot(way, axis));
+    float flux = hit.albedo.x * intensity * emission.solid_angle / (float)count;
     return (struct vpl){.position = {p[0], p[1], p[2]},
                         .normal = {n[0], n[1], n[2]},
                         .flux = {flux, flux, flux, 1}};
@@ -133,7 +133,7 @@ static void test_against_path_tracer(void **state) {
                   (vec3s){{0, 0, -0.5f}});
     world_finish(&world);
     look_down(&world, 0, 0, 1, 3);
-    place_light(&world, LIGHT_SPOT, (vec3s){{0.9f, 0.9f, 0.5f}}, (vec3s){{-1, 0.1f, 0}}, 5);
+    place_light(&world, EMITTER_SPOT, (vec3s){{0.9f, 0.9f, 0.5f}}, (vec3s){{-1, 0.1f, 0}}, 5);
     world.light.cos_inner = cosf(0.2f);
     world.light.cos_outer = cosf(0.4f);
     struct path_tracer_desc path_desc = describe(&world, 24, 128);

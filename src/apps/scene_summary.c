@@ -2,7 +2,7 @@
 
 #include "scene/camera.h"
 #include "scene/mesh/geometry.h"
-#include "scene/light.h"
+#include "scene/emitter.h"
 #include "scene/node.h"
 #include "scene/scene.h"
 
@@ -63,22 +63,22 @@ static void print_materials(FILE *out, const struct scene *scene) {
 
 static void print_light(FILE *out, const struct scene *scene, int n) {
     static const char *const types[] = {"spot", "point", "directional"};
-    struct light light;
-    light_place(&light, scene, n, 0);
+    struct emitter light;
+    emitter_place(&light, scene, n, 0);
     int node = node_carrying(scene, NODE_LIGHT, n);
     fprintf(out, "  %d  %-20s %s ", n, scene->lights[scene->nodes[node].light].name,
             types[light.type]);
     print_vector(out, light.intensity);
-    fprintf(out, light.type == LIGHT_DIRECTIONAL ? " W/m2" : " W/sr");
-    if (light.type != LIGHT_DIRECTIONAL) {
+    fprintf(out, light.type == EMITTER_DIRECTIONAL ? " W/m2" : " W/sr");
+    if (light.type != EMITTER_DIRECTIONAL) {
         fprintf(out, " at ");
         print_vector(out, light.position);
     }
-    if (light.type != LIGHT_POINT) {
+    if (light.type != EMITTER_POINT) {
         fprintf(out, " towards ");
         print_vector(out, light.direction);
     }
-    if (light.type == LIGHT_SPOT)
+    if (light.type == EMITTER_SPOT)
         fprintf(out, ", cone %.4g to %.4g degrees", degrees(acosf(light.cos_inner)),
                 degrees(acosf(light.cos_outer)));
     fputc('\n', out);
@@ -103,7 +103,7 @@ static void print_camera(FILE *out, const struct scene *scene, int n) {
 
 /* Counted as --light and --camera count them: by node. */
 static void print_placed(FILE *out, const struct scene *scene) {
-    int lights = light_node_count(scene), cameras = camera_node_count(scene);
+    int lights = emitter_node_count(scene), cameras = camera_node_count(scene);
     fprintf(out, "lights     %d\n", lights);
     for (int n = 0; n < lights; n++)
         print_light(out, scene, n);

@@ -14,7 +14,7 @@ static void name_after(struct stage *stage, const char *path) {
 
 static bool place(struct stage *stage, double time) {
     return camera_from_text(&stage->camera, &stage->scene, stage->camera_text, time, NULL) &&
-           light_from_text(&stage->light, &stage->scene, stage->light_text, time, NULL);
+           emitter_from_text(&stage->light, &stage->scene, stage->light_text, time, NULL);
 }
 
 bool stage_init(struct stage *stage, const struct stage_desc *desc) {

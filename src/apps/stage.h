@@ -5,7 +5,7 @@
 
 #include "scene/camera.h"
 #include "scene/mesh/geometry.h"
-#include "scene/light.h"
+#include "scene/emitter.h"
 
 struct stage_desc {
     const char *path;
@@ -19,7 +19,7 @@ struct stage {
     struct scene scene;
     struct geometry geometry;
     struct camera camera;
-    struct light light;
+    struct emitter light;
     const char *camera_text, *light_text;
 };
 

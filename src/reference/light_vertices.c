@@ -4,7 +4,7 @@
 #include "base/parallel.h"
 
 struct work {
-    const struct emitter *emitter;
+    const struct emission *emission;
     const struct ray_scene *rays;
     uint32_t seed;
     struct light_vertex *vertices;
@@ -16,10 +16,10 @@ static void trace(const struct work *work, uint32_t i) {
     struct sampler sampler = {.seed = work->seed, .index = i};
     struct light_vertex *vertex = &work->vertices[i];
     struct arrival arrival;
-    if (!emitter_first_hit(work->emitter, work->rays, sampler_next(&sampler), &vertex->hit) ||
-        !emitter_reach(work->emitter, &vertex->hit, &arrival))
+    if (!emission_first_hit(work->emission, work->rays, sampler_next(&sampler), &vertex->hit) ||
+        !emission_reach(work->emission, &vertex->hit, &arrival))
         return;
-    vertex->radiance = emitter_reflected(&vertex->hit, &arrival);
+    vertex->radiance = emission_reflected(&vertex->hit, &arrival);
     if (glms_vec3_norm2(vertex->radiance) > 0)
         vertex->density = arrival.density;
 }
@@ -29,10 +29,10 @@ static void trace_chunk(void *context, size_t chunk) {
         trace(context, (uint32_t)chunk * CHUNK + i);
 }
 
-struct light_vertex *light_vertices_trace(const struct emitter *emitter,
+struct light_vertex *light_vertices_trace(const struct emission *emission,
                                           const struct ray_scene *rays, uint32_t seed,
                                           int threads) {
-    struct work work = {emitter, rays, seed, mem_alloc(LIGHT_VERTEX_COUNT, sizeof *work.vertices)};
+    struct work work = {emission, rays, seed, mem_alloc(LIGHT_VERTEX_COUNT, sizeof *work.vertices)};
     parallel_for(LIGHT_VERTEX_COUNT / CHUNK, threads, trace_chunk, &work);
     return work.vertices;
 }

@@ -9,7 +9,7 @@
 #ifndef REFERENCE_LIGHT_VERTICES_H
 #define REFERENCE_LIGHT_VERTICES_H
 
-#include "reference/emitter.h"
+#include "reference/emission.h"
 #include "reference/sampler.h"
 
 enum { LIGHT_VERTEX_COUNT = 1 << 16 };
@@ -21,7 +21,7 @@ struct light_vertex {
 };
 
 /* Traces LIGHT_VERTEX_COUNT rays on some threads (0 = all cores); free() frees. */
-struct light_vertex *light_vertices_trace(const struct emitter *emitter,
+struct light_vertex *light_vertices_trace(const struct emission *emission,
                                           const struct ray_scene *rays, uint32_t seed, int threads);
 
 #endif

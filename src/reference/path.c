@@ -50,14 +50,14 @@ static vec3s from_light_vertices(const struct ray_scene *rays, const struct hit 
 }
 
 /* By way of the y that the cosine at x found. */
-static vec3s from_cosine_ray(const struct ray_scene *rays, const struct emitter *emitter,
+static vec3s from_cosine_ray(const struct ray_scene *rays, const struct emission *emission,
                              const struct hit *x, const struct hit *y) {
     struct arrival arrival;
-    if (!emitter_reach(emitter, y, &arrival) ||
+    if (!emission_reach(emission, y, &arrival) ||
         !ray_scene_visible(rays, ray_scene_departure(rays, y), arrival.source))
         return glms_vec3_zero();
     float p_light = LIGHTS_PER_VERTEX * arrival.density;
-    return glms_vec3_scale(emitter_reflected(y, &arrival), weight(cosine_density(x, y), p_light));
+    return glms_vec3_scale(emission_reflected(y, &arrival), weight(cosine_density(x, y), p_light));
 }
 
 /* The next vertex; false where the path ends: it leaves the scene, runs into its own surface, or
@@ -78,7 +78,7 @@ vec3s path_indirect(const struct path_scene *scene, const struct light_vertex *l
         vec3s light = from_light_vertices(rays, &x, lights, sampler);
         bool goes_on = extend(rays, &x, sampler_next(sampler), &y);
         if (goes_on)
-            light = glms_vec3_add(light, from_cosine_ray(rays, scene->emitter, &x, &y));
+            light = glms_vec3_add(light, from_cosine_ray(rays, scene->emission, &x, &y));
         sum = glms_vec3_add(sum, glms_vec3_mul(throughput, light));
         if (!goes_on)
             break;

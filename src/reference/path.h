@@ -6,7 +6,7 @@
 
 struct path_scene {
     const struct ray_scene *rays;
-    const struct emitter *emitter;
+    const struct emission *emission;
     int bounces;
 };
 

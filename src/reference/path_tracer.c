@@ -23,7 +23,7 @@ struct renderer {
     struct path_tracer_desc desc; /* resolved */
     struct ray_scene rays;
     struct view view;
-    struct emitter emitter;
+    struct emission emission;
     struct light_vertex *lights[FILM_STREAMS];
     struct film_pixel *pixels;
     struct image *image; /* once developed */
@@ -39,7 +39,7 @@ static struct film_pixel *pixel_at(const struct renderer *renderer, int x, int y
 
 static vec3s mean_of_paths(const struct renderer *renderer, const struct hit *hit, int stream,
                            const struct sampler *start) {
-    struct path_scene scene = {&renderer->rays, &renderer->emitter, renderer->desc.bounces};
+    struct path_scene scene = {&renderer->rays, &renderer->emission, renderer->desc.bounces};
     vec3s sum = glms_vec3_zero();
     for (uint32_t i = 0; i < PATHS_PER_SAMPLE; i++) {
         struct sampler sampler = {start->seed, start->index * PATHS_PER_SAMPLE + i, start->pair};
@@ -63,7 +63,7 @@ static bool take_sample(const struct renderer *renderer, int px, int py, int str
     *sample = (struct film_sample){
         .albedo = hit.albedo,
         .normal = hit.normal,
-        .direct = emitter_direct(&renderer->emitter, &renderer->rays, &hit),
+        .direct = emission_direct(&renderer->emission, &renderer->rays, &hit),
         .indirect = mean_of_paths(renderer, &hit, stream, &sampler),
     };
     return true;
@@ -194,7 +194,7 @@ static void trace_lights(struct renderer *renderer) {
     const struct path_tracer_desc *desc = &renderer->desc;
     for (int stream = 0; stream < FILM_STREAMS && desc->bounces > 0; stream++)
         renderer->lights[stream] =
-            light_vertices_trace(&renderer->emitter, &renderer->rays,
+            light_vertices_trace(&renderer->emission, &renderer->rays,
                                  sampler_hash(~desc->seed, (uint32_t)stream), desc->threads);
 }
 
@@ -212,7 +212,7 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     *image = (struct image){0};
     desc = &renderer.desc;
     hit_table_init(&table, desc->scene, desc->geometry);
-    renderer.emitter = emitter_of(desc->light, desc->geometry);
+    renderer.emission = emission_of(desc->light, desc->geometry);
     renderer.view = (struct view){&renderer.rays, desc->camera, desc->width, desc->height};
     renderer.pixels =
         mem_alloc((size_t)desc->width * (size_t)desc->height, sizeof *renderer.pixels);

@@ -16,7 +16,7 @@
 #include "base/image.h"
 #include "scene/camera.h"
 #include "scene/mesh/geometry.h"
-#include "scene/light.h"
+#include "scene/emitter.h"
 
 struct path_tracer_progress {
     double done;  /* estimated share of the work, in [0, 1] */
@@ -29,7 +29,7 @@ struct path_tracer_desc {
     const struct scene *scene; /* its materials and textures */
     const struct geometry *geometry;
     const struct camera *camera;
-    const struct light *light;
+    const struct emitter *light;
     int width, height; /* default 800 */
     int bounces;       /* 0 = direct light only */
     int samples;       /* per pixel, rounded up to a multiple of 4; 0 = until noise is reached */

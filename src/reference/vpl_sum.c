@@ -1,6 +1,6 @@
 #include "reference/vpl_sum.h"
 
-#include "reference/emitter.h"
+#include "reference/emission.h"
 #include "reference/layers.h"
 #include "reference/rows.h"
 #include "reference/vector.h"
@@ -14,7 +14,7 @@ struct summation {
     struct vpl_sum_desc desc; /* resolved */
     struct ray_scene rays;
     struct view view;
-    struct emitter emitter;
+    struct emission emission;
     struct image *image;
 };
 
@@ -70,7 +70,7 @@ static void render_pixel(const struct summation *summation, int px, int py) {
     float *layers = image_at(summation->image, px, py);
     vec3s indirect = gather(summation, &hit), direct = glms_vec3_zero();
     if (summation->desc.light)
-        direct = emitter_direct(&summation->emitter, &summation->rays, &hit);
+        direct = emission_direct(&summation->emission, &summation->rays, &hit);
     write(&layers[LAYER_BEAUTY], glms_vec3_mul(hit.albedo, glms_vec3_add(direct, indirect)));
     layers[LAYER_ALPHA] = 1;
     layers[LAYER_DEPTH] = view_depth(&summation->view, &hit);
@@ -111,7 +111,7 @@ bool vpl_sum_render(const struct vpl_sum_desc *desc, struct image *image) {
     desc = &summation.desc;
     summation.view = (struct view){&summation.rays, desc->camera, desc->width, desc->height};
     if (desc->light)
-        summation.emitter = emitter_of(desc->light, desc->geometry);
+        summation.emission = emission_of(desc->light, desc->geometry);
     hit_table_init(&table, desc->scene, desc->geometry);
     bool ok = ray_scene_init(&summation.rays, &table);
     if (ok) {

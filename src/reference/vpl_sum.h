@@ -12,7 +12,7 @@
 #include "base/image.h"
 #include "scene/camera.h"
 #include "scene/mesh/geometry.h"
-#include "scene/light.h"
+#include "scene/emitter.h"
 #include "shared/vpl.h"
 
 /* How the geometry term cos_i cos_x / d^2 is bounded near a VPL. */
@@ -29,8 +29,8 @@ struct vpl_sum_desc {
     const struct camera *camera;
     const struct vpl *vpls;
     int vpl_count;
-    const struct light *light; /* for the direct layer; NULL = none */
-    int width, height;         /* default 800 */
+    const struct emitter *light; /* for the direct layer; NULL = none */
+    int width, height;           /* default 800 */
     enum vpl_sum_bound bound;
     float clamp_value; /* 1/m2 */
     bool unshadowed;   /* V = 1 */

@@ -13,15 +13,15 @@ const char *const shown_layer_names[] = {
 /* A power of two near the irradiance that the light could make across the scene, inverted: exact to
  * multiply by, and keeps half floats in range whatever the units. */
 static float irradiance_scale(const struct renderer_desc *desc) {
-    const struct light *light = &desc->light;
+    const struct emitter *light = &desc->light;
     float brightest = fmaxf(light->intensity[0], fmaxf(light->intensity[1], light->intensity[2]));
     float radius = desc->geometry->radius;
     /* A narrow cone lights little, and less than its intensity says. */
-    float share = light->type == LIGHT_SPOT
-                      ? light_cone(light, 1) * fminf((float)light_solid_angle(light), 1)
+    float share = light->type == EMITTER_SPOT
+                      ? emitter_cone(light, 1) * fminf((float)emitter_solid_angle(light), 1)
                       : 1;
     float typical =
-        light->type == LIGHT_DIRECTIONAL ? brightest : brightest * share / (radius * radius);
+        light->type == EMITTER_DIRECTIONAL ? brightest : brightest * share / (radius * radius);
     return typical > 0 && isfinite(typical) ? exp2f(-roundf(log2f(typical))) : 1;
 }
 
@@ -67,7 +67,7 @@ static bool init_shadow(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     return shadow_map_pass_init(
         &renderer->shadow_map,
-        &(struct shadow_map_desc){desc->settings.shadow_size, light_view_count(&desc->light)});
+        &(struct shadow_map_desc){desc->settings.shadow_size, emitter_view_count(&desc->light)});
 }
 
 static bool init_direct(struct renderer *renderer) {
@@ -91,7 +91,7 @@ static bool init_technique(struct renderer *renderer) {
                                          .settings = &desc->settings,
                                          .width = desc->width,
                                          .height = desc->height,
-                                         .light_views = light_view_count(&desc->light),
+                                         .light_views = emitter_view_count(&desc->light),
                                      });
 }
 
@@ -109,7 +109,7 @@ static void write_views(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     view_of_camera(&renderer->camera_view, &desc->camera, desc->geometry,
                    (float)desc->width / (float)desc->height);
-    view_of_light(&renderer->light_block, &desc->light, desc->geometry);
+    view_of_emitter(&renderer->light_block, &desc->light, desc->geometry);
     buffer_write(&renderer->view_buffer, 0, sizeof renderer->camera_view, &renderer->camera_view);
     buffer_write(&renderer->light_buffer, 0, sizeof renderer->light_block, &renderer->light_block);
 }
@@ -249,9 +249,9 @@ bool renderer_resize(struct renderer *renderer, int width, int height) {
     return change(renderer, &desc, PART_SIZE | PART_DIRECT | PART_ANTIALIAS);
 }
 
-bool renderer_set_light(struct renderer *renderer, const struct light *light) {
+bool renderer_set_light(struct renderer *renderer, const struct emitter *light) {
     struct renderer_desc desc = renderer->desc;
-    bool same_views = light_view_count(light) == light_view_count(&desc.light);
+    bool same_views = emitter_view_count(light) == emitter_view_count(&desc.light);
     renderer->lights_drawn &= memcmp(light, &desc.light, sizeof *light) == 0;
     desc.light = *light;
     return change(renderer, &desc, same_views ? 0 : PART_SHADOW | PART_TECHNIQUE);
@@ -262,7 +262,7 @@ void renderer_set_camera(struct renderer *renderer, const struct camera *camera)
     write_views(renderer);
 }
 
-bool renderer_update(struct renderer *renderer, const struct light *light,
+bool renderer_update(struct renderer *renderer, const struct emitter *light,
                      const struct camera *camera) {
     renderer->desc.camera = *camera;
     renderer->lights_drawn &= renderer->scene.pose == renderer->desc.geometry->pose_count;
@@ -282,8 +282,8 @@ struct frame renderer_frame(struct renderer *renderer) {
         .timers = &renderer->timers,
         .scene = &renderer->scene,
         .light_measure = renderer->light_block.intensity[3],
-        .light_directional = desc->light.type == LIGHT_DIRECTIONAL,
-        .light_views = light_view_count(&desc->light),
+        .light_directional = desc->light.type == EMITTER_DIRECTIONAL,
+        .light_views = emitter_view_count(&desc->light),
         .radius = desc->geometry->radius,
         .irradiance_scale = irradiance_scale(desc),
     };

@@ -24,7 +24,7 @@ struct renderer_desc {
     struct settings settings;
     const struct scene *scene; /* must outlive the renderer, as must the geometry */
     const struct geometry *geometry;
-    struct light light;
+    struct emitter light;
     struct camera camera;
     bool keep_lights; /* frames in which only the camera moved use the lights' passes of the one
                          before: the same picture in less time */
@@ -59,7 +59,7 @@ void renderer_free(struct renderer *renderer);
  * renderer is what it was. Errors are renderer_init's, and settings_check's. */
 bool renderer_configure(struct renderer *renderer, int technique, const struct settings *settings);
 bool renderer_resize(struct renderer *renderer, int width, int height);
-bool renderer_set_light(struct renderer *renderer, const struct light *light);
+bool renderer_set_light(struct renderer *renderer, const struct emitter *light);
 void renderer_set_camera(struct renderer *renderer, const struct camera *camera);
 bool renderer_reload_shaders(struct renderer *renderer);
 
@@ -71,7 +71,7 @@ bool renderer_makes_casters(const struct renderer *renderer, int technique,
 /* After geometry_pose: uploads what has moved, and sees it from a light and a camera. For the same
  * bits whatever came before, begin with the geometry at time 0. Error: out of GPU memory; the
  * renderer must then be freed. */
-bool renderer_update(struct renderer *renderer, const struct light *light,
+bool renderer_update(struct renderer *renderer, const struct emitter *light,
                      const struct camera *camera);
 
 /* Renders one frame into the composite's display texture. Timer "frame". */

@@ -107,7 +107,7 @@ static void add_spot(struct scene *scene, const struct geometry *geometry,
         mem_resize(scene->lights, (size_t)scene->light_count + 1, sizeof *scene->lights);
     struct scene_light *light = &scene->lights[scene->light_count];
     float intensity = GLM_PIf * glm_vec3_distance2(eye, target);
-    *light = (struct scene_light){.type = LIGHT_SPOT,
+    *light = (struct scene_light){.type = EMITTER_SPOT,
                                   .intensity = {intensity, intensity, intensity},
                                   .inner = .8F * outer,
                                   .outer = outer};

@@ -29,11 +29,11 @@ static const struct word camera_words[] = {
 };
 
 static const struct word light_words[] = {
-    {"position", offsetof(struct light, position), 3},
-    {"direction", offsetof(struct light, direction), 3},
-    {"up", offsetof(struct light, up), 3},
-    {"right", offsetof(struct light, right), 3},
-    {"intensity", offsetof(struct light, intensity), 3},
+    {"position", offsetof(struct emitter, position), 3},
+    {"direction", offsetof(struct emitter, direction), 3},
+    {"up", offsetof(struct emitter, up), 3},
+    {"right", offsetof(struct emitter, right), 3},
+    {"intensity", offsetof(struct emitter, intensity), 3},
     {NULL, 0, 0},
 };
 
@@ -132,25 +132,25 @@ bool camera_from_text(struct camera *camera, const struct scene *scene, const ch
     return true;
 }
 
-bool light_from_text(struct light *light, const struct scene *scene, const char *text, double time,
-                     int *n) {
+bool emitter_from_text(struct emitter *light, const struct scene *scene, const char *text,
+                       double time, int *n) {
     char name[SCENE_NAME_SIZE];
-    struct light changes = {0};
+    struct emitter changes = {0};
     unsigned given = 0;
     if (text && !parse_words(light_words, &changes, text, name, sizeof name, &given))
         return error_prefix("light");
-    int found = text && *name ? light_find(scene, name) : 0;
+    int found = text && *name ? emitter_find(scene, name) : 0;
     if (found < 0)
         return false;
     if (n)
         *n = found;
-    light_place(light, scene, found, time);
+    emitter_place(light, scene, found, time);
     for (int i = 0; light_words[i].name; i++)
         if (given & 1U << i)
             memcpy((char *)light + light_words[i].offset, (char *)&changes + light_words[i].offset,
                    (size_t)light_words[i].count * sizeof(float));
     if ((given & 2U) && !(given & 1U << FRAME_RIGHT))
-        light_aim(light, light->direction);
+        emitter_aim(light, light->direction);
     return true;
 }
 
@@ -162,10 +162,10 @@ void camera_to_text(const struct camera *camera, const struct scene *scene, int 
     append_words(camera_words, camera, &before, text);
 }
 
-void light_to_text(const struct light *light, const struct scene *scene, int n, double time,
-                   char text[PLACING_TEXT_SIZE]) {
-    struct light before;
-    light_place(&before, scene, n, time);
+void emitter_to_text(const struct emitter *light, const struct scene *scene, int n, double time,
+                     char text[PLACING_TEXT_SIZE]) {
+    struct emitter before;
+    emitter_place(&before, scene, n, time);
     snprintf(text, PLACING_TEXT_SIZE, "%d", n);
     append_words(light_words, light, &before, text);
 }

@@ -12,7 +12,7 @@
 #define SCENE_PLACING_H
 
 #include "scene/camera.h"
-#include "scene/light.h"
+#include "scene/emitter.h"
 
 enum { PLACING_TEXT_SIZE = 320 };
 
@@ -20,13 +20,13 @@ enum { PLACING_TEXT_SIZE = 320 };
  * no such one, or a word that is not understood. */
 bool camera_from_text(struct camera *camera, const struct scene *scene, const char *text,
                       double time, int *n);
-bool light_from_text(struct light *light, const struct scene *scene, const char *text, double time,
-                     int *n);
+bool emitter_from_text(struct emitter *light, const struct scene *scene, const char *text,
+                       double time, int *n);
 
 /* The number alone where the camera is just the scene's n-th. */
 void camera_to_text(const struct camera *camera, const struct scene *scene, int n, double time,
                     char text[PLACING_TEXT_SIZE]);
-void light_to_text(const struct light *light, const struct scene *scene, int n, double time,
-                   char text[PLACING_TEXT_SIZE]);
+void emitter_to_text(const struct emitter *light, const struct scene *scene, int n, double time,
+                     char text[PLACING_TEXT_SIZE]);
 
 #endif

@@ -1,8 +1,8 @@
 /* What a glTF file holds, on the CPU: a node tree, meshes, materials, lights and cameras.
  *
  * A scene is only a description. scene/mesh/geometry.h turns it into world-space triangles at one
- * time; scene/light.h and scene/camera.h place a light and a camera. Metres, +Y up, as glTF has it.
- * Everything is an index into an array of the scene; -1 is none. Nodes come parents first.
+ * time; scene/emitter.h and scene/camera.h place a light and a camera. Metres, +Y up, as glTF has
+ * it. Everything is an index into an array of the scene; -1 is none. Nodes come parents first.
  */
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H
@@ -74,12 +74,12 @@ struct scene_texture {
     bool nearest; /* no filtering; else linear with MIP maps */
 };
 
-enum light_type { LIGHT_SPOT, LIGHT_POINT, LIGHT_DIRECTIONAL };
+enum emitter_type { EMITTER_SPOT, EMITTER_POINT, EMITTER_DIRECTIONAL };
 
 /* KHR_lights_punctual, in radiometric units. Shines along the node's -Z. */
 struct scene_light {
     char name[SCENE_NAME_SIZE];
-    enum light_type type;
+    enum emitter_type type;
     float intensity[3]; /* colour x intensity: W/sr; W/m2 for a directional light */
     float inner, outer; /* spot: half angles of the cone, radians */
 };

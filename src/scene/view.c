@@ -58,19 +58,19 @@ void view_of_camera(struct view *view, const struct camera *camera, const struct
     set_matrix(view);
 }
 
-int light_view_count(const struct light *light) {
-    bool narrow = light->type == LIGHT_SPOT && light->cos_outer >= 0.5f;
-    return light->type == LIGHT_DIRECTIONAL || narrow ? 1 : 6;
+int emitter_view_count(const struct emitter *light) {
+    bool narrow = light->type == EMITTER_SPOT && light->cos_outer >= 0.5f;
+    return light->type == EMITTER_DIRECTIONAL || narrow ? 1 : 6;
 }
 
-static void set_spot_view(struct view *view, const struct light *light) {
+static void set_spot_view(struct view *view, const struct emitter *light) {
     float tangent = sqrtf(1 - light->cos_outer * light->cos_outer) / light->cos_outer;
     /* The cone touches the edges of the map from inside. */
     tangent *= 1.01f;
     set_axes(view, light->position, light->right, light->up, light->direction, tangent, tangent);
 }
 
-static void set_face_view(struct view *view, const struct light *light, int face) {
+static void set_face_view(struct view *view, const struct emitter *light, int face) {
     static const float axes[6][3][3] = {
         /* right, up, forward: right x up = -forward */
         {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}},  {{0, 0, -1}, {0, 1, 0}, {-1, 0, 0}},
@@ -81,7 +81,7 @@ static void set_face_view(struct view *view, const struct light *light, int face
 }
 
 /* The smallest rectangle across the light's direction that holds the bounding box. */
-static void set_directional_view(struct view *view, const struct light *light,
+static void set_directional_view(struct view *view, const struct emitter *light,
                                  const struct geometry *geometry) {
     const float *axes[3] = {light->right, light->up, light->direction};
     float low[3], high[3], origin[3] = {0};
@@ -107,13 +107,13 @@ static void set_directional_view(struct view *view, const struct light *light,
     view->forward[3] = high[2] - low[2];
 }
 
-void view_of_light(struct light_block *block, const struct light *light,
-                   const struct geometry *geometry) {
+void view_of_emitter(struct light_block *block, const struct emitter *light,
+                     const struct geometry *geometry) {
     *block = (struct light_block){0};
-    int count = light_view_count(light);
+    int count = emitter_view_count(light);
     for (int i = 0; i < count; i++) {
         struct view *view = &block->views[i];
-        if (light->type == LIGHT_DIRECTIONAL)
+        if (light->type == EMITTER_DIRECTIONAL)
             set_directional_view(view, light, geometry);
         else if (count == 1)
             set_spot_view(view, light);
@@ -125,10 +125,10 @@ void view_of_light(struct light_block *block, const struct light *light,
     const struct view *first = &block->views[0];
     glm_vec3_copy((float *)light->intensity, block->intensity);
     block->intensity[3] =
-        light->type == LIGHT_DIRECTIONAL
+        light->type == EMITTER_DIRECTIONAL
             ? 4 * glm_vec3_norm((float *)first->right) * glm_vec3_norm((float *)first->up)
-            : (float)light_solid_angle(light);
-    glm_vec3_copy((float *)(light->type == LIGHT_DIRECTIONAL ? first->origin : light->position),
+            : (float)emitter_solid_angle(light);
+    glm_vec3_copy((float *)(light->type == EMITTER_DIRECTIONAL ? first->origin : light->position),
                   block->position);
     block->position[3] = (float)light->type;
     glm_vec3_copy((float *)light->direction, block->direction);
@@ -138,5 +138,5 @@ void view_of_light(struct light_block *block, const struct light *light,
     glm_vec3_copy((float *)light->up, block->up);
     block->up[3] = light->cos_outer;
     block->direct_scale =
-        light->type == LIGHT_DIRECTIONAL ? 1 : geometry->radius * geometry->radius;
+        light->type == EMITTER_DIRECTIONAL ? 1 : geometry->radius * geometry->radius;
 }

@@ -27,7 +27,7 @@ static void pose(struct viewer *viewer) {
     if (!placed->camera_moved)
         place_camera(viewer);
     if (!placed->light_moved)
-        light_place(&placed->light, &document->scene, placed->light_number, placed->time);
+        emitter_place(&placed->light, &document->scene, placed->light_number, placed->time);
     placed->posed_time = placed->time;
     viewer_touch(viewer);
 }

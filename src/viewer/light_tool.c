@@ -11,11 +11,11 @@ static const float arrow = .35F; /* length over the scene's radius */
 
 /* Where the handles are: a directional light has no place, so its arrow ends in the scene's centre.
  */
-static void place_handles(const struct light_stage *stage, const struct light *light,
+static void place_handles(const struct light_stage *stage, const struct emitter *light,
                           float position[3], float tip[3]) {
     const struct geometry *geometry = stage->geometry;
     float length = arrow * geometry->radius;
-    if (light->type == LIGHT_DIRECTIONAL) {
+    if (light->type == EMITTER_DIRECTIONAL) {
         glm_vec3_copy((float *)geometry->center, position);
         glm_vec3_muladds((float *)light->direction, -length, position);
     } else {
@@ -61,12 +61,12 @@ static void drag_point(const struct light_stage *stage, const struct input *inpu
 }
 
 static bool drag(const struct light_tool *tool, const struct light_stage *stage,
-                 const struct input *input, struct light *light) {
+                 const struct input *input, struct emitter *light) {
     float position[3], tip[3];
     if (input->dx == 0 && input->dy == 0)
         return false;
     place_handles(stage, light, position, tip);
-    if (tool->held == HANDLE_POSITION && light->type != LIGHT_DIRECTIONAL) {
+    if (tool->held == HANDLE_POSITION && light->type != EMITTER_DIRECTIONAL) {
         drag_point(stage, input, light->position);
         return true;
     }
@@ -75,12 +75,12 @@ static bool drag(const struct light_tool *tool, const struct light_stage *stage,
     glm_vec3_sub(tip, position, direction);
     if (glm_vec3_norm(direction) < 1e-3F * stage->geometry->radius)
         return false;
-    light_aim(light, direction);
+    emitter_aim(light, direction);
     return true;
 }
 
 bool light_tool_update(struct light_tool *tool, const struct light_stage *stage,
-                       const struct input *input, struct light *light, bool *moved) {
+                       const struct input *input, struct emitter *light, bool *moved) {
     float position[3], tip[3];
     *moved = false;
     if (!tool->shown || !input->held[BUTTON_LEFT])
@@ -89,7 +89,7 @@ bool light_tool_update(struct light_tool *tool, const struct light_stage *stage,
         return false;
     place_handles(stage, light, position, tip);
     if (input->pressed[BUTTON_LEFT] && tool->held == HANDLE_NONE) {
-        if (light->type != LIGHT_POINT && is_under(stage, input, tip))
+        if (light->type != EMITTER_POINT && is_under(stage, input, tip))
             tool->held = HANDLE_DIRECTION;
         else if (is_under(stage, input, position))
             tool->held = HANDLE_POSITION;
@@ -100,7 +100,7 @@ bool light_tool_update(struct light_tool *tool, const struct light_stage *stage,
 }
 
 void light_tool_draw(const struct light_tool *tool, const struct light_stage *stage,
-                     const struct light *light) {
+                     const struct emitter *light) {
     const uint32_t bright = UI_RGBA(255, 214, 102, 255), dark = UI_RGBA(30, 24, 8, 255);
     const struct rectangle *picture = stage->picture;
     float position[3], tip[3], from[2], to[2];
@@ -111,7 +111,7 @@ void light_tool_draw(const struct light_tool *tool, const struct light_stage *st
         return;
     ui_draw_clip((float)picture->x, (float)picture->y, (float)picture->width,
                  (float)picture->height);
-    if (light->type != LIGHT_POINT) {
+    if (light->type != EMITTER_POINT) {
         ui_draw_line(from[0], from[1], to[0], to[1], dark, 4);
         ui_draw_line(from[0], from[1], to[0], to[1], bright, 2);
         ui_draw_disc(to[0], to[1], 6.5F, dark);

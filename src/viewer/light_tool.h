@@ -4,7 +4,7 @@
 
 #include "scene/camera.h"
 #include "scene/mesh/geometry.h"
-#include "scene/light.h"
+#include "scene/emitter.h"
 #include "viewer/screen.h"
 #include "viewer/window.h"
 
@@ -25,9 +25,9 @@ struct light_stage {
 /* Grabs a handle that the mouse is pressed on and drags it. True while it holds one: the mouse is
  * then its own. *moved tells whether the light has changed. */
 bool light_tool_update(struct light_tool *tool, const struct light_stage *stage,
-                       const struct input *input, struct light *light, bool *moved);
+                       const struct input *input, struct emitter *light, bool *moved);
 
 void light_tool_draw(const struct light_tool *tool, const struct light_stage *stage,
-                     const struct light *light);
+                     const struct emitter *light);
 
 #endif

@@ -95,7 +95,7 @@ static void draw_scene(struct viewer *viewer) {
 /* --- light --- */
 
 static void draw_brightness(struct viewer *viewer) {
-    struct light *light = &viewer->placed.light;
+    struct emitter *light = &viewer->placed.light;
     float brightest = fmaxf(light->intensity[0], fmaxf(light->intensity[1], light->intensity[2]));
     float ev = log2f(fmaxf(brightest, 1e-6F)), before = ev;
     struct ui_row row = {.name = "intensity",
@@ -122,12 +122,12 @@ static void draw_light(struct viewer *viewer) {
     struct ui_row position_row = {.name = "position", .help = "metres"},
                   direction_row = {.name = "direction", .help = "where it shines"};
     bool moved =
-        placed->light.type != LIGHT_DIRECTIONAL &&
+        placed->light.type != EMITTER_DIRECTIONAL &&
         ui_vector(&position_row, placed->light.position, .005F * viewer->document.geometry.radius);
-    if (placed->light.type != LIGHT_POINT && ui_vector(&direction_row, direction, .01F) &&
+    if (placed->light.type != EMITTER_POINT && ui_vector(&direction_row, direction, .01F) &&
         direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2] >
             0) {
-        light_aim(&placed->light, direction);
+        emitter_aim(&placed->light, direction);
         moved = true;
     }
     if (moved) {

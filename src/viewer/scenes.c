@@ -20,7 +20,7 @@ void viewer_pick_camera(struct viewer *viewer, int n) {
 }
 
 void viewer_pick_light(struct viewer *viewer, int n) {
-    light_place(&viewer->placed.light, &viewer->document.scene, n, viewer->placed.time);
+    emitter_place(&viewer->placed.light, &viewer->document.scene, n, viewer->placed.time);
     viewer->placed.light_number = n;
     viewer->placed.light_moved = false;
     viewer_touch(viewer);
@@ -65,15 +65,15 @@ static bool place(struct viewer *viewer, const char *camera_text, const char *li
     const struct scene *scene = &viewer->document.scene;
     const struct geometry *geometry = &viewer->document.geometry;
     struct camera camera;
-    struct light light;
+    struct emitter light;
     bool has_camera = camera_from_text(&camera, scene, camera_text, viewer->placed.time,
                                        &viewer->placed.camera_number);
     if (has_camera) {
         orbit_start(&viewer->placed.orbit, &camera, geometry->center, geometry->radius);
         viewer->placed.camera_moved = camera_text && strchr(camera_text, '=');
     }
-    bool has_light = light_from_text(&light, scene, light_text, viewer->placed.time,
-                                     &viewer->placed.light_number);
+    bool has_light = emitter_from_text(&light, scene, light_text, viewer->placed.time,
+                                       &viewer->placed.light_number);
     if (has_light) {
         viewer->placed.light = light;
         viewer->placed.light_moved = light_text && strchr(light_text, '=');
@@ -180,8 +180,8 @@ struct session viewer_session(const struct viewer *viewer) {
     viewer_full_size(viewer, &session.width, &session.height);
     camera_to_text(&viewer->placed.orbit.camera, scene, viewer->placed.camera_number,
                    viewer->placed.time, session.camera);
-    light_to_text(&viewer->placed.light, scene, viewer->placed.light_number, viewer->placed.time,
-                  session.light);
+    emitter_to_text(&viewer->placed.light, scene, viewer->placed.light_number, viewer->placed.time,
+                    session.light);
     return session;
 }
 

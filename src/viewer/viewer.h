@@ -58,7 +58,7 @@ struct viewer {
         int camera_number, light_number; /* of the scene */
         bool camera_moved, light_moved;  /* by hand: an animation then leaves them alone */
         struct orbit orbit;
-        struct light light;
+        struct emitter light;
         double time, posed_time; /* of the animation, seconds */
     } placed;
     struct playing {

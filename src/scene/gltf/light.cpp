@@ -10,9 +10,9 @@ const float half_pi = 1.5707964F;
 
 bool load_light(const tinygltf::Light &from, struct scene_light &to) {
     copy_name(to.name, from.name);
-    to.type = from.type == "spot"    ? LIGHT_SPOT
-              : from.type == "point" ? LIGHT_POINT
-                                     : LIGHT_DIRECTIONAL;
+    to.type = from.type == "spot"    ? EMITTER_SPOT
+              : from.type == "point" ? EMITTER_POINT
+                                     : EMITTER_DIRECTIONAL;
     float color[3] = {1, 1, 1};
     if (!copy_numbers(from.color, color, "color"))
         return false;
@@ -23,7 +23,7 @@ bool load_light(const tinygltf::Light &from, struct scene_light &to) {
     }
     to.inner = float(from.spot.innerConeAngle);
     to.outer = float(from.spot.outerConeAngle);
-    if (to.type == LIGHT_SPOT &&
+    if (to.type == EMITTER_SPOT &&
         !(to.inner >= 0 && to.inner <= to.outer && to.outer > 0 && to.outer <= half_pi))
         return error_set("a cone from %g to %g radians", to.inner, to.outer);
     return true;

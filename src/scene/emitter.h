@@ -1,15 +1,15 @@
-/* A light placed in the world, and its radiometry.
+/* An emitter: a light of the scene placed in the world, and its radiometry.
  *
  * KHR_lights_punctual: candela is read as W/sr, lux as W/m2. A spot's cone falls off as
  * clamp((cos a - cos outer) / max(0.001, cos inner - cos outer), 0, 1)^2.
  */
-#ifndef SCENE_LIGHT_H
-#define SCENE_LIGHT_H
+#ifndef SCENE_EMITTER_H
+#define SCENE_EMITTER_H
 
 #include "scene/scene.h"
 
-struct light {
-    enum light_type type;
+struct emitter {
+    enum emitter_type type;
     float intensity[3];         /* W/sr on the axis; W/m2 for a directional light */
     float position[3];          /* spot and point */
     float direction[3];         /* unit: where it shines */
@@ -17,22 +17,22 @@ struct light {
     float cos_inner, cos_outer; /* spot */
 };
 
-/* Places the scene's n-th light node (in node order). Asserts that there is one. */
-void light_place(struct light *light, const struct scene *scene, int n, double time);
+/* Places the light of the scene's n-th light node (in node order). Asserts that there is one. */
+void emitter_place(struct emitter *emitter, const struct scene *scene, int n, double time);
 
 /* Turns the light: its frame is made of the direction, which need not be unit. */
-void light_aim(struct light *light, const float direction[3]);
+void emitter_aim(struct emitter *emitter, const float direction[3]);
 
 /* The n of a light by name or number in text; -1 and an error when there is none such. */
-int light_find(const struct scene *scene, const char *text);
+int emitter_find(const struct scene *scene, const char *text);
 
-int light_node_count(const struct scene *scene);
+int emitter_node_count(const struct scene *scene);
 
 /* The spot's falloff in [0, 1] for the cosine of the angle to its axis; 1 for the other types. */
-float light_cone(const struct light *light, float cos_angle);
+float emitter_cone(const struct emitter *emitter, float cos_angle);
 
 /* Solid angle the light shines into, steradians: 2 pi (1 - cos outer) for a spot, 4 pi for a point,
  * 0 for a directional light. */
-double light_solid_angle(const struct light *light);
+double emitter_solid_angle(const struct emitter *emitter);
 
 #endif

@@ -1,31 +1,32 @@
-#include "reference/emitter.h"
+#include "reference/emission.h"
 
 #include "reference/vector.h"
 #include "reference/warp.h"
 
 #include <math.h>
 
-struct emitter emitter_of(const struct light *light, const struct geometry *geometry) {
-    return (struct emitter){
+struct emission emission_of(const struct emitter *light, const struct geometry *geometry) {
+    return (struct emission){
         .light = *light,
-        .solid_angle = (float)light_solid_angle(light),
+        .solid_angle = (float)emitter_solid_angle(light),
         .center = vector_of(geometry->center),
         .radius = geometry->radius,
     };
 }
 
-static float cross_section(const struct emitter *emitter) {
-    return GLM_PIf * emitter->radius * emitter->radius;
+static float cross_section(const struct emission *emission) {
+    return GLM_PIf * emission->radius * emission->radius;
 }
 
-bool emitter_reach(const struct emitter *emitter, const struct hit *hit, struct arrival *arrival) {
-    const struct light *light = &emitter->light;
+bool emission_reach(const struct emission *emission, const struct hit *hit,
+                    struct arrival *arrival) {
+    const struct emitter *light = &emission->light;
     vec3s to_light = glms_vec3_negate(vector_of(light->direction));
-    float distance = 2 * emitter->radius; /* beyond the bounds from every point within */
-    float strength = 1;                   /* irradiance across the beam, for an intensity of 1 */
-    float density;                        /* of light rays across the beam, 1/m2 */
-    if (light->type == LIGHT_DIRECTIONAL) {
-        density = 1 / cross_section(emitter);
+    float distance = 2 * emission->radius; /* beyond the bounds from every point within */
+    float strength = 1;                    /* irradiance across the beam, for an intensity of 1 */
+    float density;                         /* of light rays across the beam, 1/m2 */
+    if (light->type == EMITTER_DIRECTIONAL) {
+        density = 1 / cross_section(emission);
     } else {
         vec3s path = glms_vec3_sub(vector_of(light->position), hit->position);
         float cos_axis;
@@ -34,8 +35,8 @@ bool emitter_reach(const struct emitter *emitter, const struct hit *hit, struct 
             return false;
         cos_axis = glms_vec3_dot(path, to_light) / distance;
         to_light = glms_vec3_scale(path, 1 / distance);
-        strength = light_cone(light, cos_axis) / (distance * distance);
-        density = 1 / (emitter->solid_angle * distance * distance);
+        strength = emitter_cone(light, cos_axis) / (distance * distance);
+        density = 1 / (emission->solid_angle * distance * distance);
     }
     float cos_shading = glms_vec3_dot(hit->normal, to_light);
     float cos_geometric = glms_vec3_dot(hit->geometric_normal, to_light);
@@ -47,29 +48,29 @@ bool emitter_reach(const struct emitter *emitter, const struct hit *hit, struct 
     return true;
 }
 
-vec3s emitter_reflected(const struct hit *hit, const struct arrival *arrival) {
+vec3s emission_reflected(const struct hit *hit, const struct arrival *arrival) {
     return glms_vec3_scale(glms_vec3_mul(hit->albedo, arrival->irradiance), GLM_1_PIf);
 }
 
-vec3s emitter_direct(const struct emitter *emitter, const struct ray_scene *rays,
-                     const struct hit *hit) {
+vec3s emission_direct(const struct emission *emission, const struct ray_scene *rays,
+                      const struct hit *hit) {
     struct arrival arrival;
-    if (!emitter_reach(emitter, hit, &arrival) ||
+    if (!emission_reach(emission, hit, &arrival) ||
         !ray_scene_visible(rays, ray_scene_departure(rays, hit), arrival.source))
         return glms_vec3_zero();
     return glms_vec3_scale(arrival.irradiance, GLM_1_PIf);
 }
 
-bool emitter_first_hit(const struct emitter *emitter, const struct ray_scene *rays, vec2s sample,
-                       struct hit *hit) {
-    const struct light *light = &emitter->light;
+bool emission_first_hit(const struct emission *emission, const struct ray_scene *rays, vec2s sample,
+                        struct hit *hit) {
+    const struct emitter *light = &emission->light;
     vec3s axis = vector_of(light->direction), origin, direction;
-    if (light->type == LIGHT_DIRECTIONAL) {
+    if (light->type == EMITTER_DIRECTIONAL) {
         vec3s offset = glms_vec3_sub(warp_to_disc(sample, axis), glms_vec3_scale(axis, 2));
-        origin = glms_vec3_add(emitter->center, glms_vec3_scale(offset, emitter->radius));
+        origin = glms_vec3_add(emission->center, glms_vec3_scale(offset, emission->radius));
         direction = axis;
     } else {
-        direction = warp_to_cone(sample, axis, light->type == LIGHT_SPOT ? light->cos_outer : -1);
+        direction = warp_to_cone(sample, axis, light->type == EMITTER_SPOT ? light->cos_outer : -1);
         /* Shadow rays end this far before the light. */
         origin =
             glms_vec3_add(vector_of(light->position), glms_vec3_scale(direction, rays->clearance));

@@ -1,0 +1,58 @@
+#include "scene/emitter.h"
+
+#include "scene/node.h"
+
+#include <cglm/cglm.h>
+#include <string.h>
+
+int emitter_node_count(const struct scene *scene) {
+    return node_count_carrying(scene, NODE_LIGHT);
+}
+
+int emitter_find(const struct scene *scene, const char *text) {
+    return node_find_carrying(scene, NODE_LIGHT, text);
+}
+
+void emitter_place(struct emitter *emitter, const struct scene *scene, int n, double time) {
+    int node = node_carrying(scene, NODE_LIGHT, n);
+    const struct scene_light *source = &scene->lights[scene->nodes[node].light];
+    float world[16];
+    node_world(scene, node, time, world);
+    *emitter = (struct emitter){
+        .type = source->type, .cos_inner = cosf(source->inner), .cos_outer = cosf(source->outer)};
+    memcpy(emitter->intensity, source->intensity, sizeof emitter->intensity);
+    memcpy(emitter->position, &world[12], sizeof emitter->position);
+    node_frame(world, emitter->right, emitter->up, emitter->direction);
+}
+
+void emitter_aim(struct emitter *emitter, const float direction[3]) {
+    vec3 forward, right;
+    glm_vec3_normalize_to((float *)direction, forward);
+    /* Straight up and down, the frame turns about z. */
+    vec3 aside = {0, fabsf(forward[1]) < .99F, fabsf(forward[1]) >= .99F};
+    glm_vec3_cross(forward, aside, right);
+    glm_vec3_normalize(right);
+    glm_vec3_copy(forward, emitter->direction);
+    glm_vec3_copy(right, emitter->right);
+    glm_vec3_cross(right, forward, emitter->up);
+}
+
+float emitter_cone(const struct emitter *emitter, float cos_angle) {
+    if (emitter->type != EMITTER_SPOT)
+        return 1;
+    float width = fmaxf(.001F, emitter->cos_inner - emitter->cos_outer);
+    float falloff = glm_clamp((cos_angle - emitter->cos_outer) / width, 0, 1);
+    return falloff * falloff;
+}
+
+double emitter_solid_angle(const struct emitter *emitter) {
+    switch (emitter->type) {
+    case EMITTER_SPOT:
+        return 2 * GLM_PI * (1 - (double)emitter->cos_outer);
+    case EMITTER_POINT:
+        return 4 * GLM_PI;
+    case EMITTER_DIRECTIONAL:
+        break;
+    }
+    return 0;
+}
