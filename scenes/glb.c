@@ -2,11 +2,11 @@
 #include "glb.h"
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/memory.h"
 
 #include <cglm/cglm.h>
 #include <errno.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,29 +25,10 @@ enum {
     CHUNK_BINARY = 0x004E4942,
 };
 
-/* --- bytes and text -------------------------------------------------------------------------- */
-
-static void text_append(struct glb_text *text, const void *bytes, size_t size) {
-    if (text->length + size > text->capacity) {
-        text->capacity = 2 * (text->length + size);
-        text->data = mem_resize(text->data, text->capacity, 1);
-    }
-    memcpy(text->data + text->length, bytes, size);
-    text->length += size;
-}
-
-static void __attribute__((format(printf, 2, 3)))
-text_print(struct glb_text *text, const char *format, ...) {
-    char line[1024];
-    va_list args;
-    va_start(args, format);
-    int length = vsnprintf(line, sizeof line, format, args);
-    va_end(args);
-    text_append(text, line, (size_t)length < sizeof line ? (size_t)length : sizeof line - 1);
-}
+/* --- elements -------------------------------------------------------------------------------- */
 
 /* Begins the next element of an array; returns its index. */
-static int next_element(struct glb_text *array, int *count) {
+static int next_element(struct text *array, int *count) {
     if (*count > 0)
         text_append(array, ",\n", 2);
     return (*count)++;
@@ -61,7 +42,7 @@ static int next_node(struct glb *glb, int parent) {
     return index;
 }
 
-static void text_pad(struct glb_text *text, char with) {
+static void text_pad(struct text *text, char with) {
     while (text->length % 4)
         text_append(text, &with, 1);
 }
@@ -71,9 +52,9 @@ void glb_init(struct glb *glb, const char *name) {
 }
 
 void glb_free(struct glb *glb) {
-    struct glb_text *texts[] = {&glb->nodes, &glb->meshes,   &glb->materials, &glb->accessors,
-                                &glb->views, &glb->cameras,  &glb->lights,    &glb->binary,
-                                &glb->skins, &glb->channels, &glb->samplers};
+    struct text *texts[] = {&glb->nodes, &glb->meshes,   &glb->materials, &glb->accessors,
+                            &glb->views, &glb->cameras,  &glb->lights,    &glb->binary,
+                            &glb->skins, &glb->channels, &glb->samplers};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
         free(texts[i]->data);
     free(glb->hierarchy);
@@ -328,14 +309,14 @@ void glb_add_point_light(struct glb *glb, const float position[3], double intens
 
 /* --- the file --------------------------------------------------------------------------------- */
 
-static void append_array(struct glb_text *json, const char *name, const struct glb_text *elements) {
+static void append_array(struct text *json, const char *name, const struct text *elements) {
     text_print(json, ",\n\"%s\":[", name);
     text_append(json, elements->data, elements->length);
     text_append(json, "]", 1);
 }
 
 /* The nodes, each with those that hang on it. */
-static void append_nodes(const struct glb *glb, struct glb_text *json) {
+static void append_nodes(const struct glb *glb, struct text *json) {
     text_print(json, ",\n\"nodes\":[");
     for (int i = 0; i < glb->node_count; i++) {
         /* Up to the closing brace: ",\n" divides nodes. */
@@ -352,7 +333,7 @@ static void append_nodes(const struct glb *glb, struct glb_text *json) {
     text_append(json, "]", 1);
 }
 
-static void append_motion(const struct glb *glb, struct glb_text *json) {
+static void append_motion(const struct glb *glb, struct text *json) {
     if (glb->skin_count)
         append_array(json, "skins", &glb->skins);
     if (!glb->channel_count)
@@ -363,7 +344,7 @@ static void append_motion(const struct glb *glb, struct glb_text *json) {
     text_print(json, "}]");
 }
 
-static void compose_json(const struct glb *glb, struct glb_text *json) {
+static void compose_json(const struct glb *glb, struct text *json) {
     text_print(json, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"manylight make_scenes\"},\n"
                      "\"extensionsUsed\":[\"KHR_lights_punctual\"],\n"
                      "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[");
@@ -385,13 +366,13 @@ static void compose_json(const struct glb *glb, struct glb_text *json) {
 }
 
 /* GLB is little endian, as are the machines this is built for. */
-static void append_words(struct glb_text *file, uint32_t a, uint32_t b) {
+static void append_words(struct text *file, uint32_t a, uint32_t b) {
     text_append(file, &a, 4);
     text_append(file, &b, 4);
 }
 
-static void compose_file(const struct glb *glb, struct glb_text *file) {
-    struct glb_text json = {0};
+static void compose_file(const struct glb *glb, struct text *file) {
+    struct text json = {0};
     compose_json(glb, &json);
     uint32_t total = (uint32_t)(12 + 8 + json.length + 8 + glb->binary.length);
     append_words(file, GLB_MAGIC, 2);
@@ -403,21 +384,16 @@ static void compose_file(const struct glb *glb, struct glb_text *file) {
     free(json.data);
 }
 
-static bool file_holds(const char *path, const struct glb_text *text) {
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return false;
-    /* One byte more than wanted shows a longer file. */
-    char *bytes = mem_alloc(text->length + 1, 1);
-    size_t got = fread(bytes, 1, text->length + 1, file);
-    bool same = got == text->length && memcmp(bytes, text->data, got) == 0;
-    free(bytes);
-    fclose(file);
+static bool file_holds(const char *path, const struct text *text) {
+    struct file_bytes bytes;
+    bool same = file_read(&bytes, path) && bytes.size == text->length &&
+                memcmp(bytes.data, text->data, bytes.size) == 0;
+    free(bytes.data);
     return same;
 }
 
 /* Written beside under a name of this process and renamed: two builds may run at once. */
-static bool write_whole(const char *path, const struct glb_text *text) {
+static bool write_whole(const char *path, const struct text *text) {
     char *beside = mem_printf("%s.%ld.new", path, (long)getpid());
     FILE *file = fopen(beside, "wb");
     bool ok = file && fwrite(text->data, 1, text->length, file) == text->length;
@@ -433,7 +409,7 @@ static bool write_whole(const char *path, const struct glb_text *text) {
 }
 
 bool glb_write(const struct glb *glb, const char *path) {
-    struct glb_text file = {0};
+    struct text file = {0};
     compose_file(glb, &file);
     bool ok = file_holds(path, &file) || write_whole(path, &file);
     free(file.data);

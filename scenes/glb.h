@@ -6,23 +6,19 @@
 #ifndef SCENES_GLB_H
 #define SCENES_GLB_H
 
+#include "base/text.h"
 #include "scene/shapes/surface.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-struct glb_text {
-    char *data;
-    size_t length, capacity;
-};
-
 struct glb {
     const char *name;
     /* JSON arrays in the making, without their brackets. */
-    struct glb_text nodes, meshes, materials, accessors, views, cameras, lights, skins;
-    struct glb_text channels, samplers; /* of the one animation */
-    struct glb_text binary;
+    struct text nodes, meshes, materials, accessors, views, cameras, lights, skins;
+    struct text channels, samplers; /* of the one animation */
+    struct text binary;
     int node_count, mesh_count, material_count, accessor_count, view_count, camera_count,
         light_count, skin_count, channel_count, sampler_count;
     struct glb_node {

@@ -1,30 +1,12 @@
 #include "apps/bench_csv.h"
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/memory.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static char *read_file(const char *path) {
-    FILE *file = fopen(path, "rb");
-    if (!file) {
-        error_set("cannot open %s: %s", path, strerror(errno));
-        return NULL;
-    }
-    char *text = NULL;
-    size_t size = 0, got;
-    do {
-        text = mem_resize(text, size + 65537, 1);
-        got = fread(text + size, 1, 65536, file);
-        size += got;
-    } while (got > 0);
-    text[size] = '\0';
-    fclose(file);
-    return text;
-}
 
 /* Ends the cell at *at with a zero, quotes undone, and moves on. Returns whether its row ends. */
 static bool cut_cell(char **at) {
@@ -42,7 +24,7 @@ static bool cut_cell(char **at) {
 }
 
 bool csv_read(struct csv *csv, const char *path) {
-    *csv = (struct csv){.text = read_file(path)};
+    *csv = (struct csv){.text = file_read_text(path)};
     if (!csv->text)
         return false;
     int count = 0, capacity = 0, in_row = 0;

@@ -1,6 +1,6 @@
-#define _POSIX_C_SOURCE 199309L
 #include "apps/bench_measure.h"
 
+#include "base/clock.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "base/memory.h"
@@ -10,7 +10,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 /* Of the difference between timers and clock, over the clock: above it something is wrong. */
 static const double clock_tolerance = .2;
@@ -22,12 +21,6 @@ struct bench_protocol bench_protocol_of(bool software) {
         .burst = software ? 1 : 8,
         .software = software,
     };
-}
-
-static double now_ms(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
 }
 
 bool bench_case_start(struct renderer *renderer, const struct bench_case *prepared,
@@ -71,11 +64,11 @@ static void samples_free(struct samples *samples) {
 static double clocked_frames(struct renderer *renderer, int frames) {
     renderer->timers.enabled = false;
     gl.Finish();
-    double start = now_ms();
+    double start = clock_ms();
     for (int i = 0; i < frames; i++)
         renderer_render(renderer);
     gl.Finish();
-    double ms = (now_ms() - start) / frames;
+    double ms = (clock_ms() - start) / frames;
     renderer->timers.enabled = true;
     return ms;
 }

@@ -1,27 +1,21 @@
 #define _POSIX_C_SOURCE 200809L
 #include "apps/progress.h"
 
+#include "base/clock.h"
 #include "base/log.h"
 
 #include <stdio.h>
-#include <time.h>
 #include <unistd.h>
 
 static const double seconds_between_lines = 0.2;
 
-static double now(void) {
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
-
 void progress_start(struct progress *progress) {
     progress->shown = isatty(STDERR_FILENO) && log_get_level() > LOG_QUIET;
-    progress->start = progress->last = now();
+    progress->start = progress->last = clock_ms() / 1e3;
 }
 
 void progress_show(struct progress *progress, double done, const char *note) {
-    double time = now(), elapsed = time - progress->start;
+    double time = clock_ms() / 1e3, elapsed = time - progress->start;
     if (!progress->shown || time - progress->last < seconds_between_lines || done <= 0)
         return;
     progress->last = time;
@@ -32,5 +26,5 @@ void progress_show(struct progress *progress, double done, const char *note) {
 double progress_end(struct progress *progress) {
     if (progress->shown)
         fprintf(stderr, "\r\033[K");
-    return now() - progress->start;
+    return clock_ms() / 1e3 - progress->start;
 }

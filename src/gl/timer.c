@@ -1,16 +1,10 @@
-#define _POSIX_C_SOURCE 199309L
 #include "gl/timer.h"
+
+#include "base/clock.h"
 
 #include <assert.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
-
-static double now_ms(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
-}
 
 void timers_init(struct timers *timers, bool enabled, bool software) {
     *timers = (struct timers){.enabled = enabled, .finish = software};
@@ -95,7 +89,7 @@ void timer_begin(struct timers *timers, const char *name) {
     struct timer_open open = {find_or_add(timers, name), -1};
     if (timers->finish) {
         gl.Finish();
-        timers->started[open.timer] = now_ms();
+        timers->started[open.timer] = clock_ms();
     } else {
         open.span = begin_span(&timers->ring[timers->slot], open.timer);
     }
@@ -115,7 +109,7 @@ void timer_end(struct timers *timers) {
         struct timer_open open = timers->stack[--timers->stack_size];
         if (timers->finish) {
             gl.Finish();
-            timers->elapsed[open.timer] += now_ms() - timers->started[open.timer];
+            timers->elapsed[open.timer] += clock_ms() - timers->started[open.timer];
         } else if (open.span >= 0) {
             gl.QueryCounter(timers->ring[timers->slot].queries[2 * open.span + 1], GL_TIMESTAMP);
         }

@@ -2,16 +2,10 @@
 #ifndef SCENE_GLTF_FILE_H
 #define SCENE_GLTF_FILE_H
 
+#include "base/file.h"
+
 #include <stdbool.h>
 #include <stddef.h>
-
-struct file_bytes {
-    unsigned char *data; /* free() frees */
-    size_t size;
-};
-
-/* Reads a whole regular file of less than 4 GiB. Error: names the path and the reason. */
-bool file_read(struct file_bytes *bytes, const char *path);
 
 /* Reads a file that a glTF names by a relative path. folder is "" or ends in a slash. A name that
  * leads out of the folder is refused, be it by ".." or by a symbolic link. */

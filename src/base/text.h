@@ -1,0 +1,17 @@
+/* Text that grows at its end, in time proportional to its length. */
+#ifndef BASE_TEXT_H
+#define BASE_TEXT_H
+
+#include <stddef.h>
+
+/* Zeroed: empty. data is NULL until something is appended, then ends in a zero that length does not
+ * count. free(data) frees. */
+struct text {
+    char *data;
+    size_t length, capacity;
+};
+
+void text_append(struct text *text, const void *bytes, size_t size);
+void text_print(struct text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+#endif
