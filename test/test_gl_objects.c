@@ -39,9 +39,12 @@ static void write_shader(const char *name, const char *text) {
 
 static int use_shader_folder(void **state) {
     (void)state;
-    char lib[640];
-    snprintf(lib, sizeof lib, "%s/lib", shader_folder());
-    mkdir(lib, 0777);
+    char path[640];
+    static const char *const folders[] = {"lib", "../src", "../src/techniques", "../src/direct"};
+    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
+        snprintf(path, sizeof path, "%s/%s", shader_folder(), folders[i]);
+        mkdir(path, 0777);
+    }
     glsl_set_folder(shader_folder());
     return 0;
 }
@@ -68,14 +71,81 @@ static void test_includes(void **state) {
     assert_int_equal(source.file_count, 3);
     assert_string_equal(source.files[0], "main.frag");
     assert_string_equal(source.files[1], "lib/a.glsl");
-    /* Each file once, below its defines. */
-    const char *head = "#version 450 core\n#define ONE 1\n#define TWO 2\n#line 1\n";
+    /* Below its defines, and each file's own below what it includes. */
+    const char *head = "#version 450 core\n#define ONE 1\n#define TWO 2\n";
     assert_memory_equal(source.text, head, strlen(head));
     const char *b = strstr(source.text, "int b;"), *a = strstr(source.text, "int a;");
     assert_true(b && a && b < a && a < strstr(source.text, "int own;"));
-    assert_null(strstr(b + 1, "int b;"));
     assert_null(strstr(source.text, "#include"));
     glsl_free(&source);
+}
+
+/* In a context of its own, as the driver also tells the debug log. */
+static void expect_compile_error(void **state, const char *fragment, const char *part) {
+    GLuint program;
+    struct context *context = open_context(CONTEXT_AUTO);
+    write_shader("triangle.vert", "void main() { gl_Position = vec4(0.0); }\n");
+    write_shader("main.frag", fragment);
+    struct program_desc desc = {.vertex = "triangle.vert", .fragment = "main.frag"};
+    assert_false(program_init(&program, &desc));
+    expect_error("shader main.frag does not compile");
+    expect_error(part);
+    assert_int_equal(program, 0);
+    program_free(&program);
+    context_free(context);
+    context_make_current(*state);
+}
+
+static void expect_compiles(const char *fragment) {
+    GLuint program;
+    write_shader("triangle.vert", "void main() { gl_Position = vec4(0.0); }\n");
+    write_shader("main.frag", fragment);
+    struct program_desc desc = {.vertex = "triangle.vert", .fragment = "main.frag"};
+    check_ok("program", program_init(&program, &desc));
+    program_free(&program);
+}
+
+/* What is included twice is there once, be it also hidden by an #if or included by itself. */
+static void test_once(void **state) {
+    (void)state;
+    write_shader("lib/a.glsl", "#include \"lib/b.glsl\"\nfloat a() { return b(); }\n");
+    write_shader("lib/b.glsl", "#include \"lib/b.glsl\"\nfloat b() { return 1.0; }\n");
+    expect_compiles("#include \"lib/a.glsl\"\n#include \"lib/b.glsl\"\n"
+                    "void main() { a(), b(); }\n");
+    expect_compiles("#if 0\n#include \"lib/b.glsl\"\n#endif\n#include \"lib/a.glsl\"\n"
+                    "void main() { a(); }\n");
+}
+
+/* Lines keep their numbers behind what the compiler skips. */
+static void test_skipped_lines(void **state) {
+    write_shader("lib/a.glsl", "#include \"lib/b.glsl\"\nfloat a() { return b(); }\n");
+    write_shader("lib/b.glsl", "float b() { return 1.0; }\n\n\n");
+    expect_compile_error(state,
+                         "#if 0\n#include \"lib/a.glsl\"\n#endif\n"
+                         "void main() { wrong = 1; }\n",
+                         "main.frag:4");
+    expect_compile_error(state,
+                         "#if 0\n#include \"lib/a.glsl\"\n # else\n"
+                         "void main() { wrong = 1; }\n#endif\n",
+                         "main.frag:4");
+    expect_compile_error(state,
+                         "#if 0\n#include \"lib/a.glsl\"\n#elif 1\n"
+                         "void main() { wrong = 1; }\n#endif\n",
+                         "main.frag:4");
+    expect_compile_error(state,
+                         "#include \"lib/b.glsl\"\n#include \"lib/a.glsl\"\n"
+                         "void main() { wrong = 1; }\n",
+                         "main.frag:3");
+}
+
+/* A technique's shaders are in its folder, beside the shaders' own. */
+static void test_owned_shaders(void **state) {
+    (void)state;
+    write_shader("lib/b.glsl", "float b() { return 1.0; }\n");
+    write_shader("../src/techniques/a.glsl", "float a() { return b(); }\n");
+    write_shader("../src/direct/c.glsl", "float c() { return b(); }\n");
+    expect_compiles("#include \"lib/b.glsl\"\n#include \"techniques/a.glsl\"\n"
+                    "#include \"direct/c.glsl\"\nvoid main() { a(), c(); }\n");
 }
 
 static void test_missing_include(void **state) {
@@ -91,22 +161,11 @@ static void test_missing_include(void **state) {
     expect_error("no shader file 'nowhere.frag' is embedded");
 }
 
-/* A mistake in an included file is told by that file's name and line. In a context of its own, as
- * the driver also tells the debug log. */
+/* A mistake in an included file is told by that file's name and line. */
 static void test_messages(void **state) {
-    GLuint program;
-    struct context *context = open_context(CONTEXT_AUTO);
-    write_shader("triangle.vert", "void main() { gl_Position = vec4(0.0); }\n");
-    write_shader("main.frag", "#include \"lib/wrong.glsl\"\nvoid main() {}\n");
     write_shader("lib/wrong.glsl", "int fine;\nint wrong = nothing;\n");
-    assert_false(program_init(
-        &program, &(struct program_desc){.vertex = "triangle.vert", .fragment = "main.frag"}));
-    expect_error("shader main.frag does not compile");
-    expect_error("lib/wrong.glsl:2");
-    assert_int_equal(program, 0);
-    program_free(&program);
-    context_free(context);
-    context_make_current(*state);
+    expect_compile_error(state, "#include \"lib/wrong.glsl\"\nvoid main() {}\n",
+                         "lib/wrong.glsl:2");
 }
 
 /* What other drivers write. */
@@ -294,6 +353,11 @@ static void test_disabled(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_includes, use_shader_folder, use_embedded_shaders),
+        cmocka_unit_test_setup_teardown(test_once, use_shader_folder, use_embedded_shaders),
+        cmocka_unit_test_setup_teardown(test_skipped_lines, use_shader_folder,
+                                        use_embedded_shaders),
+        cmocka_unit_test_setup_teardown(test_owned_shaders, use_shader_folder,
+                                        use_embedded_shaders),
         cmocka_unit_test_setup_teardown(test_missing_include, use_shader_folder,
                                         use_embedded_shaders),
         cmocka_unit_test_setup_teardown(test_messages, use_shader_folder, use_embedded_shaders),

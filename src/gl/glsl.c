@@ -1,10 +1,11 @@
 #include "gl/glsl.h"
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include "gl/glsl_embedded.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,24 +17,6 @@ void glsl_set_folder(const char *folder) {
     source_folder = folder;
 }
 
-static char *read_whole(const char *path) {
-    FILE *file = fopen(path, "rb");
-    if (!file) {
-        error_set("cannot open %s: %s", path, strerror(errno));
-        return NULL;
-    }
-    char *text = NULL;
-    size_t size = 0, got;
-    do {
-        text = mem_resize(text, size + 4096 + 1, 1);
-        got = fread(text + size, 1, 4096, file);
-        size += got;
-    } while (got == 4096);
-    text[size] = '\0';
-    fclose(file);
-    return text;
-}
-
 /* What belongs to one technique or direct method lies in its folder of src/. */
 static char *path_of(const char *name) {
     bool owned = strncmp(name, "techniques/", 11) == 0 || strncmp(name, "direct/", 7) == 0;
@@ -42,7 +25,7 @@ static char *path_of(const char *name) {
 
 static char *read_file(const char *name) {
     if (source_folder) {
-        char *path = path_of(name), *text = read_whole(path);
+        char *path = path_of(name), *text = file_read_text(path);
         free(path);
         return text;
     }
@@ -53,22 +36,9 @@ static char *read_file(const char *name) {
     return NULL;
 }
 
-static void append(char **text, const char *more, size_t length) {
-    size_t old = strlen(*text);
-    *text = mem_resize(*text, old + length + 1, 1);
-    memcpy(*text + old, more, length);
-    (*text)[old + length] = '\0';
-}
-
 /* Line n of file f is told to drivers as line f * LINES_PER_FILE + n of one file: #line's own
  * source number is lost in Mesa's messages about all but syntax. */
 enum { LINES_PER_FILE = 100000 };
-
-static void append_line_directive(char **text, int line, int file) {
-    char directive[48];
-    int length = snprintf(directive, sizeof directive, "#line %d\n", file * LINES_PER_FILE + line);
-    append(text, directive, (size_t)length);
-}
 
 /* Whether the line is #include "NAME"; NAME then goes into name. */
 static bool parse_include(const char *line, char *name, size_t size) {
@@ -80,48 +50,93 @@ static bool parse_include(const char *line, char *name, size_t size) {
     return true;
 }
 
-static bool expand(struct glsl_source *source, const char *name) {
+/* Whether the line may end a group that the compiler skips, and skips #line in as well. */
+static bool ends_group(const char *line) {
+    line += strspn(line, " \t");
+    if (*line++ != '#')
+        return false;
+    line += strspn(line, " \t");
+    return strncmp(line, "el", 2) == 0 || strncmp(line, "endif", 5) == 0;
+}
+
+/* A source in the making. */
+struct writer {
+    struct glsl_source *source;
+    struct text text;
+    bool open[GLSL_FILES_MAX]; /* the file is begun and not ended */
+};
+
+static void tell_place(struct writer *writer, int file, int line) {
+    text_print(&writer->text, "#line %d\n", file * LINES_PER_FILE + line);
+}
+
+/* The file's number, by the order of first lines; -1: there are too many. */
+static int number_of(struct glsl_source *source, const char *name) {
     for (int i = 0; i < source->file_count; i++)
         if (strcmp(source->files[i], name) == 0)
-            return true; /* once is enough: as #pragma once */
-    if (source->file_count == GLSL_FILES_MAX)
-        return error_set("more than %d shader files in one", GLSL_FILES_MAX);
-    char *text = read_file(name);
-    if (!text)
-        return false;
-    int number = source->file_count++, line_number = 0;
-    source->files[number] = mem_strdup(name);
-    append_line_directive(&source->text, 1, number);
-    bool ok = true;
-    for (const char *line = text, *end; ok && *line; line = end) {
+            return i;
+    if (source->file_count == GLSL_FILES_MAX) {
+        error_set("more than %d shader files in one", GLSL_FILES_MAX);
+        return -1;
+    }
+    source->files[source->file_count] = mem_strdup(name);
+    return source->file_count++;
+}
+
+static bool write_file(struct writer *writer, const char *name);
+
+static bool write_lines(struct writer *writer, int number, const char *text) {
+    const char *name = writer->source->files[number];
+    int line_number = 0;
+    for (const char *line = text, *end; *line; line = end) {
         line_number++;
         end = line + strcspn(line, "\n");
         end += *end == '\n';
         char included[128];
-        if (parse_include(line, included, sizeof included)) {
-            ok = expand(source, included) || error_prefix("%s:%d", name, line_number);
-            append_line_directive(&source->text, line_number + 1, number);
-        } else {
-            append(&source->text, line, (size_t)(end - line));
-        }
+        bool includes = parse_include(line, included, sizeof included);
+        if (includes && !write_file(writer, included))
+            return error_prefix("%s:%d", name, line_number);
+        if (!includes)
+            text_append(&writer->text, line, (size_t)(end - line));
+        if (includes || ends_group(line))
+            tell_place(writer, number, line_number + 1);
     }
+    return true;
+}
+
+/* A file is written wherever it is included, for the compiler to skip all but the first that no
+ * #if hides: what the loader reads it cannot know. */
+static bool write_file(struct writer *writer, const char *name) {
+    int number = number_of(writer->source, name);
+    if (number < 0 || writer->open[number])
+        return number >= 0;
+    char *text = read_file(name);
+    if (!text)
+        return false;
+    writer->open[number] = true;
+    text_print(&writer->text, "#ifndef INCLUDED_%d\n#define INCLUDED_%d\n", number, number);
+    tell_place(writer, number, 1);
+    bool ok = write_lines(writer, number, text);
+    text_print(&writer->text, "#endif\n");
+    writer->open[number] = false;
     free(text);
     return ok;
 }
 
 bool glsl_load(struct glsl_source *source, const char *file, const char *defines) {
-    *source = (struct glsl_source){.text = mem_strdup("#version 450 core\n")};
+    *source = (struct glsl_source){0};
+    struct writer writer = {.source = source};
+    text_print(&writer.text, "#version 450 core\n");
     for (const char *define = defines ? defines : ""; *define;) {
-        size_t length = strcspn(define, ";");
-        append(&source->text, "#define ", 8);
-        append(&source->text, define, length);
-        append(&source->text, "\n", 1);
+        int length = (int)strcspn(define, ";");
+        text_print(&writer.text, "#define %.*s\n", length, define);
         define += length + (define[length] == ';');
     }
-    if (expand(source, file))
-        return true;
-    glsl_free(source);
-    return false;
+    bool ok = write_file(&writer, file);
+    source->text = writer.text.data;
+    if (!ok)
+        glsl_free(source);
+    return ok;
 }
 
 void glsl_free(struct glsl_source *source) {
@@ -146,19 +161,18 @@ static int parse_place(const char *line, const char **rest) {
 }
 
 char *glsl_explain(const struct glsl_source *source, const char *message) {
-    char *explained = mem_strdup("");
+    struct text explained = {0};
+    text_append(&explained, "", 0);
     for (const char *line = message, *end; *line; line = end) {
         end = line + strcspn(line, "\n");
         end += *end == '\n';
         const char *rest;
         int number = parse_place(line, &rest), file = number / LINES_PER_FILE;
         if (number >= 0 && file < source->file_count) {
-            char *place = mem_printf("%s:%d", source->files[file], number % LINES_PER_FILE);
-            append(&explained, place, strlen(place));
-            free(place);
+            text_print(&explained, "%s:%d", source->files[file], number % LINES_PER_FILE);
             line = rest;
         }
-        append(&explained, line, (size_t)(end - line));
+        text_append(&explained, line, (size_t)(end - line));
     }
-    return explained;
+    return explained.data;
 }
