@@ -4,7 +4,7 @@
 
 #include "support.h"
 
-#include "apps/stage.h"
+#include "measure/stage.h"
 #include "gl/context.h"
 #include "reference/ray_scene.h"
 #include "renderer/renderer.h"

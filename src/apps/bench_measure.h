@@ -4,7 +4,7 @@
 #define APPS_BENCH_MEASURE_H
 
 #include "apps/bench_case.h"
-#include "apps/stage.h"
+#include "measure/stage.h"
 #include "renderer/renderer.h"
 
 struct bench_protocol {

@@ -1,6 +1,6 @@
 #include "apps/bench_picture.h"
 
-#include "apps/vpl_trace.h"
+#include "measure/vpl_trace.h"
 
 bool bench_picture_render(const struct bench_case *prepared, const struct stage *stage,
                           bool software, struct image *image) {

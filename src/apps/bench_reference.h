@@ -6,7 +6,7 @@
 #ifndef APPS_BENCH_REFERENCE_H
 #define APPS_BENCH_REFERENCE_H
 
-#include "apps/stage.h"
+#include "measure/stage.h"
 #include "base/image.h"
 
 enum bench_reference_kind {

@@ -3,9 +3,9 @@
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/context_options.h"
-#include "apps/progress.h"
-#include "apps/stage.h"
-#include "apps/vpl_trace.h"
+#include "measure/progress.h"
+#include "measure/stage.h"
+#include "measure/vpl_trace.h"
 
 #include "base/error.h"
 #include "base/image_file.h"

@@ -4,8 +4,8 @@
 #include "apps/arguments.h"
 #include "apps/context_options.h"
 #include "apps/frames.h"
-#include "apps/progress.h"
-#include "apps/stage.h"
+#include "measure/progress.h"
+#include "measure/stage.h"
 #include "apps/stats.h"
 
 #include "base/error.h"

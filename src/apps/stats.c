@@ -1,29 +1,9 @@
 #include "apps/stats.h"
 
-#include "base/memory.h"
 #include "gl/memory.h"
-#include "shared/vpl.h"
+#include "measure/lights.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-
-/* VPLs that met something, and VALs that have one. */
-static void count_lights(const struct vpl_buffer *vpls, int val_count, int *lit, int *used) {
-    struct vpl *all = mem_alloc((size_t)vpls->count, sizeof *all);
-    bool *seen = mem_alloc((size_t)val_count, sizeof *seen);
-    buffer_read(&vpls->buffer, 0, (size_t)vpls->count * sizeof *all, all);
-    *lit = *used = 0;
-    for (int i = 0; i < vpls->count; i++) {
-        if (all[i].flux[3] <= 0)
-            continue;
-        (*lit)++;
-        int val = (int)all[i].position[3];
-        *used += !seen[val];
-        seen[val] = true;
-    }
-    free(all);
-    free(seen);
-}
 
 static void print_times(struct timers *timers) {
     timers_flush(timers);
@@ -42,15 +22,14 @@ static void print_times(struct timers *timers) {
 }
 
 void stats_print(struct renderer *renderer) {
-    const struct settings *settings = &renderer->desc.settings;
-    struct technique_outputs outputs;
-    renderer_outputs(renderer, &outputs);
-    int lit, used, vals = outputs.val_views ? settings->val_count : 1;
-    count_lights(outputs.vpls, vals, &lit, &used);
+    struct lights lights;
     printf("faces  %u\n", geometry_triangle_count(renderer->desc.geometry));
-    printf("VPLs   %d, of which %d emit\n", settings->vpl_count, lit);
-    if (outputs.val_views)
-        printf("VALs   %d, of which %d in use\n", vals, used);
+    if (lights_read(&lights, renderer)) {
+        printf("VPLs   %d, of which %d emit\n", lights.vpl_count, lights.lit);
+        if (lights.val_count)
+            printf("VALs   %d, of which %d in use\n", lights.val_count, lights.used);
+        lights_free(&lights);
+    }
     printf("GPU memory\n");
     gpu_memory_print(stdout);
     printf("time per pass\n");

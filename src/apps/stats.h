@@ -4,7 +4,8 @@
 
 #include "renderer/renderer.h"
 
-/* Faces, VPLs, VALs in use, GPU memory by object, ms per pass of the last frame, on stdout. */
+/* Faces, VPLs and VALs in use where there are any, GPU memory by object, ms per pass of the last
+ * frame, on stdout. */
 void stats_print(struct renderer *renderer);
 
 #endif

@@ -3,7 +3,8 @@
 
 #include "apps/bench_plot.h"
 #include "apps/bench_reference.h"
-#include "apps/progress.h"
+#include "measure/lights.h"
+#include "measure/progress.h"
 
 #include "base/error.h"
 #include "base/memory.h"
@@ -45,8 +46,7 @@ struct track {
     struct bench_case prepared;
     struct renderer renderer;
     struct image image, before;
-    struct vpl *vpls, *vpls_before;
-    float (*centers)[4], (*centers_before)[4];
+    struct lights lights, lights_before; /* zeroed where the technique has none */
     struct temporal_frame *frames;
 };
 
@@ -56,14 +56,8 @@ static bool track_start(struct track *track, const struct bench_values *values,
     if (!bench_prepare(&track->prepared, values, stage, variant) ||
         !bench_case_start(&track->renderer, &track->prepared, stage, software))
         return false;
-    size_t vpls = (size_t)track->prepared.settings.vpl_count;
-    size_t vals = (size_t)track->prepared.settings.val_count;
     track->renderer.timers.enabled = false;
     track->frames = mem_alloc((size_t)frames, sizeof *track->frames);
-    track->vpls = mem_alloc(vpls, sizeof *track->vpls);
-    track->vpls_before = mem_alloc(vpls, sizeof *track->vpls);
-    track->centers = mem_alloc(vals, sizeof *track->centers);
-    track->centers_before = mem_alloc(vals, sizeof *track->centers);
     return true;
 }
 
@@ -71,10 +65,8 @@ static void track_free(struct track *track) {
     renderer_free(&track->renderer);
     image_free(&track->image);
     image_free(&track->before);
-    free(track->vpls);
-    free(track->vpls_before);
-    free(track->centers);
-    free(track->centers_before);
+    lights_free(&track->lights);
+    lights_free(&track->lights_before);
     free(track->frames);
 }
 
@@ -106,72 +98,35 @@ static double excess_change(const struct track *f, const int of_f[3], const stru
     return sum / (3. * f->image.width * f->image.height);
 }
 
-static int count_vals(const struct track *track) {
-    int used = 0, count = track->prepared.settings.val_count;
-    bool *seen = mem_alloc((size_t)count, sizeof *seen);
-    for (int i = 0; i < track->prepared.settings.vpl_count; i++) {
-        int val = (int)track->vpls[i].position[3];
-        if (track->vpls[i].flux[3] <= 0 || seen[val])
-            continue;
-        seen[val] = true;
-        used++;
-    }
-    free(seen);
-    return used;
-}
-
-/* Positions whose fourth number tells that they count in both frames. */
-static double mean_travel(float (*now)[4], float (*before)[4], int count) {
+static double vpl_travel(const struct lights *now, const struct lights *before) {
     double sum = 0;
     int counted = 0;
-    for (int i = 0; i < count; i++)
-        if (now[i][3] > 0 && before[i][3] > 0) {
-            sum += (double)glm_vec3_distance(now[i], before[i]);
+    for (int i = 0; i < now->vpl_count; i++)
+        if (now->vpls[i].flux[3] > 0 && before->vpls[i].flux[3] > 0) {
+            sum += (double)glm_vec3_distance(now->vpls[i].position, before->vpls[i].position);
             counted++;
         }
     return counted ? sum / counted : 0;
 }
 
-static double vpl_travel(const struct track *track) {
-    int count = track->prepared.settings.vpl_count;
-    float(*places)[4] = mem_alloc(2 * (size_t)count, sizeof *places);
-    for (int i = 0; i < count; i++) {
-        const struct vpl *now = &track->vpls[i], *before = &track->vpls_before[i];
-        glm_vec3_copy((float *)now->position, places[i]);
-        glm_vec3_copy((float *)before->position, places[count + i]);
-        places[i][3] = now->flux[3];
-        places[count + i][3] = before->flux[3];
-    }
-    double travel = mean_travel(places, places + count, count);
-    free(places);
-    return travel;
+static double val_travel(const struct lights *now, const struct lights *before) {
+    double sum = 0;
+    int counted = 0;
+    for (int i = 0; i < now->val_count; i++)
+        if (now->centers[i][3] > 0 && before->centers[i][3] > 0) {
+            sum += (double)glm_vec3_distance(now->centers[i], before->centers[i]);
+            counted++;
+        }
+    return counted ? sum / counted : 0;
 }
 
 static void swap_frames(struct track *track) {
-    struct image image = track->before;
-    struct vpl *vpls = track->vpls_before;
-    float(*centers)[4] = track->centers_before;
-    image_free(&image);
+    image_free(&track->before);
+    lights_free(&track->lights_before);
     track->before = track->image;
+    track->lights_before = track->lights;
     track->image = (struct image){0};
-    track->vpls_before = track->vpls;
-    track->vpls = vpls;
-    track->centers_before = track->centers;
-    track->centers = centers;
-}
-
-static void read_lights(struct track *track, struct temporal_frame *frame) {
-    const struct settings *settings = &track->prepared.settings;
-    struct technique_outputs outputs;
-    renderer_outputs(&track->renderer, &outputs);
-    buffer_read(&outputs.vpls->buffer, 0, (size_t)settings->vpl_count * sizeof *track->vpls,
-                track->vpls);
-    if (!outputs.val_positions)
-        return;
-    size_t bytes = (size_t)settings->val_count * sizeof *track->centers;
-    gl.GetTextureImage(outputs.val_positions->id, 0, GL_RGBA, GL_FLOAT, (GLsizei)bytes,
-                       track->centers);
-    frame->vals = count_vals(track);
+    track->lights = (struct lights){0};
 }
 
 static bool track_frame(struct track *track, const struct stage *stage, int index, double time) {
@@ -181,12 +136,11 @@ static bool track_frame(struct track *track, const struct stage *stage, int inde
     if (!renderer_update(&track->renderer, &stage->light, &stage->camera))
         return false;
     renderer_render(&track->renderer);
-    read_lights(track, frame);
+    lights_read(&track->lights, &track->renderer);
+    frame->vals = track->lights.used;
     if (index > 0) {
-        frame->light_travel = vpl_travel(track);
-        frame->center_travel = frame->vals ? mean_travel(track->centers, track->centers_before,
-                                                         track->prepared.settings.val_count)
-                                           : 0;
+        frame->light_travel = vpl_travel(&track->lights, &track->lights_before);
+        frame->center_travel = val_travel(&track->lights, &track->lights_before);
     }
     return renderer_read_layers(&track->renderer, &track->image);
 }

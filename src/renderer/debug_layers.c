@@ -15,13 +15,12 @@
 #include <string.h>
 
 static const struct debug_row {
-    const char *name, *channels;
-    bool needs_vals;
+    const char *name, *channels, *needs;
 } rows[DEBUG_LAYER_COUNT] = {
-    [DEBUG_GATHERED] = {"gathered", "gathered.R gathered.G gathered.B", false},
-    [DEBUG_VAL] = {"val", "val.R val.G val.B", true},
-    [DEBUG_VISIBILITY] = {"visibility", "visibility.Y", true},
-    [DEBUG_VPL] = {"vpl", "vpl.R vpl.G vpl.B", false},
+    [DEBUG_GATHERED] = {"gathered", "gathered.R gathered.G gathered.B", "gather"},
+    [DEBUG_VAL] = {"val", "val.R val.G val.B", "VALs"},
+    [DEBUG_VISIBILITY] = {"visibility", "visibility.Y", "VALs"},
+    [DEBUG_VPL] = {"vpl", "vpl.R vpl.G vpl.B", "VPLs"},
 };
 
 static bool parse_name(unsigned *layers, const char *name, size_t length) {
@@ -46,13 +45,24 @@ bool debug_layers_parse(unsigned *layers, const char *names) {
     }
 }
 
+static bool has(const struct technique_outputs *outputs, enum debug_layer layer) {
+    switch (layer) {
+    case DEBUG_GATHERED:
+        return outputs->gathered;
+    case DEBUG_VPL:
+        return outputs->vpls;
+    default:
+        return outputs->val_views;
+    }
+}
+
 bool debug_layers_check(const struct renderer *renderer, unsigned layers) {
-    struct technique_outputs outputs;
+    struct technique_outputs outputs = {0};
     renderer_outputs(renderer, &outputs);
     for (int i = 0; i < DEBUG_LAYER_COUNT; i++)
-        if (layers >> i & 1 && rows[i].needs_vals && !outputs.val_views)
-            return error_set("layer '%s': technique '%s' has no VALs", rows[i].name,
-                             renderer->technique->name);
+        if (layers >> i & 1 && !has(&outputs, (enum debug_layer)i))
+            return error_set("layer '%s': technique '%s' has no %s", rows[i].name,
+                             renderer->technique->name, rows[i].needs);
     return true;
 }
 

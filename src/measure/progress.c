@@ -1,5 +1,5 @@
 #define _POSIX_C_SOURCE 200809L
-#include "apps/progress.h"
+#include "measure/progress.h"
 
 #include "base/clock.h"
 #include "base/log.h"

@@ -1,7 +1,7 @@
 /* What a picture is taken of: a scene's triangles at one time, one of its cameras, one of its
  * lights. */
-#ifndef APPS_STAGE_H
-#define APPS_STAGE_H
+#ifndef MEASURE_STAGE_H
+#define MEASURE_STAGE_H
 
 #include "scene/camera.h"
 #include "scene/mesh/geometry.h"

@@ -1,4 +1,4 @@
-#include "apps/stage.h"
+#include "measure/stage.h"
 
 #include "scene/animation.h"
 #include "scene/placing.h"

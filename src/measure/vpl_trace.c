@@ -1,10 +1,8 @@
-#include "apps/vpl_trace.h"
+#include "measure/vpl_trace.h"
 
-#include "base/memory.h"
+#include "measure/lights.h"
 #include "passes/gather.h"
 #include "reference/vpl_sum.h"
-
-#include <stdlib.h>
 
 static bool show(void *user, double done) {
     if (user)
@@ -26,19 +24,18 @@ static enum vpl_sum_bound bound_of(const struct settings *settings) {
 bool vpl_trace(struct renderer *renderer, int width, int height, struct progress *progress,
                struct image *image) {
     const struct renderer_desc *desc = &renderer->desc;
-    struct technique_outputs outputs;
-    renderer_outputs(renderer, &outputs);
-    int count = outputs.vpls->count;
-    struct vpl *vpls = mem_alloc((size_t)count, sizeof *vpls);
-    buffer_read(&outputs.vpls->buffer, 0, (size_t)count * sizeof *vpls, vpls);
+    struct lights lights;
+    *image = (struct image){0};
+    if (!lights_read(&lights, renderer))
+        return false;
     float radius = desc->geometry->radius;
     bool ok = vpl_sum_render(
         &(struct vpl_sum_desc){.scene = desc->scene,
                                .geometry = desc->geometry,
                                .camera = &desc->camera,
                                .light = &desc->light,
-                               .vpls = vpls,
-                               .vpl_count = count,
+                               .vpls = lights.vpls,
+                               .vpl_count = lights.vpl_count,
                                .width = width,
                                .height = height,
                                .bound = bound_of(&desc->settings),
@@ -46,6 +43,6 @@ bool vpl_trace(struct renderer *renderer, int width, int height, struct progress
                                .progress = show,
                                .user = progress},
         image);
-    free(vpls);
+    lights_free(&lights);
     return ok;
 }

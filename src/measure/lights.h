@@ -1,0 +1,20 @@
+/* The virtual lights of a renderer's last frame, read back. */
+#ifndef MEASURE_LIGHTS_H
+#define MEASURE_LIGHTS_H
+
+#include "renderer/renderer.h"
+
+struct vpl;
+
+struct lights {
+    struct vpl *vpls;
+    int vpl_count, lit;  /* lit: those that met something */
+    float (*centers)[4]; /* of VALs; the fourth number is above 0 where one has VPLs */
+    int val_count, used; /* 0 = the technique has no VALs; used: those with a lit VPL */
+};
+
+/* Error: names the technique that has no VPLs; the lights are then zeroed. */
+bool lights_read(struct lights *lights, struct renderer *renderer);
+void lights_free(struct lights *lights);
+
+#endif
