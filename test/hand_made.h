@@ -5,7 +5,7 @@
 #include "support.h"
 
 #include "base/memory.h"
-#include "reference/layers.h"
+#include "reference/channels.h"
 #include "reference/path_tracer.h"
 
 #include <cglm/struct.h>

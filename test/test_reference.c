@@ -51,18 +51,18 @@ static void test_light_on_floor(void **state) {
         render(&desc, &image);
         double expected = mean_on_floor(&world, floor_direct);
         /* 65536 stratified samples; the hard edge leaves about a tenth of a thousandth. */
-        check_near(cases[i].what, mean_of(&image, LAYER_DIRECT), expected, 5e-4 * expected);
-        check_near("beauty = albedo x direct", mean_of(&image, LAYER_BEAUTY), 0.5 * expected,
+        check_near(cases[i].what, mean_of(&image, CHANNEL_DIRECT), expected, 5e-4 * expected);
+        check_near("beauty = albedo x direct", mean_of(&image, CHANNEL_BEAUTY), 0.5 * expected,
                    5e-4 * expected);
-        check_near("no bounce asked for", mean_of(&image, LAYER_INDIRECT), 0, 0);
-        check_near("depth", image_at(&image, 16, 16)[LAYER_DEPTH], 4, 1e-5);
-        check_near("normal", image_at(&image, 16, 16)[LAYER_NORMAL + 1], 1, 1e-6);
+        check_near("no bounce asked for", mean_of(&image, CHANNEL_INDIRECT), 0, 0);
+        check_near("depth", image_at(&image, 16, 16)[CHANNEL_DEPTH], 4, 1e-5);
+        check_near("normal", image_at(&image, 16, 16)[CHANNEL_NORMAL + 1], 1, 1e-6);
         image_free(&image);
     }
     place_light(&world, EMITTER_DIRECTIONAL, glms_vec3_zero(), (vec3s){{1, -1, 0}}, 3);
     struct path_tracer_desc desc = describe(&world, 8, 4);
     render(&desc, &image);
-    check_near("directional light", mean_of(&image, LAYER_DIRECT), 3 * sqrt(0.5) / GLM_PI, 1e-6);
+    check_near("directional light", mean_of(&image, CHANNEL_DIRECT), 3 * sqrt(0.5) / GLM_PI, 1e-6);
     image_free(&image);
     world_free(&world);
 }
@@ -81,14 +81,14 @@ static void test_sphere(void **state) {
         struct path_tracer_desc desc = describe(&world, 16, 128);
         desc.bounces = bounces;
         struct path_tracer_progress reached = render(&desc, &image);
-        check_near("direct radiance over albedo", mean_of(&image, LAYER_DIRECT), 1, 1e-3);
+        check_near("direct radiance over albedo", mean_of(&image, CHANNEL_DIRECT), 1, 1e-3);
         for (series = 0, power = 0.5; power > pow(0.5, bounces + 0.5); power /= 2)
             series += power;
-        check_near("bounces", mean_of(&image, LAYER_INDIRECT), series, 1e-3 * series);
-        check_near("partial sum of the series", mean_of(&image, LAYER_BEAUTY), 0.5 * (1 + series),
+        check_near("bounces", mean_of(&image, CHANNEL_INDIRECT), series, 1e-3 * series);
+        check_near("partial sum of the series", mean_of(&image, CHANNEL_BEAUTY), 0.5 * (1 + series),
                    1e-3);
         /* In all pixels: the spread is the noise, and what the facets leave. */
-        check_at_most("spread over the pixels", spread_about(&image, LAYER_INDIRECT, series),
+        check_at_most("spread over the pixels", spread_about(&image, CHANNEL_INDIRECT, series),
                       reached.noise + 1e-3);
         check_at_most("noise", reached.noise, 0.005);
         image_free(&image);
@@ -134,9 +134,10 @@ static void check_one_bounce(struct world *world, const char *what,
     double expected = mean_on_floor(world, expected_at);
     double noise = render(&desc, &image).noise;
     /* The noise of a mean over 256 pixels, three times. */
-    check_near(what, mean_of(&image, LAYER_INDIRECT), expected, (1e-3 + 3 * noise / 16) * expected);
+    check_near(what, mean_of(&image, CHANNEL_INDIRECT), expected,
+               (1e-3 + 3 * noise / 16) * expected);
     check_at_most("that tolerance, relative", 1e-3 + 3 * noise / 16, 4e-3);
-    check_near("the floor has no direct light", mean_of(&image, LAYER_DIRECT), 0, 1e-9);
+    check_near("the floor has no direct light", mean_of(&image, CHANNEL_DIRECT), 0, 1e-9);
     image_free(&image);
 }
 

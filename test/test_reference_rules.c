@@ -47,9 +47,9 @@ static void test_back_of_single_sided(void **state) {
     start_floor(&world);
     add_half_cover(&world, 1, false);
     struct image image = render_floor(&world, 0, 4);
-    check_near("the camera looks through the back", left_pixel(&image)[LAYER_DEPTH], 3, 1e-5);
-    check_near("which casts a shadow", left_pixel(&image)[LAYER_DIRECT], 0, 0);
-    check_near("beside it is light", right_pixel(&image)[LAYER_DIRECT], 1, 1e-6);
+    check_near("the camera looks through the back", left_pixel(&image)[CHANNEL_DEPTH], 3, 1e-5);
+    check_near("which casts a shadow", left_pixel(&image)[CHANNEL_DIRECT], 0, 0);
+    check_near("beside it is light", right_pixel(&image)[CHANNEL_DIRECT], 1, 1e-6);
     image_free(&image);
 }
 
@@ -61,11 +61,11 @@ static void test_back_of_double_sided(void **state) {
     world.materials[1].base_color[0] = 0.25f;
     add_half_cover(&world, 1, false);
     struct image image = render_floor(&world, 0, 4);
-    check_near("the camera sees the back", left_pixel(&image)[LAYER_DEPTH], 2, 1e-5);
-    check_near("lit like a front", left_pixel(&image)[LAYER_DIRECT], 1, 1e-6);
-    check_near("with its normal towards us", left_pixel(&image)[LAYER_NORMAL + 1], 1, 1e-6);
-    check_near("and its albedo", left_pixel(&image)[LAYER_ALBEDO], 0.25, 1e-6);
-    check_near("beauty", left_pixel(&image)[LAYER_BEAUTY], 0.25, 1e-6);
+    check_near("the camera sees the back", left_pixel(&image)[CHANNEL_DEPTH], 2, 1e-5);
+    check_near("lit like a front", left_pixel(&image)[CHANNEL_DIRECT], 1, 1e-6);
+    check_near("with its normal towards us", left_pixel(&image)[CHANNEL_NORMAL + 1], 1, 1e-6);
+    check_near("and its albedo", left_pixel(&image)[CHANNEL_ALBEDO], 0.25, 1e-6);
+    check_near("beauty", left_pixel(&image)[CHANNEL_BEAUTY], 0.25, 1e-6);
     image_free(&image);
 }
 
@@ -82,7 +82,7 @@ static void test_bounce_off_a_back(void **state) {
         /* From below the cover, so that it hides nothing. */
         world.camera.eye[1] = 0.5f;
         struct image image = render_floor(&world, 2, 256);
-        under[kind] = left_pixel(&image)[LAYER_INDIRECT];
+        under[kind] = left_pixel(&image)[CHANNEL_INDIRECT];
         image_free(&image);
     }
     check_near("two bounces under a black back", under[0], 0, 0);
@@ -111,13 +111,13 @@ static void test_alpha_mask(void **state) {
     struct image image = render_floor(&world, 0, 4);
     /* uv (0, 0) is at the lower left of the picture and texel (0, 0) lies there. */
     const float *solid = image_at(&image, 1, 6), *hole = image_at(&image, 6, 6);
-    check_near("solid texel", solid[LAYER_DEPTH], 2, 1e-5);
-    check_near("its albedo is factor x texel", solid[LAYER_ALBEDO], 0.5, 1e-6);
-    check_near("hole", hole[LAYER_DEPTH], 3, 1e-5);
-    check_near("light falls through it", hole[LAYER_DIRECT], 1, 1e-6);
+    check_near("solid texel", solid[CHANNEL_DEPTH], 2, 1e-5);
+    check_near("its albedo is factor x texel", solid[CHANNEL_ALBEDO], 0.5, 1e-6);
+    check_near("hole", hole[CHANNEL_DEPTH], 3, 1e-5);
+    check_near("light falls through it", hole[CHANNEL_DIRECT], 1, 1e-6);
     const float *dark = image_at(&image, 6, 1);
     /* Byte 188 is 0.5029 of linear light. */
-    check_near("sRGB-encoded texel", dark[LAYER_ALBEDO], 0.5 * 0.502886, 1e-5);
+    check_near("sRGB-encoded texel", dark[CHANNEL_ALBEDO], 0.5 * 0.502886, 1e-5);
     image_free(&image);
 
     start_floor(&world);
@@ -125,8 +125,8 @@ static void test_alpha_mask(void **state) {
     add_rectangle(&world, 1, (vec3s){{0, 1, 1}}, (vec3s){{1, 0, 0}}, (vec3s){{0, 0, -1}});
     world.camera.eye[1] = 0.5f;
     image = render_floor(&world, 0, 4);
-    check_near("shadow of the solid", image_at(&image, 1, 6)[LAYER_DIRECT], 0, 0);
-    check_near("light under the hole", image_at(&image, 6, 6)[LAYER_DIRECT], 1, 1e-6);
+    check_near("shadow of the solid", image_at(&image, 1, 6)[CHANNEL_DIRECT], 0, 0);
+    check_near("light under the hole", image_at(&image, 6, 6)[CHANNEL_DIRECT], 1, 1e-6);
     image_free(&image);
 }
 
@@ -146,10 +146,10 @@ static void test_albedo_weighting(void **state) {
     desc.bounces = 1;
     render(&desc, &image);
     const float *pixel = image.pixels;
-    check_near("coverage", pixel[LAYER_ALPHA], 0.75, 1e-3);
-    check_near("mean albedo", pixel[LAYER_ALBEDO], 0.75 * 0.3, 1e-3);
-    check_near("beauty = albedo x (direct + indirect)", pixel[LAYER_BEAUTY],
-               pixel[LAYER_ALBEDO] * (pixel[LAYER_DIRECT] + pixel[LAYER_INDIRECT]), 1e-5);
+    check_near("coverage", pixel[CHANNEL_ALPHA], 0.75, 1e-3);
+    check_near("mean albedo", pixel[CHANNEL_ALBEDO], 0.75 * 0.3, 1e-3);
+    check_near("beauty = albedo x (direct + indirect)", pixel[CHANNEL_BEAUTY],
+               pixel[CHANNEL_ALBEDO] * (pixel[CHANNEL_DIRECT] + pixel[CHANNEL_INDIRECT]), 1e-5);
     image_free(&image);
     world_free(&world);
 }
@@ -185,7 +185,7 @@ static void test_threads_and_seeds(void **state) {
      * that to some 5 %. */
     double squares = 0, values = 3 * 32 * 32, mean = 0;
     for (size_t pixel = 0; pixel < 32 * 32; pixel++)
-        for (int c = LAYER_INDIRECT; c < LAYER_INDIRECT + 3; c++) {
+        for (int c = CHANNEL_INDIRECT; c < CHANNEL_INDIRECT + 3; c++) {
             const float *a = image_at(&one, (int)pixel % 32, (int)pixel / 32);
             const float *b = image_at(&other, (int)pixel % 32, (int)pixel / 32);
             squares += pow(a[c] - b[c], 2);
@@ -196,8 +196,8 @@ static void test_threads_and_seeds(void **state) {
     double errors = 0;
     for (size_t pixel = 0; pixel < 32 * 32; pixel++)
         for (int c = 0; c < 3; c++)
-            errors +=
-                pow(image_at(&one, (int)pixel % 32, (int)pixel / 32)[LAYER_STANDARD_ERROR + c], 2);
+            errors += pow(
+                image_at(&one, (int)pixel % 32, (int)pixel / 32)[CHANNEL_STANDARD_ERROR + c], 2);
     check_near("RMS of the standard errors", sqrt(errors / values) / mean, noise, 1e-4 * noise);
     image_free(&one);
     image_free(&three);
@@ -224,8 +224,8 @@ static void test_noise_and_cancel(void **state) {
     struct path_tracer_progress rough = render(&desc, &coarse);
     check_at_most("noise asked for", fine.noise, 0.002);
     assert_true(rough.samples < fine.samples);
-    check_near("means agree", mean_of(&coarse, LAYER_INDIRECT), mean_of(&image, LAYER_INDIRECT),
-               0.02 * mean_of(&image, LAYER_INDIRECT));
+    check_near("means agree", mean_of(&coarse, CHANNEL_INDIRECT), mean_of(&image, CHANNEL_INDIRECT),
+               0.02 * mean_of(&image, CHANNEL_INDIRECT));
     image_free(&image);
     image_free(&coarse);
 

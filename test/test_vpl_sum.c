@@ -65,10 +65,10 @@ static void test_sphere(void **state) {
     check_ok("sum", vpl_sum_render(&desc, &image));
     /* Facets lie 3e-4 within the sphere, at both ends of a ray; and turn by 0.025 against it, which
      * counts where pixel and VPL are near. One VPL hidden would be 1/37. */
-    check_near("mean", mean_of(&image, LAYER_INDIRECT), 0.5, 1e-3);
-    check_at_most("spread over the pixels", spread_about(&image, LAYER_INDIRECT, 0.5), 5e-3);
-    check_near("direct", mean_of(&image, LAYER_DIRECT), 1, 1e-3);
-    check_near("beauty", mean_of(&image, LAYER_BEAUTY), 0.75, 1e-3);
+    check_near("mean", mean_of(&image, CHANNEL_INDIRECT), 0.5, 1e-3);
+    check_at_most("spread over the pixels", spread_about(&image, CHANNEL_INDIRECT, 0.5), 5e-3);
+    check_near("direct", mean_of(&image, CHANNEL_DIRECT), 1, 1e-3);
+    check_near("beauty", mean_of(&image, CHANNEL_BEAUTY), 0.75, 1e-3);
     image_free(&image);
     free(vpls);
     world_free(&world);
@@ -99,23 +99,23 @@ static void test_one_vpl(void **state) {
         desc.bound = (enum vpl_sum_bound)bound;
         desc.unshadowed = false;
         check_ok("sum", vpl_sum_render(&desc, &image));
-        check_near(names[bound], image_at(&image, 2, 2)[LAYER_INDIRECT], unit * values[bound],
+        check_near(names[bound], image_at(&image, 2, 2)[CHANNEL_INDIRECT], unit * values[bound],
                    1e-5);
-        check_near("green", image_at(&image, 2, 2)[LAYER_INDIRECT + 1], unit / 2 * values[bound],
+        check_near("green", image_at(&image, 2, 2)[CHANNEL_INDIRECT + 1], unit / 2 * values[bound],
                    1e-5);
-        check_near("in the shadow", image_at(&image, 1, 2)[LAYER_INDIRECT], 0, 0);
-        check_near("no light, no direct light", mean_of(&image, LAYER_DIRECT), 0, 0);
+        check_near("in the shadow", image_at(&image, 1, 2)[CHANNEL_INDIRECT], 0, 0);
+        check_near("no light, no direct light", mean_of(&image, CHANNEL_DIRECT), 0, 0);
         image_free(&image);
         desc.unshadowed = true;
         check_ok("sum", vpl_sum_render(&desc, &image));
-        check_near("unshadowed", image_at(&image, 1, 2)[LAYER_INDIRECT], unit * values[bound],
+        check_near("unshadowed", image_at(&image, 1, 2)[CHANNEL_INDIRECT], unit * values[bound],
                    1e-5);
         image_free(&image);
     }
     vpl.flux[3] = 0;
     struct image image;
     check_ok("sum", vpl_sum_render(&desc, &image));
-    check_near("a sample that met nothing", mean_of(&image, LAYER_INDIRECT), 0, 0);
+    check_near("a sample that met nothing", mean_of(&image, CHANNEL_INDIRECT), 0, 0);
     image_free(&image);
     world_free(&world);
 }
@@ -142,14 +142,15 @@ static void test_against_path_tracer(void **state) {
     struct vpl *vpls = trace_vpls(&world, 4096);
     struct vpl_sum_desc desc = sum_desc(&world, vpls, 4096, 24);
     check_ok("sum", vpl_sum_render(&desc, &sum));
-    double mean = mean_of(&traced, LAYER_INDIRECT), squares = 0;
+    double mean = mean_of(&traced, CHANNEL_INDIRECT), squares = 0;
     for (int y = 0; y < 24; y++)
         for (int x = 0; x < 24; x++)
-            squares += pow(
-                image_at(&sum, x, y)[LAYER_INDIRECT] - image_at(&traced, x, y)[LAYER_INDIRECT], 2);
+            squares += pow(image_at(&sum, x, y)[CHANNEL_INDIRECT] -
+                               image_at(&traced, x, y)[CHANNEL_INDIRECT],
+                           2);
     /* The VPLs' own error is about 1 / sqrt 4096 of a small variance; edges of the screen's shadow
      * fall within pixels of which the sum sees the centres alone. */
-    check_near("mean", mean_of(&sum, LAYER_INDIRECT), mean, 0.01 * mean);
+    check_near("mean", mean_of(&sum, CHANNEL_INDIRECT), mean, 0.01 * mean);
     check_at_most("relative RMSE", sqrt(squares / 24 / 24) / mean, noise + 0.03);
     image_free(&sum);
     image_free(&traced);

@@ -1,6 +1,6 @@
 #include "reference/film.h"
 
-#include "reference/layers.h"
+#include "reference/channels.h"
 
 #include <math.h>
 
@@ -55,17 +55,17 @@ struct film_estimate film_pixel_estimate(const struct film_pixel *pixel) {
     return estimate;
 }
 
-void film_pixel_develop(const struct film_pixel *pixel, int samples, float *layers) {
+void film_pixel_develop(const struct film_pixel *pixel, int samples, float *channels) {
     struct film_estimate estimate = film_pixel_estimate(pixel);
-    layers[LAYER_ALPHA] = pixel->coverage / (float)samples;
+    channels[CHANNEL_ALPHA] = pixel->coverage / (float)samples;
     for (int c = 0; c < 3; c++) {
         float weight = (float)total_weight(pixel, c);
-        layers[LAYER_BEAUTY + c] = pixel->beauty[c] / (float)samples;
-        layers[LAYER_DIRECT + c] = weight > 0 ? pixel->direct[c] / weight : 0;
-        layers[LAYER_INDIRECT + c] = (float)estimate.mean[c];
-        layers[LAYER_ALBEDO + c] = pixel->albedo[c] / (float)samples;
-        layers[LAYER_NORMAL + c] = pixel->normal[c];
-        layers[LAYER_STANDARD_ERROR + c] = (float)sqrt(estimate.variance[c]);
+        channels[CHANNEL_BEAUTY + c] = pixel->beauty[c] / (float)samples;
+        channels[CHANNEL_DIRECT + c] = weight > 0 ? pixel->direct[c] / weight : 0;
+        channels[CHANNEL_INDIRECT + c] = (float)estimate.mean[c];
+        channels[CHANNEL_ALBEDO + c] = pixel->albedo[c] / (float)samples;
+        channels[CHANNEL_NORMAL + c] = pixel->normal[c];
+        channels[CHANNEL_STANDARD_ERROR + c] = (float)sqrt(estimate.variance[c]);
     }
-    glm_vec3_normalize(&layers[LAYER_NORMAL]);
+    glm_vec3_normalize(&channels[CHANNEL_NORMAL]);
 }

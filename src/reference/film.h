@@ -43,6 +43,6 @@ void film_pixel_merge(struct film_pixel *pixel, const struct film_pixel *other);
 struct film_estimate film_pixel_estimate(const struct film_pixel *pixel);
 
 /* Writes all layers but the depth; samples counts those that saw nothing too. */
-void film_pixel_develop(const struct film_pixel *pixel, int samples, float *layers);
+void film_pixel_develop(const struct film_pixel *pixel, int samples, float *channels);
 
 #endif

@@ -1,10 +1,10 @@
 #include "reference/path_tracer.h"
 
 #include "reference/film.h"
-#include "reference/layers.h"
+#include "reference/channels.h"
 #include "reference/path.h"
 #include "reference/rows.h"
-#include "reference/view.h"
+#include "reference/primary.h"
 
 #include "base/memory.h"
 
@@ -22,7 +22,7 @@ enum { PATHS_PER_SAMPLE = 4 };
 struct renderer {
     struct path_tracer_desc desc; /* resolved */
     struct ray_scene rays;
-    struct view view;
+    struct primary_rays primary;
     struct emission emission;
     struct light_vertex *lights[FILM_STREAMS];
     struct film_pixel *pixels;
@@ -58,7 +58,7 @@ static bool take_sample(const struct renderer *renderer, int px, int py, int str
     struct sampler sampler = {.seed = sampler_hash(pixel_seed, (uint32_t)stream), .index = index};
     vec2s jitter = sampler_next(&sampler), at = desc->centers ? (vec2s){{0.5f, 0.5f}} : jitter;
     struct hit hit;
-    if (!view_hit(&renderer->view, (float)px + at.x, (float)py + at.y, &hit))
+    if (!primary_hit(&renderer->primary, (float)px + at.x, (float)py + at.y, &hit))
         return false;
     *sample = (struct film_sample){
         .albedo = hit.albedo,
@@ -165,16 +165,16 @@ static void develop_row(void *context, int row) {
     int samples = (int)renderer->done * FILM_STREAMS;
     for (int x = 0; x < renderer->desc.width; x++) {
         struct hit center;
-        float *layers = image_at(renderer->image, x, row);
-        film_pixel_develop(pixel_at(renderer, x, row), samples, layers);
-        if (view_hit(&renderer->view, (float)x + 0.5f, (float)row + 0.5f, &center))
-            layers[LAYER_DEPTH] = view_depth(&renderer->view, &center);
+        float *channels = image_at(renderer->image, x, row);
+        film_pixel_develop(pixel_at(renderer, x, row), samples, channels);
+        if (primary_hit(&renderer->primary, (float)x + 0.5f, (float)row + 0.5f, &center))
+            channels[CHANNEL_DEPTH] = primary_depth(&renderer->primary, &center);
     }
 }
 
 static bool develop(struct renderer *renderer) {
     const struct path_tracer_desc *desc = &renderer->desc;
-    image_init(renderer->image, desc->width, desc->height, LAYERS_OF_PATH_TRACER);
+    image_init(renderer->image, desc->width, desc->height, CHANNELS_OF_PATH_TRACER);
     return rows_render(&(struct rows){desc->height, desc->threads, develop_row, NULL, renderer});
 }
 
@@ -213,7 +213,8 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     desc = &renderer.desc;
     hit_table_init(&table, desc->scene, desc->geometry);
     renderer.emission = emission_of(desc->light, desc->geometry);
-    renderer.view = (struct view){&renderer.rays, desc->camera, desc->width, desc->height};
+    renderer.primary =
+        (struct primary_rays){&renderer.rays, desc->camera, desc->width, desc->height};
     renderer.pixels =
         mem_alloc((size_t)desc->width * (size_t)desc->height, sizeof *renderer.pixels);
     bool ok = render(&renderer, &table);

@@ -42,7 +42,7 @@ struct path_tracer_desc {
     void *user;
 };
 
-/* Renders into a new image with LAYERS_OF_PATH_TRACER; reached, unless NULL, tells samples and
+/* Renders into a new image with CHANNELS_OF_PATH_TRACER; reached, unless NULL, tells samples and
  * noise. Error: Embree's own, or "cancelled"; the image is then zeroed. */
 bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image,
                         struct path_tracer_progress *reached);

@@ -1,10 +1,10 @@
 #include "reference/vpl_sum.h"
 
 #include "reference/emission.h"
-#include "reference/layers.h"
+#include "reference/channels.h"
 #include "reference/rows.h"
 #include "reference/vector.h"
-#include "reference/view.h"
+#include "reference/primary.h"
 
 #include <assert.h>
 #include <math.h>
@@ -13,7 +13,7 @@
 struct summation {
     struct vpl_sum_desc desc; /* resolved */
     struct ray_scene rays;
-    struct view view;
+    struct primary_rays primary;
     struct emission emission;
     struct image *image;
 };
@@ -65,19 +65,19 @@ static void write(float *layer, vec3s value) {
 
 static void render_pixel(const struct summation *summation, int px, int py) {
     struct hit hit;
-    if (!view_hit(&summation->view, (float)px + 0.5f, (float)py + 0.5f, &hit))
+    if (!primary_hit(&summation->primary, (float)px + 0.5f, (float)py + 0.5f, &hit))
         return;
-    float *layers = image_at(summation->image, px, py);
+    float *channels = image_at(summation->image, px, py);
     vec3s indirect = gather(summation, &hit), direct = glms_vec3_zero();
     if (summation->desc.light)
         direct = emission_direct(&summation->emission, &summation->rays, &hit);
-    write(&layers[LAYER_BEAUTY], glms_vec3_mul(hit.albedo, glms_vec3_add(direct, indirect)));
-    layers[LAYER_ALPHA] = 1;
-    layers[LAYER_DEPTH] = view_depth(&summation->view, &hit);
-    write(&layers[LAYER_DIRECT], direct);
-    write(&layers[LAYER_INDIRECT], indirect);
-    write(&layers[LAYER_ALBEDO], hit.albedo);
-    write(&layers[LAYER_NORMAL], hit.normal);
+    write(&channels[CHANNEL_BEAUTY], glms_vec3_mul(hit.albedo, glms_vec3_add(direct, indirect)));
+    channels[CHANNEL_ALPHA] = 1;
+    channels[CHANNEL_DEPTH] = primary_depth(&summation->primary, &hit);
+    write(&channels[CHANNEL_DIRECT], direct);
+    write(&channels[CHANNEL_INDIRECT], indirect);
+    write(&channels[CHANNEL_ALBEDO], hit.albedo);
+    write(&channels[CHANNEL_NORMAL], hit.normal);
 }
 
 static void render_row(void *context, int row) {
@@ -109,13 +109,14 @@ bool vpl_sum_render(const struct vpl_sum_desc *desc, struct image *image) {
     struct hit_table table;
     *image = (struct image){0};
     desc = &summation.desc;
-    summation.view = (struct view){&summation.rays, desc->camera, desc->width, desc->height};
+    summation.primary =
+        (struct primary_rays){&summation.rays, desc->camera, desc->width, desc->height};
     if (desc->light)
         summation.emission = emission_of(desc->light, desc->geometry);
     hit_table_init(&table, desc->scene, desc->geometry);
     bool ok = ray_scene_init(&summation.rays, &table);
     if (ok) {
-        image_init(image, desc->width, desc->height, LAYERS_COMMON);
+        image_init(image, desc->width, desc->height, CHANNELS_COMMON);
         ok = rows_render(
             &(struct rows){desc->height, desc->threads, render_row, report, &summation});
     }

@@ -43,7 +43,7 @@ struct vpl_sum_desc {
     void *user;
 };
 
-/* Renders into a new image with LAYERS_COMMON. Error: Embree's own, or "cancelled"; the image is
+/* Renders into a new image with CHANNELS_COMMON. Error: Embree's own, or "cancelled"; the image is
  * then zeroed. */
 bool vpl_sum_render(const struct vpl_sum_desc *desc, struct image *image);
 

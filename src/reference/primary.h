@@ -1,0 +1,20 @@
+/* Primary rays: what a camera sees at the points of a picture. */
+#ifndef REFERENCE_PRIMARY_H
+#define REFERENCE_PRIMARY_H
+
+#include "reference/ray_scene.h"
+#include "scene/camera.h"
+
+struct primary_rays {
+    const struct ray_scene *rays;
+    const struct camera *camera;
+    int width, height; /* pixels */
+};
+
+/* The surface at a point in pixels from the top left corner; false where there is none. */
+bool primary_hit(const struct primary_rays *primary, float x, float y, struct hit *hit);
+
+/* Along the view axis, metres. */
+float primary_depth(const struct primary_rays *primary, const struct hit *hit);
+
+#endif
