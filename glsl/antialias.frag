@@ -9,11 +9,11 @@ layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     antialias_params params;
 };
-layout(binding = 0) uniform sampler2DArray depths;
-layout(binding = 1) uniform sampler2DArray normals;
-layout(binding = 2) uniform sampler2DMSArray sample_depths;
+layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
+layout(binding = UNIT_GBUFFER_NORMAL) uniform sampler2DArray normals;
+layout(binding = UNIT_SAMPLE_DEPTH) uniform sampler2DMSArray sample_depths;
 
-layout(location = 0) out uvec2 picks;
+layout(location = TARGET_RESULT) out uvec2 picks;
 
 // On its own plane a sample stays within this, over the pixel's width there.
 const float PLANE_TOLERANCE = 0.1;

@@ -4,15 +4,15 @@
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     basis_params params;
 };
-layout(binding = 0) uniform sampler2DArray depths;
+layout(binding = UNIT_MAP_DEPTH) uniform sampler2DArray depths;
 
 flat in int instance;
 
-layout(location = 0) out vec4 basis_cos;   // cos c_k z, as (b + 1) / 2
-layout(location = 1) out vec4 basis_sin;   // sin c_k z
-layout(location = 2) out vec4 basis_z_cos; // z cos c_k z
-layout(location = 3) out vec4 basis_z_sin; // z sin c_k z
-layout(location = 4) out float basis_z;    // z
+layout(location = TARGET_BASIS_COS) out vec4 basis_cos;   // cos c_k z, as (b + 1) / 2
+layout(location = TARGET_BASIS_SIN) out vec4 basis_sin;   // sin c_k z
+layout(location = TARGET_BASIS_Z_COS) out vec4 basis_z_cos; // z cos c_k z
+layout(location = TARGET_BASIS_Z_SIN) out vec4 basis_z_sin; // z sin c_k z
+layout(location = TARGET_BASIS_Z) out float basis_z;    // z
 
 const float PI = 3.14159265358979;
 

@@ -8,12 +8,12 @@ layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     block_params params;
 };
-layout(binding = 0) uniform sampler2DArray depths;
-layout(binding = 1) uniform sampler2DArray normals;
+layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
+layout(binding = UNIT_GBUFFER_NORMAL) uniform sampler2DArray normals;
 
 flat in int instance;
 
-layout(location = 0) out float lit;
+layout(location = TARGET_RESULT) out float lit;
 
 #include "lib/visibility.glsl"
 

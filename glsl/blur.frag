@@ -11,12 +11,12 @@ layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     blur_params params;
 };
-layout(binding = 0) uniform usampler2D taps;
+layout(binding = UNIT_BLUR_TAPS) uniform usampler2D taps;
 
 #ifdef PACK
-layout(location = 0) out uvec4 packed_tap;
+layout(location = TARGET_RESULT) out uvec4 packed_tap;
 #else
-layout(location = 0) out vec4 blurred;
+layout(location = TARGET_RESULT) out vec4 blurred;
 #endif
 
 vec3 tap_position(ivec2 pixel, vec2 per_pixel, uvec4 tap) {

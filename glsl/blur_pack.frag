@@ -5,11 +5,11 @@
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     blur_params params;
 };
-layout(binding = 0) uniform sampler2DArray depths;
-layout(binding = 1) uniform sampler2DArray normals;
-layout(binding = 2) uniform sampler2D source;
+layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
+layout(binding = UNIT_GBUFFER_NORMAL) uniform sampler2DArray normals;
+layout(binding = UNIT_INDIRECT) uniform sampler2D source;
 
-layout(location = 0) out uvec4 packed_tap;
+layout(location = TARGET_RESULT) out uvec4 packed_tap;
 
 // Where a pixel lies in a picture of interleaved tiles.
 ivec2 source_texel(ivec2 pixel) {

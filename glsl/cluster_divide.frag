@@ -6,16 +6,16 @@
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     cluster_params params;
 };
-layout(binding = 0) uniform sampler2D old_positions;
-layout(binding = 1) uniform sampler2D old_normals;
-layout(binding = 2) uniform sampler2D sum_positions;
-layout(binding = 3) uniform sampler2D sum_normals;
-layout(binding = 4) uniform sampler2D sum_fluxes;
-layout(binding = 5) uniform samplerBuffer vpls;
+layout(binding = UNIT_VAL_POSITION) uniform sampler2D old_positions;
+layout(binding = UNIT_VAL_NORMAL) uniform sampler2D old_normals;
+layout(binding = UNIT_SUM_POSITION) uniform sampler2D sum_positions;
+layout(binding = UNIT_SUM_NORMAL) uniform sampler2D sum_normals;
+layout(binding = UNIT_SUM_FLUX) uniform sampler2D sum_fluxes;
+layout(binding = UNIT_VPLS) uniform samplerBuffer vpls;
 
-layout(location = 0) out vec4 val_position; // w: count
-layout(location = 1) out vec4 val_normal;
-layout(location = 2) out vec4 val_flux;
+layout(location = TARGET_VAL_POSITION) out vec4 val_position; // w: count
+layout(location = TARGET_VAL_NORMAL) out vec4 val_normal;
+layout(location = TARGET_VAL_FLUX) out vec4 val_flux;
 
 void main() {
     ivec2 k = ivec2(gl_FragCoord.xy);

@@ -1,6 +1,8 @@
+#include "shared/bindings.h"
+
 flat in vec4 place;
 
-layout(location = 0) out vec4 extremes; // max s, max t, -min s, -min t
+layout(location = TARGET_RESULT) out vec4 extremes; // max s, max t, -min s, -min t
 
 void main() {
     extremes = place;

@@ -1,11 +1,11 @@
 // Each VPL lands on its VAL's pixel with its place in the plane perpendicular to the mean normal, both
 // signs, so that MAX blending finds the bounding rectangle in one draw [Dong 2009 §6].
 #include "lib/val_distance.glsl"
-#include "lib/frame.glsl"
+#include "lib/tangent.glsl"
 
-layout(location = 0) in vec4 position; // w: C(i)
-layout(location = 1) in vec4 normal;
-layout(location = 2) in vec4 flux;
+layout(location = ATTRIBUTE_VPL_POSITION) in vec4 position; // w: C(i)
+layout(location = ATTRIBUTE_VPL_NORMAL) in vec4 normal;
+layout(location = ATTRIBUTE_VPL_FLUX) in vec4 flux;
 
 flat out vec4 place;
 

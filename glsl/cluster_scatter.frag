@@ -1,8 +1,10 @@
+#include "shared/bindings.h"
+
 flat in vec3 point_position, point_normal, point_flux;
 
-layout(location = 0) out vec4 sum_position; // w: count
-layout(location = 1) out vec4 sum_normal;
-layout(location = 2) out vec4 sum_flux;
+layout(location = TARGET_VAL_POSITION) out vec4 sum_position; // w: count
+layout(location = TARGET_VAL_NORMAL) out vec4 sum_normal;
+layout(location = TARGET_VAL_FLUX) out vec4 sum_flux;
 
 void main() {
     sum_position = vec4(point_position, 1.0);

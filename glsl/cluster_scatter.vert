@@ -2,9 +2,9 @@
 // sums up what belongs together [Dong 2009 §6].
 #include "lib/val_distance.glsl"
 
-layout(location = 0) in vec4 position;
-layout(location = 1) in vec4 normal;
-layout(location = 2) in vec4 flux;
+layout(location = ATTRIBUTE_VPL_POSITION) in vec4 position;
+layout(location = ATTRIBUTE_VPL_NORMAL) in vec4 normal;
+layout(location = ATTRIBUTE_VPL_FLUX) in vec4 flux;
 
 flat out vec3 point_position, point_normal, point_flux;
 

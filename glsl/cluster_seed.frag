@@ -5,11 +5,11 @@
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     cluster_params params;
 };
-layout(binding = 0) uniform samplerBuffer vpls;
+layout(binding = UNIT_VPLS) uniform samplerBuffer vpls;
 
-layout(location = 0) out vec4 val_position;
-layout(location = 1) out vec4 val_normal;
-layout(location = 2) out vec4 val_flux;
+layout(location = TARGET_VAL_POSITION) out vec4 val_position;
+layout(location = TARGET_VAL_NORMAL) out vec4 val_normal;
+layout(location = TARGET_VAL_FLUX) out vec4 val_flux;
 
 void main() {
     int i = seed_vpl(vpls, int(gl_FragCoord.x), int(params.val_count), int(params.vpl_count));

@@ -3,17 +3,17 @@
 //
 // The mean of VPLs on a ball lies within the ball, which then hides all the rest: a mean behind the tangent
 // plane of the VPL that is nearest to it is moved onto that plane, and the map looks from there.
-#include "lib/frame.glsl"
+#include "lib/tangent.glsl"
 #include "lib/map_range.glsl"
 #include "shared/params.h"
 
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     cluster_params params;
 };
-layout(binding = 0) uniform sampler2D val_positions;
-layout(binding = 1) uniform sampler2D val_normals;
-layout(binding = 2) uniform sampler2D val_extremes;
-layout(binding = 3) uniform samplerBuffer vpls; // with their VALs' numbers
+layout(binding = UNIT_VAL_POSITION) uniform sampler2D val_positions;
+layout(binding = UNIT_VAL_NORMAL) uniform sampler2D val_normals;
+layout(binding = UNIT_VAL_EXTREMES) uniform sampler2D val_extremes;
+layout(binding = UNIT_VPLS) uniform samplerBuffer vpls; // with their VALs' numbers
 
 out vec4 view_center, view_axis, view_tangent;
 

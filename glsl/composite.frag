@@ -2,7 +2,7 @@
 #include "lib/layer.glsl"
 #include "lib/display.glsl"
 
-layout(location = 0) out vec4 color;
+layout(location = TARGET_RESULT) out vec4 color;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

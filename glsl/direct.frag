@@ -10,11 +10,11 @@ layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     direct_params params;
 };
-layout(binding = 0) uniform sampler2DArray depths;
-layout(binding = 1) uniform sampler2DArray normals;
-layout(binding = 2) uniform sampler2DArray shadow_map;
+layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
+layout(binding = UNIT_GBUFFER_NORMAL) uniform sampler2DArray normals;
+layout(binding = UNIT_SHADOW_MAP) uniform sampler2DArray shadow_map;
 
-layout(location = 0) out float direct;
+layout(location = TARGET_RESULT) out float direct;
 
 // The four nearest texels compared, the results weighted: a hard shadow whose edge is not stepped.
 float shadow_lookup(vec3 position, vec3 normal, int layer) {

@@ -16,17 +16,17 @@ layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
 layout(std140, binding = BLOCK_VPLS) uniform vpl_uniforms {
     vpl vpls[VPLS_PER_BLOCK];
 };
-layout(binding = 0) uniform sampler2DArray depths;
-layout(binding = 1) uniform sampler2DArray normals;
+layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
+layout(binding = UNIT_GBUFFER_NORMAL) uniform sampler2DArray normals;
 
 // First VPL and count within the block; the tile's place in the pattern.
-layout(location = 0) uniform ivec4 slot;
+layout(location = LOCATION_SLOT) uniform ivec4 slot;
 // Samples taken of N: their sum stands for all.
-layout(location = 1) uniform float weight;
+layout(location = LOCATION_SLOT_WEIGHT) uniform float weight;
 // Which map the block's first VPL has, where each VPL has its own.
-layout(location = 2) uniform int first_map;
+layout(location = LOCATION_FIRST_MAP) uniform int first_map;
 
-layout(location = 0) out vec4 irradiance;
+layout(location = TARGET_RESULT) out vec4 irradiance;
 
 #include "lib/visibility.glsl"
 #if SHARE_VISIBILITY

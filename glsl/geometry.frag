@@ -6,15 +6,15 @@
 layout(std140, binding = BLOCK_MATERIAL) uniform material_uniforms {
     material_block material;
 };
-layout(binding = 0) uniform sampler2D base_color_texture;
+layout(binding = UNIT_BASE_COLOR) uniform sampler2D base_color_texture;
 
 in vec3 surface_normal;
 in vec2 surface_uv;
 in vec4 surface_color;
 
 #ifndef DEPTH_ONLY
-layout(location = 0) out vec2 normal_code;
-layout(location = 1) out vec4 albedo_root;
+layout(location = TARGET_GBUFFER_NORMAL) out vec2 normal_code;
+layout(location = TARGET_GBUFFER_ALBEDO) out vec4 albedo_root;
 #endif
 
 void main() {

@@ -22,10 +22,10 @@ layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
 };
 #endif
 
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-layout(location = 2) in vec2 uv;
-layout(location = 3) in vec4 color;
+layout(location = ATTRIBUTE_POSITION) in vec3 position;
+layout(location = ATTRIBUTE_NORMAL) in vec3 normal;
+layout(location = ATTRIBUTE_UV) in vec2 uv;
+layout(location = ATTRIBUTE_COLOR) in vec4 color;
 
 out vec3 surface_normal;
 out vec2 surface_uv;

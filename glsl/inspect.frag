@@ -11,11 +11,11 @@ layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
 layout(std140, binding = BLOCK_LIGHT) uniform light_uniforms {
     light_block light;
 };
-layout(binding = 0) uniform sampler2DArray layers;
-layout(binding = 1) uniform sampler2D plane;
-layout(location = 0) uniform int from_light; // the depth is the light's
+layout(binding = UNIT_INSPECTED_LAYERS) uniform sampler2DArray layers;
+layout(binding = UNIT_INSPECTED_PLANE) uniform sampler2D plane;
+layout(location = LOCATION_FROM_LIGHT) uniform int from_light; // the depth is the light's
 
-layout(location = 0) out vec4 color;
+layout(location = TARGET_RESULT) out vec4 color;
 
 // Near is bright, from the front to the back of the scene's bounding sphere.
 vec3 show_depth(float depth, int layer) {

@@ -5,10 +5,10 @@
 layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
     view camera;
 };
-layout(binding = 0) uniform sampler2DArray depths;
-layout(binding = 1) uniform sampler2DArray normals;
+layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
+layout(binding = UNIT_GBUFFER_NORMAL) uniform sampler2DArray normals;
 
-layout(location = 0) out vec4 color;
+layout(location = TARGET_RESULT) out vec4 color;
 
 #include "lib/visibility.glsl"
 

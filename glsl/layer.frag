@@ -1,7 +1,7 @@
 // One layer as linear floats, for files and measurements. Normal and depth are the pixel's centre's.
 #include "lib/layer.glsl"
 
-layout(location = 0) out vec4 value;
+layout(location = TARGET_RESULT) out vec4 value;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

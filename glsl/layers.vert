@@ -1,7 +1,8 @@
 // One triangle over the whole viewport in each layer: instance i draws into layer first_layer + i.
 #extension GL_ARB_shader_viewport_layer_array : require
+#include "shared/bindings.h"
 
-layout(location = 0) uniform int first_layer;
+layout(location = LOCATION_FIRST_LAYER) uniform int first_layer;
 
 flat out int instance;
 

@@ -5,7 +5,7 @@ flat in vec3 mark_color;
 flat in float strength;
 flat in vec2 middle;
 
-layout(location = 0) out vec4 color;
+layout(location = TARGET_RESULT) out vec4 color;
 
 void main() {
     float radius = 0.5 * params.size, away = distance(gl_FragCoord.xy, middle);

@@ -1,9 +1,9 @@
 // A VPL as a disc.
 #include "lib/mark.glsl"
 
-layout(location = 0) in vec4 position; // w: C(i)
-layout(location = 1) in vec4 normal;
-layout(location = 2) in vec4 flux;
+layout(location = ATTRIBUTE_VPL_POSITION) in vec4 position; // w: C(i)
+layout(location = ATTRIBUTE_VPL_NORMAL) in vec4 normal;
+layout(location = ATTRIBUTE_VPL_FLUX) in vec4 flux;
 
 flat out vec3 mark_color;
 flat out float strength;

@@ -5,7 +5,7 @@ flat in vec3 mark_color;
 flat in float strength;
 noperspective in float across;
 
-layout(location = 0) out vec4 color;
+layout(location = TARGET_RESULT) out vec4 color;
 
 void main() {
     float inside = clamp(0.5 * params.size + 0.5 - abs(across), 0.0, 1.0);

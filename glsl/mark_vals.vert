@@ -5,8 +5,8 @@
 layout(std140, binding = BLOCK_MAPS) uniform map_uniforms {
     map_view views[MAP_VIEWS_MAX];
 };
-layout(binding = 1) uniform sampler2D val_extremes;
-layout(binding = 2) uniform sampler2D val_positions; // w: count
+layout(binding = UNIT_VAL_EXTREMES) uniform sampler2D val_extremes;
+layout(binding = UNIT_VAL_POSITION) uniform sampler2D val_positions; // w: count
 
 flat out vec3 mark_color;
 flat out float strength;

@@ -16,16 +16,16 @@ layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     near_field_params params;
 };
-layout(std140, binding = BLOCK_VPLS) uniform sample_uniforms {
+layout(std140, binding = BLOCK_NEAR_SAMPLES) uniform sample_uniforms {
     vec4 samples[NEAR_SAMPLES_MAX]; // x: log radius in [0, 1], y z: unit vector
 };
-layout(binding = 0) uniform sampler2DArray depths;
-layout(binding = 1) uniform sampler2DArray normals;
-layout(binding = 2) uniform usampler2DArray near_lights;
+layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
+layout(binding = UNIT_GBUFFER_NORMAL) uniform sampler2DArray normals;
+layout(binding = UNIT_NEAR_LIGHT) uniform usampler2DArray near_lights;
 
-layout(location = 0) uniform ivec4 slot; // first sample, count, the tile's place in the pattern
+layout(location = LOCATION_SLOT) uniform ivec4 slot; // first sample, count, the tile's place in the pattern
 
-layout(location = 0) out vec4 irradiance;
+layout(location = TARGET_RESULT) out vec4 irradiance;
 
 const float PI = 3.14159265358979;
 

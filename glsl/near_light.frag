@@ -9,13 +9,13 @@
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     near_field_params params;
 };
-layout(binding = 0) uniform sampler2DArray rsm_depths;
-layout(binding = 1) uniform sampler2DArray rsm_normals;
-layout(binding = 2) uniform sampler2DArray rsm_albedos;
+layout(binding = UNIT_RSM_DEPTH) uniform sampler2DArray rsm_depths;
+layout(binding = UNIT_RSM_NORMAL) uniform sampler2DArray rsm_normals;
+layout(binding = UNIT_RSM_ALBEDO) uniform sampler2DArray rsm_albedos;
 
 flat in int instance;
 
-layout(location = 0) out uvec4 packed_light;
+layout(location = TARGET_RESULT) out uvec4 packed_light;
 
 void main() {
     packed_light = uvec4(0u);

@@ -6,7 +6,7 @@
 #include "shared/material.h"
 #endif
 
-layout(location = 2) uniform float map_size;
+layout(location = LOCATION_MAP_SIZE) uniform float map_size;
 
 in vec3 local;      // a point of the triangle's plane, in the map's frame
 flat in vec2 range; // near, z_far, metres
@@ -15,7 +15,7 @@ flat in vec2 range; // near, z_far, metres
 layout(std140, binding = BLOCK_MATERIAL) uniform material_uniforms {
     material_block material;
 };
-layout(binding = 0) uniform sampler2D base_color_texture;
+layout(binding = UNIT_BASE_COLOR) uniform sampler2D base_color_texture;
 
 in vec2 surface_uv;
 #endif

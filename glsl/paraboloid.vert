@@ -5,11 +5,11 @@
 layout(std140, binding = BLOCK_MAPS) uniform map_uniforms {
     map_view views[MAP_VIEWS_MAX];
 };
-layout(location = 1) uniform float clip_z; // metres above the plane, where the map begins
+layout(location = LOCATION_CLIP_Z) uniform float clip_z; // metres above the plane, where the map begins
 
-layout(location = 0) in vec3 position;
+layout(location = ATTRIBUTE_POSITION) in vec3 position;
 #ifdef MASKED
-layout(location = 2) in vec2 uv;
+layout(location = ATTRIBUTE_UV) in vec2 uv;
 out vec2 surface_uv;
 #endif
 

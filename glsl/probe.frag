@@ -5,7 +5,7 @@ layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     probe_params params;
 };
 
-layout(location = 0) out float lit;
+layout(location = TARGET_RESULT) out float lit;
 
 #include "lib/visibility.glsl"
 

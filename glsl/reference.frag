@@ -5,9 +5,9 @@
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     composite_params params;
 };
-layout(binding = 0) uniform sampler2D radiance;
+layout(binding = UNIT_RADIANCE) uniform sampler2D radiance;
 
-layout(location = 0) out vec4 color;
+layout(location = TARGET_RESULT) out vec4 color;
 
 void main() {
     vec3 value = texelFetch(radiance, ivec2(gl_FragCoord.xy), 0).rgb;

@@ -5,10 +5,10 @@
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     screen_params params;
 };
-layout(binding = 0) uniform sampler2D left_picture;
-layout(binding = 1) uniform sampler2D right_picture;
+layout(binding = UNIT_LEFT_PICTURE) uniform sampler2D left_picture;
+layout(binding = UNIT_RIGHT_PICTURE) uniform sampler2D right_picture;
 
-layout(location = 0) out vec4 color;
+layout(location = TARGET_RESULT) out vec4 color;
 
 vec4 lookup(sampler2D picture, vec2 place) {
     ivec2 size = textureSize(picture, 0);

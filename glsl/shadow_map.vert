@@ -2,7 +2,7 @@
 #extension GL_ARB_shader_viewport_layer_array : require
 #include "lib/light.glsl"
 
-layout(location = 0) in vec3 position;
+layout(location = ATTRIBUTE_POSITION) in vec3 position;
 
 void main() {
     gl_Position = light.views[gl_InstanceID].world_to_clip * vec4(position, 1.0);

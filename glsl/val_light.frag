@@ -7,11 +7,11 @@
 layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
     view camera;
 };
-layout(binding = 0) uniform sampler2DArray depths;
-layout(binding = 1) uniform sampler2DArray normals;
-layout(binding = 7) uniform sampler2D val_fluxes;
+layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
+layout(binding = UNIT_GBUFFER_NORMAL) uniform sampler2DArray normals;
+layout(binding = UNIT_VAL_FLUX) uniform sampler2D val_fluxes;
 
-layout(location = 0) out vec4 strongest_and_share;
+layout(location = TARGET_RESULT) out vec4 strongest_and_share;
 
 #include "lib/visibility.glsl"
 

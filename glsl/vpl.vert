@@ -5,12 +5,12 @@
 
 #include "shared/vpl.h"
 
-layout(location = 0) in vec2 halton;
-layout(location = 0) uniform int vpl_count;
+layout(location = ATTRIBUTE_HALTON) in vec2 halton;
+layout(location = LOCATION_VPL_COUNT) uniform int vpl_count;
 
-layout(binding = 0) uniform sampler2DArray depths;
-layout(binding = 1) uniform sampler2DArray normals;
-layout(binding = 2) uniform sampler2DArray albedos;
+layout(binding = UNIT_RSM_DEPTH) uniform sampler2DArray depths;
+layout(binding = UNIT_RSM_NORMAL) uniform sampler2DArray normals;
+layout(binding = UNIT_RSM_ALBEDO) uniform sampler2DArray albedos;
 
 out vec4 vpl_position, vpl_normal, vpl_flux;
 

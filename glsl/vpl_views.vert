@@ -1,14 +1,14 @@
 // Vertex i becomes the paraboloid view from VPL first + i: a light without extent. What is nearer than the
 // next VPL may be left out, but no more, however large the scene is.
-#include "lib/frame.glsl"
+#include "lib/tangent.glsl"
 #include "lib/map_range.glsl"
 #include "shared/params.h"
 
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     map_params params;
 };
-layout(location = 0) in vec4 position;
-layout(location = 1) in vec4 normal;
+layout(location = ATTRIBUTE_VPL_POSITION) in vec4 position;
+layout(location = ATTRIBUTE_VPL_NORMAL) in vec4 normal;
 
 out vec4 view_center, view_axis, view_tangent;
 

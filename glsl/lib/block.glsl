@@ -1,5 +1,5 @@
 // Visibility shared by blocks of pixels: which block speaks for a pixel.
-layout(binding = 7) uniform sampler2DArray block_visibilities;
+layout(binding = UNIT_BLOCK_VISIBILITY) uniform sampler2DArray block_visibilities;
 
 const float BLOCK_COSINE = 0.8;
 

@@ -1,5 +1,5 @@
 // Lookups in the paraboloid depth maps.
-layout(binding = 2) uniform sampler2DArray depth_maps;
+layout(binding = UNIT_MAP_DEPTH) uniform sampler2DArray depth_maps;
 
 // Whether the map's texel at `uv` sees a point of the plane through q (local) with this normal. Where the
 // plane, met in the texel's own direction, is nearer than q, that is compared: it does not shadow itself

@@ -9,12 +9,12 @@ layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     composite_params params;
 };
-layout(binding = 0) uniform sampler2DArray depths;
-layout(binding = 1) uniform sampler2DArray normals;
-layout(binding = 2) uniform sampler2DArray albedos;
-layout(binding = 3) uniform sampler2D directs;
-layout(binding = 4) uniform sampler2D indirects;
-layout(binding = 5) uniform usampler2D sample_picks;
+layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
+layout(binding = UNIT_GBUFFER_NORMAL) uniform sampler2DArray normals;
+layout(binding = UNIT_GBUFFER_ALBEDO) uniform sampler2DArray albedos;
+layout(binding = UNIT_DIRECT) uniform sampler2D directs;
+layout(binding = UNIT_INDIRECT) uniform sampler2D indirects;
+layout(binding = UNIT_SAMPLE_PICKS) uniform usampler2D sample_picks;
 
 // Takes the place of the albedo where it is zero, so that the light on a black surface is told.
 const float LEAST_WEIGHT = 1e-6;

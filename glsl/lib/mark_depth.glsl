@@ -1,5 +1,5 @@
 // What lies behind a surface is drawn faint.
-layout(binding = 0) uniform sampler2DArray depths;
+layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
 
 float mark_presence(vec2 pixel, float reversed_depth) {
     float depth = texelFetch(depths, ivec3(pixel, 0), 0).r;

@@ -5,8 +5,8 @@
 layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
     cluster_params params;
 };
-layout(binding = 0) uniform sampler2D val_positions; // xyz, count
-layout(binding = 1) uniform sampler2D val_normals;
+layout(binding = UNIT_VAL_POSITION) uniform sampler2D val_positions; // xyz, count
+layout(binding = UNIT_VAL_NORMAL) uniform sampler2D val_normals;
 
 // The VAL with the least distance; the first of equals.
 int nearest_val(vec3 position, vec3 normal) {

@@ -4,11 +4,11 @@
 //     s(d) = 1/2 + 2 sum_k (sin(c_k d) [w*cos c_k z] - cos(c_k d) [w*sin c_k z]) / c_k
 // and the mean depth of the blockers is the same expansion of z, over s (eq. 5.10, 5.11).
 
-layout(binding = 2) uniform sampler2DArray basis_cos;
-layout(binding = 3) uniform sampler2DArray basis_sin;
-layout(binding = 4) uniform sampler2DArray basis_z_cos;
-layout(binding = 5) uniform sampler2DArray basis_z_sin;
-layout(binding = 6) uniform sampler2DArray basis_z;
+layout(binding = UNIT_BASIS_COS) uniform sampler2DArray basis_cos;
+layout(binding = UNIT_BASIS_SIN) uniform sampler2DArray basis_sin;
+layout(binding = UNIT_BASIS_Z_COS) uniform sampler2DArray basis_z_cos;
+layout(binding = UNIT_BASIS_Z_SIN) uniform sampler2DArray basis_z_sin;
+layout(binding = UNIT_BASIS_Z) uniform sampler2DArray basis_z;
 
 const float PI = 3.14159265358979;
 const float BLOCKED_MIN = 0.02; // below it the division by s is noise: lit

@@ -150,9 +150,9 @@ static void render_picks(const struct antialias_pass *pass, const struct frame *
                                   .height = pass->desc.height,
                               });
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
-    gl.BindTextureUnit(0, gbuffer->depth.id);
-    gl.BindTextureUnit(1, gbuffer->normal.id);
-    gl.BindTextureUnit(2, pass->depths.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
+    gl.BindTextureUnit(UNIT_SAMPLE_DEPTH, pass->depths.id);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);
 }

@@ -44,11 +44,11 @@ bool basis_pass_init(struct basis_pass *pass, const struct basis_desc *desc) {
                                          .terms = desc->terms}};
     struct basis_maps *maps = &pass->maps;
     struct framebuffer_desc first = {.label = "basis"}, more = {.label = "basis"};
-    const struct texture *all[] = {&maps->cos, &maps->sin, &maps->z_cos, &maps->z_sin, &maps->z};
-    for (int i = 0; i < 5; i++)
-        first.colors[i] = all[i];
-    for (int i = 0; i < 4; i++)
-        more.colors[i] = all[i];
+    first.colors[TARGET_BASIS_COS] = more.colors[TARGET_BASIS_COS] = &maps->cos;
+    first.colors[TARGET_BASIS_SIN] = more.colors[TARGET_BASIS_SIN] = &maps->sin;
+    first.colors[TARGET_BASIS_Z_COS] = more.colors[TARGET_BASIS_Z_COS] = &maps->z_cos;
+    first.colors[TARGET_BASIS_Z_SIN] = more.colors[TARGET_BASIS_Z_SIN] = &maps->z_sin;
+    first.colors[TARGET_BASIS_Z] = &maps->z;
     if (program_init(&pass->program,
                      &(struct program_desc){.vertex = "layers.vert", .fragment = "basis.frag"}) &&
         init_maps(maps) && framebuffer_init(&pass->first_framebuffer, &first) &&
@@ -99,8 +99,8 @@ void basis_pass_render(const struct basis_pass *pass, const struct frame *frame,
             pass_set_state(&state);
         }
         gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params[group].id);
-        gl.BindTextureUnit(0, depth->depth.id);
-        gl.ProgramUniform1i(pass->program, 0, group * pass->maps.count);
+        gl.BindTextureUnit(UNIT_MAP_DEPTH, depth->depth.id);
+        gl.ProgramUniform1i(pass->program, LOCATION_FIRST_LAYER, group * pass->maps.count);
         pass_draw_fullscreen(pass->maps.count);
     }
     pass_end(frame->timers);

@@ -69,10 +69,10 @@ void block_visibility_pass_render(const struct block_visibility_pass *pass,
                                   .height = target->desc.height,
                               });
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
-    gl.BindTextureUnit(0, gbuffer->depth.id);
-    gl.BindTextureUnit(1, gbuffer->normal.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
     visibility_bind(&pass->desc.visibility, &pass->visibility_params, inputs);
-    gl.ProgramUniform1i(pass->program, 0, 0);
+    gl.ProgramUniform1i(pass->program, LOCATION_FIRST_LAYER, 0);
     pass_draw_fullscreen(pass->desc.visibility.map_count);
     pass_end(frame->timers);
 }

@@ -77,16 +77,16 @@ void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
                       const struct gbuffer *gbuffer, const struct irradiance *source) {
     timer_begin(frame->timers, "blur");
     write_params(pass, frame, source);
-    gl.BindTextureUnit(0, gbuffer->depth.id);
-    gl.BindTextureUnit(1, gbuffer->normal.id);
-    gl.BindTextureUnit(2, source->texture.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
+    gl.BindTextureUnit(UNIT_INDIRECT, source->texture.id);
     draw(pass, pass->pack_program, &pass->taps, 0);
-    gl.BindTextureUnit(0, pass->taps.texture.id);
+    gl.BindTextureUnit(UNIT_BLUR_TAPS, pass->taps.texture.id);
     if (pass->desc.square) {
         draw(pass, pass->program, &pass->blurred, 0);
     } else {
         draw(pass, pass->half_program, &pass->half, 0);
-        gl.BindTextureUnit(0, pass->half.texture.id);
+        gl.BindTextureUnit(UNIT_BLUR_TAPS, pass->half.texture.id);
         draw(pass, pass->program, &pass->blurred, 1);
     }
     timer_end(frame->timers);

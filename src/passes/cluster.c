@@ -20,10 +20,12 @@ static bool init_row(struct texture *texture, const char *label, int count) {
 static bool init_targets(struct val_targets *targets, int count) {
     return init_row(&targets->position, "VALs", count) &&
            init_row(&targets->normal, "VALs", count) && init_row(&targets->flux, "VALs", count) &&
-           framebuffer_init(&targets->framebuffer,
-                            &(struct framebuffer_desc){
-                                .label = "VALs",
-                                .colors = {&targets->position, &targets->normal, &targets->flux}});
+           framebuffer_init(
+               &targets->framebuffer,
+               &(struct framebuffer_desc){.label = "VALs",
+                                          .colors = {[TARGET_VAL_POSITION] = &targets->position,
+                                                     [TARGET_VAL_NORMAL] = &targets->normal,
+                                                     [TARGET_VAL_FLUX] = &targets->flux}});
 }
 
 static void free_targets(struct val_targets *targets) {
@@ -125,7 +127,7 @@ static void seed(const struct cluster_pass *pass) {
     struct pass_state state =
         row_state(pass, pass->seed_program, pass->centers[pass->last].framebuffer);
     pass_set_state(&state);
-    gl.BindTextureUnit(0, pass->vpl_texture);
+    gl.BindTextureUnit(UNIT_VPLS, pass->vpl_texture);
     pass_draw_fullscreen(1);
 }
 
@@ -136,8 +138,8 @@ static void clear(GLuint framebuffer, int targets, float value) {
 }
 
 static void bind_centers(const struct val_targets *centers) {
-    gl.BindTextureUnit(0, centers->position.id);
-    gl.BindTextureUnit(1, centers->normal.id);
+    gl.BindTextureUnit(UNIT_VAL_POSITION, centers->position.id);
+    gl.BindTextureUnit(UNIT_VAL_NORMAL, centers->normal.id);
 }
 
 /* The points scatter to their VALs' pixels. */
@@ -159,10 +161,10 @@ static void iterate(const struct cluster_pass *pass, const struct vpl_buffer *vp
     struct pass_state state = row_state(pass, pass->divide_program, new->framebuffer);
     pass_set_state(&state);
     bind_centers(old);
-    gl.BindTextureUnit(2, pass->sums.position.id);
-    gl.BindTextureUnit(3, pass->sums.normal.id);
-    gl.BindTextureUnit(4, pass->sums.flux.id);
-    gl.BindTextureUnit(5, pass->vpl_texture);
+    gl.BindTextureUnit(UNIT_SUM_POSITION, pass->sums.position.id);
+    gl.BindTextureUnit(UNIT_SUM_NORMAL, pass->sums.normal.id);
+    gl.BindTextureUnit(UNIT_SUM_FLUX, pass->sums.flux.id);
+    gl.BindTextureUnit(UNIT_VPLS, pass->vpl_texture);
     pass_draw_fullscreen(1);
 }
 
@@ -203,9 +205,9 @@ void cluster_pass_render(struct cluster_pass *pass, const struct frame *frame,
     state = row_state(pass, pass->views_program, 0);
     pass_set_state(&state);
     bind_centers(centers);
-    gl.BindTextureUnit(2, pass->extremes.id);
+    gl.BindTextureUnit(UNIT_VAL_EXTREMES, pass->extremes.id);
     gl.TextureBuffer(pass->vpl_texture, GL_RGBA32F, pass->vpls.buffer.id);
-    gl.BindTextureUnit(3, pass->vpl_texture);
+    gl.BindTextureUnit(UNIT_VPLS, pass->vpl_texture);
     pass_feedback(pass->views.buffer.id, 0, pass->desc.val_count);
     timer_end(frame->timers);
 }

@@ -57,12 +57,12 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
                                   .height = pass->desc.height,
                               });
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
-    gl.BindTextureUnit(0, inputs->gbuffer->depth.id);
-    gl.BindTextureUnit(1, inputs->gbuffer->normal.id);
-    gl.BindTextureUnit(2, inputs->gbuffer->albedo.id);
-    gl.BindTextureUnit(3, inputs->direct->id);
-    gl.BindTextureUnit(4, inputs->indirect->texture.id);
-    gl.BindTextureUnit(5, inputs->picks->id);
+    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, inputs->gbuffer->depth.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, inputs->gbuffer->normal.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_ALBEDO, inputs->gbuffer->albedo.id);
+    gl.BindTextureUnit(UNIT_DIRECT, inputs->direct->id);
+    gl.BindTextureUnit(UNIT_INDIRECT, inputs->indirect->texture.id);
+    gl.BindTextureUnit(UNIT_SAMPLE_PICKS, inputs->picks->id);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);
 }

@@ -43,9 +43,9 @@ void direct_pass_render(const struct direct_pass *pass, const struct frame *fram
                                   .height = pass->desc.height,
                               });
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
-    gl.BindTextureUnit(0, gbuffer->depth.id);
-    gl.BindTextureUnit(1, gbuffer->normal.id);
-    gl.BindTextureUnit(2, shadow_map->id);
+    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
+    gl.BindTextureUnit(UNIT_SHADOW_MAP, shadow_map->id);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);
 }

@@ -25,10 +25,12 @@ bool gbuffer_init(struct gbuffer *gbuffer, const char *label, int width, int hei
     if (init_layer(&gbuffer->normal, label, "normal", GL_RG16, gbuffer) &&
         init_layer(&gbuffer->albedo, label, "albedo", GL_RGB10_A2, gbuffer) &&
         init_layer(&gbuffer->depth, label, "depth", GL_DEPTH_COMPONENT32F, gbuffer) &&
-        framebuffer_init(&gbuffer->framebuffer,
-                         &(struct framebuffer_desc){.label = label,
-                                                    .colors = {&gbuffer->normal, &gbuffer->albedo},
-                                                    .depth = &gbuffer->depth}))
+        framebuffer_init(
+            &gbuffer->framebuffer,
+            &(struct framebuffer_desc){.label = label,
+                                       .colors = {[TARGET_GBUFFER_NORMAL] = &gbuffer->normal,
+                                                  [TARGET_GBUFFER_ALBEDO] = &gbuffer->albedo},
+                                       .depth = &gbuffer->depth}))
         return true;
     gbuffer_free(gbuffer);
     return false;
@@ -47,6 +49,12 @@ float frame_near_reach(const struct frame *frame, int vpl_count, float asked) {
     return frame->light_directional ? asked : fminf(asked, 1 / sqrtf(widest));
 }
 
+static void add_attribute(GLuint vertices, GLuint location, size_t offset) {
+    gl.VertexArrayAttribFormat(vertices, location, 4, GL_FLOAT, GL_FALSE, (GLuint)offset);
+    gl.VertexArrayAttribBinding(vertices, location, 0);
+    gl.EnableVertexArrayAttrib(vertices, location);
+}
+
 bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {
     *vpls = (struct vpl_buffer){.count = count};
     /* A uniform block may begin at any VPL and then reaches a whole block further. */
@@ -55,11 +63,9 @@ bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {
         return false;
     gl.CreateVertexArrays(1, &vpls->vertices);
     gl.VertexArrayVertexBuffer(vpls->vertices, 0, vpls->buffer.id, 0, sizeof(struct vpl));
-    for (GLuint i = 0; i < 3; i++) {
-        gl.VertexArrayAttribFormat(vpls->vertices, i, 4, GL_FLOAT, GL_FALSE, i * sizeof(vec4));
-        gl.VertexArrayAttribBinding(vpls->vertices, i, 0);
-        gl.EnableVertexArrayAttrib(vpls->vertices, i);
-    }
+    add_attribute(vpls->vertices, ATTRIBUTE_VPL_POSITION, offsetof(struct vpl, position));
+    add_attribute(vpls->vertices, ATTRIBUTE_VPL_NORMAL, offsetof(struct vpl, normal));
+    add_attribute(vpls->vertices, ATTRIBUTE_VPL_FLUX, offsetof(struct vpl, flux));
     return true;
 }
 

@@ -73,10 +73,10 @@ static void write_params(const struct gather_pass *pass, const struct frame *fra
 
 static void bind_inputs(const struct gather_pass *pass, const struct gbuffer *gbuffer,
                         const struct gather_inputs *inputs) {
-    gl.BindTextureUnit(0, gbuffer->depth.id);
-    gl.BindTextureUnit(1, gbuffer->normal.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
     if (pass->desc.share)
-        gl.BindTextureUnit(7, inputs->blocks->texture.id);
+        gl.BindTextureUnit(UNIT_BLOCK_VISIBILITY, inputs->blocks->texture.id);
     visibility_bind(&pass->desc.visibility, &pass->visibility_params, &inputs->visibility);
 }
 
@@ -90,8 +90,8 @@ static void draw_run(const struct gather_pass *pass, const struct gather_inputs 
         gl.BindBufferRange(GL_UNIFORM_BUFFER, BLOCK_VPLS, inputs->vpls->buffer.id,
                            (GLintptr)((size_t)block * sizeof(struct vpl)),
                            VPLS_PER_BLOCK * sizeof(struct vpl));
-        gl.ProgramUniform4i(pass->program, 0, at - block, end - at, slot % n, slot / n);
-        gl.ProgramUniform1i(pass->program, 2, block - inputs->first);
+        gl.ProgramUniform4i(pass->program, LOCATION_SLOT, at - block, end - at, slot % n, slot / n);
+        gl.ProgramUniform1i(pass->program, LOCATION_FIRST_MAP, block - inputs->first);
         gl.DrawArrays(GL_TRIANGLES, 0, 3);
     }
 }
@@ -112,7 +112,7 @@ static void draw_slot(const struct gather_pass *pass, const struct gather_inputs
         return;
     gl.Viewport(slot % n * target->tile_width, slot / n * target->tile_height, target->tile_width,
                 target->tile_height);
-    gl.ProgramUniform1f(pass->program, 1, weight);
+    gl.ProgramUniform1f(pass->program, LOCATION_SLOT_WEIGHT, weight);
     draw_run(pass, inputs, slot, first, last);
 }
 

@@ -2,6 +2,7 @@
 
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "shared/bindings.h"
 
 bool geometry_pass_init(struct geometry_pass *pass) {
     *pass = (struct geometry_pass){0};
@@ -32,8 +33,8 @@ static void render(const char *name, GLuint program, const struct frame *frame,
                                   .height = gbuffer->height,
                                   .depth = PASS_DEPTH_GREATER,
                               });
-    gl.ClearNamedFramebufferfv(gbuffer->framebuffer, GL_COLOR, 0, zero);
-    gl.ClearNamedFramebufferfv(gbuffer->framebuffer, GL_COLOR, 1, zero);
+    gl.ClearNamedFramebufferfv(gbuffer->framebuffer, GL_COLOR, TARGET_GBUFFER_NORMAL, zero);
+    gl.ClearNamedFramebufferfv(gbuffer->framebuffer, GL_COLOR, TARGET_GBUFFER_ALBEDO, zero);
     gl.ClearNamedFramebufferfv(gbuffer->framebuffer, GL_DEPTH, 0, zero);
     scene_gpu_draw_shaded(frame->scene, views);
     pass_end(frame->timers);

@@ -101,10 +101,10 @@ void near_field_pass_render_light(const struct near_field_pass *pass, const stru
                                   .height = pass->desc.rsm_size,
                               });
     write_params(pass, frame, NULL);
-    gl.BindTextureUnit(0, rsm->depth.id);
-    gl.BindTextureUnit(1, rsm->normal.id);
-    gl.BindTextureUnit(2, rsm->albedo.id);
-    gl.ProgramUniform1i(pass->light_program, 0, 0);
+    gl.BindTextureUnit(UNIT_RSM_DEPTH, rsm->depth.id);
+    gl.BindTextureUnit(UNIT_RSM_NORMAL, rsm->normal.id);
+    gl.BindTextureUnit(UNIT_RSM_ALBEDO, rsm->albedo.id);
+    gl.ProgramUniform1i(pass->light_program, LOCATION_FIRST_LAYER, 0);
     pass_draw_fullscreen(pass->desc.light_views);
     pass_end(frame->timers);
 }
@@ -121,14 +121,14 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
                                   .blend = PASS_BLEND_ADD,
                               });
     write_params(pass, frame, irradiance);
-    gl.BindTextureUnit(0, gbuffer->depth.id);
-    gl.BindTextureUnit(1, gbuffer->normal.id);
-    gl.BindTextureUnit(2, pass->lights.id);
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_VPLS, pass->samples.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
+    gl.BindTextureUnit(UNIT_NEAR_LIGHT, pass->lights.id);
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_NEAR_SAMPLES, pass->samples.id);
     for (int slot = 0; slot < n * n; slot++) {
         gl.Viewport(slot % n * irradiance->tile_width, slot / n * irradiance->tile_height,
                     irradiance->tile_width, irradiance->tile_height);
-        gl.ProgramUniform4i(pass->program, 0, slot % patterns * pass->desc.samples,
+        gl.ProgramUniform4i(pass->program, LOCATION_SLOT, slot % patterns * pass->desc.samples,
                             pass->desc.samples, slot % n, slot / n);
         pass_draw_fullscreen(1);
     }

@@ -88,14 +88,14 @@ void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct fra
     pass_begin(frame->timers, &state);
     gl.ClearNamedFramebufferfv(pass->framebuffer, GL_DEPTH, 0, &pass->maps.depth_range);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_MAPS, views->buffer.id);
-    gl.ProgramUniform1f(pass->opaque_program, 1, clip_fraction * frame->radius);
-    gl.ProgramUniform1f(pass->opaque_program, 2, (float)pass->maps.size);
+    gl.ProgramUniform1f(pass->opaque_program, LOCATION_CLIP_Z, clip_fraction * frame->radius);
+    gl.ProgramUniform1f(pass->opaque_program, LOCATION_MAP_SIZE, (float)pass->maps.size);
     scene_gpu_draw_opaque_casters(frame->scene, views->count);
     if (frame->scene->masked_caster_count) {
         state.program = pass->masked_program;
         pass_set_state(&state);
-        gl.ProgramUniform1f(pass->masked_program, 1, clip_fraction * frame->radius);
-        gl.ProgramUniform1f(pass->masked_program, 2, (float)pass->maps.size);
+        gl.ProgramUniform1f(pass->masked_program, LOCATION_CLIP_Z, clip_fraction * frame->radius);
+        gl.ProgramUniform1f(pass->masked_program, LOCATION_MAP_SIZE, (float)pass->maps.size);
         scene_gpu_draw_masked_casters(frame->scene, views->count);
     }
     pass_end(frame->timers);

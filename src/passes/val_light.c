@@ -36,9 +36,9 @@ void val_light_pass_render(const struct val_light_pass *pass, const struct frame
                                   .width = gbuffer->width,
                                   .height = gbuffer->height,
                               });
-    gl.BindTextureUnit(0, gbuffer->depth.id);
-    gl.BindTextureUnit(1, gbuffer->normal.id);
-    gl.BindTextureUnit(7, val_fluxes->id);
+    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
+    gl.BindTextureUnit(UNIT_VAL_FLUX, val_fluxes->id);
     visibility_bind(&pass->desc, &pass->visibility_params, inputs);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);

@@ -18,14 +18,14 @@ static void bind_maps(const struct visibility_desc *desc, const struct visibilit
         return;
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_MAPS, inputs->views->buffer.id);
     if (desc->lookup != VISIBILITY_LOOKUP_CSSM) {
-        gl.BindTextureUnit(2, inputs->depth->depth.id);
+        gl.BindTextureUnit(UNIT_MAP_DEPTH, inputs->depth->depth.id);
         return;
     }
-    gl.BindTextureUnit(2, inputs->bases->cos.id);
-    gl.BindTextureUnit(3, inputs->bases->sin.id);
-    gl.BindTextureUnit(4, inputs->bases->z_cos.id);
-    gl.BindTextureUnit(5, inputs->bases->z_sin.id);
-    gl.BindTextureUnit(6, inputs->bases->z.id);
+    gl.BindTextureUnit(UNIT_BASIS_COS, inputs->bases->cos.id);
+    gl.BindTextureUnit(UNIT_BASIS_SIN, inputs->bases->sin.id);
+    gl.BindTextureUnit(UNIT_BASIS_Z_COS, inputs->bases->z_cos.id);
+    gl.BindTextureUnit(UNIT_BASIS_Z_SIN, inputs->bases->z_sin.id);
+    gl.BindTextureUnit(UNIT_BASIS_Z, inputs->bases->z.id);
 }
 
 void visibility_bind(const struct visibility_desc *desc, const struct buffer *params,

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "shared/bindings.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -36,9 +37,9 @@ bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc) {
     }
     gl.CreateVertexArrays(1, &pass->vertices);
     gl.VertexArrayVertexBuffer(pass->vertices, 0, pass->halton.id, 0, 2 * sizeof(float));
-    gl.VertexArrayAttribFormat(pass->vertices, 0, 2, GL_FLOAT, GL_FALSE, 0);
-    gl.VertexArrayAttribBinding(pass->vertices, 0, 0);
-    gl.EnableVertexArrayAttrib(pass->vertices, 0);
+    gl.VertexArrayAttribFormat(pass->vertices, ATTRIBUTE_HALTON, 2, GL_FLOAT, GL_FALSE, 0);
+    gl.VertexArrayAttribBinding(pass->vertices, ATTRIBUTE_HALTON, 0);
+    gl.EnableVertexArrayAttrib(pass->vertices, ATTRIBUTE_HALTON);
     return true;
 }
 
@@ -57,10 +58,10 @@ void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
                                   .program = pass->program,
                                   .vertex_array = pass->vertices,
                               });
-    gl.ProgramUniform1i(pass->program, 0, pass->desc.count);
-    gl.BindTextureUnit(0, rsm->depth.id);
-    gl.BindTextureUnit(1, rsm->normal.id);
-    gl.BindTextureUnit(2, rsm->albedo.id);
+    gl.ProgramUniform1i(pass->program, LOCATION_VPL_COUNT, pass->desc.count);
+    gl.BindTextureUnit(UNIT_RSM_DEPTH, rsm->depth.id);
+    gl.BindTextureUnit(UNIT_RSM_NORMAL, rsm->normal.id);
+    gl.BindTextureUnit(UNIT_RSM_ALBEDO, rsm->albedo.id);
     pass_feedback(vpls->buffer.id, 0, pass->desc.count);
     pass_end(frame->timers);
 }

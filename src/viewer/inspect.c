@@ -211,9 +211,10 @@ static void draw_layers(const struct inspect *inspect, const struct texture *sou
                                         .framebuffer = inspect->framebuffer,
                                         .width = inspect->canvas.desc.width,
                                         .height = inspect->canvas.desc.height});
-    gl.ProgramUniform1i(inspect->program, 0, kind == SHOW_RSM_DEPTH);
+    gl.ProgramUniform1i(inspect->program, LOCATION_FROM_LIGHT, kind == SHOW_RSM_DEPTH);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, inspect->params.id);
-    gl.BindTextureUnit(source->desc.target == GL_TEXTURE_2D ? 1 : 0, source->id);
+    bool plane = source->desc.target == GL_TEXTURE_2D;
+    gl.BindTextureUnit(plane ? UNIT_INSPECTED_PLANE : UNIT_INSPECTED_LAYERS, source->id);
     pass_draw_fullscreen(1);
 }
 
@@ -225,8 +226,8 @@ static void draw_visibility(const struct inspect *inspect, const struct renderer
                                         .width = inspect->canvas.desc.width,
                                         .height = inspect->canvas.desc.height});
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, inspect->params.id);
-    gl.BindTextureUnit(0, renderer->gbuffer.depth.id);
-    gl.BindTextureUnit(1, renderer->gbuffer.normal.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, renderer->gbuffer.depth.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, renderer->gbuffer.normal.id);
     visibility_bind(&inspect->visibility, &inspect->visibility_params,
                     &(struct visibility_inputs){.views = outputs->val_views,
                                                 .depth = outputs->depth_maps,

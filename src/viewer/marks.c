@@ -50,7 +50,7 @@ static void begin(const struct marks *marks, const struct frame *frame,
                                         .height = desc->height,
                                         .blend = PASS_BLEND_OVER});
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, marks->params.id);
-    gl.BindTextureUnit(0, gbuffer->depth.id);
+    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
 }
 
 void marks_draw(const struct marks *marks, const struct frame *frame, const struct gbuffer *gbuffer,
@@ -66,8 +66,8 @@ void marks_draw(const struct marks *marks, const struct frame *frame, const stru
     if (desc->with_vals && outputs->val_extremes) {
         begin(marks, frame, gbuffer, desc, 1.6F, marks->val_program, 0);
         gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_MAPS, outputs->val_views->buffer.id);
-        gl.BindTextureUnit(1, outputs->val_extremes->id);
-        gl.BindTextureUnit(2, outputs->val_positions->id);
+        gl.BindTextureUnit(UNIT_VAL_EXTREMES, outputs->val_extremes->id);
+        gl.BindTextureUnit(UNIT_VAL_POSITION, outputs->val_positions->id);
         gl.DrawArraysInstanced(GL_TRIANGLES, 0, VAL_VERTICES, outputs->val_views->count);
     }
 }

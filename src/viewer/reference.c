@@ -96,7 +96,7 @@ bool reference_show(struct reference *reference, const char *layer,
                                         .width = reference->display.desc.width,
                                         .height = reference->display.desc.height});
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, reference->params.id);
-    gl.BindTextureUnit(0, reference->radiance.id);
+    gl.BindTextureUnit(UNIT_RADIANCE, reference->radiance.id);
     pass_draw_fullscreen(1);
     return true;
 }

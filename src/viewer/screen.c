@@ -53,7 +53,7 @@ void screen_draw(const struct screen *screen, int window_width, int window_heigh
     gl.ClearNamedFramebufferfv(0, GL_COLOR, 0, around);
     gl.Viewport(target->x, (GLint)params.y, target->width, target->height);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, screen->params.id);
-    gl.BindTextureUnit(0, pictures->left->id);
-    gl.BindTextureUnit(1, right->id);
+    gl.BindTextureUnit(UNIT_LEFT_PICTURE, pictures->left->id);
+    gl.BindTextureUnit(UNIT_RIGHT_PICTURE, right->id);
     pass_draw_fullscreen(1);
 }

@@ -109,14 +109,14 @@ static void add_attribute(GLuint vertices, GLuint location, const struct buffer 
 
 static void make_vertex_arrays(struct scene_gpu *gpu) {
     gl.CreateVertexArrays(1, &gpu->shaded_vertices);
-    add_attribute(gpu->shaded_vertices, 0, &gpu->positions, 3, GL_FLOAT, 12);
-    add_attribute(gpu->shaded_vertices, 1, &gpu->normals, 3, GL_SHORT, 8);
-    add_attribute(gpu->shaded_vertices, 2, &gpu->uvs, 2, GL_FLOAT, 8);
-    add_attribute(gpu->shaded_vertices, 3, &gpu->colors, 4, GL_UNSIGNED_SHORT, 8);
+    add_attribute(gpu->shaded_vertices, ATTRIBUTE_POSITION, &gpu->positions, 3, GL_FLOAT, 12);
+    add_attribute(gpu->shaded_vertices, ATTRIBUTE_NORMAL, &gpu->normals, 3, GL_SHORT, 8);
+    add_attribute(gpu->shaded_vertices, ATTRIBUTE_UV, &gpu->uvs, 2, GL_FLOAT, 8);
+    add_attribute(gpu->shaded_vertices, ATTRIBUTE_COLOR, &gpu->colors, 4, GL_UNSIGNED_SHORT, 8);
     gl.VertexArrayElementBuffer(gpu->shaded_vertices, gpu->indices.id);
     gl.CreateVertexArrays(1, &gpu->caster_vertices);
-    add_attribute(gpu->caster_vertices, 0, &gpu->positions, 3, GL_FLOAT, 12);
-    add_attribute(gpu->caster_vertices, 2, &gpu->uvs, 2, GL_FLOAT, 8);
+    add_attribute(gpu->caster_vertices, ATTRIBUTE_POSITION, &gpu->positions, 3, GL_FLOAT, 12);
+    add_attribute(gpu->caster_vertices, ATTRIBUTE_UV, &gpu->uvs, 2, GL_FLOAT, 8);
     gl.VertexArrayElementBuffer(gpu->caster_vertices, gpu->caster_indices.id);
 }
 
@@ -268,7 +268,7 @@ static void draw_batch(const struct scene_gpu *gpu, const struct geometry_batch 
     gl.BindBufferRange(GL_UNIFORM_BUFFER, BLOCK_MATERIAL, gpu->materials.id,
                        (GLintptr)batch->material * MATERIAL_STRIDE, sizeof(struct material_block));
     if (texture >= 0)
-        gl.BindTextureUnit(0, gpu->textures[texture].id);
+        gl.BindTextureUnit(UNIT_BASE_COLOR, gpu->textures[texture].id);
     draw_indices(batch->first_index, batch->index_count, instances);
 }
 

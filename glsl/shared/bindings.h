@@ -1,0 +1,87 @@
+/* Where C and GLSL meet: the numbers of uniform blocks, texture units, attributes, targets and
+ * uniforms. Each thing that is bound has its own, so that no unit means two things. */
+#ifndef SHARED_BINDINGS_H
+#define SHARED_BINDINGS_H
+
+/* Uniform blocks. GL promises 84. */
+#define BLOCK_VIEW 0
+#define BLOCK_LIGHT 1
+#define BLOCK_PASS 2 /* the parameters of the pass */
+#define BLOCK_MATERIAL 3
+#define BLOCK_MAPS 4
+#define BLOCK_VPLS 5
+#define BLOCK_VISIBILITY 6
+#define BLOCK_NEAR_SAMPLES 7
+
+/* Texture units. GL promises 96, and 16 to a stage. */
+#define UNIT_BASE_COLOR 0
+#define UNIT_GBUFFER_DEPTH 1
+#define UNIT_GBUFFER_NORMAL 2
+#define UNIT_GBUFFER_ALBEDO 3
+#define UNIT_RSM_DEPTH 4
+#define UNIT_RSM_NORMAL 5
+#define UNIT_RSM_ALBEDO 6
+#define UNIT_SHADOW_MAP 7
+#define UNIT_VPLS 8
+#define UNIT_VAL_POSITION 9
+#define UNIT_VAL_NORMAL 10
+#define UNIT_VAL_FLUX 11
+#define UNIT_VAL_EXTREMES 12
+#define UNIT_SUM_POSITION 13
+#define UNIT_SUM_NORMAL 14
+#define UNIT_SUM_FLUX 15
+#define UNIT_MAP_DEPTH 16
+#define UNIT_BASIS_COS 17
+#define UNIT_BASIS_SIN 18
+#define UNIT_BASIS_Z_COS 19
+#define UNIT_BASIS_Z_SIN 20
+#define UNIT_BASIS_Z 21
+#define UNIT_BLOCK_VISIBILITY 22
+#define UNIT_NEAR_LIGHT 23
+#define UNIT_DIRECT 24
+#define UNIT_INDIRECT 25
+#define UNIT_BLUR_TAPS 26
+#define UNIT_SAMPLE_DEPTH 27
+#define UNIT_SAMPLE_PICKS 28
+#define UNIT_INSPECTED_LAYERS 29
+#define UNIT_INSPECTED_PLANE 30
+#define UNIT_LEFT_PICTURE 31
+#define UNIT_RIGHT_PICTURE 32
+#define UNIT_RADIANCE 33
+
+/* Attributes of the scene's vertices. */
+#define ATTRIBUTE_POSITION 0
+#define ATTRIBUTE_NORMAL 1
+#define ATTRIBUTE_UV 2
+#define ATTRIBUTE_COLOR 3
+
+/* Attributes of VPLs drawn as points, in the order of struct vpl; and of what they are made of. */
+#define ATTRIBUTE_VPL_POSITION 0
+#define ATTRIBUTE_VPL_NORMAL 1
+#define ATTRIBUTE_VPL_FLUX 2
+#define ATTRIBUTE_HALTON 0
+
+/* Targets: the one of most shaders, and those of shaders that write several. */
+#define TARGET_RESULT 0
+#define TARGET_GBUFFER_NORMAL 0
+#define TARGET_GBUFFER_ALBEDO 1
+#define TARGET_BASIS_COS 0
+#define TARGET_BASIS_SIN 1
+#define TARGET_BASIS_Z_COS 2
+#define TARGET_BASIS_Z_SIN 3
+#define TARGET_BASIS_Z 4
+#define TARGET_VAL_POSITION 0 /* likewise of sums over a VAL's VPLs */
+#define TARGET_VAL_NORMAL 1
+#define TARGET_VAL_FLUX 2
+
+/* Uniforms, which change from draw to draw: all else is in blocks. */
+#define LOCATION_SLOT 0        /* of an interleaving pattern */
+#define LOCATION_SLOT_WEIGHT 1
+#define LOCATION_FIRST_MAP 2
+#define LOCATION_FIRST_LAYER 3
+#define LOCATION_VPL_COUNT 4
+#define LOCATION_CLIP_Z 5
+#define LOCATION_MAP_SIZE 6
+#define LOCATION_FROM_LIGHT 7
+
+#endif
