@@ -1,4 +1,5 @@
-/* Small text in a picture: a font of 5 by 7 dots, for scales and titles. */
+/* Small text in a picture: a font of 5 by 7 dots, for scales and titles. Drawn here, since the
+ * portable build writes heat maps too and has no library that renders text. */
 #ifndef METRICS_LABEL_H
 #define METRICS_LABEL_H
 

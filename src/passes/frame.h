@@ -26,9 +26,11 @@ struct frame {
 };
 
 /* Surfaces seen from the camera (one layer) or from the light (the reflective shadow map: one layer
- * a view). Arrays of layers: normal  RG16      world normal, octahedral albedo  RGB10_A2  square
- * root of the albedo; A = 1 where something is depth   D32F      reversed (shared/view.h); 0 where
- * nothing is */
+ * a view). Arrays of layers:
+ *   normal  RG16      world normal, octahedral
+ *   albedo  RGB10_A2  square root of the albedo; A = 1 where something is
+ *   depth   D32F      reversed (shared/view.h); 0 where nothing is
+ */
 struct gbuffer {
     struct texture normal, albedo, depth;
     GLuint framebuffer;
