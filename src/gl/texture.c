@@ -50,8 +50,51 @@ static size_t storage_bytes(const struct texture_desc *desc) {
     size_t texels = 0;
     for (int level = 0; level < desc->levels; level++)
         texels += (size_t)at_least_one(desc->width >> level) *
-                  (size_t)at_least_one(desc->height >> level) * (size_t)desc->layers;
+                  (size_t)at_least_one(desc->height >> level) *
+                  (size_t)at_least_one(desc->depth >> level) * (size_t)desc->layers;
     return texels * (size_t)desc->samples * texel_bytes(desc->format);
+}
+
+static struct texture_desc resolve(const struct texture_desc *desc) {
+    struct texture_desc resolved = *desc;
+    resolved.label = NULL; /* the caller's string need not live on */
+    resolved.target = desc->target ? desc->target : GL_TEXTURE_2D;
+    resolved.height = at_least_one(desc->height);
+    resolved.depth = at_least_one(desc->depth);
+    resolved.layers = at_least_one(desc->layers);
+    resolved.levels = at_least_one(desc->levels);
+    resolved.samples = at_least_one(desc->samples);
+    resolved.wrap_s = desc->wrap_s ? desc->wrap_s : GL_CLAMP_TO_EDGE;
+    resolved.wrap_t = desc->wrap_t ? desc->wrap_t : GL_CLAMP_TO_EDGE;
+    resolved.wrap_r = desc->wrap_r ? desc->wrap_r : GL_CLAMP_TO_EDGE;
+    assert(resolved.target == GL_TEXTURE_3D ? resolved.layers == 1 : resolved.depth == 1);
+    return resolved;
+}
+
+static bool fits_limits(const char *label, const struct texture_desc *desc) {
+    GLint size, third, samples;
+    bool is_volume = desc->target == GL_TEXTURE_3D;
+    gl.GetIntegerv(is_volume ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &size);
+    gl.GetIntegerv(is_volume ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_ARRAY_TEXTURE_LAYERS, &third);
+    gl.GetIntegerv(GL_MAX_DEPTH_TEXTURE_SAMPLES, &samples);
+    if (desc->samples > samples)
+        return error_set("texture '%s': %d samples are above the driver's limit of %d", label,
+                         desc->samples, samples);
+    if (desc->width <= size && desc->height <= size && desc->depth * desc->layers <= third)
+        return true;
+    return error_set("texture '%s': %dx%dx%d is above the limit of %dx%dx%d", label, desc->width,
+                     desc->height, desc->depth * desc->layers, size, size, third);
+}
+
+static void allocate(GLuint id, const struct texture_desc *desc) {
+    if (desc->target == GL_TEXTURE_2D_MULTISAMPLE_ARRAY)
+        gl.TextureStorage3DMultisample(id, desc->samples, desc->format, desc->width, desc->height,
+                                       desc->layers, GL_TRUE);
+    else if (desc->target == GL_TEXTURE_2D)
+        gl.TextureStorage2D(id, desc->levels, desc->format, desc->width, desc->height);
+    else
+        gl.TextureStorage3D(id, desc->levels, desc->format, desc->width, desc->height,
+                            desc->depth * desc->layers); /* one of them is 1 */
 }
 
 static void set_sampling(GLuint id, const struct texture_desc *desc) {
@@ -62,62 +105,32 @@ static void set_sampling(GLuint id, const struct texture_desc *desc) {
     gl.TextureParameteri(id, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
     gl.TextureParameteri(id, GL_TEXTURE_WRAP_S, (GLint)desc->wrap_s);
     gl.TextureParameteri(id, GL_TEXTURE_WRAP_T, (GLint)desc->wrap_t);
-}
-
-static bool fits_limits(const char *label, const struct texture_desc *desc) {
-    GLint size, layers, samples;
-    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
-    gl.GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &layers);
-    gl.GetIntegerv(GL_MAX_DEPTH_TEXTURE_SAMPLES, &samples);
-    if (desc->samples > samples)
-        return error_set("texture '%s': %d samples are above the driver's limit of %d", label,
-                         desc->samples, samples);
-    if (desc->width <= size && desc->height <= size && desc->layers <= layers)
-        return true;
-    return error_set("texture '%s': %dx%dx%d is above the limit of %dx%dx%d", label, desc->width,
-                     desc->height, desc->layers, size, size, layers);
+    gl.TextureParameteri(id, GL_TEXTURE_WRAP_R, (GLint)desc->wrap_r);
 }
 
 bool texture_init(struct texture *texture, const struct texture_desc *desc) {
     assert(desc->label && desc->format && desc->width > 0);
-    *texture = (struct texture){.desc = *desc};
+    struct texture_desc resolved = resolve(desc);
+    *texture = (struct texture){.desc = resolved};
     snprintf(texture->label, sizeof texture->label, "%s", desc->label);
-    texture->desc.label = NULL; /* the caller's string need not live on */
-    struct texture_desc *resolved = &texture->desc;
-    resolved->target = desc->target ? desc->target : GL_TEXTURE_2D;
-    resolved->height = at_least_one(desc->height);
-    resolved->layers = at_least_one(desc->layers);
-    resolved->levels = at_least_one(desc->levels);
-    resolved->samples = at_least_one(desc->samples);
-    resolved->wrap_s = desc->wrap_s ? desc->wrap_s : GL_CLAMP_TO_EDGE;
-    resolved->wrap_t = desc->wrap_t ? desc->wrap_t : GL_CLAMP_TO_EDGE;
-    if (!fits_limits(texture->label, resolved))
+    if (!fits_limits(texture->label, &resolved))
         return false;
-    gl.CreateTextures(resolved->target, 1, &texture->id);
+    gl.CreateTextures(resolved.target, 1, &texture->id);
     while (gl.GetError() != GL_NO_ERROR) /* what follows must be this texture's own error */
         ;
-    if (resolved->target == GL_TEXTURE_2D_MULTISAMPLE_ARRAY)
-        gl.TextureStorage3DMultisample(texture->id, resolved->samples, resolved->format,
-                                       resolved->width, resolved->height, resolved->layers,
-                                       GL_TRUE);
-    else if (resolved->target == GL_TEXTURE_2D)
-        gl.TextureStorage2D(texture->id, resolved->levels, resolved->format, resolved->width,
-                            resolved->height);
-    else
-        gl.TextureStorage3D(texture->id, resolved->levels, resolved->format, resolved->width,
-                            resolved->height, resolved->layers);
-    size_t bytes = storage_bytes(resolved);
+    allocate(texture->id, &resolved);
+    size_t bytes = storage_bytes(&resolved);
     if (gl.GetError() != GL_NO_ERROR) {
         texture_free(texture);
         return error_set("texture '%s': out of GPU memory (%dx%dx%d, %.1f MiB)", desc->label,
-                         resolved->width, resolved->height, resolved->layers,
+                         resolved.width, resolved.height, resolved.depth * resolved.layers,
                          (double)bytes / (1 << 20));
     }
     texture->bytes = bytes;
     gpu_memory_add(texture->label, (ptrdiff_t)bytes);
     gl.ObjectLabel(GL_TEXTURE, texture->id, -1, texture->label);
-    if (resolved->target != GL_TEXTURE_2D_MULTISAMPLE_ARRAY)
-        set_sampling(texture->id, resolved);
+    if (resolved.target != GL_TEXTURE_2D_MULTISAMPLE_ARRAY)
+        set_sampling(texture->id, &resolved);
     return true;
 }
 
@@ -129,8 +142,9 @@ void texture_free(struct texture *texture) {
     *texture = (struct texture){0};
 }
 
-int texture_full_levels(int width, int height) {
+int texture_full_levels(int width, int height, int depth) {
     int size = width > height ? width : height, levels = 1;
+    size = size > depth ? size : depth;
     while (size > 1) {
         size >>= 1;
         levels++;

@@ -17,14 +17,16 @@ enum texture_filter {
 
 /* Zero means default. */
 struct texture_desc {
-    const char *label;         /* for debug output and the memory ledger; required */
-    GLenum target;             /* GL_TEXTURE_2D */
-    GLenum format;             /* sized internal format; required */
-    int width, height, layers; /* at least 1; height and layers 1 */
-    int levels;                /* 1 */
-    int samples;               /* of GL_TEXTURE_2D_MULTISAMPLE_ARRAY: 1 */
+    const char *label; /* for debug output and the memory ledger; required */
+    GLenum target;     /* GL_TEXTURE_2D */
+    GLenum format;     /* sized internal format; required */
+    int width, height; /* width required; height 1 */
+    int depth;         /* of GL_TEXTURE_3D, halved with each level: 1 */
+    int layers;        /* of arrays, the same at each level: 1 */
+    int levels;        /* 1 */
+    int samples;       /* of GL_TEXTURE_2D_MULTISAMPLE_ARRAY: 1 */
     enum texture_filter filter;
-    GLenum wrap_s, wrap_t; /* GL_CLAMP_TO_EDGE */
+    GLenum wrap_s, wrap_t, wrap_r; /* GL_CLAMP_TO_EDGE */
 };
 
 struct texture {
@@ -41,7 +43,7 @@ void texture_free(struct texture *texture);
 /* Copies an RGBA8 texture's first layer, row 0 at the top; bitmap_free it. */
 void texture_read_bitmap(const struct texture *texture, struct bitmap *bitmap);
 
-/* Levels of a full MIP chain. */
-int texture_full_levels(int width, int height);
+/* Levels of a full MIP chain; depth 1 but for GL_TEXTURE_3D. */
+int texture_full_levels(int width, int height, int depth);
 
 #endif

@@ -71,7 +71,7 @@ static bool upload_materials(struct scene_gpu *gpu, const struct scene *scene) {
 static bool upload_texture(struct texture *texture, const struct scene_texture *source) {
     static const GLenum wraps[] = {GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT};
     const struct bitmap *bitmap = &source->bitmap;
-    int levels = source->nearest ? 1 : texture_full_levels(bitmap->width, bitmap->height);
+    int levels = source->nearest ? 1 : texture_full_levels(bitmap->width, bitmap->height, 1);
     if (!texture_init(texture, &(struct texture_desc){
                                    .label = "scene textures",
                                    .format = GL_SRGB8_ALPHA8,
