@@ -30,7 +30,7 @@ static inline void world_init(struct world *world) {
     memset(world, 0, sizeof *world);
     for (int m = 0; m < MAX_MATERIALS; m++)
         world->materials[m] = (struct material){
-            .base_color = {0.5f, 0.5f, 0.5f, 1}, .texture = -1, .alpha_cutoff = 0.5f};
+            .base_color = {0.5f, 0.5f, 0.5f, 1}, .base_color_texture = -1, .alpha_cutoff = 0.5f};
     world->scene.materials = world->materials;
     geometry->position = mem_alloc(MAX_VERTICES + 1, sizeof *geometry->position);
     geometry->normal = mem_alloc(MAX_VERTICES, sizeof *geometry->normal);

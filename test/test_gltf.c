@@ -253,11 +253,12 @@ static void test_texture(void **state) {
             .extra_size = sizeof uvs});
     const struct material *material = &scene.materials[0];
     check_vector("base colour", material->base_color, 4, (double[]){.5, .25, 1, .75}, 0);
-    assert_true(material->alpha_mask && material->double_sided && material->texture == 0);
+    assert_true(material->alpha_mask && material->double_sided &&
+                material->base_color_texture == 0);
     check_near("cutoff", material->alpha_cutoff, .25, 0);
     /* The second material shares the first one's texture. */
     assert_int_equal(scene.texture_count, 1);
-    assert_int_equal(scene.materials[1].texture, 0);
+    assert_int_equal(scene.materials[1].base_color_texture, 0);
     const struct scene_texture *texture = &scene.textures[0];
     assert_int_equal(texture->bitmap.width, 2);
     assert_int_equal(texture->bitmap.rgba[5], 255);
@@ -297,6 +298,48 @@ static void test_embedded_texture(void **state) {
     assert_int_equal(scene.textures[0].wrap_u, TEXTURE_WRAP_REPEAT);
     assert_false(scene.textures[0].nearest);
     assert_non_null(first_primitive(&scene)->uv);
+    scene_free(&scene);
+}
+
+/* All that a material says. The first one's roughness lies where its colour does, its glow does
+ * not; numbers are not colours, though they are the same picture. */
+static void test_materials(void **state) {
+    (void)state;
+    unsigned char png[4096];
+    make_png(png, sizeof png);
+    struct scene scene = load(
+        "materials.glb",
+        (struct gltf_parts){
+            .more = "\"images\": [{\"uri\": \"texture.png\"}], \"textures\": [{\"source\": 0}],"
+                    " \"extensionsRequired\": [\"KHR_materials_emissive_strength\"],",
+            .materials =
+                "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0.25, \"roughnessFactor\": 0.75,"
+                " \"baseColorTexture\": {\"index\": 0}, \"metallicRoughnessTexture\":"
+                " {\"index\": 0}}, \"emissiveTexture\": {\"index\": 0, \"texCoord\": 1}},"
+                " {\"emissiveFactor\": [1, 0.5, 0.25], \"emissiveTexture\": {\"index\": 0},"
+                " \"extensions\": {\"KHR_materials_emissive_strength\": {\"emissiveStrength\":"
+                " 20}}}, {}]"});
+    const struct material *plain = &scene.materials[0], *lamp = &scene.materials[1];
+    check_near("metalness", plain->metalness, .25, 0);
+    check_near("roughness", plain->roughness, .75, 0);
+    check_vector("emission of none", plain->emission, 3, (double[]){0, 0, 0}, 0);
+    check_vector("emission", lamp->emission, 3, (double[]){20, 10, 5}, 0);
+    assert_int_equal(plain->base_color_texture, 0);
+    assert_int_equal(plain->metal_roughness_texture, 1);
+    assert_int_equal(plain->emission_texture, -1);
+    assert_int_equal(lamp->base_color_texture, -1);
+    assert_int_equal(lamp->metal_roughness_texture, -1);
+    assert_int_equal(lamp->emission_texture, 0);
+    assert_int_equal(scene.texture_count, 2);
+    assert_false(scene.textures[0].linear);
+    assert_true(scene.textures[1].linear);
+    assert_int_equal(scene.textures[1].bitmap.rgba[5], 255);
+    /* One that says nothing, and the one for primitives without. */
+    for (int i = 2; i < 4; i++) {
+        check_near("metalness by default", scene.materials[i].metalness, 1, 0);
+        check_near("roughness by default", scene.materials[i].roughness, 1, 0);
+        assert_int_equal(scene.materials[i].emission_texture, -1);
+    }
     scene_free(&scene);
 }
 
@@ -364,6 +407,7 @@ int main(void) {
         cmocka_unit_test(test_hopeless_normals),
         cmocka_unit_test(test_texture),
         cmocka_unit_test(test_embedded_texture),
+        cmocka_unit_test(test_materials),
         cmocka_unit_test(test_nodes),
         cmocka_unit_test(test_deep_chain),
     };

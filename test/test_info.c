@@ -34,6 +34,8 @@ static void test_scene(void **state) {
     assert_int_equal(info("scenes/cornell-box.glb"), 0);
     check_says("72 vertices, 36 triangles (36 without alpha mask)");
     check_says("(-2.78, 0, -2.796) to (2.78, 5.488, 2.796) m");
+    check_says(
+        "  0  white                base colour (0.725, 0.71, 0.68), metalness 0, roughness 1");
     check_says("lights     1\n");
     check_says("spot (500, 500, 500) W/sr at (1.1, 2.3, 1.9)");
     check_says("cameras    1\n");

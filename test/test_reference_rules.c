@@ -97,7 +97,7 @@ static void set_mask(struct world *world, struct scene_texture *texture) {
                                      188, 188, 188, 0,   188, 188, 188, 255};
     *texture = (struct scene_texture){.bitmap = {2, 2, texels}, .nearest = true};
     world->scene.textures = texture;
-    world->materials[1].texture = 0;
+    world->materials[1].base_color_texture = 0;
     world->materials[1].alpha_mask = true;
 }
 

@@ -142,7 +142,8 @@ static void test_bounds(void **state) {
 
 static const char *const three_lights =
     "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": ["
-    "{\"type\": \"point\", \"color\": [1, 0.5, 0.25], \"intensity\": 8},"
+    "{\"type\": \"point\", \"color\": [1, 0.5, 0.25], \"intensity\": 8,"
+    " \"range\": 5},"
     "{\"name\": \"lamp\", \"type\": \"spot\", \"intensity\": 3, \"spot\": {\"innerConeAngle\": 0.3,"
     " \"outerConeAngle\": 0.6}}, {\"type\": \"directional\"}]}},"
     "\"cameras\": [{\"name\": \"wide\", \"type\": \"perspective\", \"perspective\": {\"yfov\": 1.5,"
@@ -175,6 +176,8 @@ static void test_lights(void **state) {
     assert_int_equal(point.type, EMITTER_POINT);
     check_vector("point", point.position, 1, 2, 3, 1e-6);
     check_vector("point's intensity", point.intensity, 8, 4, 2, 1e-6);
+    check_near("point's range", scene.lights[0].range, 5, 0);
+    assert_true(isinf(scene.lights[1].range));
     assert_int_equal(spot.type, EMITTER_SPOT);
     check_vector("spot", spot.direction, -1, 0, 0, 1e-6);
     check_vector("spot's up", spot.up, 0, 1, 0, 1e-6);

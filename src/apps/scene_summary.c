@@ -46,15 +46,27 @@ static void print_geometry(FILE *out, const struct geometry *geometry) {
     fprintf(out, " m, sphere of radius %.4g m\n", (double)geometry->radius);
 }
 
-static void print_materials(FILE *out, const struct scene *scene) {
-    int textured = 0, masked = 0, double_sided = 0;
-    for (int i = 0; i < scene->material_count; i++) {
-        textured += scene->materials[i].texture >= 0;
-        masked += scene->materials[i].alpha_mask;
-        double_sided += scene->materials[i].double_sided;
+/* A star marks what a texture multiplies. */
+static void print_material(FILE *out, const struct material *material, int n) {
+    static const char *const stars[] = {"", "*"};
+    fprintf(out, "  %d  %-20s base colour ", n, material->name);
+    print_vector(out, material->base_color);
+    fprintf(out, "%s, metalness %.4g%s, roughness %.4g%s", stars[material->base_color_texture >= 0],
+            (double)material->metalness, stars[material->metal_roughness_texture >= 0],
+            (double)material->roughness, stars[material->metal_roughness_texture >= 0]);
+    if (material->emission[0] > 0 || material->emission[1] > 0 || material->emission[2] > 0) {
+        fprintf(out, ", emission ");
+        print_vector(out, material->emission);
+        fprintf(out, "%s W/(sr m2)", stars[material->emission_texture >= 0]);
     }
-    fprintf(out, "materials  %d (%d textured, %d alpha mask, %d double-sided)\n",
-            scene->material_count, textured, masked, double_sided);
+    fprintf(out, "%s%s\n", material->alpha_mask ? ", alpha mask" : "",
+            material->double_sided ? ", double-sided" : "");
+}
+
+static void print_materials(FILE *out, const struct scene *scene) {
+    fprintf(out, "materials  %d\n", scene->material_count);
+    for (int i = 0; i < scene->material_count; i++)
+        print_material(out, &scene->materials[i], i);
     double texels = 0;
     for (int i = 0; i < scene->texture_count; i++)
         texels += (double)scene->textures[i].bitmap.width * scene->textures[i].bitmap.height;
@@ -65,9 +77,9 @@ static void print_light(FILE *out, const struct scene *scene, int n) {
     static const char *const types[] = {"spot", "point", "directional"};
     struct emitter light;
     emitter_place(&light, scene, n, 0);
-    int node = node_carrying(scene, NODE_LIGHT, n);
-    fprintf(out, "  %d  %-20s %s ", n, scene->lights[scene->nodes[node].light].name,
-            types[light.type]);
+    const struct node *node = &scene->nodes[node_carrying(scene, NODE_LIGHT, n)];
+    const struct scene_light *source = &scene->lights[node->light];
+    fprintf(out, "  %d  %-20s %s ", n, *node->name ? node->name : source->name, types[light.type]);
     print_vector(out, light.intensity);
     fprintf(out, light.type == EMITTER_DIRECTIONAL ? " W/m2" : " W/sr");
     if (light.type != EMITTER_DIRECTIONAL) {
@@ -81,6 +93,8 @@ static void print_light(FILE *out, const struct scene *scene, int n) {
     if (light.type == EMITTER_SPOT)
         fprintf(out, ", cone %.4g to %.4g degrees", degrees(acosf(light.cos_inner)),
                 degrees(acosf(light.cos_outer)));
+    if (isfinite(source->range))
+        fprintf(out, ", not cut off at its range of %.4g m", (double)source->range);
     fputc('\n', out);
 }
 

@@ -60,9 +60,9 @@ static vec4s base_color(const struct hit_table *table, const struct material *ma
     const float *factor = material->base_color;
     vec4s color = glms_vec4_mul(interpolate_color(table->geometry->color, corners),
                                 (vec4s){{factor[0], factor[1], factor[2], factor[3]}});
-    if (material->texture < 0)
+    if (material->base_color_texture < 0)
         return color;
-    const struct scene_texture *texture = &table->scene->textures[material->texture];
+    const struct scene_texture *texture = &table->scene->textures[material->base_color_texture];
     vec2s uv = interpolate_uv(table->geometry->uv, corners);
     return glms_vec4_mul(color, texture_lookup(texture, table->srgb_to_linear, uv));
 }

@@ -21,14 +21,20 @@ static int wrap(int x, int n, enum texture_wrap mode) {
     return x < 0 ? 0 : x < n ? x : n - 1;
 }
 
+static float decode(const struct scene_texture *texture, const float srgb_to_linear[256],
+                    unsigned char byte) {
+    return texture->linear ? (float)byte / 255 : srgb_to_linear[byte];
+}
+
 static vec4s texel(const struct scene_texture *texture, const float srgb_to_linear[256], int x,
                    int y) {
     const struct bitmap *bitmap = &texture->bitmap;
     x = wrap(x, bitmap->width, texture->wrap_u);
     y = wrap(y, bitmap->height, texture->wrap_v);
     const unsigned char *rgba = &bitmap->rgba[4 * ((size_t)y * (size_t)bitmap->width + (size_t)x)];
-    return (vec4s){{srgb_to_linear[rgba[0]], srgb_to_linear[rgba[1]], srgb_to_linear[rgba[2]],
-                    (float)rgba[3] / 255}};
+    return (vec4s){{decode(texture, srgb_to_linear, rgba[0]),
+                    decode(texture, srgb_to_linear, rgba[1]),
+                    decode(texture, srgb_to_linear, rgba[2]), (float)rgba[3] / 255}};
 }
 
 /* Integers stay exact and far from overflow; a picture is at most 2^14 wide. */

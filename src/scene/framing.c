@@ -110,7 +110,8 @@ static void add_spot(struct scene *scene, const struct geometry *geometry,
     *light = (struct scene_light){.type = EMITTER_SPOT,
                                   .intensity = {intensity, intensity, intensity},
                                   .inner = .8F * outer,
-                                  .outer = outer};
+                                  .outer = outer,
+                                  .range = INFINITY};
     snprintf(light->name, sizeof light->name, "framed");
     node->light = scene->light_count++;
     log_note("%s: no light, so a spot from above", scene->path);

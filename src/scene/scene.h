@@ -20,7 +20,7 @@ struct primitive {
     int vertex_count, index_count;
     float (*position)[3];
     float (*normal)[3]; /* unit; computed flat where the file has none */
-    float (*uv)[2];     /* TEXCOORD of the base colour texture, KHR_texture_transform applied */
+    float (*uv)[2];     /* TEXCOORD of the material's textures, KHR_texture_transform applied */
     float (*color)[4];  /* linear RGBA, multiplies the base colour */
     uint32_t *indices;  /* index_count = 3 x triangles; strips and fans are unrolled */
     int material;       /* never -1: the default material stands in */
@@ -56,12 +56,17 @@ struct skin {
     float (*inverse_bind)[16];
 };
 
-/* Diffuse: albedo = base colour factor x texture x vertex colour. */
+/* glTF's metallic-roughness model: each value times what its texture says, where it has one.
+ * Surfaces are shaded as diffuse, and by reflected light alone: albedo = base colour. */
 struct material {
     char name[SCENE_NAME_SIZE];
-    float base_color[4]; /* linear */
-    int texture;         /* base colour; -1 = none */
-    bool alpha_mask;     /* alpha below the cutoff is a hole */
+    float base_color[4];         /* linear; times the vertex colour too */
+    float metalness, roughness;  /* in [0, 1] */
+    float emission[3];           /* linear, W/(sr m2) */
+    int base_color_texture;      /* -1 = none, as of the others */
+    int metal_roughness_texture; /* roughness in G, metalness in B */
+    int emission_texture;
+    bool alpha_mask; /* alpha below the cutoff is a hole */
     float alpha_cutoff;
     bool double_sided; /* else: not drawn for the camera and not reflecting from behind */
 };
@@ -69,7 +74,8 @@ struct material {
 enum texture_wrap { TEXTURE_WRAP_REPEAT, TEXTURE_WRAP_CLAMP, TEXTURE_WRAP_MIRROR };
 
 struct scene_texture {
-    struct bitmap bitmap; /* RGB sRGB-encoded, A linear */
+    struct bitmap bitmap;
+    bool linear; /* else RGB is sRGB-encoded; A is linear */
     enum texture_wrap wrap_u, wrap_v;
     bool nearest; /* no filtering; else linear with MIP maps */
 };
@@ -82,6 +88,7 @@ struct scene_light {
     enum emitter_type type;
     float intensity[3]; /* colour x intensity: W/sr; W/m2 for a directional light */
     float inner, outer; /* spot: half angles of the cone, radians */
+    float range; /* where the file lets it be cut off, m, which it is not; infinite: nowhere */
 };
 
 /* Looks along the node's -Z, +Y up. */

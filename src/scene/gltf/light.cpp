@@ -21,6 +21,7 @@ bool load_light(const tinygltf::Light &from, struct scene_light &to) {
         if (!(to.intensity[c] >= 0) || !std::isfinite(to.intensity[c]))
             return error_set("intensity: it is negative or too large");
     }
+    to.range = from.range > 0 ? float(from.range) : INFINITY;
     to.inner = float(from.spot.innerConeAngle);
     to.outer = float(from.spot.outerConeAngle);
     if (to.type == EMITTER_SPOT &&

@@ -2,6 +2,7 @@
 #include "scene/gltf/model.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gltf {
 namespace {
@@ -25,15 +26,18 @@ enum texture_wrap wrap_mode(int gl) {
                                                          : TEXTURE_WRAP_REPEAT;
 }
 
-/* The scene's texture for one of the file's; a picture used with one sampler is decoded once. */
-bool load_texture(Loader &loader, int index, int &out) {
+/* The scene's texture for one of the file's; a picture used with one sampler is decoded once, or
+ * twice where it holds colours here and numbers there. */
+bool load_texture(Loader &loader, int index, bool linear, int &out) {
     const Model &model = loader.model;
     const tinygltf::Texture &texture = model.textures[index];
     if (texture.source < 0)
         return error_set("texture %d: it has no source", index);
     auto &keys = loader.texture_keys;
-    std::pair<int, int> key(texture.source, texture.sampler);
-    auto known = std::find(keys.begin(), keys.end(), key);
+    TextureKey key = {texture.source, texture.sampler, linear};
+    auto known = std::find_if(keys.begin(), keys.end(), [&](const TextureKey &other) {
+        return other.image == key.image && other.sampler == key.sampler && other.linear == linear;
+    });
     out = int(known - keys.begin());
     if (known != keys.end())
         return true;
@@ -44,6 +48,7 @@ bool load_texture(Loader &loader, int index, int &out) {
         sampler = model.samplers[texture.sampler];
     made.wrap_u = wrap_mode(sampler.wrapS);
     made.wrap_v = wrap_mode(sampler.wrapT);
+    made.linear = linear;
     made.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
     if (!decode_image(loader, image, made.bitmap))
         return error_prefix("%s", label("image", texture.source, image.name).c_str());
@@ -76,28 +81,97 @@ UvSource uv_source(const tinygltf::TextureInfo &info) {
     return source;
 }
 
+bool same_place(const UvSource &a, const UvSource &b) {
+    return a.set == b.set && a.rotation == b.rotation &&
+           std::equal(a.offset, a.offset + 2, b.offset) &&
+           std::equal(a.scale, a.scale + 2, b.scale);
+}
+
+/* Vertices have one uv: a texture that lies elsewhere than the material's first is left out. */
+bool load_textures(Loader &loader, const tinygltf::Material &from, struct material &to,
+                   UvSource &uv) {
+    const struct {
+        const tinygltf::TextureInfo &info;
+        bool linear;
+        int &out;
+    } rows[] = {
+        {from.pbrMetallicRoughness.baseColorTexture, false, to.base_color_texture},
+        {from.pbrMetallicRoughness.metallicRoughnessTexture, true, to.metal_roughness_texture},
+        {from.emissiveTexture, false, to.emission_texture},
+    };
+    bool first = true;
+    for (const auto &row : rows) {
+        row.out = -1;
+        if (row.info.index < 0)
+            continue;
+        UvSource source = uv_source(row.info);
+        if (first)
+            uv = source;
+        else if (!same_place(source, uv)) {
+            log_warning("%s: material '%s': a texture with coordinates of its own is left out",
+                        loader.scene->path, to.name);
+            continue;
+        }
+        first = false;
+        if (!load_texture(loader, row.info.index, row.linear, row.out))
+            return false;
+    }
+    return true;
+}
+
+bool load_share(double from, float &to, const char *what) {
+    to = float(from);
+    return (from >= 0 && from <= 1) || error_set("%s: %g is not from 0 to 1", what, from);
+}
+
+/* emissiveFactor x KHR_materials_emissive_strength. */
+bool load_emission(const tinygltf::Material &from, struct material &to) {
+    auto found = from.extensions.find("KHR_materials_emissive_strength");
+    double strength =
+        found == from.extensions.end() ? 1 : number_of(found->second, "emissiveStrength", 0, 1);
+    for (int c = 0; c < 3; c++) {
+        to.emission[c] = float(from.emissiveFactor[size_t(c)] * strength);
+        if (!(to.emission[c] >= 0) || !std::isfinite(to.emission[c]))
+            return error_set("emissiveFactor: it is negative or too large");
+    }
+    return true;
+}
+
 bool load_material(Loader &loader, const tinygltf::Material &from, struct material &to,
                    UvSource &uv) {
     copy_name(to.name, from.name);
     const auto &pbr = from.pbrMetallicRoughness;
-    to.texture = -1;
     to.double_sided = from.doubleSided;
     to.alpha_mask = from.alphaMode == "MASK";
-    uv = uv_source(pbr.baseColorTexture);
     return copy_numbers({from.alphaCutoff}, &to.alpha_cutoff, "alphaCutoff") &&
            copy_numbers(pbr.baseColorFactor, to.base_color, "baseColorFactor") &&
-           (pbr.baseColorTexture.index < 0 ||
-            load_texture(loader, pbr.baseColorTexture.index, to.texture));
+           load_share(pbr.metallicFactor, to.metalness, "metallicFactor") &&
+           load_share(pbr.roughnessFactor, to.roughness, "roughnessFactor") &&
+           load_emission(from, to) && load_textures(loader, from, to, uv);
+}
+
+/* The standard's default: white, rough and, as it is, a metal. */
+void make_default(struct material &to) {
+    copy_name(to.name, "default");
+    for (float &c : to.base_color)
+        c = 1;
+    to.metalness = to.roughness = 1;
+    to.base_color_texture = to.metal_roughness_texture = to.emission_texture = -1;
 }
 
 } // namespace
 
-/* One material more than the file has: the standard's default, white, for primitives without. */
+bool material_is_textured(const struct material &material) {
+    return material.base_color_texture >= 0 || material.metal_roughness_texture >= 0 ||
+           material.emission_texture >= 0;
+}
+
+/* One material more than the file has: the default, for primitives without. */
 bool load_materials(Loader &loader) {
     const auto &from = loader.model.materials;
     struct scene *scene = loader.scene;
     scene->materials = allocate<struct material>(from.size() + 1);
-    scene->textures = allocate<struct scene_texture>(from.size());
+    scene->textures = allocate<struct scene_texture>(3 * from.size());
     scene->material_count = int(from.size()) + 1;
     loader.uv_sources.resize(from.size() + 1);
     bool blended = false;
@@ -106,11 +180,7 @@ bool load_materials(Loader &loader) {
         if (!load_material(loader, from[i], scene->materials[i], loader.uv_sources[i]))
             return error_prefix("%s", label("material", i, from[i].name).c_str());
     }
-    struct material &fallback = scene->materials[from.size()];
-    copy_name(fallback.name, "default");
-    fallback.texture = -1;
-    for (float &c : fallback.base_color)
-        c = 1;
+    make_default(scene->materials[from.size()]);
     if (blended)
         log_warning("%s: alpha mode BLEND is drawn opaque", scene->path);
     return true;

@@ -55,7 +55,7 @@ bool load_attributes(Loader &loader, const tinygltf::Primitive &from, struct pri
     if (!load_attribute(loader, from, "NORMAL", count, &to.normal) ||
         !load_attribute(loader, from, "COLOR_0", count, &to.color))
         return false;
-    if (loader.scene->materials[to.material].texture < 0)
+    if (!material_is_textured(loader.scene->materials[to.material]))
         return true;
     const UvSource &uv = loader.uv_sources[size_t(to.material)];
     if (!load_attribute(loader, from, "TEXCOORD_" + std::to_string(uv.set), count, &to.uv))

@@ -24,17 +24,22 @@ extern "C" {
 
 #include <cstdlib>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace gltf {
 
 using tinygltf::Model;
 
-/* The base colour texture's way from TEXCOORD_n to uv. */
+/* A texture's way from TEXCOORD_n to uv. */
 struct UvSource {
     int set = 0;
     double offset[2] = {0, 0}, rotation = 0, scale[2] = {1, 1};
+};
+
+/* A texture of the scene: image, sampler, and whether its numbers are linear. */
+struct TextureKey {
+    int image, sampler;
+    bool linear;
 };
 
 /* The bytes of a file for as long as they are in scope. */
@@ -54,11 +59,11 @@ struct Loader {
     struct scene *scene;
     std::string folder; /* "" or ends in a slash */
     Model model;
-    std::string file_error;                        /* why a file that the glTF names was not read */
-    std::vector<UvSource> uv_sources;              /* one per material */
-    std::vector<std::pair<int, int>> texture_keys; /* image and sampler of each texture */
-    std::vector<int> node_places;                  /* each node's index in the scene, or -1 */
-    size_t budget = max_elements; /* vertices, indices and keys that there may still be */
+    std::string file_error;               /* why a file that the glTF names was not read */
+    std::vector<UvSource> uv_sources;     /* one per material, of all its textures */
+    std::vector<TextureKey> texture_keys; /* one per texture */
+    std::vector<int> node_places;         /* each node's index in the scene, or -1 */
+    size_t budget = max_elements;         /* vertices, indices and keys that there may still be */
 };
 
 /* schema.cpp: whether the JSON is what the standard demands, given the size of the BIN chunk.
@@ -84,6 +89,9 @@ bool load_elements(Loader &loader, int index, int width, size_t count, float **o
 /* deform.cpp: what moves a primitive's vertices, before they are flattened. */
 bool load_joints(Loader &loader, const tinygltf::Primitive &from, struct primitive &to);
 bool load_targets(Loader &loader, const tinygltf::Primitive &from, int count, struct primitive &to);
+
+/* gltf/material.cpp: whether the material's primitives need texture coordinates. */
+bool material_is_textured(const struct material &material);
 
 /* Each fills its part of the scene, in this order. */
 bool load_materials(Loader &loader);

@@ -142,14 +142,27 @@ const Field texture_info[] = {
 const Field metallic_roughness[] = {
     {"baseColorFactor", Optional, Kind::Numbers, nullptr, nullptr, 4},
     {"baseColorTexture", Optional, Kind::Object, nullptr, texture_info},
+    {"metallicFactor", Optional, Kind::Number},
+    {"roughnessFactor", Optional, Kind::Number},
+    {"metallicRoughnessTexture", Optional, Kind::Object, nullptr, texture_info},
+    end,
+};
+
+const Field emissive_strength[] = {{"emissiveStrength", Optional, Kind::Number}, end};
+
+const Field material_extensions[] = {
+    {"KHR_materials_emissive_strength", Optional, Kind::Object, nullptr, emissive_strength},
     end,
 };
 
 const Field material[] = {
     {"pbrMetallicRoughness", Optional, Kind::Object, nullptr, metallic_roughness},
+    {"emissiveFactor", Optional, Kind::Numbers, nullptr, nullptr, 3},
+    {"emissiveTexture", Optional, Kind::Object, nullptr, texture_info},
     {"alphaMode", Optional, Kind::Choice, " OPAQUE MASK BLEND"},
     {"alphaCutoff", Optional, Kind::Number},
     {"doubleSided", Optional, Kind::Flag},
+    {"extensions", Optional, Kind::Object, nullptr, material_extensions},
     end,
 };
 
@@ -241,6 +254,7 @@ const Field light[] = {
     {"type", Required, Kind::Variant, " directional point spot"},
     {"color", Optional, Kind::Numbers, nullptr, nullptr, 3},
     {"intensity", Optional, Kind::Number},
+    {"range", Optional, Kind::Number},
     {"spot", Optional, Kind::Object, nullptr, spot},
     end,
 };

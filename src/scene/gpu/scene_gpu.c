@@ -58,9 +58,12 @@ static bool upload_materials(struct scene_gpu *gpu, const struct scene *scene) {
         struct material_block block = {
             .alpha_cutoff = material->alpha_mask ? material->alpha_cutoff : -1,
             .double_sided = material->double_sided,
-            .textured = material->texture >= 0,
+            .textured = material->base_color_texture >= 0,
+            .metalness = material->metalness,
+            .roughness = material->roughness,
         };
         memcpy(block.base_color, material->base_color, sizeof block.base_color);
+        memcpy(block.emission, material->emission, sizeof material->emission);
         memcpy(bytes + i * MATERIAL_STRIDE, &block, sizeof block);
     }
     bool ok = buffer_init(&gpu->materials, "scene materials", size, bytes);
@@ -74,7 +77,7 @@ static bool upload_texture(struct texture *texture, const struct scene_texture *
     int levels = source->nearest ? 1 : texture_full_levels(bitmap->width, bitmap->height, 1);
     if (!texture_init(texture, &(struct texture_desc){
                                    .label = "scene textures",
-                                   .format = GL_SRGB8_ALPHA8,
+                                   .format = source->linear ? GL_RGBA8 : GL_SRGB8_ALPHA8,
                                    .width = bitmap->width,
                                    .height = bitmap->height,
                                    .levels = levels,
@@ -264,7 +267,7 @@ static void draw_indices(uint32_t first, uint32_t count, int instances) {
 
 static void draw_batch(const struct scene_gpu *gpu, const struct geometry_batch *batch,
                        int instances) {
-    int texture = gpu->scene->materials[batch->material].texture;
+    int texture = gpu->scene->materials[batch->material].base_color_texture;
     gl.BindBufferRange(GL_UNIFORM_BUFFER, BLOCK_MATERIAL, gpu->materials.id,
                        (GLintptr)batch->material * MATERIAL_STRIDE, sizeof(struct material_block));
     if (texture >= 0)
