@@ -131,7 +131,7 @@ static void render_depths(const struct antialias_pass *pass, const struct frame 
     state.cull_back = true;
     pass_set_state(&state);
     scene_gpu_draw_solid(frame->scene, false, pass->layers);
-    if (frame->scene->masked_caster_count) {
+    if (frame->scene->has_masked) {
         state.cull_back = false;
         state.program = pass->masked_program;
         pass_set_state(&state);

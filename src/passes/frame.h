@@ -8,13 +8,14 @@
 #include "gl/buffer.h"
 #include "gl/texture.h"
 #include "gl/timer.h"
-#include "scene/gpu/scene_gpu.h"
+#include "scene/gpu/caster_gpu.h"
 
 /* What every pass of one frame may use. BLOCK_VIEW and BLOCK_LIGHT are bound for the whole frame.
  */
 struct frame {
     struct timers *timers;
     const struct scene_gpu *scene;
+    const struct caster_gpu *caster; /* what maps of visibility show */
     float light_measure; /* solid angle that the light shines into, sr; a directional light's area,
                             m2 */
     bool light_directional;

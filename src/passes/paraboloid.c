@@ -79,7 +79,7 @@ void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct fra
         .name = "depth maps",
         .program = pass->opaque_program,
         .framebuffer = pass->framebuffer,
-        .vertex_array = frame->scene->caster_vertices,
+        .vertex_array = frame->caster->vertices,
         .width = pass->maps.size,
         .height = pass->maps.size,
         .depth = PASS_DEPTH_LESS,
@@ -90,13 +90,13 @@ void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct fra
     gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_MAPS, views->buffer.id);
     gl.ProgramUniform1f(pass->opaque_program, LOCATION_CLIP_Z, clip_fraction * frame->radius);
     gl.ProgramUniform1f(pass->opaque_program, LOCATION_MAP_SIZE, (float)pass->maps.size);
-    scene_gpu_draw_opaque_casters(frame->scene, views->count);
-    if (frame->scene->masked_caster_count) {
+    caster_gpu_draw_opaque(frame->caster, views->count);
+    if (caster_gpu_has_masked(frame->caster)) {
         state.program = pass->masked_program;
         pass_set_state(&state);
         gl.ProgramUniform1f(pass->masked_program, LOCATION_CLIP_Z, clip_fraction * frame->radius);
         gl.ProgramUniform1f(pass->masked_program, LOCATION_MAP_SIZE, (float)pass->maps.size);
-        scene_gpu_draw_masked_casters(frame->scene, views->count);
+        caster_gpu_draw_masked(frame->caster, frame->scene, views->count);
     }
     pass_end(frame->timers);
 }

@@ -49,7 +49,7 @@ void shadow_map_pass_render(const struct shadow_map_pass *pass, const struct fra
     pass_begin(frame->timers, &state);
     gl.ClearNamedFramebufferfv(pass->framebuffer, GL_DEPTH, 0, &far);
     scene_gpu_draw_opaque(frame->scene, frame->light_views);
-    if (frame->scene->masked_caster_count) {
+    if (frame->scene->has_masked) {
         state.program = pass->masked_program;
         pass_set_state(&state);
         scene_gpu_draw_masked(frame->scene, frame->light_views);

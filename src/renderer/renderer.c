@@ -27,7 +27,7 @@ static float irradiance_scale(const struct renderer_desc *desc) {
 
 /* What is made together, and anew when what it depends on changes. */
 enum part {
-    PART_SCENE = 1,      /* caster, scene: caster_edge, caster_error of the technique */
+    PART_CASTER = 1,     /* caster_edge, caster_error of the technique */
     PART_SIZE = 2,       /* G-buffer, composite: size */
     PART_GEOMETRY = 4,   /* nothing but shaders */
     PART_SHADOW = 8,     /* shadow_size, number of light views */
@@ -36,24 +36,20 @@ enum part {
                             is */
     PART_ANTIALIAS = 64, /* size, samples */
     PART_ALL = 127,
-    PART_SHADERS = PART_ALL & ~PART_SCENE,
-    PART_LIGHTS = PART_SCENE | PART_SHADOW | PART_TECHNIQUE, /* what render_lights draws with */
+    PART_SHADERS = PART_ALL & ~PART_CASTER,
+    PART_LIGHTS = PART_CASTER | PART_SHADOW | PART_TECHNIQUE, /* what render_lights draws with */
 };
 
-/* Over the scene's radius. */
-static float caster_error(int technique, const struct settings *settings) {
-    return techniques[technique]->exact_casters ? 0 : settings->caster_error;
+static struct caster_desc caster_desc(int technique, const struct settings *settings) {
+    return (struct caster_desc){
+        .max_edge = settings->caster_edge,
+        .error = techniques[technique]->exact_casters ? 0 : settings->caster_error,
+    };
 }
 
-static bool init_scene(struct renderer *renderer) {
-    const struct renderer_desc *desc = &renderer->desc;
-    float radius = desc->geometry->radius;
-    caster_init(&renderer->caster, desc->geometry,
-                &(struct caster_desc){
-                    .max_edge = desc->settings.caster_edge * radius,
-                    .error = caster_error(desc->technique, &desc->settings) * radius,
-                });
-    return scene_gpu_init(&renderer->scene, desc->scene, desc->geometry, &renderer->caster);
+static bool init_caster(struct renderer *renderer) {
+    struct caster_desc desc = caster_desc(renderer->desc.technique, &renderer->desc.settings);
+    return caster_pool_acquire(renderer->casters, &renderer->caster, &desc);
 }
 
 static bool init_size(struct renderer *renderer) {
@@ -96,7 +92,7 @@ static bool init_technique(struct renderer *renderer) {
 }
 
 static bool init_parts(struct renderer *renderer, unsigned parts) {
-    return (!(parts & PART_SCENE) || init_scene(renderer)) &&
+    return (!(parts & PART_CASTER) || init_caster(renderer)) &&
            (!(parts & PART_SIZE) || init_size(renderer)) &&
            (!(parts & PART_GEOMETRY) || geometry_pass_init(&renderer->geometry)) &&
            (!(parts & PART_SHADOW) || init_shadow(renderer)) &&
@@ -115,9 +111,10 @@ static void write_views(struct renderer *renderer) {
 }
 
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) {
-    *renderer = (struct renderer){.desc = *desc};
+    *renderer = (struct renderer){.desc = *desc, .casters = caster_pool_create(desc->geometry)};
     timers_init(&renderer->timers, desc->timed, desc->software);
-    if (init_parts(renderer, PART_ALL) &&
+    if (scene_gpu_init(&renderer->scene, desc->scene, desc->geometry) &&
+        init_parts(renderer, PART_ALL) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
         buffer_init(&renderer->light_buffer, "light", sizeof renderer->light_block, NULL)) {
         write_views(renderer);
@@ -127,10 +124,8 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
     return false;
 }
 
-void renderer_free(struct renderer *renderer) {
-    timers_free(&renderer->timers);
-    caster_free(&renderer->caster);
-    scene_gpu_free(&renderer->scene);
+static void free_parts(struct renderer *renderer) {
+    caster_pool_release(renderer->casters, &renderer->caster);
     gbuffer_free(&renderer->gbuffer);
     geometry_pass_free(&renderer->geometry);
     shadow_map_pass_free(&renderer->shadow_map);
@@ -139,6 +134,13 @@ void renderer_free(struct renderer *renderer) {
     composite_pass_free(&renderer->composite);
     if (renderer->technique)
         renderer->technique->free(renderer->technique_state);
+}
+
+void renderer_free(struct renderer *renderer) {
+    free_parts(renderer);
+    timers_free(&renderer->timers);
+    scene_gpu_free(&renderer->scene);
+    caster_pool_free(renderer->casters);
     buffer_free(&renderer->view_buffer);
     buffer_free(&renderer->light_buffer);
     *renderer = (struct renderer){0};
@@ -158,10 +160,8 @@ static void swap(void *a, void *b, size_t size) {
 #define SWAP(field) swap(&a->field, &b->field, sizeof a->field)
 
 static void swap_parts(struct renderer *a, struct renderer *b, unsigned parts) {
-    if (parts & PART_SCENE) {
+    if (parts & PART_CASTER)
         SWAP(caster);
-        SWAP(scene);
-    }
     if (parts & PART_SIZE) {
         SWAP(gbuffer);
         SWAP(composite);
@@ -189,7 +189,7 @@ static bool resize_technique(struct renderer *renderer, const struct renderer_de
 
 /* The new parts are made beside the old ones, which go only when all are there. */
 static bool change(struct renderer *renderer, const struct renderer_desc *desc, unsigned parts) {
-    struct renderer fresh = {.desc = *desc};
+    struct renderer fresh = {.desc = *desc, .casters = renderer->casters};
     bool ok =
         init_parts(&fresh, parts) && (parts & PART_TECHNIQUE || resize_technique(renderer, desc));
     if (ok) {
@@ -202,7 +202,7 @@ static bool change(struct renderer *renderer, const struct renderer_desc *desc, 
             timers_init(&renderer->timers, desc->timed, desc->software);
         }
     }
-    renderer_free(&fresh);
+    free_parts(&fresh);
     return ok;
 }
 
@@ -211,7 +211,7 @@ static unsigned parts_of_setting(const struct option *option) {
         return 0;
     if (option->offset == offsetof(struct settings, caster_edge) ||
         option->offset == offsetof(struct settings, caster_error))
-        return 0; /* renderer_makes_casters */
+        return 0; /* changes_caster */
     if (option->offset == offsetof(struct settings, shadow_size))
         return PART_SHADOW;
     if (option->offset == offsetof(struct settings, shadow_bias))
@@ -223,15 +223,22 @@ static unsigned parts_of_setting(const struct option *option) {
 
 bool renderer_makes_casters(const struct renderer *renderer, int technique,
                             const struct settings *settings) {
-    const struct renderer_desc *desc = &renderer->desc;
-    return settings->caster_edge != desc->settings.caster_edge ||
-           caster_error(technique, settings) != caster_error(desc->technique, &desc->settings);
+    struct caster_desc desc = caster_desc(technique, settings);
+    return !caster_pool_has(renderer->casters, &desc);
+}
+
+/* Whether other casters are needed, made or not. */
+static bool changes_caster(const struct renderer_desc *desc, int technique,
+                           const struct settings *settings) {
+    struct caster_desc old = caster_desc(desc->technique, &desc->settings);
+    struct caster_desc new = caster_desc(technique, settings);
+    return memcmp(&old, &new, sizeof old) != 0;
 }
 
 bool renderer_configure(struct renderer *renderer, int technique, const struct settings *settings) {
     struct renderer_desc desc = renderer->desc;
     unsigned parts = (technique == desc.technique ? 0 : PART_TECHNIQUE) |
-                     (renderer_makes_casters(renderer, technique, settings) ? PART_SCENE : 0);
+                     (changes_caster(&desc, technique, settings) ? PART_CASTER : 0);
     for (const struct option *option = settings_table; option->name; option++)
         if (!option_equal(option, settings, &desc.settings))
             parts |= parts_of_setting(option);
@@ -266,8 +273,8 @@ bool renderer_update(struct renderer *renderer, const struct emitter *light,
                      const struct camera *camera) {
     renderer->desc.camera = *camera;
     renderer->lights_drawn &= renderer->scene.pose == renderer->desc.geometry->pose_count;
-    return scene_gpu_update(&renderer->scene, renderer->desc.geometry, &renderer->caster) &&
-           renderer_set_light(renderer, light);
+    return scene_gpu_update(&renderer->scene, renderer->desc.geometry) &&
+           caster_pool_update(renderer->casters) && renderer_set_light(renderer, light);
 }
 
 bool renderer_reload_shaders(struct renderer *renderer) {
@@ -281,6 +288,7 @@ struct frame renderer_frame(struct renderer *renderer) {
     struct frame frame = {
         .timers = &renderer->timers,
         .scene = &renderer->scene,
+        .caster = renderer->caster,
         .light_measure = renderer->light_block.intensity[3],
         .light_directional = desc->light.type == EMITTER_DIRECTIONAL,
         .light_views = emitter_view_count(&desc->light),

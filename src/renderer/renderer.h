@@ -12,6 +12,7 @@
 #include "passes/direct.h"
 #include "passes/geometry.h"
 #include "passes/shadow_map.h"
+#include "scene/gpu/caster_pool.h"
 #include "scene/view.h"
 #include "techniques/technique.h"
 
@@ -35,8 +36,9 @@ struct renderer_desc {
 struct renderer {
     struct renderer_desc desc;
     struct timers timers;
-    struct caster caster;
     struct scene_gpu scene;
+    struct caster_pool *casters;
+    const struct caster_gpu *caster; /* of the pool */
     struct gbuffer gbuffer;
     struct geometry_pass geometry;
     struct shadow_map_pass shadow_map;

@@ -1,6 +1,8 @@
 #include "scene/gpu/scene_gpu.h"
 
 #include "base/memory.h"
+#include "gl/vertex_array.h"
+#include "shared/bindings.h"
 #include "shared/material.h"
 
 #include <math.h>
@@ -8,25 +10,6 @@
 #include <string.h>
 
 enum { MATERIAL_STRIDE = 256 }; /* no driver asks for a larger uniform offset alignment */
-
-/* The geometry's vertices, then the extra ones of the casters. */
-static bool upload_positions(struct scene_gpu *gpu, const struct geometry *geometry,
-                             const struct caster *caster) {
-    size_t base = geometry->vertex_count, count = base + caster->extra_count;
-    float(*positions)[3] = mem_alloc(count, sizeof *positions);
-    float(*uvs)[2] = mem_alloc(count, sizeof *uvs);
-    memcpy(positions, geometry->position, base * sizeof *positions);
-    memcpy(uvs, geometry->uv, base * sizeof *uvs);
-    caster_fill(caster, geometry, positions + base, uvs + base);
-    gpu->extra = mem_alloc(caster->extra_count, sizeof *gpu->extra);
-    memcpy(gpu->extra, positions + base, caster->extra_count * sizeof *gpu->extra);
-    bool ok =
-        buffer_init(&gpu->positions, "scene positions", count * sizeof *positions, positions) &&
-        buffer_init(&gpu->uvs, "scene uvs", count * sizeof *uvs, uvs);
-    free(positions);
-    free(uvs);
-    return ok;
-}
 
 static void convert_normals(float (*from)[3], size_t count, int16_t (*to)[4]) {
     for (size_t i = 0; i < count; i++)
@@ -102,80 +85,55 @@ static bool upload_textures(struct scene_gpu *gpu, const struct scene *scene) {
     return true;
 }
 
-static void add_attribute(GLuint vertices, GLuint location, const struct buffer *buffer,
-                          GLint count, GLenum type, GLsizei stride) {
-    gl.VertexArrayVertexBuffer(vertices, location, buffer->id, 0, stride);
-    gl.VertexArrayAttribFormat(vertices, location, count, type, type != GL_FLOAT, 0);
-    gl.VertexArrayAttribBinding(vertices, location, location);
-    gl.EnableVertexArrayAttrib(vertices, location);
-}
-
-static void make_vertex_arrays(struct scene_gpu *gpu) {
+static void make_vertex_array(struct scene_gpu *gpu) {
     gl.CreateVertexArrays(1, &gpu->shaded_vertices);
-    add_attribute(gpu->shaded_vertices, ATTRIBUTE_POSITION, &gpu->positions, 3, GL_FLOAT, 12);
-    add_attribute(gpu->shaded_vertices, ATTRIBUTE_NORMAL, &gpu->normals, 3, GL_SHORT, 8);
-    add_attribute(gpu->shaded_vertices, ATTRIBUTE_UV, &gpu->uvs, 2, GL_FLOAT, 8);
-    add_attribute(gpu->shaded_vertices, ATTRIBUTE_COLOR, &gpu->colors, 4, GL_UNSIGNED_SHORT, 8);
+    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_POSITION, &gpu->positions, 3, GL_FLOAT,
+                           12);
+    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_NORMAL, &gpu->normals, 3, GL_SHORT, 8);
+    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_UV, &gpu->uvs, 2, GL_FLOAT, 8);
+    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_COLOR, &gpu->colors, 4,
+                           GL_UNSIGNED_SHORT, 8);
     gl.VertexArrayElementBuffer(gpu->shaded_vertices, gpu->indices.id);
-    gl.CreateVertexArrays(1, &gpu->caster_vertices);
-    add_attribute(gpu->caster_vertices, ATTRIBUTE_POSITION, &gpu->positions, 3, GL_FLOAT, 12);
-    add_attribute(gpu->caster_vertices, ATTRIBUTE_UV, &gpu->uvs, 2, GL_FLOAT, 8);
-    gl.VertexArrayElementBuffer(gpu->caster_vertices, gpu->caster_indices.id);
 }
 
-static void copy_batches(struct scene_gpu *gpu, const struct geometry *geometry,
-                         const struct caster *caster) {
+static void copy_batches(struct scene_gpu *gpu, const struct geometry *geometry) {
     gpu->batch_count = geometry->batch_count;
     gpu->batches = mem_alloc((size_t)geometry->batch_count, sizeof *gpu->batches);
     memcpy(gpu->batches, geometry->batches, (size_t)geometry->batch_count * sizeof *gpu->batches);
     gpu->opaque_indices = geometry->opaque_index_count;
-    gpu->opaque_caster_indices = caster->opaque_index_count;
-    gpu->masked_casters = mem_alloc((size_t)caster->batch_count, sizeof *gpu->masked_casters);
-    for (int i = 0; i < caster->batch_count; i++)
-        if (caster->batches[i].first_index >= caster->opaque_index_count)
-            gpu->masked_casters[gpu->masked_caster_count++] = caster->batches[i];
+    gpu->has_masked = geometry->opaque_index_count < geometry->index_count;
 }
 
-static bool init_geometry(struct scene_gpu *gpu, const struct geometry *geometry,
-                          const struct caster *caster) {
-    gpu->vertex_count = geometry->vertex_count;
+static bool init_geometry(struct scene_gpu *gpu, const struct geometry *geometry) {
+    size_t count = geometry->vertex_count;
     gpu->pose = geometry->pose_count;
-    copy_batches(gpu, geometry, caster);
-    if (!upload_positions(gpu, geometry, caster) || !upload_attributes(gpu, geometry) ||
+    copy_batches(gpu, geometry);
+    if (!buffer_init(&gpu->positions, "scene positions", count * sizeof *geometry->position,
+                     geometry->position) ||
+        !buffer_init(&gpu->uvs, "scene uvs", count * sizeof *geometry->uv, geometry->uv) ||
+        !upload_attributes(gpu, geometry) ||
         !buffer_init(&gpu->indices, "scene indices", geometry->index_count * sizeof(uint32_t),
-                     geometry->indices) ||
-        !buffer_init(&gpu->caster_indices, "scene caster indices",
-                     caster->index_count * sizeof(uint32_t), caster->indices))
+                     geometry->indices))
         return false;
-    make_vertex_arrays(gpu);
+    make_vertex_array(gpu);
     return true;
 }
 
 static void free_geometry(struct scene_gpu *gpu) {
-    if (gpu->shaded_vertices)
-        gl.DeleteVertexArrays(1, &gpu->shaded_vertices);
-    if (gpu->caster_vertices)
-        gl.DeleteVertexArrays(1, &gpu->caster_vertices);
-    gpu->shaded_vertices = gpu->caster_vertices = 0;
+    vertex_array_free(&gpu->shaded_vertices);
     buffer_free(&gpu->positions);
     buffer_free(&gpu->normals);
     buffer_free(&gpu->uvs);
     buffer_free(&gpu->colors);
     buffer_free(&gpu->indices);
-    buffer_free(&gpu->caster_indices);
     free(gpu->batches);
-    free(gpu->masked_casters);
-    free(gpu->extra);
-    gpu->batches = gpu->masked_casters = NULL;
-    gpu->masked_caster_count = 0;
-    gpu->extra = NULL;
+    gpu->batches = NULL;
 }
 
 bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
-                    const struct geometry *geometry, const struct caster *caster) {
+                    const struct geometry *geometry) {
     *gpu = (struct scene_gpu){.scene = scene};
-    if (init_geometry(gpu, geometry, caster) && upload_materials(gpu, scene) &&
-        upload_textures(gpu, scene))
+    if (init_geometry(gpu, geometry) && upload_materials(gpu, scene) && upload_textures(gpu, scene))
         return true;
     scene_gpu_free(gpu);
     return false;
@@ -193,10 +151,8 @@ void scene_gpu_free(struct scene_gpu *gpu) {
 
 /* --- what has moved --------------------------------------------------------------------------- */
 
-static void update_vertices(struct scene_gpu *gpu, const struct geometry *geometry,
-                            const struct caster *caster, int index) {
-    const struct geometry_part *part = &geometry->parts[index];
-    const struct caster_part *extra = &caster->parts[index];
+static void update_vertices(struct scene_gpu *gpu, const struct geometry_part *part,
+                            const struct geometry *geometry) {
     uint32_t first = part->first_vertex, count = part->vertex_count;
     if (count > gpu->normal_room_size) {
         gpu->normal_room_size = part->vertex_room;
@@ -204,11 +160,8 @@ static void update_vertices(struct scene_gpu *gpu, const struct geometry *geomet
             mem_resize(gpu->normal_room, gpu->normal_room_size, sizeof *gpu->normal_room);
     }
     convert_normals(geometry->normal + first, count, gpu->normal_room);
-    caster_fill_part(caster, geometry, index, gpu->extra);
     buffer_write(&gpu->positions, first * sizeof *geometry->position,
                  count * sizeof *geometry->position, geometry->position + first);
-    buffer_write(&gpu->positions, (gpu->vertex_count + extra->first_extra) * sizeof *gpu->extra,
-                 extra->extra_count * sizeof *gpu->extra, gpu->extra + extra->first_extra);
     buffer_write(&gpu->normals, first * sizeof *gpu->normal_room, count * sizeof *gpu->normal_room,
                  gpu->normal_room);
 }
@@ -220,41 +173,20 @@ static void update_indices(const struct scene_gpu *gpu, const struct geometry_pa
                  geometry->indices + part->first_index);
 }
 
-/* The casters' triangles of dynamic batches. The others keep theirs: whether a triangle is seen
- * from behind is all one to a depth map. */
-static void update_caster_indices(const struct scene_gpu *gpu, const struct geometry *geometry,
-                                  struct caster *caster) {
-    for (int i = 0; i < caster->batch_count; i++) {
-        const struct geometry_batch *batch = &caster->batches[i];
-        if (!batch->dynamic)
-            continue;
-        caster_take_batch(caster, geometry, i);
-        buffer_write(&gpu->caster_indices, batch->first_index * sizeof *caster->indices,
-                     batch->index_count * sizeof *caster->indices,
-                     caster->indices + batch->first_index);
-    }
-}
-
-bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry,
-                      struct caster *caster) {
+bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry) {
     unsigned seen = gpu->pose;
     if (geometry->laid_out > seen) {
-        caster_lay_out(caster, geometry);
         free_geometry(gpu);
-        return init_geometry(gpu, geometry, caster);
+        return init_geometry(gpu, geometry);
     }
     gpu->pose = geometry->pose_count;
-    bool rewound = false;
     for (int i = 0; i < geometry->part_count; i++) {
         const struct geometry_part *part = &geometry->parts[i];
         if (part->moved > seen)
-            update_vertices(gpu, geometry, caster, i);
+            update_vertices(gpu, part, geometry);
         if (part->rewound > seen)
             update_indices(gpu, part, geometry);
-        rewound |= part->rewound > seen;
     }
-    if (rewound)
-        update_caster_indices(gpu, geometry, caster);
     return true;
 }
 
@@ -265,8 +197,8 @@ static void draw_indices(uint32_t first, uint32_t count, int instances) {
                              (const void *)(uintptr_t)(first * sizeof(uint32_t)), instances);
 }
 
-static void draw_batch(const struct scene_gpu *gpu, const struct geometry_batch *batch,
-                       int instances) {
+void scene_gpu_draw_batch(const struct scene_gpu *gpu, const struct geometry_batch *batch,
+                          int instances) {
     int texture = gpu->scene->materials[batch->material].base_color_texture;
     gl.BindBufferRange(GL_UNIFORM_BUFFER, BLOCK_MATERIAL, gpu->materials.id,
                        (GLintptr)batch->material * MATERIAL_STRIDE, sizeof(struct material_block));
@@ -277,13 +209,13 @@ static void draw_batch(const struct scene_gpu *gpu, const struct geometry_batch 
 
 void scene_gpu_draw_shaded(const struct scene_gpu *gpu, int instances) {
     for (int i = 0; i < gpu->batch_count; i++)
-        draw_batch(gpu, &gpu->batches[i], instances);
+        scene_gpu_draw_batch(gpu, &gpu->batches[i], instances);
 }
 
 void scene_gpu_draw_masked(const struct scene_gpu *gpu, int instances) {
     for (int i = 0; i < gpu->batch_count; i++)
         if (gpu->scene->materials[gpu->batches[i].material].alpha_mask)
-            draw_batch(gpu, &gpu->batches[i], instances);
+            scene_gpu_draw_batch(gpu, &gpu->batches[i], instances);
 }
 
 void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided, int instances) {
@@ -298,14 +230,4 @@ void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided, int in
 void scene_gpu_draw_opaque(const struct scene_gpu *gpu, int instances) {
     if (gpu->opaque_indices)
         draw_indices(0, gpu->opaque_indices, instances);
-}
-
-void scene_gpu_draw_opaque_casters(const struct scene_gpu *gpu, int instances) {
-    if (gpu->opaque_caster_indices)
-        draw_indices(0, gpu->opaque_caster_indices, instances);
-}
-
-void scene_gpu_draw_masked_casters(const struct scene_gpu *gpu, int instances) {
-    for (int i = 0; i < gpu->masked_caster_count; i++)
-        draw_batch(gpu, &gpu->masked_casters[i], instances);
 }

@@ -188,7 +188,7 @@ static void find_parts(struct caster *caster, const struct geometry *geometry) {
 
 void caster_init(struct caster *caster, const struct geometry *geometry,
                  const struct caster_desc *desc) {
-    float max_edge = desc->max_edge;
+    float max_edge = desc->max_edge * geometry->radius, error = desc->error * geometry->radius;
     assert(max_edge > 0);
     /* An edge only a few steps of a float long has no midpoint of its own. */
     for (int c = 0; c < 3; c++)
@@ -198,9 +198,7 @@ void caster_init(struct caster *caster, const struct geometry *geometry,
     while (max_edge < least)
         max_edge *= 2;
     uint32_t *moved_to =
-        desc->error > 0
-            ? simplify_vertices(geometry, &(struct simplify_desc){desc->error, max_edge})
-            : NULL;
+        error > 0 ? simplify_vertices(geometry, &(struct simplify_desc){error, max_edge}) : NULL;
     while (!try_bound(caster, geometry, moved_to, max_edge)) {
         caster_free(caster);
         max_edge *= 2;

@@ -33,7 +33,7 @@ struct caster {
 /* Beside those that the geometry has, no more triangles than this are made. */
 enum { CASTER_MAX_EXTRA_TRIANGLES = 2000000 };
 
-/* Lengths in metres. */
+/* Lengths over the geometry's radius. */
 struct caster_desc {
     float max_edge; /* > 0 */
     float error; /* how far rigid opaque parts may stray (scene/mesh/simplify.h); 0 = not at all */

@@ -1,0 +1,103 @@
+#include "scene/gpu/caster_pool.h"
+
+#include "base/memory.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+struct caster_pool {
+    const struct geometry *geometry;
+    struct pooled {
+        struct caster_gpu gpu;
+        struct caster_desc desc;
+        int uses;
+        struct pooled *next;
+    } * first;
+};
+
+struct caster_pool *caster_pool_create(const struct geometry *geometry) {
+    struct caster_pool *pool = mem_alloc(1, sizeof *pool);
+    pool->geometry = geometry;
+    return pool;
+}
+
+static void free_unused(struct caster_pool *pool) {
+    for (struct pooled **link = &pool->first; *link;) {
+        struct pooled *pooled = *link;
+        if (pooled->uses) {
+            link = &pooled->next;
+            continue;
+        }
+        *link = pooled->next;
+        caster_gpu_free(&pooled->gpu);
+        free(pooled);
+    }
+}
+
+void caster_pool_free(struct caster_pool *pool) {
+    if (pool) {
+        free_unused(pool);
+        assert(!pool->first);
+    }
+    free(pool);
+}
+
+static struct pooled *find(const struct caster_pool *pool, const struct caster_desc *desc) {
+    struct pooled *pooled = pool->first;
+    while (pooled && (pooled->desc.max_edge != desc->max_edge || pooled->desc.error != desc->error))
+        pooled = pooled->next;
+    return pooled;
+}
+
+bool caster_pool_has(const struct caster_pool *pool, const struct caster_desc *desc) {
+    return find(pool, desc);
+}
+
+static struct pooled *add(struct caster_pool *pool, const struct caster_desc *desc) {
+    struct pooled *pooled = mem_alloc(1, sizeof *pooled);
+    free_unused(pool);
+    if (!caster_gpu_init(&pooled->gpu, pool->geometry, desc)) {
+        free(pooled);
+        return NULL;
+    }
+    pooled->desc = *desc;
+    pooled->next = pool->first;
+    return pool->first = pooled;
+}
+
+bool caster_pool_acquire(struct caster_pool *pool, const struct caster_gpu **caster,
+                         const struct caster_desc *desc) {
+    struct pooled *pooled = find(pool, desc);
+    *caster = NULL;
+    if (!pooled)
+        pooled = add(pool, desc);
+    else if (!pooled->uses && !caster_gpu_update(&pooled->gpu, pool->geometry)) {
+        free_unused(pool);
+        pooled = NULL;
+    }
+    if (!pooled)
+        return false;
+    pooled->uses++;
+    *caster = &pooled->gpu;
+    return true;
+}
+
+void caster_pool_release(struct caster_pool *pool, const struct caster_gpu **caster) {
+    if (!*caster)
+        return;
+    struct pooled *pooled = pool->first;
+    while (&pooled->gpu != *caster)
+        pooled = pooled->next;
+    assert(pooled->uses > 0);
+    if (pooled->uses == 1)
+        free_unused(pool); /* this one takes its place */
+    pooled->uses--;
+    *caster = NULL;
+}
+
+bool caster_pool_update(struct caster_pool *pool) {
+    for (struct pooled *pooled = pool->first; pooled; pooled = pooled->next)
+        if (pooled->uses && !caster_gpu_update(&pooled->gpu, pool->geometry))
+            return false;
+    return true;
+}

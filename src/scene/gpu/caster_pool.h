@@ -1,0 +1,35 @@
+/* The casters of one geometry, by what they are made for.
+ *
+ * Simplifying and splitting a large scene takes seconds. So whoever asks for a caster that is there
+ * already shares it, and of those that nobody uses the last one stays until another is asked for:
+ * what is made anew with the same casters, and what goes back and forth between two, finds them.
+ */
+#ifndef SCENE_GPU_CASTER_POOL_H
+#define SCENE_GPU_CASTER_POOL_H
+
+#include "scene/gpu/caster_gpu.h"
+
+struct caster_pool;
+
+/* The geometry must outlive the pool. */
+struct caster_pool *caster_pool_create(const struct geometry *geometry);
+
+/* All casters have been released. Accepts NULL. */
+void caster_pool_free(struct caster_pool *pool);
+
+/* Whether to acquire such a caster makes none, be the geometry posed as it may. */
+bool caster_pool_has(const struct caster_pool *pool, const struct caster_desc *desc);
+
+/* The caster is that of the pose in which it was first acquired, moved to the present one. Error:
+ * out of GPU memory. */
+bool caster_pool_acquire(struct caster_pool *pool, const struct caster_gpu **caster,
+                         const struct caster_desc *desc);
+
+/* Accepts a pointer to NULL. */
+void caster_pool_release(struct caster_pool *pool, const struct caster_gpu **caster);
+
+/* After geometry_pose: moves the casters that are in use. Error: out of GPU memory; the pool
+ * must then be freed. */
+bool caster_pool_update(struct caster_pool *pool);
+
+#endif
