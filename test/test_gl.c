@@ -4,6 +4,8 @@
 #include "base/error.h"
 #include "gl/api.h"
 #include "gl/context.h"
+#include "gl/needs.h"
+#include "shared/vpl.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -52,8 +54,8 @@ static void check_context(const struct context_desc *desc, const char *descripti
 
     /* By the same call that tells, an extension is there; a part of its name is none. */
     const char *extension = (const char *)gl.GetStringi(GL_EXTENSIONS, 3);
-    assert_true(gl_has_extension(extension));
-    assert_false(gl_has_extension("GL_ARB_"));
+    assert_true(gl_has_extension(&gl, extension));
+    assert_false(gl_has_extension(&gl, "GL_ARB_"));
 
     GLuint texture = make_texel(orange);
     check_texel(texture, orange);
@@ -169,14 +171,86 @@ static void test_no_driver(void **state) {
     assert_non_null(strstr(output, "manylight info: no OpenGL 4.5 core context: EGL: "));
 }
 
-static void *getproc_without_fences(const char *name) {
-    return strcmp(name, "glFenceSync") == 0 ? NULL : (void *)name;
+static void *getproc_without_compute(const char *name) {
+    return strcmp(name, "glDispatchCompute") == 0 ? NULL : (void *)name;
 }
 
 static void test_missing_function(void **state) {
     (void)state;
-    assert_null(context_adopt(getproc_without_fences, false));
-    assert_string_equal(error_get(), "window: no function glFenceSync");
+    assert_null(context_adopt(getproc_without_compute, false));
+    assert_string_equal(error_get(), "window: no function glDispatchCompute");
+}
+
+/* A driver that has all that is needed and nothing more; tests take from it. */
+static struct driver {
+    GLint version, block_bytes, buffer_texels;
+    const char *extension;
+} driver;
+
+enum {
+    BLOCK_BYTES = VPLS_PER_BLOCK * sizeof(struct vpl),
+    BUFFER_TEXELS = VPLS_MAX * sizeof(struct vpl) / sizeof(vec4),
+};
+
+static const struct driver enough = {45, BLOCK_BYTES, BUFFER_TEXELS,
+                                     "GL_ARB_shader_viewport_layer_array"};
+
+static void APIENTRY get_integer(GLenum name, GLint *value) {
+    switch (name) {
+    case GL_MAJOR_VERSION:
+        *value = driver.version / 10;
+        break;
+    case GL_MINOR_VERSION:
+        *value = driver.version % 10;
+        break;
+    case GL_NUM_EXTENSIONS:
+        *value = 2;
+        break;
+    case GL_MAX_UNIFORM_BLOCK_SIZE:
+        *value = driver.block_bytes;
+        break;
+    case GL_MAX_TEXTURE_BUFFER_SIZE:
+        *value = driver.buffer_texels;
+        break;
+    default:
+        fail_msg("asks for 0x%x, which OpenGL 4.5 promises", name);
+    }
+}
+
+static const GLubyte *APIENTRY get_extension(GLenum name, GLuint index) {
+    assert_int_equal(name, GL_EXTENSIONS);
+    return (const GLubyte *)(index == 0 ? "GL_ARB_any" : driver.extension);
+}
+
+static void expect_refusal(struct driver lacking, const char *message) {
+    const struct gl_api api = {.GetIntegerv = get_integer, .GetStringi = get_extension};
+    driver = lacking;
+    assert_false(gl_needs_met(&api));
+    printf("    %s\n", error_get());
+    assert_string_equal(error_get(), message);
+    driver = enough;
+    assert_true(gl_needs_met(&api));
+}
+
+static void test_needs(void **state) {
+    (void)state;
+    char message[128];
+    struct driver old = enough, layerless = enough, small = enough, brief = enough;
+    old.version = 43;
+    expect_refusal(old, "has OpenGL 4.3, and 4.5 is needed");
+    layerless.extension = "GL_ARB_shader_viewport_layer";
+    expect_refusal(layerless, "lacks GL_ARB_shader_viewport_layer_array, by which vertex shaders "
+                              "pick the layer that they draw to");
+    small.block_bytes = 16384;
+    snprintf(message, sizeof message,
+             "allows 16384 bytes in a uniform block, and %d are needed for virtual lights",
+             BLOCK_BYTES);
+    expect_refusal(small, message);
+    brief.buffer_texels = 65536;
+    snprintf(message, sizeof message,
+             "allows 65536 texels in a buffer texture, and %d are needed for virtual lights",
+             BUFFER_TEXELS);
+    expect_refusal(brief, message);
 }
 
 int main(void) {
@@ -191,6 +265,7 @@ int main(void) {
         cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_no_driver),
         cmocka_unit_test(test_missing_function),
+        cmocka_unit_test(test_needs),
     };
     return cmocka_run_group_tests_name("gl", tests, NULL, NULL);
 }

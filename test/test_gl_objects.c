@@ -337,7 +337,7 @@ static void test_volume(void **state) {
     gl.UseProgram(program);
     for (int level = 0; level < LEVELS; level++) {
         gl.BindImageTexture(0, volume.id, level, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32UI);
-        gl.Uniform1i(0, level);
+        gl.ProgramUniform1i(program, 0, level);
         gl.DispatchCompute((GLuint)size_at(WIDE, level), (GLuint)size_at(HIGH, level),
                            (GLuint)size_at(DEEP, level));
     }

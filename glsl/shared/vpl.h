@@ -13,7 +13,8 @@ struct vpl {
 /* Where light grazes a surface, a VPL's area is that of this cosine. */
 #define VPL_COSINE_MIN 0.25
 
-/* VPLs per uniform block: 48 KiB, within the 64 KiB that all drivers seen allow. */
+/* VPLs per uniform block: 48 KiB, within the 64 KiB that all drivers seen allow (gl/needs.h). */
 #define VPLS_PER_BLOCK 1024
+#define VPLS_MAX 65536
 
 #endif

@@ -66,7 +66,7 @@ static void print_extensions(void) {
         "GL_ARB_parallel_shader_compile",
     };
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        printf("  %-36s %s\n", names[i], gl_has_extension(names[i]) ? "yes" : "no");
+        printf("  %-36s %s\n", names[i], gl_has_extension(&gl, names[i]) ? "yes" : "no");
 }
 
 static bool print_gl(const struct values *values) {

@@ -27,11 +27,11 @@ bool gl_api_load(struct gl_api *api, void *(*getproc)(const char *name)) {
     return true;
 }
 
-bool gl_has_extension(const char *name) {
+bool gl_has_extension(const struct gl_api *api, const char *name) {
     GLint count = 0;
-    gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    api->GetIntegerv(GL_NUM_EXTENSIONS, &count);
     for (GLuint i = 0; i < (GLuint)count; i++)
-        if (strcmp((const char *)gl.GetStringi(GL_EXTENSIONS, i), name) == 0)
+        if (strcmp((const char *)api->GetStringi(GL_EXTENSIONS, i), name) == 0)
             return true;
     return false;
 }

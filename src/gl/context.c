@@ -4,6 +4,7 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "gl/api.h"
+#include "gl/needs.h"
 #include "gl/platform.h"
 #include "gl/program.h"
 
@@ -61,17 +62,12 @@ static void make_empty_objects(struct gl_api *api) {
 
 /* Fills in what needs the context to be current, and makes `gl` its table. */
 static bool load(struct context *context, void *(*getproc)(const char *name), bool debug) {
-    if (!gl_api_load(&context->api, getproc))
+    if (!gl_api_load(&context->api, getproc) || !gl_needs_met(&context->api))
         return false;
     make_empty_objects(&context->api);
     context->api.programs = program_cache_create();
     gl = context->api;
     current = context;
-    GLint major = 0, minor = 0;
-    gl.GetIntegerv(GL_MAJOR_VERSION, &major);
-    gl.GetIntegerv(GL_MINOR_VERSION, &minor);
-    if (major * 10 + minor < 45)
-        return error_set("has OpenGL %d.%d, and 4.5 is needed", major, minor);
     context->software = is_software((const char *)gl.GetString(GL_RENDERER));
     if (debug)
         listen(context);

@@ -1,7 +1,7 @@
 /* What context.c asks of a platform: which ways to a context there are, and to go one of them.
  *
  * A candidate is one such way: an EGL device, EGL surfaceless, OSMesa. context.c tries candidates
- * in order until one gives a context whose functions are all there.
+ * in order until one gives a context that has all that is needed (gl/needs.h).
  */
 #ifndef GL_PLATFORM_H
 #define GL_PLATFORM_H

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "passes/gather.h"
+#include "shared/vpl.h"
 
 #include <string.h>
 
@@ -21,7 +22,7 @@ const struct option settings_table[] = {
              "visibility-block, clamp, caster-error, bias, blur-separable, "
              "blur-cosine, samples",
      .reinit = true},
-    {"vpls", 0, OPTION_INT, FIELD(vpl_count), 1024, 1, 65536, .help = "virtual point lights, N",
+    {"vpls", 0, OPTION_INT, FIELD(vpl_count), 1024, 1, VPLS_MAX, .help = "virtual point lights, N",
      .reinit = true, .group = "virtual lights"},
     {"vals", 0, OPTION_INT, FIELD(val_count), 30, 1, 1024,
      .help = "virtual area lights (clusters), M", .reinit = true},
