@@ -490,7 +490,6 @@ static float *run_blur(struct blur_bench *bench,
     gl.TextureSubImage2D(source->texture.id, 0, 0, 0, row, source->tile_height * n, GL_RGBA,
                          GL_FLOAT, texels);
     struct frame frame = renderer_frame(&bench->renderer);
-    renderer_bind_frame(&bench->renderer);
     blur_pass_render(&bench->blur, &frame, &bench->renderer.gbuffer, source);
     float *blurred = mem_alloc((size_t)bench->width * (size_t)bench->height, sizeof *blurred);
     texels = mem_resize(texels, (size_t)bench->width * (size_t)bench->height, sizeof *texels);

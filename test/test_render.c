@@ -271,7 +271,6 @@ static float *gather(struct renderer *renderer, const struct vpl_buffer *vpls, i
                                                                      .interleave = interleave,
                                                                      .clamp = GATHER_CLAMP_DISK}));
     struct frame frame = renderer_frame(renderer);
-    renderer_bind_frame(renderer);
     gather_pass_clear(&pass);
     gather_pass_render(&pass, &frame, &renderer->gbuffer, &(struct gather_inputs){.vpls = vpls});
     const struct texture_desc *desc = &pass.irradiance.texture.desc;

@@ -36,5 +36,6 @@ void buffer_write(const struct buffer *buffer, size_t offset, size_t size, const
 }
 
 void buffer_read(const struct buffer *buffer, size_t offset, size_t size, void *data) {
+    gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); /* after what shaders stored */
     gl.GetNamedBufferSubData(buffer->id, (GLintptr)offset, (GLsizeiptr)size, data);
 }

@@ -17,4 +17,10 @@ struct framebuffer_desc {
 bool framebuffer_init(GLuint *framebuffer, const struct framebuffer_desc *desc);
 void framebuffer_free(GLuint *framebuffer);
 
+/* Fills one of the colours, of floats or of integers, or the depth. 0 is the window's. Lifts what the present pass keeps from
+ * being written: a pass that keeps colours begins after. */
+void framebuffer_clear_color(GLuint framebuffer, int target, const float rgba[4]);
+void framebuffer_clear_integers(GLuint framebuffer, int target, const GLuint rgba[4]);
+void framebuffer_clear_depth(GLuint framebuffer, float depth);
+
 #endif

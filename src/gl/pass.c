@@ -11,25 +11,77 @@ static void enable(GLenum capability, bool on) {
         gl.Disable(capability);
 }
 
-void pass_set_state(const struct pass_state *state) {
-    assert(state->clip_distances <= CLIP_DISTANCES_MAX);
-    gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    gl.UseProgram(state->program);
-    gl.BindFramebuffer(GL_FRAMEBUFFER,
-                       state->framebuffer ? state->framebuffer : gl.empty_framebuffer);
-    gl.BindVertexArray(state->vertex_array ? state->vertex_array : gl.empty_vertex_array);
-    gl.Viewport(state->x, state->y, state->width, state->height);
+static void set_empty_size(GLuint framebuffer, int width, int height) {
+    if (width && height) {
+        gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
+        gl.NamedFramebufferParameteri(framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
+    }
+}
+
+static void bind_target(const struct pass_state *state) {
+    GLuint framebuffer = state->window ? 0 : state->framebuffer;
+    if (!state->framebuffer && !state->window) {
+        framebuffer = gl.empty_framebuffer;
+        set_empty_size(framebuffer, state->width, state->height);
+    }
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    pass_viewport(state->x, state->y, state->width, state->height);
+    gl.Disable(GL_SCISSOR_TEST);
+}
+
+static void set_fragments(const struct pass_state *state) {
+    unsigned kept = state->kept_colors;
     enable(GL_DEPTH_TEST, state->depth != PASS_DEPTH_OFF);
     gl.DepthMask(state->depth != PASS_DEPTH_OFF);
     gl.DepthFunc(state->depth == PASS_DEPTH_GREATER ? GL_GREATER : GL_LESS);
     enable(GL_BLEND, state->blend != PASS_BLEND_OFF);
     gl.BlendFunc(GL_ONE, state->blend == PASS_BLEND_OVER ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
     gl.BlendEquation(state->blend == PASS_BLEND_MAX ? GL_MAX : GL_FUNC_ADD);
+    gl.ColorMask(!(kept & PASS_RED), !(kept & PASS_GREEN), !(kept & PASS_BLUE),
+                 !(kept & PASS_ALPHA));
+}
+
+static void set_primitives(const struct pass_state *state) {
+    assert(state->clip_distances <= CLIP_DISTANCES_MAX);
+    gl.BindVertexArray(state->vertex_array ? state->vertex_array : gl.empty_vertex_array);
+    gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     enable(GL_CULL_FACE, state->cull_back);
-    gl.Disable(GL_SCISSOR_TEST);
-    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    enable(GL_PROGRAM_POINT_SIZE, state->point_size);
     for (int i = 0; i < CLIP_DISTANCES_MAX; i++)
         enable(GL_CLIP_DISTANCE0 + (GLenum)i, i < state->clip_distances);
+}
+
+static void bind_range(GLenum target, const struct pass_block *block) {
+    size_t size = block->size ? block->size : block->buffer->size - block->offset;
+    gl.BindBufferRange(target, block->block, block->buffer->id, (GLintptr)block->offset,
+                       (GLsizeiptr)size);
+}
+
+/* All layers: one image unit serves arrays and volumes. */
+static void bind_image(const struct pass_image *image) {
+    gl.BindImageTexture(image->image, image->texture->id, image->level, GL_TRUE, 0, image->access,
+                        image->texture->desc.format);
+}
+
+static void bind_all(const struct pass_state *state) {
+    for (int i = 0; i < PASS_TEXTURES_MAX && state->textures[i].texture; i++)
+        pass_bind_texture(state->textures[i].unit, state->textures[i].texture);
+    for (int i = 0; i < PASS_BLOCKS_MAX && state->blocks[i].buffer; i++)
+        pass_bind_block(&state->blocks[i]);
+    for (int i = 0; i < PASS_STORAGES_MAX && state->storages[i].buffer; i++)
+        bind_range(GL_SHADER_STORAGE_BUFFER, &state->storages[i]);
+    for (int i = 0; i < PASS_IMAGES_MAX && state->images[i].texture; i++)
+        bind_image(&state->images[i]);
+}
+
+void pass_set_state(const struct pass_state *state) {
+    gl.UseProgram(state->program);
+    bind_target(state);
+    set_fragments(state);
+    set_primitives(state);
+    bind_all(state);
+    if (state->barriers)
+        gl.MemoryBarrier(state->barriers);
 }
 
 void pass_begin(struct timers *timers, const struct pass_state *state) {
@@ -41,8 +93,42 @@ void pass_end(struct timers *timers) {
     timer_end(timers);
 }
 
+void pass_add_texture(struct pass_state *state, GLuint unit, GLuint texture) {
+    int i = 0;
+    while (i < PASS_TEXTURES_MAX && state->textures[i].texture)
+        i++;
+    assert(i < PASS_TEXTURES_MAX);
+    state->textures[i] = (struct pass_texture){unit, texture};
+}
+
+void pass_add_block(struct pass_state *state, GLuint block, const struct buffer *buffer) {
+    int i = 0;
+    while (i < PASS_BLOCKS_MAX && state->blocks[i].buffer)
+        i++;
+    assert(i < PASS_BLOCKS_MAX);
+    state->blocks[i] = (struct pass_block){.block = block, .buffer = buffer};
+}
+
+/* --- within a pass ---------------------------------------------------------------------------- */
+
+void pass_bind_texture(GLuint unit, GLuint texture) {
+    gl.BindTextureUnit(unit, texture);
+}
+
+void pass_bind_block(const struct pass_block *block) {
+    bind_range(GL_UNIFORM_BUFFER, block);
+}
+
+void pass_viewport(int x, int y, int width, int height) {
+    gl.Viewport(x, y, width, height);
+}
+
 void pass_draw_fullscreen(int instances) {
-    gl.DrawArraysInstanced(GL_TRIANGLES, 0, 3, instances);
+    pass_draw(GL_TRIANGLES, 3, instances);
+}
+
+void pass_draw(GLenum primitive, int count, int instances) {
+    gl.DrawArraysInstanced(primitive, 0, count, instances);
 }
 
 void pass_feedback(GLuint buffer, int first, int count) {
@@ -54,4 +140,8 @@ void pass_feedback(GLuint buffer, int first, int count) {
     gl.EndTransformFeedback();
     gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
     gl.Disable(GL_RASTERIZER_DISCARD);
+}
+
+void pass_dispatch(int x, int y, int z) {
+    gl.DispatchCompute((GLuint)x, (GLuint)y, (GLuint)z);
 }

@@ -1,7 +1,10 @@
-/* A pass begins with its complete GL state, so that nothing leaks from one to the next. */
+/* A pass begins with its complete GL state and with all that it binds, in one literal: nothing
+ * leaks from one to the next, and what a pass reads and writes is told in one place. */
 #ifndef GL_PASS_H
 #define GL_PASS_H
 
+#include "gl/buffer.h"
+#include "gl/texture.h"
 #include "gl/timer.h"
 
 enum pass_depth {
@@ -17,16 +20,51 @@ enum pass_blend {
     PASS_BLEND_OVER, /* colour comes multiplied by its alpha */
 };
 
+/* Channels of colour, as bits. */
+enum { PASS_RED = 1, PASS_GREEN = 2, PASS_BLUE = 4, PASS_ALPHA = 8 };
+
+enum { PASS_TEXTURES_MAX = 12, PASS_BLOCKS_MAX = 6, PASS_STORAGES_MAX = 4, PASS_IMAGES_MAX = 4 };
+
+/* Numbers are those of shared/bindings.h. Lists end with the first empty row. */
+struct pass_texture {
+    GLuint unit, texture;
+};
+
+/* A range of a buffer, as a uniform block or as storage that shaders write. */
+struct pass_block {
+    GLuint block;
+    const struct buffer *buffer;
+    size_t offset, size; /* size 0: to the buffer's end */
+};
+
+/* A level of a texture with all its layers, which shaders load and store texel by texel. */
+struct pass_image {
+    GLuint image;
+    const struct texture *texture;
+    int level;
+    GLenum access; /* GL_READ_ONLY, GL_WRITE_ONLY, GL_READ_WRITE */
+};
+
+/* Zero means none, off, 0. */
 struct pass_state {
-    const char *name; /* timer and debug group */
-    GLuint program;
-    GLuint framebuffer;  /* 0 = none, for transform feedback */
-    GLuint vertex_array; /* 0 = an empty one: vertices come from gl_VertexID */
+    const char *name;    /* timer and debug group; required */
+    GLuint program;      /* required */
+    GLuint framebuffer;  /* 0: no target; what is drawn then leaves by feedback, image or storage */
+    bool window;         /* the window's own framebuffer in its place */
+    GLuint vertex_array; /* 0: no attributes; vertices come from gl_VertexID */
     int x, y, width, height;
     enum pass_depth depth;
     enum pass_blend blend;
-    bool cull_back;     /* faces seen from behind are left out */
-    int clip_distances; /* gl_ClipDistance[0 .. this) */
+    unsigned kept_colors; /* PASS_RED | ...: channels that are not written */
+    bool cull_back;       /* faces seen from behind are left out */
+    bool point_size;      /* points as wide as gl_PointSize says, not one pixel */
+    int clip_distances;   /* gl_ClipDistance[0 .. this) */
+    struct pass_texture textures[PASS_TEXTURES_MAX];
+    struct pass_block blocks[PASS_BLOCKS_MAX];
+    struct pass_block storages[PASS_STORAGES_MAX];
+    struct pass_image images[PASS_IMAGES_MAX];
+    GLbitfield barriers; /* how this pass reads what earlier ones stored to images and storages:
+                            GL_TEXTURE_FETCH_BARRIER_BIT, ... */
 };
 
 /* Sets all state and starts the timer. Depth ranges over [0, 1] (GL_ZERO_TO_ONE). */
@@ -36,10 +74,25 @@ void pass_end(struct timers *timers);
 /* The state alone, within a pass of several draws. */
 void pass_set_state(const struct pass_state *state);
 
+/* For literals that are put together of parts. */
+void pass_add_texture(struct pass_state *state, GLuint unit, GLuint texture);
+void pass_add_block(struct pass_state *state, GLuint block, const struct buffer *buffer);
+
+/* What changes from draw to draw. */
+void pass_bind_texture(GLuint unit, GLuint texture);
+void pass_bind_block(const struct pass_block *block);
+void pass_viewport(int x, int y, int width, int height);
+
 /* One triangle that covers the viewport, `instances` times. */
 void pass_draw_fullscreen(int instances);
 
+/* Vertices 0 .. count of each instance, as GL_POINTS or GL_TRIANGLES. */
+void pass_draw(GLenum primitive, int count, int instances);
+
 /* Points first .. first + count through transform feedback into the buffer, from its start. */
 void pass_feedback(GLuint buffer, int first, int count);
+
+/* Workgroups of a compute program. */
+void pass_dispatch(int x, int y, int z);
 
 #endif

@@ -53,7 +53,7 @@ static bool init_picks(struct antialias_pass *pass) {
             &pass->pick_framebuffer,
             &(struct framebuffer_desc){.label = "picks of samples", .colors = {&pass->picks}}))
         return false;
-    gl.ClearNamedFramebufferuiv(pass->pick_framebuffer, GL_COLOR, 0, itself);
+    framebuffer_clear_integers(pass->pick_framebuffer, TARGET_RESULT, itself);
     return true;
 }
 
@@ -114,7 +114,6 @@ void antialias_pass_free(struct antialias_pass *pass) {
 /* The same surfaces as the G-buffer's. Where no fragment can be discarded a rasteriser is several
  * times faster, so masks go apart. */
 static void render_depths(const struct antialias_pass *pass, const struct frame *frame) {
-    static const float far = 0;
     struct pass_state state = {
         .name = "sample depths",
         .program = pass->solid_program,
@@ -123,10 +122,10 @@ static void render_depths(const struct antialias_pass *pass, const struct frame 
         .width = pass->desc.width,
         .height = pass->desc.height,
         .depth = PASS_DEPTH_GREATER,
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
     pass_begin(frame->timers, &state);
-    gl.ClearNamedFramebufferfv(pass->depth_framebuffer, GL_DEPTH, 0, &far);
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
+    framebuffer_clear_depth(pass->depth_framebuffer, 0);
     scene_gpu_draw_solid(frame->scene, true, pass->layers);
     state.cull_back = true;
     pass_set_state(&state);
@@ -142,17 +141,18 @@ static void render_depths(const struct antialias_pass *pass, const struct frame 
 
 static void render_picks(const struct antialias_pass *pass, const struct frame *frame,
                          const struct gbuffer *gbuffer) {
-    pass_begin(frame->timers, &(struct pass_state){
-                                  .name = "picks",
-                                  .program = pass->pick_program,
-                                  .framebuffer = pass->pick_framebuffer,
-                                  .width = pass->desc.width,
-                                  .height = pass->desc.height,
-                              });
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
-    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
-    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
-    gl.BindTextureUnit(UNIT_SAMPLE_DEPTH, pass->depths.id);
+    pass_begin(frame->timers,
+               &(struct pass_state){
+                   .name = "picks",
+                   .program = pass->pick_program,
+                   .framebuffer = pass->pick_framebuffer,
+                   .width = pass->desc.width,
+                   .height = pass->desc.height,
+                   .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                                {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                                {UNIT_SAMPLE_DEPTH, pass->depths.id}},
+                   .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+               });
     pass_draw_fullscreen(1);
     pass_end(frame->timers);
 }

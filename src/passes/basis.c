@@ -91,15 +91,16 @@ void basis_pass_render(const struct basis_pass *pass, const struct frame *frame,
         .framebuffer = pass->first_framebuffer,
         .width = pass->maps.size,
         .height = pass->maps.size,
+        .textures = {{UNIT_MAP_DEPTH, depth->depth.id}},
+        .blocks = {{BLOCK_PASS, &pass->params[0]}},
     };
     pass_begin(frame->timers, &state);
     for (int group = 0; group < pass->maps.groups; group++) {
         if (group > 0) {
             state.framebuffer = pass->more_framebuffer;
+            state.blocks[0].buffer = &pass->params[group];
             pass_set_state(&state);
         }
-        gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params[group].id);
-        gl.BindTextureUnit(UNIT_MAP_DEPTH, depth->depth.id);
         gl.ProgramUniform1i(pass->program, LOCATION_FIRST_LAYER, group * pass->maps.count);
         pass_draw_fullscreen(pass->maps.count);
     }

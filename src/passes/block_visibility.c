@@ -61,17 +61,18 @@ void block_visibility_pass_render(const struct block_visibility_pass *pass,
                                   const struct frame *frame, const struct gbuffer *gbuffer,
                                   const struct visibility_inputs *inputs) {
     const struct texture *target = &pass->blocks.texture;
-    pass_begin(frame->timers, &(struct pass_state){
-                                  .name = "block visibility",
-                                  .program = pass->program,
-                                  .framebuffer = pass->framebuffer,
-                                  .width = target->desc.width,
-                                  .height = target->desc.height,
-                              });
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
-    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
-    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
-    visibility_bind(&pass->desc.visibility, &pass->visibility_params, inputs);
+    struct pass_state state = {
+        .name = "block visibility",
+        .program = pass->program,
+        .framebuffer = pass->framebuffer,
+        .width = target->desc.width,
+        .height = target->desc.height,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+    };
+    visibility_add(&state, &pass->desc.visibility, &pass->visibility_params, inputs);
+    pass_begin(frame->timers, &state);
     gl.ProgramUniform1i(pass->program, LOCATION_FIRST_LAYER, 0);
     pass_draw_fullscreen(pass->desc.visibility.map_count);
     pass_end(frame->timers);

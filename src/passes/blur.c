@@ -60,16 +60,33 @@ static void write_params(const struct blur_pass *pass, const struct frame *frame
     }
 }
 
-static void draw(const struct blur_pass *pass, GLuint program, const struct irradiance *target,
-                 int axis) {
+static void pack(const struct blur_pass *pass, const struct gbuffer *gbuffer,
+                 const struct irradiance *source) {
+    pass_set_state(&(struct pass_state){
+        .name = "blur",
+        .program = pass->pack_program,
+        .framebuffer = pass->taps.framebuffer,
+        .width = pass->desc.width,
+        .height = pass->desc.height,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                     {UNIT_INDIRECT, source->texture.id}},
+        .blocks = {{BLOCK_PASS, &pass->params[0]}},
+    });
+    pass_draw_fullscreen(1);
+}
+
+static void blur(const struct blur_pass *pass, const struct frame *frame, GLuint program,
+                 const struct irradiance *from, const struct irradiance *to, int axis) {
     pass_set_state(&(struct pass_state){
         .name = "blur",
         .program = program,
-        .framebuffer = target->framebuffer,
-        .width = target->width,
-        .height = target->height,
+        .framebuffer = to->framebuffer,
+        .width = to->width,
+        .height = to->height,
+        .textures = {{UNIT_BLUR_TAPS, from->texture.id}},
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params[axis]}},
     });
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params[axis].id);
     pass_draw_fullscreen(1);
 }
 
@@ -77,17 +94,12 @@ void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
                       const struct gbuffer *gbuffer, const struct irradiance *source) {
     timer_begin(frame->timers, "blur");
     write_params(pass, frame, source);
-    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
-    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
-    gl.BindTextureUnit(UNIT_INDIRECT, source->texture.id);
-    draw(pass, pass->pack_program, &pass->taps, 0);
-    gl.BindTextureUnit(UNIT_BLUR_TAPS, pass->taps.texture.id);
+    pack(pass, gbuffer, source);
     if (pass->desc.square) {
-        draw(pass, pass->program, &pass->blurred, 0);
+        blur(pass, frame, pass->program, &pass->taps, &pass->blurred, 0);
     } else {
-        draw(pass, pass->half_program, &pass->half, 0);
-        gl.BindTextureUnit(UNIT_BLUR_TAPS, pass->half.texture.id);
-        draw(pass, pass->program, &pass->blurred, 1);
+        blur(pass, frame, pass->half_program, &pass->taps, &pass->half, 0);
+        blur(pass, frame, pass->program, &pass->half, &pass->blurred, 1);
     }
     timer_end(frame->timers);
 }

@@ -109,62 +109,63 @@ static void write_params(const struct cluster_pass *pass, const struct frame *fr
     memcpy(params.bounds_min, frame->bounds_min, sizeof frame->bounds_min);
     memcpy(params.bounds_max, frame->bounds_max, sizeof frame->bounds_max);
     buffer_write(&pass->params, 0, sizeof params, &params);
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
 }
 
+/* A pixel a VAL, of all VALs' centres and VPLs. */
 static struct pass_state row_state(const struct cluster_pass *pass, GLuint program,
-                                   GLuint framebuffer) {
+                                   GLuint framebuffer, const struct val_targets *centers) {
     return (struct pass_state){
         .name = "clustering",
         .program = program,
         .framebuffer = framebuffer,
         .width = pass->desc.val_count,
         .height = 1,
+        .textures = {{UNIT_VPLS, pass->vpl_texture},
+                     {UNIT_VAL_POSITION, centers->position.id},
+                     {UNIT_VAL_NORMAL, centers->normal.id}},
+        .blocks = {{BLOCK_PASS, &pass->params}},
     };
 }
 
 static void seed(const struct cluster_pass *pass) {
-    struct pass_state state =
-        row_state(pass, pass->seed_program, pass->centers[pass->last].framebuffer);
-    pass_set_state(&state);
-    gl.BindTextureUnit(UNIT_VPLS, pass->vpl_texture);
+    pass_set_state(&(struct pass_state){
+        .name = "clustering",
+        .program = pass->seed_program,
+        .framebuffer = pass->centers[pass->last].framebuffer,
+        .width = pass->desc.val_count,
+        .height = 1,
+        .textures = {{UNIT_VPLS, pass->vpl_texture}},
+        .blocks = {{BLOCK_PASS, &pass->params}},
+    });
     pass_draw_fullscreen(1);
 }
 
 static void clear(GLuint framebuffer, int targets, float value) {
     const float color[4] = {value, value, value, value};
     for (int i = 0; i < targets; i++)
-        gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, i, color);
-}
-
-static void bind_centers(const struct val_targets *centers) {
-    gl.BindTextureUnit(UNIT_VAL_POSITION, centers->position.id);
-    gl.BindTextureUnit(UNIT_VAL_NORMAL, centers->normal.id);
+        framebuffer_clear_color(framebuffer, i, color);
 }
 
 /* The points scatter to their VALs' pixels. */
 static void scatter(const struct cluster_pass *pass, GLuint program, GLuint framebuffer,
                     enum pass_blend blend, const struct vpl_buffer *vpls,
                     const struct val_targets *centers) {
-    struct pass_state state = row_state(pass, program, framebuffer);
+    struct pass_state state = row_state(pass, program, framebuffer, centers);
     state.vertex_array = vpls->vertices;
     state.blend = blend;
     pass_set_state(&state);
-    bind_centers(centers);
-    gl.DrawArrays(GL_POINTS, 0, vpls->count);
+    pass_draw(GL_POINTS, vpls->count, 1);
 }
 
 static void iterate(const struct cluster_pass *pass, const struct vpl_buffer *vpls,
                     const struct val_targets *old, const struct val_targets *new) {
     clear(pass->sums.framebuffer, 3, 0);
     scatter(pass, pass->scatter_program, pass->sums.framebuffer, PASS_BLEND_ADD, vpls, old);
-    struct pass_state state = row_state(pass, pass->divide_program, new->framebuffer);
+    struct pass_state state = row_state(pass, pass->divide_program, new->framebuffer, old);
+    pass_add_texture(&state, UNIT_SUM_POSITION, pass->sums.position.id);
+    pass_add_texture(&state, UNIT_SUM_NORMAL, pass->sums.normal.id);
+    pass_add_texture(&state, UNIT_SUM_FLUX, pass->sums.flux.id);
     pass_set_state(&state);
-    bind_centers(old);
-    gl.BindTextureUnit(UNIT_SUM_POSITION, pass->sums.position.id);
-    gl.BindTextureUnit(UNIT_SUM_NORMAL, pass->sums.normal.id);
-    gl.BindTextureUnit(UNIT_SUM_FLUX, pass->sums.flux.id);
-    gl.BindTextureUnit(UNIT_VPLS, pass->vpl_texture);
     pass_draw_fullscreen(1);
 }
 
@@ -192,22 +193,19 @@ void cluster_pass_render(struct cluster_pass *pass, const struct frame *frame,
     find_centers(pass, vpls);
     const struct val_targets *centers = cluster_pass_centers(pass);
 
-    struct pass_state state = row_state(pass, pass->map_program, 0);
+    struct pass_state state = row_state(pass, pass->map_program, 0, centers);
     state.vertex_array = vpls->vertices;
     pass_set_state(&state);
-    bind_centers(centers);
     pass_feedback(pass->vpls.buffer.id, 0, vpls->count);
 
     clear(pass->extremes_framebuffer, 1, -1e30f);
     scatter(pass, pass->extent_program, pass->extremes_framebuffer, PASS_BLEND_MAX, &pass->vpls,
             centers);
 
-    state = row_state(pass, pass->views_program, 0);
-    pass_set_state(&state);
-    bind_centers(centers);
-    gl.BindTextureUnit(UNIT_VAL_EXTREMES, pass->extremes.id);
     gl.TextureBuffer(pass->vpl_texture, GL_RGBA32F, pass->vpls.buffer.id);
-    gl.BindTextureUnit(UNIT_VPLS, pass->vpl_texture);
+    state = row_state(pass, pass->views_program, 0, centers);
+    pass_add_texture(&state, UNIT_VAL_EXTREMES, pass->extremes.id);
+    pass_set_state(&state);
     pass_feedback(pass->views.buffer.id, 0, pass->desc.val_count);
     timer_end(frame->timers);
 }

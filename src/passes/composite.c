@@ -49,20 +49,21 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
         .layer = (float)layer,
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
-    pass_begin(frame->timers, &(struct pass_state){
-                                  .name = "composite",
-                                  .program = program,
-                                  .framebuffer = framebuffer,
-                                  .width = pass->desc.width,
-                                  .height = pass->desc.height,
-                              });
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
-    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, inputs->gbuffer->depth.id);
-    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, inputs->gbuffer->normal.id);
-    gl.BindTextureUnit(UNIT_GBUFFER_ALBEDO, inputs->gbuffer->albedo.id);
-    gl.BindTextureUnit(UNIT_DIRECT, inputs->direct->id);
-    gl.BindTextureUnit(UNIT_INDIRECT, inputs->indirect->texture.id);
-    gl.BindTextureUnit(UNIT_SAMPLE_PICKS, inputs->picks->id);
+    pass_begin(frame->timers,
+               &(struct pass_state){
+                   .name = "composite",
+                   .program = program,
+                   .framebuffer = framebuffer,
+                   .width = pass->desc.width,
+                   .height = pass->desc.height,
+                   .textures = {{UNIT_GBUFFER_DEPTH, inputs->gbuffer->depth.id},
+                                {UNIT_GBUFFER_NORMAL, inputs->gbuffer->normal.id},
+                                {UNIT_GBUFFER_ALBEDO, inputs->gbuffer->albedo.id},
+                                {UNIT_DIRECT, inputs->direct->id},
+                                {UNIT_INDIRECT, inputs->indirect->texture.id},
+                                {UNIT_SAMPLE_PICKS, inputs->picks->id}},
+                   .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+               });
     pass_draw_fullscreen(1);
     pass_end(frame->timers);
 }

@@ -41,11 +41,13 @@ void direct_pass_render(const struct direct_pass *pass, const struct frame *fram
                                   .framebuffer = pass->framebuffer,
                                   .width = pass->desc.width,
                                   .height = pass->desc.height,
+                                  .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                                               {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                                               {UNIT_SHADOW_MAP, shadow_map->id}},
+                                  .blocks = {{BLOCK_VIEW, frame->view},
+                                             {BLOCK_LIGHT, frame->light},
+                                             {BLOCK_PASS, &pass->params}},
                               });
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
-    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
-    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
-    gl.BindTextureUnit(UNIT_SHADOW_MAP, shadow_map->id);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);
 }

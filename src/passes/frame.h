@@ -10,10 +10,10 @@
 #include "gl/timer.h"
 #include "scene/gpu/caster_gpu.h"
 
-/* What every pass of one frame may use. BLOCK_VIEW and BLOCK_LIGHT are bound for the whole frame.
- */
+/* What every pass of one frame may use. */
 struct frame {
     struct timers *timers;
+    const struct buffer *view, *light; /* for BLOCK_VIEW, BLOCK_LIGHT */
     const struct scene_gpu *scene;
     const struct caster_gpu *caster; /* what maps of visibility show */
     float light_measure; /* solid angle that the light shines into, sr; a directional light's area,

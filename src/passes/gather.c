@@ -1,6 +1,7 @@
 #include "passes/gather.h"
 
 #include "base/memory.h"
+#include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/params.h"
@@ -47,7 +48,7 @@ void gather_pass_free(struct gather_pass *pass) {
 
 void gather_pass_clear(const struct gather_pass *pass) {
     static const float zero[4] = {0};
-    gl.ClearNamedFramebufferfv(pass->irradiance.framebuffer, GL_COLOR, 0, zero);
+    framebuffer_clear_color(pass->irradiance.framebuffer, TARGET_RESULT, zero);
 }
 
 /* A pixel this far off a block's plane, over the scene's radius, looks itself up. */
@@ -68,16 +69,6 @@ static void write_params(const struct gather_pass *pass, const struct frame *fra
         .block_apart = block_apart * frame->radius,
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
-}
-
-static void bind_inputs(const struct gather_pass *pass, const struct gbuffer *gbuffer,
-                        const struct gather_inputs *inputs) {
-    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
-    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
-    if (pass->desc.share)
-        gl.BindTextureUnit(UNIT_BLOCK_VISIBILITY, inputs->blocks->texture.id);
-    visibility_bind(&pass->desc.visibility, &pass->visibility_params, &inputs->visibility);
 }
 
 /* VPLs first .. last of a slot, in runs that fit one uniform block. */
@@ -87,12 +78,15 @@ static void draw_run(const struct gather_pass *pass, const struct gather_inputs 
     for (int at = first, block; at < last; at = block + VPLS_PER_BLOCK) {
         block = at / VPL_ALIGNMENT * VPL_ALIGNMENT;
         int end = block + VPLS_PER_BLOCK < last ? block + VPLS_PER_BLOCK : last;
-        gl.BindBufferRange(GL_UNIFORM_BUFFER, BLOCK_VPLS, inputs->vpls->buffer.id,
-                           (GLintptr)((size_t)block * sizeof(struct vpl)),
-                           VPLS_PER_BLOCK * sizeof(struct vpl));
+        pass_bind_block(&(struct pass_block){
+            .block = BLOCK_VPLS,
+            .buffer = &inputs->vpls->buffer,
+            .offset = (size_t)block * sizeof(struct vpl),
+            .size = VPLS_PER_BLOCK * sizeof(struct vpl),
+        });
         gl.ProgramUniform4i(pass->program, LOCATION_SLOT, at - block, end - at, slot % n, slot / n);
         gl.ProgramUniform1i(pass->program, LOCATION_FIRST_MAP, block - inputs->first);
-        gl.DrawArrays(GL_TRIANGLES, 0, 3);
+        pass_draw_fullscreen(1);
     }
 }
 
@@ -110,24 +104,30 @@ static void draw_slot(const struct gather_pass *pass, const struct gather_inputs
         last = range_last;
     if (first >= last)
         return;
-    gl.Viewport(slot % n * target->tile_width, slot / n * target->tile_height, target->tile_width,
-                target->tile_height);
+    pass_viewport(slot % n * target->tile_width, slot / n * target->tile_height, target->tile_width,
+                  target->tile_height);
     gl.ProgramUniform1f(pass->program, LOCATION_SLOT_WEIGHT, weight);
     draw_run(pass, inputs, slot, first, last);
 }
 
 void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
-    pass_begin(frame->timers, &(struct pass_state){
-                                  .name = "gather",
-                                  .program = pass->program,
-                                  .framebuffer = pass->irradiance.framebuffer,
-                                  .width = pass->irradiance.texture.desc.width,
-                                  .height = pass->irradiance.texture.desc.height,
-                                  .blend = PASS_BLEND_ADD,
-                              });
+    struct pass_state state = {
+        .name = "gather",
+        .program = pass->program,
+        .framebuffer = pass->irradiance.framebuffer,
+        .width = pass->irradiance.texture.desc.width,
+        .height = pass->irradiance.texture.desc.height,
+        .blend = PASS_BLEND_ADD,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+    };
+    if (pass->desc.share)
+        pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, inputs->blocks->texture.id);
+    visibility_add(&state, &pass->desc.visibility, &pass->visibility_params, &inputs->visibility);
     write_params(pass, frame, inputs);
-    bind_inputs(pass, gbuffer, inputs);
+    pass_begin(frame->timers, &state);
     for (int slot = 0; slot < pass->desc.interleave * pass->desc.interleave; slot++)
         draw_slot(pass, inputs, slot);
     pass_end(frame->timers);

@@ -1,5 +1,6 @@
 #include "passes/geometry.h"
 
+#include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/bindings.h"
@@ -21,31 +22,35 @@ void geometry_pass_free(struct geometry_pass *pass) {
     program_free(&pass->light_program);
 }
 
-static void render(const char *name, GLuint program, const struct frame *frame,
+/* What is seen, and by which program, is in the state that comes in. */
+static void render(struct pass_state state, const struct frame *frame,
                    const struct gbuffer *gbuffer, int views) {
     static const float zero[4] = {0};
-    pass_begin(frame->timers, &(struct pass_state){
-                                  .name = name,
-                                  .program = program,
-                                  .framebuffer = gbuffer->framebuffer,
-                                  .vertex_array = frame->scene->shaded_vertices,
-                                  .width = gbuffer->width,
-                                  .height = gbuffer->height,
-                                  .depth = PASS_DEPTH_GREATER,
-                              });
-    gl.ClearNamedFramebufferfv(gbuffer->framebuffer, GL_COLOR, TARGET_GBUFFER_NORMAL, zero);
-    gl.ClearNamedFramebufferfv(gbuffer->framebuffer, GL_COLOR, TARGET_GBUFFER_ALBEDO, zero);
-    gl.ClearNamedFramebufferfv(gbuffer->framebuffer, GL_DEPTH, 0, zero);
+    state.framebuffer = gbuffer->framebuffer;
+    state.vertex_array = frame->scene->shaded_vertices;
+    state.width = gbuffer->width;
+    state.height = gbuffer->height;
+    state.depth = PASS_DEPTH_GREATER;
+    pass_begin(frame->timers, &state);
+    framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_NORMAL, zero);
+    framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_ALBEDO, zero);
+    framebuffer_clear_depth(gbuffer->framebuffer, 0);
     scene_gpu_draw_shaded(frame->scene, views);
     pass_end(frame->timers);
 }
 
 void geometry_pass_render_camera(const struct geometry_pass *pass, const struct frame *frame,
                                  const struct gbuffer *gbuffer) {
-    render("gbuffer", pass->camera_program, frame, gbuffer, 1);
+    render((struct pass_state){.name = "gbuffer",
+                               .program = pass->camera_program,
+                               .blocks = {{BLOCK_VIEW, frame->view}}},
+           frame, gbuffer, 1);
 }
 
 void geometry_pass_render_light(const struct geometry_pass *pass, const struct frame *frame,
                                 const struct gbuffer *rsm) {
-    render("rsm", pass->light_program, frame, rsm, frame->light_views);
+    render((struct pass_state){.name = "rsm",
+                               .program = pass->light_program,
+                               .blocks = {{BLOCK_LIGHT, frame->light}}},
+           frame, rsm, frame->light_views);
 }

@@ -16,11 +16,11 @@ struct geometry_pass {
 bool geometry_pass_init(struct geometry_pass *pass);
 void geometry_pass_free(struct geometry_pass *pass);
 
-/* Clears and fills the G-buffer through BLOCK_VIEW. Timer "gbuffer". */
+/* Clears and fills the G-buffer as the camera sees it. Timer "gbuffer". */
 void geometry_pass_render_camera(const struct geometry_pass *pass, const struct frame *frame,
                                  const struct gbuffer *gbuffer);
 
-/* Clears and fills one layer for each light view through BLOCK_LIGHT. Timer "rsm". */
+/* Clears and fills one layer for each view from the light. Timer "rsm". */
 void geometry_pass_render_light(const struct geometry_pass *pass, const struct frame *frame,
                                 const struct gbuffer *rsm);
 

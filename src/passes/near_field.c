@@ -88,22 +88,23 @@ static void write_params(const struct near_field_pass *pass, const struct frame 
         .inverse_radius = 1 / frame->radius,
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
 }
 
 void near_field_pass_render_light(const struct near_field_pass *pass, const struct frame *frame,
                                   const struct gbuffer *rsm) {
-    pass_begin(frame->timers, &(struct pass_state){
-                                  .name = "near light",
-                                  .program = pass->light_program,
-                                  .framebuffer = pass->lights_framebuffer,
-                                  .width = pass->desc.rsm_size,
-                                  .height = pass->desc.rsm_size,
-                              });
     write_params(pass, frame, NULL);
-    gl.BindTextureUnit(UNIT_RSM_DEPTH, rsm->depth.id);
-    gl.BindTextureUnit(UNIT_RSM_NORMAL, rsm->normal.id);
-    gl.BindTextureUnit(UNIT_RSM_ALBEDO, rsm->albedo.id);
+    pass_begin(frame->timers,
+               &(struct pass_state){
+                   .name = "near light",
+                   .program = pass->light_program,
+                   .framebuffer = pass->lights_framebuffer,
+                   .width = pass->desc.rsm_size,
+                   .height = pass->desc.rsm_size,
+                   .textures = {{UNIT_RSM_DEPTH, rsm->depth.id},
+                                {UNIT_RSM_NORMAL, rsm->normal.id},
+                                {UNIT_RSM_ALBEDO, rsm->albedo.id}},
+                   .blocks = {{BLOCK_LIGHT, frame->light}, {BLOCK_PASS, &pass->params}},
+               });
     gl.ProgramUniform1i(pass->light_program, LOCATION_FIRST_LAYER, 0);
     pass_draw_fullscreen(pass->desc.light_views);
     pass_end(frame->timers);
@@ -112,6 +113,7 @@ void near_field_pass_render_light(const struct near_field_pass *pass, const stru
 void near_field_pass_render(const struct near_field_pass *pass, const struct frame *frame,
                             const struct gbuffer *gbuffer, const struct irradiance *irradiance) {
     int n = irradiance->interleave, patterns = pattern_count(&pass->desc);
+    write_params(pass, frame, irradiance);
     pass_begin(frame->timers, &(struct pass_state){
                                   .name = "near field",
                                   .program = pass->program,
@@ -119,15 +121,17 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
                                   .width = irradiance->texture.desc.width,
                                   .height = irradiance->texture.desc.height,
                                   .blend = PASS_BLEND_ADD,
+                                  .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                                               {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                                               {UNIT_NEAR_LIGHT, pass->lights.id}},
+                                  .blocks = {{BLOCK_VIEW, frame->view},
+                                             {BLOCK_LIGHT, frame->light},
+                                             {BLOCK_PASS, &pass->params},
+                                             {BLOCK_NEAR_SAMPLES, &pass->samples}},
                               });
-    write_params(pass, frame, irradiance);
-    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
-    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
-    gl.BindTextureUnit(UNIT_NEAR_LIGHT, pass->lights.id);
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_NEAR_SAMPLES, pass->samples.id);
     for (int slot = 0; slot < n * n; slot++) {
-        gl.Viewport(slot % n * irradiance->tile_width, slot / n * irradiance->tile_height,
-                    irradiance->tile_width, irradiance->tile_height);
+        pass_viewport(slot % n * irradiance->tile_width, slot / n * irradiance->tile_height,
+                      irradiance->tile_width, irradiance->tile_height);
         gl.ProgramUniform4i(pass->program, LOCATION_SLOT, slot % patterns * pass->desc.samples,
                             pass->desc.samples, slot % n, slot / n);
         pass_draw_fullscreen(1);

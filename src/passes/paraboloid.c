@@ -68,8 +68,11 @@ void paraboloid_pass_view_vpls(struct paraboloid_pass *pass, const struct frame 
     buffer_write(&pass->params, 0, sizeof params, &params);
     pass->views.count = count;
     pass_set_state(&(struct pass_state){
-        .name = "depth maps", .program = pass->views_program, .vertex_array = vpls->vertices});
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, pass->params.id);
+        .name = "depth maps",
+        .program = pass->views_program,
+        .vertex_array = vpls->vertices,
+        .blocks = {{BLOCK_PASS, &pass->params}},
+    });
     pass_feedback(pass->views.buffer.id, first, count);
 }
 
@@ -84,10 +87,10 @@ void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct fra
         .height = pass->maps.size,
         .depth = PASS_DEPTH_LESS,
         .clip_distances = 2,
+        .blocks = {{BLOCK_MAPS, &views->buffer}},
     };
     pass_begin(frame->timers, &state);
-    gl.ClearNamedFramebufferfv(pass->framebuffer, GL_DEPTH, 0, &pass->maps.depth_range);
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_MAPS, views->buffer.id);
+    framebuffer_clear_depth(pass->framebuffer, pass->maps.depth_range);
     gl.ProgramUniform1f(pass->opaque_program, LOCATION_CLIP_Z, clip_fraction * frame->radius);
     gl.ProgramUniform1f(pass->opaque_program, LOCATION_MAP_SIZE, (float)pass->maps.size);
     caster_gpu_draw_opaque(frame->caster, views->count);

@@ -3,6 +3,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "shared/bindings.h"
 
 bool shadow_map_pass_init(struct shadow_map_pass *pass, const struct shadow_map_desc *desc) {
     int size = desc->light_views > 1 ? (desc->size + 1) / 2 : desc->size;
@@ -36,7 +37,6 @@ void shadow_map_pass_free(struct shadow_map_pass *pass) {
 }
 
 void shadow_map_pass_render(const struct shadow_map_pass *pass, const struct frame *frame) {
-    static const float far = 0;
     struct pass_state state = {
         .name = "shadow map",
         .program = pass->opaque_program,
@@ -45,9 +45,10 @@ void shadow_map_pass_render(const struct shadow_map_pass *pass, const struct fra
         .width = pass->map.desc.width,
         .height = pass->map.desc.height,
         .depth = PASS_DEPTH_GREATER,
+        .blocks = {{BLOCK_LIGHT, frame->light}},
     };
     pass_begin(frame->timers, &state);
-    gl.ClearNamedFramebufferfv(pass->framebuffer, GL_DEPTH, 0, &far);
+    framebuffer_clear_depth(pass->framebuffer, 0);
     scene_gpu_draw_opaque(frame->scene, frame->light_views);
     if (frame->scene->has_masked) {
         state.program = pass->masked_program;

@@ -29,17 +29,19 @@ void val_light_pass_free(struct val_light_pass *pass) {
 void val_light_pass_render(const struct val_light_pass *pass, const struct frame *frame,
                            const struct gbuffer *gbuffer, const struct visibility_inputs *inputs,
                            const struct texture *val_fluxes, GLuint framebuffer) {
-    pass_begin(frame->timers, &(struct pass_state){
-                                  .name = "val light",
-                                  .program = pass->program,
-                                  .framebuffer = framebuffer,
-                                  .width = gbuffer->width,
-                                  .height = gbuffer->height,
-                              });
-    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
-    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
-    gl.BindTextureUnit(UNIT_VAL_FLUX, val_fluxes->id);
-    visibility_bind(&pass->desc, &pass->visibility_params, inputs);
+    struct pass_state state = {
+        .name = "val light",
+        .program = pass->program,
+        .framebuffer = framebuffer,
+        .width = gbuffer->width,
+        .height = gbuffer->height,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                     {UNIT_VAL_FLUX, val_fluxes->id}},
+        .blocks = {{BLOCK_VIEW, frame->view}},
+    };
+    visibility_add(&state, &pass->desc, &pass->visibility_params, inputs);
+    pass_begin(frame->timers, &state);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);
 }

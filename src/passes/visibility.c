@@ -13,23 +13,24 @@ char *visibility_defines(const struct visibility_desc *desc) {
                       desc->sharpen_a > 0, desc->taps, (desc->taps + 1) / 2);
 }
 
-static void bind_maps(const struct visibility_desc *desc, const struct visibility_inputs *inputs) {
+static void add_maps(struct pass_state *state, const struct visibility_desc *desc,
+                     const struct visibility_inputs *inputs) {
     if (desc->lookup == VISIBILITY_LOOKUP_NONE)
         return;
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_MAPS, inputs->views->buffer.id);
+    pass_add_block(state, BLOCK_MAPS, &inputs->views->buffer);
     if (desc->lookup != VISIBILITY_LOOKUP_CSSM) {
-        gl.BindTextureUnit(UNIT_MAP_DEPTH, inputs->depth->depth.id);
+        pass_add_texture(state, UNIT_MAP_DEPTH, inputs->depth->depth.id);
         return;
     }
-    gl.BindTextureUnit(UNIT_BASIS_COS, inputs->bases->cos.id);
-    gl.BindTextureUnit(UNIT_BASIS_SIN, inputs->bases->sin.id);
-    gl.BindTextureUnit(UNIT_BASIS_Z_COS, inputs->bases->z_cos.id);
-    gl.BindTextureUnit(UNIT_BASIS_Z_SIN, inputs->bases->z_sin.id);
-    gl.BindTextureUnit(UNIT_BASIS_Z, inputs->bases->z.id);
+    pass_add_texture(state, UNIT_BASIS_COS, inputs->bases->cos.id);
+    pass_add_texture(state, UNIT_BASIS_SIN, inputs->bases->sin.id);
+    pass_add_texture(state, UNIT_BASIS_Z_COS, inputs->bases->z_cos.id);
+    pass_add_texture(state, UNIT_BASIS_Z_SIN, inputs->bases->z_sin.id);
+    pass_add_texture(state, UNIT_BASIS_Z, inputs->bases->z.id);
 }
 
-void visibility_bind(const struct visibility_desc *desc, const struct buffer *params,
-                     const struct visibility_inputs *inputs) {
+void visibility_add(struct pass_state *state, const struct visibility_desc *desc,
+                    const struct buffer *params, const struct visibility_inputs *inputs) {
     struct visibility_params values = {
         .bias = desc->bias,
         .map_size = (float)desc->map_size,
@@ -40,6 +41,6 @@ void visibility_bind(const struct visibility_desc *desc, const struct buffer *pa
         .sharpen_b = desc->sharpen_b,
     };
     buffer_write(params, 0, sizeof values, &values);
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_VISIBILITY, params->id);
-    bind_maps(desc, inputs);
+    pass_add_block(state, BLOCK_VISIBILITY, params);
+    add_maps(state, desc, inputs);
 }

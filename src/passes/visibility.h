@@ -2,6 +2,7 @@
 #ifndef PASSES_VISIBILITY_H
 #define PASSES_VISIBILITY_H
 
+#include "gl/pass.h"
 #include "passes/frame.h"
 
 enum visibility_lookup {
@@ -33,8 +34,8 @@ struct visibility_inputs {
 /* Defines for a shader that includes lib/visibility.glsl; to be freed. */
 char *visibility_defines(const struct visibility_desc *desc);
 
-/* Uploads the parameters and binds them with the maps. */
-void visibility_bind(const struct visibility_desc *desc, const struct buffer *params,
-                     const struct visibility_inputs *inputs);
+/* Uploads the parameters, and adds them and the maps to what the pass binds. */
+void visibility_add(struct pass_state *state, const struct visibility_desc *desc,
+                    const struct buffer *params, const struct visibility_inputs *inputs);
 
 #endif

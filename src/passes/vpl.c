@@ -57,11 +57,12 @@ void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
                                   .name = "vpls",
                                   .program = pass->program,
                                   .vertex_array = pass->vertices,
+                                  .textures = {{UNIT_RSM_DEPTH, rsm->depth.id},
+                                               {UNIT_RSM_NORMAL, rsm->normal.id},
+                                               {UNIT_RSM_ALBEDO, rsm->albedo.id}},
+                                  .blocks = {{BLOCK_LIGHT, frame->light}},
                               });
     gl.ProgramUniform1i(pass->program, LOCATION_VPL_COUNT, pass->desc.count);
-    gl.BindTextureUnit(UNIT_RSM_DEPTH, rsm->depth.id);
-    gl.BindTextureUnit(UNIT_RSM_NORMAL, rsm->normal.id);
-    gl.BindTextureUnit(UNIT_RSM_ALBEDO, rsm->albedo.id);
     pass_feedback(vpls->buffer.id, 0, pass->desc.count);
     pass_end(frame->timers);
 }

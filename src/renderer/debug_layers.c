@@ -150,7 +150,6 @@ static bool draw_layers(struct renderer *renderer, unsigned layers, struct image
     struct timers untimed = {0};
     struct frame frame = renderer_frame(renderer);
     frame.timers = &untimed;
-    renderer_bind_frame(renderer);
     if (layers & 1U << DEBUG_GATHERED) {
         if (!draw_gathered(renderer, &frame, target))
             return false;

@@ -49,7 +49,6 @@ bool renderer_read_layers(struct renderer *renderer, struct image *image) {
     if (!layer_target_init(&target, width, height))
         return false;
     image_init(image, width, height, names);
-    renderer_bind_frame(renderer);
     read_layers(renderer, image, &target);
     layer_target_free(&target);
     return true;

@@ -287,6 +287,8 @@ struct frame renderer_frame(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     struct frame frame = {
         .timers = &renderer->timers,
+        .view = &renderer->view_buffer,
+        .light = &renderer->light_buffer,
         .scene = &renderer->scene,
         .caster = renderer->caster,
         .light_measure = renderer->light_block.intensity[3],
@@ -320,11 +322,6 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
     return inputs;
 }
 
-void renderer_bind_frame(const struct renderer *renderer) {
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_VIEW, renderer->view_buffer.id);
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_LIGHT, renderer->light_buffer.id);
-}
-
 static void render_lights(struct renderer *renderer, const struct frame *frame) {
     if (renderer->lights_drawn && renderer->desc.keep_lights)
         return;
@@ -337,7 +334,6 @@ void renderer_render(struct renderer *renderer) {
     struct frame frame = renderer_frame(renderer);
     struct composite_inputs inputs = renderer_composite_inputs(renderer);
     timer_begin(&renderer->timers, "frame");
-    renderer_bind_frame(renderer);
     render_lights(renderer, &frame);
     geometry_pass_render_camera(&renderer->geometry, &frame, &renderer->gbuffer);
     direct_pass_render(&renderer->direct, &frame, &renderer->gbuffer, &renderer->shadow_map.map);
@@ -353,7 +349,6 @@ void renderer_compose(struct renderer *renderer, int layer) {
     frame.timers = &untimed;
     struct composite_inputs inputs = renderer_composite_inputs(renderer);
     inputs.layer = layer;
-    renderer_bind_frame(renderer);
     composite_pass_render(&renderer->composite, &frame, &inputs);
 }
 

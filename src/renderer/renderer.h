@@ -90,10 +90,9 @@ bool renderer_read_layers(struct renderer *renderer, struct image *image);
 /* The last frame as the display shows it, row 0 at the top. */
 void renderer_read_display(const struct renderer *renderer, struct bitmap *bitmap);
 
-/* For reading back: what the passes of the last frame were given, and their bindings. */
+/* For reading back: what the passes of the last frame were given. */
 struct frame renderer_frame(struct renderer *renderer);
 struct composite_inputs renderer_composite_inputs(const struct renderer *renderer);
-void renderer_bind_frame(const struct renderer *renderer);
 
 void renderer_outputs(const struct renderer *renderer, struct technique_outputs *outputs);
 

@@ -204,34 +204,42 @@ static bool fit_visibility(struct inspect *inspect, const struct visibility_desc
     return ok;
 }
 
-static void draw_layers(const struct inspect *inspect, const struct texture *source,
-                        enum inspect_kind kind) {
-    pass_set_state(&(struct pass_state){.name = "inspect",
-                                        .program = inspect->program,
-                                        .framebuffer = inspect->framebuffer,
-                                        .width = inspect->canvas.desc.width,
-                                        .height = inspect->canvas.desc.height});
-    gl.ProgramUniform1i(inspect->program, LOCATION_FROM_LIGHT, kind == SHOW_RSM_DEPTH);
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, inspect->params.id);
+static void draw_layers(const struct inspect *inspect, const struct frame *frame,
+                        const struct texture *source, enum inspect_kind kind) {
     bool plane = source->desc.target == GL_TEXTURE_2D;
-    gl.BindTextureUnit(plane ? UNIT_INSPECTED_PLANE : UNIT_INSPECTED_LAYERS, source->id);
+    gl.ProgramUniform1i(inspect->program, LOCATION_FROM_LIGHT, kind == SHOW_RSM_DEPTH);
+    pass_set_state(&(struct pass_state){
+        .name = "inspect",
+        .program = inspect->program,
+        .framebuffer = inspect->framebuffer,
+        .width = inspect->canvas.desc.width,
+        .height = inspect->canvas.desc.height,
+        .textures = {{plane ? UNIT_INSPECTED_PLANE : UNIT_INSPECTED_LAYERS, source->id}},
+        .blocks = {{BLOCK_VIEW, frame->view},
+                   {BLOCK_LIGHT, frame->light},
+                   {BLOCK_PASS, &inspect->params}},
+    });
     pass_draw_fullscreen(1);
 }
 
-static void draw_visibility(const struct inspect *inspect, const struct renderer *renderer,
+static void draw_visibility(const struct inspect *inspect, const struct frame *frame,
+                            const struct gbuffer *gbuffer,
                             const struct technique_outputs *outputs) {
-    pass_set_state(&(struct pass_state){.name = "inspect visibility",
-                                        .program = inspect->visibility_program,
-                                        .framebuffer = inspect->framebuffer,
-                                        .width = inspect->canvas.desc.width,
-                                        .height = inspect->canvas.desc.height});
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, inspect->params.id);
-    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, renderer->gbuffer.depth.id);
-    gl.BindTextureUnit(UNIT_GBUFFER_NORMAL, renderer->gbuffer.normal.id);
-    visibility_bind(&inspect->visibility, &inspect->visibility_params,
-                    &(struct visibility_inputs){.views = outputs->val_views,
-                                                .depth = outputs->depth_maps,
-                                                .bases = outputs->basis_maps});
+    struct pass_state state = {
+        .name = "inspect visibility",
+        .program = inspect->visibility_program,
+        .framebuffer = inspect->framebuffer,
+        .width = inspect->canvas.desc.width,
+        .height = inspect->canvas.desc.height,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &inspect->params}},
+    };
+    visibility_add(&state, &inspect->visibility, &inspect->visibility_params,
+                   &(struct visibility_inputs){.views = outputs->val_views,
+                                               .depth = outputs->depth_maps,
+                                               .bases = outputs->basis_maps});
+    pass_set_state(&state);
     pass_draw_fullscreen(1);
 }
 
@@ -304,12 +312,11 @@ bool inspect_draw(struct inspect *inspect, struct renderer *renderer,
     if (!fit_canvas(inspect, width, height) ||
         (visibility && !fit_visibility(inspect, outputs.visibility)))
         return false;
-    renderer_bind_frame(renderer);
     write_params(inspect, renderer, &frame, choice, whole ? &sheet : NULL, layers);
     if (visibility)
-        draw_visibility(inspect, renderer, &outputs);
+        draw_visibility(inspect, &frame, &renderer->gbuffer, &outputs);
     else
-        draw_layers(inspect, source, choice->kind);
+        draw_layers(inspect, &frame, source, choice->kind);
     if (choice->kind == SHOW_VPLS || choice->kind == SHOW_CLUSTERS || (visibility && !whole))
         draw_marks(inspect, renderer, &frame, &outputs, choice);
     return true;

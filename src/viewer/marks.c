@@ -28,9 +28,8 @@ void marks_free(struct marks *marks) {
     buffer_free(&marks->params);
 }
 
-static void begin(const struct marks *marks, const struct frame *frame,
-                  const struct gbuffer *gbuffer, const struct marks_desc *desc, float size,
-                  GLuint program, GLuint vertex_array) {
+static void write_params(const struct marks *marks, const struct frame *frame,
+                         const struct marks_desc *desc, float size) {
     struct mark_params params = {
         .width = (float)desc->width,
         .height = (float)desc->height,
@@ -42,33 +41,44 @@ static void begin(const struct marks *marks, const struct frame *frame,
         .only_chosen = desc->only_chosen,
     };
     buffer_write(&marks->params, 0, sizeof params, &params);
-    pass_set_state(&(struct pass_state){.name = "marks",
-                                        .program = program,
-                                        .framebuffer = desc->framebuffer,
-                                        .vertex_array = vertex_array,
-                                        .width = desc->width,
-                                        .height = desc->height,
-                                        .blend = PASS_BLEND_OVER});
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, marks->params.id);
-    gl.BindTextureUnit(UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
+}
+
+/* Of points and lines alike. */
+static struct pass_state state_of(const struct marks *marks, const struct frame *frame,
+                                  const struct gbuffer *gbuffer, const struct marks_desc *desc) {
+    return (struct pass_state){
+        .name = "marks",
+        .framebuffer = desc->framebuffer,
+        .width = desc->width,
+        .height = desc->height,
+        .blend = PASS_BLEND_OVER,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id}},
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &marks->params}},
+    };
 }
 
 void marks_draw(const struct marks *marks, const struct frame *frame, const struct gbuffer *gbuffer,
                 const struct technique_outputs *outputs, const struct marks_desc *desc) {
     if (desc->with_vpls && outputs->vpls) {
+        struct pass_state state = state_of(marks, frame, gbuffer, desc);
+        state.program = marks->point_program;
+        state.vertex_array = outputs->vpls->vertices;
+        state.point_size = true;
         /* Fewer VPLs, larger discs. */
-        float size = fminf(fmaxf(260 / sqrtf((float)outputs->vpls->count), 3), 9);
-        begin(marks, frame, gbuffer, desc, size, marks->point_program, outputs->vpls->vertices);
-        gl.Enable(GL_PROGRAM_POINT_SIZE);
-        gl.DrawArrays(GL_POINTS, 0, outputs->vpls->count);
-        gl.Disable(GL_PROGRAM_POINT_SIZE);
+        write_params(marks, frame, desc,
+                     fminf(fmaxf(260 / sqrtf((float)outputs->vpls->count), 3), 9));
+        pass_set_state(&state);
+        pass_draw(GL_POINTS, outputs->vpls->count, 1);
     }
     if (desc->with_vals && outputs->val_extremes) {
-        begin(marks, frame, gbuffer, desc, 1.6F, marks->val_program, 0);
-        gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_MAPS, outputs->val_views->buffer.id);
-        gl.BindTextureUnit(UNIT_VAL_EXTREMES, outputs->val_extremes->id);
-        gl.BindTextureUnit(UNIT_VAL_POSITION, outputs->val_positions->id);
-        gl.DrawArraysInstanced(GL_TRIANGLES, 0, VAL_VERTICES, outputs->val_views->count);
+        struct pass_state state = state_of(marks, frame, gbuffer, desc);
+        state.program = marks->val_program;
+        pass_add_texture(&state, UNIT_VAL_EXTREMES, outputs->val_extremes->id);
+        pass_add_texture(&state, UNIT_VAL_POSITION, outputs->val_positions->id);
+        pass_add_block(&state, BLOCK_MAPS, &outputs->val_views->buffer);
+        write_params(marks, frame, desc, 1.6F);
+        pass_set_state(&state);
+        pass_draw(GL_TRIANGLES, VAL_VERTICES, outputs->val_views->count);
     }
 }
 

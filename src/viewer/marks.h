@@ -25,7 +25,6 @@ struct marks_desc {
 bool marks_init(struct marks *marks);
 void marks_free(struct marks *marks);
 
-/* BLOCK_VIEW is bound. */
 void marks_draw(const struct marks *marks, const struct frame *frame, const struct gbuffer *gbuffer,
                 const struct technique_outputs *outputs, const struct marks_desc *desc);
 

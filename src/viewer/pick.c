@@ -97,16 +97,19 @@ static bool read_visibility(const struct pick *pick, const struct technique_outp
         memcpy(params.position, pick->position, sizeof pick->position);
         memcpy(params.normal, pick->normal, sizeof pick->normal);
         buffer_write(&probe.params, 0, sizeof params, &params);
-        pass_set_state(&(struct pass_state){.name = "probe",
-                                            .program = probe.program,
-                                            .framebuffer = probe.framebuffer,
-                                            .width = count,
-                                            .height = 1});
-        gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, probe.params.id);
-        visibility_bind(outputs->visibility, &probe.visibility_params,
-                        &(struct visibility_inputs){.views = outputs->val_views,
-                                                    .depth = outputs->depth_maps,
-                                                    .bases = outputs->basis_maps});
+        struct pass_state state = {
+            .name = "probe",
+            .program = probe.program,
+            .framebuffer = probe.framebuffer,
+            .width = count,
+            .height = 1,
+            .blocks = {{BLOCK_PASS, &probe.params}},
+        };
+        visibility_add(&state, outputs->visibility, &probe.visibility_params,
+                       &(struct visibility_inputs){.views = outputs->val_views,
+                                                   .depth = outputs->depth_maps,
+                                                   .bases = outputs->basis_maps});
+        pass_set_state(&state);
         pass_draw_fullscreen(1);
         gl.GetTextureImage(probe.lit.id, 0, GL_RED, GL_FLOAT, count * (GLsizei)sizeof *lit, lit);
     }

@@ -90,13 +90,15 @@ bool reference_show(struct reference *reference, const char *layer,
         .tone_map = (float)settings->tone_map,
     };
     buffer_write(&reference->params, 0, sizeof params, &params);
-    pass_set_state(&(struct pass_state){.name = "reference",
-                                        .program = reference->program,
-                                        .framebuffer = reference->framebuffer,
-                                        .width = reference->display.desc.width,
-                                        .height = reference->display.desc.height});
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, reference->params.id);
-    gl.BindTextureUnit(UNIT_RADIANCE, reference->radiance.id);
+    pass_set_state(&(struct pass_state){
+        .name = "reference",
+        .program = reference->program,
+        .framebuffer = reference->framebuffer,
+        .width = reference->display.desc.width,
+        .height = reference->display.desc.height,
+        .textures = {{UNIT_RADIANCE, reference->radiance.id}},
+        .blocks = {{BLOCK_PASS, &reference->params}},
+    });
     pass_draw_fullscreen(1);
     return true;
 }

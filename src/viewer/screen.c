@@ -1,5 +1,6 @@
 #include "viewer/screen.h"
 
+#include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/params.h"
@@ -33,8 +34,8 @@ struct rectangle screen_fit(struct rectangle area, int width, int height) {
     return fit;
 }
 
-void screen_draw(const struct screen *screen, int window_width, int window_height,
-                 const struct rectangle *target, const struct screen_pictures *pictures) {
+void screen_draw(const struct screen *screen, int window_height, const struct rectangle *target,
+                 const struct screen_pictures *pictures) {
     static const float around[4] = {.055F, .059F, .07F, 1};
     const struct texture *right = pictures->right ? pictures->right : pictures->left;
     struct screen_params params = {
@@ -45,15 +46,17 @@ void screen_draw(const struct screen *screen, int window_width, int window_heigh
         .split = pictures->right ? pictures->split : 2,
     };
     buffer_write(&screen->params, 0, sizeof params, &params);
-    pass_set_state(&(struct pass_state){.name = "screen",
-                                        .program = screen->program,
-                                        .width = window_width,
-                                        .height = window_height});
-    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-    gl.ClearNamedFramebufferfv(0, GL_COLOR, 0, around);
-    gl.Viewport(target->x, (GLint)params.y, target->width, target->height);
-    gl.BindBufferBase(GL_UNIFORM_BUFFER, BLOCK_PASS, screen->params.id);
-    gl.BindTextureUnit(UNIT_LEFT_PICTURE, pictures->left->id);
-    gl.BindTextureUnit(UNIT_RIGHT_PICTURE, right->id);
+    pass_set_state(&(struct pass_state){
+        .name = "screen",
+        .program = screen->program,
+        .window = true,
+        .x = target->x,
+        .y = (int)params.y,
+        .width = target->width,
+        .height = target->height,
+        .textures = {{UNIT_LEFT_PICTURE, pictures->left->id}, {UNIT_RIGHT_PICTURE, right->id}},
+        .blocks = {{BLOCK_PASS, &screen->params}},
+    });
+    framebuffer_clear_color(0, TARGET_RESULT, around);
     pass_draw_fullscreen(1);
 }

@@ -28,7 +28,7 @@ void screen_free(struct screen *screen);
 struct rectangle screen_fit(struct rectangle area, int width, int height);
 
 /* Draws into the window's framebuffer of that height; all around the pictures becomes dark. */
-void screen_draw(const struct screen *screen, int window_width, int window_height,
-                 const struct rectangle *target, const struct screen_pictures *pictures);
+void screen_draw(const struct screen *screen, int window_height, const struct rectangle *target,
+                 const struct screen_pictures *pictures);
 
 #endif

@@ -88,7 +88,7 @@ static void draw(struct viewer *viewer) {
         fit_picture(viewer);
         pictures = viewer_pictures(viewer);
     }
-    screen_draw(&viewer->screen, input->width, input->height, &viewer->picture, &pictures);
+    screen_draw(&viewer->screen, input->height, &viewer->picture, &pictures);
     ui_frame_end();
     window_swap(viewer->window);
     tell_start(viewer);

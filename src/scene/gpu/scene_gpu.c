@@ -1,6 +1,7 @@
 #include "scene/gpu/scene_gpu.h"
 
 #include "base/memory.h"
+#include "gl/pass.h"
 #include "gl/vertex_array.h"
 #include "shared/bindings.h"
 #include "shared/material.h"
@@ -200,10 +201,14 @@ static void draw_indices(uint32_t first, uint32_t count, int instances) {
 void scene_gpu_draw_batch(const struct scene_gpu *gpu, const struct geometry_batch *batch,
                           int instances) {
     int texture = gpu->scene->materials[batch->material].base_color_texture;
-    gl.BindBufferRange(GL_UNIFORM_BUFFER, BLOCK_MATERIAL, gpu->materials.id,
-                       (GLintptr)batch->material * MATERIAL_STRIDE, sizeof(struct material_block));
+    pass_bind_block(&(struct pass_block){
+        .block = BLOCK_MATERIAL,
+        .buffer = &gpu->materials,
+        .offset = (size_t)batch->material * MATERIAL_STRIDE,
+        .size = sizeof(struct material_block),
+    });
     if (texture >= 0)
-        gl.BindTextureUnit(UNIT_BASE_COLOR, gpu->textures[texture].id);
+        pass_bind_texture(UNIT_BASE_COLOR, gpu->textures[texture].id);
     draw_indices(batch->first_index, batch->index_count, instances);
 }
 
