@@ -5,13 +5,8 @@
 // plane of the VPL that is nearest to it is moved onto that plane, and the map looks from there.
 #include "lib/tangent.glsl"
 #include "lib/map_range.glsl"
-#include "shared/params.h"
+#include "lib/val_distance.glsl"
 
-layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
-    cluster_params params;
-};
-layout(binding = UNIT_VAL_POSITION) uniform sampler2D val_positions;
-layout(binding = UNIT_VAL_NORMAL) uniform sampler2D val_normals;
 layout(binding = UNIT_VAL_EXTREMES) uniform sampler2D val_extremes;
 layout(binding = UNIT_VPLS) uniform samplerBuffer vpls; // with their VALs' numbers
 
@@ -26,8 +21,7 @@ vec3 on_surface(int k, vec3 center, vec3 mean, out float spacing) {
         vec4 position = texelFetch(vpls, 3 * i);
         vec4 normal = texelFetch(vpls, 3 * i + 1);
         bool lights = int(position.w) == k && texelFetch(vpls, 3 * i + 2).w > 0.0;
-        float angle = acos(clamp(dot(normal.xyz, mean), -1.0, 1.0));
-        float d = params.weight_position * distance(position.xyz, center) + params.weight_normal * angle;
+        float d = val_distance(position.xyz, normal.xyz, center, mean);
         if (lights && d < least) {
             least = d;
             foot = center + normal.xyz * max(dot(position.xyz - center, normal.xyz), 0.0);

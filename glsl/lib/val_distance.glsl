@@ -8,6 +8,11 @@ layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
 layout(binding = UNIT_VAL_POSITION) uniform sampler2D val_positions; // xyz, count
 layout(binding = UNIT_VAL_NORMAL) uniform sampler2D val_normals;
 
+float val_distance(vec3 position, vec3 normal, vec3 center, vec3 mean) {
+    float angle = acos(clamp(dot(normal, mean), -1.0, 1.0));
+    return params.weight_position * distance(position, center) + params.weight_normal * angle;
+}
+
 // The VAL with the least distance; the first of equals.
 int nearest_val(vec3 position, vec3 normal) {
     int nearest = 0;
@@ -15,8 +20,7 @@ int nearest_val(vec3 position, vec3 normal) {
     for (int k = 0; k < int(params.val_count); k++) {
         vec3 center = texelFetch(val_positions, ivec2(k, 0), 0).xyz;
         vec3 mean = texelFetch(val_normals, ivec2(k, 0), 0).xyz;
-        float angle = acos(clamp(dot(normal, mean), -1.0, 1.0));
-        float d = params.weight_position * distance(position, center) + params.weight_normal * angle;
+        float d = val_distance(position, normal, center, mean);
         if (d < least) {
             least = d;
             nearest = k;

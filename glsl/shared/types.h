@@ -6,9 +6,11 @@
 
 #ifdef GL_core_profile
 #define STRUCT(name) name
+#define SHARED_FUNCTION
 #else
 #include <cglm/types.h> /* vec4 and mat4 spell the same there */
 #define STRUCT(name) struct name
+#define SHARED_FUNCTION static inline
 #endif
 
 #endif

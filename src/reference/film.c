@@ -7,28 +7,33 @@
 /* Takes the place of the albedo where it is zero, so that the light on a black surface is told. */
 static const float least_weight = 1e-6f;
 
-static void add(float *sum, vec3s value) {
+static void add(float sum[3], const float value[3]) {
     for (int c = 0; c < 3; c++)
-        sum[c] += value.raw[c];
+        sum[c] += value[c];
 }
 
 void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_sample *sample) {
     vec3s light = glms_vec3_add(sample->direct, sample->indirect);
     vec3s weight = glms_vec3_adds(sample->albedo, least_weight);
     pixel->coverage += 1;
-    add(pixel->albedo, sample->albedo);
-    add(pixel->normal, sample->normal);
-    add(pixel->beauty, glms_vec3_mul(sample->albedo, light));
-    add(pixel->direct, glms_vec3_mul(weight, sample->direct));
-    add(pixel->streams[stream].weight, weight);
-    add(pixel->streams[stream].indirect, glms_vec3_mul(weight, sample->indirect));
+    add(pixel->albedo, sample->albedo.raw);
+    add(pixel->normal, sample->normal.raw);
+    add(pixel->beauty, glms_vec3_mul(sample->albedo, light).raw);
+    add(pixel->direct, glms_vec3_mul(weight, sample->direct).raw);
+    add(pixel->streams[stream].weight, weight.raw);
+    add(pixel->streams[stream].indirect, glms_vec3_mul(weight, sample->indirect).raw);
 }
 
 void film_pixel_merge(struct film_pixel *pixel, const struct film_pixel *other) {
-    float *sums = &pixel->coverage;
-    const float *others = &other->coverage;
-    for (size_t i = 0; i < sizeof *pixel / sizeof *sums; i++)
-        sums[i] += others[i];
+    pixel->coverage += other->coverage;
+    add(pixel->albedo, other->albedo);
+    add(pixel->normal, other->normal);
+    add(pixel->beauty, other->beauty);
+    add(pixel->direct, other->direct);
+    for (int s = 0; s < FILM_STREAMS; s++) {
+        add(pixel->streams[s].weight, other->streams[s].weight);
+        add(pixel->streams[s].indirect, other->streams[s].indirect);
+    }
 }
 
 static double total_weight(const struct film_pixel *pixel, int channel) {

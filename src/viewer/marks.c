@@ -2,6 +2,7 @@
 
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "shared/cluster_color.h"
 #include "shared/params.h"
 #include "viewer/ui.h"
 
@@ -83,13 +84,8 @@ void marks_draw(const struct marks *marks, const struct frame *frame, const stru
 }
 
 uint32_t marks_cluster_color(int k) {
-    float hue = 6 * fmodf(.1F + (float)k * .61803399F, 1), rgb[3];
-    float pale = k % 2 == 0 ? .15F : .4F;
-    for (int c = 0; c < 3; c++) {
-        static const float shifts[3] = {0, 4, 2};
-        float pure = fabsf(fmodf(hue + shifts[c], 6) - 3) - 1;
-        pure = fminf(fmaxf(pure, 0), 1);
-        rgb[c] = (pure + (1 - pure) * pale) * (k % 3 == 0 ? .8F : 1) * 255;
-    }
-    return UI_RGBA(lrintf(rgb[0]), lrintf(rgb[1]), lrintf(rgb[2]), 255);
+    long rgb[3];
+    for (int c = 0; c < 3; c++)
+        rgb[c] = lrintf(255 * cluster_color(k, c));
+    return UI_RGBA(rgb[0], rgb[1], rgb[2], 255);
 }
