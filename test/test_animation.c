@@ -329,6 +329,69 @@ static void test_order_of_poses(void **state) {
     scene_free(&scene);
 }
 
+/* --- bounds ----------------------------------------------------------------------------------- */
+
+static void check_bounds(const struct geometry *geometry, const float low[3], const float high[3]) {
+    for (int c = 0; c < 3; c++) {
+        check_near("low", (double)geometry->bounds_min[c], (double)low[c], 1e-6);
+        check_near("high", (double)geometry->bounds_max[c], (double)high[c], 1e-6);
+    }
+}
+
+/* A unit square goes to x = 10 and back to 4: its clip's bounds are the same at all times, and its
+ * sphere holds it at each. */
+static void test_bounds_of_clip(void **state) {
+    (void)state;
+    static const float values[] = {0, 0, 0, 10, 0, 0, 4, 0, 0};
+    struct scene scene;
+    struct geometry geometry, first;
+    load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
+              CLIPS(CLIP("translation", "LINEAR") "," CLIP("scale", "LINEAR")), values, 9);
+    check_ok("geometry", geometry_init(&first, &scene, 0));
+    check_ok("geometry", geometry_init(&geometry, &scene, 3.3));
+    check_bounds(&first, (float[]){0, 0, 0}, (float[]){11, 1, 0});
+    check_near("radius", (double)first.radius, 5 + sqrt(.5), 1e-6);
+    for (double time = 0; time <= 5; time += .37) {
+        check_ok("pose", geometry_pose(&geometry, &scene, time));
+        assert_memory_equal(geometry.bounds_min, first.bounds_min, sizeof first.bounds_min);
+        assert_memory_equal(geometry.bounds_max, first.bounds_max, sizeof first.bounds_max);
+        assert_memory_equal(geometry.center, first.center, sizeof first.center);
+        assert_memory_equal(&geometry.radius, &first.radius, sizeof first.radius);
+        assert_true(geometry.parts[0].farthest <= geometry.radius);
+    }
+    check_ok("other clip", scene_select_clip(&scene, "scale"));
+    check_ok("pose", geometry_pose(&geometry, &scene, 0));
+    check_bounds(&geometry, (float[]){0, 0, 0}, (float[]){10, 0, 0});
+    geometry_free(&first);
+    geometry_free(&geometry);
+    scene_free(&scene);
+}
+
+/* Of one pose alone where that is asked for, and where nothing moves. */
+static void test_bounds_of_pose(void **state) {
+    (void)state;
+    static const float values[] = {0, 0, 0, 10, 0, 0, 4, 0, 0};
+    static const struct gltf_parts quad = {0};
+    struct scene scene;
+    struct geometry moved, still, whole;
+    load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
+              CLIPS(CLIP("translation", "LINEAR")), values, 9);
+    check_ok("geometry", geometry_init_still(&moved, &scene, 2));
+    check_bounds(&moved, (float[]){10, 0, 0}, (float[]){11, 1, 0});
+    geometry_free(&moved);
+    scene_free(&scene);
+    check_ok("quad", load_parts(&scene, "quad.glb", &quad));
+    check_ok("geometry", geometry_init_still(&still, &scene, 0));
+    check_ok("geometry", geometry_init(&whole, &scene, 0));
+    assert_memory_equal(whole.bounds_min, still.bounds_min, sizeof still.bounds_min);
+    assert_memory_equal(whole.bounds_max, still.bounds_max, sizeof still.bounds_max);
+    assert_memory_equal(whole.center, still.center, sizeof still.center);
+    assert_memory_equal(&whole.radius, &still.radius, sizeof still.radius);
+    geometry_free(&still);
+    geometry_free(&whole);
+    scene_free(&scene);
+}
+
 /* --- refusals --------------------------------------------------------------------------------- */
 
 static void test_refusals(void **state) {
@@ -401,7 +464,8 @@ int main(void) {
         cmocka_unit_test(test_rotation),       cmocka_unit_test(test_clip_choice),
         cmocka_unit_test(test_rigid),          cmocka_unit_test(test_camera_and_light),
         cmocka_unit_test(test_morph),          cmocka_unit_test(test_skin),
-        cmocka_unit_test(test_order_of_poses), cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_order_of_poses), cmocka_unit_test(test_bounds_of_clip),
+        cmocka_unit_test(test_bounds_of_pose), cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests_name("animation", tests, NULL, NULL);
 }

@@ -123,7 +123,7 @@ bool scene_frame(struct scene *scene) {
     if (camera && light)
         return true;
     struct geometry geometry;
-    if (!geometry_init(&geometry, scene, 0))
+    if (!geometry_init_still(&geometry, scene, 0))
         return false;
     struct room around, *room = room_around(&around, &geometry, geometry.center) ? &around : NULL;
     if (!camera)

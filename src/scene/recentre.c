@@ -42,7 +42,7 @@ static void set_origin(struct scene *scene, const struct geometry *geometry) {
 
 void scene_recentre(struct scene *scene) {
     struct geometry geometry;
-    if (!geometry_init(&geometry, scene, 0))
+    if (!geometry_init_still(&geometry, scene, 0))
         return; /* whoever needs triangles finds the reason */
     if (glm_vec3_norm(geometry.center) > far_radii * geometry.radius) {
         set_origin(scene, &geometry);

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "scene/animation.h"
 #include "scene/mesh/primitive.h"
 
 #include <cglm/cglm.h>
@@ -245,9 +246,11 @@ static void measure_farthest(const struct geometry *geometry, struct geometry_pa
     part->farthest = sqrtf(farthest);
 }
 
-/* The bounds of all parts, of which those that have just moved are measured anew. */
+/* The bounds of the clip and of all parts, of which those that have just moved are measured anew. */
 static void measure(struct geometry *geometry) {
-    float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
+    float low[3], high[3];
+    glm_vec3_copy(geometry->span.bounds_min, low);
+    glm_vec3_copy(geometry->span.bounds_max, high);
     for (int i = 0; i < geometry->part_count; i++) {
         struct geometry_part *part = &geometry->parts[i];
         if (part->moved == geometry->pose_count)
@@ -266,7 +269,7 @@ static void measure(struct geometry *geometry) {
     glm_vec3_copy(low, geometry->bounds_min);
     glm_vec3_copy(high, geometry->bounds_max);
     glm_vec3_center(low, high, geometry->center);
-    geometry->radius = 1e-6F;
+    geometry->radius = fmaxf(geometry->span.radius, 1e-6F);
     for (int i = 0; i < geometry->part_count; i++) {
         struct geometry_part *part = &geometry->parts[i];
         if (!same || part->moved == geometry->pose_count)
@@ -319,12 +322,57 @@ static bool pose_at(struct geometry *geometry, const struct scene *scene, double
     return !geometry->broken;
 }
 
-bool geometry_pose(struct geometry *geometry, const struct scene *scene, double time) {
-    return pose_at(geometry, scene, time) || error_prefix("%s at %g s", scene->path, time);
+/* --- the clip --------------------------------------------------------------------------------- */
+
+static void empty_span(struct geometry_span *span, int clip) {
+    *span = (struct geometry_span){.clip = clip};
+    glm_vec3_broadcast(FLT_MAX, span->bounds_min);
+    glm_vec3_broadcast(-FLT_MAX, span->bounds_max);
 }
 
-bool geometry_init(struct geometry *geometry, const struct scene *scene, double time) {
-    *geometry = (struct geometry){.balls_count = scene->metaballs_count};
+/* The sphere is about the centre of the box, and holds those of all samples. */
+static void add_samples(struct geometry_span *span, struct geometry *sample,
+                        const struct scene *scene, double duration) {
+    enum { STEPS_MAX = 128 };
+    float spheres[STEPS_MAX + 1][4], center[3];
+    int count = 0, steps = (int)fmin(ceil(duration / .1), STEPS_MAX);
+    for (int i = 0; i <= steps; i++) {
+        if (!pose_at(sample, scene, duration * i / steps))
+            continue; /* a time that cannot be shown */
+        glm_vec3_minv(span->bounds_min, sample->bounds_min, span->bounds_min);
+        glm_vec3_maxv(span->bounds_max, sample->bounds_max, span->bounds_max);
+        glm_vec3_copy(sample->center, spheres[count]);
+        spheres[count++][3] = sample->radius;
+    }
+    glm_vec3_center(span->bounds_min, span->bounds_max, center);
+    for (int i = 0; i < count; i++)
+        span->radius = fmaxf(span->radius, glm_vec3_distance(center, spheres[i]) + spheres[i][3]);
+}
+
+/* By poses of its own, so that what is kept here does not depend on them. */
+static void span_clip(struct geometry *geometry, const struct scene *scene) {
+    double duration = scene_duration(scene);
+    struct geometry sample;
+    empty_span(&geometry->span, scene->clip);
+    if (duration <= 0 || !geometry_init_still(&sample, scene, 0))
+        return;
+    add_samples(&geometry->span, &sample, scene, duration);
+    geometry_free(&sample);
+}
+
+static bool pose_in_clip(struct geometry *geometry, const struct scene *scene, double time) {
+    if (!geometry->still && geometry->span.clip != scene->clip)
+        span_clip(geometry, scene);
+    return pose_at(geometry, scene, time);
+}
+
+bool geometry_pose(struct geometry *geometry, const struct scene *scene, double time) {
+    return pose_in_clip(geometry, scene, time) || error_prefix("%s at %g s", scene->path, time);
+}
+
+static bool init(struct geometry *geometry, const struct scene *scene, double time, bool still) {
+    *geometry = (struct geometry){.balls_count = scene->metaballs_count, .still = still};
+    empty_span(&geometry->span, -1);
     geometry->balls = mem_alloc((size_t)scene->metaballs_count, sizeof *geometry->balls);
     for (int i = 0; i < geometry->balls_count; i++)
         marching_cubes_init(&geometry->balls[i].cubes);
@@ -332,10 +380,18 @@ bool geometry_init(struct geometry *geometry, const struct scene *scene, double 
     pose_init(&geometry->pose, scene);
     pose_init(&geometry->next, scene);
     list_parts(geometry, scene);
-    if (pose_at(geometry, scene, time))
+    if (pose_in_clip(geometry, scene, time))
         return true;
     geometry_free(geometry);
     return error_prefix("%s", scene->path);
+}
+
+bool geometry_init(struct geometry *geometry, const struct scene *scene, double time) {
+    return init(geometry, scene, time, false);
+}
+
+bool geometry_init_still(struct geometry *geometry, const struct scene *scene, double time) {
+    return init(geometry, scene, time, true);
 }
 
 void geometry_free(struct geometry *geometry) {

@@ -36,6 +36,12 @@ struct geometry_balls {
     struct surface surface;
 };
 
+/* What poses throughout a clip take up; empty where nothing moves. */
+struct geometry_span {
+    int clip; /* -1 = none was looked at */
+    float bounds_min[3], bounds_max[3], radius;
+};
+
 struct geometry {
     uint32_t vertex_count, index_count;
     float (*position)[3]; /* world; one spare element, as Embree reads 16 bytes a vertex */
@@ -47,7 +53,8 @@ struct geometry {
     int batch_count;
     uint32_t opaque_index_count; /* indices of the batches without alpha mask: [0, this) */
 
-    /* Bounding box and sphere of the vertices that triangles use. */
+    /* Bounding box and sphere of the vertices that triangles use, throughout the clip that plays:
+     * lengths that are fractions of the radius would breathe with a single pose's. */
     float bounds_min[3], bounds_max[3];
     float center[3], radius; /* radius > 0 */
 
@@ -57,13 +64,20 @@ struct geometry {
     unsigned laid_out;   /* the pose that last laid the arrays out anew */
     bool broken;         /* the last pose failed */
 
+    struct geometry_span span;
+    bool still; /* the bounds are those of the pose alone */
     struct pose pose, next;
     struct geometry_balls *balls; /* of each of the scene's metaballs */
     int balls_count;
 };
 
-/* Lays out the arrays and fills them for the time. Error: a scene without a triangle. */
+/* Lays out the arrays and fills them for the time. The clip is sampled for its bounds, here and when
+ * a pose finds another one to play: every tenth of a second, or at 128 steps of a longer one. A pose
+ * that reaches beyond all samples widens the bounds for itself. Error: a scene without a triangle. */
 bool geometry_init(struct geometry *geometry, const struct scene *scene, double time);
+
+/* The same with the bounds of each pose alone: for those who look at one. */
+bool geometry_init_still(struct geometry *geometry, const struct scene *scene, double time);
 void geometry_free(struct geometry *geometry);
 
 /* Moves everything to where it is at a time. What stays where it is costs nothing; part->moved and
