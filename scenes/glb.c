@@ -288,23 +288,29 @@ static int add_light_node(struct glb *glb, const char *name, const float eye[3],
     return add_placed_node(glb, name, eye, direction, what);
 }
 
-int glb_add_spot(struct glb *glb, const float eye[3], const float direction[3], double half_angle,
-                 double intensity) {
-    double outer = half_angle * GLM_PI / 180.0;
-    int light = next_element(&glb->lights, &glb->light_count);
+int glb_add_light(struct glb *glb, const struct glb_light *light) {
+    int index = next_element(&glb->lights, &glb->light_count);
+    double outer = light->half_angle * GLM_PI / 180.0;
     text_print(&glb->lights,
-               "{\"name\":\"spot\",\"type\":\"spot\",\"color\":[1,1,1],\"intensity\":%.9g,"
-               "\"spot\":{\"innerConeAngle\":%.9g,\"outerConeAngle\":%.9g}}",
-               intensity, outer - 0.005, outer);
-    return add_light_node(glb, "spot", eye, direction, light);
+               "{\"name\":\"%s\",\"type\":\"%s\",\"color\":[%.9g,%.9g,%.9g],\"intensity\":%.9g",
+               light->name, outer > 0.0 ? "spot" : "point", light->color[0], light->color[1],
+               light->color[2], light->intensity);
+    if (outer > 0.0)
+        text_print(&glb->lights, ",\"spot\":{\"innerConeAngle\":%.9g,\"outerConeAngle\":%.9g}",
+                   outer - 0.005, outer);
+    text_print(&glb->lights, "}");
+    return add_light_node(glb, light->name, light->eye, light->direction, index);
 }
 
-void glb_add_point_light(struct glb *glb, const float position[3], double intensity) {
-    int light = next_element(&glb->lights, &glb->light_count);
-    text_print(&glb->lights,
-               "{\"name\":\"point\",\"type\":\"point\",\"color\":[1,1,1],\"intensity\":%.9g}",
-               intensity);
-    add_light_node(glb, "point", position, (const float[]){0.0f, 0.0f, -1.0f}, light);
+int glb_add_spot(struct glb *glb, const float eye[3], const float direction[3], double half_angle,
+                 double intensity) {
+    struct glb_light light = {.name = "spot",
+                              .color = {1.0f, 1.0f, 1.0f},
+                              .half_angle = half_angle,
+                              .intensity = intensity};
+    glm_vec3_copy((float *)eye, light.eye);
+    glm_vec3_copy((float *)direction, light.direction);
+    return glb_add_light(glb, &light);
 }
 
 /* --- the file --------------------------------------------------------------------------------- */

@@ -71,11 +71,21 @@ int glb_add_camera(struct glb *glb, const float eye[3], const float direction[3]
 /* The turn of a node that makes it look in a direction. */
 void glb_direction(const float direction[3], float quaternion[4]);
 
-/* A white spot whose edge is sharp: the inner angle is 0.005 rad below the outer. W/sr. Returns its
- * node. */
+/* A spot whose edge is sharp, the inner angle 0.005 rad below the outer, or a point. */
+struct glb_light {
+    const char *name;
+    float eye[3], direction[3];
+    float color[3];
+    double intensity;  /* W/sr */
+    double half_angle; /* of a spot, degrees; 0 = a point, whose direction must be there too */
+};
+
+/* Returns its node. */
+int glb_add_light(struct glb *glb, const struct glb_light *light);
+
+/* A white spot. */
 int glb_add_spot(struct glb *glb, const float eye[3], const float direction[3], double half_angle,
                  double intensity);
-void glb_add_point_light(struct glb *glb, const float position[3], double intensity);
 
 /* Leaves a file that already has these bytes alone, so that its time stays. */
 bool glb_write(const struct glb *glb, const char *path);

@@ -14,6 +14,7 @@ static const struct scene_maker {
     void (*make)(struct glb *glb);
 } makers[] = {
     {"cornell-box", make_cornell_box},
+    {"three-lights", make_three_lights},
     {"cornell-animal", make_cornell_animal},
     {"atrium", make_atrium},
     {"sphere", make_sphere},

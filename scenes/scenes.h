@@ -5,6 +5,7 @@
 #include "glb.h"
 
 void make_cornell_box(struct glb *glb);
+void make_three_lights(struct glb *glb);
 void make_cornell_animal(struct glb *glb);
 void make_sphere(struct glb *glb);
 void make_atrium(struct glb *glb);

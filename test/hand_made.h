@@ -163,11 +163,11 @@ static inline void world_in_sphere(struct world *world) {
     place_light(world, EMITTER_POINT, glms_vec3_zero(), (vec3s){{0, 0, -1}}, GLM_PIf);
 }
 
-static inline struct path_tracer_desc describe(const struct world *world, int size, int samples) {
+static inline struct path_tracer_desc describe(struct world *world, int size, int samples) {
     return (struct path_tracer_desc){.scene = &world->scene,
                                      .geometry = &world->geometry,
                                      .camera = &world->camera,
-                                     .light = &world->light,
+                                     .emitters = {&world->light, 1},
                                      .width = size,
                                      .height = size,
                                      .samples = samples};

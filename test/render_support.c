@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "gl/memory.h"
 #include "scene/node.h"
+#include "scene/placing.h"
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>
@@ -47,7 +48,7 @@ void pose_stage(struct stage *stage) {
     geometry_free(&stage->geometry);
     check_ok("geometry", geometry_init(&stage->geometry, &stage->scene, 0));
     camera_place(&stage->camera, &stage->scene, 0, 0);
-    emitter_place(&stage->light, &stage->scene, 0, 0);
+    check_ok("lights", emitters_from_text(&stage->emitters, &stage->scene, NULL, 0));
 }
 
 void scale_scene(struct scene *scene, float s) {
@@ -120,7 +121,7 @@ struct renderer_desc desc_of(const struct stage *stage, const char *technique, c
         .technique = technique_index(technique),
         .scene = &stage->scene,
         .geometry = &stage->geometry,
-        .light = stage->light,
+        .light = stage->emitters.items[0],
         .camera = stage->camera,
         .software = true,
     };

@@ -106,11 +106,11 @@ static void test_surfaces(void **state) {
 
 /* The stage's light as a point light, or a directional one through the open front, slanting. */
 static void make_point(struct stage *stage) {
-    stage->light.type = EMITTER_POINT;
+    stage->emitters.items[0].type = EMITTER_POINT;
 }
 
 static void make_directional(struct stage *stage) {
-    struct emitter *light = &stage->light;
+    struct emitter *light = stage->emitters.items;
     vec3 direction = {.3f, -.4f, -1}, up = {0, 1, 0}, back;
     light->type = EMITTER_DIRECTIONAL;
     glm_vec3_normalize_to(direction, light->direction);
@@ -131,7 +131,8 @@ static const struct light_case {
 
 /* Direct light at pixel centres; the shadow's outline is a texel of the map wide. */
 static void check_direct(struct bench *bench) {
-    struct emission emission = emission_of(&bench->stage.light, &bench->stage.geometry);
+    struct emission emission;
+    emission_init(&emission, &bench->stage.emitters, &bench->stage.geometry, 0);
     int wrong = 0, count = 0, lit = 0;
     run_frame(bench, "unshadowed", "vpls=1 interleave=1", 96);
     for (int y = 0; y < 96; y++)
@@ -147,6 +148,7 @@ static void check_direct(struct bench *bench) {
         }
     assert_true(lit > count / 20 && lit < count);
     check_at_most("pixels of another direct light", wrong / (double)count, .01);
+    emission_free(&emission);
     end_frame(bench);
 }
 
@@ -166,7 +168,7 @@ static void test_direct(void **state) {
 
 /* The ray of the light that ends at the VPL meets the same surface, and flux is rho I dw. */
 static bool is_true_vpl(const struct bench *bench, const struct vpl *vpl) {
-    const struct emitter *light = &bench->stage.light;
+    const struct emitter *light = bench->stage.emitters.items;
     float radius = bench->stage.geometry.radius;
     bool directional = light->type == EMITTER_DIRECTIONAL;
     vec3s position = to_vec3s(vpl->position);

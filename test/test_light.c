@@ -179,14 +179,14 @@ static double reflected(const struct stage *stage, const struct rays *rays, vec3
         return 0;
     double sum = 0;
     for (int c = 0; c < 3; c++)
-        sum += (double)(hit.albedo.raw[c] * stage->light.intensity[c]) / 3;
+        sum += (double)(hit.albedo.raw[c] * stage->emitters.items[0].intensity[c]) / 3;
     return sum;
 }
 
 /* The same flux by rays in evenly spread directions of the whole sphere (Fibonacci's spiral). */
 static double reflected_by_rays(const struct stage *stage, const struct rays *rays) {
     enum { DIRECTIONS = 200000 };
-    const struct emitter *light = &stage->light;
+    const struct emitter *light = stage->emitters.items;
     vec3s origin = to_vec3s(light->position);
     double sum = 0;
     for (int i = 0; i < DIRECTIONS; i++) {
@@ -204,9 +204,9 @@ static double reflected_by_rays(const struct stage *stage, const struct rays *ra
 /* The same by parallel rays from a square that covers the scene's bounding sphere. */
 static double reflected_by_parallel_rays(const struct stage *stage, const struct rays *rays) {
     enum { SIDE = 400 };
-    vec3s direction = to_vec3s(stage->light.direction);
-    vec3s right = to_vec3s(stage->light.right);
-    vec3s up = to_vec3s(stage->light.up);
+    vec3s direction = to_vec3s(stage->emitters.items[0].direction);
+    vec3s right = to_vec3s(stage->emitters.items[0].right);
+    vec3s up = to_vec3s(stage->emitters.items[0].up);
     float radius = stage->geometry.radius, cell = 2 * radius / SIDE;
     vec3s middle = glms_vec3_muladds(direction, -2 * radius, to_vec3s(stage->geometry.center));
     double sum = 0;
@@ -222,7 +222,7 @@ static double reflected_by_parallel_rays(const struct stage *stage, const struct
 static void check_energy(const char *what, const struct stage *stage) {
     struct rays rays;
     open_rays(&rays, stage);
-    double expected = stage->light.type == EMITTER_DIRECTIONAL
+    double expected = stage->emitters.items[0].type == EMITTER_DIRECTIONAL
                           ? reflected_by_parallel_rays(stage, &rays)
                           : reflected_by_rays(stage, &rays);
     close_rays(&rays);
@@ -233,7 +233,7 @@ static void test_energy(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
-    struct emitter *light = &stage.light;
+    struct emitter *light = stage.emitters.items;
     assert_int_equal(light->type, EMITTER_SPOT);
     check_energy("reflected flux of the scene's spot", &stage);
     light->cos_outer = cosf(.3f);

@@ -182,9 +182,10 @@ static void test_odd_lights(void **state) {
         struct stage stage;
         open_stage(&stage, "scenes/cornell-box.glb");
         for (int c = 0; c < 3 && i < 3; c++)
-            stage.light.intensity[c] = intensities[i];
+            stage.emitters.items[0].intensity[c] = intensities[i];
         if (i == 3)
-            stage.light.position[1] = 1e3f; /* far above the ceiling, which has its back to it */
+            stage.emitters.items[0].position[1] =
+                1e3f; /* far above the ceiling, which has its back to it */
         for (int t = 0; technique_names[t]; t++)
             check_picture(i == 3 ? "light outside" : "intensity", &stage, technique_names[t],
                           "vpls=64 vals=8 map-size=64 interleave=4", 40, 40);

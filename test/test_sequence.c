@@ -150,7 +150,7 @@ static void test_misuse(void **state) {
 
 static void pose(struct stage *stage, struct renderer *renderer, double time) {
     check_ok("pose", stage_pose(stage, time));
-    check_ok("update", renderer_update(renderer, &stage->light, &stage->camera));
+    check_ok("update", renderer_update(renderer, stage->emitters.items, &stage->camera));
     renderer_render(renderer);
 }
 

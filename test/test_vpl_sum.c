@@ -6,12 +6,12 @@
 #include "reference/emission.h"
 #include "reference/vpl_sum.h"
 
-static struct vpl_sum_desc sum_desc(const struct world *world, const struct vpl *vpls, int count,
+static struct vpl_sum_desc sum_desc(struct world *world, const struct vpl *vpls, int count,
                                     int size) {
     return (struct vpl_sum_desc){.scene = &world->scene,
                                  .geometry = &world->geometry,
                                  .camera = &world->camera,
-                                 .light = &world->light,
+                                 .emitters = {&world->light, 1},
                                  .vpls = vpls,
                                  .vpl_count = count,
                                  .width = size,
@@ -19,13 +19,12 @@ static struct vpl_sum_desc sum_desc(const struct world *world, const struct vpl 
 }
 
 /* VPL i of the world's spot or point light, from the light's first hit. */
-static struct vpl trace_vpl(const struct world *world, const struct ray_scene *rays, int i,
-                            int count) {
-    struct emission emission = emission_of(&world->light, &world->geometry);
+static struct vpl trace_vpl(const struct world *world, const struct emission *emission,
+                            const struct ray_scene *rays, int i, int count) {
     vec2s sample = {
         {(float)radical_inverse(2, (uint32_t)i), (float)radical_inverse(3, (uint32_t)i)}};
     struct hit hit;
-    if (!emission_first_hit(&emission, rays, sample, &hit))
+    if (!emission_first_hit(emission, 0, rays, sample, &hit))
         return (struct vpl){.flux = {0}};
     const float *p = hit.position.raw, *n = hit.normal.raw;
     vec3s from = {{world->light.position[0], world->light.position[1], world->light.position[2]}};
@@ -34,20 +33,23 @@ static struct vpl trace_vpl(const struct world *world, const struct ray_scene *r
     vec3s way = glms_vec3_normalize(glms_vec3_sub(hit.position, from));
     float intensity =
         world->light.intensity[0] * emitter_cone(&world->light, glms_vec3_dot(way, axis));
-    float flux = hit.albedo.x * intensity * emission.solid_angle / (float)count;
+    float flux = hit.albedo.x * intensity * emission->sources[0].solid_angle / (float)count;
     return (struct vpl){.position = {p[0], p[1], p[2]},
                         .normal = {n[0], n[1], n[2]},
                         .flux = {flux, flux, flux, 1}};
 }
 
-static struct vpl *trace_vpls(const struct world *world, int count) {
+static struct vpl *trace_vpls(struct world *world, int count) {
     struct hit_table table;
     struct ray_scene rays;
     struct vpl *vpls = mem_alloc((size_t)count, sizeof *vpls);
     hit_table_init(&table, &world->scene, &world->geometry);
     check_ok("rays", ray_scene_init(&rays, &table));
+    struct emission emission;
+    emission_init(&emission, &(struct emitters){&world->light, 1}, &world->geometry, 0);
     for (int i = 0; i < count; i++)
-        vpls[i] = trace_vpl(world, &rays, i, count);
+        vpls[i] = trace_vpl(world, &emission, &rays, i, count);
+    emission_free(&emission);
     ray_scene_free(&rays);
     hit_table_free(&table);
     return vpls;
@@ -87,7 +89,7 @@ static void test_one_vpl(void **state) {
     struct vpl vpl = {
         .position = {0.5f, 0.5f, 0.5f}, .normal = {0, -1, 0, 0.3f}, .flux = {2, 1, 0, 1}};
     struct vpl_sum_desc desc = sum_desc(&world, &vpl, 1, 4);
-    desc.light = NULL;
+    desc.emitters.count = 0;
     /* At the pixel whose centre is (5/8, 5/8); cos = height / d at both ends. */
     const double height = 0.5, distance2 = 2.0 / 64 + height * height;
     const double cosines = height * height / distance2, unit = 2 / (GLM_PI * GLM_PI);

@@ -119,6 +119,29 @@ void add_cornell_blocks(struct glb *glb) {
     }
 }
 
+/* A red spot at the tall block, a blue one at the right wall, and a lamp below the ceiling. */
+void make_three_lights(struct glb *glb) {
+    add_cornell_room(glb);
+    add_cornell_blocks(glb);
+    glb_add_light(glb, &(struct glb_light){.name = "red",
+                                           .eye = {-2.2f, 4.6f, 2.2f},
+                                           .direction = {0.45f, -0.75f, -0.85f},
+                                           .color = {1.0f, 0.22f, 0.1f},
+                                           .intensity = 120.0,
+                                           .half_angle = 24.0});
+    glb_add_light(glb, &(struct glb_light){.name = "blue",
+                                           .eye = {0.6f, 2.8f, 2.4f},
+                                           .direction = {0.75f, -0.2f, -0.6f},
+                                           .color = {0.12f, 0.3f, 1.0f},
+                                           .intensity = 160.0,
+                                           .half_angle = 18.0});
+    glb_add_light(glb, &(struct glb_light){.name = "lamp",
+                                           .eye = {0.3f, 4.9f, -0.4f},
+                                           .direction = {0.0f, 0.0f, -1.0f},
+                                           .color = {1.0f, 0.9f, 0.75f},
+                                           .intensity = 6.0});
+}
+
 void make_cornell_box(struct glb *glb) {
     add_cornell_room(glb);
     add_cornell_blocks(glb);

@@ -22,5 +22,8 @@ void make_sphere(struct glb *glb) {
     /* Off the centre, so that the picture sees the wall at many angles. */
     glb_add_camera(glb, (const float[]){0.2f, 0.1f, 0.6f}, (const float[]){-0.3f, -0.1f, -1.0f},
                    75.0, 0.01, 10.0);
-    glb_add_point_light(glb, (const float[]){0.0f, 0.0f, 0.0f}, GLM_PI);
+    glb_add_light(glb, &(struct glb_light){.name = "point",
+                                           .direction = {0.0f, 0.0f, -1.0f},
+                                           .color = {1.0f, 1.0f, 1.0f},
+                                           .intensity = GLM_PI});
 }

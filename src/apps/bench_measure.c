@@ -32,7 +32,7 @@ bool bench_case_start(struct renderer *renderer, const struct bench_case *prepar
         .settings = prepared->settings,
         .scene = &stage->scene,
         .geometry = &stage->geometry,
-        .light = stage->light,
+        .light = stage->emitters.items[0],
         .camera = stage->camera,
         .timed = true,
         .software = software,

@@ -86,7 +86,7 @@ bool bench_reference_trace(const struct bench_reference_desc *desc, struct image
         &(struct path_tracer_desc){.scene = &desc->stage->scene,
                                    .geometry = &desc->stage->geometry,
                                    .camera = &desc->stage->camera,
-                                   .light = &desc->stage->light,
+                                   .emitters = desc->stage->emitters,
                                    .width = desc->width,
                                    .height = desc->height,
                                    .bounces = 1,

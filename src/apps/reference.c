@@ -52,8 +52,9 @@ static const struct option options[] = {
      .help = "another seed, another noise"},
     {"camera", 0, OPTION_TEXT, offsetof(struct values, camera), .value_name = "NAME|N",
      .help = "camera of the scene [the first]"},
-    {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N",
-     .help = "light of the scene [the first]"},
+    {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N,...",
+     .help = "lights of the scene that shine [all], or changed: \"lamp,2\",\n"
+             "\"0 position=0,2,0 intensity=9,9,9; 1\""},
     {"clip", 0, OPTION_TEXT, offsetof(struct values, clip), .value_name = "NAME|N",
      .help = "animation of the scene [the first]"},
     {"time", 0, OPTION_FLOAT, offsetof(struct values, time), 0, 0, 1e6,
@@ -113,7 +114,7 @@ static bool trace_paths(const struct values *values, double noise, const struct 
     bool ok = path_tracer_render(&(struct path_tracer_desc){.scene = &stage->scene,
                                                             .geometry = &stage->geometry,
                                                             .camera = &stage->camera,
-                                                            .light = &stage->light,
+                                                            .emitters = stage->emitters,
                                                             .width = values->size[0],
                                                             .height = values->size[1],
                                                             .bounces = values->bounces,
@@ -146,7 +147,7 @@ static bool trace_vpls(const struct values *values, const struct settings *setti
                                                                .settings = *settings,
                                                                .scene = &stage->scene,
                                                                .geometry = &stage->geometry,
-                                                               .light = stage->light,
+                                                               .light = stage->emitters.items[0],
                                                                .camera = stage->camera});
     if (ok) {
         renderer_render(&renderer);

@@ -174,7 +174,8 @@ static bool outputs_exist(const struct values *values, int frame) {
 static bool render_frame(const struct values *values, struct renderer *renderer,
                          struct stage *stage, int frame) {
     double time = (double)values->time + frame / (double)values->fps;
-    if (!stage_pose(stage, time) || !renderer_update(renderer, &stage->light, &stage->camera))
+    if (!stage_pose(stage, time) ||
+        !renderer_update(renderer, stage->emitters.items, &stage->camera))
         return false;
     renderer_render(renderer);
     return write_outputs(values, renderer, frame);
@@ -240,7 +241,7 @@ static bool render_scene(const struct values *values, const struct frames *frame
                          .settings = *settings,
                          .scene = &stage.scene,
                          .geometry = &stage.geometry,
-                         .light = stage.light,
+                         .light = stage.emitters.items[0],
                          .camera = stage.camera,
                          .timed = values->stats,
                          .software = context_is_software(context),

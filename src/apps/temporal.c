@@ -133,7 +133,7 @@ static bool track_frame(struct track *track, const struct stage *stage, int inde
     struct temporal_frame *frame = &track->frames[index];
     frame->time = time;
     swap_frames(track);
-    if (!renderer_update(&track->renderer, &stage->light, &stage->camera))
+    if (!renderer_update(&track->renderer, stage->emitters.items, &stage->camera))
         return false;
     renderer_render(&track->renderer);
     lights_read(&track->lights, &track->renderer);

@@ -14,7 +14,7 @@ static void name_after(struct stage *stage, const char *path) {
 
 static bool place(struct stage *stage, double time) {
     return camera_from_text(&stage->camera, &stage->scene, stage->camera_text, time, NULL) &&
-           emitter_from_text(&stage->light, &stage->scene, stage->light_text, time, NULL);
+           emitters_from_text(&stage->emitters, &stage->scene, stage->light_text, time);
 }
 
 bool stage_init(struct stage *stage, const struct stage_desc *desc) {
@@ -33,6 +33,7 @@ bool stage_pose(struct stage *stage, double time) {
 }
 
 void stage_free(struct stage *stage) {
+    emitters_free(&stage->emitters);
     geometry_free(&stage->geometry);
     scene_free(&stage->scene);
     *stage = (struct stage){0};

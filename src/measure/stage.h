@@ -1,5 +1,5 @@
-/* What a picture is taken of: a scene's triangles at one time, one of its cameras, one of its
- * lights. */
+/* What a picture is taken of: a scene's triangles at one time, one of its cameras, its lights or
+ * some of them. */
 #ifndef MEASURE_STAGE_H
 #define MEASURE_STAGE_H
 
@@ -9,7 +9,8 @@
 
 struct stage_desc {
     const char *path;
-    const char *camera, *light; /* as scene/placing.h has it; NULL = the first; must live on */
+    const char *camera, *light; /* as scene/placing.h has it; NULL = the first, and all; must live
+                                   on */
     const char *clip;           /* name or number; NULL = the first */
     double time;                /* of the animation, seconds */
 };
@@ -19,14 +20,14 @@ struct stage {
     struct scene scene;
     struct geometry geometry;
     struct camera camera;
-    struct emitter light;
+    struct emitters emitters;
     const char *camera_text, *light_text;
 };
 
 /* Error: of the file, or no such camera, light or clip; the stage is then zeroed. */
 bool stage_init(struct stage *stage, const struct stage_desc *desc);
 
-/* Moves triangles, camera and light to where they are at a time. Error: geometry_pose's. */
+/* Moves triangles, camera and lights to where they are at a time. Error: geometry_pose's. */
 bool stage_pose(struct stage *stage, double time);
 void stage_free(struct stage *stage);
 

@@ -24,6 +24,7 @@ static enum vpl_sum_bound bound_of(const struct settings *settings) {
 bool vpl_trace(struct renderer *renderer, int width, int height, struct progress *progress,
                struct image *image) {
     const struct renderer_desc *desc = &renderer->desc;
+    struct emitter emitter = desc->light;
     struct lights lights;
     *image = (struct image){0};
     if (!lights_read(&lights, renderer))
@@ -33,7 +34,7 @@ bool vpl_trace(struct renderer *renderer, int width, int height, struct progress
         &(struct vpl_sum_desc){.scene = desc->scene,
                                .geometry = desc->geometry,
                                .camera = &desc->camera,
-                               .light = &desc->light,
+                               .emitters = {&emitter, 1},
                                .vpls = lights.vpls,
                                .vpl_count = lights.vpl_count,
                                .width = width,

@@ -12,12 +12,19 @@ struct work {
 
 enum { CHUNK = 1 << 10 };
 
+/* Each light has points of its own. */
+static uint32_t seed_of(const struct work *work, int light) {
+    return light ? sampler_hash(work->seed, (uint32_t)light) : work->seed;
+}
+
 static void trace(const struct work *work, uint32_t i) {
-    struct sampler sampler = {.seed = work->seed, .index = i};
+    struct dealt ray = work->emission->rays[i];
+    struct sampler sampler = {.seed = seed_of(work, ray.taker), .index = (uint32_t)ray.number};
     struct light_vertex *vertex = &work->vertices[i];
     struct arrival arrival;
-    if (!emission_first_hit(work->emission, work->rays, sampler_next(&sampler), &vertex->hit) ||
-        !emission_reach(work->emission, &vertex->hit, &arrival))
+    vec2s sample = sampler_next(&sampler);
+    if (!emission_first_hit(work->emission, ray.taker, work->rays, sample, &vertex->hit) ||
+        !emission_reach(work->emission, ray.taker, &vertex->hit, &arrival))
         return;
     vertex->radiance = emission_reflected(&vertex->hit, &arrival);
     if (glms_vec3_norm2(vertex->radiance) > 0)

@@ -4,7 +4,8 @@
  * takes another one, and weighted so that none stands out. A stream of samples has vertices of its
  * own, so that streams stay independent; a pixel's walk through them is shifted by its own random
  * bits. A pixel that takes more paths than there are vertices sees some again, which costs it no
- * bias, only convergence beyond some 0.01 % of noise.
+ * bias, only convergence beyond some 0.01 % of noise. Each light has as many as its share of the
+ * flux, dealt so that every run of vertices has some of all.
  */
 #ifndef REFERENCE_LIGHT_VERTICES_H
 #define REFERENCE_LIGHT_VERTICES_H
@@ -20,7 +21,7 @@ struct light_vertex {
     float density;  /* of light rays at the hit, 1/m2; 0 where none is reflected */
 };
 
-/* Traces LIGHT_VERTEX_COUNT rays on some threads (0 = all cores); free() frees. */
+/* Traces the emission's LIGHT_VERTEX_COUNT rays on some threads (0 = all cores); free() frees. */
 struct light_vertex *light_vertices_trace(const struct emission *emission,
                                           const struct ray_scene *rays, uint32_t seed, int threads);
 

@@ -180,7 +180,8 @@ static bool develop(struct renderer *renderer) {
 
 static struct path_tracer_desc resolve(const struct path_tracer_desc *desc) {
     struct path_tracer_desc resolved = *desc;
-    assert(desc->scene && desc->geometry && desc->camera && desc->light && desc->bounces >= 0);
+    assert(desc->scene && desc->geometry && desc->camera && desc->emitters.count &&
+           desc->bounces >= 0);
     if (resolved.width == 0)
         resolved.width = 800;
     if (resolved.height == 0)
@@ -212,7 +213,7 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     *image = (struct image){0};
     desc = &renderer.desc;
     hit_table_init(&table, desc->scene, desc->geometry);
-    renderer.emission = emission_of(desc->light, desc->geometry);
+    emission_init(&renderer.emission, &desc->emitters, desc->geometry, LIGHT_VERTEX_COUNT);
     renderer.primary =
         (struct primary_rays){&renderer.rays, desc->camera, desc->width, desc->height};
     renderer.pixels =
@@ -224,6 +225,7 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     for (int stream = 0; stream < FILM_STREAMS; stream++)
         free(renderer.lights[stream]);
     free(renderer.pixels);
+    emission_free(&renderer.emission);
     ray_scene_free(&renderer.rays);
     hit_table_free(&table);
     return ok;

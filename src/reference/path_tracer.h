@@ -1,11 +1,12 @@
-/* Ground truth: a path tracer for diffuse scenes under one spot, point or directional light.
+/* Ground truth: a path tracer for diffuse scenes under spots, points and directional lights.
  *
  * A path of b bounces runs camera -> x0 -> x1 ... -> xb -> light. All vertices but the last are
  * found by sampling the cosine; the last one both so and by the first hits of light rays, weighted
  * by the power heuristic [Veach 1997, §9.2.4]: light that bounces off a small bright patch is hard
  * for the first way, corners are hard for the second. No clamping, no Russian roulette: the result
  * is unbiased, and its noise is estimated from independent streams of samples. The light rays' hits
- * are traced once and shared by all pixels (reference/light_vertices.h).
+ * are traced once and shared by all pixels (reference/light_vertices.h). Of several lights each has
+ * its own two ways, weighted apart.
  *
  * Vertices carry shading normals without any terminator correction. A surface passes light only
  * between directions on one side of its triangle.
@@ -29,11 +30,11 @@ struct path_tracer_desc {
     const struct scene *scene; /* its materials and textures */
     const struct geometry *geometry;
     const struct camera *camera;
-    const struct emitter *light;
-    int width, height; /* default 800 */
-    int bounces;       /* 0 = direct light only */
-    int samples;       /* per pixel, rounded up to a multiple of 4; 0 = until noise is reached */
-    double noise;      /* standard error of the indirect layer, RMS over its mean; default 0.01 */
+    struct emitters emitters; /* one at least */
+    int width, height;        /* default 800 */
+    int bounces;              /* 0 = direct light only */
+    int samples;  /* per pixel, rounded up to a multiple of 4; 0 = until noise is reached */
+    double noise; /* standard error of the indirect layer, RMS over its mean; default 0.01 */
     uint32_t seed;
     bool centers; /* through pixels' centres, as a rasteriser has them; else all over pixels */
     int threads;  /* 0 = all cores; does not change the picture */

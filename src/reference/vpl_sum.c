@@ -68,9 +68,8 @@ static void render_pixel(const struct summation *summation, int px, int py) {
     if (!primary_hit(&summation->primary, (float)px + 0.5f, (float)py + 0.5f, &hit))
         return;
     float *channels = image_at(summation->image, px, py);
-    vec3s indirect = gather(summation, &hit), direct = glms_vec3_zero();
-    if (summation->desc.light)
-        direct = emission_direct(&summation->emission, &summation->rays, &hit);
+    vec3s indirect = gather(summation, &hit);
+    vec3s direct = emission_direct(&summation->emission, &summation->rays, &hit);
     write(&channels[CHANNEL_BEAUTY], glms_vec3_mul(hit.albedo, glms_vec3_add(direct, indirect)));
     channels[CHANNEL_ALPHA] = 1;
     channels[CHANNEL_DEPTH] = primary_depth(&summation->primary, &hit);
@@ -111,8 +110,7 @@ bool vpl_sum_render(const struct vpl_sum_desc *desc, struct image *image) {
     desc = &summation.desc;
     summation.primary =
         (struct primary_rays){&summation.rays, desc->camera, desc->width, desc->height};
-    if (desc->light)
-        summation.emission = emission_of(desc->light, desc->geometry);
+    emission_init(&summation.emission, &desc->emitters, desc->geometry, 0);
     hit_table_init(&table, desc->scene, desc->geometry);
     bool ok = ray_scene_init(&summation.rays, &table);
     if (ok) {
@@ -122,6 +120,7 @@ bool vpl_sum_render(const struct vpl_sum_desc *desc, struct image *image) {
     }
     if (!ok)
         image_free(image);
+    emission_free(&summation.emission);
     ray_scene_free(&summation.rays);
     hit_table_free(&table);
     return ok;

@@ -29,8 +29,8 @@ struct vpl_sum_desc {
     const struct camera *camera;
     const struct vpl *vpls;
     int vpl_count;
-    const struct emitter *light; /* for the direct layer; NULL = none */
-    int width, height;           /* default 800 */
+    struct emitters emitters; /* for the direct layer; may be none */
+    int width, height;        /* default 800 */
     enum vpl_sum_bound bound;
     float clamp_value; /* 1/m2 */
     bool unshadowed;   /* V = 1 */

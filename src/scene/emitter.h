@@ -10,12 +10,22 @@
 
 struct emitter {
     enum emitter_type type;
+    int number;                 /* of the scene's light nodes, in node order */
     float intensity[3];         /* W/sr on the axis; W/m2 for a directional light */
     float position[3];          /* spot and point */
     float direction[3];         /* unit: where it shines */
     float right[3], up[3];      /* with -direction a right-handed orthonormal frame */
     float cos_inner, cos_outer; /* spot */
 };
+
+/* What shines at one time. */
+struct emitters {
+    struct emitter *items;
+    int count;
+};
+
+/* Accepts zeroed ones. */
+void emitters_free(struct emitters *emitters);
 
 /* Places the light of the scene's n-th light node (in node order). Asserts that there is one. */
 void emitter_place(struct emitter *emitter, const struct scene *scene, int n, double time);
@@ -34,5 +44,9 @@ float emitter_cone(const struct emitter *emitter, float cos_angle);
 /* Solid angle the light shines into, steradians: 2 pi (1 - cos outer) for a spot, 4 pi for a point,
  * 0 for a directional light. */
 double emitter_solid_angle(const struct emitter *emitter);
+
+/* Flux of the light, the mean of RGB, W: of a directional light, through the cross section of a
+ * sphere of that radius, metres. */
+double emitter_flux(const struct emitter *emitter, float radius);
 
 #endif

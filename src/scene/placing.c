@@ -1,6 +1,9 @@
+#define _POSIX_C_SOURCE 200809L
 #include "scene/placing.h"
 
 #include "base/error.h"
+#include "base/memory.h"
+#include "base/text.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -28,7 +31,7 @@ static const struct word camera_words[] = {
     {NULL, 0, 0},
 };
 
-static const struct word light_words[] = {
+static const struct word emitter_words[] = {
     {"position", offsetof(struct emitter, position), 3},
     {"direction", offsetof(struct emitter, direction), 3},
     {"up", offsetof(struct emitter, up), 3},
@@ -64,29 +67,30 @@ static bool parse_word(const struct word *words, void *target, const char *text,
     return error_set("'%s' is not understood", text);
 }
 
-/* Splits off the words with "="; what comes before them is left in name. */
-static bool parse_words(const struct word *words, void *target, const char *text, char *name,
-                        size_t name_size, unsigned *given) {
-    char copy[1024], *rest = copy;
+/* Parses the words from the first with "=" on, and leaves in text what comes before them. */
+static bool parse_words(const struct word *words, void *target, char *text, unsigned *given) {
+    char *equals = strchr(text, '='), *end = equals ? equals : text + strlen(text), *next = NULL;
+    while (equals && end > text && end[-1] != ' ')
+        end--;
+    char *rest = mem_strdup(end);
+    while (end > text && end[-1] == ' ')
+        end--;
+    *end = '\0';
     *given = 0;
-    name[0] = '\0';
-    snprintf(copy, sizeof copy, "%s", text);
-    const char *equals = strchr(copy, '=');
-    while (equals && rest < equals) { /* the start of the first word with "=" */
-        char *space = strchr(rest, ' ');
-        if (!space || space > equals)
-            break;
-        rest = space + 1;
-    }
-    if (!equals)
-        rest = copy + strlen(copy);
-    snprintf(name, name_size, "%.*s", (int)(rest - copy), copy);
-    for (size_t end = strlen(name); end > 0 && name[end - 1] == ' '; end--)
-        name[end - 1] = '\0';
-    for (char *word = strtok(rest, " "); word; word = strtok(NULL, " "))
-        if (!parse_word(words, target, word, given))
-            return false;
-    return true;
+    bool ok = true;
+    for (char *word = strtok_r(rest, " ", &next); ok && word; word = strtok_r(NULL, " ", &next))
+        ok = parse_word(words, target, word, given);
+    free(rest);
+    return ok;
+}
+
+/* Sets those fields that were given. */
+static void take_words(const struct word *words, void *target, const void *changes,
+                       unsigned given) {
+    for (int i = 0; words[i].name; i++)
+        if (given & 1U << i)
+            memcpy((char *)target + words[i].offset, (const char *)changes + words[i].offset,
+                   (size_t)words[i].count * sizeof(float));
 }
 
 static void append_words(const struct word *words, const void *values, const void *before,
@@ -109,48 +113,98 @@ static void append_words(const struct word *words, const void *values, const voi
     }
 }
 
-bool camera_from_text(struct camera *camera, const struct scene *scene, const char *text,
-                      double time, int *n) {
-    char name[SCENE_NAME_SIZE];
+static bool change_camera(struct camera *camera, const struct scene *scene, char *text, double time,
+                          int *n) {
     struct camera changes = {.up = {0, 1, 0}};
-    unsigned given = 0;
-    if (text && !parse_words(camera_words, &changes, text, name, sizeof name, &given))
+    unsigned given;
+    if (!parse_words(camera_words, &changes, text, &given))
         return error_prefix("camera");
-    int found = text && *name ? camera_find(scene, name) : 0;
+    int found = *text ? camera_find(scene, text) : 0;
     if (found < 0)
         return false;
     if (n)
         *n = found;
     camera_place(camera, scene, found, time);
-    for (int i = 0; camera_words[i].name; i++)
-        if (given & 1U << i)
-            memcpy((char *)camera + camera_words[i].offset,
-                   (char *)&changes + camera_words[i].offset,
-                   (size_t)camera_words[i].count * sizeof(float));
+    take_words(camera_words, camera, &changes, given);
     if ((given & (2U | 4U)) && !(given & 1U << FRAME_RIGHT))
         camera_look(camera, camera->eye, camera->forward, given & 4U ? camera->up : changes.up);
     return true;
 }
 
-bool emitter_from_text(struct emitter *light, const struct scene *scene, const char *text,
-                       double time, int *n) {
-    char name[SCENE_NAME_SIZE];
+bool camera_from_text(struct camera *camera, const struct scene *scene, const char *text,
+                      double time, int *n) {
+    char *copy = mem_strdup(text ? text : "");
+    bool ok = change_camera(camera, scene, copy, time, n);
+    free(copy);
+    return ok;
+}
+
+/* Marks the lights of a list of names and numbers: all where it is empty. */
+static bool mark_emitters(const struct scene *scene, char *list, bool *marked) {
+    char *next = NULL;
+    for (int n = 0; !*list && n < emitter_node_count(scene); n++)
+        marked[n] = true;
+    for (char *name = strtok_r(list, ",", &next); name; name = strtok_r(NULL, ",", &next)) {
+        int n = emitter_find(scene, name + strspn(name, " "));
+        if (n < 0)
+            return false;
+        marked[n] = true;
+    }
+    return true;
+}
+
+/* Picks the lights of one part of the text, with its changes. */
+static bool pick_emitters(struct emitter *all, bool *picked, const struct scene *scene,
+                          char *part) {
+    int count = emitter_node_count(scene);
+    bool *marked = mem_alloc((size_t)count, sizeof *marked);
     struct emitter changes = {0};
-    unsigned given = 0;
-    if (text && !parse_words(light_words, &changes, text, name, sizeof name, &given))
-        return error_prefix("light");
-    int found = text && *name ? emitter_find(scene, name) : 0;
-    if (found < 0)
+    unsigned given;
+    bool ok = (parse_words(emitter_words, &changes, part, &given) || error_prefix("light")) &&
+              mark_emitters(scene, part, marked);
+    for (int n = 0; ok && n < count; n++) {
+        if (!marked[n])
+            continue;
+        picked[n] = true;
+        take_words(emitter_words, &all[n], &changes, given);
+        if ((given & 2U) && !(given & 1U << FRAME_RIGHT))
+            emitter_aim(&all[n], all[n].direction);
+    }
+    free(marked);
+    return ok;
+}
+
+static bool pick_all_parts(struct emitter *all, bool *picked, const struct scene *scene,
+                           const char *text) {
+    char *copy = mem_strdup(text ? text : ""), *next = NULL;
+    char *part = strtok_r(copy, ";", &next);
+    bool ok = pick_emitters(all, picked, scene, part ? part : copy);
+    while (ok && part && (part = strtok_r(NULL, ";", &next)))
+        ok = pick_emitters(all, picked, scene, part + strspn(part, " "));
+    free(copy);
+    return ok;
+}
+
+bool emitters_from_text(struct emitters *emitters, const struct scene *scene, const char *text,
+                        double time) {
+    int count = emitter_node_count(scene), kept = 0;
+    struct emitter *all = mem_alloc((size_t)count, sizeof *all);
+    bool *picked = mem_alloc((size_t)count, sizeof *picked);
+    for (int n = 0; n < count; n++)
+        emitter_place(&all[n], scene, n, time);
+    bool ok = pick_all_parts(all, picked, scene, text);
+    for (int n = 0; ok && n < count; n++)
+        if (picked[n])
+            all[kept++] = all[n];
+    free(picked);
+    if (ok && kept == 0)
+        ok = error_set("light: '%s' names none", text);
+    if (!ok) {
+        free(all);
         return false;
-    if (n)
-        *n = found;
-    emitter_place(light, scene, found, time);
-    for (int i = 0; light_words[i].name; i++)
-        if (given & 1U << i)
-            memcpy((char *)light + light_words[i].offset, (char *)&changes + light_words[i].offset,
-                   (size_t)light_words[i].count * sizeof(float));
-    if ((given & 2U) && !(given & 1U << FRAME_RIGHT))
-        emitter_aim(light, light->direction);
+    }
+    emitters_free(emitters);
+    *emitters = (struct emitters){all, kept};
     return true;
 }
 
@@ -162,10 +216,14 @@ void camera_to_text(const struct camera *camera, const struct scene *scene, int 
     append_words(camera_words, camera, &before, text);
 }
 
-void emitter_to_text(const struct emitter *light, const struct scene *scene, int n, double time,
-                     char text[PLACING_TEXT_SIZE]) {
-    struct emitter before;
-    emitter_place(&before, scene, n, time);
-    snprintf(text, PLACING_TEXT_SIZE, "%d", n);
-    append_words(light_words, light, &before, text);
+char *emitters_to_text(const struct emitters *emitters, const struct scene *scene, double time) {
+    struct text text = {0};
+    for (int i = 0; i < emitters->count; i++) {
+        struct emitter before;
+        char changes[PLACING_TEXT_SIZE] = "";
+        emitter_place(&before, scene, emitters->items[i].number, time);
+        append_words(emitter_words, &emitters->items[i], &before, changes);
+        text_print(&text, "%s%d%s", i ? "; " : "", emitters->items[i].number, changes);
+    }
+    return text.data;
 }

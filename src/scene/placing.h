@@ -1,12 +1,16 @@
-/* Which camera and which light, as text: the name or number of one in the scene, and what is to be
- * different from it.
+/* Which camera and which lights, as text: names or numbers of those in the scene, and what is to be
+ * different from them.
  *
- *     "0"   "Camera.001"   "eye=1,2,3 forward=0,0,-1"   "Lamp position=0,2,0 intensity=5,5,5"
+ *     "0"   "Camera.001"   "eye=1,2,3 forward=0,0,-1"
+ *     "Lamp,2"   "Lamp position=0,2,0 intensity=5,5,5; 2"
  *
  * Cameras have eye, forward, up, right, fov (radians, vertical) and extent (orthographic: half the
  * height); lights have position, direction, up, right and intensity. Without right the frame is
  * made of the direction and of up; with it all are taken as they are, so that a text that was
  * written here gives the very same camera again.
+ *
+ * Commas part the names of lights, semicolons lights with changes from others; a light whose name
+ * has either goes by its number. Changes without a name are of all lights.
  */
 #ifndef SCENE_PLACING_H
 #define SCENE_PLACING_H
@@ -20,13 +24,17 @@ enum { PLACING_TEXT_SIZE = 320 };
  * no such one, or a word that is not understood. */
 bool camera_from_text(struct camera *camera, const struct scene *scene, const char *text,
                       double time, int *n);
-bool emitter_from_text(struct emitter *light, const struct scene *scene, const char *text,
-                       double time, int *n);
+
+/* text NULL: all of the scene's, in any case in its order. Takes the place of what emitters has,
+ * zeroed or not. Error: as above; emitters stay as they are. */
+bool emitters_from_text(struct emitters *emitters, const struct scene *scene, const char *text,
+                        double time);
 
 /* The number alone where the camera is just the scene's n-th. */
 void camera_to_text(const struct camera *camera, const struct scene *scene, int n, double time,
                     char text[PLACING_TEXT_SIZE]);
-void emitter_to_text(const struct emitter *light, const struct scene *scene, int n, double time,
-                     char text[PLACING_TEXT_SIZE]);
+
+/* Numbers alone where the lights are just the scene's. free() frees. */
+char *emitters_to_text(const struct emitters *emitters, const struct scene *scene, double time);
 
 #endif

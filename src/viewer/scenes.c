@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 void viewer_pick_camera(struct viewer *viewer, int n) {
@@ -65,19 +66,20 @@ static bool place(struct viewer *viewer, const char *camera_text, const char *li
     const struct scene *scene = &viewer->document.scene;
     const struct geometry *geometry = &viewer->document.geometry;
     struct camera camera;
-    struct emitter light;
+    struct emitters lights = {0};
     bool has_camera = camera_from_text(&camera, scene, camera_text, viewer->placed.time,
                                        &viewer->placed.camera_number);
     if (has_camera) {
         orbit_start(&viewer->placed.orbit, &camera, geometry->center, geometry->radius);
         viewer->placed.camera_moved = camera_text && strchr(camera_text, '=');
     }
-    bool has_light = emitter_from_text(&light, scene, light_text, viewer->placed.time,
-                                       &viewer->placed.light_number);
+    bool has_light = emitters_from_text(&lights, scene, light_text, viewer->placed.time);
     if (has_light) {
-        viewer->placed.light = light;
+        viewer->placed.light = lights.items[0];
+        viewer->placed.light_number = lights.items[0].number;
         viewer->placed.light_moved = light_text && strchr(light_text, '=');
     }
+    emitters_free(&lights);
     viewer_touch(viewer);
     return has_camera && has_light;
 }
@@ -180,8 +182,10 @@ struct session viewer_session(const struct viewer *viewer) {
     viewer_full_size(viewer, &session.width, &session.height);
     camera_to_text(&viewer->placed.orbit.camera, scene, viewer->placed.camera_number,
                    viewer->placed.time, session.camera);
-    emitter_to_text(&viewer->placed.light, scene, viewer->placed.light_number, viewer->placed.time,
-                    session.light);
+    struct emitter light = viewer->placed.light;
+    char *text = emitters_to_text(&(struct emitters){&light, 1}, scene, viewer->placed.time);
+    snprintf(session.light, sizeof session.light, "%s", text);
+    free(text);
     return session;
 }
 

@@ -1,0 +1,297 @@
+/* Several lights: which of them shine, what each is worth, and that the reference adds them up. */
+#include "hand_made.h"
+
+#include "base/deal.h"
+#include "base/error.h"
+#include "scene/placing.h"
+
+#include <stdio.h>
+
+/* --- dealing ---------------------------------------------------------------------------------- */
+
+static void check_deal(const double *weights, int takers, int things, const int *expected) {
+    struct dealt *dealt = mem_alloc((size_t)things, sizeof *dealt);
+    int counts[4], got[4] = {0};
+    deal(weights, takers, dealt, things, counts);
+    for (int i = 0; i < things; i++)
+        assert_int_equal(dealt[i].number, got[dealt[i].taker]++);
+    for (int t = 0; t < takers; t++) {
+        check_near("share", counts[t], expected[t], 0);
+        assert_int_equal(counts[t], got[t]);
+    }
+    free(dealt);
+}
+
+/* Whole shares, their sum, one at least, none for nothing, and all alike where none weighs. */
+static void test_deal_counts(void **state) {
+    (void)state;
+    check_deal((double[]){3}, 1, 7, (int[]){7});
+    check_deal((double[]){1, 1}, 2, 8, (int[]){4, 4});
+    check_deal((double[]){5, 2, 1}, 3, 16, (int[]){10, 4, 2});
+    check_deal((double[]){1, 0, 2}, 3, 9, (int[]){3, 0, 6});
+    check_deal((double[]){1, 1e-9, 1e-9}, 3, 16, (int[]){14, 1, 1});
+    check_deal((double[]){1, 3, 2}, 3, 2, (int[]){0, 1, 1});
+    check_deal((double[]){0, 0}, 2, 6, (int[]){3, 3});
+    check_deal((double[]){6.4, 1.2, .4}, 3, 8, (int[]){6, 1, 1});
+}
+
+/* Any run has each taker's within one of its weight. */
+static void test_deal_runs(void **state) {
+    (void)state;
+    enum { THINGS = 1024, RUN = 16 };
+    static const double weights[] = {.62, .3, .08};
+    struct dealt dealt[THINGS];
+    deal(weights, 3, dealt, THINGS, NULL);
+    double worst = 0;
+    for (int first = 0; first + RUN <= THINGS; first++) {
+        int got[3] = {0};
+        for (int i = first; i < first + RUN; i++)
+            got[dealt[i].taker]++;
+        for (int t = 0; t < 3; t++)
+            worst = fmax(worst, fabs(got[t] - RUN * weights[t]));
+    }
+    check_at_most("farthest of a run from its weights", worst, 1.5);
+}
+
+/* --- which shine ------------------------------------------------------------------------------ */
+
+static void check_picked(const struct scene *scene, const char *text, const char *expected) {
+    struct emitters emitters = {0};
+    check_ok(text ? text : "all", emitters_from_text(&emitters, scene, text, 0));
+    char *got = emitters_to_text(&emitters, scene, 0);
+    printf("    %-48s %s\n", text ? text : "all", got);
+    assert_string_equal(got, expected);
+    /* What was written names the very same lights. */
+    struct emitters again = {0};
+    check_ok(got, emitters_from_text(&again, scene, got, 0));
+    assert_int_equal(again.count, emitters.count);
+    assert_memory_equal(again.items, emitters.items, (size_t)again.count * sizeof *emitters.items);
+    free(got);
+    emitters_free(&emitters);
+    emitters_free(&again);
+}
+
+static void test_texts(void **state) {
+    (void)state;
+    struct scene scene;
+    check_ok("scene", scene_load(&scene, "scenes/three-lights.glb"));
+    check_picked(&scene, NULL, "0; 1; 2");
+    check_picked(&scene, "", "0; 1; 2");
+    check_picked(&scene, "blue", "1");
+    check_picked(&scene, "lamp,0", "0; 2");
+    check_picked(&scene, "2, red, 2", "0; 2");
+    check_picked(&scene, "lamp position=0,2,0 intensity=5,5,5; 1",
+                 "1; 2 position=0,2,0 intensity=5,5,5");
+    check_picked(&scene, "red,blue intensity=1,2,3", "0 intensity=1,2,3; 1 intensity=1,2,3");
+    check_picked(&scene, "intensity=7,7,7; lamp intensity=1,1,1",
+                 "0 intensity=7,7,7; 1 intensity=7,7,7; 2 intensity=1,1,1");
+    scene_free(&scene);
+}
+
+static void test_text_refusals(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *error;
+    } rows[] = {
+        {"green", "no light 'green' (there is: 0=red 1=blue 2=lamp)"},
+        {"red,3", "no light '3' (there is: 0=red 1=blue 2=lamp)"},
+        {"red; 7 intensity=1,1,1", "no light '7' (there is: 0=red 1=blue 2=lamp)"},
+        {"red intensity=1,2", "light: 'intensity=1,2' wants 3 numbers, as in intensity=0,1,0"},
+        {"red colour=1", "light: 'colour=1' is not understood"},
+        {",", "light: ',' names none"},
+    };
+    struct scene scene;
+    struct emitters emitters = {0};
+    check_ok("scene", scene_load(&scene, "scenes/three-lights.glb"));
+    check_ok("blue", emitters_from_text(&emitters, &scene, "blue", 0));
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        assert_false(emitters_from_text(&emitters, &scene, rows[i].text, 0));
+        assert_string_equal(error_get(), rows[i].error);
+        assert_int_equal(emitters.count, 1);
+        assert_int_equal(emitters.items[0].number, 1);
+    }
+    emitters_free(&emitters);
+    scene_free(&scene);
+}
+
+/* --- flux ------------------------------------------------------------------------------------- */
+
+/* The integral of intensity x falloff over the sphere, by the midpoint rule in the cosine. */
+static double flux_by_rule(const struct emitter *light) {
+    enum { STEPS = 2000000 };
+    double sum = 0;
+    for (int i = 0; i < STEPS; i++)
+        sum += (double)emitter_cone(light, (float)(-1 + 2 * (i + .5) / STEPS));
+    return sum * 2 / STEPS * 2 * GLM_PI * (double)light->intensity[0];
+}
+
+static void test_flux(void **state) {
+    (void)state;
+    static const struct {
+        const char *what;
+        enum emitter_type type;
+        float inner, outer;
+    } cases[] = {{"point light's flux", EMITTER_POINT, 0, 0},
+                 {"soft spot's", EMITTER_SPOT, .2f, .7f},
+                 {"hard spot's", EMITTER_SPOT, .5f, .5f},
+                 {"wide spot's", EMITTER_SPOT, 0, 1.5f},
+                 {"needle's", EMITTER_SPOT, .02f, .03f}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct world world;
+        place_light(&world, cases[i].type, glms_vec3_zero(), (vec3s){{0, 0, -1}}, 3);
+        world.light.cos_inner = cosf(cases[i].inner);
+        world.light.cos_outer = cosf(cases[i].outer);
+        double expected = flux_by_rule(&world.light);
+        check_near(cases[i].what, emitter_flux(&world.light, 1), expected, 2e-3 * expected);
+    }
+    struct emitter sun = {.type = EMITTER_DIRECTIONAL, .intensity = {1, 2, 3}};
+    check_near("sun's through a disk of radius 2", emitter_flux(&sun, 2), 2 * GLM_PI * 4, 1e-5);
+}
+
+/* --- the path tracer -------------------------------------------------------------------------- */
+
+/* A floor and a wall with a screen between, in [0, 1]^2. */
+static void start_corner(struct world *world) {
+    world_init(world);
+    add_rectangle(world, 0, (vec3s){{0, 0, 1}}, (vec3s){{1, 0, 0}}, (vec3s){{0, 0, -1}});
+    add_rectangle(world, 0, (vec3s){{0, 0, 1}}, (vec3s){{0, 0, -1}}, (vec3s){{0, 1.5f, 0}});
+    add_rectangle(world, 0, (vec3s){{.2f, 0, .8f}}, (vec3s){{0, .3f, 0}}, (vec3s){{0, 0, -.5f}});
+    world_finish(world);
+    look_down(world, 0, 0, 1, 3);
+}
+
+/* A red spot on the wall, a point above the floor, a green sun. */
+static void make_lights(struct emitter lights[3]) {
+    struct world world;
+    place_light(&world, EMITTER_SPOT, (vec3s){{.9f, .9f, .5f}}, (vec3s){{-1, .1f, 0}}, 5);
+    world.light.cos_inner = cosf(.2f);
+    world.light.cos_outer = cosf(.4f);
+    world.light.intensity[1] = world.light.intensity[2] = .5f;
+    lights[0] = world.light;
+    place_light(&world, EMITTER_POINT, (vec3s){{.7f, .8f, .3f}}, (vec3s){{0, 0, -1}}, .4f);
+    lights[1] = world.light;
+    place_light(&world, EMITTER_DIRECTIONAL, glms_vec3_zero(), (vec3s){{-1, -.8f, .3f}}, 2);
+    world.light.intensity[0] = world.light.intensity[2] = .3f;
+    lights[2] = world.light;
+}
+
+enum { SIZE = 16 };
+
+static struct image trace(struct world *world, struct emitter *lights, int count) {
+    struct image image;
+    struct path_tracer_desc desc = describe(world, SIZE, 1024);
+    desc.emitters = (struct emitters){lights, count};
+    desc.bounces = 2;
+    render(&desc, &image);
+    return image;
+}
+
+/* Over the pixels and RGB: the RMS of the difference between one picture's indirect light and the
+ * sum of others', over what their standard errors let expect. Pictures of one seed have much of
+ * their error in common, which takes it below 1. */
+static double deviation(const struct image *whole, const struct image *parts, int count) {
+    double squares = 0, expected = 0;
+    for (int i = 0; i < SIZE * SIZE; i++)
+        for (int c = 0; c < 3; c++) {
+            const float *at = image_at(whole, i % SIZE, i / SIZE) + c;
+            double difference = at[CHANNEL_INDIRECT];
+            expected += pow(at[CHANNEL_STANDARD_ERROR], 2);
+            for (int p = 0; p < count; p++) {
+                const float *part = image_at(&parts[p], i % SIZE, i / SIZE) + c;
+                difference -= part[CHANNEL_INDIRECT];
+                expected += pow(part[CHANNEL_STANDARD_ERROR], 2);
+            }
+            squares += difference * difference;
+        }
+    return sqrt(squares / expected);
+}
+
+static double worst_direct(const struct image *whole, const struct image *parts, int count) {
+    double worst = 0;
+    for (int i = 0; i < SIZE * SIZE; i++)
+        for (int c = 0; c < 3; c++) {
+            double sum = 0;
+            for (int p = 0; p < count; p++)
+                sum += image_at(&parts[p], i % SIZE, i / SIZE)[CHANNEL_DIRECT + c];
+            double value = image_at(whole, i % SIZE, i / SIZE)[CHANNEL_DIRECT + c];
+            worst = fmax(worst, fabs(value - sum) / fmax(sum, 1e-3));
+        }
+    return worst;
+}
+
+/* Light adds up: three lights are one and one and one. */
+static void test_sum(void **state) {
+    (void)state;
+    struct world world;
+    struct emitter lights[3];
+    struct image parts[3];
+    start_corner(&world);
+    make_lights(lights);
+    struct image whole = trace(&world, lights, 3);
+    for (int i = 0; i < 3; i++)
+        parts[i] = trace(&world, &lights[i], 1);
+    check_at_most("direct light, worst relative error", worst_direct(&whole, parts, 3), 1e-5);
+    for (int c = 0; c < 3; c++) {
+        double sum = 0, mean = mean_of(&whole, CHANNEL_INDIRECT + c);
+        for (int i = 0; i < 3; i++)
+            sum += mean_of(&parts[i], CHANNEL_INDIRECT + c);
+        check_near("indirect light, mean", mean, sum, .003 * sum);
+    }
+    check_at_most("indirect light, deviation over noise", deviation(&whole, parts, 3), 1.15);
+    image_free(&whole);
+    for (int i = 0; i < 3; i++)
+        image_free(&parts[i]);
+    world_free(&world);
+}
+
+/* A light in two halves at one place is the one. */
+static void test_split(void **state) {
+    (void)state;
+    struct world world;
+    struct emitter lights[3], halves[2];
+    start_corner(&world);
+    make_lights(lights);
+    halves[0] = halves[1] = lights[0];
+    for (int c = 0; c < 3; c++)
+        halves[0].intensity[c] = halves[1].intensity[c] = lights[0].intensity[c] / 2;
+    struct image whole = trace(&world, lights, 1), split = trace(&world, halves, 2);
+    check_at_most("direct light, worst relative error", worst_direct(&whole, &split, 1), 1e-6);
+    double mean = mean_of(&whole, CHANNEL_INDIRECT);
+    check_near("indirect light, mean", mean_of(&split, CHANNEL_INDIRECT), mean, .003 * mean);
+    check_at_most("indirect light, deviation over noise", deviation(&whole, &split, 1), 1.15);
+    image_free(&whole);
+    image_free(&split);
+    world_free(&world);
+}
+
+/* Lights that give nothing take no rays from the one that does. */
+static void test_dark_lights(void **state) {
+    (void)state;
+    struct world world;
+    struct emitter lights[3], many[20];
+    start_corner(&world);
+    make_lights(lights);
+    for (int i = 0; i < 20; i++) {
+        many[i] = lights[1];
+        for (int c = 0; c < 3; c++)
+            many[i].intensity[c] = i == 7 ? lights[1].intensity[c] : 0;
+    }
+    struct image one = trace(&world, &lights[1], 1), among = trace(&world, many, 20);
+    double mean = mean_of(&one, CHANNEL_INDIRECT);
+    check_at_most("direct light, worst relative error", worst_direct(&one, &among, 1), 0);
+    check_near("indirect light, mean", mean_of(&among, CHANNEL_INDIRECT), mean, .003 * mean);
+    check_at_most("indirect light, deviation over noise", deviation(&one, &among, 1), 1.15);
+    image_free(&one);
+    image_free(&among);
+    world_free(&world);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_deal_counts), cmocka_unit_test(test_deal_runs),
+        cmocka_unit_test(test_texts),       cmocka_unit_test(test_text_refusals),
+        cmocka_unit_test(test_flux),        cmocka_unit_test(test_sum),
+        cmocka_unit_test(test_split),       cmocka_unit_test(test_dark_lights),
+    };
+    return cmocka_run_group_tests_name("emitters", tests, NULL, NULL);
+}
