@@ -2,12 +2,14 @@
 #include "support.h"
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/halton.h"
 #include "base/image.h"
 #include "base/image_file.h"
 #include "base/memory.h"
 #include "base/option.h"
 #include "base/parallel.h"
+#include "base/text.h"
 
 #include <stdatomic.h>
 #include <stdio.h>
@@ -192,13 +194,56 @@ static void test_options(void **state) {
     }
 }
 
+static void test_text(void **state) {
+    (void)state;
+    struct text text = {0};
+    char expected[3 * 1000 + 1] = "";
+    for (int i = 0; i < 1000; i++) {
+        if (i % 2)
+            text_print(&text, "%03d", i);
+        else
+            text_append(&text, "abcdef", 3);
+        snprintf(expected + 3 * i, 4, i % 2 ? "%03d" : "abc", i);
+    }
+    text_append(&text, NULL, 0);
+    assert_int_equal(text.length, strlen(expected));
+    assert_string_equal(text.data, expected);
+    free(text.data);
+}
+
+static void expect_no_file(const char *path, const char *message) {
+    struct file_bytes bytes;
+    assert_false(file_read(&bytes, path));
+    assert_null(bytes.data);
+    printf("    %s\n", error_get());
+    assert_string_equal(error_get(), message);
+    assert_null(file_read_text(path));
+}
+
+static void test_whole_files(void **state) {
+    (void)state;
+    struct file_bytes bytes;
+    const char *path = scratch("bytes");
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite("a\0b\n", 1, 4, file), 4);
+    fclose(file);
+    check_ok("read", file_read(&bytes, path));
+    assert_int_equal(bytes.size, 4);
+    assert_memory_equal(bytes.data, "a\0b\n", 5); /* and the zero behind */
+    free(bytes.data);
+    expect_no_file("/nowhere/at/all", "cannot open /nowhere/at/all: No such file or directory");
+    expect_no_file("/", "cannot read /: not a file");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_error_prefix),   cmocka_unit_test(test_halton),
         cmocka_unit_test(test_added_channels), cmocka_unit_test(test_parallel_for),
         cmocka_unit_test(test_layers),         cmocka_unit_test(test_exr_round_trip),
         cmocka_unit_test(test_png_round_trip), cmocka_unit_test(test_file_refusals),
-        cmocka_unit_test(test_options),
+        cmocka_unit_test(test_options),        cmocka_unit_test(test_text),
+        cmocka_unit_test(test_whole_files),
     };
     return cmocka_run_group_tests_name("base", tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include "gl/glsl.h"
 
 #include <assert.h>
@@ -105,16 +106,12 @@ struct program_cache {
 };
 
 static char *make_key(const struct sources *sources, const struct program_desc *desc) {
-    const char *texts[STAGES];
+    struct text key = {0};
     for (int i = 0; i < STAGES; i++)
-        texts[i] = sources->files[i] ? sources->stages[i].text : "";
-    char *key = mem_printf("%s\f%s\f%s", texts[0], texts[1], texts[2]);
-    for (const char *const *varying = desc->varyings; varying && *varying; varying++) {
-        char *longer = mem_printf("%s\f%s", key, *varying);
-        free(key);
-        key = longer;
-    }
-    return key;
+        text_print(&key, "%s\f", sources->files[i] ? sources->stages[i].text : "");
+    for (const char *const *varying = desc->varyings; varying && *varying; varying++)
+        text_print(&key, "%s\f", *varying);
+    return key.data;
 }
 
 struct program_cache *program_cache_create(void) {
