@@ -3,7 +3,10 @@
 #include "base/image_file.h"
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/memory.h"
+#include "base/output_file.h"
+#include "base/text.h"
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_NO_STDIO
@@ -30,37 +33,25 @@ bool image_format_is_float(const char *path, bool *is_float) {
            error_set("%s: this build writes .pfm and .png alone", path);
 }
 
-/* Renames the finished file, so that no half-written one is left. */
-static bool finish(const char *beside, const char *path, bool ok) {
-    if (ok && rename(beside, path) == 0)
-        return true;
-    error_set("cannot write %s: %s", path, strerror(errno));
-    remove(beside);
-    return false;
-}
-
 /* Rows from the bottom up, little-endian: the sign of the scale says so. */
-static bool write_pfm(FILE *file, const struct image *image, const int channels[3]) {
-    fprintf(file, "PF\n%d %d\n-1.0\n", image->width, image->height);
+static void append_pfm(struct text *file, const struct image *image, const int channels[3]) {
+    text_print(file, "PF\n%d %d\n-1.0\n", image->width, image->height);
     for (int y = image->height - 1; y >= 0; y--)
         for (int x = 0; x < image->width; x++)
             for (int c = 0; c < 3; c++)
-                fwrite(image_at(image, x, y) + channels[c], sizeof(float), 1, file);
-    return !ferror(file);
+                text_append(file, image_at(image, x, y) + channels[c], sizeof(float));
 }
 
 bool image_write(const struct image *image, const char *path) {
     int channels[3];
+    struct text file = {0};
     if (!has_extension(path, "pfm"))
         return error_set("%s: this build writes floats to .pfm alone", path);
     if (!image_find_layer(image, "", channels))
         return error_prefix("%s", path);
-    char *beside = mem_printf("%s.part", path);
-    FILE *file = fopen(beside, "wb");
-    bool ok = file && write_pfm(file, image, channels);
-    ok = file && fclose(file) == 0 && ok;
-    ok = finish(beside, path, ok);
-    free(beside);
+    append_pfm(&file, image, channels);
+    bool ok = output_file_write(path, file.data, file.length);
+    free(file.data);
     return ok;
 }
 
@@ -69,10 +60,11 @@ bool bitmap_write(const struct bitmap *bitmap, const char *path) {
     unsigned char *rgb = mem_alloc(count, 3);
     for (size_t i = 0; i < count; i++)
         memcpy(rgb + 3 * i, bitmap->rgba + 4 * i, 3);
-    char *beside = mem_printf("%s.part", path);
-    bool ok = stbi_write_png(beside, bitmap->width, bitmap->height, 3, rgb, 0) != 0;
-    ok = finish(beside, path, ok);
-    free(beside);
+    int size;
+    unsigned char *png = stbi_write_png_to_mem(rgb, 0, bitmap->width, bitmap->height, 3, &size);
+    bool ok =
+        png ? output_file_write(path, png, (size_t)size) : error_set("%s: cannot be encoded", path);
+    STBIW_FREE(png);
     free(rgb);
     return ok;
 }
@@ -102,6 +94,29 @@ bool image_read(struct image *image, const char *path) {
     bool ok = has_extension(path, "pfm") ? read_pfm(file, image, path)
                                          : error_set("%s: this build reads .pfm alone", path);
     fclose(file);
+    return ok;
+}
+
+static bool png_is_whole(const char *path) {
+    static const char end[] = "IEND\xAE\x42\x60\x82";
+    struct file_bytes bytes;
+    struct bitmap bitmap = {0};
+    if (!file_read(&bytes, path))
+        return false;
+    bool ok = bytes.size > 8 && memcmp(bytes.data + bytes.size - 8, end, 8) == 0;
+    ok = ok ? bitmap_decode(&bitmap, bytes.data, bytes.size) || error_prefix("%s", path)
+            : error_set("%s: ends too soon", path);
+    bitmap_free(&bitmap);
+    free(bytes.data);
+    return ok;
+}
+
+bool image_is_whole(const char *path) {
+    struct image image;
+    if (has_extension(path, "png"))
+        return png_is_whole(path);
+    bool ok = image_read(&image, path);
+    image_free(&image);
     return ok;
 }
 

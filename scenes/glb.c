@@ -1,16 +1,14 @@
 #define _POSIX_C_SOURCE 200809L
 #include "glb.h"
 
-#include "base/error.h"
 #include "base/file.h"
 #include "base/memory.h"
+#include "base/output_file.h"
 
 #include <cglm/cglm.h>
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 /* Numbers of the glTF and GLB specifications. */
 enum {
@@ -398,26 +396,10 @@ static bool file_holds(const char *path, const struct text *text) {
     return same;
 }
 
-/* Written beside under a name of this process and renamed: two builds may run at once. */
-static bool write_whole(const char *path, const struct text *text) {
-    char *beside = mem_printf("%s.%ld.new", path, (long)getpid());
-    FILE *file = fopen(beside, "wb");
-    bool ok = file && fwrite(text->data, 1, text->length, file) == text->length;
-    if (file && fclose(file) != 0)
-        ok = false;
-    ok = ok && rename(beside, path) == 0;
-    if (!ok) {
-        error_set("%s: %s", path, strerror(errno));
-        remove(beside);
-    }
-    free(beside);
-    return ok;
-}
-
 bool glb_write(const struct glb *glb, const char *path) {
     struct text file = {0};
     compose_file(glb, &file);
-    bool ok = file_holds(path, &file) || write_whole(path, &file);
+    bool ok = file_holds(path, &file) || output_file_write(path, file.data, file.length);
     free(file.data);
     return ok;
 }

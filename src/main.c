@@ -1,8 +1,13 @@
 /* Picks the subcommand. */
+#define _POSIX_C_SOURCE 200809L
 #include "apps/apps.h"
 
 #include "version.h"
 
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -29,7 +34,28 @@ static void print_help(FILE *out) {
     fprintf(out, "\nmanylight SUBCOMMAND --help tells more; --version prints the version.\n");
 }
 
-int main(int argc, char **argv) {
+/* A picture must not get the number of a standard stream that the caller has closed: what is printed
+ * would go there. What cannot be written is an error, never a signal. */
+static void guard_streams(void) {
+    for (int stream = 0; stream <= 2; stream++)
+        if (fcntl(stream, F_GETFD) < 0)
+            open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);
+    signal(SIGXFSZ, SIG_IGN);
+}
+
+/* Results that stdout did not take were not told. */
+static int close_stdout(int status) {
+    bool lost = ferror(stdout);
+    errno = 0;
+    lost = fclose(stdout) != 0 || lost;
+    if (!lost || status != 0)
+        return status;
+    fprintf(stderr, "manylight: cannot write standard output%s%s\n", errno ? ": " : "",
+            errno ? strerror(errno) : "");
+    return 1;
+}
+
+static int run(int argc, char **argv) {
     if (argc < 2) {
         print_help(stderr);
         return 2;
@@ -47,4 +73,9 @@ int main(int argc, char **argv) {
             return s->run(argc - 1, argv + 1);
     fprintf(stderr, "manylight: unknown subcommand '%s' (manylight --help lists them)\n", argv[1]);
     return 2;
+}
+
+int main(int argc, char **argv) {
+    guard_streams();
+    return close_stdout(run(argc, argv));
 }

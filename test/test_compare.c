@@ -151,7 +151,7 @@ static void test_pictures_of_the_error(void **state) {
     check_near("a bare value", (double)heat.pixels[0], .125, 1e-6);
     image_free(&heat);
     expect(1, with_pictures("-m rmse -o no/such/folder/heat.png"));
-    expect_text("manylight compare: no/such/folder/heat.png: ");
+    expect_text("manylight compare: cannot write no/such/folder/heat.png: No such file");
 }
 
 static void test_encoded_files(void **state) {

@@ -4,6 +4,7 @@
 
 #include "apps/frames.h"
 #include "base/error.h"
+#include "base/image_file.h"
 #include "base/memory.h"
 #include "gl/memory.h"
 #include "shared/vpl.h"
@@ -104,6 +105,13 @@ static void test_split(void **state) {
     assert_true(memcmp(bytes[0], bytes[1], 4096) != 0);
 }
 
+/* The size of a file, -1 where there is none. */
+static long size_of(const char *path) {
+    struct stat found;
+    return stat(path, &found) == 0 ? (long)found.st_size : -1;
+}
+
+/* A frame that is there and whole is left alone; one that is cut is not. */
 static void test_resume(void **state) {
     (void)state;
     char more[512];
@@ -113,18 +121,23 @@ static void test_resume(void **state) {
         snprintf(name, sizeof name, "resumed.%d.png", frame);
         remove(scratch(name));
     }
-    FILE *file = fopen(scratch("resumed.1.png"), "w");
-    assert_non_null(file);
-    fputs("kept", file);
-    fclose(file);
+    unsigned char grey[4] = {128, 128, 128, 255};
+    check_ok("another picture",
+             bitmap_write(&(struct bitmap){1, 1, grey}, scratch("resumed.1.png")));
+    long kept = size_of(scratch("resumed.1.png"));
     if (render(more) != 0)
         skip();
     assert_non_null(strstr(output, "2 frames in"));
-    struct stat found;
-    assert_int_equal(stat(scratch("resumed.1.png"), &found), 0);
-    assert_int_equal(found.st_size, 4);
-    assert_int_equal(stat(scratch("resumed.2.png"), &found), 0);
-    assert_true(found.st_size > 100);
+    assert_int_equal(size_of(scratch("resumed.1.png")), kept);
+    long whole = size_of(scratch("resumed.2.png"));
+    assert_true(whole > 100);
+    assert_int_equal(truncate(scratch("resumed.2.png"), whole - 1), 0);
+    assert_int_equal(render(more), 0);
+    printf("    %s", output);
+    assert_non_null(strstr(output, "resumed.2.png: ends too soon; it is rendered again"));
+    assert_non_null(strstr(output, "1 frames in"));
+    assert_int_equal(size_of(scratch("resumed.2.png")), whole);
+    assert_int_equal(size_of(scratch("resumed.1.png")), kept);
 }
 
 static void test_misuse(void **state) {

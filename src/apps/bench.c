@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "base/output_file.h"
 
 #include <unistd.h>
 
@@ -83,11 +84,22 @@ static int pick_usual_scenes(const char **scenes) {
     return count;
 }
 
+/* Told before hours of measuring. */
+static bool check_output(const char *output, const char **scenes, int scene_count) {
+    bool ok = !output || output_file_check(output);
+    for (int i = 0; output && ok && i < scene_count; i++)
+        ok = output_file_is_not(output, scenes[i]);
+    return ok;
+}
+
 /* One of the modes that render. */
 static bool run(const struct bench_values *values, const char **scenes, int scene_count,
                 const struct sweep *sweep) {
     struct context_desc desc = values->context;
     desc.debug = desc.debug || values->failures; /* the suite counts messages */
+    if (!check_output(values->csv, scenes, scene_count) ||
+        !check_output(values->json, scenes, scene_count))
+        return false;
     struct context *context = context_create(&desc);
     if (!context)
         return false;

@@ -4,10 +4,10 @@
 #include "apps/bench_picture.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "base/output_file.h"
 
 #include "version.h"
 
-#include <errno.h>
 #include <math.h>
 #include <string.h>
 
@@ -132,9 +132,9 @@ static void print_row(FILE *out, const struct budget *budget, int step, const ch
 }
 
 bool budget_write_csv(const char *path, const struct budget *budgets, int count) {
-    FILE *out = fopen(path, "w");
-    if (!out)
-        return error_set("cannot write %s: %s", path, strerror(errno));
+    struct output_text text;
+    output_text_init(&text);
+    FILE *out = text.stream;
     fprintf(out,
             "scene,variant,width,height,noise,step,against,relative_rmse,relative_bias,gradient,"
             "ldr_flip,commit\n");
@@ -145,7 +145,5 @@ bool budget_write_csv(const char *path, const struct budget *budgets, int count)
         }
         print_row(out, &budgets[i], LAST_OF_CENTERS, "pixel centres", &budgets[i].shading);
     }
-    bool ok = !ferror(out);
-    ok = fclose(out) == 0 && ok;
-    return ok || error_set("cannot write %s: %s", path, strerror(errno));
+    return output_text_end(&text, path);
 }

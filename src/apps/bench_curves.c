@@ -6,10 +6,10 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "base/output_file.h"
 
 #include "version.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -190,9 +190,9 @@ bool curves_draw(const struct curves *curves, const char *folder) {
 }
 
 bool curves_write_csv(const char *path, const struct curves *curves, int count) {
-    FILE *out = fopen(path, "w");
-    if (!out)
-        return error_set("cannot write %s: %s", path, strerror(errno));
+    struct output_text text;
+    output_text_init(&text);
+    FILE *out = text.stream;
     fprintf(out, "scene,width,height,setting,value,series,relative_rmse,relative_bias,gradient,"
                  "ldr_flip,commit\n");
     for (const struct curves *c = curves; c < curves + count; c++)
@@ -201,7 +201,5 @@ bool curves_write_csv(const char *path, const struct curves *curves, int count) 
                     c->height, p->setting, p->value, p->series, p->errors.relative_rmse,
                     p->errors.relative_bias, p->errors.gradient, p->errors.ldr_flip,
                     MANYLIGHT_COMMIT);
-    bool ok = !ferror(out);
-    ok = fclose(out) == 0 && ok;
-    return ok || error_set("cannot write %s: %s", path, strerror(errno));
+    return output_text_end(&text, path);
 }

@@ -4,6 +4,8 @@
 #include "base/error.h"
 #include "base/folder.h"
 #include "base/memory.h"
+#include "base/output_file.h"
+#include "base/text.h"
 
 #include <errno.h>
 #include <float.h>
@@ -144,7 +146,8 @@ static void print_curves(FILE *out, const struct plot *plot) {
     }
 }
 
-static void print_script(FILE *out, const struct plot *plot, const char *path) {
+/* To stdout: the file is ours to write. */
+static void print_script(FILE *out, const struct plot *plot, const char *terminal) {
     fprintf(out, "set encoding utf8\nset key outside right top vertical Left reverse noenhanced\n"
                  "set grid lc rgb '#dddddd'\nset border lc rgb '#444444'\n");
     fprintf(out, "set title noenhanced ");
@@ -166,44 +169,70 @@ static void print_script(FILE *out, const struct plot *plot, const char *path) {
     if (plot->emphasis.count)
         print_data(out, "front", &plot->emphasis);
     print_labels(out, plot);
+    fprintf(out, "set terminal %s\n", terminal);
+    print_curves(out, plot);
+}
+
+/* Starts gnuplot on the script. Where what it draws comes out, or -1 after an error. */
+static int start_gnuplot(char *script, pid_t *child) {
+    char program[] = "gnuplot";
+    char *arguments[] = {program, script, NULL};
+    int ends[2];
+    posix_spawn_file_actions_t actions;
+    if (pipe(ends) != 0) {
+        error_set("cannot run gnuplot: %s", strerror(errno));
+        return -1;
+    }
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    posix_spawn_file_actions_addclose(&actions, ends[0]);
+    int failure = posix_spawnp(child, program, &actions, NULL, arguments, environ);
+    posix_spawn_file_actions_destroy(&actions);
+    close(ends[1]);
+    if (!failure)
+        return ends[0];
+    close(ends[0]);
+    error_set("cannot run gnuplot: %s", strerror(failure));
+    return -1;
+}
+
+static bool run_gnuplot(char *script, struct text *picture) {
+    pid_t child;
+    int status, drawing = start_gnuplot(script, &child);
+    char chunk[1 << 14];
+    if (drawing < 0)
+        return false;
+    for (ssize_t got; (got = read(drawing, chunk, sizeof chunk)) > 0;)
+        text_append(picture, chunk, (size_t)got);
+    close(drawing);
+    waitpid(child, &status, 0);
+    return (WIFEXITED(status) && WEXITSTATUS(status) == 0) || error_set("gnuplot failed");
+}
+
+static bool draw_as(const struct plot *plot, const char *path, char *script, const char *terminal) {
+    struct output_text lines;
+    struct text picture = {0};
+    output_text_init(&lines);
+    print_script(lines.stream, plot, terminal);
+    bool ok = output_text_end(&lines, script) && run_gnuplot(script, &picture) &&
+              output_file_write(path, picture.data, picture.length);
+    remove(script);
+    free(picture.data);
+    return ok;
+}
+
+bool plot_draw(const struct plot *plot, const char *path) {
     static const char *const terminals[][2] = {
         {"svg size 900,560 font 'DejaVu Sans,11' background 'white' noenhanced", "svg"},
         {"pngcairo size 1350,840 fontscale 1.3 font 'DejaVu Sans,11' noenhanced", "png"},
     };
-    for (int i = 0; i < 2; i++) {
-        fprintf(out, "set terminal %s\nset output ", terminals[i][0]);
-        char file[1024];
-        snprintf(file, sizeof file, "%s.%s", path, terminals[i][1]);
-        print_quoted(out, file);
-        fprintf(out, "\n");
-        print_curves(out, plot);
-    }
-}
-
-static bool run_gnuplot(char *script) {
-    char program[] = "gnuplot";
-    char *arguments[] = {program, script, NULL};
-    pid_t child;
-    int status;
-    int failure = posix_spawnp(&child, program, NULL, NULL, arguments, environ);
-    if (failure)
-        return error_set("cannot run gnuplot: %s", strerror(failure));
-    waitpid(child, &status, 0);
-    return (WIFEXITED(status) && WEXITSTATUS(status) == 0) ||
-           error_set("gnuplot failed on %s", script);
-}
-
-bool plot_draw(const struct plot *plot, const char *path) {
     char *script = mem_printf("%s.gnuplot", path);
-    FILE *out = folder_make_for(script) ? fopen(script, "w") : NULL;
-    bool ok = out || error_set("cannot write %s: %s", script, strerror(errno));
-    if (ok) {
-        print_script(out, plot, path);
-        fclose(out);
-        ok = run_gnuplot(script);
+    bool ok = folder_make_for(script);
+    for (int i = 0; ok && i < 2; i++) {
+        char *file = mem_printf("%s.%s", path, terminals[i][1]);
+        ok = draw_as(plot, file, script, terminals[i][0]);
+        free(file);
     }
-    if (ok)
-        remove(script);
     free(script);
     return ok;
 }

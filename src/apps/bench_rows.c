@@ -1,9 +1,8 @@
 #include "apps/bench_rows.h"
 
-#include "base/error.h"
 #include "base/json.h"
+#include "base/output_file.h"
 
-#include <errno.h>
 #include <string.h>
 
 /* One value of a case. */
@@ -95,24 +94,11 @@ static void print_row(FILE *out, const struct bench_case *measured, const struct
     fprintf(out, "%d,%s,%s\n", machine->cores, machine->commit, machine->date);
 }
 
-static FILE *open_file(const char *path) {
-    FILE *file = fopen(path, "w");
-    if (!file)
-        error_set("cannot write %s: %s", path, strerror(errno));
-    return file;
-}
-
-static bool close_file(FILE *file, const char *path) {
-    bool ok = !ferror(file);
-    ok = fclose(file) == 0 && ok;
-    return ok || error_set("cannot write %s: %s", path, strerror(errno));
-}
-
 bool bench_write_csv(const char *path, const struct bench_case *cases, int count,
                      const struct bench_machine *machine) {
-    FILE *out = open_file(path);
-    if (!out)
-        return false;
+    struct output_text text;
+    output_text_init(&text);
+    FILE *out = text.stream;
     fprintf(out, "scene,faces,width,height,vpls,vals,technique,series,label,options,quantity,unit,"
                  "count,median,p5,p95,min,max,share,ns_per_pixel,ns_per_pixel_vpl,gl_vendor,"
                  "gl_renderer,gl_version,software,cpu,cores,commit,date\n");
@@ -122,7 +108,7 @@ bool bench_write_csv(const char *path, const struct bench_case *cases, int count
         for (int q = 0; q < quantity_count; q++)
             print_row(out, &cases[i], &quantities[q], machine);
     }
-    return close_file(out, path);
+    return output_text_end(&text, path);
 }
 
 static void print_text_member(FILE *out, const char *name, const char *text) {
@@ -199,9 +185,9 @@ static void print_case(FILE *out, const struct bench_case *measured) {
 
 bool bench_write_json(const char *path, const struct bench_case *cases, int count,
                       const struct bench_machine *machine) {
-    FILE *out = open_file(path);
-    if (!out)
-        return false;
+    struct output_text text;
+    output_text_init(&text);
+    FILE *out = text.stream;
     fprintf(out, "{\n");
     print_machine(out, machine);
     fprintf(out, "  \"cases\": [\n");
@@ -210,5 +196,5 @@ bool bench_write_json(const char *path, const struct bench_case *cases, int coun
         fprintf(out, i + 1 < count ? "    ,\n" : "");
     }
     fprintf(out, "  ]\n}\n");
-    return close_file(out, path);
+    return output_text_end(&text, path);
 }

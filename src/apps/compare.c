@@ -7,6 +7,7 @@
 #include "base/image_file.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "base/output_file.h"
 #include "metrics/heat_map.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"
@@ -273,9 +274,16 @@ static int check_bounds(const struct report *report, const char *name) {
     return status;
 }
 
+static bool check_output(const char *output, const struct pictures *pictures) {
+    return !output ||
+           (output_file_check(output) && output_file_is_not(output, pictures->test_path) &&
+            output_file_is_not(output, pictures->reference_path));
+}
+
 static int compare(const struct values *values, struct report *report, struct pictures *pictures,
                    const char *name) {
-    if (!pictures_read(pictures, values->layer ? values->layer : "beauty"))
+    if (!check_output(values->output, pictures) ||
+        !pictures_read(pictures, values->layer ? values->layer : "beauty"))
         return arguments_fail(name);
     int kind = pictures->any_encoded ? METRIC_LDR : METRIC_HDR;
     if (values->metrics.count == 0)

@@ -6,13 +6,13 @@
 #include "base/error.h"
 #include "base/folder.h"
 #include "base/memory.h"
+#include "base/output_file.h"
 #include "metrics/errors.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"
 
 #include "version.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -196,20 +196,19 @@ static void write_row(FILE *csv, const struct failure_row *row,
 
 /* Prints and writes one row; counts what does not hold. */
 static bool run_row(const struct failure_row *row, const struct bench_values *values,
-                    const struct context *context, FILE *csv, int *broken) {
+                    const struct context *context, struct output_text *csv, int *broken) {
     struct failure_result results[FAILURE_TECHNIQUES];
     if (!failure_measure(row, values, context, results))
         return false;
     print_row(row, results);
-    if (csv)
-        write_row(csv, row, results);
+    write_row(csv->stream, row, results);
     for (int t = 0; t < FAILURE_TECHNIQUES; t++)
         *broken += !failure_holds(row, t, &results[t], 1);
-    return true;
+    return !values->csv || output_text_write(csv, values->csv);
 }
 
 static bool run_rows(const struct bench_values *values, const char **names, int name_count,
-                     const struct context *context, FILE *csv, int *broken) {
+                     const struct context *context, struct output_text *csv, int *broken) {
     print_head();
     int count = name_count ? name_count : failure_row_count;
     for (int i = 0; i < count; i++) {
@@ -222,16 +221,13 @@ static bool run_rows(const struct bench_values *values, const char **names, int 
 
 bool bench_failures(const struct bench_values *values, const char **names, int name_count,
                     const struct context *context) {
-    FILE *csv = NULL;
+    struct output_text csv;
     int broken = 0;
-    if (values->csv && !(csv = fopen(values->csv, "w")))
-        return error_set("%s: %s", values->csv, strerror(errno));
-    if (csv)
-        fprintf(csv, "failure,technique,settings,relative_rmse,relative_bias,worst,worst_x,"
-                     "worst_y,non_finite,messages,bound,commit\n");
-    bool ok = run_rows(values, names, name_count, context, csv, &broken);
-    if (csv && fclose(csv) != 0)
-        ok = error_set("%s: %s", values->csv, strerror(errno));
+    output_text_init(&csv);
+    fprintf(csv.stream, "failure,technique,settings,relative_rmse,relative_bias,worst,worst_x,"
+                        "worst_y,non_finite,messages,bound,commit\n");
+    bool ok = run_rows(values, names, name_count, context, &csv, &broken);
+    output_text_free(&csv);
     if (ok && broken)
         ok = error_set("%d results are not what is promised (!)", broken);
     return ok;

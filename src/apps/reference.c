@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/image_file.h"
 #include "base/log.h"
+#include "base/output_file.h"
 #include "reference/path_tracer.h"
 
 #include <stdlib.h>
@@ -184,7 +185,8 @@ int app_reference(int argc, char **argv) {
         return status;
     if (!check_values(&values, &noise) || !parse_settings(&values, &settings))
         return arguments_misuse(argv[0]);
-    if (!stage_init(&stage, &(struct stage_desc){.path = path,
+    if (!output_file_check(values.output) ||
+        !stage_init(&stage, &(struct stage_desc){.path = path,
                                                  .camera = values.camera,
                                                  .light = values.light,
                                                  .clip = values.clip,

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/image_file.h"
 #include "base/log.h"
+#include "base/output_file.h"
 #include "gl/glsl.h"
 #include "renderer/debug_layers.h"
 
@@ -57,7 +58,8 @@ static const struct option options[] = {
     {"fps", 0, OPTION_FLOAT, offsetof(struct values, fps), 25, .001, 1e6,
      .help = "frames per second"},
     {"skip-existing", 0, OPTION_FLAG, offsetof(struct values, skip_existing),
-     .help = "leave out frames whose outputs are all there"},
+     .help = "leave out frames whose outputs are all there and whole: each is opened, decoded to\n"
+             "its last pixel and ends as its format does"},
     {"stats", 0, OPTION_FLAG, offsetof(struct values, stats),
      .help = "print faces, lights, memory and time per pass"},
     {"glsl", 0, OPTION_TEXT, offsetof(struct values, glsl), .value_name = "DIR",
@@ -83,8 +85,8 @@ static const struct arguments arguments = {
     .summary =
         "Renders a glTF scene offscreen. EXR and PFM get linear radiance, EXR with all layers;\n"
         "PNG, JPEG and the like get the picture as a display shows it. Each frame depends on its\n"
-        "time alone, and its files appear when they are whole: a sequence may be split between\n"
-        "processes, killed, and taken up again.",
+        "time alone, and its files appear when they are whole, synced and read back: a sequence\n"
+        "may be split between processes, killed, and taken up again.",
     .options = options,
     .min_positional = 1,
     .max_positional = 1,
@@ -161,11 +163,21 @@ static bool write_outputs(const struct values *values, struct renderer *renderer
     return ok;
 }
 
-static bool outputs_exist(const struct values *values, int frame) {
+/* Says which files are there but must be rendered again. */
+static bool output_is_there(const char *path) {
+    if (access(path, F_OK) != 0)
+        return false;
+    if (image_is_whole(path))
+        return true;
+    log_note("%s; it is rendered again", error_get());
+    return false;
+}
+
+static bool outputs_are_there(const struct values *values, int frame) {
     bool all = true;
     for (int i = 0; all && i < values->outputs.count; i++) {
         char *path = frame_name(values->outputs.items[i], frame);
-        all = access(path, F_OK) == 0;
+        all = output_is_there(path);
         free(path);
     }
     return all;
@@ -189,7 +201,7 @@ static bool render_frames(const struct values *values, const struct frames *fram
     progress_start(&progress);
     for (int i = 0; ok && i < frames->count; i++) {
         int frame = frames->numbers[i];
-        if (values->skip_existing && outputs_exist(values, frame)) {
+        if (values->skip_existing && outputs_are_there(values, frame)) {
             skipped++;
             continue;
         }
@@ -202,6 +214,18 @@ static bool render_frames(const struct values *values, const struct frames *fram
     double seconds = progress_end(&progress);
     if (ok && frames->count > 1)
         log_note("%d frames in %.1f s, %d were there", done, seconds, skipped);
+    return ok;
+}
+
+/* What can be told before long work; of a sequence, by its first frame. */
+static bool check_files(const struct values *values, const struct frames *frames,
+                        const char *scene) {
+    bool ok = true;
+    for (int i = 0; ok && i < values->outputs.count; i++) {
+        char *path = frame_name(values->outputs.items[i], frames->count ? frames->numbers[0] : 0);
+        ok = output_file_check(path) && output_file_is_not(path, scene);
+        free(path);
+    }
     return ok;
 }
 
@@ -227,7 +251,8 @@ static bool render_scene(const struct values *values, const struct frames *frame
                          const struct settings *settings, const char *path) {
     struct stage stage;
     struct context *context;
-    if (!stage_init(&stage, &(struct stage_desc){.path = path,
+    if (!check_files(values, frames, path) ||
+        !stage_init(&stage, &(struct stage_desc){.path = path,
                                                  .camera = values->camera,
                                                  .light = values->light,
                                                  .clip = values->clip}))

@@ -8,12 +8,12 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/output_file.h"
 #include "gl/memory.h"
 #include "scene/animation.h"
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -337,7 +337,7 @@ static bool draw(const struct clip_run *run, const struct stage *stage, const ch
     return ok;
 }
 
-static bool bench_clip(const struct bench_values *values, const char *path, FILE *csv,
+static bool bench_clip(const struct bench_values *values, const char *path, struct output_text *csv,
                        bool software) {
     struct stage stage;
     struct clip_run run = {.values = values, .frame_count = values->frames ? values->frames : 50};
@@ -348,10 +348,10 @@ static bool bench_clip(const struct bench_values *values, const char *path, FILE
               start_tracks(&run, values, &stage, software) && run_clip(&run, &stage);
     if (ok) {
         print_run(&run, &stage);
-        if (csv)
-            write_rows(csv, &run, &stage);
-        ok = !values->output || (draw(&run, &stage, values->output, false) &&
-                                 draw(&run, &stage, values->output, true));
+        write_rows(csv->stream, &run, &stage);
+        ok = (!values->csv || output_text_write(csv, values->csv)) &&
+             (!values->output || (draw(&run, &stage, values->output, false) &&
+                                  draw(&run, &stage, values->output, true)));
     }
     run_free(&run);
     stage_free(&stage);
@@ -360,15 +360,12 @@ static bool bench_clip(const struct bench_values *values, const char *path, FILE
 
 bool bench_temporal(const struct bench_values *values, const char **scenes, int scene_count,
                     bool software) {
-    FILE *csv = NULL;
-    if (values->csv && !(csv = fopen(values->csv, "w")))
-        return error_set("%s: %s", values->csv, strerror(errno));
-    if (csv)
-        fprintf(csv, "scene,variant,frame,time,flicker,vals,center_travel,light_travel\n");
+    struct output_text csv;
+    output_text_init(&csv);
+    fprintf(csv.stream, "scene,variant,frame,time,flicker,vals,center_travel,light_travel\n");
     bool ok = true;
     for (int i = 0; ok && i < scene_count; i++)
-        ok = bench_clip(values, scenes[i], csv, software);
-    if (csv && fclose(csv) != 0)
-        ok = error_set("%s: %s", values->csv, strerror(errno));
+        ok = bench_clip(values, scenes[i], &csv, software);
+    output_text_free(&csv);
     return ok;
 }

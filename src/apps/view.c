@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/image_file.h"
+#include "base/output_file.h"
 #include "viewer/viewer.h"
 
 struct values {
@@ -97,5 +98,9 @@ int app_view(int argc, char **argv) {
         error_set("--frames and --screenshot need a scene");
         return arguments_misuse(argv[0]);
     }
+    if (values.screenshot &&
+        (!output_file_check(values.screenshot) || !output_file_is_not(values.screenshot, scene) ||
+         (values.reference && !output_file_is_not(values.screenshot, values.reference))))
+        return arguments_fail(argv[0]);
     return viewer_run(&desc) ? STATUS_OK : arguments_fail(argv[0]);
 }

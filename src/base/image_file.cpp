@@ -4,19 +4,16 @@
 extern "C" {
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/output_file.h"
 }
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <limits>
 #include <memory>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 using namespace OIIO;
@@ -40,62 +37,108 @@ bool check_size(const ImageSpec &spec, const char *path) {
     return true;
 }
 
-/* Writes beside the target and renames, so that the target is whole or untouched. write(file)
- * returns the reason of a failure, or "". */
-template <typename Write> bool write_whole(const char *path, Write write) {
-    /* The extension must stay last, for it picks the format. */
-    const char *slash = strrchr(path, '/');
-    std::string folder = slash ? std::string(path, slash + 1) : "";
-    std::string beside =
-        folder + "." + std::to_string(getpid()) + ".part." + (slash ? slash + 1 : path);
-    std::string reason = write(beside);
-    if (reason.empty() && rename(beside.c_str(), path) == 0)
-        return true;
-    if (reason.empty())
-        reason = strerror(errno);
-    remove(beside.c_str());
-    /* The message may name the file beside; the user knows only the target. */
-    size_t at = reason.find(beside);
-    if (at != std::string::npos)
-        reason.replace(at, beside.size(), path);
-    return fail(path, reason);
+/* What is written and read here; of the other formats that OpenImageIO knows, some lose what does
+ * not fit on the disk without a word. */
+struct format {
+    const char *extension, *name;
+    bool is_float;
+    std::string end; /* the last bytes of a whole file, where the decoder does not miss them */
+};
+
+const format formats[] = {
+    {"exr", "openexr", true, ""},
+    {"tif", "tiff", true, ""},
+    {"tiff", "tiff", true, ""},
+    {"pfm", "pnm", true, ""},
+    {"hdr", "hdr", true, ""},
+    {"png", "png", false, "IEND\xAE\x42\x60\x82"},
+    {"jpg", "jpeg", false, ""},
+    {"jpeg", "jpeg", false, ""},
+    {"webp", "webp", false, ""},
+    {"bmp", "bmp", false, ""},
+    {"tga", "targa", false, std::string("TRUEVISION-XFILE.", 18)},
+    {"gif", "gif", false, ";"},
+    {"jp2", "jpeg2000", false, ""},
+    {"ppm", "pnm", false, ""},
+    {"dpx", "dpx", false, ""},
+};
+
+/* NULL after an error. */
+const format *find_format(const char *path) {
+    std::string extension = Strutil::lower(Filesystem::extension(path, false));
+    std::string known;
+    for (const format &f : formats) {
+        if (extension == f.extension)
+            return &f;
+        known += std::string(" .") + f.extension;
+    }
+    fail(path, extension.empty()
+                   ? "no extension, so no picture format (try .exr or .png)"
+                   : "unknown picture format '." + extension + "' (known:" + known + ")");
+    return NULL;
 }
 
-bool write_pixels(const char *path, const ImageSpec &spec, TypeDesc type, const void *pixels) {
-    return write_whole(path, [&](const std::string &beside) -> std::string {
-        auto out = ImageOutput::create(path);
-        if (!out)
-            return geterror();
-        bool good = out->open(beside, spec) && out->write_image(type, pixels);
-        std::string reason = good ? "" : out->geterror();
-        if (out->close() && good)
-            return "";
-        return reason.empty() ? "cannot be written" : reason;
-    });
+/* Decodes all pixels and drops them. "" or the reason why that fails. */
+std::string try_decode(ImageInput *in, const ImageSpec &spec) {
+    std::vector<char> pixels(spec.image_bytes(true));
+    bool good = in->read_image(0, 0, 0, spec.nchannels, TypeDesc::UNKNOWN, pixels.data());
+    /* A cut JPEG is good, but for what is said of it. */
+    std::string reason = in->geterror();
+    return reason.empty() && !good ? "cannot be decoded" : reason;
+}
+
+bool ends_well(const char *path, const format &format) {
+    std::string end(format.end.size(), ' ');
+    uint64_t size = Filesystem::file_size(path);
+    return end.empty() || (size > end.size() &&
+                           Filesystem::read_bytes(path, &end[0], end.size(), size - end.size()) &&
+                           end == format.end);
+}
+
+/* The file is made in memory, for some encoders end the program, or say nothing, when a file does
+ * not take their bytes; and decoded again before it is written. */
+bool write_pixels(const char *path, const char *format, const ImageSpec &spec, TypeDesc type,
+                  const void *pixels) {
+    std::vector<unsigned char> bytes;
+    Filesystem::IOVecOutput writer(bytes);
+    auto out = ImageOutput::create(format);
+    if (!out)
+        return fail(path, geterror());
+    bool good =
+        out->set_ioproxy(&writer) && out->open(path, spec) && out->write_image(type, pixels);
+    std::string reason = out->geterror();
+    if (!out->close() || !good || !reason.empty())
+        return fail(path, reason.empty() ? "cannot be encoded" : reason);
+    Filesystem::IOMemReader reader(bytes.data(), bytes.size());
+    ImageSpec written;
+    auto in = ImageInput::create(format);
+    if (!in || !in->set_ioproxy(&reader) || !in->open(path, written))
+        return fail(path, "was not encoded well: " + (in ? in->geterror() : geterror()));
+    reason = try_decode(in.get(), written);
+    if (!reason.empty() || written.width != spec.width || written.height != spec.height)
+        return fail(path, "was not encoded well: " + reason);
+    return output_file_write(path, bytes.data(), bytes.size());
 }
 
 /* Portable float map, which OpenImageIO reads but does not write: a line each of kind, size and
  * byte order (negative: little endian), then rows of RGB from the bottom up. */
 bool write_pfm(const char *path, int width, int height, const std::vector<float> &rgb) {
-    return write_whole(path, [&](const std::string &beside) -> std::string {
-        FILE *file = fopen(beside.c_str(), "wb");
-        if (!file)
-            return strerror(errno);
-        bool good = fprintf(file, "PF\n%d %d\n-1.0\n", width, height) > 0;
-        size_t row = size_t(width) * 3;
-        for (int y = height - 1; good && y >= 0; y--)
-            good = fwrite(&rgb[y * row], sizeof rgb[0], row, file) == row;
-        good = fclose(file) == 0 && good;
-        return good ? "" : strerror(errno);
-    });
+    std::string head = Strutil::sprintf("PF\n%d %d\n-1.0\n", width, height);
+    std::vector<char> bytes(head.begin(), head.end());
+    size_t row = size_t(width) * 3;
+    for (int y = height - 1; y >= 0; y--) {
+        const char *from = reinterpret_cast<const char *>(&rgb[y * row]);
+        bytes.insert(bytes.end(), from, from + row * sizeof rgb[0]);
+    }
+    return output_file_write(path, bytes.data(), bytes.size());
 }
 
 /* Formats of floats that have no more than red, green and blue. */
-bool is_plain(const std::string &extension) {
-    return extension == "pfm" || extension == "hdr";
+bool is_plain(const format *format) {
+    return strcmp(format->extension, "pfm") == 0 || strcmp(format->extension, "hdr") == 0;
 }
 
-bool write_plain(const struct image *image, const char *path, const std::string &extension) {
+bool write_plain(const struct image *image, const char *path, const format *format) {
     int channels[3];
     if (!image_find_layer(image, "", channels))
         return error_prefix("%s", path);
@@ -103,10 +146,10 @@ bool write_plain(const struct image *image, const char *path, const std::string 
     std::vector<float> rgb(count * 3);
     for (size_t i = 0; i < rgb.size(); i++)
         rgb[i] = image->pixels[i / 3 * image->channel_count + channels[i % 3]];
-    if (extension == "pfm")
+    if (strcmp(format->extension, "pfm") == 0)
         return write_pfm(path, image->width, image->height, rgb);
     ImageSpec spec(image->width, image->height, 3, TypeDesc::FLOAT);
-    return write_pixels(path, spec, TypeDesc::FLOAT, rgb.data());
+    return write_pixels(path, format->name, spec, TypeDesc::FLOAT, rgb.data());
 }
 
 bool is_colour(const std::string &name) {
@@ -129,25 +172,45 @@ extern "C" bool image_read(struct image *image, const char *path) try {
         names += (names.empty() ? "" : " ") + name.substr(0, IMAGE_NAME_SIZE - 1);
     image_init(image, spec.width, spec.height, names.c_str());
     image->encoded = !spec.format.is_floating_point();
-    if (!in->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, image->pixels)) {
-        image_free(image);
-        return fail(path, in->geterror());
-    }
-    return true;
+    bool good = in->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, image->pixels);
+    std::string reason = in->geterror(); /* of a cut JPEG, though it is read */
+    if (good && reason.empty())
+        return true;
+    image_free(image);
+    return fail(path, reason);
 } catch (const std::exception &error) {
     image_free(image);
     return fail(path, error.what());
 }
 
+extern "C" bool image_is_whole(const char *path) try {
+    const format *format = find_format(path);
+    if (!format)
+        return false;
+    if (!ends_well(path, *format))
+        return fail(path, "ends too soon");
+    auto in = ImageInput::open(path);
+    if (!in)
+        return fail(path, geterror());
+    if (!check_size(in->spec(), path))
+        return false;
+    std::string reason = try_decode(in.get(), in->spec());
+    return reason.empty() || fail(path, reason);
+} catch (const std::exception &error) {
+    return fail(path, error.what());
+}
+
 extern "C" bool image_write(const struct image *image, const char *path) try {
-    std::string extension = Filesystem::extension(path, false);
-    if (is_plain(extension))
-        return write_plain(image, path, extension);
+    const format *format = find_format(path);
+    if (!format)
+        return false;
+    if (is_plain(format))
+        return write_plain(image, path, format);
     ImageSpec spec(image->width, image->height, image->channel_count, TypeDesc::FLOAT);
     spec.channelnames.clear();
     for (int i = 0; i < image->channel_count; i++)
         spec.channelnames.push_back(image->names[i]);
-    if (extension == "exr") {
+    if (strcmp(format->name, "openexr") == 0) {
         spec.attribute("compression", "zip");
         spec.attribute("DateTime", ""); /* else it is now, and no two files are alike */
         for (const std::string &name : spec.channelnames)
@@ -155,34 +218,31 @@ extern "C" bool image_write(const struct image *image, const char *path) try {
     }
     spec.alpha_channel = image_find_channel(image, "A");
     spec.z_channel = image_find_channel(image, "Z");
-    return write_pixels(path, spec, TypeDesc::FLOAT, image->pixels);
+    return write_pixels(path, format->name, spec, TypeDesc::FLOAT, image->pixels);
 } catch (const std::exception &error) {
     return fail(path, error.what());
 }
 
 extern "C" bool bitmap_write(const struct bitmap *bitmap, const char *path) try {
-    std::string extension = Filesystem::extension(path, false);
+    const format *format = find_format(path);
+    if (!format)
+        return false;
     /* Our pictures are opaque: an alpha channel would only surprise. */
     ImageSpec spec(bitmap->width, bitmap->height, 3, TypeDesc::UINT8);
     spec.attribute("oiio:ColorSpace", "sRGB");
     std::vector<unsigned char> rgb(size_t(bitmap->width) * bitmap->height * 3);
     for (size_t i = 0; i < rgb.size() / 3; i++)
         memcpy(&rgb[i * 3], &bitmap->rgba[i * 4], 3);
-    return write_pixels(path, spec, TypeDesc::UINT8, rgb.data());
+    return write_pixels(path, format->name, spec, TypeDesc::UINT8, rgb.data());
 } catch (const std::exception &error) {
     return fail(path, error.what());
 }
 
 extern "C" bool image_format_is_float(const char *path, bool *is_float) try {
-    std::string extension = Filesystem::extension(path, false);
-    if (extension.empty())
-        return fail(path, "no extension, so no picture format (try .exr or .png)");
-    if (extension != "pfm" && !ImageOutput::create(path)) {
-        geterror(); /* drops OpenImageIO's long advice */
-        return fail(path, "unknown picture format '." + extension + "' (try .exr or .png)");
-    }
-    *is_float =
-        is_plain(extension) || extension == "exr" || extension == "tif" || extension == "tiff";
+    const format *format = find_format(path);
+    if (!format)
+        return false;
+    *is_float = format->is_float;
     return true;
 } catch (const std::exception &error) {
     return fail(path, error.what());

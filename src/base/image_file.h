@@ -14,12 +14,16 @@ extern "C" {
 bool image_read(struct image *image, const char *path);
 
 /* Writes floats; the extension picks the format. EXR: half for colour, 32 bit for Z and for layers
- * named in neither RGBA. PFM and HDR get red, green and blue of the beauty layer. Written beside
- * and renamed, so that no half-written file is left. */
+ * named in neither RGBA. PFM and HDR get red, green and blue of the beauty layer. What was encoded is
+ * decoded again, then written as base/output_file.h does. */
 bool image_write(const struct image *image, const char *path);
 
 /* Writes an 8-bit picture (PNG, JPEG, ...). Alpha is dropped where the format has none. */
 bool bitmap_write(const struct bitmap *bitmap, const char *path);
+
+/* Whether the file opens, decodes to its last pixel and ends as its format does. Error: says why
+ * not. */
+bool image_is_whole(const char *path);
 
 /* Whether the extension names a format that stores floats (EXR, PFM, HDR, ...). An error where the
  * extension is missing or unknown; call it before long work. */

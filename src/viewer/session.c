@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/output_file.h"
 #include "renderer/renderer.h"
 
 #include <errno.h>
@@ -86,19 +87,18 @@ static void write_value(FILE *file, const struct option *option, const void *val
 }
 
 bool session_save(const struct session *session, const char *path) {
-    FILE *file = fopen(path, "w");
-    if (!file)
-        return error_set("cannot write %s: %s", path, strerror(errno));
-    fprintf(file, "# manylight view: settings\ncamera = %s\nlight = %s\n", session->camera,
+    struct output_text text;
+    if (session->scene && !output_file_is_not(path, session->scene))
+        return false;
+    output_text_init(&text);
+    fprintf(text.stream, "# manylight view: settings\ncamera = %s\nlight = %s\n", session->camera,
             session->light);
     for (const struct option *option = session_table; option->name; option++)
-        write_value(file, option, session);
+        write_value(text.stream, option, session);
     for (const struct option *option = settings_table; option->name; option++)
         if (!is_told(option, &session->settings))
-            write_value(file, option, &session->settings);
-    if (fclose(file) != 0)
-        return error_set("cannot write %s: %s", path, strerror(errno));
-    return true;
+            write_value(text.stream, option, &session->settings);
+    return output_text_end(&text, path);
 }
 
 static bool read_line(struct session *session, char *line) {

@@ -1,0 +1,220 @@
+/* What the programs say, and leave, when a disk or stdout takes no more: exit 1, one message, no
+ * file that is not whole. */
+#include "support.h"
+
+#include "base/error.h"
+#include "base/image_file.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static char output[16384];
+
+/* Small enough for a frame in no time. */
+#define QUICK                                                                                      \
+    "--size 24x16 --set vpls=64 --set vals=4 --set map-size=32 --set rsm-size=64 "                 \
+    "--set shadow-size=128 "
+#define BOX "scenes/cornell-box.glb "
+
+static const char *folder;
+
+static void make_folder(void) {
+    char command[600];
+    folder = scratch("full-disk");
+    snprintf(command, sizeof command, "rm -rf '%s' && mkdir '%s'", folder, folder);
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+}
+
+static int count_files(void) {
+    DIR *directory = opendir(folder);
+    assert_non_null(directory);
+    int count = 0;
+    for (struct dirent *entry; (entry = readdir(directory));)
+        if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0) {
+            printf("    left: %s\n", entry->d_name);
+            count++;
+        }
+    closedir(directory);
+    return count;
+}
+
+/* Two pictures to compare. */
+static void write_pictures(void) {
+    struct image image;
+    image_init(&image, 64, 64, "R G B");
+    for (int i = 0; i < 2; i++) {
+        check_ok("picture", image_write(&image, scratch(i ? "b.exr" : "a.exr")));
+        for (int k = 0; k < 64 * 64 * 3; k++)
+            image.pixels[k] = (float)(k * 7919 % 101) / 100;
+    }
+    image_free(&image);
+}
+
+/* Runs `BINARY ARGUMENTS` behind a shell's preamble; %s in the arguments is the folder. */
+static int run(const char *before, const char *arguments, const char *after) {
+    char filled[1024], command[2048];
+    snprintf(filled, sizeof filled, arguments, folder);
+    snprintf(command, sizeof command, "(%s %s %s %s)", before, binary_path(), filled, after);
+    int status = run_command(command, output, sizeof output);
+    printf("    %s %s -> %d %.300s\n", filled, after, status, output);
+    return status;
+}
+
+/* One line says so, beside notes and warnings. */
+static void expect_message(const char *what, const char *reason) {
+    int count = 0;
+    for (char *line = strtok(output, "\n"); line; line = strtok(NULL, "\n")) {
+        if (strstr(line, "manylight: note: ") || strstr(line, "manylight: warning: "))
+            continue;
+        count++;
+        assert_non_null(strstr(line, what));
+        assert_non_null(strstr(line, reason));
+    }
+    assert_int_equal(count, 1);
+}
+
+static void test_stdout(void **state) {
+    (void)state;
+    static const char *const cases[] = {
+        "--help",
+        "--version",
+        "render --help",
+        "info " BOX,
+        "info --gl",
+        "compare build/scratch/a.exr build/scratch/b.exr",
+        "compare build/scratch/a.exr build/scratch/b.exr --json",
+        "render " BOX QUICK "-o %s/stats.png --stats",
+        "bench " BOX "--size 24x16 --frames 1",
+        "bench " BOX "--size 24x16 --budget --set vpls=64 --noise 1 --cache build/scratch/cache",
+    };
+    write_pictures();
+    make_folder();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        if (run("", cases[i], ">/dev/null") != 0)
+            continue; /* no OpenGL here */
+        assert_int_equal(run("", cases[i], ">/dev/full"), 1);
+        expect_message("cannot write standard output", "No space left on device");
+        assert_int_equal(run("", cases[i], ">&-"), 1);
+        expect_message("cannot write standard output", "Bad file descriptor");
+    }
+}
+
+/* A picture does not get the number of a stream that is closed, nor need one. */
+static void test_closed_streams(void **state) {
+    (void)state;
+    make_folder();
+    write_pictures();
+    const char *arguments = "render " BOX QUICK "-o %s/closed.exr --quiet";
+    if (run("", arguments, ">/dev/null") != 0)
+        skip();
+    assert_int_equal(run("", arguments, "<&- >&- 2>&-"), 0);
+    char path[512];
+    snprintf(path, sizeof path, "%s/closed.exr", folder);
+    check_ok("whole", image_is_whole(path));
+}
+
+/* Programs that write files. */
+static const char *const writers[] = {
+    "compare build/scratch/a.exr build/scratch/b.exr -o %s/heat.png",
+    "compare build/scratch/a.exr build/scratch/b.exr -o %s/heat.jpg",
+    "compare build/scratch/a.exr build/scratch/b.exr -o %s/heat.exr",
+    "render " BOX QUICK "-o %s/a.png",
+    "render " BOX QUICK "-o %s/a.jpg",
+    "render " BOX QUICK "-o %s/a.exr",
+    "render " BOX QUICK "-o %s/a.##.tga --frames 0..3",
+    "reference " BOX "--size 24x16 --spp 4 -o %s/truth.exr",
+    "bench " BOX "--size 24x16 --frames 1 --csv %s/times.csv",
+    "bench " BOX "--size 24x16 --frames 1 --json %s/times.json",
+    "bench " BOX "--size 24x16 --budget --set vpls=64 --noise 1 --csv %s/budget.csv "
+    "--cache build/scratch/cache",
+    "bench " BOX "--size 24x16 --reference path --noise 1 --frames 1 --cache %s",
+    "bench scenes/moving-spot.glb --temporal --size 16x16 --frames 2 --set vpls=64 "
+    "--set map-size=32 --variant instant-radiosity --csv %s/temporal.csv",
+    "bench --failures room --size 16x16 --noise 1 --cache build/scratch/cache "
+    "--csv %s/failures.csv",
+    "bench --failures room --size 16x16 --noise 1 --cache build/scratch/cache -o %s",
+    "bench --chart build/scratch/sweep.csv -o %s",
+};
+
+static void test_writers(void **state) {
+    (void)state;
+    write_pictures();
+    make_folder();
+    run("",
+        "bench " BOX "--size 24x16 --frames 1 --reference path --noise 1 --sweep vals=2,4 "
+        "--cache build/scratch/cache --csv build/scratch/sweep.csv",
+        ">/dev/null");
+    for (size_t i = 0; i < sizeof writers / sizeof *writers; i++) {
+        make_folder();
+        int status = run("", writers[i], ">/dev/null");
+        if (strstr(output, "cannot run gnuplot") || strstr(output, "no context"))
+            continue;
+        assert_true(status == 0 || strstr(output, "not what is promised"));
+        assert_true(count_files() > 0);
+        make_folder();
+        assert_int_equal(run("ulimit -f 0;", writers[i], ">/dev/null"), 1);
+        expect_message("cannot write ", ": File too large");
+        assert_int_equal(count_files(), 0);
+    }
+}
+
+/* Every format onto a disk of four pages that another file has filled. */
+static void check_real_disk(const char *before) {
+    char command[2048];
+    snprintf(command, sizeof command,
+             "unshare -rm sh -c 'mount -t tmpfs -o size=16k none %s || exit 1; "
+             "head -c 1M /dev/zero >%s/other; %s "
+             "for e in exr tif pfm hdr png jpg webp bmp tga gif jp2 ppm dpx; do "
+             "%s compare %s %s -o %s/heat.$e >/dev/null; echo $?; done; ls -A %s'",
+             folder, folder, before, binary_path(), scratch("a.exr"), scratch("b.exr"), folder,
+             folder);
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+    printf("%s", output);
+    int refused = 0;
+    for (const char *at = output; (at = strstr(at, ": No space left on device\n1\n")); at++)
+        refused++;
+    assert_int_equal(refused, 13);
+    assert_null(strstr(output, "\n0\n"));
+    assert_non_null(strstr(output, "\n1\nother\n"));
+}
+
+/* Without /proc a file must have a name from the start, as on file systems that know no other. */
+static void test_real_disk(void **state) {
+    (void)state;
+    char command[1024];
+    make_folder();
+    write_pictures();
+    snprintf(command, sizeof command, "unshare -rm mount -t tmpfs none %s", folder);
+    if (run_command(command, output, sizeof output) != 0) {
+        printf("    no disk can be mounted here: %s", output);
+        skip();
+    }
+    check_real_disk("");
+    check_real_disk("mount -t tmpfs none /proc;");
+}
+
+/* The tool that makes our scenes. */
+static void test_scenes(void **state) {
+    (void)state;
+    char command[1024];
+    const char *build = getenv("MANYLIGHT_BUILD");
+    make_folder();
+    snprintf(command, sizeof command, "ulimit -f 0; trap '' XFSZ; exec %s/scenes/make_scenes %s",
+             build ? build : "build", folder);
+    assert_int_not_equal(run_command(command, output, sizeof output), 0);
+    printf("    %s", output);
+    snprintf(command, sizeof command, "find %s -type f", folder);
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+    assert_string_equal(output, "");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_stdout),  cmocka_unit_test(test_closed_streams),
+        cmocka_unit_test(test_writers), cmocka_unit_test(test_real_disk),
+        cmocka_unit_test(test_scenes),
+    };
+    return cmocka_run_group_tests_name("full disk", tests, NULL, NULL);
+}
