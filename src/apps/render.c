@@ -63,7 +63,7 @@ static const struct option options[] = {
     {"stats", 0, OPTION_FLAG, offsetof(struct values, stats),
      .help = "print faces, lights, memory and time per pass"},
     {"glsl", 0, OPTION_TEXT, offsetof(struct values, glsl), .value_name = "DIR",
-     .help = "read the shaders from this folder, not from the binary"},
+     .help = "read the shaders from this folder, a glsl/ with src/ beside it, not from the binary"},
     CONTEXT_OPTIONS(struct values, context),
     {NULL},
 };

@@ -41,7 +41,9 @@ static const struct option options[] = {
     {"screenshot", 0, OPTION_TEXT, offsetof(struct values, screenshot), .value_name = "FILE",
      .help = "write the picture after --frames (or the first) and end"},
     {"glsl", 0, OPTION_TEXT, offsetof(struct values, glsl), .value_name = "DIR",
-     .help = "read the shaders from this folder, not from the binary; F5 reads them again"},
+     .help =
+         "read the shaders from this folder, a glsl/ with src/ beside it, not from the binary; F5\n"
+         "reads them again"},
     {"gl-debug", 0, OPTION_FLAG, offsetof(struct values, debug),
      .help = "a debug context: OpenGL's messages go to stderr"},
     {NULL},
