@@ -9,8 +9,8 @@
 #include <cglm/cglm.h>
 #include <stdlib.h>
 
-/* Larger than life, as the room is; turned so that its head comes towards the camera. Decimation
- * may have pushed a sole a hair below the floor. */
+/* Larger than life, as the room is; turned so that its head comes towards the camera. A sole
+ * reaches a hair below the floor. */
 static void place(struct surface *surface) {
     const float scale = 1.62f, turn = glm_rad(28.0f), c = cosf(turn), s = sinf(turn);
     for (uint32_t i = 0; i < surface->vertex_count; i++) {

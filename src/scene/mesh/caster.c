@@ -198,7 +198,9 @@ void caster_init(struct caster *caster, const struct geometry *geometry,
     while (max_edge < least)
         max_edge *= 2;
     uint32_t *moved_to =
-        error > 0 ? simplify_vertices(geometry, &(struct simplify_desc){error, max_edge}) : NULL;
+        error > 0 ? simplify_geometry(geometry,
+                                      &(struct simplify_desc){.error = error, .max_edge = max_edge})
+                  : NULL;
     while (!try_bound(caster, geometry, moved_to, max_edge)) {
         caster_free(caster);
         max_edge *= 2;

@@ -14,7 +14,7 @@ static const float part_fraction = 0.0025F;
 static const float border_weight = 10;
 
 /* In one collapse no triangle turns by more than this cosine. */
-static const float least_cosine = 0.2F;
+static const float least_cosine = 0.4F;
 
 /* Casters may fall back behind what they stand for, but in one collapse come before the vertex that
  * it takes away by no more than this much of the error. */
@@ -34,18 +34,18 @@ struct quadric {
     double b[3], c, weight;
 };
 
-/* One part; its vertices are counted from its first. */
 struct patch {
     float (*position)[3];
     const bool *locked;
     uint32_t (*triangles)[3];
     struct quadric *quadrics; /* of each vertex: the surface that it stands for */
     uint32_t vertex_count, triangle_count;
+    uint32_t left;            /* triangles that are not flat */
     uint32_t *first, *around; /* the triangles of vertex v: around[first[v]] .. [first[v + 1]] */
     struct collapse *best;    /* of each vertex */
     bool *touched;            /* by a collapse of this pass */
     uint32_t *moved_to;
-    float error, max_edge;
+    struct simplify_desc desc;
 };
 
 struct collapse {
@@ -179,8 +179,8 @@ static bool may_move(const struct patch *patch, const uint32_t triangle[3], uint
     vec3 left;
     glm_vec3_sub(patch->position[from], p, left);
     return glm_vec3_dot(old, made) > cosine &&
-           glm_vec3_dot(left, made) >= -advance * patch->error * glm_vec3_norm(made) &&
-           fmaxf(glm_vec3_distance(end, p), glm_vec3_distance(end, q)) <= patch->max_edge;
+           glm_vec3_dot(left, made) >= -advance * patch->desc.error * glm_vec3_norm(made) &&
+           fmaxf(glm_vec3_distance(end, p), glm_vec3_distance(end, q)) <= patch->desc.max_edge;
 }
 
 static bool all_may_move(const struct patch *patch, uint32_t from, uint32_t to) {
@@ -207,19 +207,21 @@ static int count_border(const struct ring *ring) {
 static struct collapse best_collapse(const struct patch *patch, uint32_t from) {
     struct collapse best = {from, none, INFINITY};
     struct ring ring;
-    if (patch->locked[from] || !list_ring(patch, from, &ring))
+    if ((patch->locked && patch->locked[from]) || !list_ring(patch, from, &ring))
         return best;
     int border = count_border(&ring);
     if (border != 0 && border != 2)
         return best;
+    /* In sum, so that what stands for little goes first. */
+    float sum = sqrtf((float)patch->quadrics[from].weight);
     for (int i = 0; i < ring.count; i++) {
         uint32_t to = ring.items[i].vertex;
         if (border && ring.items[i].triangles != 1)
             continue;
         float strayed = quadric_distance(&patch->quadrics[from], patch->position[to]);
-        float order =
-            strayed + length_weight * glm_vec3_distance(patch->position[from], patch->position[to]);
-        if (strayed <= patch->error && order < best.order && all_may_move(patch, from, to) &&
+        float length = glm_vec3_distance(patch->position[from], patch->position[to]);
+        float order = sum * (strayed + length_weight * length);
+        if (strayed <= patch->desc.error && order < best.order && all_may_move(patch, from, to) &&
             keeps_topology(patch, &ring, &ring.items[i]))
             best = (struct collapse){from, to, order};
     }
@@ -235,6 +237,10 @@ static int compare_order(const void *a, const void *b) {
     return x->from < y->from ? -1 : x->from > y->from;
 }
 
+static bool is_flat(const uint32_t triangle[3]) {
+    return triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
+}
+
 static void apply(struct patch *patch, const struct collapse *collapse) {
     for (uint32_t i = patch->first[collapse->from]; i < patch->first[collapse->from + 1]; i++) {
         uint32_t *triangle = patch->triangles[patch->around[i]];
@@ -243,13 +249,10 @@ static void apply(struct patch *patch, const struct collapse *collapse) {
         for (int c = 0; c < 3; c++)
             if (triangle[c] == collapse->from)
                 triangle[c] = collapse->to;
+        patch->left -= is_flat(triangle);
     }
     add_quadric(&patch->quadrics[collapse->to], &patch->quadrics[collapse->from]);
     patch->moved_to[collapse->from] = collapse->to;
-}
-
-static bool is_flat(const uint32_t triangle[3]) {
-    return triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
 }
 
 static void drop_flat(struct patch *patch) {
@@ -257,7 +260,7 @@ static void drop_flat(struct patch *patch) {
     for (uint32_t t = 0; t < patch->triangle_count; t++)
         if (!is_flat(patch->triangles[t]))
             memmove(patch->triangles[count++], patch->triangles[t], sizeof *patch->triangles);
-    patch->triangle_count = count;
+    patch->triangle_count = patch->left = count;
 }
 
 /* Looks again where the last pass has changed something. */
@@ -273,17 +276,18 @@ static uint32_t list_collapses(struct patch *patch, struct collapse *list) {
     return count;
 }
 
-/* The cheaper half of what there is, but for what touches another. False when there is nothing. */
+/* The cheaper half of what there is, but for what touches another. False when there is nothing, or
+ * the triangles are few enough. */
 static bool collapse_some(struct patch *patch, struct collapse *list) {
     find_around(patch);
     uint32_t count = list_collapses(patch, list);
     qsort(list, count, sizeof *list, compare_order);
     memset(patch->touched, 0, patch->vertex_count);
-    for (uint32_t i = 0; i < (count + 1) / 2; i++)
+    for (uint32_t i = 0; i < (count + 1) / 2 && patch->left > patch->desc.triangle_count; i++)
         if (!patch->touched[list[i].from] && !patch->touched[list[i].to])
             apply(patch, &list[i]);
     drop_flat(patch);
-    return count > 0;
+    return count > 0 && patch->left > patch->desc.triangle_count;
 }
 
 /* A border is held by a plane through each of its edges, upright on the triangle. */
@@ -321,14 +325,12 @@ static void make_quadrics(struct patch *patch) {
     }
 }
 
-static void patch_init(struct patch *patch, const struct geometry *geometry,
-                       const struct geometry_part *part, const struct simplify_desc *desc,
-                       const struct weld *weld) {
-    uint32_t vertices = part->vertex_count, triangles = part->index_count / 3;
-    float diagonal = glm_vec3_distance((float *)part->bounds_min, (float *)part->bounds_max);
+static void patch_init(struct patch *patch, const struct simplify_mesh *mesh,
+                       const struct simplify_desc *desc, uint32_t *moved_to) {
+    uint32_t vertices = mesh->vertex_count, triangles = mesh->index_count / 3;
     *patch = (struct patch){
-        .position = geometry->position + part->first_vertex,
-        .locked = weld->shared + part->first_vertex,
+        .position = mesh->position,
+        .locked = mesh->locked,
         .triangles = mem_alloc(triangles, sizeof *patch->triangles),
         .quadrics = mem_alloc(vertices, sizeof *patch->quadrics),
         .vertex_count = vertices,
@@ -337,16 +339,13 @@ static void patch_init(struct patch *patch, const struct geometry *geometry,
         .around = mem_alloc((size_t)triangles * 3, sizeof *patch->around),
         .best = mem_alloc(vertices, sizeof *patch->best),
         .touched = mem_alloc(vertices, sizeof *patch->touched),
-        .moved_to = mem_alloc(vertices, sizeof *patch->moved_to),
-        .error = fminf(desc->error, part_fraction * diagonal),
-        .max_edge = desc->max_edge,
+        .moved_to = moved_to,
+        .desc = *desc,
     };
     memset(patch->touched, true, vertices);
     for (uint32_t v = 0; v < vertices; v++)
-        patch->moved_to[v] = weld->first[part->first_vertex + v] - part->first_vertex;
-    for (uint32_t k = 0; k < triangles * 3; k++)
-        patch->triangles[k / 3][k % 3] =
-            patch->moved_to[geometry->indices[part->first_index + k] - part->first_vertex];
+        moved_to[v] = v;
+    memcpy(patch->triangles, mesh->indices, triangles * sizeof *patch->triangles);
     drop_flat(patch);
     make_quadrics(patch);
 }
@@ -358,28 +357,46 @@ static void patch_free(struct patch *patch) {
     free(patch->around);
     free(patch->best);
     free(patch->touched);
-    free(patch->moved_to);
 }
 
-static void simplify_part(const struct geometry *geometry, const struct geometry_part *part,
-                          const struct simplify_desc *desc, const struct weld *weld,
-                          uint32_t *moved_to) {
+void simplify_mesh(const struct simplify_mesh *mesh, const struct simplify_desc *desc,
+                   uint32_t *moved_to) {
     struct patch patch;
-    patch_init(&patch, geometry, part, desc, weld);
-    struct collapse *list = mem_alloc(part->vertex_count, sizeof *list);
+    patch_init(&patch, mesh, desc, moved_to);
+    struct collapse *list = mem_alloc(mesh->vertex_count, sizeof *list);
     while (collapse_some(&patch, list))
         ;
-    for (uint32_t v = 0; v < part->vertex_count; v++) {
-        uint32_t to = v;
-        while (patch.moved_to[to] != to)
-            to = patch.moved_to[to];
-        moved_to[part->first_vertex + v] = part->first_vertex + to;
-    }
+    for (uint32_t v = 0; v < mesh->vertex_count; v++)
+        while (moved_to[moved_to[v]] != moved_to[v])
+            moved_to[v] = moved_to[moved_to[v]];
     free(list);
     patch_free(&patch);
 }
 
-uint32_t *simplify_vertices(const struct geometry *geometry, const struct simplify_desc *desc) {
+/* --- geometry --------------------------------------------------------------------------------- */
+
+/* With vertices counted from the part's first, and welded. */
+static void simplify_part(const struct geometry *geometry, const struct geometry_part *part,
+                          const struct simplify_desc *desc, const struct weld *weld,
+                          uint32_t *moved_to) {
+    uint32_t base = part->first_vertex, count = part->vertex_count;
+    uint32_t *indices = mem_alloc(part->index_count, sizeof *indices);
+    uint32_t *moved = mem_alloc(count, sizeof *moved);
+    for (uint32_t k = 0; k < part->index_count; k++)
+        indices[k] = weld->first[geometry->indices[part->first_index + k]] - base;
+    struct simplify_mesh mesh = {geometry->position + base, indices, weld->shared + base, count,
+                                 part->index_count};
+    float diagonal = glm_vec3_distance((float *)part->bounds_min, (float *)part->bounds_max);
+    struct simplify_desc own = *desc;
+    own.error = fminf(desc->error, part_fraction * diagonal);
+    simplify_mesh(&mesh, &own, moved);
+    for (uint32_t v = 0; v < count; v++)
+        moved_to[base + v] = base + moved[weld->first[base + v] - base];
+    free(indices);
+    free(moved);
+}
+
+uint32_t *simplify_geometry(const struct geometry *geometry, const struct simplify_desc *desc) {
     uint32_t *moved_to = mem_alloc(geometry->vertex_count, sizeof *moved_to);
     for (uint32_t v = 0; v < geometry->vertex_count; v++)
         moved_to[v] = v;
