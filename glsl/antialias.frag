@@ -1,16 +1,8 @@
 // Gives each sample of the pixel to the neighbour whose surface it lies on [Chajdas et al. 2011 §3].
+#include "lib/gbuffer.glsl"
 #include "lib/picks.glsl"
-#include "lib/surface.glsl"
-#include "shared/params.h"
+#include "shared/antialias.h"
 
-layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
-    view camera;
-};
-layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
-    antialias_params params;
-};
-layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
-layout(binding = UNIT_GBUFFER_NORMAL) uniform sampler2DArray normals;
 layout(binding = UNIT_SAMPLE_DEPTH) uniform sampler2DMSArray sample_depths;
 
 layout(location = TARGET_RESULT) out uvec2 picks;
@@ -33,16 +25,15 @@ struct plane {
 };
 
 plane plane_of(ivec2 pixel) {
-    float depth = texelFetch(depths, ivec3(pixel, 0), 0).r;
-    surface s = surface_fetch(camera, depths, normals, ivec3(pixel, 0));
-    vec2 pixels = 2.0 / vec2(textureSize(depths, 0).xy);
-    bool orthographic = camera.right.w > 0.5;
-    vec3 along = vec3(dot(s.normal, camera.right.xyz) * pixels.x,
-                      dot(s.normal, camera.up.xyz) * pixels.y, length(camera.right.xyz) * pixels.x);
-    vec3 ray = (s.position - camera.origin.xyz) * (depth / camera.origin.w); // forward + aside
-    float steep = dot(s.normal, orthographic ? camera.forward.xyz : ray);
+    float depth = gbuffer_depth(pixel);
+    surface s = gbuffer_surface(pixel);
+    vec2 pixels = 2.0 / vec2(gbuffer_size());
+    vec3 along = vec3(dot(s.normal, camera.right) * pixels.x, dot(s.normal, camera.up) * pixels.y,
+                      length(camera.right) * pixels.x);
+    vec3 ray = (s.position - camera.origin) * (depth / camera.near); // forward + aside
+    float steep = dot(s.normal, camera.orthographic ? camera.forward : ray);
     steep = steep < 0.0 ? min(steep, -1e-6) : max(steep, 1e-6);
-    vec3 change = along / steep * (orthographic ? 1.0 / camera.forward.w : depth);
+    vec3 change = along / steep * (camera.orthographic ? 1.0 / camera.far : depth);
     return plane(depth, s.present ? change.xy : vec2(0.0), s.present ? abs(change.z) : 0.0);
 }
 
@@ -53,12 +44,12 @@ float off_plane(plane p, vec2 place, float depth) {
 
 // How far two depths lie from each other, over the pixel's width there.
 float apart(float a, float b) {
-    float width = 2.0 * length(camera.right.xyz) / float(textureSize(depths, 0).x);
-    return (camera.right.w > 0.5 ? abs(a - b) * camera.forward.w : abs(a / max(b, 1e-30) - 1.0)) / width;
+    float width = 2.0 * length(camera.right) / float(gbuffer_size().x);
+    return (camera.orthographic ? abs(a - b) * camera.far : abs(a / max(b, 1e-30) - 1.0)) / width;
 }
 
 void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy), last = textureSize(depths, 0).xy - 1;
+    ivec2 pixel = ivec2(gl_FragCoord.xy), last = gbuffer_size() - 1;
     plane center = plane_of(pixel);
     float depth[SAMPLES], least[SAMPLES];
     uint best[SAMPLES];

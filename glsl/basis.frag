@@ -1,9 +1,6 @@
 // Fourier bases of the map depth z, four terms at a time [Dong 2011 §5.2, §5.3.1; erratum c_k = pi (2k-1)].
-#include "shared/params.h"
+#include "shared/basis.h"
 
-layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
-    basis_params params;
-};
 layout(binding = UNIT_MAP_DEPTH) uniform sampler2DArray depths;
 
 flat in int instance;
@@ -19,7 +16,7 @@ const float PI = 3.14159265358979;
 void main() {
     float z = texelFetch(depths, ivec3(gl_FragCoord.xy, instance), 0).r;
     // c_k = pi (2k - 1) climbs by 2 pi: one sine and cosine, then turns by 2 pi z.
-    float first = PI * (2.0 * params.first_term + 1.0) * z, turn = 2.0 * PI * z;
+    float first = PI * float(2 * params.first_term + 1) * z, turn = 2.0 * PI * z;
     vec2 angle = vec2(cos(first), sin(first)), rotation = vec2(cos(turn), sin(turn));
     vec4 c, s;
     for (int k = 0; k < 4; k++) {

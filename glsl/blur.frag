@@ -2,15 +2,9 @@
 // neighbours count where they are near in space and normal. The ends have half weight, so that the window
 // holds each place of the interleaving pattern equally and is not shifted by half a pixel.
 #include "lib/blur_tap.glsl"
-#include "lib/view.glsl"
-#include "shared/params.h"
+#include "lib/camera.glsl"
+#include "shared/blur.h"
 
-layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
-    view camera;
-};
-layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
-    blur_params params;
-};
 layout(binding = UNIT_BLUR_TAPS) uniform usampler2D taps;
 
 #ifdef PACK
@@ -37,8 +31,8 @@ void main() {
     vec2 per_pixel = 2.0 / vec2(size);
     uvec4 center = texelFetch(taps, pixel, 0);
     vec3 position = tap_position(pixel, per_pixel, center), normal = blur_tap_normal(center);
-    int radius = int(params.radius), rows = int(params.radius_y);
-    ivec2 along = ivec2(params.direction.xy), across = along.yx;
+    int radius = params.radius, rows = params.rows;
+    ivec2 along = params.along, across = along.yx;
     vec4 sum = vec4(0.0);
     for (int j = -rows; j <= rows; j++)
         for (int i = -radius; i <= radius; i++) {

@@ -1,17 +1,9 @@
 // Direct light with a hard shadow map: irradiance per unit of intensity, times the squared scene
 // radius for spot and point lights, so that the number does not depend on the scene's scale.
+#include "lib/gbuffer.glsl"
 #include "lib/light.glsl"
-#include "lib/surface.glsl"
-#include "shared/params.h"
+#include "shared/direct.h"
 
-layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
-    view camera;
-};
-layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
-    direct_params params;
-};
-layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
-layout(binding = UNIT_GBUFFER_NORMAL) uniform sampler2DArray normals;
 layout(binding = UNIT_SHADOW_MAP) uniform sampler2DArray shadow_map;
 
 layout(location = TARGET_RESULT) out float direct;
@@ -19,12 +11,11 @@ layout(location = TARGET_RESULT) out float direct;
 // The four nearest texels compared, the results weighted: a hard shadow whose edge is not stepped.
 float shadow_lookup(vec3 position, vec3 normal, int layer) {
     view v = light.views[layer];
-    bool orthographic = v.right.w > 0.5;
-    float z = dot(position - v.origin.xyz, v.forward.xyz);
-    float texel = 2.0 * length(v.right.xyz) * (orthographic ? 1.0 : z) / params.shadow_size;
+    float z = dot(position - v.origin, v.forward);
+    float texel = 2.0 * length(v.right) * (v.orthographic ? 1.0 : z) / params.shadow_size;
     vec3 lifted = position + normal * (params.bias * texel);
     vec4 clip = v.world_to_clip * vec4(lifted, 1.0);
-    float lifted_z = dot(lifted - v.origin.xyz, v.forward.xyz);
+    float lifted_z = dot(lifted - v.origin, v.forward);
     vec2 at = (clip.xy / clip.w * 0.5 + 0.5) * params.shadow_size - 0.5;
     ivec2 base = ivec2(floor(at));
     vec2 weight = at - vec2(base);
@@ -40,18 +31,18 @@ float shadow_lookup(vec3 position, vec3 normal, int layer) {
 
 void main() {
     direct = 0.0;
-    surface s = surface_fetch(camera, depths, normals, ivec3(gl_FragCoord.xy, 0));
+    surface s = gbuffer_surface(ivec2(gl_FragCoord.xy));
     if (!s.present)
         return;
-    vec3 to_light = light.position.xyz - s.position;
+    vec3 to_light = light.position - s.position;
     float distance2 = dot(to_light, to_light);
-    vec3 direction = light_type() == LIGHT_TYPE_DIRECTIONAL ? light.direction.xyz
-                                                            : -to_light * inversesqrt(distance2);
+    vec3 direction = light.type == LIGHT_TYPE_DIRECTIONAL ? light.direction
+                                                          : -to_light * inversesqrt(distance2);
     float received = max(dot(s.normal, -direction), 0.0);
-    if (light_type() != LIGHT_TYPE_DIRECTIONAL)
+    if (light.type != LIGHT_TYPE_DIRECTIONAL)
         received *= light.direct_scale / distance2;
-    if (light_type() == LIGHT_TYPE_SPOT)
-        received *= light_cone(dot(direction, light.direction.xyz));
+    if (light.type == LIGHT_TYPE_SPOT)
+        received *= light_cone(dot(direction, light.direction));
     if (received > 0.0)
         direct = received * shadow_lookup(s.position, s.normal, light_view_index(direction));
 }

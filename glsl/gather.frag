@@ -2,22 +2,19 @@
 //     E = sum_i Phi_i / pi cos_i cos_x / d^2 V_C(i)(x)
 // A draw fills one tile: the pixels of one place in the interleaving pattern, which share their VPLs
 // [Segovia et al. 2006].
+#include "lib/gbuffer.glsl"
+#include "lib/interleaving.glsl"
 #include "lib/near_field.glsl"
-#include "lib/surface.glsl"
-#include "shared/params.h"
+#include "lib/visibility.glsl"
+#include "shared/gather.h"
 #include "shared/vpl.h"
+#if SHARE_VISIBILITY
+#include "lib/block.glsl"
+#endif
 
-layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
-    view camera;
-};
-layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
-    gather_params params;
-};
 layout(std140, binding = BLOCK_VPLS) uniform vpl_uniforms {
     vpl vpls[VPLS_PER_BLOCK];
 };
-layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
-layout(binding = UNIT_GBUFFER_NORMAL) uniform sampler2DArray normals;
 
 // First VPL and count within the block; the tile's place in the pattern.
 layout(location = LOCATION_SLOT) uniform ivec4 slot;
@@ -28,18 +25,13 @@ layout(location = LOCATION_FIRST_MAP) uniform int first_map;
 
 layout(location = TARGET_RESULT) out vec4 irradiance;
 
-#include "lib/visibility.glsl"
-#if SHARE_VISIBILITY
-#include "lib/block.glsl"
-#endif
-
 const float INVERSE_PI = 0.31830988618;
 
 // cos_i cos_x / d^2, bounded as the setting says: near a VPL the point light is no longer the patch
 // that it stands for.
-float geometry_term(vec3 to_vpl, vec3 normal, vec4 vpl_normal) {
+float geometry_term(vec3 to_vpl, vec3 normal, vpl light) {
     float distance2 = dot(to_vpl, to_vpl);
-    float cosines = max(dot(normal, to_vpl), 0.0) * max(-dot(vpl_normal.xyz, to_vpl), 0.0);
+    float cosines = max(dot(normal, to_vpl), 0.0) * max(-dot(light.normal, to_vpl), 0.0);
     if (cosines <= 0.0)
         return 0.0;
 #if CLAMP == 0
@@ -48,10 +40,10 @@ float geometry_term(vec3 to_vpl, vec3 normal, vec4 vpl_normal) {
     return min(cosines / (distance2 * distance2), params.clamp_at);
 #elif CLAMP == 2
     // The form factor of a disk of the VPL's area, facing the receiver.
-    return cosines / (distance2 * (distance2 + vpl_normal.w * INVERSE_PI));
+    return cosines / (distance2 * (distance2 + light.area * INVERSE_PI));
 #else
     // The near field comes from the reflective shadow map.
-    float far = 1.0 - near_share(distance2, vpl_normal.w, params.reach);
+    float far = 1.0 - near_share(distance2, light.area, params.reach);
     return cosines * far / (distance2 * distance2);
 #endif
 }
@@ -62,17 +54,15 @@ vec3 unshadowed(int i, surface s, out int map) {
 #if MAP_PER_VPL
     map = first_map + i;
 #else
-    map = int(light.position.w);
+    map = int(light.val);
 #endif
-    return light.flux.rgb * geometry_term(light.position.xyz - s.position, s.normal, light.normal);
+    return light.flux * geometry_term(light.position - s.position, s.normal, light);
 }
 
 void main() {
     irradiance = vec4(0.0);
-    ivec2 tile = slot.zw;
-    ivec2 origin = tile * ivec2(params.tile_width, params.tile_height);
-    ivec2 pixel = (ivec2(gl_FragCoord.xy) - origin) * int(params.interleave) + tile;
-    surface s = surface_fetch(camera, depths, normals, ivec3(pixel, 0));
+    ivec2 pixel = interleaved_pixel(params.pattern, ivec2(gl_FragCoord.xy), slot.zw);
+    surface s = gbuffer_surface(pixel);
     if (!s.present)
         return;
     vec3 sum = vec3(0.0);

@@ -19,14 +19,14 @@ layout(location = TARGET_GBUFFER_ALBEDO) out vec4 albedo_root;
 
 void main() {
     vec4 color = material.base_color * surface_color;
-    if (material.textured > 0.5)
+    if (material.textured)
         color *= texture(base_color_texture, surface_uv);
     if (color.a < material.alpha_cutoff)
         discard;
 #ifndef DEPTH_ONLY
     vec3 normal = normalize(surface_normal);
     if (!gl_FrontFacing) {
-        if (material.double_sided > 0.5)
+        if (material.double_sided)
             normal = -normal;
         else
 #ifdef LIGHT_VIEW

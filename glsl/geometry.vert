@@ -2,24 +2,15 @@
 // instance i is the i-th view. Or the camera's depth alone, for antialiasing, instance i shifted by the
 // i-th part of a pixel.
 #extension GL_ARB_shader_viewport_layer_array : require
-#include "shared/light.h"
-#include "shared/params.h"
-
 #ifdef LIGHT_VIEW
-layout(std140, binding = BLOCK_LIGHT) uniform light_uniforms {
-    light_block light;
-};
+#include "lib/light.glsl"
 #define VIEW light.views[gl_InstanceID]
 #else
-layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
-    view camera;
-};
+#include "lib/camera.glsl"
 #define VIEW camera
 #endif
 #ifdef SAMPLE_LAYERS
-layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
-    antialias_params params;
-};
+#include "shared/antialias.h"
 #endif
 
 layout(location = ATTRIBUTE_POSITION) in vec3 position;

@@ -1,10 +1,7 @@
 // A VAL as its bounding rectangle and its normal: instance k, five lines of two triangles each.
+#include "lib/map_views.glsl"
 #include "lib/mark.glsl"
-#include "lib/paraboloid.glsl"
 
-layout(std140, binding = BLOCK_MAPS) uniform map_uniforms {
-    map_view views[MAP_VIEWS_MAX];
-};
 layout(binding = UNIT_VAL_EXTREMES) uniform sampler2D val_extremes;
 layout(binding = UNIT_VAL_POSITION) uniform sampler2D val_positions; // w: count
 
@@ -13,10 +10,10 @@ flat out float strength;
 noperspective out float across; // pixels from the line's middle
 
 vec4 corner(map_view v, vec4 extremes, int i) {
-    vec3 bitangent = cross(v.axis.xyz, v.tangent.xyz);
+    vec3 bitangent = cross(v.axis, v.tangent);
     float s = i == 0 || i == 3 ? -extremes.z : extremes.x;
     float t = i < 2 ? -extremes.w : extremes.y;
-    return camera.world_to_clip * vec4(v.center.xyz + s * v.tangent.xyz + t * bitangent, 1.0);
+    return camera.world_to_clip * vec4(v.center + s * v.tangent + t * bitangent, 1.0);
 }
 
 void main() {
@@ -25,20 +22,19 @@ void main() {
     vec4 extremes = texelFetch(val_extremes, ivec2(k, 0), 0);
     vec4 from = corner(v, extremes, segment), to = corner(v, extremes, (segment + 1) % 4);
     if (segment == 4) {
-        from = camera.world_to_clip * vec4(v.center.xyz, 1.0);
-        to = camera.world_to_clip * vec4(v.center.xyz + v.axis.xyz * params.normal_length, 1.0);
+        from = camera.world_to_clip * vec4(v.center, 1.0);
+        to = camera.world_to_clip * vec4(v.center + v.axis * params.normal_length, 1.0);
     }
-    vec2 size = vec2(params.width, params.height);
-    vec2 along = (to.xy / to.w - from.xy / from.w) * size;
+    vec2 along = (to.xy / to.w - from.xy / from.w) * params.picture;
     vec2 aside = vec2(-along.y, along.x) / max(length(along), 1e-6);
     // Corners 0 1 2, 2 1 3 of the strip.
     int index = place < 3 ? place : place == 3 ? 2 : place - 3;
     if (place == 5)
         index = 3;
     float side = index % 2 == 0 ? -1.0 : 1.0;
-    float half_width = 0.5 * params.size * (k == int(params.chosen) ? 1.6 : 1.0) + 1.0;
+    float half_width = 0.5 * params.size * (k == params.chosen ? 1.6 : 1.0) + 1.0;
     gl_Position = index < 2 ? from : to;
-    gl_Position.xy += aside * side * half_width * 2.0 / size * gl_Position.w;
+    gl_Position.xy += aside * side * half_width * 2.0 / params.picture * gl_Position.w;
     across = side * half_width;
     mark_color = cluster_color(k);
     strength = cluster_strength(k);

@@ -3,24 +3,17 @@
 // log-polar, so that a corner is resolved at every distance. Unoccluded.
 //     E = 1/n sum_j  rho I / pi  cos cos / d^2  near(d)  dw_j
 // A draw fills one tile, whose pixels share their samples, as in the gather.
+#include "lib/gbuffer.glsl"
+#include "lib/interleaving.glsl"
 #include "lib/light.glsl"
 #include "lib/near_field.glsl"
 #include "lib/near_light.glsl"
-#include "lib/surface.glsl"
-#include "shared/params.h"
+#include "shared/near_field.h"
 #include "shared/vpl.h"
 
-layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
-    view camera;
-};
-layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
-    near_field_params params;
-};
 layout(std140, binding = BLOCK_NEAR_SAMPLES) uniform sample_uniforms {
-    vec4 samples[NEAR_SAMPLES_MAX]; // x: log radius in [0, 1], y z: unit vector
+    near_sample samples[NEAR_SAMPLES_MAX];
 };
-layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
-layout(binding = UNIT_GBUFFER_NORMAL) uniform sampler2DArray normals;
 layout(binding = UNIT_NEAR_LIGHT) uniform usampler2DArray near_lights;
 
 layout(location = LOCATION_SLOT) uniform ivec4 slot; // first sample, count, the tile's place in the pattern
@@ -42,17 +35,17 @@ int seen_by(vec3 direction) {
 // What reaches the receiver from where the light's view has the point `ndc`, per unit of ndc area and
 // spread of the view.
 vec3 sample_light(surface receiver, view v, int layer, vec2 ndc) {
-    vec3 ray = v.forward.xyz + ndc.x * v.right.xyz + ndc.y * v.up.xyz;
+    vec3 ray = v.forward + ndc.x * v.right + ndc.y * v.up;
     // Solid angle per unit of ndc area, but for the view's own spread; an area does not depend on the ray.
     float stretch = inversesqrt(dot(ray, ray));
-    float measure = v.right.w > 0.5 ? 1.0 : stretch * stretch * stretch;
+    float measure = v.orthographic ? 1.0 : stretch * stretch * stretch;
 #if LIGHT_VIEWS > 1
     // The point may lie beyond the edge of a cube's face: another face has it.
     int own = layer;
     layer = seen_by(ray);
     v = light.views[layer];
     if (layer != own) {
-        vec4 clip = v.world_to_clip * vec4(light.position.xyz + ray, 1.0);
+        vec4 clip = v.world_to_clip * vec4(light.position + ray, 1.0);
         ndc = clip.xy / clip.w;
     }
 #endif
@@ -76,33 +69,31 @@ vec3 sample_light(surface receiver, view v, int layer, vec2 ndc) {
 
 void main() {
     irradiance = vec4(0.0);
-    ivec2 tile = slot.zw;
-    ivec2 origin = tile * ivec2(params.tile_width, params.tile_height);
-    ivec2 pixel = (ivec2(gl_FragCoord.xy) - origin) * int(params.interleave) + tile;
-    surface s = surface_fetch(camera, depths, normals, ivec3(pixel, 0));
+    ivec2 pixel = interleaved_pixel(params.pattern, ivec2(gl_FragCoord.xy), slot.zw);
+    surface s = gbuffer_surface(pixel);
     if (!s.present)
         return;
-    int layer = seen_by(s.position - light.position.xyz);
+    int layer = seen_by(s.position - light.position);
     view v = light.views[layer];
     vec4 clip = v.world_to_clip * vec4(s.position, 1.0);
     if (clip.w <= 0.0)
         return;
     vec2 center = clip.xy / clip.w;
     // The reach of the widest VPL, in ndc.
-    float radius = params.reach * sqrt(params.vpl_share / VPL_COSINE_MIN) / length(v.right.xyz);
+    float radius = params.reach * sqrt(params.vpl_share / VPL_COSINE_MIN) / length(v.right);
     if (any(greaterThan(abs(center), vec2(1.0 + radius))))
         return;
-    vec2 aspect = vec2(1.0, length(v.right.xyz) / length(v.up.xyz));
+    vec2 aspect = vec2(1.0, length(v.right) / length(v.up));
     float least = 1.0 / float(textureSize(near_lights, 0).x), span = log(radius / least);
     if (span <= 0.0)
         return;
     vec3 sum = vec3(0.0);
     for (int i = slot.x; i < slot.x + slot.y; i++) {
-        float r = least * exp(span * samples[i].x);
+        float r = least * exp(span * samples[i].log_radius);
         // Log-polar density: 1 / (2 pi r^2 span) per ndc area.
-        sum += sample_light(s, v, layer, center + r * samples[i].yz * aspect) * (r * r);
+        sum += sample_light(s, v, layer, center + r * samples[i].direction * aspect) * (r * r);
     }
-    float spread = length(v.right.xyz) * length(v.up.xyz);
+    float spread = length(v.right) * length(v.up);
     float weight = 2.0 * PI * span * aspect.y * spread / float(slot.y);
     irradiance = vec4(sum * (weight / PI), 1.0);
 }

@@ -2,11 +2,10 @@
 // which it is not in this projection; but what it interpolates linearly, the local position, stays in
 // the triangle's plane. That plane, met by the pixel's true direction, gives the depth.
 #include "lib/paraboloid.glsl"
+#include "shared/paraboloid.h"
 #ifdef MASKED
 #include "shared/material.h"
 #endif
-
-layout(location = LOCATION_MAP_SIZE) uniform float map_size;
 
 in vec3 local;      // a point of the triangle's plane, in the map's frame
 flat in vec2 range; // near, z_far, metres
@@ -23,12 +22,12 @@ in vec2 surface_uv;
 void main() {
 #ifdef MASKED
     float alpha = material.base_color.a;
-    if (material.textured > 0.5)
+    if (material.textured)
         alpha *= texture(base_color_texture, surface_uv).a;
     if (alpha < material.alpha_cutoff)
         discard;
 #endif
-    vec3 direction = paraboloid_direction(gl_FragCoord.xy / map_size * 2.0 - 1.0);
+    vec3 direction = paraboloid_direction(gl_FragCoord.xy / params.map_size * 2.0 - 1.0);
     vec3 normal = cross(dFdx(local), dFdy(local));
     float facing = dot(normal, direction);
     float r = dot(normal, local) / facing;

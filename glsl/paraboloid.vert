@@ -1,11 +1,8 @@
 // Casters into the paraboloid depth maps: instance k draws map k, layer k of the array.
 #extension GL_ARB_shader_viewport_layer_array : require
+#include "lib/map_views.glsl"
 #include "lib/paraboloid.glsl"
-
-layout(std140, binding = BLOCK_MAPS) uniform map_uniforms {
-    map_view views[MAP_VIEWS_MAX];
-};
-layout(location = LOCATION_CLIP_Z) uniform float clip_z; // metres above the plane, where the map begins
+#include "shared/paraboloid.h"
 
 layout(location = ATTRIBUTE_POSITION) in vec3 position;
 #ifdef MASKED
@@ -21,17 +18,17 @@ void main() {
     map_view v = views[gl_InstanceID];
     vec3 q = paraboloid_local(v, position);
     float r = length(q);
-    gl_ClipDistance[0] = q.z - clip_z;
+    gl_ClipDistance[0] = q.z - params.clip_z;
     // Geometry around the centre would hide all the rest [Dong 2009 Fig. 7].
-    gl_ClipDistance[1] = r - v.tangent.w;
+    gl_ClipDistance[1] = r - v.near;
     // Behind the plane the projection runs off to infinity; what is there is clipped away. The farther off
     // a corner there is drawn, the farther from its true place an edge to it enters the map.
     vec3 direction = q / max(r, 1e-20);
     direction.z = max(direction.z, -0.25);
-    gl_Position = vec4(paraboloid_project(direction), r / v.center.w, 1.0);
+    gl_Position = vec4(paraboloid_project(direction), r / v.z_far, 1.0);
     gl_Layer = gl_InstanceID;
     local = q;
-    range = vec2(v.tangent.w, v.center.w);
+    range = vec2(v.near, v.z_far);
 #ifdef MASKED
     surface_uv = uv;
 #endif

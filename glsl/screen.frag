@@ -1,10 +1,7 @@
 // Pictures in the window: left of the split one, right of it the other. A picture of another size than
 // its place is interpolated; one of the same size is copied bit by bit.
-#include "shared/params.h"
+#include "shared/screen.h"
 
-layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
-    screen_params params;
-};
 layout(binding = UNIT_LEFT_PICTURE) uniform sampler2D left_picture;
 layout(binding = UNIT_RIGHT_PICTURE) uniform sampler2D right_picture;
 
@@ -23,14 +20,13 @@ vec4 lookup(sampler2D picture, vec2 place) {
 }
 
 vec4 show(sampler2D picture) {
-    vec2 pixel = gl_FragCoord.xy - vec2(params.x, params.y);
-    vec2 place = vec2(params.width, params.height);
-    if (textureSize(picture, 0) == ivec2(place))
+    vec2 pixel = gl_FragCoord.xy - params.corner;
+    if (textureSize(picture, 0) == ivec2(params.size))
         return texelFetch(picture, ivec2(pixel), 0);
-    return lookup(picture, pixel / place);
+    return lookup(picture, pixel / params.size);
 }
 
 void main() {
-    float x = (gl_FragCoord.x - params.x) / params.width;
+    float x = (gl_FragCoord.x - params.corner.x) / params.size.x;
     color = vec4((x < params.split ? show(left_picture) : show(right_picture)).rgb, 1.0);
 }

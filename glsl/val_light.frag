@@ -1,32 +1,25 @@
 // What the VALs do at each pixel, each taken for one light in its centre: the strongest one's colour,
 // and which share of the light of all of them arrives.
 #include "lib/cluster_color.glsl"
-#include "lib/surface.glsl"
-#include "shared/params.h"
+#include "lib/gbuffer.glsl"
+#include "lib/visibility.glsl"
 
-layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
-    view camera;
-};
-layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
-layout(binding = UNIT_GBUFFER_NORMAL) uniform sampler2DArray normals;
 layout(binding = UNIT_VAL_FLUX) uniform sampler2D val_fluxes;
 
 layout(location = TARGET_RESULT) out vec4 strongest_and_share;
 
-#include "lib/visibility.glsl"
-
 // Irradiance from VAL k where nothing is between: the form factor of a disk of its area, facing the
 // surface.
 float unshadowed(int k, surface s) {
-    vec3 to_val = views[k].center.xyz - s.position, flux = texelFetch(val_fluxes, ivec2(k, 0), 0).rgb;
-    float distance2 = dot(to_val, to_val), extent = views[k].axis.w;
-    float cosines = max(dot(s.normal, to_val), 0.0) * max(-dot(views[k].axis.xyz, to_val), 0.0);
+    vec3 to_val = views[k].center - s.position, flux = texelFetch(val_fluxes, ivec2(k, 0), 0).rgb;
+    float distance2 = dot(to_val, to_val), extent = views[k].extent;
+    float cosines = max(dot(s.normal, to_val), 0.0) * max(-dot(views[k].axis, to_val), 0.0);
     return dot(flux, vec3(1.0)) * cosines / max(distance2 * (distance2 + extent * extent / 3.14159265), 1e-30);
 }
 
 void main() {
     strongest_and_share = vec4(0.0);
-    surface s = surface_fetch(camera, depths, normals, ivec3(gl_FragCoord.xy, 0));
+    surface s = gbuffer_surface(ivec2(gl_FragCoord.xy));
     if (!s.present)
         return;
     float most = 0.0, sum = 0.0, arriving = 0.0;

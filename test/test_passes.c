@@ -60,11 +60,11 @@ static void close_vals(struct frame_of_vals *frame) {
 }
 
 static bool emits(const struct vpl *vpl) {
-    return vpl->flux[3] > 0;
+    return vpl->emits > 0;
 }
 
 static int val_of(const struct vpl *vpl) {
-    return (int)vpl->position[3];
+    return (int)vpl->val;
 }
 
 /* --- k-means ---------------------------------------------------------------------------------- */
@@ -249,7 +249,7 @@ static void test_views(void **state) {
     for (int k = 0; k < frame.val_count; k++) {
         const struct map_view *view = &frame.views[k];
         double extent = extent_of(&frame, k);
-        extents = fmax(extents, fabs((double)view->axis[3] - extent));
+        extents = fmax(extents, fabs((double)view->extent - extent));
         centers =
             fmax(centers, (double)glm_vec3_distance((float *)view->center, frame.positions[k]));
         axes = fmax(axes, (double)glm_vec3_distance((float *)view->axis, frame.normals[k]));
@@ -257,7 +257,7 @@ static void test_views(void **state) {
             fmax(frames, fabs((double)glm_vec3_dot((float *)view->axis, (float *)view->tangent)));
         frames = fmax(frames, fabs((double)glm_vec3_norm((float *)view->tangent) - 1));
         double range = (double)frame.outputs.depth_maps->depth_range;
-        ranges = fmax(ranges, fabs((double)view->center[3] * range /
+        ranges = fmax(ranges, fabs((double)view->z_far * range /
                                        farthest_corner(&frame.stage.geometry, view->center) -
                                    1));
     }
@@ -316,7 +316,7 @@ static void compare_map(const struct frame_of_vals *frame, const struct rays *ra
     const struct depth_maps *maps = frame->outputs.depth_maps;
     const struct map_view *view = &frame->views[k];
     float *depths = read_layer(&maps->depth, 0, k, GL_DEPTH_COMPONENT);
-    float near = view->tangent[3];
+    float near = view->near;
     for (int y = 0; y < maps->size; y += 3)
         for (int x = 0; x < maps->size; x += 3) {
             vec3s direction;
@@ -327,7 +327,7 @@ static void compare_map(const struct frame_of_vals *frame, const struct rays *ra
             vec3s from = glms_vec3_muladds(direction, near, to_vec3s(view->center));
             float depth = maps->depth_range;
             if (ray_scene_hit(&rays->scene, from, direction, &hit))
-                depth = glms_vec3_distance(hit.position, to_vec3s(view->center)) / view->center[3];
+                depth = glms_vec3_distance(hit.position, to_vec3s(view->center)) / view->z_far;
             (*count)++;
             *wrong += fabsf(depths[y * maps->size + x] - depth) > .01f;
         }

@@ -238,9 +238,9 @@ static int least_vals(const char *start) {
         bool used[13] = {false};
         int count = 0;
         for (int i = 0; i < 256; i++) {
-            bool *val = &used[(int)vpls[i].position[3]];
-            count += vpls[i].flux[3] > 0 && !*val;
-            *val |= vpls[i].flux[3] > 0;
+            bool *val = &used[(int)vpls[i].val];
+            count += vpls[i].emits > 0 && !*val;
+            *val |= vpls[i].emits > 0;
         }
         least = count < least ? count : least;
         free(vpls);

@@ -36,7 +36,8 @@ static struct vpl trace_vpl(const struct world *world, const struct emission *em
     float flux = hit.albedo.x * intensity * emission->sources[0].solid_angle / (float)count;
     return (struct vpl){.position = {p[0], p[1], p[2]},
                         .normal = {n[0], n[1], n[2]},
-                        .flux = {flux, flux, flux, 1}};
+                        .flux = {flux, flux, flux},
+                        .emits = 1};
 }
 
 static struct vpl *trace_vpls(struct world *world, int count) {
@@ -86,8 +87,11 @@ static void test_one_vpl(void **state) {
     add_rectangle(&world, 0, (vec3s){{-2, 0.25f, 3}}, (vec3s){{2.5f, 0, 0}}, (vec3s){{0, 0, -5}});
     world_finish(&world);
     look_down(&world, 0, 0, 1, 0.2f); /* from below the rectangle */
-    struct vpl vpl = {
-        .position = {0.5f, 0.5f, 0.5f}, .normal = {0, -1, 0, 0.3f}, .flux = {2, 1, 0, 1}};
+    struct vpl vpl = {.position = {0.5f, 0.5f, 0.5f},
+                      .normal = {0, -1, 0},
+                      .area = 0.3f,
+                      .flux = {2, 1, 0},
+                      .emits = 1};
     struct vpl_sum_desc desc = sum_desc(&world, &vpl, 1, 4);
     desc.emitters.count = 0;
     /* At the pixel whose centre is (5/8, 5/8); cos = height / d at both ends. */
@@ -114,7 +118,7 @@ static void test_one_vpl(void **state) {
                    1e-5);
         image_free(&image);
     }
-    vpl.flux[3] = 0;
+    vpl.emits = 0;
     struct image image;
     check_ok("sum", vpl_sum_render(&desc, &image));
     check_near("a sample that met nothing", mean_of(&image, CHANNEL_INDIRECT), 0, 0);

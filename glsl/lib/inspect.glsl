@@ -1,9 +1,5 @@
 // Where a pixel of an inspected buffer's picture lies: one layer pixel by pixel, or a sheet of many.
-#include "shared/params.h"
-
-layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
-    inspect_params params;
-};
+#include "shared/inspect.h"
 
 struct inspected {
     bool present;
@@ -14,20 +10,20 @@ struct inspected {
 inspected inspect_place(vec2 picture_size) {
     inspected at;
     vec2 pixel = gl_FragCoord.xy;
-    if (params.cell_width == 0.0) {
+    if (params.cell.x == 0.0) {
         at.present = true;
-        at.layer = int(params.first_layer);
+        at.layer = params.first_layer;
         at.place = pixel / picture_size;
         return at;
     }
     // The first layer is at the top left.
-    vec2 step = vec2(params.cell_width, params.cell_height);
-    vec2 cell = floor(pixel / step), inside = pixel - cell * step;
-    int row = int(params.rows) - 1 - int(cell.y);
-    int index = row * int(params.columns) + int(cell.x);
-    at.layer = int(params.first_layer) + index;
-    at.place = (inside - 0.5 * params.gap) / (step - params.gap);
-    at.present = row >= 0 && cell.x < params.columns && index < int(params.layer_count) &&
+    ivec2 cell = ivec2(floor(pixel / params.cell));
+    vec2 inside = pixel - vec2(cell) * params.cell;
+    int row = params.rows - 1 - cell.y;
+    int index = row * params.columns + cell.x;
+    at.layer = params.first_layer + index;
+    at.place = (inside - 0.5 * params.gap) / (params.cell - params.gap);
+    at.present = row >= 0 && cell.x < params.columns && index < params.layer_count &&
                  all(greaterThanEqual(at.place, vec2(0.0))) && all(lessThan(at.place, vec2(1.0)));
     return at;
 }

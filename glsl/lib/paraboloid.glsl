@@ -3,19 +3,19 @@
 
 // A world vector in the view's own frame: z along the axis.
 vec3 paraboloid_rotate(map_view v, vec3 w) {
-    vec3 bitangent = cross(v.axis.xyz, v.tangent.xyz);
-    return vec3(dot(w, v.tangent.xyz), dot(w, bitangent), dot(w, v.axis.xyz));
+    vec3 bitangent = cross(v.axis, v.tangent);
+    return vec3(dot(w, v.tangent), dot(w, bitangent), dot(w, v.axis));
 }
 
 vec3 paraboloid_local(map_view v, vec3 position) {
-    return paraboloid_rotate(v, position - v.center.xyz);
+    return paraboloid_rotate(v, position - v.center);
 }
 
 // The local place of a receiver, lifted off its surface by so many of the map's texels, as wide as they
 // are at its distance: a surface must not shadow itself where a texel of it is deeper than its middle.
 // A texel in the middle of the map spans 4 / size radians.
 vec3 paraboloid_receiver(map_view v, vec3 position, vec3 normal, float texels, float map_size) {
-    float texel = 4.0 / map_size * distance(position, v.center.xyz);
+    float texel = 4.0 / map_size * distance(position, v.center);
     return paraboloid_local(v, position + normal * (texels * texel));
 }
 

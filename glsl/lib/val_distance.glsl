@@ -1,10 +1,7 @@
 // The clustering criterion [Dong 2009 §5.1]: d = w_x |x - c| + w_alpha angle(n, m). The weights come
 // with the scene's radius and with pi divided out, so that they do not depend on units.
-#include "shared/params.h"
+#include "shared/cluster.h"
 
-layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
-    cluster_params params;
-};
 layout(binding = UNIT_VAL_POSITION) uniform sampler2D val_positions; // xyz, count
 layout(binding = UNIT_VAL_NORMAL) uniform sampler2D val_normals;
 
@@ -17,7 +14,7 @@ float val_distance(vec3 position, vec3 normal, vec3 center, vec3 mean) {
 int nearest_val(vec3 position, vec3 normal) {
     int nearest = 0;
     float least = 1e30;
-    for (int k = 0; k < int(params.val_count); k++) {
+    for (int k = 0; k < params.val_count; k++) {
         vec3 center = texelFetch(val_positions, ivec2(k, 0), 0).xyz;
         vec3 mean = texelFetch(val_normals, ivec2(k, 0), 0).xyz;
         float d = val_distance(position, normal, center, mean);
@@ -31,5 +28,5 @@ int nearest_val(vec3 position, vec3 normal) {
 
 // The pixel of VAL k in a target of one row.
 vec4 val_pixel(int k) {
-    return vec4((float(k) + 0.5) / params.val_count * 2.0 - 1.0, 0.0, 0.0, 1.0);
+    return vec4((float(k) + 0.5) / float(params.val_count) * 2.0 - 1.0, 0.0, 0.0, 1.0);
 }

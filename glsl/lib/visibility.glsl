@@ -1,10 +1,9 @@
 // float visibility(int map, vec3 position, vec3 normal): which part of a map's light reaches a point of a
 // surface. VISIBILITY picks the file, as enum visibility_lookup.
+#include "lib/map_views.glsl"
 #include "lib/paraboloid.glsl"
+#include "shared/visibility.h"
 
-layout(std140, binding = BLOCK_MAPS) uniform map_uniforms {
-    map_view views[MAP_VIEWS_MAX];
-};
 layout(std140, binding = BLOCK_VISIBILITY) uniform visibility_uniforms {
     visibility_params lookup;
 };

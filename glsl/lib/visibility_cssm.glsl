@@ -74,7 +74,7 @@ float visibility(int map, vec3 position, vec3 normal) {
     float r = length(q);
     vec3 direction = q / r;
     vec2 p = paraboloid_project(direction), uv = p * 0.5 + 0.5;
-    float d = r / v.center.w, extent = v.axis.w / v.center.w;
+    float d = r / v.z_far, extent = v.extent / v.z_far;
 
     // The first filter: the VAL's own solid angle seen from the receiver.
     float initial = extent * sqrt(max(direction.z, 0.05)) / d;

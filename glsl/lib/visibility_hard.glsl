@@ -6,5 +6,5 @@ float visibility(int map, vec3 position, vec3 normal) {
     if (q.z <= 0.0)
         return 1.0; // the map knows nothing there [Dong 2009 Fig. 7]
     vec2 uv = paraboloid_project(normalize(q)) * 0.5 + 0.5;
-    return texel_sees(map, v.center.w, q, paraboloid_rotate(v, normal), uv) ? 1.0 : 0.0;
+    return texel_sees(map, v.z_far, q, paraboloid_rotate(v, normal), uv) ? 1.0 : 0.0;
 }

@@ -19,7 +19,7 @@ float visibility(int map, vec3 position, vec3 normal) {
     vec3 q = paraboloid_receiver(v, position, normal, lookup.bias, lookup.map_size);
     if (q.z <= 0.0)
         return 1.0;
-    float r = length(q), extent = v.axis.w * FILLED, z_far = v.center.w;
+    float r = length(q), extent = v.extent * FILLED, z_far = v.z_far;
     vec3 direction = q / r, local_normal = paraboloid_rotate(v, normal);
     vec2 p = paraboloid_project(direction), uv = p * 0.5 + 0.5;
     // An angle's half width in the map, by the Jacobian (1 + |p|^2) / 4.

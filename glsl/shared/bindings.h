@@ -75,13 +75,9 @@
 #define TARGET_VAL_FLUX 2
 
 /* Uniforms, which change from draw to draw: all else is in blocks. */
-#define LOCATION_SLOT 0        /* of an interleaving pattern */
+#define LOCATION_SLOT 0 /* of an interleaving pattern */
 #define LOCATION_SLOT_WEIGHT 1
 #define LOCATION_FIRST_MAP 2
 #define LOCATION_FIRST_LAYER 3
-#define LOCATION_VPL_COUNT 4
-#define LOCATION_CLIP_Z 5
-#define LOCATION_MAP_SIZE 6
-#define LOCATION_FROM_LIGHT 7
 
 #endif

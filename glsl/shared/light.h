@@ -12,13 +12,19 @@
 
 struct light_block {
     STRUCT(view) views[LIGHT_VIEWS_MAX];
-    vec4 intensity; /* W/sr, W/m2 for a directional light; w: solid angle in sr, area in m2 */
-    vec4 position;  /* w: type */
-    vec4 direction; /* w: number of views */
-    vec4 right;     /* with up and direction orthonormal; w: cos inner */
-    vec4 up;        /* w: cos outer */
+    vec3 intensity; /* W/sr, of a directional light W/m2 */
+    float measure;  /* what it shines into: solid angle, sr; of a directional light area, m2 */
+    vec3 position;
+    int type;       /* LIGHT_TYPE_... */
+    vec3 direction; /* with right and up orthonormal */
+    int view_count;
+    vec3 right;
+    float cos_inner;
+    vec3 up;
+    float cos_outer;
     float direct_scale; /* of the stored direct irradiance: squared scene radius, m2 */
     float unused0, unused1, unused2;
 };
+STD140_SIZE(light_block, LIGHT_VIEWS_MAX * 128 + 96)
 
 #endif

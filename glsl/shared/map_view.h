@@ -1,14 +1,19 @@
-/* The paraboloid view from a VAL (or a VPL): what its shadow map sees [Dong 2009 §4.2]. */
+/* The paraboloid view from a VAL (or a VPL): what its shadow map sees [Dong 2009 §4.2]. Transform
+ * feedback writes it (lib/map_view_output.glsl). */
 #ifndef SHARED_MAP_VIEW_H
 #define SHARED_MAP_VIEW_H
 
 #include "shared/types.h"
 
 struct map_view {
-    vec4 center;  /* metres; w: z_far, the distance at which map depth is 1 */
-    vec4 axis;    /* unit; w: extent of the light, metres; 0 for a point */
-    vec4 tangent; /* unit, perpendicular to the axis; w: near, metres */
+    vec3 center; /* metres */
+    float z_far; /* the distance at which map depth is 1, metres */
+    vec3 axis;   /* unit */
+    float extent; /* of the light, metres; 0 for a point */
+    vec3 tangent; /* unit, perpendicular to the axis */
+    float near;   /* metres */
 };
+STD140_SIZE(map_view, 48)
 
 /* Views per uniform block: 48 KiB. */
 #define MAP_VIEWS_MAX 1024

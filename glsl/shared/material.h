@@ -5,13 +5,14 @@
 
 /* glTF's factors. Light is reflected as if all were diffuse, by the base colour alone. */
 struct material_block {
-    vec4 base_color;    /* linear */
-    vec4 emission;      /* linear, W/(sr m2); w unused */
+    vec4 base_color; /* linear */
+    vec3 emission;   /* linear, W/(sr m2) */
+    float metalness;
+    float roughness;
     float alpha_cutoff; /* below it is a hole; negative: opaque */
-    float double_sided;
-    float textured;     /* has a base colour texture */
-    float metalness, roughness;
-    float unused0, unused1, unused2;
+    BOOL double_sided;
+    BOOL textured; /* has a base colour texture */
 };
+STD140_SIZE(material_block, 48)
 
 #endif

@@ -1,4 +1,6 @@
-/* Blocks that C fills and GLSL reads: std140, so only vec4, mat4 and scalars in fours. */
+/* What C fills and GLSL reads, written once. Blocks have the layout std140, in which C's structs come
+ * out alike if a vec3 begins at a multiple of 16 bytes and a scalar follows it, a vec2 at a multiple
+ * of 8, and the whole is a multiple of 16: the size is told beside each struct. */
 #ifndef SHARED_TYPES_H
 #define SHARED_TYPES_H
 
@@ -6,11 +8,21 @@
 
 #ifdef GL_core_profile
 #define STRUCT(name) name
+#define BOOL bool
 #define SHARED_FUNCTION
+#define STD140_SIZE(name, bytes)
+#define PASS_BLOCK(name, bytes)                                                                    \
+    layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {                                   \
+        name params;                                                                               \
+    };
 #else
-#include <cglm/types.h> /* vec4 and mat4 spell the same there */
+#include <assert.h>
+#include <cglm/types.h> /* vec2, vec3, vec4, ivec2 and mat4 spell the same there */
 #define STRUCT(name) struct name
+#define BOOL int
 #define SHARED_FUNCTION static inline
+#define STD140_SIZE(name, bytes) static_assert(sizeof(struct name) == (bytes), "std140: " #name);
+#define PASS_BLOCK(name, bytes) STD140_SIZE(name, bytes)
 #endif
 
 #endif

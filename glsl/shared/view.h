@@ -10,10 +10,15 @@
 
 struct view {
     mat4 world_to_clip;
-    vec4 origin;  /* w: near, metres */
-    vec4 right;   /* from the axis to the right edge at z = 1 (orthographic: at any z); w: 1 if orthographic */
-    vec4 up;      /* from the axis to the top edge; w unused */
-    vec4 forward; /* unit; w: far, metres, of an orthographic view */
+    vec3 origin;
+    float near; /* metres */
+    vec3 right; /* from the axis to the right edge at z = 1 (orthographic: at any z) */
+    BOOL orthographic;
+    vec3 up; /* from the axis to the top edge */
+    float unused;
+    vec3 forward; /* unit */
+    float far;    /* of an orthographic view, metres */
 };
+STD140_SIZE(view, 128)
 
 #endif

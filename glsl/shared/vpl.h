@@ -1,14 +1,19 @@
-/* A virtual point light, as transform feedback writes it [Dong 2009 §4]. */
+/* A virtual point light [Dong 2009 §4]. Transform feedback writes it (lib/vpl_output.glsl); it is
+ * read as a vertex (lib/vpl_input.glsl), as three texels (lib/vpl_texels.glsl) and in a block. */
 #ifndef SHARED_VPL_H
 #define SHARED_VPL_H
 
 #include "shared/types.h"
 
 struct vpl {
-    vec4 position; /* metres; w: C(i), the VAL it belongs to */
-    vec4 normal;   /* unit; w: the area it stands for, m2 */
-    vec4 flux;     /* reflected flux, W; w: 1, or 0 for a sample that met nothing */
+    vec3 position; /* metres */
+    float val;     /* C(i), the VAL it belongs to: a whole number */
+    vec3 normal;   /* unit */
+    float area;    /* that it stands for, m2 */
+    vec3 flux;     /* reflected, W */
+    float emits;   /* 1, or 0 for a sample that met nothing */
 };
+STD140_SIZE(vpl, 48)
 
 /* Where light grazes a surface, a VPL's area is that of this cosine. */
 #define VPL_COSINE_MIN 0.25

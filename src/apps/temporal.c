@@ -102,7 +102,7 @@ static double vpl_travel(const struct lights *now, const struct lights *before) 
     double sum = 0;
     int counted = 0;
     for (int i = 0; i < now->vpl_count; i++)
-        if (now->vpls[i].flux[3] > 0 && before->vpls[i].flux[3] > 0) {
+        if (now->vpls[i].emits > 0 && before->vpls[i].emits > 0) {
             sum += (double)glm_vec3_distance(now->vpls[i].position, before->vpls[i].position);
             counted++;
         }

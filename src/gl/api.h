@@ -68,7 +68,6 @@
     X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                                       \
     X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                                                       \
     X(PFNGLATTACHSHADERPROC, AttachShader)                                                         \
-    X(PFNGLTRANSFORMFEEDBACKVARYINGSPROC, TransformFeedbackVaryings)                               \
     X(PFNGLLINKPROGRAMPROC, LinkProgram)                                                           \
     X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                         \
     X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                               \

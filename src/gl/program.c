@@ -63,12 +63,6 @@ static bool attach(GLuint program, GLenum type, const struct glsl_source *source
 }
 
 static bool link(GLuint program, const struct program_desc *desc) {
-    if (desc->varyings) {
-        int count = 0;
-        while (desc->varyings[count])
-            count++;
-        gl.TransformFeedbackVaryings(program, count, desc->varyings, GL_INTERLEAVED_ATTRIBS);
-    }
     gl.LinkProgram(program);
     GLint ok;
     gl.GetProgramiv(program, GL_LINK_STATUS, &ok);
@@ -105,12 +99,10 @@ struct program_cache {
     unsigned long clock;
 };
 
-static char *make_key(const struct sources *sources, const struct program_desc *desc) {
+static char *make_key(const struct sources *sources) {
     struct text key = {0};
     for (int i = 0; i < STAGES; i++)
         text_print(&key, "%s\f", sources->files[i] ? sources->stages[i].text : "");
-    for (const char *const *varying = desc->varyings; varying && *varying; varying++)
-        text_print(&key, "%s\f", *varying);
     return key.data;
 }
 
@@ -165,7 +157,7 @@ bool program_init(GLuint *program, const struct program_desc *desc) {
     *program = 0;
     if (!load_sources(&sources, desc))
         return false;
-    char *key = make_key(&sources, desc);
+    char *key = make_key(&sources);
     struct cached *cached = find(key);
     GLuint compiled = cached ? 0 : compile(&sources, desc);
     if (compiled)

@@ -14,8 +14,7 @@
 /* File names below glsl/; NULL = no such stage. */
 struct program_desc {
     const char *vertex, *fragment, *compute;
-    const char *defines;         /* "NAME VALUE;NAME VALUE", for all stages */
-    const char *const *varyings; /* transform feedback, interleaved; null-terminated */
+    const char *defines; /* "NAME VALUE;NAME VALUE", for all stages */
 };
 
 /* Compiles and links. Error: names file and line, with the driver's message. */

@@ -9,10 +9,10 @@
 static void count(struct lights *lights) {
     bool *seen = mem_alloc((size_t)lights->val_count + 1, sizeof *seen);
     for (int i = 0; i < lights->vpl_count; i++) {
-        if (lights->vpls[i].flux[3] <= 0)
+        if (lights->vpls[i].emits <= 0)
             continue;
         lights->lit++;
-        int val = lights->val_count ? (int)lights->vpls[i].position[3] : 0;
+        int val = lights->val_count ? (int)lights->vpls[i].val : 0;
         lights->used += lights->val_count && !seen[val];
         seen[val] = true;
     }

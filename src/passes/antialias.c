@@ -3,7 +3,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/params.h"
+#include "shared/antialias.h"
 
 #include <stdio.h>
 

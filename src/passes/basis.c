@@ -3,7 +3,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/params.h"
+#include "shared/basis.h"
 
 static bool init_map(struct texture *texture, const char *label, GLenum format, int layers,
                      const struct basis_maps *maps) {
@@ -30,7 +30,7 @@ static bool init_maps(struct basis_maps *maps) {
 
 static bool init_params(struct basis_pass *pass) {
     for (int group = 0; group < pass->maps.groups; group++) {
-        struct basis_params params = {.first_term = 4 * (float)group};
+        struct basis_params params = {.first_term = 4 * group};
         if (!buffer_init(&pass->params[group], "basis parameters", sizeof params, &params))
             return false;
     }

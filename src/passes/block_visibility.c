@@ -3,7 +3,8 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/params.h"
+#include "shared/block_visibility.h"
+#include "shared/visibility.h"
 
 #include <stdlib.h>
 
@@ -38,7 +39,7 @@ static bool init_target(struct block_visibility_pass *pass) {
 bool block_visibility_pass_init(struct block_visibility_pass *pass,
                                 const struct block_visibility_desc *desc) {
     *pass = (struct block_visibility_pass){.desc = *desc, .blocks.block = desc->block};
-    struct block_params params = {.block = (float)desc->block};
+    struct block_visibility_params params = {.block = desc->block};
     if (init_program(pass) && init_target(pass) &&
         buffer_init(&pass->params, "block parameters", sizeof params, &params) &&
         buffer_init(&pass->visibility_params, "visibility parameters",
@@ -73,7 +74,6 @@ void block_visibility_pass_render(const struct block_visibility_pass *pass,
     };
     visibility_add(&state, &pass->desc.visibility, &pass->visibility_params, inputs);
     pass_begin(frame->timers, &state);
-    gl.ProgramUniform1i(pass->program, LOCATION_FIRST_LAYER, 0);
     pass_draw_fullscreen(pass->desc.visibility.map_count);
     pass_end(frame->timers);
 }

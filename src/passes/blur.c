@@ -2,7 +2,7 @@
 
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/params.h"
+#include "shared/blur.h"
 
 static bool init_programs(struct blur_pass *pass) {
     struct program_desc desc = {.vertex = "fullscreen.vert", .fragment = "blur.frag"};
@@ -47,12 +47,10 @@ static void write_params(const struct blur_pass *pass, const struct frame *frame
     float distance = pass->desc.distance * 2 * frame->radius;
     for (int axis = 0; axis < 2; axis++) {
         struct blur_params params = {
-            .interleave = (float)source->interleave,
-            .tile_width = (float)source->tile_width,
-            .tile_height = (float)source->tile_height,
-            .radius = (float)pass->desc.radius,
-            .radius_y = pass->desc.square ? (float)pass->desc.radius : 0,
-            .direction = {axis == 0, axis == 1},
+            .pattern = irradiance_pattern(source),
+            .along = {axis == 0, axis == 1},
+            .radius = pass->desc.radius,
+            .rows = pass->desc.square ? pass->desc.radius : 0,
             .distance2 = distance * distance,
             .cosine = pass->desc.cosine,
         };

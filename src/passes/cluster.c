@@ -3,8 +3,8 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "shared/cluster.h"
 #include "shared/map_view.h"
-#include "shared/params.h"
 
 #include <cglm/util.h>
 #include "shared/vpl.h"
@@ -36,8 +36,6 @@ static void free_targets(struct val_targets *targets) {
 }
 
 static bool init_programs(struct cluster_pass *pass) {
-    static const char *const vpl_varyings[] = {"vpl_position", "vpl_normal", "vpl_flux", NULL};
-    static const char *const view_varyings[] = {"view_center", "view_axis", "view_tangent", NULL};
     const struct {
         GLuint *program;
         struct program_desc desc;
@@ -46,10 +44,10 @@ static bool init_programs(struct cluster_pass *pass) {
         {&pass->scatter_program,
          {.vertex = "cluster_scatter.vert", .fragment = "cluster_scatter.frag"}},
         {&pass->divide_program, {.vertex = "fullscreen.vert", .fragment = "cluster_divide.frag"}},
-        {&pass->map_program, {.vertex = "cluster_map.vert", .varyings = vpl_varyings}},
+        {&pass->map_program, {.vertex = "cluster_map.vert"}},
         {&pass->extent_program,
          {.vertex = "cluster_extent.vert", .fragment = "cluster_extent.frag"}},
-        {&pass->views_program, {.vertex = "cluster_views.vert", .varyings = view_varyings}},
+        {&pass->views_program, {.vertex = "cluster_views.vert"}},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         if (!program_init(rows[i].program, &rows[i].desc))
@@ -100,8 +98,8 @@ static void write_params(const struct cluster_pass *pass, const struct frame *fr
     struct cluster_params params = {
         .weight_position = desc->weight_position / frame->radius,
         .weight_normal = desc->weight_normal / (float)GLM_PI,
-        .val_count = (float)desc->val_count,
-        .vpl_count = (float)desc->vpl_count,
+        .val_count = desc->val_count,
+        .vpl_count = desc->vpl_count,
         .depth_range = desc->depth_range,
         .near_clip = desc->near_clip * frame->radius,
         .reseed = desc->start == CLUSTER_START_RESEED,

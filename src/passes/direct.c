@@ -3,7 +3,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/params.h"
+#include "shared/direct.h"
 
 bool direct_pass_init(struct direct_pass *pass, const struct direct_desc *desc) {
     *pass = (struct direct_pass){.desc = *desc};

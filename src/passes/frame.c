@@ -100,6 +100,13 @@ bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum fo
     return false;
 }
 
+struct interleaving irradiance_pattern(const struct irradiance *irradiance) {
+    return (struct interleaving){
+        .tile = {irradiance->tile_width, irradiance->tile_height},
+        .n = irradiance->interleave,
+    };
+}
+
 void irradiance_free(struct irradiance *irradiance) {
     framebuffer_free(&irradiance->framebuffer);
     texture_free(&irradiance->texture);

@@ -9,6 +9,7 @@
 #include "gl/texture.h"
 #include "gl/timer.h"
 #include "scene/gpu/caster_gpu.h"
+#include "shared/interleaving.h"
 
 /* What every pass of one frame may use. */
 struct frame {
@@ -97,5 +98,8 @@ void vpl_buffer_free(struct vpl_buffer *vpls);
 bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum format, int width,
                      int height, int interleave);
 void irradiance_free(struct irradiance *irradiance);
+
+/* For shaders. */
+struct interleaving irradiance_pattern(const struct irradiance *irradiance);
 
 #endif

@@ -4,7 +4,8 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/params.h"
+#include "shared/gather.h"
+#include "shared/visibility.h"
 #include "shared/vpl.h"
 
 #include <stdlib.h>
@@ -57,15 +58,12 @@ static const float block_apart = 0.01f;
 static void write_params(const struct gather_pass *pass, const struct frame *frame,
                          const struct gather_inputs *inputs) {
     const struct gather_desc *desc = &pass->desc;
-    const struct irradiance *target = &pass->irradiance;
     struct gather_params params = {
-        .interleave = (float)target->interleave,
+        .pattern = irradiance_pattern(&pass->irradiance),
         .scale = frame->irradiance_scale,
-        .tile_width = (float)target->tile_width,
-        .tile_height = (float)target->tile_height,
         .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
         .reach = frame_near_reach(frame, inputs->vpls->count, desc->reach),
-        .block = desc->share ? (float)inputs->blocks->block : 1,
+        .block = desc->share ? inputs->blocks->block : 1,
         .block_apart = block_apart * frame->radius,
     };
     buffer_write(&pass->params, 0, sizeof params, &params);

@@ -5,7 +5,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/params.h"
+#include "shared/near_field.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,12 +17,13 @@ static int pattern_count(const struct near_field_desc *desc) {
 }
 
 static bool upload_samples(struct near_field_pass *pass) {
-    float samples[NEAR_SAMPLES_MAX][4] = {{0}};
+    struct near_sample samples[NEAR_SAMPLES_MAX];
     for (uint32_t i = 0; i < NEAR_SAMPLES_MAX; i++) {
-        samples[i][0] = (float)radical_inverse(2, i);
         double turn = 2 * acos(-1) * radical_inverse(3, i);
-        samples[i][1] = (float)cos(turn);
-        samples[i][2] = (float)sin(turn);
+        samples[i] = (struct near_sample){
+            .direction = {(float)cos(turn), (float)sin(turn)},
+            .log_radius = (float)radical_inverse(2, i),
+        };
     }
     return buffer_init(&pass->samples, "near field samples", sizeof samples, samples);
 }
@@ -75,13 +76,10 @@ void near_field_pass_free(struct near_field_pass *pass) {
     *pass = (struct near_field_pass){0};
 }
 
-/* The target is NULL for the light's own pass. */
 static void write_params(const struct near_field_pass *pass, const struct frame *frame,
-                         const struct irradiance *target) {
+                         struct interleaving pattern) {
     struct near_field_params params = {
-        .interleave = (float)pass->desc.interleave,
-        .tile_width = target ? (float)target->tile_width : 0,
-        .tile_height = target ? (float)target->tile_height : 0,
+        .pattern = pattern,
         .vpl_share = frame->light_measure / (float)pass->desc.vpl_count,
         .reach = frame_near_reach(frame, pass->desc.vpl_count, pass->desc.reach),
         .power_scale = frame->irradiance_scale / (frame->radius * frame->radius),
@@ -92,7 +90,7 @@ static void write_params(const struct near_field_pass *pass, const struct frame 
 
 void near_field_pass_render_light(const struct near_field_pass *pass, const struct frame *frame,
                                   const struct gbuffer *rsm) {
-    write_params(pass, frame, NULL);
+    write_params(pass, frame, (struct interleaving){.n = 1});
     pass_begin(frame->timers,
                &(struct pass_state){
                    .name = "near light",
@@ -105,7 +103,6 @@ void near_field_pass_render_light(const struct near_field_pass *pass, const stru
                                 {UNIT_RSM_ALBEDO, rsm->albedo.id}},
                    .blocks = {{BLOCK_LIGHT, frame->light}, {BLOCK_PASS, &pass->params}},
                });
-    gl.ProgramUniform1i(pass->light_program, LOCATION_FIRST_LAYER, 0);
     pass_draw_fullscreen(pass->desc.light_views);
     pass_end(frame->timers);
 }
@@ -113,7 +110,7 @@ void near_field_pass_render_light(const struct near_field_pass *pass, const stru
 void near_field_pass_render(const struct near_field_pass *pass, const struct frame *frame,
                             const struct gbuffer *gbuffer, const struct irradiance *irradiance) {
     int n = irradiance->interleave, patterns = pattern_count(&pass->desc);
-    write_params(pass, frame, irradiance);
+    write_params(pass, frame, irradiance_pattern(irradiance));
     pass_begin(frame->timers, &(struct pass_state){
                                   .name = "near field",
                                   .program = pass->program,

@@ -4,7 +4,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/map_view.h"
-#include "shared/params.h"
+#include "shared/paraboloid.h"
 
 #include <string.h>
 
@@ -13,7 +13,6 @@
 static const float clip_fraction = 1e-4f;
 
 bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_desc *desc) {
-    static const char *const varyings[] = {"view_center", "view_axis", "view_tangent", NULL};
     *pass = (struct paraboloid_pass){
         .desc = *desc,
         .maps = {.size = desc->size, .count = desc->count, .depth_range = desc->depth_range},
@@ -24,8 +23,7 @@ bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_
         program_init(&pass->masked_program, &(struct program_desc){.vertex = "paraboloid.vert",
                                                                    .fragment = "paraboloid.frag",
                                                                    .defines = "MASKED"}) &&
-        program_init(&pass->views_program,
-                     &(struct program_desc){.vertex = "vpl_views.vert", .varyings = varyings}) &&
+        program_init(&pass->views_program, &(struct program_desc){.vertex = "vpl_views.vert"}) &&
         texture_init(&pass->maps.depth,
                      &(struct texture_desc){
                          .label = "paraboloid depth",
@@ -40,7 +38,7 @@ bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_
             &(struct framebuffer_desc){.label = "paraboloid depth", .depth = &pass->maps.depth}) &&
         buffer_init(&pass->views.buffer, "map views", MAP_VIEWS_MAX * sizeof(struct map_view),
                     NULL) &&
-        buffer_init(&pass->params, "map parameters", sizeof(struct map_params), NULL))
+        buffer_init(&pass->params, "map parameters", sizeof(struct paraboloid_params), NULL))
         return true;
     paraboloid_pass_free(pass);
     return false;
@@ -57,15 +55,21 @@ void paraboloid_pass_free(struct paraboloid_pass *pass) {
     *pass = (struct paraboloid_pass){0};
 }
 
-void paraboloid_pass_view_vpls(struct paraboloid_pass *pass, const struct frame *frame,
-                               const struct vpl_buffer *vpls, int first, int count) {
-    struct map_params params = {
+static void write_params(const struct paraboloid_pass *pass, const struct frame *frame) {
+    struct paraboloid_params params = {
         .depth_range = pass->desc.depth_range,
         .near_clip = pass->desc.near_clip * frame->radius,
+        .clip_z = clip_fraction * frame->radius,
+        .map_size = (float)pass->maps.size,
     };
     memcpy(params.bounds_min, frame->bounds_min, sizeof frame->bounds_min);
     memcpy(params.bounds_max, frame->bounds_max, sizeof frame->bounds_max);
     buffer_write(&pass->params, 0, sizeof params, &params);
+}
+
+void paraboloid_pass_view_vpls(struct paraboloid_pass *pass, const struct frame *frame,
+                               const struct vpl_buffer *vpls, int first, int count) {
+    write_params(pass, frame);
     pass->views.count = count;
     pass_set_state(&(struct pass_state){
         .name = "depth maps",
@@ -87,18 +91,15 @@ void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct fra
         .height = pass->maps.size,
         .depth = PASS_DEPTH_LESS,
         .clip_distances = 2,
-        .blocks = {{BLOCK_MAPS, &views->buffer}},
+        .blocks = {{BLOCK_MAPS, &views->buffer}, {BLOCK_PASS, &pass->params}},
     };
+    write_params(pass, frame);
     pass_begin(frame->timers, &state);
     framebuffer_clear_depth(pass->framebuffer, pass->maps.depth_range);
-    gl.ProgramUniform1f(pass->opaque_program, LOCATION_CLIP_Z, clip_fraction * frame->radius);
-    gl.ProgramUniform1f(pass->opaque_program, LOCATION_MAP_SIZE, (float)pass->maps.size);
     caster_gpu_draw_opaque(frame->caster, views->count);
     if (caster_gpu_has_masked(frame->caster)) {
         state.program = pass->masked_program;
         pass_set_state(&state);
-        gl.ProgramUniform1f(pass->masked_program, LOCATION_CLIP_Z, clip_fraction * frame->radius);
-        gl.ProgramUniform1f(pass->masked_program, LOCATION_MAP_SIZE, (float)pass->maps.size);
         caster_gpu_draw_masked(frame->caster, frame->scene, views->count);
     }
     pass_end(frame->timers);

@@ -2,7 +2,7 @@
 
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/params.h"
+#include "shared/visibility.h"
 
 #include <stdlib.h>
 

@@ -1,7 +1,7 @@
 #include "passes/visibility.h"
 
 #include "base/memory.h"
-#include "shared/params.h"
+#include "shared/visibility.h"
 
 #include <math.h>
 

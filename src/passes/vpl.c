@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/bindings.h"
+#include "shared/vpl_pass.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -27,11 +27,11 @@ static bool upload_halton(struct vpl_pass *pass) {
 }
 
 bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc) {
-    static const char *const varyings[] = {"vpl_position", "vpl_normal", "vpl_flux", NULL};
     *pass = (struct vpl_pass){.desc = *desc};
+    struct vpl_params params = {.count = desc->count};
     if (!upload_halton(pass) ||
-        !program_init(&pass->program,
-                      &(struct program_desc){.vertex = "vpl.vert", .varyings = varyings})) {
+        !buffer_init(&pass->params, "VPL parameters", sizeof params, &params) ||
+        !program_init(&pass->program, &(struct program_desc){.vertex = "vpl.vert"})) {
         vpl_pass_free(pass);
         return false;
     }
@@ -48,21 +48,22 @@ void vpl_pass_free(struct vpl_pass *pass) {
     if (pass->vertices)
         gl.DeleteVertexArrays(1, &pass->vertices);
     buffer_free(&pass->halton);
+    buffer_free(&pass->params);
     *pass = (struct vpl_pass){0};
 }
 
 void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
                      const struct gbuffer *rsm, const struct vpl_buffer *vpls) {
-    pass_begin(frame->timers, &(struct pass_state){
-                                  .name = "vpls",
-                                  .program = pass->program,
-                                  .vertex_array = pass->vertices,
-                                  .textures = {{UNIT_RSM_DEPTH, rsm->depth.id},
-                                               {UNIT_RSM_NORMAL, rsm->normal.id},
-                                               {UNIT_RSM_ALBEDO, rsm->albedo.id}},
-                                  .blocks = {{BLOCK_LIGHT, frame->light}},
-                              });
-    gl.ProgramUniform1i(pass->program, LOCATION_VPL_COUNT, pass->desc.count);
+    pass_begin(frame->timers,
+               &(struct pass_state){
+                   .name = "vpls",
+                   .program = pass->program,
+                   .vertex_array = pass->vertices,
+                   .textures = {{UNIT_RSM_DEPTH, rsm->depth.id},
+                                {UNIT_RSM_NORMAL, rsm->normal.id},
+                                {UNIT_RSM_ALBEDO, rsm->albedo.id}},
+                   .blocks = {{BLOCK_LIGHT, frame->light}, {BLOCK_PASS, &pass->params}},
+               });
     pass_feedback(vpls->buffer.id, 0, pass->desc.count);
     pass_end(frame->timers);
 }

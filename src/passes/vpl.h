@@ -19,7 +19,7 @@ struct vpl_desc {
 struct vpl_pass {
     struct vpl_desc desc;
     GLuint program, vertices;
-    struct buffer halton;
+    struct buffer halton, params;
 };
 
 bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc);

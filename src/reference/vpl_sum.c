@@ -31,7 +31,7 @@ static float geometry_term(const struct vpl_sum_desc *desc, const struct hit *x,
     case VPL_SUM_CLAMPED:
         return fminf(cosines / distance2, desc->clamp_value);
     case VPL_SUM_DISK:
-        return cosines / (distance2 + vpl->normal[3] * GLM_1_PIf);
+        return cosines / (distance2 + vpl->area * GLM_1_PIf);
     case VPL_SUM_UNBOUNDED:
         break;
     }
@@ -52,7 +52,7 @@ static vec3s gather(const struct summation *summation, const struct hit *x) {
     vec3s sum = glms_vec3_zero();
     for (int i = 0; i < desc->vpl_count; i++) {
         const struct vpl *vpl = &desc->vpls[i];
-        float geometry = vpl->flux[3] > 0 ? geometry_term(desc, x, vpl) : 0;
+        float geometry = vpl->emits > 0 ? geometry_term(desc, x, vpl) : 0;
         if (geometry > 0 && is_visible(summation, x, vpl))
             sum = glms_vec3_muladds(vector_of(vpl->flux), geometry, sum);
     }

@@ -136,7 +136,7 @@ static void add_vpls(const struct renderer *renderer, struct image *image) {
     for (int i = 0; i < outputs.vpls->count; i++) {
         int pixel[2];
         float depth;
-        if (vpls[i].flux[3] <= 0 || !project(renderer, vpls[i].position, pixel, &depth))
+        if (vpls[i].emits <= 0 || !project(renderer, vpls[i].position, pixel, &depth))
             continue;
         float *channels = image_at(image, pixel[0], pixel[1]);
         if (fabsf(depth - channels[z]) < .01f * renderer->desc.geometry->radius)

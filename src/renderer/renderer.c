@@ -291,7 +291,7 @@ struct frame renderer_frame(struct renderer *renderer) {
         .light = &renderer->light_buffer,
         .scene = &renderer->scene,
         .caster = renderer->caster,
-        .light_measure = renderer->light_block.intensity[3],
+        .light_measure = renderer->light_block.measure,
         .light_directional = desc->light.type == EMITTER_DIRECTIONAL,
         .light_views = emitter_view_count(&desc->light),
         .radius = desc->geometry->radius,

@@ -13,7 +13,7 @@ static void set_matrix(struct view *view) {
     vec3 right, up;
     glm_vec3_scale(view->right, 1 / glm_vec3_norm2(view->right), right);
     glm_vec3_scale(view->up, 1 / glm_vec3_norm2(view->up), up);
-    bool orthographic = view->right[3] > 0;
+    bool orthographic = view->orthographic;
     const float *rows[] = {right, up, view->forward};
     float at_origin[3];
     for (int i = 0; i < 3; i++)
@@ -24,10 +24,10 @@ static void set_matrix(struct view *view) {
         float z = column < 3 ? view->forward[column] : at_origin[2];
         clip[0] = column < 3 ? right[column] : at_origin[0];
         clip[1] = column < 3 ? up[column] : at_origin[1];
-        clip[2] = orthographic ? -z / view->forward[3] : 0;
+        clip[2] = orthographic ? -z / view->far : 0;
         clip[3] = orthographic ? 0 : z;
     }
-    view->world_to_clip[3][2] += orthographic ? 1 : view->origin[3];
+    view->world_to_clip[3][2] += orthographic ? 1 : view->near;
     view->world_to_clip[3][3] += orthographic ? 1 : 0;
 }
 
@@ -47,13 +47,13 @@ void view_of_camera(struct view *view, const struct camera *camera, const struct
                     float aspect) {
     float half = camera->orthographic ? camera->y_extent : tanf(camera->fov_y / 2);
     set_axes(view, camera->eye, camera->right, camera->up, camera->forward, half * aspect, half);
-    view->origin[3] = near_fraction * geometry->radius;
+    view->near = near_fraction * geometry->radius;
     if (camera->orthographic) {
         float to_center[3];
         glm_vec3_sub((float *)geometry->center, view->origin, to_center);
         float depth = glm_vec3_dot(to_center, view->forward);
-        view->right[3] = 1;
-        view->forward[3] = fmaxf(depth + 1.01f * geometry->radius, geometry->radius);
+        view->orthographic = true;
+        view->far = fmaxf(depth + 1.01f * geometry->radius, geometry->radius);
     }
     set_matrix(view);
 }
@@ -103,8 +103,8 @@ static void set_directional_view(struct view *view, const struct emitter *light,
             origin[i] += middle[a] * axes[a][i];
     set_axes(view, origin, light->right, light->up, light->direction, (high[0] - low[0]) / 2,
              (high[1] - low[1]) / 2);
-    view->right[3] = 1;
-    view->forward[3] = high[2] - low[2];
+    view->orthographic = true;
+    view->far = high[2] - low[2];
 }
 
 void view_of_emitter(struct light_block *block, const struct emitter *light,
@@ -119,24 +119,23 @@ void view_of_emitter(struct light_block *block, const struct emitter *light,
             set_spot_view(view, light);
         else
             set_face_view(view, light, i);
-        view->origin[3] = near_fraction * geometry->radius;
+        view->near = near_fraction * geometry->radius;
         set_matrix(view);
     }
     const struct view *first = &block->views[0];
     glm_vec3_copy((float *)light->intensity, block->intensity);
-    block->intensity[3] =
-        light->type == EMITTER_DIRECTIONAL
-            ? 4 * glm_vec3_norm((float *)first->right) * glm_vec3_norm((float *)first->up)
-            : (float)emitter_solid_angle(light);
+    block->measure = light->type == EMITTER_DIRECTIONAL ? 4 * glm_vec3_norm((float *)first->right) *
+                                                              glm_vec3_norm((float *)first->up)
+                                                        : (float)emitter_solid_angle(light);
     glm_vec3_copy((float *)(light->type == EMITTER_DIRECTIONAL ? first->origin : light->position),
                   block->position);
-    block->position[3] = (float)light->type;
+    block->type = light->type;
     glm_vec3_copy((float *)light->direction, block->direction);
-    block->direction[3] = (float)count;
+    block->view_count = count;
     glm_vec3_copy((float *)light->right, block->right);
-    block->right[3] = light->cos_inner;
+    block->cos_inner = light->cos_inner;
     glm_vec3_copy((float *)light->up, block->up);
-    block->up[3] = light->cos_outer;
+    block->cos_outer = light->cos_outer;
     block->direct_scale =
         light->type == EMITTER_DIRECTIONAL ? 1 : geometry->radius * geometry->radius;
 }

@@ -3,7 +3,8 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/params.h"
+#include "shared/inspect.h"
+#include "shared/visibility.h"
 
 #include <cglm/util.h>
 
@@ -122,7 +123,7 @@ static int mode_of(enum inspect_kind kind) {
         [SHOW_DEPTH] = INSPECT_DEPTH,
         [SHOW_RSM_NORMAL] = INSPECT_NORMAL,
         [SHOW_RSM_ALBEDO] = INSPECT_ALBEDO,
-        [SHOW_RSM_DEPTH] = INSPECT_DEPTH,
+        [SHOW_RSM_DEPTH] = INSPECT_LIGHT_DEPTH,
         [SHOW_VPLS] = INSPECT_DIMMED,
         [SHOW_CLUSTERS] = INSPECT_DIMMED,
         [SHOW_MAP_DEPTH] = INSPECT_MAP_DEPTH,
@@ -205,9 +206,8 @@ static bool fit_visibility(struct inspect *inspect, const struct visibility_desc
 }
 
 static void draw_layers(const struct inspect *inspect, const struct frame *frame,
-                        const struct texture *source, enum inspect_kind kind) {
+                        const struct texture *source) {
     bool plane = source->desc.target == GL_TEXTURE_2D;
-    gl.ProgramUniform1i(inspect->program, LOCATION_FROM_LIGHT, kind == SHOW_RSM_DEPTH);
     pass_set_state(&(struct pass_state){
         .name = "inspect",
         .program = inspect->program,
@@ -245,9 +245,9 @@ static void draw_visibility(const struct inspect *inspect, const struct frame *f
 
 /* The flux of a VPL of albedo 1/2. */
 static float usual_flux(const struct renderer *renderer, int vpl_count) {
-    const float *intensity = renderer->light_block.intensity;
-    float brightest = fmaxf(intensity[0], fmaxf(intensity[1], intensity[2]));
-    return .5F * brightest * intensity[3] / (float)vpl_count;
+    const struct light_block *light = &renderer->light_block;
+    float brightest = fmaxf(light->intensity[0], fmaxf(light->intensity[1], light->intensity[2]));
+    return .5F * brightest * light->measure / (float)vpl_count;
 }
 
 static void draw_marks(const struct inspect *inspect, const struct renderer *renderer,
@@ -274,21 +274,21 @@ static void write_params(const struct inspect *inspect, const struct renderer *r
                          const struct sheet *sheet, int layers) {
     const struct geometry *geometry = renderer->desc.geometry;
     struct inspect_params params = {
-        .kind = (float)mode_of(choice->kind),
-        .first_layer = choice->layer < 0 ? 0 : (float)choice->layer,
-        .layer_count = (float)layers,
+        .kind = mode_of(choice->kind),
+        .first_layer = choice->layer < 0 ? 0 : choice->layer,
+        .layer_count = layers,
         .exposure =
             exp2f(renderer->desc.settings.exposure) / ((float)GLM_PI * frame->irradiance_scale),
     };
     if (sheet) {
-        params.columns = (float)sheet->columns;
-        params.rows = (float)sheet->rows;
-        params.cell_width = (float)sheet->cell_width;
-        params.cell_height = (float)sheet->cell_height;
+        params.columns = sheet->columns;
+        params.rows = sheet->rows;
+        params.cell[0] = (float)sheet->cell_width;
+        params.cell[1] = (float)sheet->cell_height;
         params.gap = SHEET_GAP * choice->scale;
     }
     memcpy(params.center, geometry->center, sizeof geometry->center);
-    params.center[3] = geometry->radius;
+    params.radius = geometry->radius;
     buffer_write(&inspect->params, 0, sizeof params, &params);
 }
 
@@ -316,7 +316,7 @@ bool inspect_draw(struct inspect *inspect, struct renderer *renderer,
     if (visibility)
         draw_visibility(inspect, &frame, &renderer->gbuffer, &outputs);
     else
-        draw_layers(inspect, &frame, source, choice->kind);
+        draw_layers(inspect, &frame, source);
     if (choice->kind == SHOW_VPLS || choice->kind == SHOW_CLUSTERS || (visibility && !whole))
         draw_marks(inspect, renderer, &frame, &outputs, choice);
     return true;

@@ -3,7 +3,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/cluster_color.h"
-#include "shared/params.h"
+#include "shared/marks.h"
 #include "viewer/ui.h"
 
 #include <math.h>
@@ -32,13 +32,12 @@ void marks_free(struct marks *marks) {
 static void write_params(const struct marks *marks, const struct frame *frame,
                          const struct marks_desc *desc, float size) {
     struct mark_params params = {
-        .width = (float)desc->width,
-        .height = (float)desc->height,
+        .picture = {(float)desc->width, (float)desc->height},
         .size = size * desc->scale,
         .by_cluster = desc->by_cluster,
         .flux_scale = 1 / fmaxf(desc->usual_flux, 1e-30F),
         .normal_length = .14F * frame->radius,
-        .chosen = (float)desc->chosen,
+        .chosen = desc->chosen,
         .only_chosen = desc->only_chosen,
     };
     buffer_write(&marks->params, 0, sizeof params, &params);

@@ -4,7 +4,8 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/params.h"
+#include "shared/probe.h"
+#include "shared/visibility.h"
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>
@@ -130,8 +131,7 @@ static float irradiance_from(const struct vpl *vpl, const struct pick *pick) {
     float flux = .2126F * vpl->flux[0] + .7152F * vpl->flux[1] + .0722F * vpl->flux[2];
     if (cosines <= 0)
         return 0;
-    return flux * cosines /
-           ((float)GLM_PI * distance2 * (distance2 + vpl->normal[3] / (float)GLM_PI));
+    return flux * cosines / ((float)GLM_PI * distance2 * (distance2 + vpl->area / (float)GLM_PI));
 }
 
 static int brightest_first(const void *a, const void *b) {
@@ -148,9 +148,9 @@ static void sum_vals(struct pick *pick, const struct technique_outputs *outputs,
     for (int k = 0; k < count; k++)
         vals[k] = (struct pick_val){.val = k, .visibility = lit[k]};
     for (int i = 0; i < vpl_count; i++) {
-        if (vpls[i].flux[3] <= 0)
+        if (vpls[i].emits <= 0)
             continue;
-        struct pick_val *val = &vals[(int)vpls[i].position[3]];
+        struct pick_val *val = &vals[(int)vpls[i].val];
         float brought = irradiance_from(&vpls[i], pick) * val->visibility;
         val->vpl_count++;
         val->share += brought;

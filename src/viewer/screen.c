@@ -3,7 +3,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/params.h"
+#include "shared/screen.h"
 
 #include <math.h>
 
@@ -38,11 +38,10 @@ void screen_draw(const struct screen *screen, int window_height, const struct re
                  const struct screen_pictures *pictures) {
     static const float around[4] = {.055F, .059F, .07F, 1};
     const struct texture *right = pictures->right ? pictures->right : pictures->left;
+    int bottom = window_height - target->y - target->height;
     struct screen_params params = {
-        .x = (float)target->x,
-        .y = (float)(window_height - target->y - target->height),
-        .width = (float)target->width,
-        .height = (float)target->height,
+        .corner = {(float)target->x, (float)bottom},
+        .size = {(float)target->width, (float)target->height},
         .split = pictures->right ? pictures->split : 2,
     };
     buffer_write(&screen->params, 0, sizeof params, &params);
@@ -51,7 +50,7 @@ void screen_draw(const struct screen *screen, int window_height, const struct re
         .program = screen->program,
         .window = true,
         .x = target->x,
-        .y = (int)params.y,
+        .y = bottom,
         .width = target->width,
         .height = target->height,
         .textures = {{UNIT_LEFT_PICTURE, pictures->left->id}, {UNIT_RIGHT_PICTURE, right->id}},

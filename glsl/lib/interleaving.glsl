@@ -1,0 +1,11 @@
+#include "shared/interleaving.h"
+
+// The pixel of the picture that a texel of a tile stands for; the tile by its place in the pattern.
+ivec2 interleaved_pixel(interleaving pattern, ivec2 texel, ivec2 place) {
+    return (texel - place * pattern.tile) * pattern.n + place;
+}
+
+// And back.
+ivec2 interleaved_texel(interleaving pattern, ivec2 pixel) {
+    return pixel % pattern.n * pattern.tile + pixel / pattern.n;
+}

@@ -1,0 +1,18 @@
+/* passes/blur.h to its shaders. */
+#ifndef SHARED_BLUR_H
+#define SHARED_BLUR_H
+
+#include "shared/interleaving.h"
+
+struct blur_params {
+    STRUCT(interleaving) pattern; /* of the picture that is read */
+    ivec2 along;                  /* one pixel */
+    int radius;                   /* taps to each side along */
+    int rows;                     /* of such taps to each side across */
+    float distance2;              /* alpha^2, m2 */
+    float cosine;                 /* beta */
+    float unused0, unused1;
+};
+PASS_BLOCK(blur_params, 48)
+
+#endif

@@ -1,0 +1,15 @@
+/* An interleaving pattern [Segovia et al. 2006]: the pixels of one place in blocks of n x n are drawn
+ * together, as a tile. */
+#ifndef SHARED_INTERLEAVING_H
+#define SHARED_INTERLEAVING_H
+
+#include "shared/types.h"
+
+struct interleaving {
+    ivec2 tile; /* size, pixels */
+    int n;      /* 1: a plain picture */
+    int unused;
+};
+STD140_SIZE(interleaving, 16)
+
+#endif

@@ -1,0 +1,14 @@
+/* viewer/screen.h to its shader. */
+#ifndef SHARED_SCREEN_H
+#define SHARED_SCREEN_H
+
+#include "shared/types.h"
+
+struct screen_params {
+    vec2 corner, size; /* of the picture in the window, pixels */
+    float split;       /* where the right picture begins, over the width */
+    float unused0, unused1, unused2;
+};
+PASS_BLOCK(screen_params, 32)
+
+#endif
