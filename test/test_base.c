@@ -103,6 +103,56 @@ static void test_exr_round_trip(void **state) {
     image_free(&read);
 }
 
+/* Names of other programs: each channel keeps its own name, whole, and its own values. */
+static void test_foreign_names(void **state) {
+    (void)state;
+#define LONG "a.name.of.more.than.thirty.one.bytes."
+    static const char *const names[] = {"R",         "G",    "B",      "my mask", " leading",
+                                        "trailing ", "a  b", LONG "1", LONG "2"};
+    enum { COUNT = sizeof names / sizeof *names };
+    struct image written, read;
+    image_init_named(&written, 2, 1, names, COUNT);
+    assert_int_equal(written.channel_count, COUNT);
+    for (int i = 0; i < 2 * COUNT; i++)
+        written.pixels[i] = (float)i / 4;
+    check_ok("write", image_write(&written, scratch("foreign.exr")));
+    check_ok("read", image_read(&read, scratch("foreign.exr")));
+    assert_int_equal(read.channel_count, COUNT);
+    for (int x = 0; x < 2; x++)
+        for (int c = 0; c < COUNT; c++) {
+            int there = image_find_channel(&read, names[c]);
+            if (there < 0)
+                fail_msg("no channel '%s'", names[c]);
+            check_near(names[c], (double)image_at(&read, x, 0)[there],
+                       (double)image_at(&written, x, 0)[c], 0);
+        }
+    image_free(&written);
+    image_free(&read);
+    image_init_named(&written, 1, 1, (const char *const[]){"R", "", "B"}, 3);
+    written.pixels[2] = .5f;
+    check_ok("write", image_write(&written, scratch("nameless.exr")));
+    check_ok("read", image_read(&read, scratch("nameless.exr")));
+    assert_int_equal(read.channel_count, 3);
+    check_near("B", (double)read.pixels[image_find_channel(&read, "B")], .5, 0);
+    image_free(&written);
+    image_free(&read);
+}
+
+/* Layers are told apart by their whole names. */
+static void test_long_layers(void **state) {
+    (void)state;
+    struct image image;
+    int channels[3];
+    image_init(&image, 1, 1,
+               LONG "1.R " LONG "1.G " LONG "1.B " LONG "2.R " LONG "2.G " LONG "2.B");
+    check_ok("layer", image_find_layer(&image, LONG "2", channels));
+    assert_int_equal(channels[0], 3);
+    assert_false(image_find_layer(&image, LONG "3", channels));
+    printf("    %s\n", error_get());
+    assert_non_null(strstr(error_get(), LONG "3' (there is: " LONG "1 " LONG "2)"));
+    image_free(&image);
+}
+
 static void test_png_round_trip(void **state) {
     (void)state;
     unsigned char pixels[] = {0, 1, 2, 255, 128, 254, 255, 255};
@@ -242,7 +292,8 @@ int main(void) {
         cmocka_unit_test(test_added_channels), cmocka_unit_test(test_parallel_for),
         cmocka_unit_test(test_layers),         cmocka_unit_test(test_exr_round_trip),
         cmocka_unit_test(test_png_round_trip), cmocka_unit_test(test_file_refusals),
-        cmocka_unit_test(test_options),        cmocka_unit_test(test_text),
+        cmocka_unit_test(test_options),        cmocka_unit_test(test_foreign_names),
+        cmocka_unit_test(test_long_layers),    cmocka_unit_test(test_text),
         cmocka_unit_test(test_whole_files),
     };
     return cmocka_run_group_tests_name("base", tests, NULL, NULL);

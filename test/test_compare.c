@@ -133,6 +133,24 @@ static void test_bounds(void **state) {
     expect_text("bias is -0.125, above 0.1");
 }
 
+/* The same picture beside channels that other programs made. */
+static void test_foreign_channels(void **state) {
+    (void)state;
+    static const char *const names[] = {"R", "G", "B", "A mask", "my mask", " z"};
+    char arguments[1200];
+    struct image image;
+    image_init_named(&image, 16, 8, names, 6);
+    for (int i = 0; i < 16 * 8 * 6; i++)
+        image.pixels[i] = i % 6 < 3 ? .5f : (float)i;
+    check_ok("write", image_write(&image, scratch("compare-masked.exr")));
+    image_free(&image);
+    snprintf(arguments, sizeof arguments, "%s %s -m mae --max mae=0 -m rmse",
+             scratch("compare-masked.exr"), reference_exr);
+    expect(0, arguments);
+    check_near("mae", value_of("mae"), 0, 0);
+    check_near("rmse", value_of("rmse"), 0, 0);
+}
+
 static void test_pictures_of_the_error(void **state) {
     (void)state;
     char more[600];
@@ -223,6 +241,7 @@ int main(void) {
         cmocka_unit_test(test_table),
         cmocka_unit_test(test_json),
         cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_foreign_channels),
         cmocka_unit_test(test_pictures_of_the_error),
         cmocka_unit_test(test_encoded_files),
         cmocka_unit_test(test_files_that_do_not_compare),

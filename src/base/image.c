@@ -2,22 +2,36 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/text.h"
 
 #include <assert.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+static void add_name(struct image *image, const char *name, size_t length) {
+    int i = image->channel_count++;
+    image->names = mem_resize(image->names, (size_t)image->channel_count, sizeof *image->names);
+    image->names[i] = mem_printf("%.*s", (int)length, name);
+}
 
 static void add_names(struct image *image, const char *channel_names) {
     for (const char *name = channel_names; *name;) {
         size_t length = strcspn(name, " ");
-        assert(length > 0 && length < IMAGE_NAME_SIZE);
-        int i = image->channel_count++;
-        image->names = mem_resize(image->names, (size_t)image->channel_count, sizeof *image->names);
-        memset(image->names[i], 0, IMAGE_NAME_SIZE);
-        memcpy(image->names[i], name, length);
+        assert(length > 0);
+        add_name(image, name, length);
         name += length + (name[length] == ' ');
     }
+}
+
+/* Room for the channels that have been named since there were old_count. */
+static void grow_pixels(struct image *image, int old_count) {
+    size_t old = (size_t)old_count, count = (size_t)image->channel_count;
+    size_t pixel_count = (size_t)image->width * (size_t)image->height;
+    float *pixels = mem_alloc(pixel_count * count, sizeof *pixels);
+    for (size_t i = 0; i < pixel_count && old; i++)
+        memcpy(pixels + i * count, image->pixels + i * old, old * sizeof *pixels);
+    free(image->pixels);
+    image->pixels = pixels;
 }
 
 void image_init(struct image *image, int width, int height, const char *channel_names) {
@@ -26,19 +40,24 @@ void image_init(struct image *image, int width, int height, const char *channel_
     image_add_channels(image, channel_names);
 }
 
+void image_init_named(struct image *image, int width, int height, const char *const *names,
+                      int count) {
+    assert(width > 0 && height > 0);
+    *image = (struct image){.width = width, .height = height};
+    for (int i = 0; i < count; i++)
+        add_name(image, names[i], strlen(names[i]));
+    grow_pixels(image, 0);
+}
+
 void image_add_channels(struct image *image, const char *channel_names) {
-    size_t old_count = (size_t)image->channel_count;
-    size_t pixel_count = (size_t)image->width * (size_t)image->height;
+    int old_count = image->channel_count;
     add_names(image, channel_names);
-    size_t count = (size_t)image->channel_count;
-    float *pixels = mem_alloc(pixel_count * count, sizeof *pixels);
-    for (size_t i = 0; i < pixel_count && old_count; i++)
-        memcpy(pixels + i * count, image->pixels + i * old_count, old_count * sizeof *pixels);
-    free(image->pixels);
-    image->pixels = pixels;
+    grow_pixels(image, old_count);
 }
 
 void image_free(struct image *image) {
+    for (int i = 0; i < image->channel_count; i++)
+        free(image->names[i]);
     free(image->names);
     free(image->pixels);
     *image = (struct image){0};
@@ -56,30 +75,39 @@ int image_find_channel(const struct image *image, const char *name) {
     return -1;
 }
 
-static void list_layers(const struct image *image, char *list, size_t size) {
-    size_t used = 0;
-    list[0] = '\0';
-    for (int i = 0; i < image->channel_count && used < size; i++) {
+/* " beauty indirect ...": what has a red channel. */
+static void list_layers(const struct image *image, struct text *list) {
+    for (int i = 0; i < image->channel_count; i++) {
         const char *name = image->names[i], *dot = strrchr(name, '.');
-        bool is_red = strcmp(dot ? dot + 1 : name, "R") == 0;
-        if (is_red)
-            used += (size_t)snprintf(list + used, size - used, " %.*s", dot ? (int)(dot - name) : 6,
-                                     dot ? name : "beauty");
+        if (strcmp(dot ? dot + 1 : name, "R") != 0)
+            continue;
+        if (dot)
+            text_print(list, " %.*s", (int)(dot - name), name);
+        else
+            text_print(list, " beauty");
     }
+}
+
+static int find_of_layer(const struct image *image, const char *layer, char colour) {
+    char *name = mem_printf("%s%s%c", layer, *layer ? "." : "", colour);
+    int channel = image_find_channel(image, name);
+    free(name);
+    return channel;
 }
 
 bool image_find_layer(const struct image *image, const char *layer, int channels[3]) {
     bool beauty = layer[0] == '\0' || strcmp(layer, "beauty") == 0;
     for (int i = 0; i < 3; i++) {
-        char name[2 * IMAGE_NAME_SIZE];
-        snprintf(name, sizeof name, "%.31s%s%c", beauty ? "" : layer, beauty ? "" : ".", "RGB"[i]);
-        channels[i] = image_find_channel(image, name);
+        channels[i] = find_of_layer(image, beauty ? "" : layer, "RGB"[i]);
         if (channels[i] < 0 && beauty)
             channels[i] = image_find_channel(image, "Y");
         if (channels[i] < 0) {
-            char list[512];
-            list_layers(image, list, sizeof list);
-            return error_set("no layer '%s' (there is:%s)", beauty ? "beauty" : layer, list);
+            struct text list = {0};
+            list_layers(image, &list);
+            error_set("no layer '%s' (there is:%s)", beauty ? "beauty" : layer,
+                      list.data ? list.data : " none");
+            free(list.data);
+            return false;
         }
     }
     return true;

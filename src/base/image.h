@@ -8,13 +8,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { IMAGE_NAME_SIZE = 32 };
-
 struct image {
     int width, height, channel_count;
-    char (*names)[IMAGE_NAME_SIZE]; /* channel_count of them */
-    float *pixels;                  /* height x width x channel_count */
-    bool encoded; /* sRGB over [0, 1], as integer formats store it; false = linear */
+    char **names;  /* channel_count of them */
+    float *pixels; /* height x width x channel_count */
+    bool encoded;  /* sRGB over [0, 1], as integer formats store it; false = linear */
 };
 
 /* An 8-bit RGBA picture, row 0 at the top: glTF textures, display-referred pictures. */
@@ -25,6 +23,10 @@ struct bitmap {
 
 /* Zero pixels; names as in "R G B direct.R direct.G direct.B". Sizes must be positive. */
 void image_init(struct image *image, int width, int height, const char *channel_names);
+
+/* The same with names that a file gives, which may be any text. */
+void image_init_named(struct image *image, int width, int height, const char *const *names,
+                      int count);
 
 /* More channels, of zeros, after those that are there. */
 void image_add_channels(struct image *image, const char *channel_names);

@@ -167,10 +167,13 @@ extern "C" bool image_read(struct image *image, const char *path) try {
     const ImageSpec spec = in->spec();
     if (!check_size(spec, path))
         return false;
-    std::string names;
-    for (const std::string &name : spec.channelnames)
-        names += (names.empty() ? "" : " ") + name.substr(0, IMAGE_NAME_SIZE - 1);
-    image_init(image, spec.width, spec.height, names.c_str());
+    std::vector<std::string> names;
+    std::vector<const char *> pointers;
+    for (int i = 0; i < spec.nchannels; i++)
+        names.push_back(spec.channel_name(i));
+    for (const std::string &name : names)
+        pointers.push_back(name.c_str());
+    image_init_named(image, spec.width, spec.height, pointers.data(), spec.nchannels);
     image->encoded = !spec.format.is_floating_point();
     bool good = in->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, image->pixels);
     std::string reason = in->geterror(); /* of a cut JPEG, though it is read */
