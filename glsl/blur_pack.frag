@@ -4,7 +4,7 @@
 #include "lib/interleaving.glsl"
 #include "shared/blur.h"
 
-layout(binding = UNIT_INDIRECT) uniform sampler2D source;
+layout(binding = UNIT_IRRADIANCE) uniform sampler2D source;
 
 layout(location = TARGET_RESULT) out uvec4 packed_tap;
 

@@ -95,22 +95,13 @@ void close_rays(struct rays *rays) {
     hit_table_free(&rays->table);
 }
 
-static int technique_index(const char *name) {
-    for (int i = 0; technique_names[i]; i++)
-        if (strcmp(technique_names[i], name) == 0)
-            return i;
-    fail_msg("no technique '%s'", name);
-    return -1;
-}
-
-static void assign_settings(struct settings *settings, const char *text) {
-    options_set_defaults(settings_table, settings);
-    settings->samples = 1;
-    char *copy = mem_strdup(text), *rest = NULL;
-    for (char *item = strtok_r(copy, " ", &rest); item; item = strtok_r(NULL, " ", &rest))
-        check_ok(item, settings_assign(settings, item));
-    check_ok(text, settings_check(settings));
-    free(copy);
+static void choose(struct renderer_desc *desc, const char *technique, const char *settings) {
+    const char *const texts[] = {"picture.samples=1", settings};
+    desc->technique = technique_find(technique);
+    assert_non_null(desc->technique);
+    renderer_settings_init(&desc->settings);
+    check_ok(settings, renderer_settings_assign(&desc->settings, desc->technique, texts, 2));
+    check_ok(settings, technique_check(desc->technique, &desc->settings));
 }
 
 struct renderer_desc desc_of(const struct stage *stage, const char *technique, const char *settings,
@@ -118,14 +109,13 @@ struct renderer_desc desc_of(const struct stage *stage, const char *technique, c
     struct renderer_desc desc = {
         .width = width,
         .height = height,
-        .technique = technique_index(technique),
         .scene = &stage->scene,
         .geometry = &stage->geometry,
         .light = stage->emitters.items[0],
         .camera = stage->camera,
         .software = true,
     };
-    assign_settings(&desc.settings, settings);
+    choose(&desc, technique, settings);
     return desc;
 }
 

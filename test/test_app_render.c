@@ -56,13 +56,15 @@ static void test_usage_errors(void **state) {
         {"a.glb -o picture", "picture: no extension"},
         {"a.glb -o picture.xyz", "picture.xyz"},
         {"a.glb -o b.png --technique radiosity",
-         "'radiosity' is not one of clustered, instant-radiosity"},
+         "no technique is called 'radiosity' (there are clustered, instant-radiosity"},
         {"a.glb -o b.png --size 0x10", "1 to 16384"},
         {"a.glb -o b.png --size 10", "size"},
         {"a.glb -o b.png --set vpls=0", "vpls: '0' is not a whole number from 1 to 65536"},
         {"a.glb -o b.png --set terms=17", "terms: '17' is not a whole number from 1 to 16"},
         {"a.glb -o b.png --set vals=many", "vals"},
         {"a.glb -o b.png --set nothing=1", "nothing"},
+        {"a.glb -o b.png --set path=slow", "path: 'slow' is not one of clustered's: fast, paper"},
+        {"a.glb -o b.png --direct soft", "no direct light is called 'soft' (there is hard)"},
         {"a.glb -o b.png --set vpls=63 --set interleave=8", "interleave=8 needs at least 64 VPLs"},
         {"a.glb -o b.png --context cuda", "context"},
         {"a.glb -o b.exr --aov normals", "aov: no layer is called 'normals' (there is: gathered"},
@@ -78,25 +80,39 @@ static void test_usage_errors(void **state) {
 /* Every setting that has a range states it when a value is outside, and takes its ends. */
 static void test_ranges(void **state) {
     (void)state;
-    for (const struct option *row = settings_table; row->name; row++) {
-        struct settings settings;
+    struct settings settings;
+    renderer_settings_init(&settings);
+    for (struct setting setting = {0}; settings_next(&settings, &setting);) {
+        const struct option *row = setting.option;
         char range[96], text[64];
-        options_set_defaults(settings_table, &settings);
         if (row->type != OPTION_INT && row->type != OPTION_FLOAT)
             continue;
         for (int end = 0; end < 2; end++) {
             double limit = end ? row->maximum : row->minimum;
             snprintf(text, sizeof text, "%.10g", limit);
-            check_ok(row->name, option_parse(row, &settings, text));
+            check_ok(row->name, setting_parse(&setting, &settings, text));
             snprintf(text, sizeof text, "%.10g", limit + (end ? 1 : -1) * (1 + fabs(limit)));
-            assert_false(option_parse(row, &settings, text));
+            assert_false(setting_parse(&setting, &settings, text));
             snprintf(range, sizeof range, row->type == OPTION_INT ? "%.0f to %.0f" : "%g to %g",
                      row->minimum, row->maximum);
             if (!strstr(error_get(), range))
                 fail_msg("'%s' is not in: %s", range, error_get());
         }
-        assert_false(option_parse(row, &settings, "nan"));
-        assert_false(option_parse(row, &settings, ""));
+        assert_false(setting_parse(&setting, &settings, "nan"));
+        assert_false(setting_parse(&setting, &settings, ""));
+    }
+}
+
+/* A preset goes before what is set beside it, whatever their order. */
+static void test_preset_first(void **state) {
+    (void)state;
+    static const char *const orders[][2] = {{"path=paper", "bias=0"}, {"bias=0", "path=paper"}};
+    for (int i = 0; i < 2; i++) {
+        struct settings settings;
+        renderer_settings_init(&settings);
+        check_ok("assign", renderer_settings_assign(&settings, technique_default, orders[i], 2));
+        assert_true(settings_number(&settings, "lookup.bias") == 0);
+        assert_true(settings_number(&settings, "clustered.visibility-block") == 0);
     }
 }
 
@@ -382,6 +398,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_usage_errors),
         cmocka_unit_test(test_ranges),
+        cmocka_unit_test(test_preset_first),
         cmocka_unit_test(test_failures),
         cmocka_unit_test(test_nothing_half_written),
         cmocka_unit_test(test_files),

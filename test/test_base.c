@@ -8,6 +8,7 @@
 #include "base/image_file.h"
 #include "base/memory.h"
 #include "base/option.h"
+#include "base/settings.h"
 #include "base/parallel.h"
 #include "base/text.h"
 
@@ -235,11 +236,15 @@ static void test_options(void **state) {
         option_format(o, &values, again, sizeof again);
         assert_string_equal(text, again);
     }
-    static const char *const bad[] = {"count=11",    "count=",     "count=7x",  "scale=nan",
-                                      "colour=blue", "size=4x",    "size=0x4",  "nothing=1",
-                                      "count",       "scale=1e99", "flag=maybe"};
+    static const char *const bad[] = {"count=11",  "count=",      "count=7x",
+                                      "scale=nan", "colour=blue", "size=4x",
+                                      "size=0x4",  "scale=1e99",  "flag=maybe"};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        assert_false(option_assign(table, &values, bad[i]));
+        char name[16];
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(bad[i], "="), bad[i]);
+        const struct option *option = option_find(table, name);
+        assert_non_null(option);
+        assert_false(option_parse(option, &values, bad[i] + strcspn(bad[i], "=") + 1));
         printf("    %s\n", error_get());
     }
 }
@@ -286,6 +291,70 @@ static void test_whole_files(void **state) {
     expect_no_file("/", "cannot read /: not a file");
 }
 
+/* --- settings ----------------------------------------------------------------------------------
+ */
+
+struct maker {
+    int count;
+    float width;
+};
+
+struct painter {
+    float width;
+    bool bright;
+};
+
+static const struct option maker_table[] = {
+    {"count", 0, OPTION_INT, offsetof(struct maker, count), 7, 1, 10, .help = ""},
+    {"width", 0, OPTION_FLOAT, offsetof(struct maker, width), .5, 0, 1, .help = ""},
+    {NULL},
+};
+
+static const struct option painter_table[] = {
+    {"width", 0, OPTION_FLOAT, offsetof(struct painter, width), 2, 0, 9, .help = ""},
+    {"bright", 0, OPTION_FLAG, offsetof(struct painter, bright), 0, .help = ""},
+    {NULL},
+};
+
+static const struct settings_part maker_part = {"maker", "", maker_table, sizeof(struct maker)},
+                                  painter_part = {"painter", "", painter_table,
+                                                  sizeof(struct painter)};
+
+static void test_settings(void **state) {
+    (void)state;
+    struct settings settings = {0}, before;
+    settings_add(&settings, &maker_part);
+    settings_add(&settings, &painter_part);
+    settings_add(&settings, &maker_part); /* once is enough */
+    before = settings;
+    int count = 0;
+    for (struct setting setting = {0}; settings_next(&settings, &setting);)
+        count++;
+    assert_int_equal(count, 4);
+    check_ok("assign", settings_assign_all(&settings, "count=3, painter.width=4 maker-width=.25"));
+    const struct maker *maker = settings_of(&settings, &maker_part);
+    const struct painter *painter = settings_of(&settings, &painter_part);
+    assert_true(maker->count == 3 && maker->width == .25F);
+    assert_true(painter->width == 4 && !painter->bright);
+    assert_true(settings_number(&settings, "painter.width") == 4);
+    assert_false(settings_same(&settings, &before, &painter_part));
+    settings_copy(&settings, &before, &painter_part);
+    assert_true(settings_same(&settings, &before, &painter_part));
+    assert_false(settings_same(&settings, &before, &maker_part));
+
+    static const char *const bad[][2] = {
+        {"width=1", "'width' may be maker.width and painter.width"},
+        {"height=1", "no setting is called 'height'"},
+        {"maker.bright=on", "no setting is called 'maker.bright'"},
+        {"count", "'count' is not key=value"},
+        {"painter.width=10", "width: '10' is not a number"}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        assert_false(settings_assign(&settings, bad[i][0]));
+        printf("    %s\n", error_get());
+        assert_non_null(strstr(error_get(), bad[i][1]));
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_error_prefix),   cmocka_unit_test(test_halton),
@@ -294,7 +363,7 @@ int main(void) {
         cmocka_unit_test(test_png_round_trip), cmocka_unit_test(test_file_refusals),
         cmocka_unit_test(test_options),        cmocka_unit_test(test_foreign_names),
         cmocka_unit_test(test_long_layers),    cmocka_unit_test(test_text),
-        cmocka_unit_test(test_whole_files),
+        cmocka_unit_test(test_whole_files),    cmocka_unit_test(test_settings),
     };
     return cmocka_run_group_tests_name("base", tests, NULL, NULL);
 }

@@ -119,17 +119,14 @@ static void test_sweep_points(void **state) {
     struct sweep sweep = {0};
     check_ok("sweep", sweep_parse(&sweep, "M=2,4,visibility=cssm,hard,N=64..256"));
     assert_int_equal(sweep_point_count(&sweep), 2 * 2 * 3);
-    struct bench_case prepared = {.series = "paper"};
-    options_set_defaults(settings_table, &prepared.settings);
+    struct bench_case prepared = {.series = "paper", .technique = technique_default};
+    renderer_settings_init(&prepared.settings);
     sweep_apply(&sweep, 2 * 3 + 3 + 1, &prepared);
-    assert_int_equal(prepared.settings.val_count, 4);
-    assert_int_equal(prepared.settings.visibility, VISIBILITY_HARD);
-    assert_int_equal(prepared.settings.vpl_count, 128);
     assert_string_equal(prepared.series, "paper hard");
     assert_string_equal(prepared.label, "vals=4 vpls=128");
     char options[256];
     bench_options(&prepared.settings, options, sizeof options);
-    assert_string_equal(options, "vpls=128 vals=4 visibility=hard");
+    assert_string_equal(options, "lights.vpls=128 clustered.vals=4 clustered.visibility=hard");
 }
 
 /* Where a JSON value ends, or NULL when it is none. */
@@ -228,8 +225,9 @@ static void test_tables(void **state) {
 
     char *text = read_text(csv);
     assert_true(check_csv(text) > 10);
-    assert_non_null(strstr(text, "\ncornell-box,36,24,16,1024,4,clustered,fast,,vals=4 map-size=32,"
-                                 "frame/cssm/depth maps,ms,2,"));
+    assert_non_null(
+        strstr(text, "\ncornell-box,36,24,16,1024,4,clustered,fast,,clustered.vals=4 map.size=32,"
+                     "frame/cssm/depth maps,ms,2,"));
     assert_non_null(strstr(text, ",unshadowed,\"none, \"\"it\"\"\",,"));
     free(text);
 
@@ -260,8 +258,9 @@ static void test_sweep_and_cache(void **state) {
     assert_null(strstr(output, "making reference"));
     char *text = read_text(csv);
     check_csv(text);
-    assert_non_null(
-        strstr(text, ",hard,vals=8,vals=8 visibility=hard map-size=32,relative-rmse,1,"));
+    assert_non_null(strstr(text,
+                           ",hard,vals=8,clustered.vals=8 clustered.visibility=hard map.size=32,"
+                           "relative-rmse,1,"));
     free(text);
 }
 

@@ -22,6 +22,10 @@ struct fixture {
     struct renderer_desc desc;
 };
 
+static void set(struct settings *settings, const char *assignments) {
+    check_ok(assignments, settings_assign_all(settings, assignments));
+}
+
 static int set_up_scene(void **state, const char *path) {
     struct fixture *fixture = *state = calloc(1, sizeof *fixture);
     fixture->context = context_create(&(struct context_desc){.device = -1, .debug = true});
@@ -32,16 +36,13 @@ static int set_up_scene(void **state, const char *path) {
     struct renderer_desc *desc = &fixture->desc;
     *desc = (struct renderer_desc){.width = WIDTH,
                                    .height = HEIGHT,
+                                   .technique = technique_default,
                                    .scene = &fixture->scene,
                                    .geometry = &fixture->geometry,
                                    .keep_lights = true,
                                    .software = context_is_software(fixture->context)};
-    options_set_defaults(settings_table, &desc->settings);
-    desc->settings.vpl_count = 128;
-    desc->settings.val_count = 8;
-    desc->settings.map_size = 32;
-    desc->settings.rsm_size = 64;
-    desc->settings.shadow_size = 128;
+    renderer_settings_init(&desc->settings);
+    set(&desc->settings, "vpls=128 vals=8 map-size=32 rsm-size=64 shadow-size=128");
     camera_place(&desc->camera, &fixture->scene, 0, 0);
     emitter_place(&desc->light, &fixture->scene, 0, 0);
     return 0;
@@ -104,17 +105,15 @@ static void test_as_new(void **state) {
     struct bitmap before = picture_of(&renderer);
 
     struct settings settings = renderer.desc.settings;
-    for (int technique = 0; technique_names[technique]; technique++) {
-        check_ok("technique", renderer_configure(&renderer, technique, &settings));
-        check_as_new(technique_names[technique], &renderer);
+    for (const struct technique *const *t = techniques; *t; t++) {
+        check_ok("technique", renderer_configure(&renderer, *t, &settings));
+        check_as_new((*t)->name, &renderer);
     }
-    settings.exposure = 1;
-    check_ok("exposure", renderer_configure(&renderer, 0, &settings));
+    set(&settings, "exposure=1");
+    check_ok("exposure", renderer_configure(&renderer, technique_default, &settings));
     check_as_new("exposure", &renderer);
-    settings.caster_edge = .1F;
-    settings.shadow_size = 64;
-    settings.val_count = 4;
-    check_ok("settings", renderer_configure(&renderer, 0, &settings));
+    set(&settings, "caster-edge=.1 shadow-size=64 vals=4");
+    check_ok("settings", renderer_configure(&renderer, technique_default, &settings));
     check_as_new("settings", &renderer);
     check_ok("size", renderer_resize(&renderer, 33, 21));
     check_as_new("size", &renderer);
@@ -167,8 +166,8 @@ static void test_failures(void **state) {
     int objects = gpu_memory_object_count();
 
     struct settings settings = renderer.desc.settings;
-    settings.vpl_count = 1; /* fewer than the pattern has places */
-    assert_false(renderer_configure(&renderer, 0, &settings));
+    set(&settings, "vpls=1"); /* fewer than the pattern has places */
+    assert_false(renderer_configure(&renderer, technique_default, &settings));
     check_still_works(&renderer, &before);
 
     assert_false(renderer_resize(&renderer, 1 << 20, 1));
@@ -179,11 +178,14 @@ static void test_failures(void **state) {
 
     char output[256];
     char command[1200];
-    const char *folder = scratch("glsl");
-    snprintf(command, sizeof command, "rm -rf %s && cp -r glsl %s", folder, folder);
+    const char *tree = scratch("tree");
+    snprintf(
+        command, sizeof command,
+        "rm -rf %s && mkdir -p %s/src && cp -r glsl %s && cp -r src/techniques src/direct %s/src",
+        tree, tree, tree, tree);
     run_command(command, output, sizeof output);
-    write_text(scratch("glsl/gather.frag"), "void main() { nonsense }\n");
-    glsl_set_folder(folder);
+    write_text(scratch("tree/glsl/gather.frag"), "void main() { nonsense }\n");
+    glsl_set_folder(scratch("tree/glsl"));
     assert_false(renderer_reload_shaders(&renderer));
     assert_non_null(strstr(error_get(), "gather.frag"));
     glsl_set_folder(NULL);
@@ -198,10 +200,11 @@ static void test_failures(void **state) {
 /* Through all techniques and back. */
 static void go_round(struct renderer *renderer, const struct renderer_desc *desc) {
     struct settings settings = desc->settings;
-    for (int i = 0; i < 3; i++) {
-        settings.val_count = i % 2 ? 8 : 16;
-        check_ok("configure", renderer_configure(renderer, i, &settings));
-        check_ok("resize", renderer_resize(renderer, WIDTH + i % 2, HEIGHT));
+    int odd = 0;
+    for (const struct technique *const *t = techniques; *t; t++, odd = !odd) {
+        set(&settings, odd ? "vals=8" : "vals=16");
+        check_ok("configure", renderer_configure(renderer, *t, &settings));
+        check_ok("resize", renderer_resize(renderer, WIDTH + odd, HEIGHT));
     }
     check_ok("back", renderer_configure(renderer, desc->technique, &desc->settings));
     check_ok("back", renderer_resize(renderer, WIDTH, HEIGHT));
@@ -251,16 +254,16 @@ static void test_lights_are_kept(void **state) {
     camera.eye[0] += .1F;
     check_ok("camera", renderer_update(&renderer, &light, &camera));
     check_frame("camera", &renderer, false);
-    settings.exposure = 1;
-    check_ok("exposure", renderer_configure(&renderer, 0, &settings));
+    set(&settings, "exposure=1");
+    check_ok("exposure", renderer_configure(&renderer, technique_default, &settings));
     check_frame("exposure", &renderer, false);
     check_ok("size", renderer_resize(&renderer, 57, 31));
     check_frame("size", &renderer, false);
     light.position[1] -= .1F;
     check_ok("light", renderer_update(&renderer, &light, &camera));
     check_frame("light", &renderer, true);
-    settings.val_count = 4;
-    check_ok("settings", renderer_configure(&renderer, 0, &settings));
+    set(&settings, "vals=4");
+    check_ok("settings", renderer_configure(&renderer, technique_default, &settings));
     check_frame("settings", &renderer, true);
     check_ok("pose", geometry_pose(&fixture->geometry, &fixture->scene, 1));
     check_ok("pose", renderer_update(&renderer, &light, &camera));

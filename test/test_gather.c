@@ -179,8 +179,8 @@ static bool is_true_vpl(const struct bench *bench, const struct vpl *vpl) {
     struct hit hit;
     if (!ray_scene_hit(&bench->rays.scene, origin, direction, &hit))
         return false;
-    float share =
-        bench->renderer.light_block.measure / (float)bench->renderer.desc.settings.vpl_count;
+    float share = bench->renderer.light_block.measure /
+                  (float)settings_number(&bench->renderer.desc.settings, "vpls");
     float cone = emitter_cone(light, glms_vec3_dot(direction, to_vec3s(light->direction)));
     vec3s flux =
         glms_vec3_scale(glms_vec3_mul(hit.albedo, to_vec3s(light->intensity)), share * cone);
@@ -228,7 +228,7 @@ static double clamp_value(const struct bench *bench, const struct vpl *vpl, doub
                           double distance2) {
     double radius = (double)bench->stage.geometry.radius;
     return fmin(clamp_none(bench, vpl, cosines, distance2),
-                (double)bench->renderer.desc.settings.clamp_value / (radius * radius));
+                settings_number(&bench->renderer.desc.settings, "clamp-value") / (radius * radius));
 }
 
 static double clamp_disk(const struct bench *bench, const struct vpl *vpl, double cosines,

@@ -52,7 +52,7 @@ static void check_direct(const struct image *image) {
 
 /* The part of the worst pixel's error that facets do not explain. */
 static double worst_indirect(const struct renderer *renderer, const struct image *image) {
-    int count = renderer->desc.settings.vpl_count;
+    int count = (int)settings_number(&renderer->desc.settings, "vpls");
     struct vpl *vpls = read_vpls(renderer);
     int channel = image_find_channel(image, "indirect.R");
     double worst = 0;
@@ -163,7 +163,7 @@ static double vpl_flux(const struct stage *stage, const char *settings) {
     open_renderer(&renderer, &desc);
     struct vpl *vpls = read_vpls(&renderer);
     double sum = 0;
-    for (int i = 0; i < desc.settings.vpl_count; i++)
+    for (int i = 0; i < (int)settings_number(&desc.settings, "vpls"); i++)
         for (int c = 0; c < 3; c++)
             sum += (double)vpls[i].flux[c] / 3;
     free(vpls);

@@ -196,8 +196,11 @@ static void test_session(void **state) {
     (void)state;
     const char *folder = fresh_folder("session");
     char path[512];
-    struct session session = {.scene = "scenes/cornell-box.glb", .camera = "0", .light = "0"};
-    options_set_defaults(settings_table, &session.settings);
+    struct session session = {.scene = "scenes/cornell-box.glb",
+                              .technique = technique_default,
+                              .camera = "0",
+                              .light = "0"};
+    renderer_settings_init(&session.settings);
     snprintf(path, sizeof path, "%s/view.txt", folder);
     check_ok("save", session_save(&session, path));
     limit_files(10);

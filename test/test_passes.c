@@ -19,7 +19,8 @@ struct frame_of_vals {
     struct stage stage;
     struct renderer renderer;
     struct technique_outputs outputs;
-    int vpl_count, val_count;
+    int vpl_count, val_count, iterations;
+    double by_place, by_normal; /* weights of the clustering */
     struct vpl *vpls;
     struct map_view *views;
     float (*positions)[4], (*normals)[4], (*fluxes)[4]; /* of the VALs */
@@ -38,8 +39,11 @@ static void open_vals(struct frame_of_vals *frame, const char *scene, const char
     open_renderer(&frame->renderer, &desc);
     renderer_outputs(&frame->renderer, &frame->outputs);
     const struct technique_outputs *outputs = &frame->outputs;
-    frame->vpl_count = desc.settings.vpl_count;
-    frame->val_count = desc.settings.val_count;
+    frame->vpl_count = (int)settings_number(&desc.settings, "vpls");
+    frame->val_count = (int)settings_number(&desc.settings, "vals");
+    frame->iterations = (int)settings_number(&desc.settings, "iterations");
+    frame->by_place = settings_number(&desc.settings, "weight-position");
+    frame->by_normal = settings_number(&desc.settings, "weight-normal");
     frame->vpls = read_vpls(&frame->renderer);
     frame->views = mem_alloc((size_t)frame->val_count, sizeof *frame->views);
     buffer_read(&outputs->val_views->buffer, 0, (size_t)frame->val_count * sizeof *frame->views,
@@ -63,10 +67,6 @@ static bool emits(const struct vpl *vpl) {
     return vpl->emits > 0;
 }
 
-static int val_of(const struct vpl *vpl) {
-    return (int)vpl->val;
-}
-
 /* --- k-means ---------------------------------------------------------------------------------- */
 
 struct means {
@@ -75,15 +75,14 @@ struct means {
 
 static double criterion(const struct frame_of_vals *frame, const struct vpl *vpl,
                         const struct means *means, int k) {
-    const struct settings *settings = &frame->renderer.desc.settings;
     double apart = 0, cosine = 0;
     for (int c = 0; c < 3; c++) {
         apart += pow((double)vpl->position[c] - means->position[k][c], 2);
         cosine += (double)vpl->normal[c] * means->normal[k][c];
     }
     double angle = acos(fmax(-1, fmin(1, cosine)));
-    return (double)settings->weight_position * sqrt(apart) / (double)frame->stage.geometry.radius +
-           (double)settings->weight_normal * angle / GLM_PI;
+    return frame->by_place * sqrt(apart) / (double)frame->stage.geometry.radius +
+           frame->by_normal * angle / GLM_PI;
 }
 
 /* The nearest, and how much farther the second nearest is. */
@@ -142,7 +141,7 @@ static struct means run_k_means(const struct frame_of_vals *frame) {
             means.normal[k][c] = (double)frame->vpls[i].normal[c];
         }
     }
-    for (int i = 0; i < frame->renderer.desc.settings.iterations; i++)
+    for (int i = 0; i < frame->iterations; i++)
         iterate_means(frame, &means);
     return means;
 }
@@ -172,7 +171,7 @@ static void check_mapping(const struct frame_of_vals *frame, const struct means 
         double margin;
         int k = nearest(frame, &frame->vpls[i], means, &margin);
         clear += margin > 1e-4;
-        wrong += margin > 1e-4 && val_of(&frame->vpls[i]) != k;
+        wrong += margin > 1e-4 && (int)frame->vpls[i].val != k;
     }
     assert_true(clear > frame->vpl_count * 9 / 10);
     assert_int_equal(wrong, 0);
@@ -218,7 +217,7 @@ static double extent_of(const struct frame_of_vals *frame, int k) {
     glm_vec3_cross((float *)view->axis, (float *)view->tangent, bitangent);
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     for (int i = 0; i < frame->vpl_count; i++) {
-        if (!emits(&frame->vpls[i]) || val_of(&frame->vpls[i]) != k)
+        if (!emits(&frame->vpls[i]) || (int)frame->vpls[i].val != k)
             continue;
         vec3 q;
         glm_vec3_sub(frame->vpls[i].position, (float *)view->center, q);

@@ -137,8 +137,8 @@ static void test_sizes(void **state) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
-        for (int t = 0; technique_names[t]; t++)
-            check_picture("", &stage, technique_names[t], "vpls=64 vals=8 map-size=64 interleave=8",
+        for (const struct technique *const *t = techniques; *t; t++)
+            check_picture("", &stage, (*t)->name, "vpls=64 vals=8 map-size=64 interleave=8",
                           sizes[i][0], sizes[i][1]);
     stage_free(&stage);
 }
@@ -148,19 +148,20 @@ static void test_sizes(void **state) {
 static void test_scale(void **state) {
     (void)state;
     static const float scales[] = {1e-3f, 1e4f};
-    for (int t = 0; technique_names[t]; t++) {
-        const char *settings = t == 1 ? "vpls=32 map-size=64 interleave=1"
-                                      : "vpls=256 vals=8 map-size=64 interleave=4";
+    for (const struct technique *const *t = techniques; *t; t++) {
+        const char *settings = strcmp((*t)->name, "instant-radiosity") == 0
+                                   ? "vpls=32 map-size=64 interleave=1"
+                                   : "vpls=256 vals=8 map-size=64 interleave=4";
         struct stage stage;
         open_stage(&stage, "scenes/cornell-box.glb");
-        struct image plain = render_stage(&stage, technique_names[t], settings, 64);
+        struct image plain = render_stage(&stage, (*t)->name, settings, 64);
         stage_free(&stage);
         for (int i = 0; i < 2; i++) {
             open_stage(&stage, "scenes/cornell-box.glb");
             scale_scene(&stage.scene, scales[i]);
             pose_stage(&stage);
-            struct image scaled = render_stage(&stage, technique_names[t], settings, 64);
-            printf("  %s times %g\n", technique_names[t], (double)scales[i]);
+            struct image scaled = render_stage(&stage, (*t)->name, settings, 64);
+            printf("  %s times %g\n", (*t)->name, (double)scales[i]);
             check_finite("scaled", &scaled);
             /* What rounding of other numbers does to shadows' edges. */
             check_at_most("the scene at another scale, relative RMSE",
@@ -186,8 +187,8 @@ static void test_odd_lights(void **state) {
         if (i == 3)
             stage.emitters.items[0].position[1] =
                 1e3f; /* far above the ceiling, which has its back to it */
-        for (int t = 0; technique_names[t]; t++)
-            check_picture(i == 3 ? "light outside" : "intensity", &stage, technique_names[t],
+        for (const struct technique *const *t = techniques; *t; t++)
+            check_picture(i == 3 ? "light outside" : "intensity", &stage, (*t)->name,
                           "vpls=64 vals=8 map-size=64 interleave=4", 40, 40);
         stage_free(&stage);
     }

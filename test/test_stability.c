@@ -64,17 +64,17 @@ static void test_far(void **state) {
 static void test_scales(void **state) {
     (void)state;
     static const float scales[] = {1e-3F, 1e-2F, .1F, 10, 100, 1000};
-    for (int t = 0; technique_names[t]; t++) {
+    for (const struct technique *const *t = techniques; *t; t++) {
         struct stage stage;
         open_stage(&stage, "scenes/sphere.glb");
-        struct image plain = render_stage(&stage, technique_names[t], small, 48);
+        struct image plain = render_stage(&stage, (*t)->name, small, 48);
         stage_free(&stage);
         for (size_t i = 0; i < sizeof scales / sizeof *scales; i++) {
             open_stage(&stage, "scenes/sphere.glb");
             scale_scene(&stage.scene, scales[i]);
             pose_stage(&stage);
-            struct image scaled = render_stage(&stage, technique_names[t], small, 48);
-            printf("  %s, radius %g m\n", technique_names[t], (double)scales[i]);
+            struct image scaled = render_stage(&stage, (*t)->name, small, 48);
+            printf("  %s, radius %g m\n", (*t)->name, (double)scales[i]);
             check_at_most("indirect light", relative_rmse(&scaled, &plain, "indirect"), .005);
             check_at_most("picture", relative_rmse(&scaled, &plain, ""), .005);
             image_free(&scaled);

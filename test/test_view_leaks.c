@@ -85,9 +85,14 @@ static void load(const char *path) {
     turn(2);
 }
 
+static const struct technique *technique_of(int round) {
+    static const char *const names[] = {"clustered", "unshadowed", "instant-radiosity"};
+    return technique_find(names[round % 3]);
+}
+
 static void switch_technique(int round) {
-    viewer.technique = round % 3;
-    viewer.settings.val_count = 4 + round % 2;
+    viewer.technique = technique_of(round);
+    check_ok("VALs", settings_assign(&viewer.settings, round % 2 ? "vals=5" : "vals=4"));
     viewer_touch(&viewer);
     turn(1);
 }
@@ -105,7 +110,7 @@ static void switch_size(int round) {
 
 static void switch_wipe(int round) {
     viewer.compare.mode = round % 2 ? COMPARE_OFF : COMPARE_TECHNIQUE;
-    viewer.compare.technique = round / 2 % 3;
+    viewer.compare.technique = technique_of(round / 2);
     viewer_touch(&viewer);
     turn(2);
 }
@@ -137,7 +142,7 @@ static void minimise(int round) {
 
 /* As at the beginning, so that what is there can be compared. */
 static void go_back(void) {
-    viewer.technique = 0;
+    viewer.technique = technique_default;
     viewer.settings = viewer.desc.settings;
     viewer.compare.mode = COMPARE_OFF;
     viewer.choice.kind = SHOW_PICTURE;
@@ -188,11 +193,10 @@ static void test_kept(void **state) {
     if (!stage.server)
         skip();
     struct viewer_desc desc = {.width = 100, .height = 90, .debug = true};
-    options_set_defaults(settings_table, &desc.settings);
-    static const char *const cheap[] = {"vpls=64",     "vals=4",          "map-size=32",
-                                        "rsm-size=64", "shadow-size=128", "interleave=4"};
-    for (size_t i = 0; i < sizeof cheap / sizeof *cheap; i++)
-        check_ok(cheap[i], settings_assign(&desc.settings, cheap[i]));
+    static const char cheap[] =
+        "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=128 interleave=4";
+    renderer_settings_init(&desc.settings);
+    check_ok(cheap, settings_assign_all(&desc.settings, cheap));
     check_ok("viewer", viewer_begin(&viewer, &desc));
     dl_iterate_phdr(keep_library, NULL);
     load("scenes/metaballs.glb");

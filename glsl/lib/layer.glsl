@@ -13,8 +13,17 @@ layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
 layout(binding = UNIT_GBUFFER_NORMAL) uniform sampler2DArray normals;
 layout(binding = UNIT_GBUFFER_ALBEDO) uniform sampler2DArray albedos;
 layout(binding = UNIT_DIRECT) uniform sampler2D directs;
-layout(binding = UNIT_INDIRECT) uniform sampler2D indirects;
+#ifdef HAS_IRRADIANCE
+layout(binding = UNIT_IRRADIANCE) uniform sampler2D irradiances;
+#endif
 layout(binding = UNIT_SAMPLE_PICKS) uniform usampler2D sample_picks;
+#ifdef HAS_RADIANCE
+layout(binding = UNIT_RADIANCE) uniform sampler2D radiances;
+#endif
+#ifdef HAS_MEDIUM
+layout(binding = UNIT_IN_SCATTER) uniform sampler2D in_scatters;
+layout(binding = UNIT_TRANSMITTANCE) uniform sampler2D transmittances;
+#endif
 
 // Takes the place of the albedo where it is zero, so that the light on a black surface is told.
 const float LEAST_WEIGHT = 1e-6;
@@ -26,28 +35,52 @@ struct seen {
     vec3 albedo, direct, indirect, radiance;
 };
 
+// What the technique adds on its way from surface to camera, if anything.
+vec3 through_medium(vec3 radiance, ivec2 texel) {
+#ifdef HAS_MEDIUM
+    return radiance * texelFetch(transmittances, texel, 0).rgb +
+           params.scale * texelFetch(in_scatters, texel, 0).rgb;
+#else
+    return radiance;
+#endif
+}
+
+vec3 radiance_of(vec3 albedo, vec3 received, ivec2 texel) {
+    vec3 radiance = albedo * received;
+#ifdef HAS_RADIANCE
+    radiance += params.scale * texelFetch(radiances, texel, 0).rgb;
+#endif
+    return through_medium(radiance, texel);
+}
+
 seen seen_from(ivec2 pixel) {
     uvec2 picks = texelFetch(sample_picks, min(pixel, textureSize(sample_picks, 0) - 1), 0).rg;
     ivec2 last = textureSize(depths, 0).xy - 1;
-    int count = picks == uvec2(0u) ? 1 : int(params.light.w);
+    int count = picks == uvec2(0u) ? 1 : int(params.samples);
     seen sum = seen(0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 weights = vec3(0.0);
     for (int i = 0; i < count; i++) {
         uint pick = pick_of(picks, i);
-        if (pick == PICK_NOTHING)
+        if (pick == PICK_NOTHING) {
+            sum.radiance += through_medium(vec3(0.0), pixel);
             continue;
+        }
         ivec2 texel = clamp(pixel + pick_offset(pick), ivec2(0), last);
         float present = texelFetch(depths, ivec3(texel, 0), 0).r > 0.0 ? 1.0 : 0.0;
         vec3 albedo = albedo_fetch(albedos, ivec3(texel, 0));
-        vec3 direct = params.light.rgb * texelFetch(directs, texel, 0).r;
-        vec3 indirect = params.indirect * texelFetch(indirects, texel, 0).rgb;
+        vec3 direct = texelFetch(directs, texel, 0).rgb;
+#ifdef HAS_IRRADIANCE
+        vec3 indirect = params.indirect * texelFetch(irradiances, texel, 0).rgb;
+#else
+        vec3 indirect = vec3(0.0);
+#endif
         vec3 weight = (albedo + LEAST_WEIGHT) * present;
         weights += weight;
         sum.coverage += present;
         sum.albedo += albedo;
         sum.direct += weight * direct;
         sum.indirect += weight * indirect;
-        sum.radiance += albedo * (direct + indirect);
+        sum.radiance += radiance_of(albedo, direct + indirect, texel);
     }
     float share = 1.0 / float(count);
     vec3 weighted = 1.0 / max(weights, vec3(LEAST_WEIGHT));

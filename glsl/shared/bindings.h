@@ -39,7 +39,7 @@
 #define UNIT_BLOCK_VISIBILITY 22
 #define UNIT_NEAR_LIGHT 23
 #define UNIT_DIRECT 24
-#define UNIT_INDIRECT 25
+#define UNIT_IRRADIANCE 25
 #define UNIT_BLUR_TAPS 26
 #define UNIT_SAMPLE_DEPTH 27
 #define UNIT_SAMPLE_PICKS 28
@@ -48,6 +48,8 @@
 #define UNIT_LEFT_PICTURE 31
 #define UNIT_RIGHT_PICTURE 32
 #define UNIT_RADIANCE 33
+#define UNIT_IN_SCATTER 34
+#define UNIT_TRANSMITTANCE 35
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0

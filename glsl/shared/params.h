@@ -5,11 +5,13 @@
 #include "shared/types.h"
 
 struct composite_params {
-    vec4 light;       /* radiance per stored direct value, RGB; w: samples of a pixel */
-    float indirect;   /* radiance per stored irradiance */
+    float samples;    /* of a pixel */
+    float indirect;   /* radiance of a white surface per stored irradiance */
     float exposure;   /* factor */
     float tone_map;   /* 0 clamp, 1 filmic */
     float layer;      /* what to write, LAYER_... */
+    float scale;      /* radiance per stored radiance */
+    float unused0, unused1;
 };
 STD140_SIZE(composite_params, 32)
 

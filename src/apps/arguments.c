@@ -40,11 +40,11 @@ static bool asks_for_help(int argc, char **argv) {
 }
 
 static void print_help(const struct arguments *arguments, const struct option *table,
-                       const char *name) {
+                       const char *name, const void *values) {
     printf("usage: manylight %s %s\n\n%s\n\n", name, arguments->synopsis, arguments->summary);
     options_print_help(stdout, table, "--");
     if (arguments->print_more)
-        arguments->print_more(stdout);
+        arguments->print_more(stdout, values);
 }
 
 static void set_log_level(const struct common_values *common) {
@@ -62,7 +62,9 @@ bool arguments_parse(const struct arguments *arguments, void *values, int argc, 
     options_set_defaults(table, values);
     bool go_on = false;
     if (asks_for_help(argc, argv)) {
-        print_help(arguments, table, argv[0]);
+        options_parse_arguments(table, values, argc, argv, positional, arguments->max_positional,
+                                positional_count);
+        print_help(arguments, table, argv[0], values);
         *status = STATUS_OK;
     } else if (!options_parse_arguments(table, values, argc, argv, positional,
                                         arguments->max_positional, positional_count)) {

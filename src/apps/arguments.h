@@ -33,7 +33,8 @@ struct arguments {
     const char *summary;          /* a line or more, without the last line feed */
     const struct option *options; /* its own rows, without the common ones */
     int min_positional, max_positional;
-    void (*print_more)(FILE *out); /* the end of --help; NULL = nothing */
+    /* The end of --help, which may depend on what else was asked; NULL = nothing. */
+    void (*print_more)(FILE *out, const void *values);
 };
 
 /* Sets values to their defaults, parses, and sets the log level by --quiet and --verbose. The

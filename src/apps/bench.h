@@ -38,7 +38,7 @@ bool bench_list_cases(struct bench_cases *cases, const struct bench_values *valu
                       const struct stage *stage, const struct sweep *sweep);
 
 /* The named variants, for --help. */
-void bench_print_variants(FILE *out);
+void bench_print_variants(FILE *out, const void *values);
 
 /* The protocol for the context, with what the options say. */
 struct bench_protocol bench_choose_protocol(const struct bench_values *values, bool software);

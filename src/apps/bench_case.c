@@ -56,25 +56,21 @@ enum bench_step bench_step_of(const char *path) {
     return STEP_OTHER;
 }
 
-/* The two that are no settings, as a table of their own. */
-static const struct option case_table[] = {
-    {"technique", 0, OPTION_CHOICE, offsetof(struct bench_case, technique),
-     .choices = technique_names, .help = ""},
-    {"size", 0, OPTION_SIZE, offsetof(struct bench_case, width), 800, 1, 16384, .help = ""},
-    {NULL},
-};
+static const struct option size_option = {
+    "size", 0, OPTION_SIZE, offsetof(struct bench_case, width), 800, 1, 16384, .help = ""};
 
 _Static_assert(offsetof(struct bench_case, height) ==
                    offsetof(struct bench_case, width) + sizeof(int),
                "OPTION_SIZE writes both");
 
 bool bench_assign(struct bench_case *prepared, const char *assignment) {
-    for (const struct option *o = case_table; o->name; o++) {
-        size_t length = strlen(o->name);
-        if (strncmp(assignment, o->name, length) == 0 && assignment[length] == '=')
-            return option_parse(o, prepared, assignment + length + 1);
+    if (strncmp(assignment, "size=", 5) == 0)
+        return option_parse(&size_option, prepared, assignment + 5);
+    if (strncmp(assignment, "technique=", 10) == 0) {
+        prepared->technique = technique_find(assignment + 10);
+        return prepared->technique;
     }
-    return settings_assign(&prepared->settings, assignment);
+    return renderer_settings_assign(&prepared->settings, prepared->technique, &assignment, 1);
 }
 
 bool bench_assign_all(struct bench_case *prepared, const char *assignments) {
@@ -113,15 +109,15 @@ double bench_sum_ms(const struct bench_case *measured) {
 
 void bench_options(const struct settings *settings, char *text, size_t size) {
     struct settings defaults;
-    options_set_defaults(settings_table, &defaults);
+    renderer_settings_init(&defaults);
     size_t used = 0;
     text[0] = '\0';
-    for (const struct option *o = settings_table; o->name; o++) {
-        char value[64], usual[64];
-        option_format(o, settings, value, sizeof value);
-        option_format(o, &defaults, usual, sizeof usual);
-        if (strcmp(value, usual) != 0 && used < size)
-            used += (size_t)snprintf(text + used, size - used, "%s%s=%s", used ? " " : "", o->name,
-                                     value);
+    for (struct setting setting = {0}; settings_next(settings, &setting);) {
+        char name[SETTING_NAME_SIZE], value[64];
+        if (setting_equal(&setting, settings, &defaults) || used >= size)
+            continue;
+        setting_name(&setting, name);
+        setting_format(&setting, settings, value, sizeof value);
+        used += (size_t)snprintf(text + used, size - used, "%s%s=%s", used ? " " : "", name, value);
     }
 }

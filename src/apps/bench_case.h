@@ -4,7 +4,7 @@
 #define APPS_BENCH_CASE_H
 
 #include "gl/timer.h"
-#include "techniques/technique.h"
+#include "renderer/settings.h"
 
 enum { BENCH_NAME_SIZE = 96 };
 
@@ -34,7 +34,7 @@ struct bench_case {
     char scene[BENCH_NAME_SIZE];
     char series[BENCH_NAME_SIZE]; /* the kind: "fast", "instant-radiosity hard" */
     char label[BENCH_NAME_SIZE];  /* the numbers within the kind: "vals=8 terms=2"; or "" */
-    int technique;                /* index into techniques */
+    const struct technique *technique;
     struct settings settings;
     int width, height;
 

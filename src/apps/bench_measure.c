@@ -38,7 +38,8 @@ bool bench_case_start(struct renderer *renderer, const struct bench_case *prepar
         .software = software,
     };
     *renderer = (struct renderer){0};
-    return (settings_check(&prepared->settings) && renderer_init(renderer, &desc)) ||
+    return (technique_check(prepared->technique, &prepared->settings) &&
+            renderer_init(renderer, &desc)) ||
            error_prefix("%s, %s %s", prepared->scene, prepared->series, prepared->label);
 }
 

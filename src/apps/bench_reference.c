@@ -40,9 +40,12 @@ static uint64_t hash_text(uint64_t hash, const char *text) {
 
 /* What a rendered reference depends on beside the scene. */
 static uint64_t hash_settings(uint64_t hash) {
-    for (const struct option *o = settings_table; o->name; o++) {
-        char text[64];
-        snprintf(text, sizeof text, "%s=%g ", o->name, o->default_value);
+    struct settings settings;
+    renderer_settings_init(&settings);
+    for (struct setting s = {0}; settings_next(&settings, &s);) {
+        char text[128];
+        snprintf(text, sizeof text, "%s.%s=%g ", s.part->owner, s.option->name,
+                 s.option->default_value);
         hash = hash_text(hash, text);
     }
     return hash;
@@ -98,7 +101,7 @@ bool bench_reference_trace(const struct bench_reference_desc *desc, struct image
 static bool render_all_vpls(const struct bench_reference_desc *desc, struct image *image) {
     struct bench_case all = {.series = "reference", .width = desc->width, .height = desc->height};
     snprintf(all.scene, sizeof all.scene, "%s", desc->stage->name);
-    options_set_defaults(settings_table, &all.settings);
+    renderer_settings_init(&all.settings);
     return bench_assign_all(&all, "technique=instant-radiosity,interleave=1,blur-radius=0") &&
            bench_picture_render(&all, desc->stage, desc->software, image);
 }

@@ -49,8 +49,9 @@ static double pixels_of(const struct bench_case *measured) {
 
 /* Each pixel takes the VPLs of its interleave slot. */
 static double pixel_vpls_of(const struct bench_case *measured) {
-    int slots = measured->settings.interleave * measured->settings.interleave;
-    return pixels_of(measured) * measured->settings.vpl_count / slots;
+    int slots = (int)settings_number(&measured->settings, "interleave") *
+                (int)settings_number(&measured->settings, "interleave");
+    return pixels_of(measured) * (int)settings_number(&measured->settings, "vpls") / slots;
 }
 
 static void print_cell(FILE *out, const char *text) {
@@ -72,8 +73,9 @@ static void print_row(FILE *out, const struct bench_case *measured, const struct
     bool timed = strcmp(quantity->unit, "ms") == 0;
     print_cell(out, measured->scene);
     fprintf(out, "%u,%d,%d,%d,%d,", measured->faces, measured->width, measured->height,
-            measured->settings.vpl_count, measured->settings.val_count);
-    print_cell(out, techniques[measured->technique]->name);
+            (int)settings_number(&measured->settings, "vpls"),
+            (int)settings_number(&measured->settings, "vals"));
+    print_cell(out, measured->technique->name);
     print_cell(out, measured->series);
     print_cell(out, measured->label);
     print_cell(out, options);
@@ -153,10 +155,12 @@ static void print_quantity(FILE *out, const struct bench_case *measured,
 
 static void print_settings(FILE *out, const struct settings *settings) {
     fprintf(out, "\"settings\": {");
-    for (const struct option *o = settings_table; o->name; o++) {
-        char value[64];
-        option_format(o, settings, value, sizeof value);
-        fprintf(out, "%s\"%s\": ", o == settings_table ? "" : ", ", o->name);
+    const char *separator = "";
+    for (struct setting s = {0}; settings_next(settings, &s); separator = ", ") {
+        char name[SETTING_NAME_SIZE], value[64];
+        setting_name(&s, name);
+        setting_format(&s, settings, value, sizeof value);
+        fprintf(out, "%s\"%s\": ", separator, name);
         json_print_text(out, value);
     }
     fprintf(out, "},\n");
@@ -170,7 +174,7 @@ static void print_case(FILE *out, const struct bench_case *measured) {
     print_number_member(out, "faces", measured->faces, ", ");
     print_number_member(out, "width", measured->width, ", ");
     print_number_member(out, "height", measured->height, ", ");
-    print_text_member(out, "technique", techniques[measured->technique]->name);
+    print_text_member(out, "technique", measured->technique->name);
     print_text_member(out, "series", measured->series);
     print_text_member(out, "label", measured->label);
     print_settings(out, &measured->settings);

@@ -60,8 +60,8 @@ static bool parse_axes(const struct bench_values *values, struct sweep axes[3]) 
 
 static double size_of(int axis, const struct bench_case *c) {
     return axis == 0   ? (double)c->width * c->height
-           : axis == 1 ? c->settings.vpl_count
-                       : c->settings.val_count;
+           : axis == 1 ? (int)settings_number(&c->settings, "vpls")
+                       : (int)settings_number(&c->settings, "vals");
 }
 
 /* Prints the growth of each series of a scene's cases, of one axis. */

@@ -16,9 +16,12 @@ static const char *full_name(const char *name) {
 }
 
 static bool is_numeric(const char *name) {
-    const struct option *option = option_find(settings_table, name);
+    struct settings settings;
+    struct setting found = {0};
+    renderer_settings_init(&settings);
+    bool known = settings_find(&settings, name, &found);
     return strcmp(name, "size") == 0 ||
-           (option && (option->type == OPTION_INT || option->type == OPTION_FLOAT));
+           (known && (found.option->type == OPTION_INT || found.option->type == OPTION_FLOAT));
 }
 
 static bool add_axis(struct sweep *sweep, const char *name, size_t length) {
@@ -34,7 +37,8 @@ static bool add_axis(struct sweep *sweep, const char *name, size_t length) {
 
 /* Assigns to a case that nobody needs, to hear early of mistakes. */
 static bool check_value(const struct sweep_axis *axis, const char *value) {
-    struct bench_case scratch = {0};
+    struct bench_case scratch = {.technique = technique_default};
+    renderer_settings_init(&scratch.settings);
     char assignment[2 * SWEEP_TEXT_SIZE + 2];
     snprintf(assignment, sizeof assignment, "%s=%s", axis->name, value);
     return bench_assign(&scratch, assignment);

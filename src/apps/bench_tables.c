@@ -39,8 +39,9 @@ void bench_print_table1(FILE *out, const struct bench_case *cases, int count) {
         if (paper_fps(c->scene) > 0)
             snprintf(paper, sizeof paper, "%.1f", paper_fps(c->scene));
         fprintf(out, "  %-16s %-18s %9s %8u %6d %5d %9.2f %9.2f %9s %6.1f MiB\n", c->scene,
-                c->series, size, c->faces, c->settings.vpl_count, c->settings.val_count,
-                c->wall_ms.median, 1e3 / c->wall_ms.median, paper, c->gpu_memory);
+                c->series, size, c->faces, (int)settings_number(&c->settings, "vpls"),
+                (int)settings_number(&c->settings, "vals"), c->wall_ms.median,
+                1e3 / c->wall_ms.median, paper, c->gpu_memory);
     }
 }
 
@@ -61,7 +62,8 @@ void bench_print_table2(FILE *out, const struct bench_case *measured) {
     }
     const struct summary *whole = &measured->passes[0].ms;
     double pixels = (double)measured->width * measured->height;
-    int slots = measured->settings.interleave * measured->settings.interleave;
+    int slots = (int)settings_number(&measured->settings, "interleave") *
+                (int)settings_number(&measured->settings, "interleave");
     fprintf(out,
             "  sum of passes %.3f ms, whole frame %.3f ms (p5 %.3f, p95 %.3f, min %.3f, max "
             "%.3f of %d), without timers %.3f ms\n",
@@ -70,7 +72,7 @@ void bench_print_table2(FILE *out, const struct bench_case *measured) {
     fprintf(out, "  %.3g ns per pixel, the indirect step %.3g ns per pixel and VPL\n",
             frame * 1e6 / pixels,
             bench_step_ms(measured, STEP_INDIRECT) * 1e6 * slots /
-                (pixels * measured->settings.vpl_count));
+                (pixels * (int)settings_number(&measured->settings, "vpls")));
 }
 
 void bench_print_ratios(FILE *out, const struct bench_case *cases, int count) {

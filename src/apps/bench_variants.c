@@ -22,7 +22,8 @@ static const char *const usual_variants[] = {"paper", "fast"};
 
 enum { USUAL_VARIANTS = sizeof usual_variants / sizeof *usual_variants };
 
-void bench_print_variants(FILE *out) {
+void bench_print_variants(FILE *out, const void *values) {
+    (void)values;
     fprintf(out, "\nvariants, for --variant:\n");
     for (const struct variant *v = variants; v < variants + VARIANT_COUNT; v++)
         fprintf(out, "  %-18s %s (%s)\n", v->name, v->help, v->assignments);
@@ -42,9 +43,10 @@ static bool apply_variant(struct bench_case *prepared, const char *text) {
 
 bool bench_prepare(struct bench_case *prepared, const struct bench_values *values,
                    const struct stage *stage, const char *variant) {
-    *prepared = (struct bench_case){.width = values->size[0], .height = values->size[1]};
+    *prepared = (struct bench_case){
+        .technique = technique_default, .width = values->size[0], .height = values->size[1]};
     snprintf(prepared->scene, sizeof prepared->scene, "%s", stage->name);
-    options_set_defaults(settings_table, &prepared->settings);
+    renderer_settings_init(&prepared->settings);
     if (!apply_variant(prepared, variant))
         return false;
     for (int i = 0; i < values->settings.count; i++)
@@ -66,7 +68,7 @@ static bool list_variant(struct bench_cases *cases, const struct bench_values *v
         if (!bench_prepare(prepared, values, stage, variant))
             return false;
         sweep_apply(sweep, point, prepared);
-        if (!settings_check(&prepared->settings))
+        if (!technique_check(prepared->technique, &prepared->settings))
             return error_prefix("%s %s", prepared->series, prepared->label);
     }
     return true;

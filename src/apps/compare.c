@@ -42,7 +42,8 @@ static const struct option options[] = {
     {NULL},
 };
 
-static void print_metrics(FILE *out) {
+static void print_metrics(FILE *out, const void *values) {
+    (void)values;
     fprintf(out,
             "\nMetrics of v = TEST and r = REFERENCE, over pixels and R, G, B in linear light:\n");
     for (const struct metric *m = metrics; m < metrics + METRIC_COUNT; m++)

@@ -156,7 +156,7 @@ static bool trace_vpls(const struct values *values, const struct settings *setti
         ok = vpl_trace(&renderer, values->size[0], values->size[1], &progress, image);
         double seconds = progress_end(&progress);
         if (ok)
-            log_note("%d VPLs in %.1f s", settings->vpl_count, seconds);
+            log_note("VPLs summed in %.1f s", seconds);
         renderer_free(&renderer);
     }
     context_free(context);
@@ -164,13 +164,12 @@ static bool trace_vpls(const struct values *values, const struct settings *setti
 }
 
 static bool parse_settings(const struct values *values, struct settings *settings) {
-    options_set_defaults(settings_table, settings);
-    for (int i = 0; i < values->settings.count; i++)
-        if (!settings_assign(settings, values->settings.items[i]))
-            return false;
+    renderer_settings_init(settings);
     if (values->technique == TECHNIQUE_PATH && values->settings.count)
         return error_set("--set is for --technique vpl-raytraced");
-    return settings_check(settings);
+    return renderer_settings_assign(settings, technique_default, values->settings.items,
+                                    values->settings.count) &&
+           technique_check(technique_default, settings);
 }
 
 int app_reference(int argc, char **argv) {

@@ -7,6 +7,7 @@
 #include "measure/progress.h"
 #include "measure/stage.h"
 #include "apps/stats.h"
+#include "apps/technique_options.h"
 
 #include "base/error.h"
 #include "base/image_file.h"
@@ -22,9 +23,10 @@
 struct values {
     struct common_values common;
     struct context_desc context;
-    struct text_list outputs, settings;
+    struct technique_values technique;
+    struct text_list outputs;
     int size[2];
-    int technique, layer;
+    int layer;
     const char *camera, *light, *clip, *frames, *glsl, *aov;
     float time, fps;
     bool skip_existing, stats;
@@ -36,15 +38,12 @@ static const struct option options[] = {
      .help = "picture to write; the extension picks the format; repeatable"},
     {"size", 0, OPTION_SIZE, offsetof(struct values, size), 800, 1, 16384,
      .help = "of the picture, pixels"},
-    {"technique", 0, OPTION_CHOICE, offsetof(struct values, technique), .choices = technique_names,
-     .help = "how indirect light is made"},
+    TECHNIQUE_OPTIONS(struct values, technique),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, layer), .choices = shown_layer_names,
      .help = "light that PNG, JPEG and the like show; EXR has all layers"},
     {"aov", 0, OPTION_TEXT, offsetof(struct values, aov), .value_name = "LAYER[,LAYER ...]",
      .help = "more layers in EXR: gathered (before the blur), val (the strongest VAL's colour),\n"
              "visibility (the share of the VALs' light that arrives), vpl (flux of VPLs)"},
-    {"set", 0, OPTION_LIST, offsetof(struct values, settings), .value_name = "KEY=VALUE",
-     .help = "a setting of the list below; repeatable"},
     {"camera", 0, OPTION_TEXT, offsetof(struct values, camera), .value_name = "NAME|N",
      .help = "camera of the scene [the first], or changed: \"0 eye=0,1,3 forward=0,0,-1\""},
     {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N",
@@ -68,7 +67,7 @@ static const struct option options[] = {
     {NULL},
 };
 
-static void print_settings(FILE *out) {
+static void print_more(FILE *out, const void *values) {
     fprintf(
         out,
         "\na sequence, split between processes by GNU parallel or by a job array of Slurm:\n"
@@ -76,8 +75,7 @@ static void print_settings(FILE *out) {
         "      --frames {}..$(({} + 24))'\n"
         "  sbatch --array=0-9 --wrap 'i=$((SLURM_ARRAY_TASK_ID * 25)); manylight render S.glb \\\n"
         "      -o out.####.exr --skip-existing --frames $i..$((i + 24))'\n");
-    fprintf(out, "\nsettings, for --set:\n");
-    options_print_help(out, settings_table, "");
+    technique_values_print_help(out, &((const struct values *)values)->technique);
 }
 
 static const struct arguments arguments = {
@@ -90,7 +88,7 @@ static const struct arguments arguments = {
     .options = options,
     .min_positional = 1,
     .max_positional = 1,
-    .print_more = print_settings,
+    .print_more = print_more,
 };
 
 /* Each frame of several needs files of its own. */
@@ -123,14 +121,6 @@ static bool parse_debug_layers(struct values *values) {
     for (int i = 0; i < values->outputs.count; i++)
         any = any || (image_format_is_float(values->outputs.items[i], &is_float) && is_float);
     return any || error_set("aov: no output that holds layers: -o FILE.exr");
-}
-
-static bool parse_settings(const struct values *values, struct settings *settings) {
-    options_set_defaults(settings_table, settings);
-    for (int i = 0; i < values->settings.count; i++)
-        if (!settings_assign(settings, values->settings.items[i]))
-            return false;
-    return settings_check(settings);
 }
 
 static bool write_output(const struct values *values, struct renderer *renderer, const char *path) {
@@ -248,7 +238,7 @@ static bool render(const struct values *values, const struct frames *frames,
 
 /* The stage begins at time 0, whatever the frames: so all of them come out of the same renderer. */
 static bool render_scene(const struct values *values, const struct frames *frames,
-                         const struct settings *settings, const char *path) {
+                         struct renderer_desc *desc, const char *path) {
     struct stage stage;
     struct context *context;
     if (!check_files(values, frames, path) ||
@@ -257,21 +247,13 @@ static bool render_scene(const struct values *values, const struct frames *frame
                                                  .light = values->light,
                                                  .clip = values->clip}))
         return false;
-    bool ok = (context = context_create(&values->context)) &&
-              render(values, frames,
-                     &(struct renderer_desc){
-                         .width = values->size[0],
-                         .height = values->size[1],
-                         .technique = values->technique,
-                         .settings = *settings,
-                         .scene = &stage.scene,
-                         .geometry = &stage.geometry,
-                         .light = stage.emitters.items[0],
-                         .camera = stage.camera,
-                         .timed = values->stats,
-                         .software = context_is_software(context),
-                     },
-                     &stage);
+    desc->scene = &stage.scene;
+    desc->geometry = &stage.geometry;
+    desc->light = stage.emitters.items[0];
+    desc->camera = stage.camera;
+    context = context_create(&values->context);
+    desc->software = context && context_is_software(context);
+    bool ok = context && render(values, frames, desc, &stage);
     context_free(context);
     stage_free(&stage);
     return ok;
@@ -279,20 +261,21 @@ static bool render_scene(const struct values *values, const struct frames *frame
 
 int app_render(int argc, char **argv) {
     struct values values;
-    struct settings settings;
     struct frames frames = {0};
     const char *scene;
     int count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, &scene, &count, &status))
         return status;
+    struct renderer_desc desc = {
+        .width = values.size[0], .height = values.size[1], .timed = values.stats};
     if ((values.frames && !frames_parse(&frames, values.frames)) ||
         !check_outputs(&values, &frames) || !parse_debug_layers(&values) ||
-        !parse_settings(&values, &settings)) {
+        !technique_values_resolve(&values.technique, &desc)) {
         frames_free(&frames);
         return arguments_misuse(argv[0]);
     }
     glsl_set_folder(values.glsl);
-    bool ok = render_scene(&values, &frames, &settings, scene);
+    bool ok = render_scene(&values, &frames, &desc, scene);
     frames_free(&frames);
     return ok ? STATUS_OK : arguments_fail(argv[0]);
 }

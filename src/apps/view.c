@@ -1,6 +1,7 @@
 /* manylight view: the desktop viewer. */
 #include "apps/apps.h"
 #include "apps/arguments.h"
+#include "apps/technique_options.h"
 
 #include "base/error.h"
 #include "base/image_file.h"
@@ -9,9 +10,9 @@
 
 struct values {
     struct common_values common;
-    struct text_list settings;
+    struct technique_values technique;
     int size[2];
-    int technique, layer, frames;
+    int layer, frames;
     const char *camera, *light, *clip, *reference, *glsl, *screenshot;
     float time;
     bool debug;
@@ -20,10 +21,7 @@ struct values {
 static const struct option options[] = {
     {"size", 0, OPTION_SIZE, offsetof(struct values, size), 800, 16, 16384,
      .help = "of the picture, pixels"},
-    {"technique", 0, OPTION_CHOICE, offsetof(struct values, technique), .choices = technique_names,
-     .help = "how indirect light is made"},
-    {"set", 0, OPTION_LIST, offsetof(struct values, settings), .value_name = "KEY=VALUE",
-     .help = "a setting of the list below; repeatable"},
+    TECHNIQUE_OPTIONS(struct values, technique),
     {"camera", 0, OPTION_TEXT, offsetof(struct values, camera), .value_name = "NAME|N",
      .help = "camera of the scene [the first], or changed: \"0 eye=0,1,3 forward=0,0,-1\""},
     {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N",
@@ -49,9 +47,8 @@ static const struct option options[] = {
     {NULL},
 };
 
-static void print_settings(FILE *out) {
-    fprintf(out, "\nsettings, for --set:\n");
-    options_print_help(out, settings_table, "");
+static void print_techniques(FILE *out, const void *values) {
+    technique_values_print_help(out, &((const struct values *)values)->technique);
 }
 
 static const struct arguments arguments = {
@@ -59,16 +56,8 @@ static const struct arguments arguments = {
     .summary = "Shows a glTF scene in a window, rendered live. F1 lists keys and mouse.",
     .options = options,
     .max_positional = 1,
-    .print_more = print_settings,
+    .print_more = print_techniques,
 };
-
-static bool parse_settings(const struct values *values, struct settings *settings) {
-    options_set_defaults(settings_table, settings);
-    for (int i = 0; i < values->settings.count; i++)
-        if (!settings_assign(settings, values->settings.items[i]))
-            return false;
-    return settings_check(settings);
-}
 
 int app_view(int argc, char **argv) {
     struct values values;
@@ -80,7 +69,6 @@ int app_view(int argc, char **argv) {
         .scene = scene,
         .width = values.size[0],
         .height = values.size[1],
-        .technique = values.technique,
         .camera = values.camera,
         .light = values.light,
         .clip = values.clip,
@@ -93,8 +81,12 @@ int app_view(int argc, char **argv) {
         .screenshot = values.screenshot,
     };
     bool is_float;
-    if (!parse_settings(&values, &desc.settings) ||
-        (values.screenshot && !image_format_is_float(values.screenshot, &is_float)))
+    struct renderer_desc made = {0};
+    bool ok = technique_values_resolve(&values.technique, &made);
+    desc.technique = made.technique;
+    desc.direct = made.direct;
+    desc.settings = made.settings;
+    if (!ok || (values.screenshot && !image_format_is_float(values.screenshot, &is_float)))
         return arguments_misuse(argv[0]);
     if ((values.frames || values.screenshot) && !scene) {
         error_set("--frames and --screenshot need a scene");

@@ -150,6 +150,25 @@ bool option_parse(const struct option *option, void *values, const char *text) {
     return false;
 }
 
+double option_number(const struct option *option, const void *values) {
+    const void *at = field(option, values);
+    switch (option->type) {
+    case OPTION_FLAG:
+        return *(const bool *)at;
+    case OPTION_INT:
+    case OPTION_CHOICE:
+        return *(const int *)at;
+    case OPTION_FLOAT:
+        return (double)*(const float *)at;
+    case OPTION_TEXT:
+    case OPTION_LIST:
+    case OPTION_SIZE:
+        break;
+    }
+    assert(!"no number");
+    return 0;
+}
+
 void option_format(const struct option *option, const void *values, char *text, size_t size) {
     const void *at = field(option, values);
     switch (option->type) {
@@ -198,18 +217,6 @@ bool option_equal(const struct option *option, const void *a, const void *b) {
     }
     assert(!"lists are not compared");
     return false;
-}
-
-bool option_assign(const struct option *table, void *values, const char *assignment) {
-    const char *equals = strchr(assignment, '=');
-    if (!equals)
-        return error_set("'%s' is not key=value", assignment);
-    char name[64];
-    snprintf(name, sizeof name, "%.*s", (int)(equals - assignment), assignment);
-    const struct option *option = option_find(table, name);
-    if (!option)
-        return error_set("no setting is called '%s' (--help lists them)", name);
-    return option_parse(option, values, equals + 1);
 }
 
 static const struct option *find_argument(const struct option *table, const char *argument,
@@ -298,12 +305,10 @@ void options_print_help(FILE *out, const struct option *table, const char *prefi
     static const char *const value_names[] = {"", "N", "X", "NAME", "TEXT", "TEXT", "WxH"};
     for (const struct option *o = table; o->name; o++) {
         char left[96], range[512], letter[8] = "";
-        if (o->group)
-            fprintf(out, "\n  %s:\n", o->group);
         if (o->letter)
             snprintf(letter, sizeof letter, "-%c, ", o->letter);
         const char *value = o->value_name ? o->value_name : value_names[o->type];
-        bool shown = *value && *prefix;
+        bool shown = *value && *prefix == '-';
         snprintf(left, sizeof left, "%s%s%s%s%s", letter, prefix, o->name, shown ? " " : "",
                  shown ? value : "");
         describe_range(o, range, sizeof range);

@@ -36,8 +36,7 @@ struct option {
     const char *const *choices; /* OPTION_CHOICE: null-terminated */
     const char *value_name;     /* in --help: "FILE"; NULL = by type */
     const char *help;
-    bool reinit;       /* a change allocates or compiles anew */
-    const char *group; /* a heading above this row and those that follow; NULL = none */
+    bool reinit; /* a change allocates or compiles anew */
 };
 
 /* A table ends with a row whose name is NULL. */
@@ -51,14 +50,14 @@ const struct option *option_find(const struct option *table, const char *name);
 /* Sets one field from text. Error: names the option, the text and what is allowed. */
 bool option_parse(const struct option *option, void *values, const char *text);
 
+/* The field of a flag, a number or a choice. */
+double option_number(const struct option *option, const void *values);
+
 /* The field as text that option_parse reads back. */
 void option_format(const struct option *option, const void *values, char *text, size_t size);
 
 /* Whether a field is the same in two structs of values. Not for OPTION_LIST. */
 bool option_equal(const struct option *option, const void *a, const void *b);
-
-/* Parses "key=value" into a table of settings. */
-bool option_assign(const struct option *table, void *values, const char *assignment);
 
 /* Parses a command line: --name value, --name=value, -o value, flags, and up to max_positional
  * other arguments ("--" ends the options). argv[0] is skipped. Error: unknown option, missing
@@ -66,7 +65,7 @@ bool option_assign(const struct option *table, void *values, const char *assignm
 bool options_parse_arguments(const struct option *table, void *values, int argc, char **argv,
                              const char **positional, int max_positional, int *positional_count);
 
-/* A line or two per row, for --help. prefix is "--" on a command line and "" in a --set table. */
+/* A line or two per row, for --help, under its name with a prefix: "--" on a command line. */
 void options_print_help(FILE *out, const struct option *table, const char *prefix);
 
 #endif

@@ -1,8 +1,8 @@
 #include "measure/vpl_trace.h"
 
 #include "measure/lights.h"
-#include "passes/gather.h"
 #include "reference/vpl_sum.h"
+#include "techniques/many_lights.h"
 
 static bool show(void *user, double done) {
     if (user)
@@ -10,8 +10,8 @@ static bool show(void *user, double done) {
     return true;
 }
 
-static enum vpl_sum_bound bound_of(const struct settings *settings) {
-    switch (settings->clamp) {
+static enum vpl_sum_bound bound_of(const struct gather_settings *settings) {
+    switch ((enum gather_clamp)settings->clamp) {
     case GATHER_CLAMP_NONE:
         return VPL_SUM_UNBOUNDED;
     case GATHER_CLAMP_VALUE:
@@ -29,6 +29,7 @@ bool vpl_trace(struct renderer *renderer, int width, int height, struct progress
     *image = (struct image){0};
     if (!lights_read(&lights, renderer))
         return false;
+    const struct gather_settings *gather = settings_of(&desc->settings, &gather_part);
     float radius = desc->geometry->radius;
     bool ok = vpl_sum_render(
         &(struct vpl_sum_desc){.scene = desc->scene,
@@ -39,8 +40,8 @@ bool vpl_trace(struct renderer *renderer, int width, int height, struct progress
                                .vpl_count = lights.vpl_count,
                                .width = width,
                                .height = height,
-                               .bound = bound_of(&desc->settings),
-                               .clamp_value = desc->settings.clamp_value / (radius * radius),
+                               .bound = bound_of(gather),
+                               .clamp_value = gather->clamp_value / (radius * radius),
                                .progress = show,
                                .user = progress},
         image);

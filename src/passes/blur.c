@@ -68,7 +68,7 @@ static void pack(const struct blur_pass *pass, const struct gbuffer *gbuffer,
         .height = pass->desc.height,
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                     {UNIT_INDIRECT, source->texture.id}},
+                     {UNIT_IRRADIANCE, source->texture.id}},
         .blocks = {{BLOCK_PASS, &pass->params[0]}},
     });
     pass_draw_fullscreen(1);

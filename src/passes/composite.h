@@ -1,5 +1,5 @@
-/* The picture: L = albedo (direct + E / pi), with exposure, tone map and sRGB for a display, or any
- * layer as linear floats for a file. */
+/* The picture, as struct contribution has it, with exposure, tone map and sRGB for a display, or
+ * any layer as linear floats for a file. */
 #ifndef PASSES_COMPOSITE_H
 #define PASSES_COMPOSITE_H
 
@@ -7,8 +7,12 @@
 
 enum tone_map { TONE_MAP_CLAMP, TONE_MAP_FILMIC };
 
+/* What a technique contributes: bits. */
+enum { HAS_IRRADIANCE = 1, HAS_RADIANCE = 2, HAS_MEDIUM = 4 };
+
 struct composite_desc {
     int width, height;
+    unsigned contributes; /* HAS_..., as composite_kinds tells */
 };
 
 struct composite_pass {
@@ -22,15 +26,17 @@ struct composite_pass {
 /* What the picture is made of. The picks of the pixels' samples are passes/antialias.h's. */
 struct composite_inputs {
     const struct gbuffer *gbuffer;
-    const struct texture *direct;
-    const struct irradiance *indirect;
+    const struct texture *direct; /* direct/direct.h */
+    struct contribution contribution;
     const struct texture *picks;
     int samples;
-    float light[3]; /* radiance of a white surface per stored direct value */
     float exposure; /* EV */
     enum tone_map tone_map;
     int layer; /* LAYER_BEAUTY, LAYER_DIRECT or LAYER_INDIRECT */
 };
+
+/* Which of a technique's contributions there are. */
+unsigned composite_kinds(const struct contribution *contribution);
 
 bool composite_pass_init(struct composite_pass *pass, const struct composite_desc *desc);
 void composite_pass_free(struct composite_pass *pass);

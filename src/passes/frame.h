@@ -8,7 +8,7 @@
 #include "gl/buffer.h"
 #include "gl/texture.h"
 #include "gl/timer.h"
-#include "scene/gpu/caster_gpu.h"
+#include "scene/gpu/scene_gpu.h"
 #include "shared/interleaving.h"
 
 /* What every pass of one frame may use. */
@@ -16,11 +16,12 @@ struct frame {
     struct timers *timers;
     const struct buffer *view, *light; /* for BLOCK_VIEW, BLOCK_LIGHT */
     const struct scene_gpu *scene;
-    const struct caster_gpu *caster; /* what maps of visibility show */
     float light_measure; /* solid angle that the light shines into, sr; a directional light's area,
                             m2 */
     bool light_directional;
     int light_views;                    /* 1 or 6 */
+    float light_intensity[3];           /* W/sr, W/m2 of a directional light */
+    float direct_scale;                 /* shared/light.h */
     float bounds_min[3], bounds_max[3]; /* of the scene, metres */
     float radius;                       /* of its bounding sphere, metres */
     float irradiance_scale;             /* stored irradiance = W/m2 times this: a power of two that
@@ -88,6 +89,19 @@ struct irradiance {
 /* How far the near field reaches, in spacings of VPLs: as far as is asked for, but no farther from
  * its point in the light's view than 45 degrees, where few VPLs are far apart. */
 float frame_near_reach(const struct frame *frame, int vpl_count, float asked);
+
+/* What a technique makes, each NULL where it does not; composite adds what is there:
+ *
+ *     L = transmittance (albedo (direct + irradiance / pi) + radiance) + in_scatter
+ *
+ * Light of surfaces: irradiance, not yet times albedo, or radiance towards the camera. Light of
+ * what lies before them: in_scatter, with the share of the surfaces' light that passes. Textures
+ * are of the picture's size; radiance and in_scatter times irradiance_scale. */
+struct contribution {
+    const struct irradiance *irradiance;
+    const struct texture *radiance;
+    const struct texture *in_scatter, *transmittance; /* both or none */
+};
 
 bool gbuffer_init(struct gbuffer *gbuffer, const char *label, int width, int height, int layers);
 void gbuffer_free(struct gbuffer *gbuffer);

@@ -17,7 +17,8 @@ bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_
         .desc = *desc,
         .maps = {.size = desc->size, .count = desc->count, .depth_range = desc->depth_range},
     };
-    if (program_init(
+    if (caster_pool_acquire(desc->casters, &pass->caster, &desc->caster) &&
+        program_init(
             &pass->opaque_program,
             &(struct program_desc){.vertex = "paraboloid.vert", .fragment = "paraboloid.frag"}) &&
         program_init(&pass->masked_program, &(struct program_desc){.vertex = "paraboloid.vert",
@@ -45,6 +46,7 @@ bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_
 }
 
 void paraboloid_pass_free(struct paraboloid_pass *pass) {
+    caster_pool_release(pass->desc.casters, &pass->caster);
     program_free(&pass->opaque_program);
     program_free(&pass->masked_program);
     program_free(&pass->views_program);
@@ -86,7 +88,7 @@ void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct fra
         .name = "depth maps",
         .program = pass->opaque_program,
         .framebuffer = pass->framebuffer,
-        .vertex_array = frame->caster->vertices,
+        .vertex_array = pass->caster->vertices,
         .width = pass->maps.size,
         .height = pass->maps.size,
         .depth = PASS_DEPTH_LESS,
@@ -96,11 +98,11 @@ void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct fra
     write_params(pass, frame);
     pass_begin(frame->timers, &state);
     framebuffer_clear_depth(pass->framebuffer, pass->maps.depth_range);
-    caster_gpu_draw_opaque(frame->caster, views->count);
-    if (caster_gpu_has_masked(frame->caster)) {
+    caster_gpu_draw_opaque(pass->caster, views->count);
+    if (caster_gpu_has_masked(pass->caster)) {
         state.program = pass->masked_program;
         pass_set_state(&state);
-        caster_gpu_draw_masked(frame->caster, frame->scene, views->count);
+        caster_gpu_draw_masked(pass->caster, frame->scene, views->count);
     }
     pass_end(frame->timers);
 }

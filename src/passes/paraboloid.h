@@ -4,8 +4,11 @@
 #define PASSES_PARABOLOID_H
 
 #include "passes/frame.h"
+#include "scene/gpu/caster_pool.h"
 
 struct paraboloid_desc {
+    struct caster_pool *casters; /* must outlive the pass */
+    struct caster_desc caster;   /* which of them the maps show */
     int size, count;
     float depth_range;
     float near_clip; /* over the scene's radius; for views made here from VPLs */
@@ -13,6 +16,7 @@ struct paraboloid_desc {
 
 struct paraboloid_pass {
     struct paraboloid_desc desc;
+    const struct caster_gpu *caster;
     GLuint opaque_program, masked_program, views_program;
     GLuint framebuffer;
     struct depth_maps maps;

@@ -80,7 +80,7 @@ static bool draw_gathered(struct renderer *renderer, const struct frame *frame,
         return false;
     blur_pass_render(&order, frame, &renderer->gbuffer, outputs.gathered);
     struct composite_inputs inputs = renderer_composite_inputs(renderer);
-    inputs.indirect = &order.blurred;
+    inputs.contribution.irradiance = &order.blurred;
     composite_pass_render_layer(&renderer->composite, frame, &inputs, LAYER_INDIRECT,
                                 target->framebuffer);
     blur_pass_free(&order);

@@ -2,8 +2,6 @@
 
 #include "shared/params.h"
 
-#include <cglm/util.h>
-
 #include <math.h>
 #include <string.h>
 
@@ -27,78 +25,76 @@ static float irradiance_scale(const struct renderer_desc *desc) {
 
 /* What is made together, and anew when what it depends on changes. */
 enum part {
-    PART_CASTER = 1,     /* caster_edge, caster_error of the technique */
-    PART_SIZE = 2,       /* G-buffer, composite: size */
-    PART_GEOMETRY = 4,   /* nothing but shaders */
-    PART_SHADOW = 8,     /* shadow_size, number of light views */
-    PART_DIRECT = 16,    /* size, shadow_bias */
-    PART_TECHNIQUE = 32, /* technique, all settings, number of light views; the size it takes as it
-                            is */
-    PART_ANTIALIAS = 64, /* size, samples */
-    PART_ALL = 127,
-    PART_SHADERS = PART_ALL & ~PART_CASTER,
-    PART_LIGHTS = PART_CASTER | PART_SHADOW | PART_TECHNIQUE, /* what render_lights draws with */
+    PART_GBUFFER = 1,    /* size */
+    PART_GEOMETRY = 2,   /* nothing but shaders */
+    PART_DIRECT = 4,     /* method, its settings, number of light views; takes size as it is */
+    PART_TECHNIQUE = 8,  /* the same */
+    PART_ANTIALIAS = 16, /* size, samples */
+    PART_COMPOSITE = 32, /* size, what the technique contributes */
+    PART_ALL = 63,
+    PART_SIZE = PART_GBUFFER | PART_ANTIALIAS | PART_COMPOSITE,
+    PART_LIGHTS = PART_DIRECT | PART_TECHNIQUE, /* what render_lights draws with */
 };
 
-static struct caster_desc caster_desc(int technique, const struct settings *settings) {
-    return (struct caster_desc){
-        .max_edge = settings->caster_edge,
-        .error = techniques[technique]->exact_casters ? 0 : settings->caster_error,
-    };
-}
-
-static bool init_caster(struct renderer *renderer) {
-    struct caster_desc desc = caster_desc(renderer->desc.technique, &renderer->desc.settings);
-    return caster_pool_acquire(renderer->casters, &renderer->caster, &desc);
-}
-
-static bool init_size(struct renderer *renderer) {
-    const struct renderer_desc *desc = &renderer->desc;
-    return gbuffer_init(&renderer->gbuffer, "g-buffer", desc->width, desc->height, 1) &&
-           composite_pass_init(&renderer->composite,
-                               &(struct composite_desc){desc->width, desc->height});
-}
-
-static bool init_shadow(struct renderer *renderer) {
-    const struct renderer_desc *desc = &renderer->desc;
-    return shadow_map_pass_init(
-        &renderer->shadow_map,
-        &(struct shadow_map_desc){desc->settings.shadow_size, emitter_view_count(&desc->light)});
-}
-
-static bool init_direct(struct renderer *renderer) {
-    const struct renderer_desc *desc = &renderer->desc;
-    return direct_pass_init(&renderer->direct, &(struct direct_desc){desc->width, desc->height,
-                                                                     desc->settings.shadow_bias});
+static const struct picture_settings *picture_of(const struct renderer *renderer) {
+    return settings_of(&renderer->desc.settings, &picture_part);
 }
 
 static bool init_antialias(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     return antialias_pass_init(
         &renderer->antialias,
-        &(struct antialias_desc){desc->width, desc->height, desc->settings.samples});
+        &(struct antialias_desc){desc->width, desc->height, picture_of(renderer)->samples});
+}
+
+static bool init_direct(struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    renderer->direct = desc->direct;
+    return renderer->direct->init(&renderer->direct_state,
+                                  &(struct direct_desc){
+                                      .settings = &desc->settings,
+                                      .width = desc->width,
+                                      .height = desc->height,
+                                      .light_views = emitter_view_count(&desc->light),
+                                  });
 }
 
 static bool init_technique(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
-    renderer->technique = techniques[desc->technique];
-    return renderer->technique->init(&renderer->technique_state,
+    renderer->technique = desc->technique;
+    return technique_check(desc->technique, &desc->settings) &&
+           renderer->technique->init(&renderer->technique_state,
                                      &(struct technique_desc){
                                          .settings = &desc->settings,
+                                         .scene = desc->scene,
+                                         .geometry = desc->geometry,
+                                         .casters = renderer->casters,
                                          .width = desc->width,
                                          .height = desc->height,
                                          .light_views = emitter_view_count(&desc->light),
                                      });
 }
 
-static bool init_parts(struct renderer *renderer, unsigned parts) {
-    return (!(parts & PART_CASTER) || init_caster(renderer)) &&
-           (!(parts & PART_SIZE) || init_size(renderer)) &&
+/* For the technique that is there, or else for another's contribution. */
+static bool init_composite(struct renderer *renderer, unsigned contributes) {
+    const struct renderer_desc *desc = &renderer->desc;
+    if (renderer->technique) {
+        struct contribution contribution = renderer_contribution(renderer);
+        contributes = composite_kinds(&contribution);
+    }
+    return composite_pass_init(&renderer->composite,
+                               &(struct composite_desc){desc->width, desc->height, contributes});
+}
+
+static bool init_parts(struct renderer *renderer, unsigned parts, unsigned contributes) {
+    const struct renderer_desc *desc = &renderer->desc;
+    return (!(parts & PART_GBUFFER) ||
+            gbuffer_init(&renderer->gbuffer, "g-buffer", desc->width, desc->height, 1)) &&
            (!(parts & PART_GEOMETRY) || geometry_pass_init(&renderer->geometry)) &&
-           (!(parts & PART_SHADOW) || init_shadow(renderer)) &&
            (!(parts & PART_DIRECT) || init_direct(renderer)) &&
            (!(parts & PART_ANTIALIAS) || init_antialias(renderer)) &&
-           (!(parts & PART_TECHNIQUE) || init_technique(renderer));
+           (!(parts & PART_TECHNIQUE) || init_technique(renderer)) &&
+           (!(parts & PART_COMPOSITE) || init_composite(renderer, contributes));
 }
 
 static void write_views(struct renderer *renderer) {
@@ -112,9 +108,15 @@ static void write_views(struct renderer *renderer) {
 
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) {
     *renderer = (struct renderer){.desc = *desc, .casters = caster_pool_create(desc->geometry)};
+    if (!desc->technique)
+        renderer->desc.technique = technique_default;
+    if (!desc->direct)
+        renderer->desc.direct = direct_default;
+    if (desc->settings.part_count == 0)
+        renderer_settings_init(&renderer->desc.settings);
     timers_init(&renderer->timers, desc->timed, desc->software);
     if (scene_gpu_init(&renderer->scene, desc->scene, desc->geometry) &&
-        init_parts(renderer, PART_ALL) &&
+        init_parts(renderer, PART_ALL, 0) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
         buffer_init(&renderer->light_buffer, "light", sizeof renderer->light_block, NULL)) {
         write_views(renderer);
@@ -125,15 +127,14 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
 }
 
 static void free_parts(struct renderer *renderer) {
-    caster_pool_release(renderer->casters, &renderer->caster);
     gbuffer_free(&renderer->gbuffer);
     geometry_pass_free(&renderer->geometry);
-    shadow_map_pass_free(&renderer->shadow_map);
-    direct_pass_free(&renderer->direct);
     antialias_pass_free(&renderer->antialias);
     composite_pass_free(&renderer->composite);
     if (renderer->technique)
         renderer->technique->free(renderer->technique_state);
+    if (renderer->direct)
+        renderer->direct->free(renderer->direct_state);
 }
 
 void renderer_free(struct renderer *renderer) {
@@ -160,38 +161,48 @@ static void swap(void *a, void *b, size_t size) {
 #define SWAP(field) swap(&a->field, &b->field, sizeof a->field)
 
 static void swap_parts(struct renderer *a, struct renderer *b, unsigned parts) {
-    if (parts & PART_CASTER)
-        SWAP(caster);
-    if (parts & PART_SIZE) {
+    if (parts & PART_GBUFFER)
         SWAP(gbuffer);
-        SWAP(composite);
-    }
     if (parts & PART_GEOMETRY)
         SWAP(geometry);
-    if (parts & PART_SHADOW)
-        SWAP(shadow_map);
-    if (parts & PART_DIRECT)
+    if (parts & PART_DIRECT) {
         SWAP(direct);
+        SWAP(direct_state);
+    }
     if (parts & PART_ANTIALIAS)
         SWAP(antialias);
+    if (parts & PART_COMPOSITE)
+        SWAP(composite);
     if (parts & PART_TECHNIQUE) {
         SWAP(technique);
         SWAP(technique_state);
     }
 }
 
-/* Where the technique stays, it takes another size as it is: its lights do not depend on it. */
-static bool resize_technique(struct renderer *renderer, const struct renderer_desc *desc) {
-    bool same = desc->width == renderer->desc.width && desc->height == renderer->desc.height;
-    return same ||
-           renderer->technique->resize(renderer->technique_state, desc->width, desc->height);
+/* What stays takes another size as it is: its lights do not depend on it. Where the second of two
+ * cannot, the first goes back. */
+static bool resize_kept(struct renderer *renderer, const struct renderer_desc *desc,
+                        unsigned parts) {
+    const struct renderer_desc *old = &renderer->desc;
+    bool keeps_direct = !(parts & PART_DIRECT), keeps_technique = !(parts & PART_TECHNIQUE);
+    if (desc->width == old->width && desc->height == old->height)
+        return true;
+    if (keeps_direct &&
+        !renderer->direct->resize(renderer->direct_state, desc->width, desc->height))
+        return false;
+    if (!keeps_technique ||
+        renderer->technique->resize(renderer->technique_state, desc->width, desc->height))
+        return true;
+    if (keeps_direct)
+        renderer->direct->resize(renderer->direct_state, old->width, old->height);
+    return false;
 }
 
 /* The new parts are made beside the old ones, which go only when all are there. */
 static bool change(struct renderer *renderer, const struct renderer_desc *desc, unsigned parts) {
     struct renderer fresh = {.desc = *desc, .casters = renderer->casters};
-    bool ok =
-        init_parts(&fresh, parts) && (parts & PART_TECHNIQUE || resize_technique(renderer, desc));
+    bool ok = init_parts(&fresh, parts, renderer->composite.desc.contributes) &&
+              resize_kept(renderer, desc, parts);
     if (ok) {
         swap_parts(renderer, &fresh, parts);
         renderer->desc = *desc;
@@ -206,45 +217,28 @@ static bool change(struct renderer *renderer, const struct renderer_desc *desc, 
     return ok;
 }
 
-static unsigned parts_of_setting(const struct option *option) {
-    if (!option->reinit)
-        return 0;
-    if (option->offset == offsetof(struct settings, caster_edge) ||
-        option->offset == offsetof(struct settings, caster_error))
-        return 0; /* changes_caster */
-    if (option->offset == offsetof(struct settings, shadow_size))
-        return PART_SHADOW;
-    if (option->offset == offsetof(struct settings, shadow_bias))
-        return PART_DIRECT;
-    if (option->offset == offsetof(struct settings, samples))
-        return PART_ANTIALIAS;
-    return PART_TECHNIQUE;
+bool renderer_makes_technique(const struct renderer *renderer, const struct technique *technique,
+                              const struct settings *settings) {
+    const struct renderer_desc *desc = &renderer->desc;
+    return technique != desc->technique ||
+           !renderer_settings_same(settings, &desc->settings, technique->parts);
 }
 
-bool renderer_makes_casters(const struct renderer *renderer, int technique,
-                            const struct settings *settings) {
-    struct caster_desc desc = caster_desc(technique, settings);
-    return !caster_pool_has(renderer->casters, &desc);
-}
-
-/* Whether other casters are needed, made or not. */
-static bool changes_caster(const struct renderer_desc *desc, int technique,
-                           const struct settings *settings) {
-    struct caster_desc old = caster_desc(desc->technique, &desc->settings);
-    struct caster_desc new = caster_desc(technique, settings);
-    return memcmp(&old, &new, sizeof old) != 0;
-}
-
-bool renderer_configure(struct renderer *renderer, int technique, const struct settings *settings) {
+bool renderer_configure(struct renderer *renderer, const struct technique *technique,
+                        const struct settings *settings) {
     struct renderer_desc desc = renderer->desc;
-    unsigned parts = (technique == desc.technique ? 0 : PART_TECHNIQUE) |
-                     (changes_caster(&desc, technique, settings) ? PART_CASTER : 0);
-    for (const struct option *option = settings_table; option->name; option++)
-        if (!option_equal(option, settings, &desc.settings))
-            parts |= parts_of_setting(option);
+    const struct settings *old = &renderer->desc.settings;
+    const struct picture_settings *picture = settings_of(settings, &picture_part);
+    unsigned parts = 0;
+    if (renderer_makes_technique(renderer, technique, settings))
+        parts |= PART_TECHNIQUE | PART_COMPOSITE;
+    if (!renderer_settings_same(settings, old, desc.direct->parts))
+        parts |= PART_DIRECT;
+    if (picture->samples != picture_of(renderer)->samples)
+        parts |= PART_ANTIALIAS;
     desc.technique = technique;
     desc.settings = *settings;
-    return settings_check(settings) && change(renderer, &desc, parts);
+    return change(renderer, &desc, parts);
 }
 
 bool renderer_resize(struct renderer *renderer, int width, int height) {
@@ -253,7 +247,7 @@ bool renderer_resize(struct renderer *renderer, int width, int height) {
         return true;
     desc.width = width;
     desc.height = height;
-    return change(renderer, &desc, PART_SIZE | PART_DIRECT | PART_ANTIALIAS);
+    return change(renderer, &desc, PART_SIZE);
 }
 
 bool renderer_set_light(struct renderer *renderer, const struct emitter *light) {
@@ -261,7 +255,7 @@ bool renderer_set_light(struct renderer *renderer, const struct emitter *light) 
     bool same_views = emitter_view_count(light) == emitter_view_count(&desc.light);
     renderer->lights_drawn &= memcmp(light, &desc.light, sizeof *light) == 0;
     desc.light = *light;
-    return change(renderer, &desc, same_views ? 0 : PART_SHADOW | PART_TECHNIQUE);
+    return change(renderer, &desc, same_views ? 0 : PART_DIRECT | PART_TECHNIQUE | PART_COMPOSITE);
 }
 
 void renderer_set_camera(struct renderer *renderer, const struct camera *camera) {
@@ -269,16 +263,23 @@ void renderer_set_camera(struct renderer *renderer, const struct camera *camera)
     write_views(renderer);
 }
 
+static bool update_technique(struct renderer *renderer) {
+    const struct technique *technique = renderer->technique;
+    return renderer->lights_drawn || !technique->update ||
+           technique->update(renderer->technique_state, renderer->desc.geometry);
+}
+
 bool renderer_update(struct renderer *renderer, const struct emitter *light,
                      const struct camera *camera) {
     renderer->desc.camera = *camera;
     renderer->lights_drawn &= renderer->scene.pose == renderer->desc.geometry->pose_count;
     return scene_gpu_update(&renderer->scene, renderer->desc.geometry) &&
-           caster_pool_update(renderer->casters) && renderer_set_light(renderer, light);
+           caster_pool_update(renderer->casters) && update_technique(renderer) &&
+           renderer_set_light(renderer, light);
 }
 
 bool renderer_reload_shaders(struct renderer *renderer) {
-    return change(renderer, &renderer->desc, PART_SHADERS);
+    return change(renderer, &renderer->desc, PART_ALL);
 }
 
 /* --- the frame --- */
@@ -290,43 +291,38 @@ struct frame renderer_frame(struct renderer *renderer) {
         .view = &renderer->view_buffer,
         .light = &renderer->light_buffer,
         .scene = &renderer->scene,
-        .caster = renderer->caster,
         .light_measure = renderer->light_block.measure,
         .light_directional = desc->light.type == EMITTER_DIRECTIONAL,
         .light_views = emitter_view_count(&desc->light),
+        .direct_scale = renderer->light_block.direct_scale,
         .radius = desc->geometry->radius,
         .irradiance_scale = irradiance_scale(desc),
     };
+    memcpy(frame.light_intensity, desc->light.intensity, sizeof frame.light_intensity);
     memcpy(frame.bounds_min, desc->geometry->bounds_min, sizeof frame.bounds_min);
     memcpy(frame.bounds_max, desc->geometry->bounds_max, sizeof frame.bounds_max);
     return frame;
 }
 
 struct composite_inputs renderer_composite_inputs(const struct renderer *renderer) {
-    const struct renderer_desc *desc = &renderer->desc;
-    struct technique_outputs outputs;
-    renderer_outputs(renderer, &outputs);
-    struct composite_inputs inputs = {
+    return (struct composite_inputs){
         .gbuffer = &renderer->gbuffer,
-        .direct = &renderer->direct.direct,
-        .indirect = outputs.irradiance,
+        .direct = renderer->direct->light(renderer->direct_state),
+        .contribution = renderer_contribution(renderer),
         .picks = &renderer->antialias.picks,
         .samples = renderer->antialias.samples,
-        .exposure = desc->settings.exposure,
-        .tone_map = (enum tone_map)desc->settings.tone_map,
+        .exposure = renderer_exposure(renderer),
+        .tone_map = (enum tone_map)picture_of(renderer)->tone_map,
         .layer = LAYER_BEAUTY,
     };
-    for (int i = 0; i < 3; i++)
-        inputs.light[i] =
-            desc->light.intensity[i] / ((float)GLM_PI * renderer->light_block.direct_scale);
-    return inputs;
 }
 
 static void render_lights(struct renderer *renderer, const struct frame *frame) {
     if (renderer->lights_drawn && renderer->desc.keep_lights)
         return;
-    shadow_map_pass_render(&renderer->shadow_map, frame);
-    renderer->technique->render_lights(renderer->technique_state, frame);
+    renderer->direct->render_lights(renderer->direct_state, frame);
+    if (renderer->technique->render_lights)
+        renderer->technique->render_lights(renderer->technique_state, frame);
     renderer->lights_drawn = true;
 }
 
@@ -336,7 +332,7 @@ void renderer_render(struct renderer *renderer) {
     timer_begin(&renderer->timers, "frame");
     render_lights(renderer, &frame);
     geometry_pass_render_camera(&renderer->geometry, &frame, &renderer->gbuffer);
-    direct_pass_render(&renderer->direct, &frame, &renderer->gbuffer, &renderer->shadow_map.map);
+    renderer->direct->render_view(renderer->direct_state, &frame, &renderer->gbuffer);
     renderer->technique->render_view(renderer->technique_state, &frame, &renderer->gbuffer);
     antialias_pass_render(&renderer->antialias, &frame, &renderer->gbuffer);
     composite_pass_render(&renderer->composite, &frame, &inputs);
@@ -350,6 +346,14 @@ void renderer_compose(struct renderer *renderer, int layer) {
     struct composite_inputs inputs = renderer_composite_inputs(renderer);
     inputs.layer = layer;
     composite_pass_render(&renderer->composite, &frame, &inputs);
+}
+
+struct contribution renderer_contribution(const struct renderer *renderer) {
+    return renderer->technique->contribution(renderer->technique_state);
+}
+
+float renderer_exposure(const struct renderer *renderer) {
+    return picture_of(renderer)->exposure;
 }
 
 void renderer_outputs(const struct renderer *renderer, struct technique_outputs *outputs) {

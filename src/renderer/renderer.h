@@ -8,10 +8,10 @@
 
 #include "base/image.h"
 #include "passes/antialias.h"
+#include "direct/direct.h"
 #include "passes/composite.h"
-#include "passes/direct.h"
 #include "passes/geometry.h"
-#include "passes/shadow_map.h"
+#include "renderer/settings.h"
 #include "scene/gpu/caster_pool.h"
 #include "scene/view.h"
 #include "techniques/technique.h"
@@ -19,11 +19,13 @@
 /* What a picture can show, by LAYER_BEAUTY, LAYER_DIRECT and LAYER_INDIRECT; null-terminated. */
 extern const char *const shown_layer_names[];
 
+/* Zero means default. */
 struct renderer_desc {
-    int width, height;
-    int technique; /* index into techniques */
-    struct settings settings;
-    const struct scene *scene; /* must outlive the renderer, as must the geometry */
+    int width, height;                  /* required */
+    const struct technique *technique;  /* technique_default */
+    const struct direct_method *direct; /* direct_default */
+    struct settings settings;           /* renderer_settings_init */
+    const struct scene *scene;          /* must outlive the renderer, as must the geometry */
     const struct geometry *geometry;
     struct emitter light;
     struct camera camera;
@@ -38,16 +40,15 @@ struct renderer {
     struct timers timers;
     struct scene_gpu scene;
     struct caster_pool *casters;
-    const struct caster_gpu *caster; /* of the pool */
     struct gbuffer gbuffer;
     struct geometry_pass geometry;
-    struct shadow_map_pass shadow_map;
-    struct direct_pass direct;
     struct antialias_pass antialias;
     struct composite_pass composite;
-    const struct technique *technique;
+    const struct technique *technique; /* as long as there is a state of its; and so below */
     void *technique_state;
-    bool lights_drawn; /* shadow map and the technique's lights are those of desc */
+    const struct direct_method *direct;
+    void *direct_state;
+    bool lights_drawn; /* what depends on no camera is that of desc */
     struct view camera_view;
     struct light_block light_block;
     struct buffer view_buffer, light_buffer;
@@ -58,17 +59,18 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc);
 void renderer_free(struct renderer *renderer);
 
 /* Changes between frames. What a change reaches is made anew, all else stays; when it fails the
- * renderer is what it was. Errors are renderer_init's, and settings_check's. */
-bool renderer_configure(struct renderer *renderer, int technique, const struct settings *settings);
+ * renderer is what it was. Errors are renderer_init's. */
+bool renderer_configure(struct renderer *renderer, const struct technique *technique,
+                        const struct settings *settings);
 bool renderer_resize(struct renderer *renderer, int width, int height);
 bool renderer_set_light(struct renderer *renderer, const struct emitter *light);
 void renderer_set_camera(struct renderer *renderer, const struct camera *camera);
 bool renderer_reload_shaders(struct renderer *renderer);
 
-/* Whether renderer_configure would simplify and split the geometry's triangles again, as it is
- * posed then. */
-bool renderer_makes_casters(const struct renderer *renderer, int technique,
-                            const struct settings *settings);
+/* Whether renderer_configure would make the technique anew, and what it has of the geometry from the
+ * pose that this has then. */
+bool renderer_makes_technique(const struct renderer *renderer, const struct technique *technique,
+                              const struct settings *settings);
 
 /* After geometry_pose: uploads what has moved, and sees it from a light and a camera. For the same
  * bits whatever came before, begin with the geometry at time 0. Error: out of GPU memory; the
@@ -93,6 +95,10 @@ void renderer_read_display(const struct renderer *renderer, struct bitmap *bitma
 /* For reading back: what the passes of the last frame were given. */
 struct frame renderer_frame(struct renderer *renderer);
 struct composite_inputs renderer_composite_inputs(const struct renderer *renderer);
+
+struct contribution renderer_contribution(const struct renderer *renderer);
+/* As the settings have it, EV. */
+float renderer_exposure(const struct renderer *renderer);
 
 void renderer_outputs(const struct renderer *renderer, struct technique_outputs *outputs);
 

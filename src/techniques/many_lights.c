@@ -1,79 +1,90 @@
 #include "techniques/many_lights.h"
 
+#include "base/error.h"
+
 struct visibility_desc many_lights_lookup(const struct settings *settings,
                                           enum visibility_lookup lookup, int map_count) {
+    const struct map_settings *map = settings_of(settings, &map_part);
+    const struct lookup_settings *own = settings_of(settings, &lookup_part);
     return (struct visibility_desc){
         .lookup = lookup,
-        .map_size = settings->map_size,
+        .map_size = map->size,
         .map_count = map_count,
-        .basis_terms = settings->basis_terms,
-        .bias = settings->bias,
-        .map_bias = settings->map_bias,
-        .shift = settings->shift,
-        .gain = settings->gain,
-        .sharpen_a = settings->sharpen_a,
-        .sharpen_b = settings->sharpen_b,
-        .taps = settings->taps,
-        .filter_jacobian = settings->filter_jacobian,
+        .basis_terms = own->terms,
+        .bias = own->bias,
+        .map_bias = own->map_bias,
+        .shift = own->shift,
+        .gain = own->gain,
+        .sharpen_a = own->sharpen_a,
+        .sharpen_b = own->sharpen_b,
+        .taps = own->taps,
+        .filter_jacobian = own->filter_jacobian,
     };
 }
 
 static bool init_gather(struct many_lights *lights, const struct technique_desc *desc,
                         const struct many_lights_visibility *visibility) {
-    const struct settings *settings = desc->settings;
-    return gather_pass_init(
-        &lights->gather,
-        &(struct gather_desc){
-            .width = desc->width,
-            .height = desc->height,
-            .interleave = settings->interleave,
-            .map_per_vpl = visibility->map_per_vpl,
-            .share = visibility->share,
-            .visibility = many_lights_lookup(settings, visibility->lookup, visibility->map_count),
-            .clamp = (enum gather_clamp)settings->clamp,
-            .clamp_value = settings->clamp_value,
-            .reach = settings->near_reach,
-        });
+    const struct gather_settings *own = settings_of(desc->settings, &gather_part);
+    return gather_pass_init(&lights->gather,
+                            &(struct gather_desc){
+                                .width = desc->width,
+                                .height = desc->height,
+                                .interleave = own->interleave,
+                                .map_per_vpl = visibility->map_per_vpl,
+                                .share = visibility->share,
+                                .visibility = many_lights_lookup(desc->settings, visibility->lookup,
+                                                                 visibility->map_count),
+                                .clamp = (enum gather_clamp)own->clamp,
+                                .clamp_value = own->clamp_value,
+                                .reach = own->near_reach,
+                            });
 }
 
 static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc) {
-    const struct settings *settings = desc->settings;
-    lights->has_near_field = settings->clamp == GATHER_CLAMP_NEAR;
+    const struct gather_settings *own = settings_of(desc->settings, &gather_part);
+    lights->has_near_field = own->clamp == GATHER_CLAMP_NEAR;
     return !lights->has_near_field ||
            near_field_pass_init(&lights->near_field, &(struct near_field_desc){
-                                                         .samples = settings->near_samples,
-                                                         .interleave = settings->interleave,
-                                                         .vpl_count = settings->vpl_count,
+                                                         .samples = own->near_samples,
+                                                         .interleave = own->interleave,
+                                                         .vpl_count = lights->vpls.count,
                                                          .rsm_size = lights->rsm.width,
                                                          .light_views = desc->light_views,
-                                                         .reach = settings->near_reach,
+                                                         .reach = own->near_reach,
                                                      });
 }
 
 static bool init_blur(struct many_lights *lights, const struct technique_desc *desc) {
-    const struct settings *settings = desc->settings;
-    int radius = settings->blur_radius < 0 ? settings->interleave / 2 : settings->blur_radius;
+    const struct blur_settings *own = settings_of(desc->settings, &blur_part);
+    int radius = own->radius < 0 ? lights->gather.desc.interleave / 2 : own->radius;
     return blur_pass_init(&lights->blur, &(struct blur_desc){
                                              .width = desc->width,
                                              .height = desc->height,
                                              .radius = radius,
-                                             .distance = settings->blur_distance,
-                                             .cosine = settings->blur_cosine,
-                                             .square = !settings->blur_separable,
+                                             .distance = own->distance,
+                                             .cosine = own->cosine,
+                                             .square = !own->separable,
                                          });
+}
+
+bool many_lights_check(const struct settings *settings) {
+    const struct lights_settings *lights = settings_of(settings, &lights_part);
+    const struct gather_settings *gather = settings_of(settings, &gather_part);
+    int places = gather->interleave * gather->interleave;
+    return lights->vpls >= places || error_set("interleave=%d needs at least %d VPLs, and vpls=%d",
+                                               gather->interleave, places, lights->vpls);
 }
 
 bool many_lights_init(struct many_lights *lights, const struct technique_desc *desc,
                       const struct many_lights_visibility *visibility) {
-    const struct settings *settings = desc->settings;
+    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
     *lights = (struct many_lights){0};
     /* Six maps of a cube see the whole sphere: half the size a side is the same density. */
-    int rsm_size = desc->light_views > 1 ? (settings->rsm_size + 1) / 2 : settings->rsm_size;
+    int rsm_size = desc->light_views > 1 ? (own->rsm_size + 1) / 2 : own->rsm_size;
     if (gbuffer_init(&lights->rsm, "rsm", rsm_size, rsm_size, desc->light_views) &&
         geometry_pass_init(&lights->geometry) &&
-        vpl_pass_init(&lights->vpl,
-                      &(struct vpl_desc){.count = settings->vpl_count, .seed = settings->seed}) &&
-        vpl_buffer_init(&lights->vpls, "VPLs", settings->vpl_count) &&
+        vpl_pass_init(&lights->vpl, &(struct vpl_desc){.count = own->vpls, .seed = own->seed}) &&
+        vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) &&
         init_gather(lights, desc, visibility) && init_near_field(lights, desc) &&
         init_blur(lights, desc))
         return true;
@@ -125,13 +136,22 @@ void many_lights_finish(const struct many_lights *lights, const struct frame *fr
     blur_pass_render(&lights->blur, frame, gbuffer, &lights->gather.irradiance);
 }
 
+struct caster_desc many_lights_caster(const struct settings *settings) {
+    const struct caster_settings *own = settings_of(settings, &caster_part);
+    return (struct caster_desc){.max_edge = own->edge, .error = own->error};
+}
+
 float many_lights_depth_range(const struct settings *settings) {
-    return 1 - 1 / (2 * (float)settings->basis_terms);
+    const struct lookup_settings *lookup = settings_of(settings, &lookup_part);
+    return 1 - 1 / (2 * (float)lookup->terms);
+}
+
+struct contribution many_lights_contribution(const struct many_lights *lights) {
+    return (struct contribution){.irradiance = &lights->blur.blurred};
 }
 
 void many_lights_outputs(const struct many_lights *lights, struct technique_outputs *outputs) {
     *outputs = (struct technique_outputs){
-        .irradiance = &lights->blur.blurred,
         .gathered = &lights->gather.irradiance,
         .rsm = &lights->rsm,
         .vpls = &lights->vpls,

@@ -10,6 +10,57 @@
 #include "passes/vpl.h"
 #include "techniques/technique.h"
 
+/* --- settings ---
+ *
+ * Defaults are the paper's where it gives them [Dong 2009 §5-7]. Lengths are fractions of the
+ * scene's radius or extent, so that no setting depends on the scene's units. */
+
+struct lights_settings {
+    int vpls; /* N */
+    int seed, rsm_size;
+};
+
+struct map_settings {
+    int size;
+    float near_clip;
+};
+
+struct lookup_settings {
+    int terms; /* K */
+    float bias, map_bias, shift, gain, sharpen_a, sharpen_b;
+    int taps;
+    bool filter_jacobian;
+};
+
+struct gather_settings {
+    int interleave, clamp; /* enum gather_clamp */
+    float clamp_value, near_reach;
+    int near_samples;
+};
+
+struct blur_settings {
+    int radius;
+    bool separable;
+    float distance, cosine; /* alpha, beta */
+};
+
+struct caster_settings {
+    float edge, error;
+};
+
+extern const struct settings_part lights_part, map_part, lookup_part, gather_part, blur_part,
+    caster_part;
+
+/* The presets that all have, and the published way through what they share. */
+#define MANY_LIGHTS_FAST                                                                           \
+    { "fast", "the defaults", "" }
+
+#define MANY_LIGHTS_AS_PUBLISHED                                                                   \
+    "gather.clamp=disk caster.error=0 blur.separable=off lookup.bias=2 blur.cosine=.8 "            \
+    "picture.samples=1"
+
+/* --- passes --- */
+
 struct many_lights {
     struct gbuffer rsm;
     struct geometry_pass geometry;
@@ -32,12 +83,18 @@ struct many_lights_visibility {
 struct visibility_desc many_lights_lookup(const struct settings *settings,
                                           enum visibility_lookup lookup, int map_count);
 
+/* As technique->check: each place of the pattern takes one VPL at least. */
+bool many_lights_check(const struct settings *settings);
+
 bool many_lights_init(struct many_lights *lights, const struct technique_desc *desc,
                       const struct many_lights_visibility *visibility);
 void many_lights_free(struct many_lights *lights);
 
 /* As technique->resize. */
 bool many_lights_resize(struct many_lights *lights, int width, int height);
+
+/* The casters that the settings ask for. */
+struct caster_desc many_lights_caster(const struct settings *settings);
 
 /* RSM and VPLs, into lights->vpls. */
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame);
@@ -49,6 +106,8 @@ float many_lights_depth_range(const struct settings *settings);
 /* The near field, where it is not the VPLs', and the blur: after the gather. */
 void many_lights_finish(const struct many_lights *lights, const struct frame *frame,
                         const struct gbuffer *gbuffer);
+
+struct contribution many_lights_contribution(const struct many_lights *lights);
 
 void many_lights_outputs(const struct many_lights *lights, struct technique_outputs *outputs);
 

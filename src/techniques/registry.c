@@ -1,14 +1,40 @@
+#include "base/error.h"
 #include "techniques/technique.h"
 
-extern const struct technique clustered_technique;
-extern const struct technique instant_radiosity_technique;
-extern const struct technique unshadowed_technique;
+#include <stdio.h>
+#include <string.h>
 
-const struct technique *const techniques[] = {
-    &clustered_technique,
-    &instant_radiosity_technique,
-    &unshadowed_technique,
-    NULL,
-};
+/* A technique is entered by its line here. */
+#define TECHNIQUES(X)                                                                              \
+    X(clustered)                                                                                   \
+    X(instant_radiosity)                                                                           \
+    X(unshadowed)
 
-const char *const technique_names[] = {"clustered", "instant-radiosity", "unshadowed", NULL};
+#define DECLARE(name) extern const struct technique name##_technique;
+TECHNIQUES(DECLARE)
+
+#define ENTER(name) &name##_technique,
+const struct technique *const techniques[] = {TECHNIQUES(ENTER) NULL};
+
+const struct technique *const technique_default = &clustered_technique, *const technique_baseline =
+                                                                            &unshadowed_technique;
+
+bool technique_check(const struct technique *technique, const struct settings *settings) {
+    return !technique->check || technique->check(settings);
+}
+
+const struct technique *technique_find(const char *name) {
+    char names[512] = "";
+    size_t used = 0;
+    if (!name)
+        return technique_default;
+    for (const struct technique *const *t = techniques; *t; t++) {
+        if (strcmp((*t)->name, name) == 0)
+            return *t;
+        if (used < sizeof names)
+            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "",
+                                     (*t)->name);
+    }
+    error_set("no technique is called '%s' (there are %s)", name, names);
+    return NULL;
+}

@@ -1,21 +1,25 @@
-/* A technique is a recipe of passes, bound only by what it writes: irradiance at the G-buffer. */
+/* A technique is a recipe of passes, bound only by what it writes: a contribution to the picture.
+ */
 #ifndef TECHNIQUES_TECHNIQUE_H
 #define TECHNIQUES_TECHNIQUE_H
 
+#include "base/settings.h"
 #include "passes/frame.h"
 #include "passes/visibility.h"
-#include "techniques/settings.h"
+#include "scene/gpu/caster_pool.h"
 
 struct technique_desc {
     const struct settings *settings;
+    const struct scene *scene;
+    const struct geometry *geometry; /* as it is posed now */
+    struct caster_pool *casters;     /* of the geometry; moved with it */
     int width, height;
     int light_views;
 };
 
 /* What there is to look at after a frame; NULL where a technique has no such thing. */
 struct technique_outputs {
-    const struct irradiance *irradiance; /* plain, blurred */
-    const struct irradiance *gathered;   /* in tiles, before the blur */
+    const struct irradiance *gathered; /* in tiles, before the blur */
     const struct gbuffer *rsm;
     const struct vpl_buffer *vpls;
     const struct map_views *val_views;
@@ -27,26 +31,45 @@ struct technique_outputs {
     const struct basis_maps *basis_maps;
 };
 
+/* A named choice of settings. */
+struct preset {
+    const char *name, *help;
+    const char *settings; /* "clustered.visibility=cssm blur.cosine=.8" */
+};
+
 struct technique {
     const char *name, *help;
-    bool exact_casters; /* its maps show every triangle: what it is for is the plain truth */
+    const struct settings_part *const *parts; /* what it has to set; null-terminated */
+    const struct preset *presets;             /* ends with a row of no name; NULL = none */
+    /* What the ranges of single settings cannot say; NULL = nothing. Error: for the user. */
+    bool (*check)(const struct settings *settings);
     /* Allocates and compiles all there is. Error: of the first pass that fails. */
     bool (*init)(void **state, const struct technique_desc *desc);
     void (*free)(void *state);
     /* Another size of picture; the lights that were rendered stay. Error: out of GPU memory; all is
      * as it was. */
     bool (*resize)(void *state, int width, int height);
+    /* The geometry has moved; may allocate. NULL where a technique keeps nothing of it. Error: out
+     * of GPU memory; the technique must then be freed. */
+    bool (*update)(void *state, const struct geometry *geometry);
     /* Both cannot fail, allocate or compile. What no camera can change, to be used by any number
-     * of views; and what one camera's G-buffer sees of it. */
+     * of views (NULL: nothing); and what one camera's G-buffer sees of it. */
     void (*render_lights)(void *state, const struct frame *frame);
     void (*render_view)(void *state, const struct frame *frame, const struct gbuffer *gbuffer);
+    struct contribution (*contribution)(const void *state);
     void (*outputs)(const void *state, struct technique_outputs *outputs);
 };
 
-/* Null-terminated. */
+/* All there are; their order means nothing. Null-terminated. */
 extern const struct technique *const techniques[];
 
-/* The names, for option tables; null-terminated. */
-extern const char *const technique_names[];
+/* What is used where none is named, and what the others are first compared with. */
+extern const struct technique *const technique_default, *const technique_baseline;
+
+/* Whether the technique can work with the settings; else its error. */
+bool technique_check(const struct technique *technique, const struct settings *settings);
+
+/* The technique of that name; NULL is the default's. Error, and NULL: names those there are. */
+const struct technique *technique_find(const char *name);
 
 #endif

@@ -38,9 +38,9 @@ static bool make_other(struct compare *compare, const struct renderer *renderer,
 }
 
 bool compare_follow(struct compare *compare, const struct renderer *renderer, bool coarse) {
-    int samples = compare->settings.samples;
     struct settings wanted = compare->settings;
-    wanted.samples = coarse ? 1 : samples;
+    if (coarse)
+        renderer_settings_roughen(&wanted);
     if (compare->mode != COMPARE_TECHNIQUE) {
         compare_forget(compare);
         return true;
@@ -50,8 +50,7 @@ bool compare_follow(struct compare *compare, const struct renderer *renderer, bo
     if (renderer_configure(&compare->other, compare->technique, &wanted))
         return true;
     compare->technique = compare->other.desc.technique;
-    compare->settings = compare->other.desc.settings;
-    compare->settings.samples = samples;
+    renderer_settings_copy_but_samples(&compare->settings, &compare->other.desc.settings);
     return error_prefix("the right picture");
 }
 

@@ -18,7 +18,7 @@ struct compare {
     int heat_metric; /* of metrics */
 
     /* COMPARE_TECHNIQUE: the right picture's own. */
-    int technique;
+    const struct technique *technique;
     struct settings settings;
     struct renderer other;
     bool has_other;

@@ -69,6 +69,7 @@ void inspect_free(struct inspect *inspect) {
 static const struct texture *source_of(const struct renderer *renderer, enum inspect_kind kind) {
     struct technique_outputs outputs;
     renderer_outputs(renderer, &outputs);
+    struct contribution contribution = renderer_contribution(renderer);
     const struct basis_maps *basis = outputs.basis_maps;
     switch (kind) {
     case SHOW_NORMAL:
@@ -102,7 +103,7 @@ static const struct texture *source_of(const struct renderer *renderer, enum ins
     case SHOW_GATHERED:
         return outputs.gathered ? &outputs.gathered->texture : NULL;
     case SHOW_BLURRED:
-        return outputs.irradiance ? &outputs.irradiance->texture : NULL;
+        return contribution.irradiance ? &contribution.irradiance->texture : NULL;
     case SHOW_PICTURE:
     case SHOW_COUNT:
         break;
@@ -277,8 +278,7 @@ static void write_params(const struct inspect *inspect, const struct renderer *r
         .kind = mode_of(choice->kind),
         .first_layer = choice->layer < 0 ? 0 : choice->layer,
         .layer_count = layers,
-        .exposure =
-            exp2f(renderer->desc.settings.exposure) / ((float)GLM_PI * frame->irradiance_scale),
+        .exposure = exp2f(renderer_exposure(renderer)) / ((float)GLM_PI * frame->irradiance_scale),
     };
     if (sheet) {
         params.columns = sheet->columns;

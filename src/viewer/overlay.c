@@ -49,9 +49,12 @@ static void draw_statistics(struct viewer *viewer) {
     if (fps > 0)
         ui_value("pictures a second", "%.1f", fps);
     ui_value("faces", "%u", geometry_triangle_count(&viewer->document.geometry));
-    ui_value("VPLs", "%d", desc->settings.vpl_count);
-    if (inspect_layers(&viewer->renderer, SHOW_CLUSTERS))
-        ui_value("VALs", "%d", desc->settings.val_count);
+    struct technique_outputs outputs = {0};
+    renderer_outputs(&viewer->renderer, &outputs);
+    if (outputs.vpls)
+        ui_value("VPLs", "%d", outputs.vpls->count);
+    if (outputs.val_views)
+        ui_value("VALs", "%d", outputs.val_views->count);
     ui_value("size", "%d x %d%s", desc->width, desc->height, viewer->moving ? " while moving" : "");
     ui_value("GPU memory", "%.0f MiB", (double)gpu_memory_total() / (1 << 20));
     if (context_is_software(viewer->context))
@@ -95,7 +98,7 @@ static void draw_help(struct viewer *viewer) {
 /* --- on the picture --- */
 
 static const char *right_name(const struct compare *compare) {
-    return compare->mode == COMPARE_REFERENCE ? "reference" : technique_names[compare->technique];
+    return compare->mode == COMPARE_REFERENCE ? "reference" : compare->technique->name;
 }
 
 /* What the colours of the heat map stand for, in the corner below. */
@@ -141,8 +144,7 @@ static void draw_split(const struct viewer *viewer) {
     if (compare->heat && compare->heat_map.id)
         draw_heat_scale(viewer);
     ui_draw_label(x - .6F * line, y, 1,
-                  compare->heat ? metrics[compare->heat_metric].name
-                                : technique_names[viewer->technique]);
+                  compare->heat ? metrics[compare->heat_metric].name : viewer->technique->name);
     ui_draw_label(x + .6F * line, y, 0, right_name(compare));
     ui_draw_unclip();
 }

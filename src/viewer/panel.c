@@ -13,6 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { NAMES_MAX = 64 };
+
 static int count_names(const char *const *names) {
     int count = 0;
     while (names[count])
@@ -25,7 +27,6 @@ static int count_names(const char *const *names) {
 /* A choice among nodes of the scene, by name. */
 static bool draw_node_choice(const struct ui_row *row, const struct scene *scene,
                              enum node_kind kind, int *chosen) {
-    enum { NAMES_MAX = 64 };
     const char *names[NAMES_MAX];
     int count = node_count_carrying(scene, kind);
     count = count < NAMES_MAX ? count : NAMES_MAX;
@@ -158,32 +159,47 @@ static enum ui_result draw_widget(const struct option *option, void *at, const s
 }
 
 /* Whether the user changed it. */
-static bool draw_setting(const struct option *option, struct settings *settings) {
+static bool draw_setting(const struct setting *setting, struct settings *settings) {
     struct settings defaults;
-    bool is_path = option->offset == offsetof(struct settings, path);
-    settings_of_path(&defaults, is_path ? PATH_FAST : settings->path);
+    const struct option *option = setting->option;
+    renderer_settings_init(&defaults);
     struct ui_row row = {.name = option->name,
                          .help = option->help,
-                         .differs = !option_equal(option, settings, &defaults)};
-    enum ui_result result = draw_widget(option, (char *)settings + option->offset, &row);
-    char text[64];
+                         .differs = !setting_equal(setting, settings, &defaults)};
+    char *values = settings_edit(settings, setting->part), text[64];
+    enum ui_result result = draw_widget(option, values + option->offset, &row);
     if (result == UI_RESET) {
-        option_format(option, &defaults, text, sizeof text);
-        option_parse(option, settings, text);
+        setting_format(setting, &defaults, text, sizeof text);
+        setting_parse(setting, settings, text);
     }
     return result != UI_NOTHING;
 }
 
-static bool draw_settings(struct settings *settings, bool of_picture) {
+static bool draw_part(const struct settings_part *part, struct settings *settings) {
     bool changed = false;
-    for (const struct option *option = settings_table; option->name; option++) {
-        if (option->reinit == of_picture)
-            continue;
-        if (option->group && !of_picture)
-            ui_heading(option->group);
-        if (draw_setting(option, settings)) {
-            if (option->offset == offsetof(struct settings, path))
-                settings_apply_path(settings);
+    for (const struct option *option = part->table; option->name; option++)
+        changed |= draw_setting(&(struct setting){part, option}, settings);
+    return changed;
+}
+
+static bool draw_parts(const struct settings_part *const *parts, struct settings *settings) {
+    bool changed = false;
+    for (; *parts; parts++) {
+        ui_heading((*parts)->title);
+        changed |= draw_part(*parts, settings);
+    }
+    return changed;
+}
+
+/* Buttons: a preset sets several at once. */
+static bool draw_presets(const struct technique *technique, struct settings *settings) {
+    bool changed = false;
+    for (const struct preset *p = technique->presets; p && p->name; p++) {
+        if (p != technique->presets)
+            ui_same_line();
+        if (ui_button(p->name, p->help)) {
+            renderer_settings_init(settings);
+            settings_assign_all(settings, p->settings);
             changed = true;
         }
     }
@@ -236,15 +252,28 @@ static void draw_picture(struct viewer *viewer) {
     }
     ui_space();
     draw_buffer(viewer);
-    if (draw_settings(&viewer->settings, true)) {
+    if (draw_part(&picture_part, &viewer->settings)) {
         /* Both pictures are shown alike. */
-        viewer->compare.settings.exposure = viewer->settings.exposure;
-        viewer->compare.settings.tone_map = viewer->settings.tone_map;
+        settings_copy(&viewer->compare.settings, &viewer->settings, &picture_part);
         viewer->dirty = true;
     }
 }
 
 /* --- technique --- */
+
+static bool draw_technique_choice(const struct technique **technique) {
+    const char *names[NAMES_MAX];
+    int count = 0, chosen = 0;
+    for (; techniques[count] && count < NAMES_MAX; count++) {
+        names[count] = techniques[count]->name;
+        chosen = techniques[count] == *technique ? count : chosen;
+    }
+    struct ui_row row = {.name = "technique", .help = (*technique)->help};
+    if (ui_choice(&row, &chosen, names, count) == UI_NOTHING)
+        return false;
+    *technique = techniques[chosen];
+    return true;
+}
 
 static void draw_technique(struct viewer *viewer) {
     struct compare *compare = &viewer->compare;
@@ -253,13 +282,14 @@ static void draw_technique(struct viewer *viewer) {
     int side = two && viewer->edits_right;
     if (two && ui_segments("side", &side, sides, 2))
         viewer->edits_right = side == 1;
-    int *technique = side ? &compare->technique : &viewer->technique;
+    const struct technique **technique = side ? &compare->technique : &viewer->technique;
     struct settings *settings = side ? &compare->settings : &viewer->settings;
-    struct ui_row row = {.name = "technique", .help = techniques[*technique]->help};
-    bool changed =
-        ui_choice(&row, technique, technique_names, count_names(technique_names)) != UI_NOTHING;
+    bool changed = draw_technique_choice(technique);
+    changed |= draw_presets(*technique, settings);
     ui_space();
-    if (draw_settings(settings, false) || changed)
+    changed |= draw_parts((*technique)->parts, settings);
+    changed |= draw_parts(viewer->renderer.desc.direct->parts, settings);
+    if (changed)
         viewer_touch(viewer);
 }
 

@@ -23,16 +23,14 @@ void viewer_full_size(const struct viewer *viewer, int *width, int *height) {
  * what it was. */
 static void follow_wishes(struct viewer *viewer) {
     struct renderer *renderer = &viewer->renderer;
-    int technique = renderer->desc.technique;
+    const struct technique *technique = renderer->desc.technique;
     struct settings wanted = viewer->settings;
     if (viewer->coarse)
-        wanted.samples = 1;
+        renderer_settings_roughen(&wanted);
     if (!renderer_configure(renderer, viewer->technique, &wanted)) {
-        int samples = viewer->settings.samples;
         viewer_tell_error(viewer);
         viewer->technique = technique;
-        viewer->settings = renderer->desc.settings;
-        viewer->settings.samples = samples;
+        renderer_settings_copy_but_samples(&viewer->settings, &renderer->desc.settings);
     }
     if (technique != viewer->technique)
         pace_forget(&viewer->pace);
@@ -45,19 +43,19 @@ static void follow_wishes(struct viewer *viewer) {
         viewer_tell_error(viewer);
 }
 
-/* Whether a renderer is about to simplify and split the scene's triangles. */
-static bool makes_casters(const struct viewer *viewer) {
+/* Whether a renderer is about to make its technique, and casters with it. */
+static bool makes_technique(const struct viewer *viewer) {
     const struct compare *compare = &viewer->compare;
-    return renderer_makes_casters(&viewer->renderer, viewer->technique, &viewer->settings) ||
+    return renderer_makes_technique(&viewer->renderer, viewer->technique, &viewer->settings) ||
            (compare->mode == COMPARE_TECHNIQUE &&
             (!compare->has_other ||
-             renderer_makes_casters(&compare->other, compare->technique, &compare->settings)));
+             renderer_makes_technique(&compare->other, compare->technique, &compare->settings)));
 }
 
 /* Casters are those of time 0, as a picture rendered offscreen has them. */
 static void follow_wishes_from_start(struct viewer *viewer) {
     struct document *document = &viewer->document;
-    bool away = viewer->placed.posed_time != 0 && makes_casters(viewer) &&
+    bool away = viewer->placed.posed_time != 0 && makes_technique(viewer) &&
                 geometry_pose(&document->geometry, &document->scene, 0);
     follow_wishes(viewer);
     if (away)

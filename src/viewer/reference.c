@@ -83,11 +83,12 @@ void reference_free(struct reference *reference) {
 
 bool reference_show(struct reference *reference, const char *layer,
                     const struct settings *settings) {
+    const struct picture_settings *picture = settings_of(settings, &picture_part);
     if (strcmp(layer, reference->layer_name) != 0 && !pick_layer(reference, layer))
         return false;
     struct composite_params params = {
-        .exposure = exp2f(settings->exposure),
-        .tone_map = (float)settings->tone_map,
+        .exposure = exp2f(picture->exposure),
+        .tone_map = (float)picture->tone_map,
     };
     buffer_write(&reference->params, 0, sizeof params, &params);
     pass_set_state(&(struct pass_state){

@@ -5,7 +5,7 @@
 #include "base/image.h"
 #include "gl/buffer.h"
 #include "gl/texture.h"
-#include "techniques/settings.h"
+#include "renderer/settings.h"
 
 struct reference {
     struct image picture; /* all its channels; no pixels: nothing is loaded */

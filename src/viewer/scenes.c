@@ -30,6 +30,7 @@ void viewer_pick_light(struct viewer *viewer, int n) {
 static bool init_renderer(struct viewer *viewer, struct renderer *renderer) {
     struct renderer_desc desc = {
         .technique = viewer->technique,
+        .direct = viewer->desc.direct,
         .settings = viewer->settings,
         .scene = &viewer->document.scene,
         .geometry = &viewer->document.geometry,

@@ -12,20 +12,20 @@
 
 /* What a session has beside settings and placings. */
 static const struct option session_table[] = {
-    {"technique", 0, OPTION_CHOICE, offsetof(struct session, technique),
-     .choices = technique_names},
     {"layer", 0, OPTION_CHOICE, offsetof(struct session, layer), .choices = shown_layer_names},
     {"clip", 0, OPTION_INT, offsetof(struct session, clip), 0, 0, 1e6, .help = NULL},
     {"time", 0, OPTION_FLOAT, offsetof(struct session, time), 0, 0, 1e6, .help = NULL},
     {NULL},
 };
 
-/* Whether to leave a setting out: the path says it. */
-static bool is_told(const struct option *option, const struct settings *settings) {
+/* Steps through the settings that are not at their defaults. */
+static bool next_changed(const struct settings *settings, struct setting *setting) {
     struct settings usual;
-    bool is_path = option->offset == offsetof(struct settings, path);
-    settings_of_path(&usual, is_path ? PATH_FAST : settings->path);
-    return option_equal(option, settings, &usual);
+    renderer_settings_init(&usual);
+    while (settings_next(settings, setting))
+        if (!setting_equal(setting, settings, &usual))
+            return true;
+    return false;
 }
 
 /* --- the command line --- */
@@ -67,11 +67,14 @@ char *session_command(const struct session *session) {
             option_format(option, session, value, sizeof value);
             append(&text, mem_printf(" --%s %s", option->name, value));
         }
-    for (const struct option *option = settings_table; option->name; option++)
-        if (!is_told(option, &session->settings)) {
-            option_format(option, &session->settings, value, sizeof value);
-            append(&text, mem_printf(" --set %s=%s", option->name, value));
-        }
+    if (session->technique != technique_default)
+        append(&text, mem_printf(" --technique %s", session->technique->name));
+    for (struct setting setting = {0}; next_changed(&session->settings, &setting);) {
+        char name[SETTING_NAME_SIZE];
+        setting_name(&setting, name);
+        setting_format(&setting, &session->settings, value, sizeof value);
+        append(&text, mem_printf(" --set %s=%s", name, value));
+    }
     append_quoted(&text, "--camera", session->camera);
     append_quoted(&text, "--light", session->light);
     append(&text, mem_strdup(" -o picture.png"));
@@ -86,18 +89,25 @@ static void write_value(FILE *file, const struct option *option, const void *val
     fprintf(file, "%s = %s\n", option->name, value);
 }
 
+static void write_setting(FILE *file, const struct setting *setting,
+                          const struct settings *settings) {
+    char name[SETTING_NAME_SIZE], value[64];
+    setting_name(setting, name);
+    setting_format(setting, settings, value, sizeof value);
+    fprintf(file, "%s = %s\n", name, value);
+}
+
 bool session_save(const struct session *session, const char *path) {
     struct output_text text;
     if (session->scene && !output_file_is_not(path, session->scene))
         return false;
     output_text_init(&text);
-    fprintf(text.stream, "# manylight view: settings\ncamera = %s\nlight = %s\n", session->camera,
-            session->light);
+    fprintf(text.stream, "# manylight view: settings\ntechnique = %s\ncamera = %s\nlight = %s\n",
+            session->technique->name, session->camera, session->light);
     for (const struct option *option = session_table; option->name; option++)
         write_value(text.stream, option, session);
-    for (const struct option *option = settings_table; option->name; option++)
-        if (!is_told(option, &session->settings))
-            write_value(text.stream, option, &session->settings);
+    for (struct setting setting = {0}; next_changed(&session->settings, &setting);)
+        write_setting(text.stream, &setting, &session->settings);
     return output_text_end(&text, path);
 }
 
@@ -117,14 +127,14 @@ static bool read_line(struct session *session, char *line) {
         return snprintf(session->camera, sizeof session->camera, "%s", value) > 0;
     if (strcmp(line, "light") == 0)
         return snprintf(session->light, sizeof session->light, "%s", value) > 0;
-    option = option_find(settings_table, line);
-    if (!option)
-        return error_set("no setting is called '%s'", line);
-    if (!option_parse(option, &session->settings, value))
-        return false;
-    if (option->offset == offsetof(struct settings, path))
-        settings_of_path(&session->settings, session->settings.path);
-    return true;
+    if (strcmp(line, "technique") == 0) {
+        const struct technique *technique = technique_find(value);
+        session->technique = technique ? technique : session->technique;
+        return technique;
+    }
+    struct setting setting;
+    return settings_find(&session->settings, line, &setting) &&
+           setting_parse(&setting, &session->settings, value);
 }
 
 bool session_load(struct session *session, const char *path) {
@@ -133,14 +143,14 @@ bool session_load(struct session *session, const char *path) {
         return error_set("cannot read %s: %s", path, strerror(errno));
     struct session read = *session;
     options_set_defaults(session_table, &read);
-    options_set_defaults(settings_table, &read.settings);
+    read.technique = technique_default;
+    renderer_settings_init(&read.settings);
     char line[1024];
     bool ok = true;
     for (int number = 1; ok && fgets(line, sizeof line, file); number++)
         ok = read_line(&read, line) || error_prefix("%s:%d", path, number);
     fclose(file);
-    if (!ok || !(settings_check(&read.settings) || error_prefix("%s", path)))
-        return false;
-    *session = read;
-    return true;
+    if (ok)
+        *session = read;
+    return ok;
 }

@@ -4,14 +4,14 @@
 #define VIEWER_SESSION_H
 
 #include "scene/placing.h"
-#include "techniques/settings.h"
+#include "renderer/settings.h"
 
 #include <stdbool.h>
 
 struct session {
     const char *scene; /* path */
     int width, height;
-    int technique;
+    const struct technique *technique;
     struct settings settings;
     int layer;  /* that is shown: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
     int clip;   /* number of the animation */

@@ -179,9 +179,6 @@ static void close_window(struct viewer *viewer) {
 static void begin(struct viewer *viewer) {
     const struct viewer_desc *desc = &viewer->desc;
     viewer->compare.settings = desc->settings;
-    /* To begin with, against the last technique of the list. */
-    while (technique_names[viewer->compare.technique + 1])
-        viewer->compare.technique++;
     if (desc->scene)
         viewer_open(viewer, desc->scene);
     if (desc->reference)
@@ -191,12 +188,12 @@ static void begin(struct viewer *viewer) {
 bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc) {
     *viewer = (struct viewer){
         .desc = *desc,
-        .technique = desc->technique,
+        .technique = desc->technique ? desc->technique : technique_default,
         .settings = desc->settings,
         .layer = desc->layer,
         .play = {.loops = true, .speed = 1},
         .choice = {.layer = -1, .chosen = -1},
-        .compare = {.split = .5F, .technique = desc->technique},
+        .compare = {.split = .5F, .technique = technique_baseline},
         .session_path = "manylight.settings",
         .show_panel = true,
         .show_overlay = true,

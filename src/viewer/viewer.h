@@ -23,7 +23,8 @@
 struct viewer_desc {
     const char *scene; /* NULL: none yet */
     int width, height; /* of the picture */
-    int technique;
+    const struct technique *technique;
+    const struct direct_method *direct;
     struct settings settings;
     const char *camera, *light; /* as scene/placing.h has it; NULL = the first */
     const char *clip;           /* name or number; NULL = the first */
@@ -52,7 +53,7 @@ struct viewer {
     bool has_scene;
 
     /* What is wanted; the renderer follows. */
-    int technique;
+    const struct technique *technique;
     struct settings settings;
     struct placed {
         int camera_number, light_number; /* of the scene */

@@ -10,6 +10,48 @@
 
 #include <stdlib.h>
 
+enum visibility_kind { VISIBILITY_CSSM, VISIBILITY_HARD, VISIBILITY_PCSS };
+
+struct clustered_settings {
+    int vals; /* M */
+    int iterations;
+    int start;                            /* enum cluster_start */
+    float weight_position, weight_normal; /* w_x, w_alpha */
+    int visibility;                       /* enum visibility_kind */
+    int visibility_block;                 /* pixels a side; 0 = each pixel looks itself up */
+};
+
+#define ROW(name) offsetof(struct clustered_settings, name)
+
+static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
+static const char *const visibility_names[] = {"cssm", "hard", "pcss", NULL};
+
+static const struct option table[] = {
+    {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024, .help = "virtual area lights (clusters), M",
+     .reinit = true},
+    {"iterations", 0, OPTION_INT, ROW(iterations), 5, 1, 64, .help = "k-means iterations",
+     .reinit = true},
+    {"start", 0, OPTION_CHOICE, ROW(start), 0, .choices = start_names,
+     .help = "where k-means begins: the same seeds each frame, the last frame's centres, or those "
+             "with empty\nclusters seeded again; frames then depend on the ones before",
+     .reinit = true},
+    {"weight-position", 0, OPTION_FLOAT, ROW(weight_position), .7, 0, 1000,
+     .help = "clustering weight of distance, w_x", .reinit = true},
+    {"weight-normal", 0, OPTION_FLOAT, ROW(weight_normal), .3, 0, 1000,
+     .help = "clustering weight of the angle between normals, w_alpha", .reinit = true},
+    {"visibility", 0, OPTION_CHOICE, ROW(visibility), VISIBILITY_PCSS, .choices = visibility_names,
+     .help = "lookup in a VAL's map: soft by convolution, hard, or percentage-closer soft",
+     .reinit = true},
+    {"visibility-block", 0, OPTION_INT, ROW(visibility_block), 7, 0, 64,
+     .help = "pixels a side of a block that shares its visibility; 0 = each looks itself up;\n"
+             "blocks that are no multiple of interleave blur better",
+     .reinit = true},
+    {NULL},
+};
+
+static const struct settings_part own_part = {"clustered", "virtual area lights", table,
+                                              sizeof(struct clustered_settings)};
+
 struct clustered {
     struct many_lights lights;
     struct cluster_pass cluster;
@@ -32,67 +74,75 @@ static void free_state(void *state) {
 }
 
 static bool init_cluster(struct clustered *technique, const struct settings *settings) {
+    const struct clustered_settings *own = settings_of(settings, &own_part);
+    const struct lights_settings *lights = settings_of(settings, &lights_part);
+    const struct map_settings *map = settings_of(settings, &map_part);
     return cluster_pass_init(&technique->cluster,
                              &(struct cluster_desc){
-                                 .vpl_count = settings->vpl_count,
-                                 .val_count = settings->val_count,
-                                 .start = (enum cluster_start)settings->start,
-                                 .iterations = settings->iterations,
-                                 .weight_position = settings->weight_position,
-                                 .weight_normal = settings->weight_normal,
-                                 .near_clip = settings->near_clip,
+                                 .vpl_count = lights->vpls,
+                                 .val_count = own->vals,
+                                 .start = (enum cluster_start)own->start,
+                                 .iterations = own->iterations,
+                                 .weight_position = own->weight_position,
+                                 .weight_normal = own->weight_normal,
+                                 .near_clip = map->near_clip,
                                  .depth_range = many_lights_depth_range(settings),
                              });
 }
 
-static bool init_maps(struct clustered *technique, const struct settings *settings) {
+static bool init_maps(struct clustered *technique, const struct technique_desc *desc) {
+    const struct settings *settings = desc->settings;
+    const struct clustered_settings *own = settings_of(settings, &own_part);
+    const struct lookup_settings *lookup = settings_of(settings, &lookup_part);
+    const struct map_settings *map = settings_of(settings, &map_part);
     return paraboloid_pass_init(&technique->paraboloid,
                                 &(struct paraboloid_desc){
-                                    .size = settings->map_size,
-                                    .count = settings->val_count,
+                                    .casters = desc->casters,
+                                    .caster = many_lights_caster(settings),
+                                    .size = map->size,
+                                    .count = own->vals,
                                     .depth_range = many_lights_depth_range(settings),
                                 }) &&
-           (!technique->convolve ||
-            basis_pass_init(&technique->basis, &(struct basis_desc){
-                                                   .size = settings->map_size,
-                                                   .count = settings->val_count,
-                                                   .terms = settings->basis_terms,
-                                               }));
+           (!technique->convolve || basis_pass_init(&technique->basis, &(struct basis_desc){
+                                                                           .size = map->size,
+                                                                           .count = own->vals,
+                                                                           .terms = lookup->terms,
+                                                                       }));
 }
 
 static bool init_blocks(struct clustered *technique, const struct technique_desc *desc,
                         enum visibility_lookup lookup) {
-    const struct settings *settings = desc->settings;
+    const struct clustered_settings *own = settings_of(desc->settings, &own_part);
     return !technique->share ||
            block_visibility_pass_init(
                &technique->blocks,
                &(struct block_visibility_desc){
                    .width = desc->width,
                    .height = desc->height,
-                   .block = settings->visibility_block,
-                   .visibility = many_lights_lookup(settings, lookup, settings->val_count),
+                   .block = own->visibility_block,
+                   .visibility = many_lights_lookup(desc->settings, lookup, own->vals),
                });
 }
 
 static bool init(void **state, const struct technique_desc *desc) {
-    const struct settings *settings = desc->settings;
+    const struct clustered_settings *own = settings_of(desc->settings, &own_part);
     struct clustered *technique = *state = mem_alloc(1, sizeof *technique);
-    technique->convolve = settings->visibility == VISIBILITY_CSSM;
-    technique->share = settings->visibility_block > 0;
+    technique->convolve = own->visibility == VISIBILITY_CSSM;
+    technique->share = own->visibility_block > 0;
     static const enum visibility_lookup lookups[] = {
         [VISIBILITY_CSSM] = VISIBILITY_LOOKUP_CSSM,
         [VISIBILITY_HARD] = VISIBILITY_LOOKUP_HARD,
         [VISIBILITY_PCSS] = VISIBILITY_LOOKUP_PCSS,
     };
-    enum visibility_lookup lookup = lookups[settings->visibility];
+    enum visibility_lookup lookup = lookups[own->visibility];
     /* A pixel on its own, at a silhouette, needs no soft shadow: its VPLs' maps all differ. */
     bool own_hard = technique->share && lookup == VISIBILITY_LOOKUP_PCSS;
     return many_lights_init(&technique->lights, desc,
                             &(struct many_lights_visibility){
                                 .lookup = own_hard ? VISIBILITY_LOOKUP_HARD : lookup,
-                                .map_count = settings->val_count,
+                                .map_count = own->vals,
                                 .share = technique->share}) &&
-           init_cluster(technique, settings) && init_maps(technique, settings) &&
+           init_cluster(technique, desc->settings) && init_maps(technique, desc) &&
            init_blocks(technique, desc, lookup);
 }
 
@@ -146,6 +196,11 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     many_lights_finish(lights, frame, gbuffer);
 }
 
+static struct contribution contribution(const void *state) {
+    const struct clustered *technique = state;
+    return many_lights_contribution(&technique->lights);
+}
+
 static void outputs(const void *state, struct technique_outputs *outputs) {
     const struct clustered *technique = state;
     const struct val_targets *centers = cluster_pass_centers(&technique->cluster);
@@ -162,14 +217,27 @@ static void outputs(const void *state, struct technique_outputs *outputs) {
     outputs->basis_maps = technique->convolve ? &technique->basis.maps : NULL;
 }
 
+static const struct settings_part *const parts[] = {
+    &lights_part, &own_part, &map_part, &lookup_part, &caster_part, &gather_part, &blur_part, NULL};
+
+static const struct preset presets[] = {
+    MANY_LIGHTS_FAST,
+    {"paper", "as published: convolution soft shadow maps at each pixel and VPL",
+     "clustered.visibility=cssm clustered.visibility-block=0 " MANY_LIGHTS_AS_PUBLISHED},
+    {NULL}};
+
 extern const struct technique clustered_technique;
 const struct technique clustered_technique = {
     .name = "clustered",
     .help = "soft shadow maps of clusters of VPLs",
+    .parts = parts,
+    .presets = presets,
+    .check = many_lights_check,
     .init = init,
     .free = free_state,
     .resize = resize,
     .render_lights = render_lights,
     .render_view = render_view,
+    .contribution = contribution,
     .outputs = outputs,
 };

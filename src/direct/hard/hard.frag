@@ -1,12 +1,11 @@
-// Direct light with a hard shadow map: irradiance per unit of intensity, times the squared scene
-// radius for spot and point lights, so that the number does not depend on the scene's scale.
+// Direct light with a hard shadow map.
 #include "lib/gbuffer.glsl"
 #include "lib/light.glsl"
 #include "shared/direct.h"
 
 layout(binding = UNIT_SHADOW_MAP) uniform sampler2DArray shadow_map;
 
-layout(location = TARGET_RESULT) out float direct;
+layout(location = TARGET_RESULT) out vec4 direct;
 
 // The four nearest texels compared, the results weighted: a hard shadow whose edge is not stepped.
 float shadow_lookup(vec3 position, vec3 normal, int layer) {
@@ -29,8 +28,19 @@ float shadow_lookup(vec3 position, vec3 normal, int layer) {
     return mix(row.x, row.y, weight.y);
 }
 
+// Irradiance per unit of intensity, times direct_scale.
+float received(surface s, vec3 direction, float distance2) {
+    float share = max(dot(s.normal, -direction), 0.0);
+    if (light.type != LIGHT_TYPE_DIRECTIONAL)
+        share *= light.direct_scale / distance2;
+    if (light.type == LIGHT_TYPE_SPOT)
+        share *= light_cone(dot(direction, light.direction));
+    return share > 0.0 ? share * shadow_lookup(s.position, s.normal, light_view_index(direction))
+                       : 0.0;
+}
+
 void main() {
-    direct = 0.0;
+    direct = vec4(0.0);
     surface s = gbuffer_surface(ivec2(gl_FragCoord.xy));
     if (!s.present)
         return;
@@ -38,11 +48,5 @@ void main() {
     float distance2 = dot(to_light, to_light);
     vec3 direction = light.type == LIGHT_TYPE_DIRECTIONAL ? light.direction
                                                           : -to_light * inversesqrt(distance2);
-    float received = max(dot(s.normal, -direction), 0.0);
-    if (light.type != LIGHT_TYPE_DIRECTIONAL)
-        received *= light.direct_scale / distance2;
-    if (light.type == LIGHT_TYPE_SPOT)
-        received *= light_cone(dot(direction, light.direction));
-    if (received > 0.0)
-        direct = received * shadow_lookup(s.position, s.normal, light_view_index(direction));
+    direct.rgb = params.light * received(s, direction, distance2);
 }

@@ -33,18 +33,31 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     many_lights_finish(lights, frame, gbuffer);
 }
 
+static struct contribution contribution(const void *state) {
+    return many_lights_contribution(state);
+}
+
 static void outputs(const void *state, struct technique_outputs *outputs) {
     many_lights_outputs(state, outputs);
 }
+
+static const struct settings_part *const parts[] = {&lights_part, &gather_part, &blur_part, NULL};
+
+static const struct preset presets[] = {
+    MANY_LIGHTS_FAST, {"paper", "gather and blur as published", MANY_LIGHTS_AS_PUBLISHED}, {NULL}};
 
 extern const struct technique unshadowed_technique;
 const struct technique unshadowed_technique = {
     .name = "unshadowed",
     .help = "all VPLs, no visibility",
+    .parts = parts,
+    .presets = presets,
+    .check = many_lights_check,
     .init = init,
     .free = free_state,
     .resize = resize,
     .render_lights = render_lights,
     .render_view = render_view,
+    .contribution = contribution,
     .outputs = outputs,
 };

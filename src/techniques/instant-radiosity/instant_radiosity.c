@@ -7,6 +7,19 @@
 
 #include <stdlib.h>
 
+struct instant_radiosity_settings {
+    int map_batch; /* maps in memory at once */
+};
+
+static const struct option table[] = {
+    {"map-batch", 0, OPTION_INT, offsetof(struct instant_radiosity_settings, map_batch), 64, 1,
+     1024, .help = "maps in memory at once", .reinit = true},
+    {NULL},
+};
+
+static const struct settings_part own_part = {"instant-radiosity", "a map per VPL", table,
+                                              sizeof(struct instant_radiosity_settings)};
+
 struct instant_radiosity {
     struct many_lights lights;
     struct paraboloid_pass paraboloid;
@@ -22,18 +35,24 @@ static void free_state(void *state) {
 }
 
 static bool init(void **state, const struct technique_desc *desc) {
-    const struct settings *settings = desc->settings;
+    const struct instant_radiosity_settings *own = settings_of(desc->settings, &own_part);
+    const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
+    const struct map_settings *map = settings_of(desc->settings, &map_part);
     struct instant_radiosity *technique = *state = mem_alloc(1, sizeof *technique);
-    int batch =
-        settings->map_batch < settings->vpl_count ? settings->map_batch : settings->vpl_count;
+    /* Every triangle: what the technique is for is the plain truth. */
+    struct caster_desc caster = many_lights_caster(desc->settings);
+    caster.error = 0;
+    int batch = own->map_batch < lights->vpls ? own->map_batch : lights->vpls;
     return many_lights_init(&technique->lights, desc,
                             &(struct many_lights_visibility){
                                 VISIBILITY_LOOKUP_HARD, .map_per_vpl = true, .map_count = batch}) &&
            paraboloid_pass_init(&technique->paraboloid, &(struct paraboloid_desc){
-                                                            .size = settings->map_size,
+                                                            .casters = desc->casters,
+                                                            .caster = caster,
+                                                            .size = map->size,
                                                             .count = batch,
                                                             .depth_range = 1,
-                                                            .near_clip = settings->near_clip,
+                                                            .near_clip = map->near_clip,
                                                         });
 }
 
@@ -68,21 +87,35 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     many_lights_finish(lights, frame, gbuffer);
 }
 
+static struct contribution contribution(const void *state) {
+    const struct instant_radiosity *technique = state;
+    return many_lights_contribution(&technique->lights);
+}
+
 static void outputs(const void *state, struct technique_outputs *outputs) {
     const struct instant_radiosity *technique = state;
     many_lights_outputs(&technique->lights, outputs);
     outputs->depth_maps = &technique->paraboloid.maps;
 }
 
+static const struct settings_part *const parts[] = {
+    &lights_part, &own_part, &map_part, &lookup_part, &caster_part, &gather_part, &blur_part, NULL};
+
+static const struct preset presets[] = {
+    MANY_LIGHTS_FAST, {"paper", "gather and blur as published", MANY_LIGHTS_AS_PUBLISHED}, {NULL}};
+
 extern const struct technique instant_radiosity_technique;
 const struct technique instant_radiosity_technique = {
     .name = "instant-radiosity",
     .help = "a hard shadow map per VPL",
-    .exact_casters = true,
+    .parts = parts,
+    .presets = presets,
+    .check = many_lights_check,
     .init = init,
     .free = free_state,
     .resize = resize,
     .render_lights = render_lights,
     .render_view = render_view,
+    .contribution = contribution,
     .outputs = outputs,
 };

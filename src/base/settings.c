@@ -1,0 +1,175 @@
+#include "base/settings.h"
+
+#include "base/error.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <string.h>
+
+/* --- parts --- */
+
+static size_t padded(size_t size) {
+    size_t align = sizeof(double);
+    return (size + align - 1) / align * align;
+}
+
+/* Where a part's struct begins; where the next would, if the part is not there. */
+static size_t offset_of(const struct settings *settings, const struct settings_part *part,
+                        bool *found) {
+    size_t offset = 0;
+    for (int i = 0; i < settings->part_count; i++) {
+        *found = settings->parts[i] == part;
+        if (*found)
+            return offset;
+        offset += padded(settings->parts[i]->size);
+    }
+    *found = false;
+    return offset;
+}
+
+void settings_add(struct settings *settings, const struct settings_part *part) {
+    bool found;
+    size_t offset = offset_of(settings, part, &found);
+    if (found)
+        return;
+    assert(settings->part_count < SETTINGS_PARTS_MAX);
+    assert(offset + part->size <= SETTINGS_BYTES_MAX);
+    settings->parts[settings->part_count++] = part;
+    options_set_defaults(part->table, settings->values.bytes + offset);
+}
+
+const void *settings_of(const struct settings *settings, const struct settings_part *part) {
+    bool found;
+    size_t offset = offset_of(settings, part, &found);
+    assert(found);
+    return settings->values.bytes + offset;
+}
+
+void *settings_edit(struct settings *settings, const struct settings_part *part) {
+    return (void *)settings_of(settings, part);
+}
+
+bool settings_same(const struct settings *a, const struct settings *b,
+                   const struct settings_part *part) {
+    for (const struct option *option = part->table; option->name; option++)
+        if (!option_equal(option, settings_of(a, part), settings_of(b, part)))
+            return false;
+    return true;
+}
+
+void settings_copy(struct settings *to, const struct settings *from,
+                   const struct settings_part *part) {
+    memcpy(settings_edit(to, part), settings_of(from, part), part->size);
+}
+
+/* --- settings --- */
+
+bool settings_next(const struct settings *settings, struct setting *setting) {
+    int part = 0;
+    if (setting->part) {
+        setting->option++;
+        if (setting->option->name)
+            return true;
+        while (settings->parts[part] != setting->part)
+            part++;
+        part++;
+    }
+    for (; part < settings->part_count; part++) {
+        *setting = (struct setting){settings->parts[part], settings->parts[part]->table};
+        if (setting->option->name)
+            return true;
+    }
+    return false;
+}
+
+/* Whether "owner.name" is that text, a dash in which may stand for the dot. */
+static bool is_full_name(const struct setting *setting, const char *text) {
+    size_t length = strlen(setting->part->owner);
+    return strncmp(text, setting->part->owner, length) == 0 &&
+           (text[length] == '.' || text[length] == '-') &&
+           strcmp(text + length + 1, setting->option->name) == 0;
+}
+
+static bool refuse_ambiguous(const struct settings *settings, const char *name) {
+    char names[256] = "";
+    size_t used = 0;
+    for (struct setting s = {0}; settings_next(settings, &s);)
+        if (strcmp(s.option->name, name) == 0 && used < sizeof names)
+            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s.%s",
+                                     used ? " and " : "", s.part->owner, s.option->name);
+    return error_set("'%s' may be %s", name, names);
+}
+
+bool settings_find(const struct settings *settings, const char *name, struct setting *setting) {
+    int count = 0;
+    for (struct setting s = {0}; settings_next(settings, &s);) {
+        if (is_full_name(&s, name)) {
+            *setting = s;
+            return true;
+        }
+        if (strcmp(s.option->name, name) == 0) {
+            *setting = s;
+            count++;
+        }
+    }
+    if (count == 0)
+        return error_set("no setting is called '%s' (--help lists them)", name);
+    return count == 1 || refuse_ambiguous(settings, name);
+}
+
+void setting_name(const struct setting *setting, char name[SETTING_NAME_SIZE]) {
+    snprintf(name, SETTING_NAME_SIZE, "%s.%s", setting->part->owner, setting->option->name);
+}
+
+void setting_format(const struct setting *setting, const struct settings *settings, char *text,
+                    size_t size) {
+    option_format(setting->option, settings_of(settings, setting->part), text, size);
+}
+
+bool setting_parse(const struct setting *setting, struct settings *settings, const char *text) {
+    return option_parse(setting->option, settings_edit(settings, setting->part), text);
+}
+
+bool setting_equal(const struct setting *setting, const struct settings *a,
+                   const struct settings *b) {
+    return option_equal(setting->option, settings_of(a, setting->part),
+                        settings_of(b, setting->part));
+}
+
+double settings_number(const struct settings *settings, const char *name) {
+    struct setting setting;
+    bool found = settings_find(settings, name, &setting);
+    assert(found);
+    return found ? option_number(setting.option, settings_of(settings, setting.part)) : 0;
+}
+
+/* --- texts --- */
+
+static bool assign(struct settings *settings, const char *assignment, size_t length) {
+    const char *equals = memchr(assignment, '=', length);
+    char name[SETTING_NAME_SIZE], value[256];
+    struct setting setting;
+    if (!equals)
+        return error_set("'%.*s' is not key=value", (int)length, assignment);
+    snprintf(name, sizeof name, "%.*s", (int)(equals - assignment), assignment);
+    snprintf(value, sizeof value, "%.*s", (int)(assignment + length - equals - 1), equals + 1);
+    return settings_find(settings, name, &setting) && setting_parse(&setting, settings, value);
+}
+
+bool settings_assign(struct settings *settings, const char *assignment) {
+    return assign(settings, assignment, strlen(assignment));
+}
+
+bool settings_assign_all(struct settings *settings, const char *assignments) {
+    for (const char *at = assignments; *(at += strspn(at, " ,")); at += strcspn(at, " ,"))
+        if (!assign(settings, at, strcspn(at, " ,")))
+            return false;
+    return true;
+}
+
+void settings_print_help(FILE *out, const struct settings_part *part) {
+    char prefix[SETTING_NAME_SIZE];
+    snprintf(prefix, sizeof prefix, "%s.", part->owner);
+    fprintf(out, "\n  %s:\n", part->title);
+    options_print_help(out, part->table, prefix);
+}

@@ -1,0 +1,84 @@
+/* Settings by owner: each part of the program has an option table over a struct of its own, and one
+ * value, to be copied and compared as any struct, holds the structs of all.
+ *
+ * A setting is called by its full name, "gather.interleave"; by its last name where no other part
+ * has it, "interleave"; or with a dash in place of the dot, "blur-radius" for "blur.radius".
+ */
+#ifndef BASE_SETTINGS_H
+#define BASE_SETTINGS_H
+
+#include "base/option.h"
+
+struct settings_part {
+    const char *owner; /* "gather" */
+    const char *title; /* a heading: "gathering light" */
+    const struct option *table;
+    size_t size; /* of the struct that the table's rows lie in; no larger alignment than a double */
+};
+
+enum { SETTINGS_PARTS_MAX = 48, SETTINGS_BYTES_MAX = 2048, SETTING_NAME_SIZE = 64 };
+
+/* All zero: no part yet. */
+struct settings {
+    const struct settings_part *parts[SETTINGS_PARTS_MAX];
+    int part_count;
+    union {
+        double align;
+        unsigned char bytes[SETTINGS_BYTES_MAX]; /* the parts' structs, one after another */
+    } values;
+};
+
+/* Adds a part with its defaults, unless it is there; parts beyond the limits are a mistake of the
+ * program's. */
+void settings_add(struct settings *settings, const struct settings_part *part);
+
+/* A part's struct; the part must be there. */
+const void *settings_of(const struct settings *settings, const struct settings_part *part);
+void *settings_edit(struct settings *settings, const struct settings_part *part);
+
+/* Whether both have the same values of a part. */
+bool settings_same(const struct settings *a, const struct settings *b,
+                   const struct settings_part *part);
+
+/* Copies the values of a part. */
+void settings_copy(struct settings *to, const struct settings *from,
+                   const struct settings_part *part);
+
+/* One setting of a part. */
+struct setting {
+    const struct settings_part *part;
+    const struct option *option;
+};
+
+/* Steps through all settings, from {0}; false after the last. */
+bool settings_next(const struct settings *settings, struct setting *setting);
+
+/* The setting of that name. Error: there is none, or several, which it names. */
+bool settings_find(const struct settings *settings, const char *name, struct setting *setting);
+
+/* The full name. */
+void setting_name(const struct setting *setting, char name[SETTING_NAME_SIZE]);
+
+/* The value as text that setting_parse reads back; and back. Error: option_parse's. */
+void setting_format(const struct setting *setting, const struct settings *settings, char *text,
+                    size_t size);
+bool setting_parse(const struct setting *setting, struct settings *settings, const char *text);
+
+/* Whether the setting is the same in both. */
+bool setting_equal(const struct setting *setting, const struct settings *a,
+                   const struct settings *b);
+
+/* The value of a setting that is a number, a flag or a choice, which must be there: for who cannot
+ * know its part. */
+double settings_number(const struct settings *settings, const char *name);
+
+/* Parses "name=value". Error: of the name, or of the value. */
+bool settings_assign(struct settings *settings, const char *assignment);
+
+/* The same for each of several, with spaces or commas between. */
+bool settings_assign_all(struct settings *settings, const char *assignments);
+
+/* A line or two per setting of a part, under its title, for --help. */
+void settings_print_help(FILE *out, const struct settings_part *part);
+
+#endif

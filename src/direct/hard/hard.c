@@ -1,0 +1,143 @@
+/* Direct light with a hard shadow map [Dong 2009 §6].
+ *
+ * The lookup compares the four nearest texels and weights the results, so that the shadow's edge is
+ * a texel wide and not stepped. */
+#include "base/memory.h"
+#include "direct/direct.h"
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "passes/shadow_map.h"
+#include "shared/direct.h"
+
+#include <cglm/util.h>
+
+#include <stdlib.h>
+
+struct hard_settings {
+    int shadow_size;
+    float shadow_bias;
+};
+
+static const struct option table[] = {
+    {"shadow-size", 0, OPTION_INT, offsetof(struct hard_settings, shadow_size), 2048, 16, 16384,
+     .help = "shadow map of the direct light, texels a side", .reinit = true},
+    {"shadow-bias", 0, OPTION_FLOAT, offsetof(struct hard_settings, shadow_bias), 1.5, 0, 100,
+     .help = "receiver offset along its normal, in shadow texels", .reinit = true},
+    {NULL},
+};
+
+static const struct settings_part own_part = {"hard", "direct light with hard shadows", table,
+                                              sizeof(struct hard_settings)};
+
+struct hard {
+    struct shadow_map_pass shadow_map;
+    float bias;
+    GLuint program;
+    struct target {
+        struct texture light;
+        GLuint framebuffer;
+    } target;
+    struct buffer params;
+};
+
+static bool init_target(struct target *target, int width, int height) {
+    *target = (struct target){0};
+    return texture_init(&target->light, &(struct texture_desc){.label = "direct",
+                                                               .format = GL_RGBA32F,
+                                                               .width = width,
+                                                               .height = height}) &&
+           framebuffer_init(
+               &target->framebuffer,
+               &(struct framebuffer_desc){.label = "direct", .colors = {&target->light}});
+}
+
+static void free_target(struct target *target) {
+    framebuffer_free(&target->framebuffer);
+    texture_free(&target->light);
+}
+
+static void free_state(void *state) {
+    struct hard *hard = state;
+    if (hard) {
+        shadow_map_pass_free(&hard->shadow_map);
+        program_free(&hard->program);
+        free_target(&hard->target);
+        buffer_free(&hard->params);
+    }
+    free(hard);
+}
+
+static bool init(void **state, const struct direct_desc *desc) {
+    const struct hard_settings *own = settings_of(desc->settings, &own_part);
+    struct hard *hard = *state = mem_alloc(1, sizeof *hard);
+    hard->bias = own->shadow_bias;
+    return shadow_map_pass_init(&hard->shadow_map,
+                                &(struct shadow_map_desc){own->shadow_size, desc->light_views}) &&
+           program_init(&hard->program,
+                        &(struct program_desc){.vertex = "fullscreen.vert",
+                                               .fragment = "direct/hard/hard.frag"}) &&
+           init_target(&hard->target, desc->width, desc->height) &&
+           buffer_init(&hard->params, "direct parameters", sizeof(struct direct_params), NULL);
+}
+
+static bool resize(void *state, int width, int height) {
+    struct hard *hard = state;
+    struct target target;
+    if (!init_target(&target, width, height)) {
+        free_target(&target);
+        return false;
+    }
+    free_target(&hard->target);
+    hard->target = target;
+    return true;
+}
+
+static void render_lights(void *state, const struct frame *frame) {
+    struct hard *hard = state;
+    shadow_map_pass_render(&hard->shadow_map, frame);
+}
+
+static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
+    struct hard *hard = state;
+    const struct texture *map = &hard->shadow_map.map;
+    struct direct_params params = {.bias = hard->bias, .shadow_size = (float)map->desc.width};
+    for (int i = 0; i < 3; i++)
+        params.light[i] = frame->light_intensity[i] / ((float)GLM_PI * frame->direct_scale);
+    buffer_write(&hard->params, 0, sizeof params, &params);
+    pass_begin(frame->timers, &(struct pass_state){
+                                  .name = "direct",
+                                  .program = hard->program,
+                                  .framebuffer = hard->target.framebuffer,
+                                  .width = hard->target.light.desc.width,
+                                  .height = hard->target.light.desc.height,
+                                  .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                                               {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                                               {UNIT_SHADOW_MAP, map->id}},
+                                  .blocks = {{BLOCK_VIEW, frame->view},
+                                             {BLOCK_LIGHT, frame->light},
+                                             {BLOCK_PASS, &hard->params}},
+                              });
+    pass_draw_fullscreen(1);
+    pass_end(frame->timers);
+}
+
+static const struct texture *light(const void *state) {
+    const struct hard *hard = state;
+    return &hard->target.light;
+}
+
+static const struct settings_part *const parts[] = {&own_part, NULL};
+
+extern const struct direct_method hard_direct;
+const struct direct_method hard_direct = {
+    .name = "hard",
+    .help = "one shadow map, hard shadows",
+    .parts = parts,
+    .init = init,
+    .free = free_state,
+    .resize = resize,
+    .render_lights = render_lights,
+    .render_view = render_view,
+    .light = light,
+};

@@ -1,0 +1,123 @@
+#include "renderer/settings.h"
+
+#include "base/error.h"
+#include "direct/direct.h"
+#include "passes/composite.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char *const tone_map_names[] = {"clamp", "filmic", NULL};
+
+static const struct option table[] = {
+    {"exposure", 0, OPTION_FLOAT, offsetof(struct picture_settings, exposure), 0, -32, 32,
+     .help = "EV"},
+    {"samples", 0, OPTION_INT, offsetof(struct picture_settings, samples), 8, 1, 16,
+     .help = "places of a pixel at which edges are told: antialiasing; 1 = its centre alone,\n"
+             "more count in fours",
+     .reinit = true},
+    {"tone-map", 0, OPTION_CHOICE, offsetof(struct picture_settings, tone_map), TONE_MAP_CLAMP,
+     .choices = tone_map_names, .help = "how bright light is shown"},
+    {NULL},
+};
+
+const struct settings_part picture_part = {"picture", "picture", table,
+                                           sizeof(struct picture_settings)};
+
+static void add_parts(struct settings *settings, const struct settings_part *const *parts) {
+    for (; *parts; parts++)
+        settings_add(settings, *parts);
+}
+
+void renderer_settings_init(struct settings *settings) {
+    *settings = (struct settings){0};
+    for (const struct technique *const *t = techniques; *t; t++)
+        add_parts(settings, (*t)->parts);
+    for (const struct direct_method *const *d = direct_methods; *d; d++)
+        add_parts(settings, (*d)->parts);
+    settings_add(settings, &picture_part);
+}
+
+/* --- texts --- */
+
+static const char preset_key[] = "path=";
+
+static bool apply_preset(struct settings *settings, const struct technique *technique,
+                         const char *name, size_t length) {
+    char names[256] = "";
+    size_t used = 0;
+    for (const struct preset *p = technique->presets; p && p->name; p++) {
+        if (strlen(p->name) == length && strncmp(p->name, name, length) == 0)
+            return settings_assign_all(settings, p->settings);
+        if (used < sizeof names)
+            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "",
+                                     p->name);
+    }
+    return error_set("path: '%.*s' is not one of %s's: %s", (int)length, name, technique->name,
+                     used ? names : "it has none");
+}
+
+static bool assign(struct settings *settings, const struct technique *technique, const char *text,
+                   size_t length, bool presets) {
+    size_t key = sizeof preset_key - 1;
+    char assignment[256];
+    if (strncmp(text, preset_key, key) == 0)
+        return !presets || apply_preset(settings, technique, text + key, length - key);
+    if (length >= sizeof assignment)
+        return error_set("'%.40s...' is too long", text);
+    snprintf(assignment, sizeof assignment, "%.*s", (int)length, text);
+    return presets || settings_assign(settings, assignment);
+}
+
+bool renderer_settings_assign(struct settings *settings, const struct technique *technique,
+                              const char *const *texts, int count) {
+    for (int presets = 1; presets >= 0; presets--)
+        for (int i = 0; i < count; i++)
+            for (const char *at = texts[i]; *(at += strspn(at, " ,")); at += strcspn(at, " ,"))
+                if (!assign(settings, technique, at, strcspn(at, " ,"), presets))
+                    return false;
+    return true;
+}
+
+bool renderer_settings_same(const struct settings *a, const struct settings *b,
+                            const struct settings_part *const *parts) {
+    for (; *parts; parts++)
+        if (!settings_same(a, b, *parts))
+            return false;
+    return true;
+}
+
+void renderer_settings_roughen(struct settings *settings) {
+    struct picture_settings *picture = settings_edit(settings, &picture_part);
+    picture->samples = 1;
+}
+
+void renderer_settings_copy_but_samples(struct settings *to, const struct settings *from) {
+    const struct picture_settings *before = settings_of(to, &picture_part);
+    int samples = before->samples;
+    *to = *from;
+    struct picture_settings *picture = settings_edit(to, &picture_part);
+    picture->samples = samples;
+}
+
+/* --- help --- */
+
+static void print_parts(FILE *out, const struct settings_part *const *parts) {
+    for (; *parts; parts++)
+        settings_print_help(out, *parts);
+}
+
+void renderer_settings_print_help(FILE *out, const struct technique *technique) {
+    fprintf(out,
+            "\nsettings of %s, for --set; the last name does where it is the only one, and a dash\n"
+            "for the dot (--technique NAME --help: those of another technique):\n",
+            technique->name);
+    if (technique->presets && technique->presets->name)
+        fprintf(out, "\n  presets, set before all else:\n");
+    for (const struct preset *p = technique->presets; p && p->name; p++)
+        fprintf(out, "  path=%-21s %s\n", p->name, p->help);
+    print_parts(out, technique->parts);
+    for (const struct direct_method *const *d = direct_methods; *d; d++)
+        print_parts(out, (*d)->parts);
+    settings_print_help(out, &picture_part);
+}

@@ -1,0 +1,38 @@
+/* All settings of the renderer: the parts of every technique and direct method, and the picture's
+ * own. */
+#ifndef RENDERER_SETTINGS_H
+#define RENDERER_SETTINGS_H
+
+#include "base/settings.h"
+#include "techniques/technique.h"
+
+struct picture_settings {
+    float exposure; /* EV */
+    int samples;    /* of the pixel's area, for its edges */
+    int tone_map;   /* enum tone_map */
+};
+
+extern const struct settings_part picture_part;
+
+/* Every part with its defaults. */
+void renderer_settings_init(struct settings *settings);
+
+/* Assigns texts, each "name=value" or several with spaces or commas between. "path=NAME" stands for
+ * a preset of the technique; presets come first, wherever they stand. Error: of a name or a value.
+ */
+bool renderer_settings_assign(struct settings *settings, const struct technique *technique,
+                              const char *const *texts, int count);
+
+/* Whether all of the parts are the same in both. */
+bool renderer_settings_same(const struct settings *a, const struct settings *b,
+                            const struct settings_part *const *parts);
+
+/* A picture with rough edges, for while things move; and all of a picture's settings but how rough
+ * its edges are. */
+void renderer_settings_roughen(struct settings *settings);
+void renderer_settings_copy_but_samples(struct settings *to, const struct settings *from);
+
+/* For --help: the technique's settings and presets, the direct methods' and the picture's. */
+void renderer_settings_print_help(FILE *out, const struct technique *technique);
+
+#endif
