@@ -100,12 +100,17 @@ static void test_table(void **state) {
     check_near("relative-bias", value_of("relative-bias"), .25, 1e-6);
     check_near("gradient", value_of("gradient"), 0, 1e-6);
     check_at_most("some hdr-flip", .05, value_of("hdr-flip"));
-    assert_null(strstr(output, "psnr"));
+    check_near("relative-mae", value_of("relative-mae"), .25, 1e-6);
+    check_near("smape", value_of("smape"), .125 / 1.135, 1e-6);
+    check_near("box16-rmse", value_of("box16-rmse"), .25, 1e-6);
+    check_near("worst-share", value_of("worst-share"), 2. / 128, 1e-6);
+    check_at_most("some psnr", value_of("psnr"), 30);
+    assert_null(strstr(output, "ldr-flip"));
     expect(0, with_pictures("--layer indirect --metric bias"));
     check_near("bias of a layer", value_of("bias"), .25, 1e-6);
     assert_null(strstr(output, "rmse"));
     expect(0, with_pictures("--metric all"));
-    expect_text("psnr");
+    expect_text("ldr-flip");
 }
 
 static void test_json(void **state) {

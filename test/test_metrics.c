@@ -49,6 +49,8 @@ static void test_errors_by_hand(void **state) {
     check_near("mrse", measure("mrse", &test, &reference),
                (.25 / (1.01 * 1.01) + 1 / (2.01 * 2.01)) / 6, 1e-6);
     check_near("mae", measure("mae", &test, &reference), 1.5 / 6, 1e-6);
+    check_near("relative-mae", measure("relative-mae", &test, &reference), 1.5 / 6 / 1.5, 1e-6);
+    check_near("smape", measure("smape", &test, &reference), (.5 / 2.51 + 1 / 3.01) / 6, 1e-6);
     check_near("bias", measure("bias", &test, &reference), -.5 / 6, 1e-6);
     check_near("bias, swapped", measure("bias", &reference, &test), .5 / 6, 1e-6);
     check_near("relative-bias", measure("relative-bias", &test, &reference), -.5 / 6 / 1.5, 1e-6);
@@ -75,6 +77,66 @@ static void test_gradient_by_hand(void **state) {
         image_at(&test, 1, 1)[c] += 3;
     check_near("gradient of a spike", measure("gradient", &test, &reference), sqrt(4 * 9 / 9.) / .5,
                1e-6);
+    image_free(&test);
+    image_free(&reference);
+}
+
+/* Of 200 pixels two are the worst 1 %. */
+static void test_worst_share_by_hand(void **state) {
+    (void)state;
+    struct image test, reference;
+    float map[200];
+    fill(&reference, 20, 10, 1);
+    fill(&test, 20, 10, 1.5f);
+    struct comparison comparison = {.test = &test, .reference = &reference};
+    check_near("all alike", measure("worst-share", &test, &reference), .01, 1e-6);
+    for (int c = 0; c < 3; c++) {
+        image_at(&test, 3, 2)[c] = 1 + 4;
+        image_at(&test, 9, 8)[c] = 1 - 3;
+    }
+    check_near("two spikes", metric_measure(metric_find("worst-share"), &comparison, map),
+               25 / (25 + 198 * .25), 1e-6);
+    check_near("a spike's share, times the pixels", (double)map[2 * 20 + 3],
+               16 / (25 + 198 * .25) * 200, 1e-4);
+    check_near("others", (double)map[0], 0, 0);
+    /* One spike: the other place is shared by the 199 that are alike. */
+    for (int c = 0; c < 3; c++)
+        image_at(&test, 9, 8)[c] = 1.5f;
+    check_near("one spike", measure("worst-share", &test, &reference), 16.25 / (16 + 199 * .25),
+               1e-6);
+    image_free(&test);
+    image_free(&reference);
+}
+
+static void test_box_errors_by_hand(void **state) {
+    (void)state;
+    struct image test, reference;
+    fill(&reference, 32, 32, 2);
+    fill(&test, 32, 32, 2);
+    /* Noise of one sign here and the other there is gone, and so it is in any box of even size. */
+    for (int y = 0; y < 32; y++)
+        for (int x = 0; x < 32; x++)
+            for (int c = 0; c < 3; c++)
+                image_at(&test, x, y)[c] += (x + y) % 2 ? 1 : -1;
+    check_near("checkers", measure("relative-rmse", &test, &reference), .5, 1e-6);
+    check_near("checkers in 4 x 4", measure("box4-rmse", &test, &reference), 0, 1e-6);
+    /* A pixel that is off by 8 leaves 8/16 in one of 64 boxes, 8/256 in one of 4. */
+    image_free(&test);
+    fill(&test, 32, 32, 2);
+    for (int c = 0; c < 3; c++)
+        image_at(&test, 17, 5)[c] += 8;
+    check_near("spike in 4 x 4", measure("box4-rmse", &test, &reference), .5 / 8 / 2, 1e-6);
+    check_near("spike in 16 x 16", measure("box16-rmse", &test, &reference), 8. / 256 / 2 / 2,
+               1e-6);
+    image_free(&test);
+    image_free(&reference);
+    /* Cut boxes: of 5 x 5 pixels the last makes one of its own, and counts as one pixel. */
+    fill(&reference, 5, 5, 1);
+    fill(&test, 5, 5, 1);
+    for (int c = 0; c < 3; c++)
+        image_at(&test, 4, 4)[c] += 3;
+    check_near("corner", measure("box4-rmse", &test, &reference), 3. / 5, 1e-6);
+    check_near("one box for all", measure("box16-rmse", &test, &reference), 3. / 25, 1e-6);
     image_free(&test);
     image_free(&reference);
 }
@@ -117,8 +179,8 @@ static void test_symmetry_and_growth(void **state) {
     struct image reference, noisy;
     fill_random(&reference, 48, 32, 2);
     fill_random(&noisy, 48, 32, 3);
-    static const char *const symmetric[] = {"rmse", "mae", "psnr", "ldr-flip"};
-    for (int i = 0; i < 4; i++)
+    static const char *const symmetric[] = {"rmse", "mae", "smape", "psnr", "ldr-flip"};
+    for (int i = 0; i < 5; i++)
         check_near(symmetric[i], measure(symmetric[i], &noisy, &reference),
                    measure(symmetric[i], &reference, &noisy), 1e-7);
     double last[METRIC_COUNT] = {0};
@@ -129,7 +191,11 @@ static void test_symmetry_and_growth(void **state) {
         for (int i = 0; i < METRIC_COUNT; i++) {
             double value = measure(metrics[i].name, &noisy, &reference);
             double worse = metrics[i].higher_is_better ? 1 / value : value;
-            check_at_most(metrics[i].name, last[i] * 1.01, worse);
+            /* Which pixels have the error does not depend on how much there is. */
+            if (strcmp(metrics[i].name, "worst-share") == 0)
+                check_near("worst-share", value, last[i] > 0 ? last[i] : value, 1e-4);
+            else
+                check_at_most(metrics[i].name, last[i] * 1.01, worse);
             last[i] = worse;
         }
     }
@@ -429,6 +495,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_errors_by_hand),
         cmocka_unit_test(test_gradient_by_hand),
+        cmocka_unit_test(test_worst_share_by_hand),
+        cmocka_unit_test(test_box_errors_by_hand),
         cmocka_unit_test(test_psnr_by_hand),
         cmocka_unit_test(test_equal_and_black_pictures),
         cmocka_unit_test(test_symmetry_and_growth),

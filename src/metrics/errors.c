@@ -31,6 +31,14 @@ float squared_relative_error(const struct comparison *comparison, int x, int y) 
     return sum / 3;
 }
 
+float symmetric_relative_error(const struct comparison *comparison, int x, int y) {
+    const float *v = image_at(comparison->test, x, y), *r = image_at(comparison->reference, x, y);
+    float sum = 0;
+    for (int c = 0; c < 3; c++)
+        sum += fabsf(v[c] - r[c]) / (fabsf(v[c]) + fabsf(r[c]) + 0.01f);
+    return sum / 3;
+}
+
 float squared_display_error(const struct comparison *comparison, int x, int y) {
     const float *v = image_at(comparison->test, x, y), *r = image_at(comparison->reference, x, y);
     float sum = 0;

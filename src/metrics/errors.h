@@ -15,6 +15,10 @@ float squared_error(const struct comparison *comparison, int x, int y);  /* (v -
 /* (v - r)^2 / (r + 0.01)^2, as in pbrt: the error as the eye adapts to dark and bright parts. */
 float squared_relative_error(const struct comparison *comparison, int x, int y);
 
+/* |v - r| / (|v| + |r| + 0.01), in [0, 1): the symmetric error that denoisers are judged by
+ * [Vogels et al. 2018, Denoising with Kernel Prediction and Asymmetric Loss Functions]. */
+float symmetric_relative_error(const struct comparison *comparison, int x, int y);
+
 /* (v - r)^2 of the values as a screen gets them: clamped to [0, 1] and sRGB-encoded. */
 float squared_display_error(const struct comparison *comparison, int x, int y);
 

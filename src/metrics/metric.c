@@ -3,9 +3,11 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "metrics/box_error.h"
 #include "metrics/errors.h"
 #include "metrics/flip.h"
 #include "metrics/hdr_flip.h"
+#include "metrics/worst_share.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -56,6 +58,17 @@ const struct metric metrics[METRIC_COUNT] = {
      .usual_for = METRIC_HDR | METRIC_LDR,
      .pixel_error = absolute_error,
      .finish = plain},
+    {.name = "relative-mae",
+     .help = "mae over the mean of r",
+     .usual_for = METRIC_HDR | METRIC_LDR,
+     .pixel_error = absolute_error,
+     .finish = relative},
+    {.name = "smape",
+     .help = "mean of |v - r| / (|v| + |r| + 0.01)",
+     .usual_for = METRIC_HDR,
+     .range = RANGE_UNIT,
+     .pixel_error = symmetric_relative_error,
+     .finish = plain},
     {.name = "bias",
      .help = "mean of v - r",
      .usual_for = METRIC_HDR | METRIC_LDR,
@@ -73,9 +86,24 @@ const struct metric metrics[METRIC_COUNT] = {
      .usual_for = METRIC_HDR | METRIC_LDR,
      .pixel_error = squared_gradient_error,
      .finish = relative_root},
+    {.name = "worst-share",
+     .help = "share of the squared error that the worst 1 % of the pixels have",
+     .usual_for = METRIC_HDR,
+     .error_map = worst_share,
+     .finish = plain},
+    {.name = "box4-rmse",
+     .help = "relative-rmse after averaging over boxes of 4 x 4 pixels",
+     .usual_for = METRIC_HDR,
+     .error_map = box_error_4,
+     .finish = relative_root},
+    {.name = "box16-rmse",
+     .help = "the same over 16 x 16",
+     .usual_for = METRIC_HDR,
+     .error_map = box_error_16,
+     .finish = relative_root},
     {.name = "psnr",
      .help = "peak signal to noise of the sRGB-encoded values, dB; higher is better",
-     .usual_for = METRIC_LDR,
+     .usual_for = METRIC_HDR | METRIC_LDR,
      .higher_is_better = true,
      .pixel_error = squared_display_error,
      .finish = decibels},

@@ -27,7 +27,7 @@ struct metric {
     double (*finish)(double error, double reference_mean);
 };
 
-enum { METRIC_COUNT = 10 };
+enum { METRIC_COUNT = 15 };
 
 extern const struct metric metrics[METRIC_COUNT];
 

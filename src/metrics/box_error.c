@@ -1,0 +1,45 @@
+#include "metrics/box_error.h"
+
+struct box {
+    int x, y, end_x, end_y;
+};
+
+static double mean_difference(const struct comparison *comparison, const struct box *box, int c) {
+    double sum = 0;
+    for (int y = box->y; y < box->end_y; y++)
+        for (int x = box->x; x < box->end_x; x++)
+            sum += (double)image_at(comparison->test, x, y)[c] -
+                   (double)image_at(comparison->reference, x, y)[c];
+    return sum / ((box->end_x - box->x) * (box->end_y - box->y));
+}
+
+static void fill_box(const struct comparison *comparison, const struct box *box, float *map) {
+    double squares = 0;
+    for (int c = 0; c < 3; c++) {
+        double difference = mean_difference(comparison, box, c);
+        squares += difference * difference;
+    }
+    for (int y = box->y; y < box->end_y; y++)
+        for (int x = box->x; x < box->end_x; x++)
+            map[(size_t)y * (size_t)comparison->reference->width + (size_t)x] = (float)squares / 3;
+}
+
+static int least(int a, int b) {
+    return a < b ? a : b;
+}
+
+static void box_error(const struct comparison *comparison, int size, float *map) {
+    int width = comparison->reference->width, height = comparison->reference->height;
+    for (int y = 0; y < height; y += size)
+        for (int x = 0; x < width; x += size)
+            fill_box(comparison,
+                     &(struct box){x, y, least(x + size, width), least(y + size, height)}, map);
+}
+
+void box_error_4(const struct comparison *comparison, float *map) {
+    box_error(comparison, 4, map);
+}
+
+void box_error_16(const struct comparison *comparison, float *map) {
+    box_error(comparison, 16, map);
+}
