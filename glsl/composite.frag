@@ -1,15 +1,15 @@
 // The picture for a display: exposure, tone map, sRGB.
-#include "lib/layer.glsl"
 #include "lib/display.glsl"
+#include "lib/layer.glsl"
 
 layout(location = TARGET_RESULT) out vec4 color;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    int shown = int(params.layer);
+    int shown = params.layer;
     seen s = seen_from(pixel);
     vec3 radiance = shown == LAYER_DIRECT     ? s.direct
                     : shown == LAYER_INDIRECT ? s.indirect
                                               : s.radiance;
-    color = vec4(display(radiance, params.exposure, params.tone_map), 1.0);
+    color = vec4(display(radiance, params.exposure, params.filmic), 1.0);
 }

@@ -5,8 +5,8 @@ layout(location = TARGET_RESULT) out vec4 value;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    int shown = int(params.layer);
-    float depth = texelFetch(depths, ivec3(pixel, 0), 0).r;
+    int shown = params.layer;
+    float depth = gbuffer_depth(pixel);
     seen s = seen_from(pixel);
     value = vec4(0.0, 0.0, 0.0, s.coverage);
     if (shown == LAYER_BEAUTY)
@@ -19,6 +19,6 @@ void main() {
         value.rgb = s.albedo;
     else if (depth > 0.0)
         value.rgb = shown == LAYER_NORMAL
-                        ? octahedral_decode(texelFetch(normals, ivec3(pixel, 0), 0).rg)
+                        ? octahedral_decode(texelFetch(gbuffer_normals, ivec3(pixel, 0), 0).rg)
                         : vec3(view_linear_depth(camera, depth));
 }

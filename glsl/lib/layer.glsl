@@ -1,16 +1,8 @@
 // The layers of a picture, from the buffers of the frame.
+#include "lib/gbuffer.glsl"
 #include "lib/picks.glsl"
-#include "lib/surface.glsl"
-#include "shared/params.h"
+#include "shared/composite.h"
 
-layout(std140, binding = BLOCK_VIEW) uniform view_uniforms {
-    view camera;
-};
-layout(std140, binding = BLOCK_PASS) uniform pass_uniforms {
-    composite_params params;
-};
-layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray depths;
-layout(binding = UNIT_GBUFFER_NORMAL) uniform sampler2DArray normals;
 layout(binding = UNIT_GBUFFER_ALBEDO) uniform sampler2DArray albedos;
 layout(binding = UNIT_DIRECT) uniform sampler2D directs;
 #ifdef HAS_IRRADIANCE
@@ -55,8 +47,8 @@ vec3 radiance_of(vec3 albedo, vec3 received, ivec2 texel) {
 
 seen seen_from(ivec2 pixel) {
     uvec2 picks = texelFetch(sample_picks, min(pixel, textureSize(sample_picks, 0) - 1), 0).rg;
-    ivec2 last = textureSize(depths, 0).xy - 1;
-    int count = picks == uvec2(0u) ? 1 : int(params.samples);
+    ivec2 last = gbuffer_size() - 1;
+    int count = picks == uvec2(0u) ? 1 : params.samples;
     seen sum = seen(0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 weights = vec3(0.0);
     for (int i = 0; i < count; i++) {
@@ -66,7 +58,7 @@ seen seen_from(ivec2 pixel) {
             continue;
         }
         ivec2 texel = clamp(pixel + pick_offset(pick), ivec2(0), last);
-        float present = texelFetch(depths, ivec3(texel, 0), 0).r > 0.0 ? 1.0 : 0.0;
+        float present = gbuffer_depth(texel) > 0.0 ? 1.0 : 0.0;
         vec3 albedo = albedo_fetch(albedos, ivec3(texel, 0));
         vec3 direct = texelFetch(directs, texel, 0).rgb;
 #ifdef HAS_IRRADIANCE

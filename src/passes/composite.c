@@ -3,7 +3,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/params.h"
+#include "shared/composite.h"
 
 #include <cglm/util.h>
 
@@ -69,11 +69,11 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
                  const struct composite_inputs *inputs, int layer, GLuint program,
                  GLuint framebuffer) {
     struct composite_params params = {
-        .samples = (float)inputs->samples,
+        .samples = inputs->samples,
         .indirect = 1 / ((float)GLM_PI * frame->irradiance_scale),
         .exposure = exp2f(inputs->exposure),
-        .tone_map = (float)inputs->tone_map,
-        .layer = (float)layer,
+        .filmic = inputs->tone_map == TONE_MAP_FILMIC,
+        .layer = layer,
         .scale = 1 / frame->irradiance_scale,
     };
     buffer_write(&pass->params, 0, sizeof params, &params);

@@ -5,7 +5,7 @@
 #include "passes/blur.h"
 #include "passes/val_light.h"
 #include "renderer/layer_target.h"
-#include "shared/params.h"
+#include "shared/composite.h"
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>

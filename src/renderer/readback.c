@@ -3,7 +3,7 @@
 
 #include "base/memory.h"
 #include "renderer/layer_target.h"
-#include "shared/params.h"
+#include "shared/composite.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 #include "renderer/renderer.h"
 
-#include "shared/params.h"
+#include "shared/composite.h"
 
 #include <math.h>
 #include <string.h>

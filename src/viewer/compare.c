@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "metrics/layer.h"
-#include "shared/params.h"
+#include "shared/composite.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Keys and mouse. The table of keys is also the help that is shown. */
 #include "viewer/viewer.h"
 
-#include "shared/params.h"
+#include "shared/composite.h"
 #include "viewer/ui.h"
 
 #include <math.h>

@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "scene/animation.h"
 #include "scene/node.h"
-#include "shared/params.h"
+#include "shared/composite.h"
 #include "viewer/ui.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
 #include "viewer/viewer.h"
 
 #include "base/error.h"
-#include "shared/params.h"
+#include "shared/composite.h"
 
 #include <math.h>
 

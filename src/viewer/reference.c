@@ -7,7 +7,8 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "metrics/layer.h"
-#include "shared/params.h"
+#include "passes/composite.h"
+#include "shared/composite.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -88,7 +89,7 @@ bool reference_show(struct reference *reference, const char *layer,
         return false;
     struct composite_params params = {
         .exposure = exp2f(picture->exposure),
-        .tone_map = (float)picture->tone_map,
+        .filmic = picture->tone_map == TONE_MAP_FILMIC,
     };
     buffer_write(&reference->params, 0, sizeof params, &params);
     pass_set_state(&(struct pass_state){

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "gl/glsl.h"
-#include "shared/params.h"
+#include "shared/composite.h"
 #include "viewer/ui.h"
 
 /* How long after the last change the picture counts as at rest, seconds. */

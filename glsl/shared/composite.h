@@ -1,0 +1,25 @@
+/* passes/composite.h to its shaders. */
+#ifndef SHARED_COMPOSITE_H
+#define SHARED_COMPOSITE_H
+
+#include "shared/types.h"
+
+struct composite_params {
+    int layer;      /* what to write, LAYER_... */
+    int samples;    /* of a pixel */
+    float indirect; /* radiance of a white surface per stored irradiance */
+    float scale;    /* radiance per stored radiance */
+    float exposure; /* factor */
+    BOOL filmic;    /* tone map; else values are clamped */
+    float unused0, unused1;
+};
+PASS_BLOCK(composite_params, 32)
+
+#define LAYER_BEAUTY 0
+#define LAYER_DIRECT 1
+#define LAYER_INDIRECT 2
+#define LAYER_ALBEDO 3
+#define LAYER_NORMAL 4
+#define LAYER_DEPTH 5
+
+#endif
