@@ -173,6 +173,10 @@ static void test_pictures_of_the_error(void **state) {
     assert_int_equal(heat.width, 16);
     check_near("a bare value", (double)heat.pixels[0], .125, 1e-6);
     image_free(&heat);
+    snprintf(more, sizeof more, "-m rmse -o %s", reference_exr);
+    expect(1, with_pictures(more));
+    expect_text("it is the input");
+    expect(0, with_pictures("-m rmse"));
     expect(1, with_pictures("-m rmse -o no/such/folder/heat.png"));
     expect_text("manylight compare: cannot write no/such/folder/heat.png: No such file");
 }

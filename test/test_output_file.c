@@ -229,7 +229,7 @@ static void test_refused_names(void **state) {
         {path, "File name too long"},
         {"no/such/folder/x.png", "No such file or directory"},
         {"scenes/cornell-box.glb/x.png", "Not a directory"},
-        {"", "No such file or directory"},
+        {"", "without a name"},
         {"/dev/full", "No space left on device"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

@@ -4,6 +4,7 @@
 #include "apps/arguments.h"
 #include "apps/context_options.h"
 #include "apps/frames.h"
+#include "apps/interrupt.h"
 #include "measure/progress.h"
 #include "measure/stage.h"
 #include "apps/stats.h"
@@ -84,7 +85,8 @@ static const struct arguments arguments = {
         "Renders a glTF scene offscreen. EXR and PFM get linear radiance, EXR with all layers;\n"
         "PNG, JPEG and the like get the picture as a display shows it. Each frame depends on its\n"
         "time alone, and its files appear when they are whole, synced and read back: a sequence\n"
-        "may be split between processes, killed, and taken up again.",
+        "may be split between processes, killed, and taken up again. Ctrl-C ends it after the\n"
+        "frame at hand, Ctrl-\\ at once.",
     .options = options,
     .min_positional = 1,
     .max_positional = 1,
@@ -191,6 +193,12 @@ static bool render_frames(const struct values *values, const struct frames *fram
     progress_start(&progress);
     for (int i = 0; ok && i < frames->count; i++) {
         int frame = frames->numbers[i];
+        if (interrupt_came()) {
+            ok = error_set("stopped before frame %d: %d rendered, %d were there, %d are left "
+                           "(--skip-existing)",
+                           frame, done, skipped, frames->count - i);
+            break;
+        }
         if (values->skip_existing && outputs_are_there(values, frame)) {
             skipped++;
             continue;
@@ -275,7 +283,15 @@ int app_render(int argc, char **argv) {
         return arguments_misuse(argv[0]);
     }
     glsl_set_folder(values.glsl);
+    bool is_sequence = frames.count > 1;
+    if (is_sequence)
+        interrupts_hold();
     bool ok = render_scene(&values, &frames, &desc, scene);
     frames_free(&frames);
-    return ok ? STATUS_OK : arguments_fail(argv[0]);
+    if (ok)
+        return STATUS_OK;
+    status = arguments_fail(argv[0]);
+    if (is_sequence)
+        interrupts_release();
+    return status;
 }

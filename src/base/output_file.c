@@ -35,6 +35,8 @@ static bool check_folder(const char *path) {
 
 bool output_file_check(const char *path) {
     struct stat status;
+    if (!*path)
+        return error_set("cannot write a file without a name");
     bool exists = stat(path, &status) == 0;
     if (!exists && errno != ENOENT)
         return fail(path);
@@ -118,10 +120,14 @@ static int open_named(const struct part *part) {
     return open(part->name, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
 }
 
+static int link_to(int file, const char *name) {
+    char unnamed[64];
+    snprintf(unnamed, sizeof unnamed, "/proc/self/fd/%d", file);
+    return linkat(AT_FDCWD, unnamed, AT_FDCWD, name, AT_SYMLINK_FOLLOW);
+}
+
 static int link_unnamed(const struct part *part) {
-    char file[64];
-    snprintf(file, sizeof file, "/proc/self/fd/%d", part->file);
-    return linkat(AT_FDCWD, file, AT_FDCWD, part->name, AT_SYMLINK_FOLLOW);
+    return link_to(part->file, part->name);
 }
 
 /* Whether a file without a name can get one here. */
@@ -147,26 +153,35 @@ static bool keep_mode(int file, const char *path) {
            fchmod(file, old.st_mode & 0777) == 0;
 }
 
-static bool part_fill(struct part *part, const char *path, const void *bytes, size_t size) {
+static bool part_fill(const struct part *part, const char *path, const void *bytes, size_t size) {
     return write_all(part->file, bytes, size) && sync_all(part->file) &&
-           holds(part->file, bytes, size) && keep_mode(part->file, path) &&
-           (part->name || with_free_name(part, path, link_unnamed) == 0);
+           holds(part->file, bytes, size) && keep_mode(part->file, path);
 }
 
-/* Closes the file in any case; only then does it get its name. */
+/* A file without a name takes the target's, or one beside it where the target is to be replaced: no
+ * call does that at once. */
+static bool part_link(struct part *part, const char *path) {
+    return part->name || link_to(part->file, path) == 0 ||
+           (errno == EEXIST && with_free_name(part, path, link_unnamed) == 0);
+}
+
+/* Closes the file in any case; only what is good takes the target's name. */
 static bool part_finish(struct part *part, const char *path, bool ok) {
+    ok = ok && part_link(part, path);
     int reason = errno;
-    bool closed = close(part->file) == 0;
-    if (ok && closed && rename(part->name, path) == 0) {
-        free(part->name);
-        return true;
+    if (close(part->file) != 0 && ok && part->name) {
+        reason = errno;
+        ok = false;
     }
-    reason = ok ? errno : reason;
-    if (part->name)
+    if (ok && part->name && rename(part->name, path) != 0) {
+        reason = errno;
+        ok = false;
+    }
+    if (!ok && part->name)
         unlink(part->name);
     free(part->name);
     errno = reason;
-    return false;
+    return ok;
 }
 
 /* The name in the folder lasts, too. */

@@ -3,7 +3,8 @@
  * The content is made in memory. Its bytes go into a file without a name (or with a name of its own
  * beside the target, where the file system knows no other), are synced and read back, and only then
  * take the target's name. Whatever fails, and whenever the process is killed, the target is what it
- * was or what it should be.
+ * was or what it should be; a kill in the midst of replacing it may leave the other one beside it, as
+ * .manylight-PID-N.part.
  */
 #ifndef BASE_OUTPUT_FILE_H
 #define BASE_OUTPUT_FILE_H
