@@ -3,7 +3,7 @@
 #include "render_support.h"
 
 #include "base/memory.h"
-#include "passes/blur.h"
+#include "passes/gather/blur.h"
 #include "shared/map_view.h"
 #include "shared/vpl.h"
 

@@ -6,7 +6,7 @@
 #include "base/image_file.h"
 #include "base/memory.h"
 #include "gl/memory.h"
-#include "passes/gather.h"
+#include "passes/gather/gather.h"
 #include "shared/vpl.h"
 
 #include <math.h>

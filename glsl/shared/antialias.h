@@ -1,4 +1,4 @@
-/* passes/antialias.h to its shaders. */
+/* passes/picture/antialias.h to its shaders. */
 #ifndef SHARED_ANTIALIAS_H
 #define SHARED_ANTIALIAS_H
 

@@ -1,4 +1,4 @@
-/* passes/basis.h to its shader. */
+/* passes/visibility/basis.h to its shader. */
 #ifndef SHARED_BASIS_H
 #define SHARED_BASIS_H
 

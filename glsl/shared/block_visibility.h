@@ -1,4 +1,4 @@
-/* passes/block_visibility.h to its shader. */
+/* passes/visibility/block_visibility.h to its shader. */
 #ifndef SHARED_BLOCK_VISIBILITY_H
 #define SHARED_BLOCK_VISIBILITY_H
 

@@ -1,4 +1,4 @@
-/* passes/blur.h to its shaders. */
+/* passes/gather/blur.h to its shaders. */
 #ifndef SHARED_BLUR_H
 #define SHARED_BLUR_H
 

@@ -1,4 +1,4 @@
-/* passes/cluster.h to its shaders. */
+/* passes/lights/cluster.h to its shaders. */
 #ifndef SHARED_CLUSTER_H
 #define SHARED_CLUSTER_H
 

@@ -1,4 +1,4 @@
-/* passes/composite.h to its shaders. */
+/* passes/picture/composite.h to its shaders. */
 #ifndef SHARED_COMPOSITE_H
 #define SHARED_COMPOSITE_H
 

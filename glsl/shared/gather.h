@@ -1,4 +1,4 @@
-/* passes/gather.h to its shader. */
+/* passes/gather/gather.h to its shader. */
 #ifndef SHARED_GATHER_H
 #define SHARED_GATHER_H
 

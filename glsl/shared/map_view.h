@@ -1,5 +1,5 @@
 /* The paraboloid view from a VAL (or a VPL): what its shadow map sees [Dong 2009 §4.2]. Transform
- * feedback writes it (lib/map_view_output.glsl). */
+ * feedback writes it (visibility/map_view_output.glsl). */
 #ifndef SHARED_MAP_VIEW_H
 #define SHARED_MAP_VIEW_H
 

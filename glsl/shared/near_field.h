@@ -1,4 +1,4 @@
-/* passes/near_field.h to its shaders. */
+/* passes/gather/near_field.h to its shaders. */
 #ifndef SHARED_NEAR_FIELD_H
 #define SHARED_NEAR_FIELD_H
 

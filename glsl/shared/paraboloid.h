@@ -1,4 +1,4 @@
-/* passes/paraboloid.h to its shaders. */
+/* passes/visibility/paraboloid.h to its shaders. */
 #ifndef SHARED_PARABOLOID_H
 #define SHARED_PARABOLOID_H
 

@@ -1,4 +1,4 @@
-/* passes/visibility.h to lib/visibility.glsl: how a point looks itself up in the maps. */
+/* passes/visibility/visibility.h to visibility/visibility.glsl: how a point looks itself up in the maps. */
 #ifndef SHARED_VISIBILITY_H
 #define SHARED_VISIBILITY_H
 

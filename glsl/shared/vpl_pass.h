@@ -1,4 +1,4 @@
-/* passes/vpl.h to its shader. */
+/* passes/lights/vpl.h to its shader. */
 #ifndef SHARED_VPL_PASS_H
 #define SHARED_VPL_PASS_H
 

@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "base/memory.h"
-#include "passes/blur.h"
-#include "passes/val_light.h"
+#include "passes/gather/blur.h"
+#include "passes/lights/val_light.h"
 #include "renderer/layer_target.h"
 #include "shared/composite.h"
 #include "shared/vpl.h"

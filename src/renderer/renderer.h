@@ -7,10 +7,10 @@
 #define RENDERER_RENDERER_H
 
 #include "base/image.h"
-#include "passes/antialias.h"
+#include "passes/picture/antialias.h"
 #include "direct/direct.h"
-#include "passes/composite.h"
-#include "passes/geometry.h"
+#include "passes/picture/composite.h"
+#include "passes/picture/geometry.h"
 #include "renderer/settings.h"
 #include "scene/gpu/caster_pool.h"
 #include "scene/view.h"

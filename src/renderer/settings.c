@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "direct/direct.h"
-#include "passes/composite.h"
+#include "passes/picture/composite.h"
 
 #include <stdio.h>
 #include <string.h>

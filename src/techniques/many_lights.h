@@ -3,11 +3,11 @@
 #ifndef TECHNIQUES_MANY_LIGHTS_H
 #define TECHNIQUES_MANY_LIGHTS_H
 
-#include "passes/blur.h"
-#include "passes/gather.h"
-#include "passes/geometry.h"
-#include "passes/near_field.h"
-#include "passes/vpl.h"
+#include "passes/gather/blur.h"
+#include "passes/gather/gather.h"
+#include "passes/picture/geometry.h"
+#include "passes/gather/near_field.h"
+#include "passes/lights/vpl.h"
 #include "techniques/technique.h"
 
 /* --- settings ---

@@ -1,4 +1,4 @@
-#include "passes/gather.h"
+#include "passes/gather/gather.h"
 #include "techniques/many_lights.h"
 
 #define ROW(type, name) offsetof(struct type##_settings, name)

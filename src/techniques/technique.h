@@ -5,7 +5,7 @@
 
 #include "base/settings.h"
 #include "passes/frame.h"
-#include "passes/visibility.h"
+#include "passes/visibility/visibility.h"
 #include "scene/gpu/caster_pool.h"
 
 struct technique_desc {

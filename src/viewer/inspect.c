@@ -38,8 +38,9 @@ enum { SHEET_GAP = 6 }; /* pixels of a monitor of scale 1 */
 
 bool inspect_init(struct inspect *inspect) {
     *inspect = (struct inspect){0};
-    if (program_init(&inspect->program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                               .fragment = "inspect.frag"}) &&
+    if (program_init(&inspect->program,
+                     &(struct program_desc){.vertex = "fullscreen.vert",
+                                            .fragment = "viewer/inspect.frag"}) &&
         buffer_init(&inspect->params, "inspect parameters", sizeof(struct inspect_params), NULL) &&
         buffer_init(&inspect->visibility_params, "inspect visibility parameters",
                     sizeof(struct visibility_params), NULL) &&
@@ -200,7 +201,7 @@ static bool fit_visibility(struct inspect *inspect, const struct visibility_desc
     char *defines = visibility_defines(desc);
     bool ok = program_init(&inspect->visibility_program,
                            &(struct program_desc){.vertex = "fullscreen.vert",
-                                                  .fragment = "inspect_visibility.frag",
+                                                  .fragment = "viewer/inspect_visibility.frag",
                                                   .defines = defines});
     free(defines);
     return ok;

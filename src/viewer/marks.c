@@ -12,11 +12,12 @@ enum { VAL_VERTICES = 5 * 6 }; /* four edges and a normal, two triangles each */
 
 bool marks_init(struct marks *marks) {
     *marks = (struct marks){0};
-    if (program_init(
-            &marks->point_program,
-            &(struct program_desc){.vertex = "mark_points.vert", .fragment = "mark_points.frag"}) &&
-        program_init(&marks->val_program, &(struct program_desc){.vertex = "mark_vals.vert",
-                                                                 .fragment = "mark_vals.frag"}) &&
+    if (program_init(&marks->point_program,
+                     &(struct program_desc){.vertex = "viewer/mark_points.vert",
+                                            .fragment = "viewer/mark_points.frag"}) &&
+        program_init(&marks->val_program,
+                     &(struct program_desc){.vertex = "viewer/mark_vals.vert",
+                                            .fragment = "viewer/mark_vals.frag"}) &&
         buffer_init(&marks->params, "mark parameters", sizeof(struct mark_params), NULL))
         return true;
     marks_free(marks);

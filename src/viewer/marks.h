@@ -28,7 +28,7 @@ void marks_free(struct marks *marks);
 void marks_draw(const struct marks *marks, const struct frame *frame, const struct gbuffer *gbuffer,
                 const struct technique_outputs *outputs, const struct marks_desc *desc);
 
-/* The colour of VAL k: glsl/lib/mark.glsl's. */
+/* The colour of VAL k: glsl/viewer/mark.glsl's. */
 uint32_t marks_cluster_color(int k);
 
 #endif

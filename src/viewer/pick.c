@@ -66,7 +66,7 @@ static bool probe_init(struct probe *probe, const struct visibility_desc *desc) 
     char *defines = visibility_defines(desc);
     bool ok =
         program_init(&probe->program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                             .fragment = "probe.frag",
+                                                             .fragment = "viewer/probe.frag",
                                                              .defines = defines}) &&
         texture_init(&probe->lit, &(struct texture_desc){.label = "probe",
                                                          .format = GL_R32F,

@@ -7,7 +7,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "metrics/layer.h"
-#include "passes/composite.h"
+#include "passes/picture/composite.h"
 #include "shared/composite.h"
 
 #include <math.h>
@@ -17,9 +17,9 @@
 
 static bool init_gpu(struct reference *reference) {
     int width = reference->picture.width, height = reference->picture.height;
-    return program_init(
-               &reference->program,
-               &(struct program_desc){.vertex = "fullscreen.vert", .fragment = "reference.frag"}) &&
+    return program_init(&reference->program,
+                        &(struct program_desc){.vertex = "fullscreen.vert",
+                                               .fragment = "viewer/reference.frag"}) &&
            texture_init(&reference->radiance, &(struct texture_desc){.label = "reference",
                                                                      .format = GL_RGBA32F,
                                                                      .width = width,

@@ -10,7 +10,7 @@
 bool screen_init(struct screen *screen) {
     *screen = (struct screen){0};
     if (program_init(&screen->program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                              .fragment = "screen.frag"}) &&
+                                                              .fragment = "viewer/screen.frag"}) &&
         buffer_init(&screen->params, "screen parameters", sizeof(struct screen_params), NULL))
         return true;
     screen_free(screen);

@@ -7,7 +7,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "passes/shadow_map.h"
+#include "passes/visibility/shadow_map.h"
 #include "shared/direct.h"
 
 #include <cglm/util.h>

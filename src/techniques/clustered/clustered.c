@@ -2,10 +2,10 @@
  * shadow maps say whether their light arrives. With visibility=hard the VAL's depth map is looked
  * up as it is: what the paper's soft shadows are compared with (§3). */
 #include "base/memory.h"
-#include "passes/basis.h"
-#include "passes/block_visibility.h"
-#include "passes/cluster.h"
-#include "passes/paraboloid.h"
+#include "passes/visibility/basis.h"
+#include "passes/visibility/block_visibility.h"
+#include "passes/lights/cluster.h"
+#include "passes/visibility/paraboloid.h"
 #include "techniques/many_lights.h"
 
 #include <stdlib.h>

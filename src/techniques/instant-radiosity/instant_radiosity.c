@@ -2,7 +2,7 @@
  * the brute force that clustered visibility approximates. Maps are drawn in batches, so that N is
  * bounded by time and not by memory. */
 #include "base/memory.h"
-#include "passes/paraboloid.h"
+#include "passes/visibility/paraboloid.h"
 #include "techniques/many_lights.h"
 
 #include <stdlib.h>

@@ -1,0 +1,52 @@
+// Geometry-aware blur along one axis, or over a square at once [Dong 2009 §6; Laine et al. 2007]:
+// neighbours count where they are near in space and normal. The ends have half weight, so that the window
+// holds each place of the interleaving pattern equally and is not shifted by half a pixel.
+#include "gather/blur_tap.glsl"
+#include "lib/camera.glsl"
+#include "shared/blur.h"
+
+layout(binding = UNIT_BLUR_TAPS) uniform usampler2D taps;
+
+#ifdef PACK
+layout(location = TARGET_RESULT) out uvec4 packed_tap;
+#else
+layout(location = TARGET_RESULT) out vec4 blurred;
+#endif
+
+vec3 tap_position(ivec2 pixel, vec2 per_pixel, uvec4 tap) {
+    return view_position(camera, (vec2(pixel) + 0.5) * per_pixel - 1.0, blur_tap_depth(tap));
+}
+
+void write(uvec4 center, vec3 irradiance) {
+#ifdef PACK
+    packed_tap = blur_tap_pack(
+        blur_tap(blur_tap_depth(center), unpackUnorm2x16(center.y), irradiance));
+#else
+    blurred = vec4(irradiance, blur_tap_depth(center) > 0.0 ? 1.0 : 0.0);
+#endif
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy), size = textureSize(taps, 0);
+    vec2 per_pixel = 2.0 / vec2(size);
+    uvec4 center = texelFetch(taps, pixel, 0);
+    vec3 position = tap_position(pixel, per_pixel, center), normal = blur_tap_normal(center);
+    int radius = params.radius, rows = params.rows;
+    ivec2 along = params.along, across = along.yx;
+    vec4 sum = vec4(0.0);
+    for (int j = -rows; j <= rows; j++)
+        for (int i = -radius; i <= radius; i++) {
+            ivec2 at = pixel + i * along + j * across;
+            if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size)))
+                continue;
+            uvec4 tap = texelFetch(taps, at, 0);
+            vec3 apart = tap_position(at, per_pixel, tap) - position;
+            if (blur_tap_depth(tap) > 0.0 && dot(apart, apart) < params.distance2 &&
+                dot(blur_tap_normal(tap), normal) > params.cosine) {
+                float weight = (radius > 0 && abs(i) == radius ? 0.5 : 1.0) *
+                               (rows > 0 && abs(j) == rows ? 0.5 : 1.0);
+                sum += weight * vec4(blur_tap_irradiance(tap), 1.0);
+            }
+        }
+    write(center, blur_tap_depth(center) > 0.0 ? sum.rgb / max(sum.a, 0.25) : vec3(0.0));
+}

@@ -1,0 +1,87 @@
+// Irradiance from a range of VPLs, each with the visibility of its VAL [Dong 2009 §4, §6]:
+//     E = sum_i Phi_i / pi cos_i cos_x / d^2 V_C(i)(x)
+// A draw fills one tile: the pixels of one place in the interleaving pattern, which share their VPLs
+// [Segovia et al. 2006].
+#include "lib/gbuffer.glsl"
+#include "lib/interleaving.glsl"
+#include "gather/near_field.glsl"
+#include "visibility/visibility.glsl"
+#include "shared/gather.h"
+#include "shared/vpl.h"
+#if SHARE_VISIBILITY
+#include "gather/block.glsl"
+#endif
+
+layout(std140, binding = BLOCK_VPLS) uniform vpl_uniforms {
+    vpl vpls[VPLS_PER_BLOCK];
+};
+
+// First VPL and count within the block; the tile's place in the pattern.
+layout(location = LOCATION_SLOT) uniform ivec4 slot;
+// Samples taken of N: their sum stands for all.
+layout(location = LOCATION_SLOT_WEIGHT) uniform float weight;
+// Which map the block's first VPL has, where each VPL has its own.
+layout(location = LOCATION_FIRST_MAP) uniform int first_map;
+
+layout(location = TARGET_RESULT) out vec4 irradiance;
+
+const float INVERSE_PI = 0.31830988618;
+
+// cos_i cos_x / d^2, bounded as the setting says: near a VPL the point light is no longer the patch
+// that it stands for.
+float geometry_term(vec3 to_vpl, vec3 normal, vpl light) {
+    float distance2 = dot(to_vpl, to_vpl);
+    float cosines = max(dot(normal, to_vpl), 0.0) * max(-dot(light.normal, to_vpl), 0.0);
+    if (cosines <= 0.0)
+        return 0.0;
+#if CLAMP == 0
+    return cosines / (distance2 * distance2);
+#elif CLAMP == 1
+    return min(cosines / (distance2 * distance2), params.clamp_at);
+#elif CLAMP == 2
+    // The form factor of a disk of the VPL's area, facing the receiver.
+    return cosines / (distance2 * (distance2 + light.area * INVERSE_PI));
+#else
+    // The near field comes from the reflective shadow map.
+    float far = 1.0 - near_share(distance2, light.area, params.reach);
+    return cosines * far / (distance2 * distance2);
+#endif
+}
+
+// Irradiance times pi from VPL i without visibility, and the map that knows its visibility.
+vec3 unshadowed(int i, surface s, out int map) {
+    vpl light = vpls[i];
+#if MAP_PER_VPL
+    map = first_map + i;
+#else
+    map = int(light.val);
+#endif
+    return light.flux * geometry_term(light.position - s.position, s.normal, light);
+}
+
+void main() {
+    irradiance = vec4(0.0);
+    ivec2 pixel = interleaved_pixel(params.pattern, ivec2(gl_FragCoord.xy), slot.zw);
+    surface s = gbuffer_surface(pixel);
+    if (!s.present)
+        return;
+    vec3 sum = vec3(0.0);
+    int last = slot.x + slot.y, map;
+#if SHARE_VISIBILITY
+    ivec2 block;
+    if (nearest_block(s, pixel, block)) {
+        for (int i = slot.x; i < last; i++) {
+            vec3 light = unshadowed(i, s, map);
+            sum += light * texelFetch(block_visibilities, ivec3(block, map), 0).r;
+        }
+        last = slot.x;
+    }
+#endif
+    // A loop of its own: a software rasteriser leaves a loop that no pixel is in, but executes both
+    // sides of a branch.
+    for (int i = slot.x; i < last; i++) {
+        vec3 light = unshadowed(i, s, map);
+        sum += light * visibility(map, s.position, s.normal);
+    }
+    irradiance = vec4(sum * (INVERSE_PI * weight * params.scale), 1.0);
+}

@@ -1,0 +1,45 @@
+// Vertex k becomes the paraboloid view from VAL k. The extent is the side of the square as large as the
+// bounding rectangle.
+//
+// The mean of VPLs on a ball lies within the ball, which then hides all the rest: a mean behind the tangent
+// plane of the VPL that is nearest to it is moved onto that plane, and the map looks from there.
+#include "visibility/map_range.glsl"
+#include "visibility/map_view_output.glsl"
+#include "lib/tangent.glsl"
+#include "lights/val_distance.glsl"
+#include "lib/vpl_texels.glsl" // with their VALs' numbers
+
+layout(binding = UNIT_VAL_EXTREMES) uniform sampler2D val_extremes;
+
+// spacing: of the VPLs there, metres.
+vec3 on_surface(int k, vec3 center, vec3 mean, out float spacing) {
+    vec3 foot = center;
+    float least = 1e30;
+    spacing = 0.0;
+    for (int i = 0; i < params.vpl_count; i++) {
+        vpl v = vpl_at(i);
+        bool lights = int(v.val) == k && v.emits > 0.0;
+        float d = val_distance(v.position, v.normal, center, mean);
+        if (lights && d < least) {
+            least = d;
+            foot = center + v.normal * max(dot(v.position - center, v.normal), 0.0);
+            spacing = sqrt(v.area);
+        }
+    }
+    return foot;
+}
+
+void main() {
+    ivec2 k = ivec2(gl_VertexID, 0);
+    vec3 normal = texelFetch(val_normals, k, 0).xyz;
+    float spacing;
+    vec3 center = on_surface(gl_VertexID, texelFetch(val_positions, k, 0).xyz, normal, spacing);
+    vec4 extremes = texelFetch(val_extremes, k, 0);
+    vec2 sides = max(extremes.xy + extremes.zw, vec2(0.0));
+    float z_far = farthest_corner(center, params.bounds_min, params.bounds_max);
+    float extent = sqrt(sides.x * sides.y);
+    // What the VAL itself spans may be left out, but no more, however large the scene is.
+    float near = min(params.near_clip, max(extent, spacing));
+    map_view_output(map_view(center, z_far / params.depth_range, normal, extent,
+                             perpendicular(normal), near));
+}

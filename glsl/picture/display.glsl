@@ -1,0 +1,14 @@
+// From linear radiance to what a display gets: exposure, tone map, sRGB.
+#include "picture/srgb.glsl"
+
+// The usual fit to the ACES filmic curve [Narkowicz 2015].
+vec3 filmic(vec3 x) {
+    return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
+}
+
+vec3 display(vec3 radiance, float exposure, bool is_filmic) {
+    vec3 exposed = radiance * exposure;
+    if (is_filmic)
+        exposed = filmic(exposed);
+    return srgb_encode(clamp(exposed, 0.0, 1.0));
+}

@@ -1,0 +1,24 @@
+// One layer as linear floats, for files and measurements. Normal and depth are the pixel's centre's.
+#include "picture/layer.glsl"
+
+layout(location = TARGET_RESULT) out vec4 value;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    int shown = params.layer;
+    float depth = gbuffer_depth(pixel);
+    seen s = seen_from(pixel);
+    value = vec4(0.0, 0.0, 0.0, s.coverage);
+    if (shown == LAYER_BEAUTY)
+        value.rgb = s.radiance;
+    else if (shown == LAYER_DIRECT)
+        value.rgb = s.direct;
+    else if (shown == LAYER_INDIRECT)
+        value.rgb = s.indirect;
+    else if (shown == LAYER_ALBEDO)
+        value.rgb = s.albedo;
+    else if (depth > 0.0)
+        value.rgb = shown == LAYER_NORMAL
+                        ? octahedral_decode(texelFetch(gbuffer_normals, ivec3(pixel, 0), 0).rg)
+                        : vec3(view_linear_depth(camera, depth));
+}

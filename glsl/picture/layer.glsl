@@ -1,0 +1,81 @@
+// The layers of a picture, from the buffers of the frame.
+#include "lib/gbuffer.glsl"
+#include "picture/picks.glsl"
+#include "shared/composite.h"
+
+layout(binding = UNIT_GBUFFER_ALBEDO) uniform sampler2DArray albedos;
+layout(binding = UNIT_DIRECT) uniform sampler2D directs;
+#ifdef HAS_IRRADIANCE
+layout(binding = UNIT_IRRADIANCE) uniform sampler2D irradiances;
+#endif
+layout(binding = UNIT_SAMPLE_PICKS) uniform usampler2D sample_picks;
+#ifdef HAS_RADIANCE
+layout(binding = UNIT_RADIANCE) uniform sampler2D radiances;
+#endif
+#ifdef HAS_MEDIUM
+layout(binding = UNIT_IN_SCATTER) uniform sampler2D in_scatters;
+layout(binding = UNIT_TRANSMITTANCE) uniform sampler2D transmittances;
+#endif
+
+// Takes the place of the albedo where it is zero, so that the light on a black surface is told.
+const float LEAST_WEIGHT = 1e-6;
+
+// What the pixel sees, the mean over its samples. Light is irradiance over pi, the radiance of a
+// white surface; weighted by the albedo, so that albedo (direct + indirect) = radiance at edges too.
+struct seen {
+    float coverage;
+    vec3 albedo, direct, indirect, radiance;
+};
+
+// What the technique adds on its way from surface to camera, if anything.
+vec3 through_medium(vec3 radiance, ivec2 texel) {
+#ifdef HAS_MEDIUM
+    return radiance * texelFetch(transmittances, texel, 0).rgb +
+           params.scale * texelFetch(in_scatters, texel, 0).rgb;
+#else
+    return radiance;
+#endif
+}
+
+vec3 radiance_of(vec3 albedo, vec3 received, ivec2 texel) {
+    vec3 radiance = albedo * received;
+#ifdef HAS_RADIANCE
+    radiance += params.scale * texelFetch(radiances, texel, 0).rgb;
+#endif
+    return through_medium(radiance, texel);
+}
+
+seen seen_from(ivec2 pixel) {
+    uvec2 picks = texelFetch(sample_picks, min(pixel, textureSize(sample_picks, 0) - 1), 0).rg;
+    ivec2 last = gbuffer_size() - 1;
+    int count = picks == uvec2(0u) ? 1 : params.samples;
+    seen sum = seen(0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    vec3 weights = vec3(0.0);
+    for (int i = 0; i < count; i++) {
+        uint pick = pick_of(picks, i);
+        if (pick == PICK_NOTHING) {
+            sum.radiance += through_medium(vec3(0.0), pixel);
+            continue;
+        }
+        ivec2 texel = clamp(pixel + pick_offset(pick), ivec2(0), last);
+        float present = gbuffer_depth(texel) > 0.0 ? 1.0 : 0.0;
+        vec3 albedo = albedo_fetch(albedos, ivec3(texel, 0));
+        vec3 direct = texelFetch(directs, texel, 0).rgb;
+#ifdef HAS_IRRADIANCE
+        vec3 indirect = params.indirect * texelFetch(irradiances, texel, 0).rgb;
+#else
+        vec3 indirect = vec3(0.0);
+#endif
+        vec3 weight = (albedo + LEAST_WEIGHT) * present;
+        weights += weight;
+        sum.coverage += present;
+        sum.albedo += albedo;
+        sum.direct += weight * direct;
+        sum.indirect += weight * indirect;
+        sum.radiance += radiance_of(albedo, direct + indirect, texel);
+    }
+    float share = 1.0 / float(count);
+    vec3 weighted = 1.0 / max(weights, vec3(LEAST_WEIGHT));
+    return seen(sum.coverage * share, sum.albedo * share, sum.direct * weighted,
+                sum.indirect * weighted, sum.radiance * share);
+}

@@ -1,9 +1,0 @@
-// The visibility of each VAL at one point: pixel k is VAL k.
-#include "lib/visibility.glsl"
-#include "shared/probe.h"
-
-layout(location = TARGET_RESULT) out float lit;
-
-void main() {
-    lit = visibility(int(gl_FragCoord.x), params.position, params.normal);
-}

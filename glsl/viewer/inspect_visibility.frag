@@ -1,0 +1,24 @@
+// The soft shadow of a VAL alone [Dong 2009 Fig. 9], or a sheet of all of them.
+#include "lib/gbuffer.glsl"
+#include "viewer/inspect.glsl"
+#include "visibility/visibility.glsl"
+
+layout(location = TARGET_RESULT) out vec4 color;
+
+void main() {
+    color = vec4(NOTHING, 1.0);
+    ivec2 size = gbuffer_size();
+    inspected at = inspect_place(vec2(size));
+    if (!at.present)
+        return;
+    ivec2 pixel = min(ivec2(at.place * vec2(size)), size - 1);
+    surface s = gbuffer_surface(pixel);
+    if (!s.present)
+        return;
+    float lit = visibility(at.layer, s.position, s.normal);
+    // What the VAL cannot light, as it lies behind it or faces away, is blue.
+    vec3 to_val = views[at.layer].center - s.position;
+    bool faces = dot(s.normal, to_val) > 0.0 && dot(views[at.layer].axis, to_val) < 0.0;
+    vec3 white = faces ? vec3(0.95) : vec3(0.36, 0.42, 0.52);
+    color.rgb = white * mix(0.08, 1.0, lit);
+}

@@ -1,0 +1,103 @@
+#include "passes/gather/blur.h"
+
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/blur.h"
+
+static bool init_programs(struct blur_pass *pass) {
+    struct program_desc desc = {.vertex = "fullscreen.vert", .fragment = "gather/blur.frag"};
+    struct program_desc half = desc, pack = desc;
+    half.defines = "PACK 1";
+    pack.fragment = "gather/blur_pack.frag";
+    return program_init(&pass->pack_program, &pack) && program_init(&pass->half_program, &half) &&
+           program_init(&pass->program, &desc);
+}
+
+static bool init_target(struct irradiance *target, const char *label, GLenum format,
+                        const struct blur_desc *desc) {
+    return irradiance_init(target, label, format, desc->width, desc->height, 1);
+}
+
+bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc) {
+    *pass = (struct blur_pass){.desc = *desc};
+    if (init_programs(pass) && init_target(&pass->taps, "blur taps", GL_RGBA32UI, desc) &&
+        (desc->square || init_target(&pass->half, "blur taps", GL_RGBA32UI, desc)) &&
+        init_target(&pass->blurred, "blurred irradiance", GL_RGBA16F, desc) &&
+        buffer_init(&pass->params[0], "blur parameters", sizeof(struct blur_params), NULL) &&
+        buffer_init(&pass->params[1], "blur parameters", sizeof(struct blur_params), NULL))
+        return true;
+    blur_pass_free(pass);
+    return false;
+}
+
+void blur_pass_free(struct blur_pass *pass) {
+    program_free(&pass->pack_program);
+    program_free(&pass->half_program);
+    program_free(&pass->program);
+    irradiance_free(&pass->taps);
+    irradiance_free(&pass->half);
+    irradiance_free(&pass->blurred);
+    buffer_free(&pass->params[0]);
+    buffer_free(&pass->params[1]);
+    *pass = (struct blur_pass){0};
+}
+
+static void write_params(const struct blur_pass *pass, const struct frame *frame,
+                         const struct irradiance *source) {
+    float distance = pass->desc.distance * 2 * frame->radius;
+    for (int axis = 0; axis < 2; axis++) {
+        struct blur_params params = {
+            .pattern = irradiance_pattern(source),
+            .along = {axis == 0, axis == 1},
+            .radius = pass->desc.radius,
+            .rows = pass->desc.square ? pass->desc.radius : 0,
+            .distance2 = distance * distance,
+            .cosine = pass->desc.cosine,
+        };
+        buffer_write(&pass->params[axis], 0, sizeof params, &params);
+    }
+}
+
+static void pack(const struct blur_pass *pass, const struct gbuffer *gbuffer,
+                 const struct irradiance *source) {
+    pass_set_state(&(struct pass_state){
+        .name = "blur",
+        .program = pass->pack_program,
+        .framebuffer = pass->taps.framebuffer,
+        .width = pass->desc.width,
+        .height = pass->desc.height,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                     {UNIT_IRRADIANCE, source->texture.id}},
+        .blocks = {{BLOCK_PASS, &pass->params[0]}},
+    });
+    pass_draw_fullscreen(1);
+}
+
+static void blur(const struct blur_pass *pass, const struct frame *frame, GLuint program,
+                 const struct irradiance *from, const struct irradiance *to, int axis) {
+    pass_set_state(&(struct pass_state){
+        .name = "blur",
+        .program = program,
+        .framebuffer = to->framebuffer,
+        .width = to->width,
+        .height = to->height,
+        .textures = {{UNIT_BLUR_TAPS, from->texture.id}},
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params[axis]}},
+    });
+    pass_draw_fullscreen(1);
+}
+
+void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
+                      const struct gbuffer *gbuffer, const struct irradiance *source) {
+    timer_begin(frame->timers, "blur");
+    write_params(pass, frame, source);
+    pack(pass, gbuffer, source);
+    if (pass->desc.square) {
+        blur(pass, frame, pass->program, &pass->taps, &pass->blurred, 0);
+    } else {
+        blur(pass, frame, pass->half_program, &pass->taps, &pass->half, 0);
+        blur(pass, frame, pass->program, &pass->half, &pass->blurred, 1);
+    }
+    timer_end(frame->timers);
+}

@@ -1,0 +1,36 @@
+/* Geometry-aware blur of the irradiance [Dong 2009 §6; Laine et al. 2007].
+ *
+ * Neighbours count where |x - x'| < alpha and n . n' > beta. A first draw puts the interleaved
+ * tiles back into picture order, with the place and normal of each pixel in the same texel: a tap
+ * is then one fetch. The end taps have half weight: a window of 2 r + 1 taps then holds each place
+ * of a pattern of 2 r pixels equally and is centred.
+ */
+#ifndef PASSES_BLUR_H
+#define PASSES_BLUR_H
+
+#include "passes/frame.h"
+
+struct blur_desc {
+    int width, height;
+    int radius;     /* taps to each side; 0 only puts the tiles in order */
+    float distance; /* alpha, over the extent (twice the radius) of the scene */
+    float cosine;   /* beta */
+    bool square;    /* over all taps of the square at once, as published; else along x, then y */
+};
+
+struct blur_pass {
+    struct blur_desc desc;
+    GLuint pack_program, half_program, program;
+    struct irradiance taps, half; /* RGBA32UI, glsl/gather/blur_tap.glsl; half: not where square */
+    struct irradiance blurred;
+    struct buffer params[2]; /* along x, along y */
+};
+
+bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc);
+void blur_pass_free(struct blur_pass *pass);
+
+/* From source to pass->blurred. Timer "blur". */
+void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
+                      const struct gbuffer *gbuffer, const struct irradiance *source);
+
+#endif

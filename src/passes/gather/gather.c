@@ -1,0 +1,132 @@
+#include "passes/gather/gather.h"
+
+#include "base/memory.h"
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/gather.h"
+#include "shared/visibility.h"
+#include "shared/vpl.h"
+
+#include <stdlib.h>
+
+/* Uniform ranges begin at multiples of 256 bytes, which are 16 VPLs. */
+enum { VPL_ALIGNMENT = 16 };
+
+static bool init_program(struct gather_pass *pass) {
+    const struct gather_desc *desc = &pass->desc;
+    char *lookup = visibility_defines(&desc->visibility);
+    char *defines = mem_printf("%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d", lookup,
+                               desc->clamp, desc->map_per_vpl, desc->share);
+    bool ok = program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
+                                                                  .fragment = "gather/gather.frag",
+                                                                  .defines = defines});
+    free(lookup);
+    free(defines);
+    return ok;
+}
+
+bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) {
+    *pass = (struct gather_pass){.desc = *desc};
+    if (init_program(pass) &&
+        irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, desc->width,
+                        desc->height, desc->interleave) &&
+        buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL) &&
+        buffer_init(&pass->visibility_params, "visibility parameters",
+                    sizeof(struct visibility_params), NULL))
+        return true;
+    gather_pass_free(pass);
+    return false;
+}
+
+void gather_pass_free(struct gather_pass *pass) {
+    program_free(&pass->program);
+    irradiance_free(&pass->irradiance);
+    buffer_free(&pass->params);
+    buffer_free(&pass->visibility_params);
+    *pass = (struct gather_pass){0};
+}
+
+void gather_pass_clear(const struct gather_pass *pass) {
+    static const float zero[4] = {0};
+    framebuffer_clear_color(pass->irradiance.framebuffer, TARGET_RESULT, zero);
+}
+
+/* A pixel this far off a block's plane, over the scene's radius, looks itself up. */
+static const float block_apart = 0.01f;
+
+static void write_params(const struct gather_pass *pass, const struct frame *frame,
+                         const struct gather_inputs *inputs) {
+    const struct gather_desc *desc = &pass->desc;
+    struct gather_params params = {
+        .pattern = irradiance_pattern(&pass->irradiance),
+        .scale = frame->irradiance_scale,
+        .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
+        .reach = frame_near_reach(frame, inputs->vpls->count, desc->reach),
+        .block = desc->share ? inputs->blocks->block : 1,
+        .block_apart = block_apart * frame->radius,
+    };
+    buffer_write(&pass->params, 0, sizeof params, &params);
+}
+
+/* VPLs first .. last of a slot, in runs that fit one uniform block. */
+static void draw_run(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
+                     int first, int last) {
+    int n = pass->desc.interleave;
+    for (int at = first, block; at < last; at = block + VPLS_PER_BLOCK) {
+        block = at / VPL_ALIGNMENT * VPL_ALIGNMENT;
+        int end = block + VPLS_PER_BLOCK < last ? block + VPLS_PER_BLOCK : last;
+        pass_bind_block(&(struct pass_block){
+            .block = BLOCK_VPLS,
+            .buffer = &inputs->vpls->buffer,
+            .offset = (size_t)block * sizeof(struct vpl),
+            .size = VPLS_PER_BLOCK * sizeof(struct vpl),
+        });
+        gl.ProgramUniform4i(pass->program, LOCATION_SLOT, at - block, end - at, slot % n, slot / n);
+        gl.ProgramUniform1i(pass->program, LOCATION_FIRST_MAP, block - inputs->first);
+        pass_draw_fullscreen(1);
+    }
+}
+
+/* Slot s of S has VPLs s N / S .. (s + 1) N / S. */
+static void draw_slot(const struct gather_pass *pass, const struct gather_inputs *inputs,
+                      int slot) {
+    const struct irradiance *target = &pass->irradiance;
+    int n = pass->desc.interleave, slots = n * n, total = inputs->vpls->count;
+    int first = (int)((long)slot * total / slots), last = (int)((long)(slot + 1) * total / slots);
+    float weight = (float)total / (float)(last - first);
+    int range_last = inputs->count ? inputs->first + inputs->count : total;
+    if (first < inputs->first)
+        first = inputs->first;
+    if (last > range_last)
+        last = range_last;
+    if (first >= last)
+        return;
+    pass_viewport(slot % n * target->tile_width, slot / n * target->tile_height, target->tile_width,
+                  target->tile_height);
+    gl.ProgramUniform1f(pass->program, LOCATION_SLOT_WEIGHT, weight);
+    draw_run(pass, inputs, slot, first, last);
+}
+
+void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,
+                        const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
+    struct pass_state state = {
+        .name = "gather",
+        .program = pass->program,
+        .framebuffer = pass->irradiance.framebuffer,
+        .width = pass->irradiance.texture.desc.width,
+        .height = pass->irradiance.texture.desc.height,
+        .blend = PASS_BLEND_ADD,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+    };
+    if (pass->desc.share)
+        pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, inputs->blocks->texture.id);
+    visibility_add(&state, &pass->desc.visibility, &pass->visibility_params, &inputs->visibility);
+    write_params(pass, frame, inputs);
+    pass_begin(frame->timers, &state);
+    for (int slot = 0; slot < pass->desc.interleave * pass->desc.interleave; slot++)
+        draw_slot(pass, inputs, slot);
+    pass_end(frame->timers);
+}

@@ -1,0 +1,54 @@
+/* Irradiance from all VPLs, interleaved [Dong 2009 §6; Segovia et al. 2006].
+ *
+ *     E(x) = n^2 sum_{i in slot(x)} Phi_i / pi  cos_i cos_x / d^2  V_C(i)(x)
+ *
+ * In n x n blocks of pixels each pixel takes one n^2-th of the VPLs; pixels of the same slot are
+ * drawn together as a tile, so that they read the same VPLs and the same maps. Cost: pixels x N /
+ * n^2 lookups.
+ */
+#ifndef PASSES_GATHER_H
+#define PASSES_GATHER_H
+
+#include "passes/visibility/visibility.h"
+
+/* How cos cos / d^2 is bounded near a VPL. The disk form factor is that of a disk of the VPL's
+ * area. GATHER_CLAMP_NEAR leaves the near field to passes/gather/near_field.h. */
+enum gather_clamp { GATHER_CLAMP_NONE, GATHER_CLAMP_VALUE, GATHER_CLAMP_DISK, GATHER_CLAMP_NEAR };
+
+struct gather_desc {
+    int width, height;
+    int interleave;   /* n; 1 = all VPLs at each pixel */
+    bool map_per_vpl; /* map i - first of the draw belongs to VPL i; else map C(i) */
+    bool share;       /* visibility comes by blocks */
+    struct visibility_desc visibility;
+    enum gather_clamp clamp;
+    float clamp_value; /* of the bounded geometry term, times the squared scene radius */
+    float reach;       /* of the near field, in spacings of VPLs */
+};
+
+struct gather_pass {
+    struct gather_desc desc;
+    GLuint program;
+    struct irradiance irradiance;
+    struct buffer params, visibility_params;
+};
+
+bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc);
+void gather_pass_free(struct gather_pass *pass);
+
+/* Zeroes the sum. */
+void gather_pass_clear(const struct gather_pass *pass);
+
+/* What a gather reads beside the G-buffer. */
+struct gather_inputs {
+    const struct vpl_buffer *vpls;
+    int first, count;                        /* of the VPLs; all of them where count is 0 */
+    struct visibility_inputs visibility;     /* unless VISIBILITY_LOOKUP_NONE */
+    const struct block_visibilities *blocks; /* where desc.share */
+};
+
+/* Adds the VPLs' light to pass->irradiance. Timer "gather". */
+void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,
+                        const struct gbuffer *gbuffer, const struct gather_inputs *inputs);
+
+#endif

@@ -1,0 +1,43 @@
+/* The near field of lit surfaces: the light of what lies within a few spacings of VPLs.
+ *
+ * A VPL stands for a patch as wide as the spacing; nearer than that, a point light is wrong however
+ * it is clamped, and in a lit corner the deficit reaches half of the irradiance. So the integral is
+ * split: with near(d) = (1 - d^2 / (reach^2 area))^2 the VPLs give (1 - near), and this pass gives
+ * near, from the texels of the reflective shadow map around the receiver [Dachsbacher and
+ * Stamminger 2005]. It takes the place of clamping and compensation [slides]. What is near counts
+ * as unoccluded: the bias of it. Cost: pixels x samples, for pixels in reach of the light
+ * alone.
+ */
+#ifndef PASSES_NEAR_FIELD_H
+#define PASSES_NEAR_FIELD_H
+
+#include "passes/frame.h"
+
+struct near_field_desc {
+    int samples;    /* of each pixel */
+    int interleave; /* of the irradiance that it adds to: as many patterns, squared */
+    int vpl_count;
+    int rsm_size, light_views;
+    float reach; /* in spacings of VPLs */
+};
+
+struct near_field_pass {
+    struct near_field_desc desc;
+    GLuint light_program, program;
+    struct texture lights; /* RGBA32UI of the shadow map's size, glsl/gather/near_light.glsl */
+    GLuint lights_framebuffer;
+    struct buffer samples, params;
+};
+
+bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_desc *desc);
+void near_field_pass_free(struct near_field_pass *pass);
+
+/* What the reflective shadow map says, made ready. Timer "near light". */
+void near_field_pass_render_light(const struct near_field_pass *pass, const struct frame *frame,
+                                  const struct gbuffer *rsm);
+
+/* Adds to the irradiance. Timer "near field". */
+void near_field_pass_render(const struct near_field_pass *pass, const struct frame *frame,
+                            const struct gbuffer *gbuffer, const struct irradiance *irradiance);
+
+#endif

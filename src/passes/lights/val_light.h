@@ -1,0 +1,23 @@
+/* What the VALs do at each pixel, for looking at: which one lights it most, and which share of the
+ * light of all of them arrives. Each VAL counts as one disk of its extent in its centre. */
+#ifndef PASSES_VAL_LIGHT_H
+#define PASSES_VAL_LIGHT_H
+
+#include "passes/visibility/visibility.h"
+
+struct val_light_pass {
+    struct visibility_desc desc;
+    GLuint program;
+    struct buffer visibility_params;
+};
+
+bool val_light_pass_init(struct val_light_pass *pass, const struct visibility_desc *desc);
+void val_light_pass_free(struct val_light_pass *pass);
+
+/* Writes the strongest VAL's colour and, as alpha, the share into a target of the G-buffer's size.
+ */
+void val_light_pass_render(const struct val_light_pass *pass, const struct frame *frame,
+                           const struct gbuffer *gbuffer, const struct visibility_inputs *inputs,
+                           const struct texture *val_fluxes, GLuint framebuffer);
+
+#endif

@@ -1,0 +1,169 @@
+#include "passes/picture/antialias.h"
+
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/antialias.h"
+
+#include <stdio.h>
+
+static bool init_programs(struct antialias_pass *pass) {
+    char samples[32];
+    snprintf(samples, sizeof samples, "SAMPLES %d", pass->samples);
+    return program_init(&pass->solid_program,
+                        &(struct program_desc){.vertex = "picture/geometry.vert",
+                                               .fragment = "picture/depth_only.frag",
+                                               .defines = "DEPTH_ONLY;SAMPLE_LAYERS"}) &&
+           program_init(&pass->masked_program,
+                        &(struct program_desc){.vertex = "picture/geometry.vert",
+                                               .fragment = "picture/geometry.frag",
+                                               .defines = "DEPTH_ONLY;SAMPLE_LAYERS"}) &&
+           program_init(&pass->pick_program,
+                        &(struct program_desc){.vertex = "fullscreen.vert",
+                                               .fragment = "picture/antialias.frag",
+                                               .defines = samples});
+}
+
+static bool init_depths(struct antialias_pass *pass) {
+    return texture_init(&pass->depths,
+                        &(struct texture_desc){
+                            .label = "sample depth",
+                            .target = GL_TEXTURE_2D_MULTISAMPLE_ARRAY,
+                            .format = GL_DEPTH_COMPONENT32F,
+                            .width = pass->desc.width,
+                            .height = pass->desc.height,
+                            .layers = pass->layers,
+                            .samples = SAMPLES_PER_LAYER,
+                        }) &&
+           framebuffer_init(
+               &pass->depth_framebuffer,
+               &(struct framebuffer_desc){.label = "sample depth", .depth = &pass->depths});
+}
+
+static bool init_picks(struct antialias_pass *pass) {
+    static const GLuint itself[4] = {0};
+    bool all = pass->samples > 1;
+    if (!texture_init(&pass->picks,
+                      &(struct texture_desc){
+                          .label = "picks of samples",
+                          .format = GL_RG32UI,
+                          .width = all ? pass->desc.width : 1,
+                          .height = all ? pass->desc.height : 1,
+                      }) ||
+        !framebuffer_init(
+            &pass->pick_framebuffer,
+            &(struct framebuffer_desc){.label = "picks of samples", .colors = {&pass->picks}}))
+        return false;
+    framebuffer_clear_integers(pass->pick_framebuffer, TARGET_RESULT, itself);
+    return true;
+}
+
+/* Where layer i of n moves its samples, over the spacing of a layer's: across x and y in different
+ * orders, so that no two samples share a row or a column. */
+static void layer_shift(int i, int n, float shift[2]) {
+    static const int orders[][SAMPLES_MAX / SAMPLES_PER_LAYER] = {
+        {0}, {0, 1}, {1, 2, 0}, {2, 0, 3, 1}};
+    shift[0] = ((float)orders[n - 1][i] + .5F) / (float)n - .5F;
+    shift[1] = ((float)i + .5F) / (float)n - .5F;
+}
+
+/* The driver tells where it puts samples for the framebuffer that is bound. */
+static bool init_params(struct antialias_pass *pass) {
+    struct antialias_params params = {0};
+    gl.BindFramebuffer(GL_FRAMEBUFFER, pass->depth_framebuffer);
+    for (int layer = 0; layer < pass->layers; layer++) {
+        float shift[2];
+        layer_shift(layer, pass->layers, shift);
+        for (int axis = 0; axis < 2; axis++) {
+            int pixels = axis == 0 ? pass->desc.width : pass->desc.height;
+            shift[axis] /= SAMPLES_PER_LAYER;
+            params.shifts[layer][axis] = -2 * shift[axis] / (float)pixels;
+        }
+        for (int i = 0; i < SAMPLES_PER_LAYER; i++) {
+            float *place = params.places[layer * SAMPLES_PER_LAYER + i];
+            gl.GetMultisamplefv(GL_SAMPLE_POSITION, (GLuint)i, place);
+            place[0] += shift[0] - .5F;
+            place[1] += shift[1] - .5F;
+        }
+    }
+    return buffer_init(&pass->params, "antialias parameters", sizeof params, &params);
+}
+
+bool antialias_pass_init(struct antialias_pass *pass, const struct antialias_desc *desc) {
+    *pass = (struct antialias_pass){.desc = *desc};
+    pass->layers = (desc->samples + SAMPLES_PER_LAYER - 1) / SAMPLES_PER_LAYER;
+    pass->samples = desc->samples > 1 ? pass->layers * SAMPLES_PER_LAYER : 1;
+    if (init_picks(pass) &&
+        (pass->samples == 1 || (init_programs(pass) && init_depths(pass) && init_params(pass))))
+        return true;
+    antialias_pass_free(pass);
+    return false;
+}
+
+void antialias_pass_free(struct antialias_pass *pass) {
+    program_free(&pass->solid_program);
+    program_free(&pass->masked_program);
+    program_free(&pass->pick_program);
+    framebuffer_free(&pass->depth_framebuffer);
+    framebuffer_free(&pass->pick_framebuffer);
+    texture_free(&pass->depths);
+    texture_free(&pass->picks);
+    buffer_free(&pass->params);
+    *pass = (struct antialias_pass){0};
+}
+
+/* The same surfaces as the G-buffer's. Where no fragment can be discarded a rasteriser is several
+ * times faster, so masks go apart. */
+static void render_depths(const struct antialias_pass *pass, const struct frame *frame) {
+    struct pass_state state = {
+        .name = "sample depths",
+        .program = pass->solid_program,
+        .framebuffer = pass->depth_framebuffer,
+        .vertex_array = frame->scene->shaded_vertices,
+        .width = pass->desc.width,
+        .height = pass->desc.height,
+        .depth = PASS_DEPTH_GREATER,
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+    };
+    pass_begin(frame->timers, &state);
+    framebuffer_clear_depth(pass->depth_framebuffer, 0);
+    scene_gpu_draw_solid(frame->scene, true, pass->layers);
+    state.cull_back = true;
+    pass_set_state(&state);
+    scene_gpu_draw_solid(frame->scene, false, pass->layers);
+    if (frame->scene->has_masked) {
+        state.cull_back = false;
+        state.program = pass->masked_program;
+        pass_set_state(&state);
+        scene_gpu_draw_masked(frame->scene, pass->layers);
+    }
+    pass_end(frame->timers);
+}
+
+static void render_picks(const struct antialias_pass *pass, const struct frame *frame,
+                         const struct gbuffer *gbuffer) {
+    pass_begin(frame->timers,
+               &(struct pass_state){
+                   .name = "picks",
+                   .program = pass->pick_program,
+                   .framebuffer = pass->pick_framebuffer,
+                   .width = pass->desc.width,
+                   .height = pass->desc.height,
+                   .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                                {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                                {UNIT_SAMPLE_DEPTH, pass->depths.id}},
+                   .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+               });
+    pass_draw_fullscreen(1);
+    pass_end(frame->timers);
+}
+
+void antialias_pass_render(const struct antialias_pass *pass, const struct frame *frame,
+                           const struct gbuffer *gbuffer) {
+    if (pass->samples == 1)
+        return;
+    timer_begin(frame->timers, "antialias");
+    render_depths(pass, frame);
+    render_picks(pass, frame, gbuffer);
+    timer_end(frame->timers);
+}

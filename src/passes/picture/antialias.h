@@ -1,0 +1,38 @@
+/* Which surfaces the pixel's samples see: antialiasing of what was shaded once a pixel [Chajdas et
+ * al. 2011, Subpixel Reconstruction Antialiasing].
+ *
+ * Depth alone is drawn with several samples a pixel: in layers of four, which every driver has,
+ * each shifted by its own part of a pixel. Each sample is given to the one of the 3 x 3 pixels
+ * around it whose surface, taken as a plane, it lies on best; that pixel's shading and albedo are
+ * then the sample's, and a picture is the mean over samples (glsl/picture/layer.glsl).
+ */
+#ifndef PASSES_ANTIALIAS_H
+#define PASSES_ANTIALIAS_H
+
+#include "passes/frame.h"
+
+struct antialias_desc {
+    int width, height;
+    int samples; /* 4, 8, 12, 16, or else fewer; 1 = centres alone, nothing drawn */
+};
+
+struct antialias_pass {
+    struct antialias_desc desc;
+    GLuint solid_program, masked_program, pick_program;
+    int layers, samples;   /* drawn: whole layers, or the one centre */
+    struct texture depths; /* D32F, a layer of four samples after another */
+    struct texture
+        picks; /* RG32UI, four bits a sample: picture/picks.glsl; 0 = itself; 1 x 1 if samples is 1 */
+    GLuint depth_framebuffer, pick_framebuffer;
+    struct buffer params;
+};
+
+/* Error: shaders; memory. */
+bool antialias_pass_init(struct antialias_pass *pass, const struct antialias_desc *desc);
+void antialias_pass_free(struct antialias_pass *pass);
+
+/* Fills pass->picks. Timer "antialias". */
+void antialias_pass_render(const struct antialias_pass *pass, const struct frame *frame,
+                           const struct gbuffer *gbuffer);
+
+#endif

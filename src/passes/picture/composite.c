@@ -1,0 +1,108 @@
+#include "passes/picture/composite.h"
+
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/composite.h"
+
+#include <cglm/util.h>
+
+#include <math.h>
+#include <stdio.h>
+
+unsigned composite_kinds(const struct contribution *contribution) {
+    return (contribution->irradiance ? HAS_IRRADIANCE : 0U) |
+           (contribution->radiance ? HAS_RADIANCE : 0U) |
+           (contribution->in_scatter ? HAS_MEDIUM : 0U);
+}
+
+static bool init_programs(struct composite_pass *pass) {
+    unsigned has = pass->desc.contributes;
+    char defines[64];
+    snprintf(defines, sizeof defines, "%s%s%s", has & HAS_IRRADIANCE ? "HAS_IRRADIANCE;" : "",
+             has & HAS_RADIANCE ? "HAS_RADIANCE;" : "", has & HAS_MEDIUM ? "HAS_MEDIUM;" : "");
+    struct program_desc desc = {
+        .vertex = "fullscreen.vert", .fragment = "picture/composite.frag", .defines = defines};
+    if (!program_init(&pass->display_program, &desc))
+        return false;
+    desc.fragment = "picture/layer.frag";
+    return program_init(&pass->layer_program, &desc);
+}
+
+bool composite_pass_init(struct composite_pass *pass, const struct composite_desc *desc) {
+    *pass = (struct composite_pass){.desc = *desc};
+    if (init_programs(pass) &&
+        texture_init(&pass->display, &(struct texture_desc){.label = "display",
+                                                            .format = GL_RGBA8,
+                                                            .width = desc->width,
+                                                            .height = desc->height}) &&
+        framebuffer_init(
+            &pass->framebuffer,
+            &(struct framebuffer_desc){.label = "display", .colors = {&pass->display}}) &&
+        buffer_init(&pass->params, "composite parameters", sizeof(struct composite_params), NULL))
+        return true;
+    composite_pass_free(pass);
+    return false;
+}
+
+void composite_pass_free(struct composite_pass *pass) {
+    program_free(&pass->display_program);
+    program_free(&pass->layer_program);
+    framebuffer_free(&pass->framebuffer);
+    texture_free(&pass->display);
+    buffer_free(&pass->params);
+    *pass = (struct composite_pass){0};
+}
+
+static void add_contribution(struct pass_state *state, const struct contribution *contribution) {
+    if (contribution->irradiance)
+        pass_add_texture(state, UNIT_IRRADIANCE, contribution->irradiance->texture.id);
+    if (contribution->radiance)
+        pass_add_texture(state, UNIT_RADIANCE, contribution->radiance->id);
+    if (contribution->in_scatter) {
+        pass_add_texture(state, UNIT_IN_SCATTER, contribution->in_scatter->id);
+        pass_add_texture(state, UNIT_TRANSMITTANCE, contribution->transmittance->id);
+    }
+}
+
+static void draw(const struct composite_pass *pass, const struct frame *frame,
+                 const struct composite_inputs *inputs, int layer, GLuint program,
+                 GLuint framebuffer) {
+    struct composite_params params = {
+        .samples = inputs->samples,
+        .indirect = 1 / ((float)GLM_PI * frame->irradiance_scale),
+        .exposure = exp2f(inputs->exposure),
+        .filmic = inputs->tone_map == TONE_MAP_FILMIC,
+        .layer = layer,
+        .scale = 1 / frame->irradiance_scale,
+    };
+    buffer_write(&pass->params, 0, sizeof params, &params);
+    struct pass_state state = {
+        .name = "composite",
+        .program = program,
+        .framebuffer = framebuffer,
+        .width = pass->desc.width,
+        .height = pass->desc.height,
+        .textures = {{UNIT_GBUFFER_DEPTH, inputs->gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, inputs->gbuffer->normal.id},
+                     {UNIT_GBUFFER_ALBEDO, inputs->gbuffer->albedo.id},
+                     {UNIT_DIRECT, inputs->direct->id},
+                     {UNIT_SAMPLE_PICKS, inputs->picks->id}},
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+    };
+    add_contribution(&state, &inputs->contribution);
+    pass_begin(frame->timers, &state);
+    pass_draw_fullscreen(1);
+    pass_end(frame->timers);
+}
+
+void composite_pass_render(const struct composite_pass *pass, const struct frame *frame,
+                           const struct composite_inputs *inputs) {
+    draw(pass, frame, inputs, inputs->layer, pass->display_program, pass->framebuffer);
+}
+
+void composite_pass_render_layer(const struct composite_pass *pass, const struct frame *frame,
+                                 const struct composite_inputs *inputs, int layer,
+                                 GLuint framebuffer) {
+    draw(pass, frame, inputs, layer, pass->layer_program, framebuffer);
+}

@@ -1,0 +1,57 @@
+#include "passes/picture/geometry.h"
+
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/bindings.h"
+
+bool geometry_pass_init(struct geometry_pass *pass) {
+    *pass = (struct geometry_pass){0};
+    struct program_desc desc = {.vertex = "picture/geometry.vert",
+                                .fragment = "picture/geometry.frag"};
+    struct program_desc light_desc = desc;
+    light_desc.defines = "LIGHT_VIEW";
+    if (program_init(&pass->camera_program, &desc) &&
+        program_init(&pass->light_program, &light_desc))
+        return true;
+    geometry_pass_free(pass);
+    return false;
+}
+
+void geometry_pass_free(struct geometry_pass *pass) {
+    program_free(&pass->camera_program);
+    program_free(&pass->light_program);
+}
+
+/* What is seen, and by which program, is in the state that comes in. */
+static void render(struct pass_state state, const struct frame *frame,
+                   const struct gbuffer *gbuffer, int views) {
+    static const float zero[4] = {0};
+    state.framebuffer = gbuffer->framebuffer;
+    state.vertex_array = frame->scene->shaded_vertices;
+    state.width = gbuffer->width;
+    state.height = gbuffer->height;
+    state.depth = PASS_DEPTH_GREATER;
+    pass_begin(frame->timers, &state);
+    framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_NORMAL, zero);
+    framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_ALBEDO, zero);
+    framebuffer_clear_depth(gbuffer->framebuffer, 0);
+    scene_gpu_draw_shaded(frame->scene, views);
+    pass_end(frame->timers);
+}
+
+void geometry_pass_render_camera(const struct geometry_pass *pass, const struct frame *frame,
+                                 const struct gbuffer *gbuffer) {
+    render((struct pass_state){.name = "gbuffer",
+                               .program = pass->camera_program,
+                               .blocks = {{BLOCK_VIEW, frame->view}}},
+           frame, gbuffer, 1);
+}
+
+void geometry_pass_render_light(const struct geometry_pass *pass, const struct frame *frame,
+                                const struct gbuffer *rsm) {
+    render((struct pass_state){.name = "rsm",
+                               .program = pass->light_program,
+                               .blocks = {{BLOCK_LIGHT, frame->light}}},
+           frame, rsm, frame->light_views);
+}

@@ -1,0 +1,109 @@
+#include "passes/visibility/basis.h"
+
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/basis.h"
+
+static bool init_map(struct texture *texture, const char *label, GLenum format, int layers,
+                     const struct basis_maps *maps) {
+    return texture_init(texture, &(struct texture_desc){
+                                     .label = label,
+                                     .target = GL_TEXTURE_2D_ARRAY,
+                                     .format = format,
+                                     .width = maps->size,
+                                     .height = maps->size,
+                                     .layers = layers,
+                                     .levels = texture_full_levels(maps->size, maps->size, 1),
+                                     .filter = FILTER_TRILINEAR,
+                                 });
+}
+
+static bool init_maps(struct basis_maps *maps) {
+    int layers = maps->count * maps->groups;
+    return init_map(&maps->cos, "basis", GL_RGBA8, layers, maps) &&
+           init_map(&maps->sin, "basis", GL_RGBA8, layers, maps) &&
+           init_map(&maps->z_cos, "basis z", GL_RGBA16F, layers, maps) &&
+           init_map(&maps->z_sin, "basis z", GL_RGBA16F, layers, maps) &&
+           init_map(&maps->z, "basis z", GL_R16F, maps->count, maps);
+}
+
+static bool init_params(struct basis_pass *pass) {
+    for (int group = 0; group < pass->maps.groups; group++) {
+        struct basis_params params = {.first_term = 4 * group};
+        if (!buffer_init(&pass->params[group], "basis parameters", sizeof params, &params))
+            return false;
+    }
+    return true;
+}
+
+bool basis_pass_init(struct basis_pass *pass, const struct basis_desc *desc) {
+    *pass = (struct basis_pass){.maps = {.size = desc->size,
+                                         .count = desc->count,
+                                         .groups = (desc->terms + 3) / 4,
+                                         .terms = desc->terms}};
+    struct basis_maps *maps = &pass->maps;
+    struct framebuffer_desc first = {.label = "basis"}, more = {.label = "basis"};
+    first.colors[TARGET_BASIS_COS] = more.colors[TARGET_BASIS_COS] = &maps->cos;
+    first.colors[TARGET_BASIS_SIN] = more.colors[TARGET_BASIS_SIN] = &maps->sin;
+    first.colors[TARGET_BASIS_Z_COS] = more.colors[TARGET_BASIS_Z_COS] = &maps->z_cos;
+    first.colors[TARGET_BASIS_Z_SIN] = more.colors[TARGET_BASIS_Z_SIN] = &maps->z_sin;
+    first.colors[TARGET_BASIS_Z] = &maps->z;
+    if (program_init(&pass->program, &(struct program_desc){.vertex = "layers.vert",
+                                                            .fragment = "visibility/basis.frag"}) &&
+        init_maps(maps) && framebuffer_init(&pass->first_framebuffer, &first) &&
+        framebuffer_init(&pass->more_framebuffer, &more) && init_params(pass))
+        return true;
+    basis_pass_free(pass);
+    return false;
+}
+
+void basis_pass_free(struct basis_pass *pass) {
+    program_free(&pass->program);
+    framebuffer_free(&pass->first_framebuffer);
+    framebuffer_free(&pass->more_framebuffer);
+    texture_free(&pass->maps.cos);
+    texture_free(&pass->maps.sin);
+    texture_free(&pass->maps.z_cos);
+    texture_free(&pass->maps.z_sin);
+    texture_free(&pass->maps.z);
+    for (int i = 0; i < 4; i++)
+        buffer_free(&pass->params[i]);
+    *pass = (struct basis_pass){0};
+}
+
+static void build_mips(const struct basis_pass *pass, const struct frame *frame) {
+    const struct basis_maps *maps = &pass->maps;
+    timer_begin(frame->timers, "mips");
+    gl.GenerateTextureMipmap(maps->cos.id);
+    gl.GenerateTextureMipmap(maps->sin.id);
+    gl.GenerateTextureMipmap(maps->z_cos.id);
+    gl.GenerateTextureMipmap(maps->z_sin.id);
+    gl.GenerateTextureMipmap(maps->z.id);
+    timer_end(frame->timers);
+}
+
+void basis_pass_render(const struct basis_pass *pass, const struct frame *frame,
+                       const struct depth_maps *depth) {
+    struct pass_state state = {
+        .name = "basis",
+        .program = pass->program,
+        .framebuffer = pass->first_framebuffer,
+        .width = pass->maps.size,
+        .height = pass->maps.size,
+        .textures = {{UNIT_MAP_DEPTH, depth->depth.id}},
+        .blocks = {{BLOCK_PASS, &pass->params[0]}},
+    };
+    pass_begin(frame->timers, &state);
+    for (int group = 0; group < pass->maps.groups; group++) {
+        if (group > 0) {
+            state.framebuffer = pass->more_framebuffer;
+            state.blocks[0].buffer = &pass->params[group];
+            pass_set_state(&state);
+        }
+        gl.ProgramUniform1i(pass->program, LOCATION_FIRST_LAYER, group * pass->maps.count);
+        pass_draw_fullscreen(pass->maps.count);
+    }
+    pass_end(frame->timers);
+    build_mips(pass, frame);
+}

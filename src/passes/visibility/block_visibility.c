@@ -1,0 +1,79 @@
+#include "passes/visibility/block_visibility.h"
+
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/block_visibility.h"
+#include "shared/visibility.h"
+
+#include <stdlib.h>
+
+static bool init_program(struct block_visibility_pass *pass) {
+    char *defines = visibility_defines(&pass->desc.visibility);
+    bool ok = program_init(&pass->program,
+                           &(struct program_desc){.vertex = "layers.vert",
+                                                  .fragment = "visibility/block_visibility.frag",
+                                                  .defines = defines});
+    free(defines);
+    return ok;
+}
+
+static bool init_target(struct block_visibility_pass *pass) {
+    const struct block_visibility_desc *desc = &pass->desc;
+    struct texture *texture = &pass->blocks.texture;
+    return texture_init(texture,
+                        &(struct texture_desc){
+                            .label = "block visibility",
+                            .target = GL_TEXTURE_2D_ARRAY,
+                            .format = GL_R8,
+                            .width = (desc->width + desc->block - 1) / desc->block,
+                            .height = (desc->height + desc->block - 1) / desc->block,
+                            .layers = desc->visibility.map_count,
+                        }) &&
+           framebuffer_init(&pass->framebuffer, &(struct framebuffer_desc){
+                                                    .label = "block visibility",
+                                                    .colors = {texture},
+                                                });
+}
+
+bool block_visibility_pass_init(struct block_visibility_pass *pass,
+                                const struct block_visibility_desc *desc) {
+    *pass = (struct block_visibility_pass){.desc = *desc, .blocks.block = desc->block};
+    struct block_visibility_params params = {.block = desc->block};
+    if (init_program(pass) && init_target(pass) &&
+        buffer_init(&pass->params, "block parameters", sizeof params, &params) &&
+        buffer_init(&pass->visibility_params, "visibility parameters",
+                    sizeof(struct visibility_params), NULL))
+        return true;
+    block_visibility_pass_free(pass);
+    return false;
+}
+
+void block_visibility_pass_free(struct block_visibility_pass *pass) {
+    program_free(&pass->program);
+    framebuffer_free(&pass->framebuffer);
+    texture_free(&pass->blocks.texture);
+    buffer_free(&pass->params);
+    buffer_free(&pass->visibility_params);
+    *pass = (struct block_visibility_pass){0};
+}
+
+void block_visibility_pass_render(const struct block_visibility_pass *pass,
+                                  const struct frame *frame, const struct gbuffer *gbuffer,
+                                  const struct visibility_inputs *inputs) {
+    const struct texture *target = &pass->blocks.texture;
+    struct pass_state state = {
+        .name = "block visibility",
+        .program = pass->program,
+        .framebuffer = pass->framebuffer,
+        .width = target->desc.width,
+        .height = target->desc.height,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+    };
+    visibility_add(&state, &pass->desc.visibility, &pass->visibility_params, inputs);
+    pass_begin(frame->timers, &state);
+    pass_draw_fullscreen(pass->desc.visibility.map_count);
+    pass_end(frame->timers);
+}

@@ -1,0 +1,110 @@
+#include "passes/visibility/paraboloid.h"
+
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/map_view.h"
+#include "shared/paraboloid.h"
+
+#include <string.h>
+
+/* The plane of the light itself is not a caster: the map begins this far above it, over the radius.
+ */
+static const float clip_fraction = 1e-4f;
+
+bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_desc *desc) {
+    *pass = (struct paraboloid_pass){
+        .desc = *desc,
+        .maps = {.size = desc->size, .count = desc->count, .depth_range = desc->depth_range},
+    };
+    if (caster_pool_acquire(desc->casters, &pass->caster, &desc->caster) &&
+        program_init(&pass->opaque_program,
+                     &(struct program_desc){.vertex = "visibility/paraboloid.vert",
+                                            .fragment = "visibility/paraboloid.frag"}) &&
+        program_init(&pass->masked_program,
+                     &(struct program_desc){.vertex = "visibility/paraboloid.vert",
+                                            .fragment = "visibility/paraboloid.frag",
+                                            .defines = "MASKED"}) &&
+        program_init(&pass->views_program,
+                     &(struct program_desc){.vertex = "visibility/vpl_views.vert"}) &&
+        texture_init(&pass->maps.depth,
+                     &(struct texture_desc){
+                         .label = "paraboloid depth",
+                         .target = GL_TEXTURE_2D_ARRAY,
+                         .format = GL_DEPTH_COMPONENT16,
+                         .width = desc->size,
+                         .height = desc->size,
+                         .layers = desc->count,
+                     }) &&
+        framebuffer_init(
+            &pass->framebuffer,
+            &(struct framebuffer_desc){.label = "paraboloid depth", .depth = &pass->maps.depth}) &&
+        buffer_init(&pass->views.buffer, "map views", MAP_VIEWS_MAX * sizeof(struct map_view),
+                    NULL) &&
+        buffer_init(&pass->params, "map parameters", sizeof(struct paraboloid_params), NULL))
+        return true;
+    paraboloid_pass_free(pass);
+    return false;
+}
+
+void paraboloid_pass_free(struct paraboloid_pass *pass) {
+    caster_pool_release(pass->desc.casters, &pass->caster);
+    program_free(&pass->opaque_program);
+    program_free(&pass->masked_program);
+    program_free(&pass->views_program);
+    framebuffer_free(&pass->framebuffer);
+    texture_free(&pass->maps.depth);
+    buffer_free(&pass->views.buffer);
+    buffer_free(&pass->params);
+    *pass = (struct paraboloid_pass){0};
+}
+
+static void write_params(const struct paraboloid_pass *pass, const struct frame *frame) {
+    struct paraboloid_params params = {
+        .depth_range = pass->desc.depth_range,
+        .near_clip = pass->desc.near_clip * frame->radius,
+        .clip_z = clip_fraction * frame->radius,
+        .map_size = (float)pass->maps.size,
+    };
+    memcpy(params.bounds_min, frame->bounds_min, sizeof frame->bounds_min);
+    memcpy(params.bounds_max, frame->bounds_max, sizeof frame->bounds_max);
+    buffer_write(&pass->params, 0, sizeof params, &params);
+}
+
+void paraboloid_pass_view_vpls(struct paraboloid_pass *pass, const struct frame *frame,
+                               const struct vpl_buffer *vpls, int first, int count) {
+    write_params(pass, frame);
+    pass->views.count = count;
+    pass_set_state(&(struct pass_state){
+        .name = "depth maps",
+        .program = pass->views_program,
+        .vertex_array = vpls->vertices,
+        .blocks = {{BLOCK_PASS, &pass->params}},
+    });
+    pass_feedback(pass->views.buffer.id, first, count);
+}
+
+void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct frame *frame,
+                            const struct map_views *views) {
+    struct pass_state state = {
+        .name = "depth maps",
+        .program = pass->opaque_program,
+        .framebuffer = pass->framebuffer,
+        .vertex_array = pass->caster->vertices,
+        .width = pass->maps.size,
+        .height = pass->maps.size,
+        .depth = PASS_DEPTH_LESS,
+        .clip_distances = 2,
+        .blocks = {{BLOCK_MAPS, &views->buffer}, {BLOCK_PASS, &pass->params}},
+    };
+    write_params(pass, frame);
+    pass_begin(frame->timers, &state);
+    framebuffer_clear_depth(pass->framebuffer, pass->maps.depth_range);
+    caster_gpu_draw_opaque(pass->caster, views->count);
+    if (caster_gpu_has_masked(pass->caster)) {
+        state.program = pass->masked_program;
+        pass_set_state(&state);
+        caster_gpu_draw_masked(pass->caster, frame->scene, views->count);
+    }
+    pass_end(frame->timers);
+}

@@ -1,0 +1,46 @@
+#include "passes/visibility/visibility.h"
+
+#include "base/memory.h"
+#include "shared/visibility.h"
+
+#include <math.h>
+
+char *visibility_defines(const struct visibility_desc *desc) {
+    int terms = desc->basis_terms > 0 ? desc->basis_terms : 1;
+    return mem_printf("VISIBILITY %d;MAP_COUNT %d;BASIS_TERMS %d;BASIS_GROUPS %d;"
+                      "FILTER_JACOBIAN %d;SHARPEN %d;FILTER_TAPS %d;SEARCH_TAPS %d",
+                      desc->lookup, desc->map_count, terms, (terms + 3) / 4, desc->filter_jacobian,
+                      desc->sharpen_a > 0, desc->taps, (desc->taps + 1) / 2);
+}
+
+static void add_maps(struct pass_state *state, const struct visibility_desc *desc,
+                     const struct visibility_inputs *inputs) {
+    if (desc->lookup == VISIBILITY_LOOKUP_NONE)
+        return;
+    pass_add_block(state, BLOCK_MAPS, &inputs->views->buffer);
+    if (desc->lookup != VISIBILITY_LOOKUP_CSSM) {
+        pass_add_texture(state, UNIT_MAP_DEPTH, inputs->depth->depth.id);
+        return;
+    }
+    pass_add_texture(state, UNIT_BASIS_COS, inputs->bases->cos.id);
+    pass_add_texture(state, UNIT_BASIS_SIN, inputs->bases->sin.id);
+    pass_add_texture(state, UNIT_BASIS_Z_COS, inputs->bases->z_cos.id);
+    pass_add_texture(state, UNIT_BASIS_Z_SIN, inputs->bases->z_sin.id);
+    pass_add_texture(state, UNIT_BASIS_Z, inputs->bases->z.id);
+}
+
+void visibility_add(struct pass_state *state, const struct visibility_desc *desc,
+                    const struct buffer *params, const struct visibility_inputs *inputs) {
+    struct visibility_params values = {
+        .bias = desc->bias,
+        .map_size = (float)desc->map_size,
+        .map_bias = desc->map_bias,
+        .shift = desc->shift / (2 * fmaxf((float)desc->basis_terms, 1)),
+        .gain = desc->gain,
+        .sharpen_a = desc->sharpen_a,
+        .sharpen_b = desc->sharpen_b,
+    };
+    buffer_write(params, 0, sizeof values, &values);
+    pass_add_block(state, BLOCK_VISIBILITY, params);
+    add_maps(state, desc, inputs);
+}

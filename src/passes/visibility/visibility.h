@@ -1,0 +1,41 @@
+/* How passes look up the maps: what the gather and the block visibility have in common. */
+#ifndef PASSES_VISIBILITY_H
+#define PASSES_VISIBILITY_H
+
+#include "gl/pass.h"
+#include "passes/frame.h"
+
+enum visibility_lookup {
+    VISIBILITY_LOOKUP_NONE,
+    VISIBILITY_LOOKUP_HARD, /* one texel of the depth map */
+    VISIBILITY_LOOKUP_CSSM, /* convolution soft shadow maps */
+    VISIBILITY_LOOKUP_PCSS, /* percentage-closer soft shadows */
+};
+
+struct visibility_desc {
+    enum visibility_lookup lookup;
+    int map_size, map_count, basis_terms;
+    float bias;                 /* receiver offset along its normal, in texels of the map */
+    float map_bias;             /* of a hard lookup, of the distance */
+    float shift;                /* of the receiver's depth, over 1 / (2 K) */
+    float gain;                 /* of the blocked fraction about one half */
+    float sharpen_a, sharpen_b; /* thesis eq. 5.9; A = 0: off */
+    int taps;                   /* of a PCSS lookup: the filter's; the search has half as many */
+    bool filter_jacobian;       /* exact paraboloid Jacobian in place of alpha / pi */
+};
+
+/* What a lookup reads. */
+struct visibility_inputs {
+    const struct map_views *views;
+    const struct depth_maps *depth; /* ..._HARD, ..._PCSS */
+    const struct basis_maps *bases; /* ..._CSSM */
+};
+
+/* Defines for a shader that includes visibility/visibility.glsl; to be freed. */
+char *visibility_defines(const struct visibility_desc *desc);
+
+/* Uploads the parameters, and adds them and the maps to what the pass binds. */
+void visibility_add(struct pass_state *state, const struct visibility_desc *desc,
+                    const struct buffer *params, const struct visibility_inputs *inputs);
+
+#endif
