@@ -84,13 +84,18 @@ static inline void write_bytes(const char *path, const void *bytes, size_t size)
     assert_true(fclose(file) == 0);
 }
 
-/* Writes the parts as scratch file NAME and loads it. */
-static inline bool load_parts(struct scene *scene, const char *name,
-                              const struct gltf_parts *parts) {
+/* Writes the parts as scratch file NAME; its path. */
+static inline const char *write_parts(const char *name, const struct gltf_parts *parts) {
     static unsigned char glb[32768];
     const char *path = scratch(name);
     write_bytes(path, glb, parts_glb(parts, glb, sizeof glb));
-    return scene_load(scene, path);
+    return path;
+}
+
+/* Writes and loads it. */
+static inline bool load_parts(struct scene *scene, const char *name,
+                              const struct gltf_parts *parts) {
+    return scene_load(scene, write_parts(name, parts));
 }
 
 #endif

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/memory.h"
-#include "scene/mesh/geometry.h"
+#include "scene/open.h"
 
 #include <stdlib.h>
 #include <sys/stat.h>
@@ -339,9 +339,12 @@ static void test_hostile_files(void **state) {
     mkdir(scratch("folder"), 0777);
     for (size_t i = 0; i < sizeof hostile / sizeof *hostile; i++) {
         struct scene scene;
-        bool loaded = load_parts(&scene, "hostile.glb", &hostile[i].parts);
-        check_refused(hostile[i].name, scratch("hostile.glb"), loaded, hostile[i].message);
+        struct geometry geometry;
+        const char *path = write_parts("hostile.glb", &hostile[i].parts);
+        bool opened = scene_open(&scene, &geometry, path, NULL);
+        check_refused(hostile[i].name, path, opened, hostile[i].message);
         assert_null(scene.path);
+        assert_null(geometry.position);
     }
 }
 

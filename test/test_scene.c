@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "scene/camera.h"
+#include "scene/open.h"
 #include "scene/room.h"
 #include "scene/mesh/geometry.h"
 #include "scene/emitter.h"
@@ -20,8 +21,7 @@ static void check_vector(const char *what, const float value[3], double x, doubl
 }
 
 static void load(struct scene *scene, struct geometry *geometry, const struct gltf_parts *parts) {
-    check_ok("load", load_parts(scene, "scene.glb", parts));
-    check_ok("geometry", geometry_init(geometry, scene, 0));
+    check_ok("open", scene_open(scene, geometry, write_parts("scene.glb", parts), NULL));
 }
 
 static void unload(struct scene *scene, struct geometry *geometry) {
@@ -267,6 +267,23 @@ static void test_framing(void **state) {
     unload(&scene, &geometry);
 }
 
+/* What lies far out is moved back, triangles, camera and light. */
+static void test_far_out(void **state) {
+    (void)state;
+    struct scene scene;
+    struct geometry geometry;
+    load(&scene, &geometry,
+         &(struct gltf_parts){.nodes = "[{\"mesh\": 0, \"translation\": [100000, 0, -70000]}]"});
+    check_near("origin", scene.origin[0], 100000, 1);
+    check_near("origin", scene.origin[2], -70000, 1);
+    check_at_most("centre over the radius", glm_vec3_norm(geometry.center), 2 * geometry.radius);
+    struct camera camera;
+    camera_place(&camera, &scene, 0, 0);
+    check_at_most("the camera's distance", glm_vec3_distance(camera.eye, geometry.center),
+                  6 * geometry.radius);
+    unload(&scene, &geometry);
+}
+
 /* A box of 4 x 2 x 10 m about the origin; its faces look inwards, or outwards. */
 static void test_room(void **state) {
     (void)state;
@@ -355,6 +372,7 @@ int main(void) {
         cmocka_unit_test(test_lights),
         cmocka_unit_test(test_cameras),
         cmocka_unit_test(test_framing),
+        cmocka_unit_test(test_far_out),
         cmocka_unit_test(test_room),
         cmocka_unit_test(test_shared_scenes),
         cmocka_unit_test(test_shared_cornell_box),

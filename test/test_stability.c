@@ -40,7 +40,8 @@ static void check_far(const char *path) {
         assert_true(stage.scene.origin[0] == 0);
         struct image near = render_stage(&stage, shadowing[i], small, 48);
         move_away(&stage.scene, away);
-        scene_recentre(&stage.scene);
+        pose_stage(&stage);
+        assert_true(scene_recentre(&stage.scene, &stage.geometry));
         check_near("origin", stage.scene.origin[0], 10000, 8);
         pose_stage(&stage);
         struct image far = render_stage(&stage, shadowing[i], small, 48);

@@ -1,10 +1,9 @@
 #include "apps/scene_summary.h"
 
 #include "scene/camera.h"
-#include "scene/mesh/geometry.h"
 #include "scene/emitter.h"
 #include "scene/node.h"
-#include "scene/scene.h"
+#include "scene/open.h"
 
 #include <cglm/util.h>
 #include <math.h>
@@ -139,8 +138,8 @@ static void print_clips(FILE *out, const struct scene *scene) {
 
 bool scene_summary_print(FILE *out, const char *path) {
     struct scene scene;
-    struct geometry geometry = {0};
-    bool ok = scene_load(&scene, path) && geometry_init(&geometry, &scene, 0);
+    struct geometry geometry;
+    bool ok = scene_open(&scene, &geometry, path, NULL);
     if (ok) {
         fprintf(out, "scene      %s\n", path);
         print_meshes(out, &scene);

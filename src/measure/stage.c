@@ -1,6 +1,6 @@
 #include "measure/stage.h"
 
-#include "scene/animation.h"
+#include "scene/open.h"
 #include "scene/placing.h"
 
 #include <stdio.h>
@@ -20,9 +20,8 @@ static bool place(struct stage *stage, double time) {
 bool stage_init(struct stage *stage, const struct stage_desc *desc) {
     *stage = (struct stage){.camera_text = desc->camera, .light_text = desc->light};
     name_after(stage, desc->path);
-    if (scene_load(&stage->scene, desc->path) &&
-        (!desc->clip || scene_select_clip(&stage->scene, desc->clip)) && place(stage, desc->time) &&
-        geometry_init(&stage->geometry, &stage->scene, desc->time))
+    if (scene_open(&stage->scene, &stage->geometry, desc->path, desc->clip) &&
+        stage_pose(stage, desc->time))
         return true;
     stage_free(stage);
     return false;

@@ -2,7 +2,6 @@
 
 #include "base/log.h"
 #include "base/memory.h"
-#include "scene/mesh/geometry.h"
 #include "scene/node.h"
 #include "scene/room.h"
 
@@ -12,10 +11,10 @@
 
 static const float fov_y = 0.7F, fov_y_in_room = 1.1F;
 
-/* Appends a node that stands at eye and looks along -Z at the target. */
-static struct node *add_node(struct scene *scene, const char *name, vec3 eye, vec3 target) {
+/* Appends a node; its place follows. */
+static int add_node(struct scene *scene, const char *name) {
     scene->nodes = mem_resize(scene->nodes, (size_t)scene->node_count + 1, sizeof *scene->nodes);
-    struct node *node = &scene->nodes[scene->node_count++];
+    struct node *node = &scene->nodes[scene->node_count];
     *node = (struct node){.parent = -1,
                           .mesh = -1,
                           .light = -1,
@@ -24,11 +23,44 @@ static struct node *add_node(struct scene *scene, const char *name, vec3 eye, ve
                           .metaballs = -1,
                           .has_matrix = true};
     snprintf(node->name, sizeof node->name, "%s", name);
+    glm_mat4_identity((vec4 *)node->matrix);
+    return scene->node_count++;
+}
+
+static int add_camera(struct scene *scene) {
+    int node = add_node(scene, "framed camera");
+    scene->cameras =
+        mem_resize(scene->cameras, (size_t)scene->camera_count + 1, sizeof *scene->cameras);
+    scene->cameras[scene->camera_count] = (struct scene_camera){.name = "framed"};
+    scene->nodes[node].camera = scene->camera_count++;
+    log_note("%s: no camera, so one that frames the scene", scene->path);
+    return node;
+}
+
+static int add_spot(struct scene *scene) {
+    int node = add_node(scene, "framed spot");
+    scene->lights =
+        mem_resize(scene->lights, (size_t)scene->light_count + 1, sizeof *scene->lights);
+    scene->lights[scene->light_count] =
+        (struct scene_light){.name = "framed", .type = EMITTER_SPOT, .range = INFINITY};
+    scene->nodes[node].light = scene->light_count++;
+    log_note("%s: no light, so a spot from above", scene->path);
+    return node;
+}
+
+void framing_add(struct framing *framing, struct scene *scene) {
+    framing->camera = node_count_carrying(scene, NODE_CAMERA) ? -1 : add_camera(scene);
+    framing->light = node_count_carrying(scene, NODE_LIGHT) ? -1 : add_spot(scene);
+}
+
+/* --- places ----------------------------------------------------------------------------------- */
+
+/* Stands at eye and looks along -Z at the target. */
+static void place_node(struct node *node, vec3 eye, vec3 target) {
     mat4 view, world;
     glm_lookat(eye, target, (vec3){0, 1, 0}, view);
     glm_mat4_inv(view, world);
     memcpy(node->matrix, world, sizeof node->matrix);
-    return node;
 }
 
 /* A point on the line from the scene's centre in a direction, at a distance in radii. */
@@ -58,40 +90,26 @@ static float fitting_distance(const struct geometry *geometry, vec3 direction) {
     return distance;
 }
 
-static void place_camera(const struct geometry *geometry, const struct room *room, vec3 eye,
-                         vec3 target) {
+static void place_camera(struct scene *scene, struct node *node, const struct geometry *geometry,
+                         const struct room *room) {
     const float margin = 1.05F, step_from_wall = .9F;
-    vec3 direction = {.6F, .45F, 1};
+    vec3 direction = {.6F, .45F, 1}, eye, target;
     point_around(geometry, direction,
                  margin * fitting_distance(geometry, direction) / geometry->radius, eye);
     point_around(geometry, direction, 0, target);
-    if (!room)
-        return;
-    glm_vec3_copy(target, eye);
-    glm_vec3_muladds((float *)room->forward, -step_from_wall * room->behind, eye);
-    glm_vec3_muladds((float *)room->forward, room->ahead, target);
-}
-
-static void add_camera(struct scene *scene, const struct geometry *geometry,
-                       const struct room *room) {
-    vec3 eye, target;
-    place_camera(geometry, room, eye, target);
-    struct node *node = add_node(scene, "framed camera", eye, target);
-    scene->cameras =
-        mem_resize(scene->cameras, (size_t)scene->camera_count + 1, sizeof *scene->cameras);
-    struct scene_camera *camera = &scene->cameras[scene->camera_count];
-    *camera = (struct scene_camera){.fov_y = room ? fov_y_in_room : fov_y,
-                                    .near = .01F * geometry->radius,
-                                    .far = 10 * geometry->radius};
-    snprintf(camera->name, sizeof camera->name, "framed");
-    node->camera = scene->camera_count++;
-    log_note("%s: no camera, so one that frames the scene", scene->path);
+    if (room) {
+        glm_vec3_copy(target, eye);
+        glm_vec3_muladds((float *)room->forward, -step_from_wall * room->behind, eye);
+        glm_vec3_muladds((float *)room->forward, room->ahead, target);
+    }
+    place_node(node, eye, target);
+    scene->cameras[node->camera].fov_y = room ? fov_y_in_room : fov_y;
 }
 
 /* The spot is as wide as the bounding sphere, or shines down from a room's ceiling, and gives the
  * centre, or there the floor, an irradiance of pi: a white surface that faces it has radiance 1. */
-static void add_spot(struct scene *scene, const struct geometry *geometry,
-                     const struct room *room) {
+static void place_spot(struct scene *scene, struct node *node, const struct geometry *geometry,
+                       const struct room *room) {
     const float radii = 2.5F, outer = room ? .9F : asinf(1 / radii);
     vec3 eye, target;
     point_around(geometry, (vec3){.2F, 1.2F, 1}, radii, eye);
@@ -102,34 +120,20 @@ static void add_spot(struct scene *scene, const struct geometry *geometry,
         target[1] -= room->up;
         eye[2] += .01F * room->up; /* not straight down: the light's frame has an up */
     }
-    struct node *node = add_node(scene, "framed spot", eye, target);
-    scene->lights =
-        mem_resize(scene->lights, (size_t)scene->light_count + 1, sizeof *scene->lights);
-    struct scene_light *light = &scene->lights[scene->light_count];
-    float intensity = GLM_PIf * glm_vec3_distance2(eye, target);
-    *light = (struct scene_light){.type = EMITTER_SPOT,
-                                  .intensity = {intensity, intensity, intensity},
-                                  .inner = .8F * outer,
-                                  .outer = outer,
-                                  .range = INFINITY};
-    snprintf(light->name, sizeof light->name, "framed");
-    node->light = scene->light_count++;
-    log_note("%s: no light, so a spot from above", scene->path);
+    place_node(node, eye, target);
+    struct scene_light *light = &scene->lights[node->light];
+    glm_vec3_broadcast(GLM_PIf * glm_vec3_distance2(eye, target), light->intensity);
+    light->inner = .8F * outer;
+    light->outer = outer;
 }
 
-bool scene_frame(struct scene *scene) {
-    bool camera = node_count_carrying(scene, NODE_CAMERA) > 0;
-    bool light = node_count_carrying(scene, NODE_LIGHT) > 0;
-    if (camera && light)
-        return true;
-    struct geometry geometry;
-    if (!geometry_init_still(&geometry, scene, 0))
-        return false;
-    struct room around, *room = room_around(&around, &geometry, geometry.center) ? &around : NULL;
-    if (!camera)
-        add_camera(scene, &geometry, room);
-    if (!light)
-        add_spot(scene, &geometry, room);
-    geometry_free(&geometry);
-    return true;
+void framing_place(const struct framing *framing, struct scene *scene,
+                   const struct geometry *geometry) {
+    if (framing->camera < 0 && framing->light < 0)
+        return;
+    struct room around, *room = room_around(&around, geometry, geometry->center) ? &around : NULL;
+    if (framing->camera >= 0)
+        place_camera(scene, &scene->nodes[framing->camera], geometry, room);
+    if (framing->light >= 0)
+        place_spot(scene, &scene->nodes[framing->light], geometry, room);
 }

@@ -2,12 +2,20 @@
 #ifndef SCENE_FRAMING_H
 #define SCENE_FRAMING_H
 
-#include "scene/scene.h"
+#include "scene/mesh/geometry.h"
 
-/* Adds a camera that sees the whole scene from above its front right corner, and a spot beside it
- * that lights it, each only where the scene has none. In a room both are inside: the camera at one
- * end of its longest line, the spot below the ceiling. Notes it on stderr. Error: a scene without a
- * triangle. */
-bool scene_frame(struct scene *scene);
+/* The nodes that carry them; -1 = the scene has its own. */
+struct framing {
+    int camera, light;
+};
+
+/* Adds nodes for a camera and a spot, each only where the scene has none, and notes it on stderr. */
+void framing_add(struct framing *framing, struct scene *scene);
+
+/* Places what was added. The camera sees the whole scene from above its front right corner, and the
+ * spot beside it lights it. In a room both are inside: the camera at one end of its longest line, the
+ * spot below the ceiling. */
+void framing_place(const struct framing *framing, struct scene *scene,
+                   const struct geometry *geometry);
 
 #endif

@@ -1,7 +1,5 @@
 #include "scene/recentre.h"
 
-#include "scene/mesh/geometry.h"
-
 #include <cglm/cglm.h>
 
 /* Nearer than so many radii floats are fine to a ten thousandth of the radius: enough. */
@@ -40,13 +38,10 @@ static void set_origin(struct scene *scene, const struct geometry *geometry) {
         scene->origin[c] = round((double)geometry->center[c] / step) * step;
 }
 
-void scene_recentre(struct scene *scene) {
-    struct geometry geometry;
-    if (!geometry_init_still(&geometry, scene, 0))
-        return; /* whoever needs triangles finds the reason */
-    if (glm_vec3_norm(geometry.center) > far_radii * geometry.radius) {
-        set_origin(scene, &geometry);
-        shift_roots(scene);
-    }
-    geometry_free(&geometry);
+bool scene_recentre(struct scene *scene, const struct geometry *geometry) {
+    if (glm_vec3_norm((float *)geometry->center) <= far_radii * geometry->radius)
+        return false;
+    set_origin(scene, geometry);
+    shift_roots(scene);
+    return true;
 }

@@ -6,9 +6,10 @@
 #ifndef SCENE_RECENTRE_H
 #define SCENE_RECENTRE_H
 
-#include "scene/scene.h"
+#include "scene/mesh/geometry.h"
 
-/* Sets scene->origin, and moves root nodes and their animation by its opposite. */
-void scene_recentre(struct scene *scene);
+/* Sets scene->origin by the bounds of its geometry, and moves root nodes and their animation by its
+ * opposite; the geometry must then be made anew. False where the scene is near enough. */
+bool scene_recentre(struct scene *scene, const struct geometry *geometry);
 
 #endif

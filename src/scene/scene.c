@@ -3,11 +3,9 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "scene/animation.h"
-#include "scene/framing.h"
 #include "scene/gltf/gltf.h"
 #include "scene/node.h"
 #include "scene/mesh/primitive.h"
-#include "scene/recentre.h"
 
 #include <stdlib.h>
 
@@ -21,11 +19,8 @@ static bool check_worlds(const struct scene *scene) {
 
 bool scene_load(struct scene *scene, const char *path) {
     *scene = (struct scene){0};
-    if (gltf_load(scene, path) && check_worlds(scene)) {
-        scene_recentre(scene);
-        if (scene_frame(scene))
-            return true;
-    }
+    if (gltf_load(scene, path) && check_worlds(scene))
+        return true;
     scene_free(scene);
     return false;
 }

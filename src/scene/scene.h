@@ -95,9 +95,8 @@ struct scene_light {
 struct scene_camera {
     char name[SCENE_NAME_SIZE];
     bool orthographic;
-    float fov_y;     /* perspective: radians */
-    float y_extent;  /* orthographic: half the height, metres */
-    float near, far; /* far = infinity where the file has none */
+    float fov_y;    /* perspective: radians */
+    float y_extent; /* orthographic: half the height, metres */
 };
 
 struct node {
@@ -150,8 +149,7 @@ struct scene {
     int clip; /* the one that plays, where there are any; the first after loading */
 };
 
-/* Loads a .gltf or .glb file. A scene without camera or light is given a framed camera and a spot,
- * with a note on stderr. Error: names file, object and reason; the scene is then zeroed. */
+/* Reads what a .gltf or .glb file holds; scene/open.h makes it ready to be shown. Error: names file, object and reason; the scene is then zeroed. */
 bool scene_load(struct scene *scene, const char *path);
 
 /* Accepts zeroed and half-built scenes. */

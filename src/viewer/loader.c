@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "scene/open.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,12 +17,9 @@ void document_free(struct document *document) {
 static void *load(void *context) {
     struct loader *loader = context;
     struct document *document = &loader->document;
-    bool ok = scene_load(&document->scene, loader->path) &&
-              geometry_init(&document->geometry, &document->scene, 0);
-    if (!ok) {
+    bool ok = scene_open(&document->scene, &document->geometry, loader->path, NULL);
+    if (!ok)
         snprintf(loader->message, sizeof loader->message, "%s", error_get());
-        document_free(document);
-    }
     atomic_store(&loader->state, ok ? LOADER_DONE : LOADER_FAILED);
     return NULL;
 }

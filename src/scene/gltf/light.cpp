@@ -32,16 +32,12 @@ bool load_light(const tinygltf::Light &from, struct scene_light &to) {
 
 bool load_perspective(const tinygltf::PerspectiveCamera &from, struct scene_camera &to) {
     to.fov_y = float(from.yfov);
-    to.near = float(from.znear);
-    to.far = from.zfar > 0 ? float(from.zfar) : INFINITY;
     return (to.fov_y > 0 && to.fov_y < 2 * half_pi) || error_set("yfov: %g radians", to.fov_y);
 }
 
 bool load_orthographic(const tinygltf::OrthographicCamera &from, struct scene_camera &to) {
     to.orthographic = true;
     to.y_extent = float(std::fabs(from.ymag));
-    to.near = float(from.znear);
-    to.far = float(from.zfar);
     return (to.y_extent > 0 && std::isfinite(to.y_extent)) ||
            error_set("ymag: %g m", double(to.y_extent));
 }

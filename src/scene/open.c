@@ -1,0 +1,29 @@
+#include "scene/open.h"
+
+#include "scene/animation.h"
+#include "scene/framing.h"
+#include "scene/recentre.h"
+
+static bool lay_out(struct scene *scene, struct geometry *geometry) {
+    struct framing framing;
+    framing_add(&framing, scene);
+    if (!geometry_init(geometry, scene, 0))
+        return false;
+    if (scene_recentre(scene, geometry)) {
+        geometry_free(geometry);
+        if (!geometry_init(geometry, scene, 0))
+            return false;
+    }
+    framing_place(&framing, scene, geometry);
+    return true;
+}
+
+bool scene_open(struct scene *scene, struct geometry *geometry, const char *path,
+                const char *clip) {
+    *geometry = (struct geometry){0};
+    if (scene_load(scene, path) && (!clip || scene_select_clip(scene, clip)) &&
+        lay_out(scene, geometry))
+        return true;
+    scene_free(scene);
+    return false;
+}
