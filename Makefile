@@ -49,6 +49,7 @@ PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) 2>/de
 LIBS := $(shell pkg-config --libs $(PKG) 2>/dev/null) -lembree3 -lstdc++ -ldl -lpthread -lm
 
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(BUILD)/glsl_embedded.o
+GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
@@ -91,20 +92,22 @@ $(BUILD)/shaders.list: FORCE
 	@printf '%s\n' $(SHADERS) > $@.new
 	@cmp -s $@ $@.new && rm $@.new || mv $@.new $@
 
-# Each shader file becomes one string, under its path below glsl/ or src/; gl/glsl.c reads the table.
-$(BUILD)/glsl_embedded.c: $(SHADERS) $(BUILD)/shaders.list Makefile
+# Each shader file becomes one string, under its path below glsl/, src/ or the guests of the tests;
+# gl/glsl.c reads the table.
+$(BUILD)/glsl_embedded.c: $(SHADERS)
+$(BUILD)/glsl_embedded.c $(GUESTS)/glsl_embedded.c: $(BUILD)/shaders.list Makefile
 	@mkdir -p $(@D)
 	@{ echo '#include "gl/glsl_embedded.h"'; \
 	   echo 'const struct glsl_file glsl_embedded[] = {'; \
-	   for f in $(SHADERS); do \
-	       name=$${f#glsl/}; \
-	       echo "{\"$${name#src/}\","; \
+	   for f in $(filter-out %.list Makefile,$^); do \
+	       name=$${f#glsl/}; name=$${name#src/}; \
+	       echo "{\"$${name#test/guests/}\","; \
 	       sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/^/"/' -e 's/$$/\\n"/' $$f; \
 	       echo '},'; \
 	   done; \
 	   echo '{0, 0}};'; } > $@
 
-$(BUILD)/glsl_embedded.o: $(BUILD)/glsl_embedded.c
+$(BUILD)/%_embedded.o: $(BUILD)/%_embedded.c
 	$(say) CC $@
 	$(Q)$(CC) $(C_FLAGS) -c -o $@ $<
 
@@ -134,7 +137,26 @@ $(BUILD)/test/%: $(BUILD)/test/%.o $(TEST_SUPPORT) $(LIBRARY)
 	$(say) LINK $@
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka -lX11
 
-tests: $(BINARY) $(SCENES) $(TESTS)
+# The program with a technique and a direct method more, which only tests have: what a newcomer to the
+# house adds is a folder and a line of a registry, here told by a macro.
+GUEST_SOURCES := $(sort $(shell find test/guests -name '*.c'))
+GUEST_SHADERS := $(sort $(shell find test/guests -name '*.frag' -o -name '*.comp'))
+GUEST_OBJECTS := $(GUEST_SOURCES:%.c=$(BUILD)/%.o) $(GUESTS)/techniques.o $(GUESTS)/direct.o \
+    $(GUESTS)/glsl_embedded.o
+
+$(GUESTS)/glsl_embedded.c: $(SHADERS) $(GUEST_SHADERS)
+
+$(GUESTS)/%.o: src/%/registry.c
+	@mkdir -p $(@D)
+	$(say) CC $@
+	$(Q)$(CC) $(C_FLAGS) '-DMORE_TECHNIQUES(X)=X(ambient)' '-DMORE_METHODS(X)=X(headlamp)' \
+	    -MMD -MP -c -o $@ $<
+
+$(GUESTS)/manylight: $(MAIN_OBJECT) $(GUEST_OBJECTS) $(LIBRARY)
+	$(say) LINK $@
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+
+tests: $(BINARY) $(SCENES) $(TESTS) $(GUESTS)/manylight
 	@MANYLIGHT_BUILD=$(BUILD) MANYLIGHT_BINARY=$(if $(findstring /,$(BINARY)),,./)$(BINARY) test/run $(TESTS)
 
 # --- benchmark --------------------------------------------------------------------------------------

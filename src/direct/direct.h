@@ -20,7 +20,7 @@ struct direct_method {
     void (*free)(void *state);
     /* Another size of picture. Error: out of GPU memory; all is as it was. */
     bool (*resize)(void *state, int width, int height);
-    /* None of them can fail, allocate or compile. What no camera can change; what one camera's
+    /* None of them can fail, allocate or compile. What no camera can change (NULL: nothing); what one camera's
      * G-buffer sees of it; and the result: RGBA32F, irradiance over pi, the radiance of a white
      * surface, W/(sr m2). */
     void (*render_lights)(void *state, const struct frame *frame);

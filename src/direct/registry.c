@@ -4,14 +4,19 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A method is entered by its line here. */
+/* A method is entered by its line here; those of tests come by MORE_METHODS. */
 #define METHODS(X) X(hard)
+
+#ifndef MORE_METHODS
+#define MORE_METHODS(X)
+#endif
 
 #define DECLARE(name) extern const struct direct_method name##_direct;
 METHODS(DECLARE)
+MORE_METHODS(DECLARE)
 
 #define ENTER(name) &name##_direct,
-const struct direct_method *const direct_methods[] = {METHODS(ENTER) NULL};
+const struct direct_method *const direct_methods[] = {METHODS(ENTER) MORE_METHODS(ENTER) NULL};
 
 const struct direct_method *const direct_default = &hard_direct;
 

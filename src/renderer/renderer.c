@@ -320,7 +320,8 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
 static void render_lights(struct renderer *renderer, const struct frame *frame) {
     if (renderer->lights_drawn && renderer->desc.keep_lights)
         return;
-    renderer->direct->render_lights(renderer->direct_state, frame);
+    if (renderer->direct->render_lights)
+        renderer->direct->render_lights(renderer->direct_state, frame);
     if (renderer->technique->render_lights)
         renderer->technique->render_lights(renderer->technique_state, frame);
     renderer->lights_drawn = true;
@@ -357,5 +358,7 @@ float renderer_exposure(const struct renderer *renderer) {
 }
 
 void renderer_outputs(const struct renderer *renderer, struct technique_outputs *outputs) {
-    renderer->technique->outputs(renderer->technique_state, outputs);
+    *outputs = (struct technique_outputs){0};
+    if (renderer->technique->outputs)
+        renderer->technique->outputs(renderer->technique_state, outputs);
 }

@@ -4,17 +4,22 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A technique is entered by its line here. */
+/* A technique is entered by its line here; those of tests come by MORE_TECHNIQUES. */
 #define TECHNIQUES(X)                                                                              \
     X(clustered)                                                                                   \
     X(instant_radiosity)                                                                           \
     X(unshadowed)
 
+#ifndef MORE_TECHNIQUES
+#define MORE_TECHNIQUES(X)
+#endif
+
 #define DECLARE(name) extern const struct technique name##_technique;
 TECHNIQUES(DECLARE)
+MORE_TECHNIQUES(DECLARE)
 
 #define ENTER(name) &name##_technique,
-const struct technique *const techniques[] = {TECHNIQUES(ENTER) NULL};
+const struct technique *const techniques[] = {MORE_TECHNIQUES(ENTER) TECHNIQUES(ENTER) NULL};
 
 const struct technique *const technique_default = &clustered_technique, *const technique_baseline =
                                                                             &unshadowed_technique;

@@ -1,0 +1,89 @@
+/* A technique and a direct method that only tests have go through every subcommand: nothing in the
+ * program knows VPLs, maps or a blur to be there. */
+#include "base/image_file.h"
+#include "base/memory.h"
+#include "support.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static char output[1 << 16];
+
+/* Runs the guests' program and looks for the words in what it says. */
+static void expect(int status, const char *words, const char *format, const char *argument) {
+    char command[1024], arguments[768];
+    const char *build = getenv("MANYLIGHT_BUILD");
+    snprintf(arguments, sizeof arguments, format, argument);
+    snprintf(command, sizeof command, "%s/test/guests/manylight %s", build ? build : "build",
+             arguments);
+    int actual = run_command(command, output, sizeof output);
+    if (actual != status || !strstr(output, words))
+        fail_msg("%s: status %d, expected %d with '%s':\n%s", arguments, actual, status, words,
+                 output);
+}
+
+static void test_render(void **state) {
+    (void)state;
+    const char *path = scratch("guests.exr");
+    expect(0, "ambient  ",
+           "render scenes/cornell-box.glb -o %s --size 64x48 --technique ambient --direct headlamp "
+           "--set level=.5 --stats --gl-debug",
+           path);
+    assert_null(strstr(output, "VPLs"));
+    struct image image;
+    check_ok("read", image_read(&image, path));
+    int alpha = image_find_channel(&image, "A"),
+        indirect = image_find_channel(&image, "indirect.R"),
+        direct = image_find_channel(&image, "direct.G");
+    float level = 0, nearest = 0;
+    for (int y = 0; y < image.height; y++)
+        for (int x = 0; x < image.width; x++) {
+            const float *pixel = image_at(&image, x, y);
+            if (pixel[alpha] < 1)
+                continue;
+            level = level > 0 ? level : pixel[indirect];
+            assert_true(fabsf(pixel[indirect] - level) <= 1e-6F * level);
+            nearest = fmaxf(nearest, pixel[direct]);
+        }
+    printf("    indirect %g everywhere, direct at most %g\n", (double)level, (double)nearest);
+    assert_true(level > 0);
+    check_near("a surface that faces the lamp, times pi", (double)nearest * 3.14159265, 1, .02);
+    image_free(&image);
+}
+
+static void test_lists(void **state) {
+    (void)state;
+    expect(0, "ambient.level", "render --help --technique %s", "ambient");
+    assert_non_null(strstr(output, "headlamp"));
+    assert_null(strstr(output, "clustered.vals"));
+    expect(0, "clustered.vals", "render --help%s", "");
+    assert_null(strstr(output, "ambient.level"));
+    expect(2, "level: '-1' is not a number from 0 to 100",
+           "render a.glb -o a.png --technique ambient --set %s", "level=-1");
+}
+
+static void test_compare(void **state) {
+    (void)state;
+    char other[512], arguments[1100];
+    snprintf(other, sizeof other, "%s", scratch("guests-other.exr"));
+    expect(0, "",
+           "render scenes/cornell-box.glb -o %s --size 64x48 --technique ambient --direct headlamp "
+           "--set ambient.level=1 --quiet",
+           other);
+    snprintf(arguments, sizeof arguments, "compare %s %s -l indirect", scratch("guests.exr"),
+             other);
+    expect(0, "relative-bias", "%s", arguments);
+    const char *bias = strstr(output, "relative-bias");
+    check_near("half the level: relative bias", atof(bias + 13), -.5, 1e-4);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_render),
+        cmocka_unit_test(test_lists),
+        cmocka_unit_test(test_compare),
+    };
+    return cmocka_run_group_tests_name("guests", tests, NULL, NULL);
+}
