@@ -140,11 +140,12 @@ struct image render_stage(const struct stage *stage, const char *technique, cons
 }
 
 struct vpl *read_vpls(const struct renderer *renderer) {
-    struct technique_outputs outputs;
+    struct output_list outputs;
     renderer_outputs(renderer, &outputs);
-    size_t count = (size_t)outputs.vpls->count;
+    const struct vpl_buffer *buffer = output_vpls(&outputs);
+    size_t count = (size_t)buffer->count;
     struct vpl *vpls = mem_alloc(count, sizeof *vpls);
-    buffer_read(&outputs.vpls->buffer, 0, count * sizeof *vpls, vpls);
+    buffer_read(&buffer->buffer, 0, count * sizeof *vpls, vpls);
     return vpls;
 }
 

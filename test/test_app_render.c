@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "base/image_file.h"
 #include "base/memory.h"
-#include "renderer/debug_layers.h"
+#include "inspect/aov.h"
 #include "shared/vpl.h"
 
 #include <math.h>
@@ -67,8 +67,6 @@ static void test_usage_errors(void **state) {
         {"a.glb -o b.png --direct soft", "no direct light is called 'soft' (there is hard)"},
         {"a.glb -o b.png --set vpls=63 --set interleave=8", "interleave=8 needs at least 64 VPLs"},
         {"a.glb -o b.png --context cuda", "context"},
-        {"a.glb -o b.exr --aov normals", "aov: no layer is called 'normals' (there is: gathered"},
-        {"a.glb -o b.exr --aov val,", "aov: no layer is called ''"},
         {"a.glb -o b.png --aov val", "aov: no output that holds layers"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -129,7 +127,11 @@ static void test_failures(void **state) {
     expect_text("cannot open /nowhere/");
     assert_int_not_equal(access(scratch("glsl.png"), F_OK), 0);
     expect_box(1, "--technique unshadowed --aov val -o %s", scratch("aov.exr"));
-    expect_text("layer 'val': technique 'unshadowed' has no VALs");
+    expect_text("aov: technique 'unshadowed' has no layer 'val' to add (there are vpl, gathered, ");
+    expect_box(1, "--aov vpl,rsm-normal -o %s", scratch("aov.exr")); /* of the light's size */
+    expect_text("aov: technique 'clustered' has no layer 'rsm-normal' to add (there are ");
+    expect_box(1, "--aov vpl, -o %s", scratch("aov.exr"));
+    expect_text("no layer '' to add");
 }
 
 /* When the second output cannot be written, nothing half-written lies beside it. */
@@ -288,21 +290,22 @@ static void test_shader_folder(void **state) {
     image_free(&b);
 }
 
-/* --- debug layers ----------------------------------------------------------------------------- */
+/* --- outputs as layers ------------------------------------------------------------------------- */
 
 static void test_aov(void **state) {
     (void)state;
     const char *with = scratch("with.exr"), *without = scratch("without.exr");
-    expect_box(0, "--aov vpl,visibility,gathered,val -o %s", with);
+    expect_box(0, "--aov vpl,visibility,gathered,val,vpl,irradiance -o %s", with);
     expect_box(0, "-o %s", without);
     struct image a = read_picture(with), b = read_picture(without);
-    assert_int_equal(a.channel_count, b.channel_count + 10);
+    assert_int_equal(a.channel_count, b.channel_count + 13);
     for (int i = 0; i < 40 * 30; i++) {
         int x = i % 40, y = i / 40;
         float share = at(&a, "visibility.Y", x, y);
         assert_true(share >= 0 && share <= 1);
         assert_true(at(&a, "val.G", x, y) >= 0 && at(&a, "val.G", x, y) <= 1);
         assert_true(at(&a, "vpl.B", x, y) >= 0);
+        assert_true(at(&a, "irradiance.G", x, y) == at(&a, "indirect.G", x, y));
         assert_true(at(&a, "R", x, y) == at(&b, "R", x, y));
         assert_true(at(&a, "indirect.R", x, y) == at(&b, "indirect.R", x, y));
     }
@@ -315,11 +318,9 @@ static struct image append_layers(const struct stage *stage, const char *techniq
                                   struct renderer *renderer) {
     struct renderer_desc desc = desc_of(stage, technique, settings, 64, 64);
     struct image image;
-    unsigned layers;
-    check_ok(names, debug_layers_parse(&layers, names));
     open_renderer(renderer, &desc);
     check_ok("layers", renderer_read_layers(renderer, &image));
-    check_ok("debug layers", debug_layers_append(renderer, layers, &image));
+    check_ok("more layers", aov_append(renderer, names, &image));
     return image;
 }
 

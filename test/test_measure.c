@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "measure/lights.h"
 #include "measure/vpl_trace.h"
-#include "renderer/debug_layers.h"
+#include "inspect/aov.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -39,9 +39,9 @@ static void test_lights(void **state) {
 
 /* --- a technique of its own kind -------------------------------------------------------------- */
 
-static void no_outputs(const void *state, struct technique_outputs *outputs) {
+static struct contribution nothing(const void *state) {
     (void)state;
-    *outputs = (struct technique_outputs){0};
+    return (struct contribution){0};
 }
 
 static void check_refused(bool ok, const char *message) {
@@ -53,7 +53,7 @@ static void check_refused(bool ok, const char *message) {
 /* Without VPLs, VALs and anything gathered: what needs them says so. */
 static void test_without_vpls(void **state) {
     (void)state;
-    struct technique voxels = {.name = "voxels", .outputs = no_outputs};
+    struct technique voxels = {.name = "voxels", .contribution = nothing};
     struct stage stage;
     struct renderer renderer;
     struct lights lights;
@@ -66,9 +66,8 @@ static void test_without_vpls(void **state) {
     check_refused(lights_read(&lights, &renderer), "technique 'voxels' has no VPLs");
     lights_free(&lights);
     check_refused(vpl_trace(&renderer, 8, 8, NULL, &image), "technique 'voxels' has no VPLs");
-    check_refused(debug_layers_check(&renderer, 1U << DEBUG_VPL), "'vpl': technique 'voxels'");
-    check_refused(debug_layers_check(&renderer, 1U << DEBUG_GATHERED), "has no gather");
-    check_refused(debug_layers_check(&renderer, 1U << DEBUG_VISIBILITY), "has no VALs");
+    check_refused(aov_check(&renderer, "vpl"),
+                  "'voxels' has no layer 'vpl' to add (there are none");
     renderer.technique = own;
     renderer_free(&renderer);
     stage_free(&stage);

@@ -18,7 +18,7 @@
 struct frame_of_vals {
     struct stage stage;
     struct renderer renderer;
-    struct technique_outputs outputs;
+    const struct val_output *vals;
     int vpl_count, val_count, iterations;
     double by_place, by_normal; /* weights of the clustering */
     struct vpl *vpls;
@@ -37,8 +37,9 @@ static void open_vals(struct frame_of_vals *frame, const char *scene, const char
     open_stage(&frame->stage, scene);
     struct renderer_desc desc = desc_of(&frame->stage, "clustered", settings, 32, 32);
     open_renderer(&frame->renderer, &desc);
-    renderer_outputs(&frame->renderer, &frame->outputs);
-    const struct technique_outputs *outputs = &frame->outputs;
+    struct output_list outputs;
+    renderer_outputs(&frame->renderer, &outputs);
+    frame->vals = output_vals(&outputs);
     frame->vpl_count = (int)settings_number(&desc.settings, "vpls");
     frame->val_count = (int)settings_number(&desc.settings, "vals");
     frame->iterations = (int)settings_number(&desc.settings, "iterations");
@@ -46,11 +47,11 @@ static void open_vals(struct frame_of_vals *frame, const char *scene, const char
     frame->by_normal = settings_number(&desc.settings, "weight-normal");
     frame->vpls = read_vpls(&frame->renderer);
     frame->views = mem_alloc((size_t)frame->val_count, sizeof *frame->views);
-    buffer_read(&outputs->val_views->buffer, 0, (size_t)frame->val_count * sizeof *frame->views,
-                frame->views);
-    frame->positions = read_row(outputs->val_positions, frame->val_count);
-    frame->normals = read_row(outputs->val_normals, frame->val_count);
-    frame->fluxes = read_row(outputs->val_fluxes, frame->val_count);
+    buffer_read(&frame->vals->maps.views->buffer, 0,
+                (size_t)frame->val_count * sizeof *frame->views, frame->views);
+    frame->positions = read_row(frame->vals->positions, frame->val_count);
+    frame->normals = read_row(frame->vals->normals, frame->val_count);
+    frame->fluxes = read_row(frame->vals->fluxes, frame->val_count);
 }
 
 static void close_vals(struct frame_of_vals *frame) {
@@ -255,7 +256,7 @@ static void test_views(void **state) {
         frames =
             fmax(frames, fabs((double)glm_vec3_dot((float *)view->axis, (float *)view->tangent)));
         frames = fmax(frames, fabs((double)glm_vec3_norm((float *)view->tangent) - 1));
-        double range = (double)frame.outputs.depth_maps->depth_range;
+        double range = (double)frame.vals->maps.depth->depth_range;
         ranges = fmax(ranges, fabs((double)view->z_far * range /
                                        farthest_corner(&frame.stage.geometry, view->center) -
                                    1));
@@ -312,7 +313,7 @@ static bool texel_direction(const struct map_view *view, int size, int x, int y,
 /* Depths of texels of one map against rays: how many differ by more than a hundredth. */
 static void compare_map(const struct frame_of_vals *frame, const struct rays *rays, int k,
                         int *wrong, int *count) {
-    const struct depth_maps *maps = frame->outputs.depth_maps;
+    const struct depth_maps *maps = frame->vals->maps.depth;
     const struct map_view *view = &frame->views[k];
     float *depths = read_layer(&maps->depth, 0, k, GL_DEPTH_COMPONENT);
     float near = view->near;
@@ -368,8 +369,8 @@ static void test_depth_maps(void **state) {
 /* The largest difference of a basis from a function of the depth, over one map and group. */
 static double basis_error(const struct frame_of_vals *frame, const struct texture *texture, int k,
                           int group, double (*basis)(double c, double z), bool coded) {
-    const struct basis_maps *maps = frame->outputs.basis_maps;
-    float *depths = read_layer(&frame->outputs.depth_maps->depth, 0, k, GL_DEPTH_COMPONENT);
+    const struct basis_maps *maps = frame->vals->maps.bases;
+    float *depths = read_layer(&frame->vals->maps.depth->depth, 0, k, GL_DEPTH_COMPONENT);
     float *texels = read_layer(texture, 0, group * maps->count + k, GL_RGBA);
     double worst = 0;
     for (int i = 0; i < maps->size * maps->size; i++)
@@ -417,7 +418,7 @@ static double mip_error(const struct texture *texture, int level, int layer) {
 static void check_bases(const struct frame_of_vals *frame, int k, int group) {
     /* RGBA8: half a step of 2 / 255, and what drivers round up. RGBA16F: 11 bits. */
     const double eight_bits = 1.5 / 255, half = 1. / 1024;
-    const struct basis_maps *maps = frame->outputs.basis_maps;
+    const struct basis_maps *maps = frame->vals->maps.bases;
     check_at_most("cos", basis_error(frame, &maps->cos, k, group, basis_cos, true), eight_bits);
     check_at_most("sin", basis_error(frame, &maps->sin, k, group, basis_sin, true), eight_bits);
     check_at_most("z cos", basis_error(frame, &maps->z_cos, k, group, basis_z_cos, false), half);

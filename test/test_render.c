@@ -296,13 +296,14 @@ static void reverse_runs(const struct vpl_buffer *vpls, int run) {
 
 /* Sums in another order: half floats round in the last bit. */
 static void check_order(struct renderer *renderer, int interleave, int run) {
-    struct technique_outputs outputs;
+    struct output_list outputs;
     renderer_outputs(renderer, &outputs);
+    const struct vpl_buffer *vpls = output_vpls(&outputs);
     size_t count;
-    float *before = gather(renderer, outputs.vpls, interleave, &count);
-    reverse_runs(outputs.vpls, run);
-    float *after = gather(renderer, outputs.vpls, interleave, &count);
-    reverse_runs(outputs.vpls, run);
+    float *before = gather(renderer, vpls, interleave, &count);
+    reverse_runs(vpls, run);
+    float *after = gather(renderer, vpls, interleave, &count);
+    reverse_runs(vpls, run);
     double worst = 0, sum = 0;
     for (size_t i = 0; i < count; i++) {
         worst =

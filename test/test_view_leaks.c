@@ -115,9 +115,9 @@ static void switch_wipe(int round) {
     turn(2);
 }
 
-static void switch_buffer(int round) {
+static void switch_output(int round) {
     (void)round;
-    viewer_step_buffer(&viewer, 1);
+    viewer_step_output(&viewer, 1);
     turn(1);
 }
 
@@ -145,7 +145,7 @@ static void go_back(void) {
     viewer.technique = technique_default;
     viewer.settings = viewer.desc.settings;
     viewer.compare.mode = COMPARE_OFF;
-    viewer.choice.kind = SHOW_PICTURE;
+    viewer.choice.output = NULL;
     viewer.recompose = true;
     window_set_size(viewer.window, PANEL + 100, 90);
     load("scenes/metaballs.glb");
@@ -204,7 +204,7 @@ static void test_kept(void **state) {
     check_kept("scenes", switch_scene, 4);
     check_kept("sizes", switch_size, 6);
     check_kept("wipes", switch_wipe, 6);
-    check_kept("buffers", switch_buffer, SHOW_COUNT);
+    check_kept("outputs", switch_output, 13);
     check_kept("frames of an animation", play, 40);
     check_kept("minimised and back", minimise, 2);
     viewer_end(&viewer);

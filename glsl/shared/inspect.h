@@ -1,4 +1,4 @@
-/* viewer/inspect.h to its shaders. */
+/* inspect/inspect.h to its shaders. */
 #ifndef SHARED_INSPECT_H
 #define SHARED_INSPECT_H
 

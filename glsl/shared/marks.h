@@ -1,4 +1,4 @@
-/* viewer/marks.h to its shaders. */
+/* inspect/marks.h to its shaders. */
 #ifndef SHARED_MARKS_H
 #define SHARED_MARKS_H
 

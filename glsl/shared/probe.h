@@ -1,4 +1,4 @@
-/* viewer/pick.h to its shader. */
+/* inspect/probe.h to its shader. */
 #ifndef SHARED_PROBE_H
 #define SHARED_PROBE_H
 

@@ -15,7 +15,7 @@
 #include "base/log.h"
 #include "base/output_file.h"
 #include "gl/glsl.h"
-#include "renderer/debug_layers.h"
+#include "inspect/aov.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -31,7 +31,6 @@ struct values {
     const char *camera, *light, *clip, *frames, *glsl, *aov;
     float time, fps;
     bool skip_existing, stats;
-    unsigned debug_layers; /* what aov says */
 };
 
 static const struct option options[] = {
@@ -42,9 +41,11 @@ static const struct option options[] = {
     TECHNIQUE_OPTIONS(struct values, technique),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, layer), .choices = shown_layer_names,
      .help = "light that PNG, JPEG and the like show; EXR has all layers"},
-    {"aov", 0, OPTION_TEXT, offsetof(struct values, aov), .value_name = "LAYER[,LAYER ...]",
-     .help = "more layers in EXR: gathered (before the blur), val (the strongest VAL's colour),\n"
-             "visibility (the share of the VALs' light that arrives), vpl (flux of VPLs)"},
+    {"aov", 0, OPTION_TEXT, offsetof(struct values, aov), .value_name = "NAME[,NAME ...]",
+     .help =
+         "more layers in EXR, outputs of the technique, such as gathered (before the blur), val\n"
+         "(the strongest VAL's colour), visibility (the share of the VALs' light that arrives),\n"
+         "vpl (flux of VPLs)"},
     {"camera", 0, OPTION_TEXT, offsetof(struct values, camera), .value_name = "NAME|N",
      .help = "camera of the scene [the first], or changed: \"0 eye=0,1,3 forward=0,0,-1\""},
     {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N",
@@ -115,11 +116,8 @@ static bool check_outputs(const struct values *values, const struct frames *fram
     return true;
 }
 
-static bool parse_debug_layers(struct values *values) {
+static bool check_aov(const struct values *values) {
     bool is_float, any = !values->aov;
-    values->debug_layers = 0;
-    if (values->aov && !debug_layers_parse(&values->debug_layers, values->aov))
-        return error_prefix("aov");
     for (int i = 0; i < values->outputs.count; i++)
         any = any || (image_format_is_float(values->outputs.items[i], &is_float) && is_float);
     return any || error_set("aov: no output that holds layers: -o FILE.exr");
@@ -131,8 +129,7 @@ static bool write_output(const struct values *values, struct renderer *renderer,
         return false;
     if (is_float) {
         struct image image = {0};
-        ok = renderer_read_layers(renderer, &image) &&
-             debug_layers_append(renderer, values->debug_layers, &image) &&
+        ok = renderer_read_layers(renderer, &image) && aov_append(renderer, values->aov, &image) &&
              image_write(&image, path);
         image_free(&image);
     } else {
@@ -234,7 +231,7 @@ static bool render(const struct values *values, const struct frames *frames,
     struct renderer renderer;
     if (!renderer_init(&renderer, desc))
         return false;
-    bool ok = debug_layers_check(&renderer, values->debug_layers) &&
+    bool ok = aov_check(&renderer, values->aov) &&
               render_frames(values, frames->count ? frames : &single, &renderer, stage);
     if (ok && values->stats) {
         renderer_render(&renderer); /* the first frame also compiled */
@@ -277,7 +274,7 @@ int app_render(int argc, char **argv) {
     struct renderer_desc desc = {
         .width = values.size[0], .height = values.size[1], .timed = values.stats};
     if ((values.frames && !frames_parse(&frames, values.frames)) ||
-        !check_outputs(&values, &frames) || !parse_debug_layers(&values) ||
+        !check_outputs(&values, &frames) || !check_aov(&values) ||
         !technique_values_resolve(&values.technique, &desc)) {
         frames_free(&frames);
         return arguments_misuse(argv[0]);

@@ -28,17 +28,19 @@ static void read_centers(struct lights *lights, const struct texture *positions)
 }
 
 bool lights_read(struct lights *lights, struct renderer *renderer) {
-    struct technique_outputs outputs = {0};
+    struct output_list outputs;
     *lights = (struct lights){0};
     renderer_outputs(renderer, &outputs);
-    if (!outputs.vpls)
+    const struct vpl_buffer *vpls = output_vpls(&outputs);
+    const struct val_output *vals = output_vals(&outputs);
+    if (!vpls)
         return error_set("technique '%s' has no VPLs", renderer->technique->name);
-    lights->vpl_count = outputs.vpls->count;
+    lights->vpl_count = vpls->count;
     size_t bytes = (size_t)lights->vpl_count * sizeof *lights->vpls;
     lights->vpls = mem_alloc(bytes, 1);
-    buffer_read(&outputs.vpls->buffer, 0, bytes, lights->vpls);
-    if (outputs.val_positions)
-        read_centers(lights, outputs.val_positions);
+    buffer_read(&vpls->buffer, 0, bytes, lights->vpls);
+    if (vals)
+        read_centers(lights, vals->positions);
     count(lights);
     return true;
 }

@@ -357,8 +357,20 @@ float renderer_exposure(const struct renderer *renderer) {
     return picture_of(renderer)->exposure;
 }
 
-void renderer_outputs(const struct renderer *renderer, struct technique_outputs *outputs) {
-    *outputs = (struct technique_outputs){0};
+void renderer_outputs(const struct renderer *renderer, struct output_list *outputs) {
+    const struct irradiance *irradiance = renderer_contribution(renderer).irradiance;
+    const struct output rows[] = {
+        {"normal", "G-buffer: world normals as colours", OUTPUT_NORMAL, &renderer->gbuffer.normal},
+        {"albedo", "G-buffer: the surfaces' own colours", OUTPUT_ALBEDO, &renderer->gbuffer.albedo},
+        {"depth", "G-buffer: near is bright", OUTPUT_DEPTH, &renderer->gbuffer.depth},
+    };
+    *outputs = (struct output_list){0};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        output_add(outputs, &rows[i]);
     if (renderer->technique->outputs)
         renderer->technique->outputs(renderer->technique_state, outputs);
+    if (irradiance)
+        output_add(outputs,
+                   &(struct output){"irradiance", "after the blur, before the surfaces' colours",
+                                    OUTPUT_IRRADIANCE, irradiance});
 }

@@ -100,6 +100,7 @@ struct contribution renderer_contribution(const struct renderer *renderer);
 /* As the settings have it, EV. */
 float renderer_exposure(const struct renderer *renderer);
 
-void renderer_outputs(const struct renderer *renderer, struct technique_outputs *outputs);
+/* What there is to look at: the G-buffer, the technique's, the irradiance. */
+void renderer_outputs(const struct renderer *renderer, struct output_list *outputs);
 
 #endif

@@ -150,11 +150,19 @@ struct contribution many_lights_contribution(const struct many_lights *lights) {
     return (struct contribution){.irradiance = &lights->blur.blurred};
 }
 
-void many_lights_outputs(const struct many_lights *lights, struct technique_outputs *outputs) {
-    *outputs = (struct technique_outputs){
-        .gathered = &lights->gather.irradiance,
-        .rsm = &lights->rsm,
-        .vpls = &lights->vpls,
-        .visibility = &lights->gather.desc.visibility,
+void many_lights_outputs(const struct many_lights *lights, const struct vpl_buffer *vpls,
+                         struct output_list *outputs) {
+    const struct output rows[] = {
+        {"rsm-normal", "reflective shadow map: what the light sees", OUTPUT_NORMAL,
+         &lights->rsm.normal},
+        {"rsm-albedo", "reflective shadow map: the surfaces' own colours", OUTPUT_ALBEDO,
+         &lights->rsm.albedo},
+        {"rsm-depth", "reflective shadow map: near to the light is bright", OUTPUT_LIGHT_DEPTH,
+         &lights->rsm.depth},
+        {"vpl", "virtual point lights, in the colour of their light", OUTPUT_VPLS, vpls},
+        {"gathered", "irradiance before the blur, in tiles of the pattern", OUTPUT_IRRADIANCE,
+         &lights->gather.irradiance},
     };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        output_add(outputs, &rows[i]);
 }

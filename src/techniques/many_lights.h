@@ -109,6 +109,8 @@ void many_lights_finish(const struct many_lights *lights, const struct frame *fr
 
 struct contribution many_lights_contribution(const struct many_lights *lights);
 
-void many_lights_outputs(const struct many_lights *lights, struct technique_outputs *outputs);
+/* As technique->outputs; the VPLs as they are made, or as a technique has them with what it adds. */
+void many_lights_outputs(const struct many_lights *lights, const struct vpl_buffer *vpls,
+                         struct output_list *outputs);
 
 #endif

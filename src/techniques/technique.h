@@ -5,8 +5,8 @@
 
 #include "base/settings.h"
 #include "passes/frame.h"
-#include "passes/visibility/visibility.h"
 #include "scene/gpu/caster_pool.h"
+#include "techniques/output.h"
 
 struct technique_desc {
     const struct settings *settings;
@@ -15,20 +15,6 @@ struct technique_desc {
     struct caster_pool *casters;     /* of the geometry; moved with it */
     int width, height;
     int light_views;
-};
-
-/* What there is to look at after a frame; NULL where a technique has no such thing. */
-struct technique_outputs {
-    const struct irradiance *gathered; /* in tiles, before the blur */
-    const struct gbuffer *rsm;
-    const struct vpl_buffer *vpls;
-    const struct map_views *val_views;
-    const struct texture *val_positions, *val_normals, *val_fluxes; /* M x 1 */
-    const struct texture *val_extremes; /* bounding rectangles: max s, max t, -min s, -min t */
-    const struct visibility_desc
-        *visibility; /* how maps are looked up; by blocks, where they are */
-    const struct depth_maps *depth_maps;
-    const struct basis_maps *basis_maps;
 };
 
 /* A named choice of settings. */
@@ -57,7 +43,8 @@ struct technique {
     void (*render_lights)(void *state, const struct frame *frame);
     void (*render_view)(void *state, const struct frame *frame, const struct gbuffer *gbuffer);
     struct contribution (*contribution)(const void *state);
-    void (*outputs)(const void *state, struct technique_outputs *outputs);
+    /* Adds what there is to look at; NULL: nothing. */
+    void (*outputs)(const void *state, struct output_list *outputs);
 };
 
 /* All there are; their order means nothing. Null-terminated. */

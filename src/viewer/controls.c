@@ -11,7 +11,7 @@
 
 static void show_layer(struct viewer *viewer, int layer) {
     viewer->layer = layer;
-    viewer->choice.kind = SHOW_PICTURE;
+    viewer->choice.output = NULL;
     viewer->compare.measured = false;
     viewer->recompose = true;
 }
@@ -27,11 +27,11 @@ static void key_direct(struct viewer *viewer) {
 }
 static void key_next(struct viewer *viewer) {
     if (viewer->has_scene)
-        viewer_step_buffer(viewer, 1);
+        viewer_step_output(viewer, 1);
 }
 static void key_previous(struct viewer *viewer) {
     if (viewer->has_scene)
-        viewer_step_buffer(viewer, -1);
+        viewer_step_output(viewer, -1);
 }
 static void key_home(struct viewer *viewer) {
     if (viewer->has_scene)
@@ -77,8 +77,8 @@ static const struct key {
     {'1', "1", "all light", key_full},
     {'2', "2", "indirect light alone", key_indirect},
     {'3', "3", "direct light alone", key_direct},
-    {KEY_LEFT_BRACKET, "[", "previous buffer of the frame", key_previous},
-    {KEY_RIGHT_BRACKET, "]", "next buffer", key_next},
+    {KEY_LEFT_BRACKET, "[", "previous output of the technique", key_previous},
+    {KEY_RIGHT_BRACKET, "]", "next output", key_next},
     {'L', "L", "handles to move and turn the light", key_light},
     {'C', "C", "compare: a technique, the reference, off", key_wipe},
     {'M', "M", "compare: right picture alone, or the wipe", key_toggle},
@@ -204,23 +204,24 @@ static void click_layer(struct viewer *viewer, float x, float y) {
 }
 
 static void click_cluster(struct viewer *viewer, float x, float y) {
-    int val = pick_nearest_val(&viewer->renderer, x, y);
+    int val = probe_nearest_val(&viewer->renderer, x, y);
     if (val < 0)
         return;
-    viewer->choice.kind = SHOW_VISIBILITY;
+    viewer->choice.output = inspect_find(&viewer->renderer, OUTPUT_VISIBILITY);
     viewer->choice.layer = viewer->choice.chosen = val;
     viewer->recompose = true;
 }
 
 static void click(struct viewer *viewer) {
     const struct rectangle *picture = &viewer->picture;
+    const char *output = viewer->choice.output;
     float x = (float)(viewer->input->x - picture->x) / (float)picture->width;
     float y = (float)(viewer->input->y - picture->y) / (float)picture->height;
     if (x < 0 || y < 0 || x >= 1 || y >= 1)
         return;
-    if (inspect_layers(&viewer->renderer, viewer->choice.kind) > 1)
+    if (inspect_layers(&viewer->renderer, output) > 1)
         click_layer(viewer, x, y);
-    else if (viewer->choice.kind == SHOW_CLUSTERS)
+    else if (inspect_is(&viewer->renderer, output, OUTPUT_VALS))
         click_cluster(viewer, x, y);
     else
         viewer_pick_surface(viewer, x, y);

@@ -49,12 +49,14 @@ static void draw_statistics(struct viewer *viewer) {
     if (fps > 0)
         ui_value("pictures a second", "%.1f", fps);
     ui_value("faces", "%u", geometry_triangle_count(&viewer->document.geometry));
-    struct technique_outputs outputs = {0};
+    struct output_list outputs;
     renderer_outputs(&viewer->renderer, &outputs);
-    if (outputs.vpls)
-        ui_value("VPLs", "%d", outputs.vpls->count);
-    if (outputs.val_views)
-        ui_value("VALs", "%d", outputs.val_views->count);
+    const struct vpl_buffer *vpls = output_vpls(&outputs);
+    const struct val_output *vals = output_vals(&outputs);
+    if (vpls)
+        ui_value("VPLs", "%d", vpls->count);
+    if (vals)
+        ui_value("VALs", "%d", vals->maps.views->count);
     ui_value("size", "%d x %d%s", desc->width, desc->height, viewer->moving ? " while moving" : "");
     ui_value("GPU memory", "%.0f MiB", (double)gpu_memory_total() / (1 << 20));
     if (context_is_software(viewer->context))
@@ -152,7 +154,7 @@ static void draw_split(const struct viewer *viewer) {
 static void draw_pick(const struct viewer *viewer) {
     const struct rectangle *picture = &viewer->picture;
     float place[2], aspect = (float)picture->width / (float)picture->height;
-    if (!viewer->has_pick || viewer->choice.kind != SHOW_PICTURE ||
+    if (!viewer->has_pick || viewer->choice.output ||
         !camera_project(&viewer->placed.orbit.camera, viewer->pick.position, aspect, place) ||
         place[0] < 0 || place[0] > 1 || place[1] < 0 || place[1] > 1)
         return;

@@ -206,32 +206,36 @@ static bool draw_presets(const struct technique *technique, struct settings *set
     return changed;
 }
 
-/* Those that the technique has. */
-static void draw_buffer(struct viewer *viewer) {
+/* A choice among the picture and the outputs there are. */
+static void draw_output_choice(struct viewer *viewer) {
     struct inspect_choice *choice = &viewer->choice;
-    const char *names[SHOW_COUNT];
-    int kinds[SHOW_COUNT], count = 0, shown = 0;
-    for (int kind = 0; kind < SHOW_COUNT; kind++)
-        if (inspect_layers(&viewer->renderer, (enum inspect_kind)kind) > 0) {
-            if (kind == (int)choice->kind)
-                shown = count;
-            kinds[count] = kind;
-            names[count++] = inspect_rows[kind].name;
-        }
-    struct ui_row row = {
-        .name = "buffer", .help = inspect_rows[choice->kind].help, .differs = shown > 0};
-    enum ui_result result = ui_choice(&row, &shown, names, count);
+    struct output_list outputs;
+    const char *names[OUTPUTS_MAX + 1] = {"picture"};
+    renderer_outputs(&viewer->renderer, &outputs);
+    for (int i = 0; i < outputs.count; i++)
+        names[i + 1] = outputs.items[i].name;
+    const struct output *output = output_find(&outputs, choice->output);
+    int shown = output ? (int)(output - outputs.items) + 1 : 0;
+    struct ui_row row = {.name = "output",
+                         .help = output ? output->help : "what the technique makes",
+                         .differs = output};
+    enum ui_result result = ui_choice(&row, &shown, names, outputs.count + 1);
     if (result != UI_NOTHING) {
-        choice->kind = result == UI_RESET ? SHOW_PICTURE : (enum inspect_kind)kinds[shown];
+        choice->output = result == UI_RESET || shown == 0 ? NULL : names[shown];
         choice->layer = -1;
         viewer->recompose = true;
     }
-    int layers = inspect_layers(&viewer->renderer, choice->kind);
-    struct ui_row layer = {.name = "layer",
-                           .help = "one alone, or a sheet of all; a click on one shows it",
-                           .least = "all",
-                           .differs = choice->layer >= 0};
-    if (layers > 1 && (result = ui_int(&layer, &choice->layer, -1, layers - 1)) != UI_NOTHING) {
+}
+
+static void draw_layer_choice(struct viewer *viewer) {
+    struct inspect_choice *choice = &viewer->choice;
+    int layers = inspect_layers(&viewer->renderer, choice->output);
+    struct ui_row row = {.name = "layer",
+                         .help = "one alone, or a sheet of all; a click on one shows it",
+                         .least = "all",
+                         .differs = choice->layer >= 0};
+    enum ui_result result = layers > 1 ? ui_int(&row, &choice->layer, -1, layers - 1) : UI_NOTHING;
+    if (result != UI_NOTHING) {
         choice->layer = result == UI_RESET ? -1 : choice->layer;
         viewer->recompose = true;
     }
@@ -240,18 +244,19 @@ static void draw_buffer(struct viewer *viewer) {
 static void draw_picture(struct viewer *viewer) {
     static const char *const names[] = {"full", "indirect", "direct"};
     static const int layers[] = {LAYER_BEAUTY, LAYER_INDIRECT, LAYER_DIRECT};
-    int shown = -1; /* none of them while a buffer is looked at */
+    int shown = -1; /* none of them while an output is looked at */
     for (int i = 0; i < 3; i++)
-        if (layers[i] == viewer->layer && viewer->choice.kind == SHOW_PICTURE)
+        if (layers[i] == viewer->layer && !viewer->choice.output)
             shown = i;
     if (ui_segments("light", &shown, names, 3)) {
         viewer->layer = layers[shown];
-        viewer->choice.kind = SHOW_PICTURE;
+        viewer->choice.output = NULL;
         viewer->compare.measured = false;
         viewer->recompose = true;
     }
     ui_space();
-    draw_buffer(viewer);
+    draw_output_choice(viewer);
+    draw_layer_choice(viewer);
     if (draw_part(&picture_part, &viewer->settings)) {
         /* Both pictures are shown alike. */
         settings_copy(&viewer->compare.settings, &viewer->settings, &picture_part);
@@ -351,6 +356,30 @@ static void draw_triple(const char *name, const float values[3]) {
     ui_value(name, "%.4g  %.4g  %.4g", (double)values[0], (double)values[1], (double)values[2]);
 }
 
+/* The VALs that bring most; one that is chosen shows its shadow. */
+static void draw_vals(struct viewer *viewer, const struct pick *pick) {
+    struct inspect_choice *choice = &viewer->choice;
+    if (pick->val_count)
+        ui_text(UI_DIM, "lit by");
+    for (int i = 0; i < pick->val_count; i++) {
+        const struct pick_val *val = &pick->vals[i];
+        char name[32], share[32], visible[32];
+        unsigned char rgb[3];
+        bool chosen = choice->layer == val->val &&
+                      inspect_is(&viewer->renderer, choice->output, OUTPUT_VISIBILITY);
+        snprintf(name, sizeof name, "VAL %d", val->val);
+        snprintf(share, sizeof share, "%.1f %%", 100 * (double)val->share);
+        snprintf(visible, sizeof visible, "visible %.0f %%", 100 * (double)val->visibility);
+        marks_cluster_color(val->val, rgb);
+        if (ui_list_item(UI_RGBA(rgb[0], rgb[1], rgb[2], 255), name, share, visible, val->share,
+                         chosen)) {
+            choice->output = inspect_find(&viewer->renderer, OUTPUT_VISIBILITY);
+            choice->layer = choice->chosen = val->val;
+            viewer->recompose = true;
+        }
+    }
+}
+
 static void draw_surface(struct viewer *viewer) {
     const struct pick *pick = &viewer->pick;
     if (!viewer->has_pick) {
@@ -364,21 +393,7 @@ static void draw_surface(struct viewer *viewer) {
     draw_triple("direct, on white", pick->direct);
     draw_triple("indirect, on white", pick->indirect);
     ui_space();
-    if (pick->val_count)
-        ui_text(UI_DIM, "lit by");
-    for (int i = 0; i < pick->val_count; i++) {
-        const struct pick_val *val = &pick->vals[i];
-        char name[32], share[32], visible[32];
-        bool chosen = viewer->choice.kind == SHOW_VISIBILITY && viewer->choice.layer == val->val;
-        snprintf(name, sizeof name, "VAL %d", val->val);
-        snprintf(share, sizeof share, "%.1f %%", 100 * (double)val->share);
-        snprintf(visible, sizeof visible, "visible %.0f %%", 100 * (double)val->visibility);
-        if (ui_list_item(marks_cluster_color(val->val), name, share, visible, val->share, chosen)) {
-            viewer->choice.kind = SHOW_VISIBILITY;
-            viewer->choice.layer = viewer->choice.chosen = val->val;
-            viewer->recompose = true;
-        }
-    }
+    draw_vals(viewer, pick);
 }
 
 /* --- session --- */

@@ -114,12 +114,12 @@ static bool prepare_choice(struct viewer *viewer) {
     choice->width = viewer->area.width;
     choice->height = viewer->area.height;
     choice->scale = viewer->input->scale;
-    int layers = inspect_layers(&viewer->renderer, choice->kind);
+    int layers = inspect_layers(&viewer->renderer, choice->output);
     if (layers == 0) /* the technique before had it */
-        choice->kind = SHOW_PICTURE;
+        choice->output = NULL;
     if (choice->layer >= layers)
         choice->layer = -1;
-    return choice->kind != SHOW_PICTURE;
+    return choice->output;
 }
 
 static void compose(struct viewer *viewer) {
@@ -139,7 +139,7 @@ static void compose(struct viewer *viewer) {
         viewer->left = &viewer->inspect.canvas;
     } else {
         viewer_tell_error(viewer);
-        viewer->choice.kind = SHOW_PICTURE;
+        viewer->choice.output = NULL;
     }
 }
 
@@ -180,18 +180,22 @@ void viewer_measure_all(struct viewer *viewer) {
     measure(viewer, true);
 }
 
-void viewer_step_buffer(struct viewer *viewer, int step) {
+void viewer_step_output(struct viewer *viewer, int step) {
     struct inspect_choice *choice = &viewer->choice;
-    do
-        choice->kind = (enum inspect_kind)((choice->kind + SHOW_COUNT + step) % SHOW_COUNT);
-    while (inspect_layers(&viewer->renderer, choice->kind) == 0);
+    struct output_list outputs;
+    renderer_outputs(&viewer->renderer, &outputs);
+    const struct output *shown = output_find(&outputs, choice->output);
+    int places = outputs.count + 1; /* 0: the picture */
+    int at = shown ? (int)(shown - outputs.items) + 1 : 0;
+    at = (at + places + step) % places;
+    choice->output = at > 0 ? outputs.items[at - 1].name : NULL;
     choice->layer = -1;
     viewer->recompose = true;
 }
 
 void viewer_pick_surface(struct viewer *viewer, float x, float y) {
     struct pick pick;
-    if (!pick_at(&pick, &viewer->renderer, x, y)) {
+    if (!probe_pick(&viewer->probe, &viewer->renderer, x, y, &pick)) {
         viewer_tell_error(viewer);
         return;
     }

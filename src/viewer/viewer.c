@@ -47,6 +47,7 @@ void viewer_reload_shaders(struct viewer *viewer) {
         messages_add(&viewer->messages, UI_NORMAL, "shaders read from %s", viewer->desc.glsl);
     else
         viewer_tell_error(viewer);
+    probe_free(&viewer->probe);
     compare_forget(&viewer->compare);
     viewer->left = viewer->right = NULL;
     viewer->dirty = true;
@@ -170,6 +171,7 @@ static void close_window(struct viewer *viewer) {
         compare_free(&viewer->compare);
         screen_free(&viewer->screen);
         inspect_free(&viewer->inspect);
+        probe_free(&viewer->probe);
         ui_free();
     }
     context_free(viewer->context);

@@ -7,15 +7,15 @@
 #define VIEWER_VIEWER_H
 
 #include "gl/context.h"
+#include "inspect/inspect.h"
+#include "inspect/probe.h"
 #include "renderer/renderer.h"
 #include "viewer/compare.h"
-#include "viewer/inspect.h"
 #include "viewer/light_tool.h"
 #include "viewer/loader.h"
 #include "viewer/messages.h"
 #include "viewer/orbit.h"
 #include "viewer/pace.h"
-#include "viewer/pick.h"
 #include "viewer/screen.h"
 #include "viewer/session.h"
 #include "viewer/window.h"
@@ -70,9 +70,10 @@ struct viewer {
     /* What is shown. */
     int layer; /* LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
     struct inspect inspect;
-    struct inspect_choice choice; /* SHOW_PICTURE, or a buffer */
+    struct inspect_choice choice; /* an output, or none */
     struct compare compare;
     struct light_tool light_tool;
+    struct probe probe;
     struct pick pick;
     bool has_pick;
     double pick_motion; /* pace.last_motion when it was read */
@@ -165,8 +166,8 @@ void viewer_full_size(const struct viewer *viewer, int *width, int *height);
 /* Renders and composes what has changed. */
 void viewer_update_picture(struct viewer *viewer);
 
-/* Shows the next buffer that the technique has, or the one before. */
-void viewer_step_buffer(struct viewer *viewer, int step);
+/* Shows the next output, or the one before; the picture stands before the first. */
+void viewer_step_output(struct viewer *viewer, int step);
 
 /* Reads what lies at a place of the picture, 0 to 1, y down. */
 void viewer_pick_surface(struct viewer *viewer, float x, float y);

@@ -59,6 +59,7 @@ struct clustered {
     struct basis_pass basis;
     struct block_visibility_pass blocks;
     bool convolve, share;
+    struct val_output vals;
 };
 
 static void free_state(void *state) {
@@ -124,6 +125,26 @@ static bool init_blocks(struct clustered *technique, const struct technique_desc
                });
 }
 
+/* Where the last means are changes from frame to frame. */
+static void find_centers(struct clustered *technique) {
+    const struct val_targets *centers = cluster_pass_centers(&technique->cluster);
+    technique->vals.positions = &centers->position;
+    technique->vals.normals = &centers->normal;
+    technique->vals.fluxes = &centers->flux;
+}
+
+static void describe_vals(struct clustered *technique) {
+    technique->vals = (struct val_output){
+        .extremes = &technique->cluster.extremes,
+        .visibility = technique->share ? &technique->blocks.desc.visibility
+                                       : &technique->lights.gather.desc.visibility,
+        .maps = {.views = &technique->cluster.views,
+                 .depth = &technique->paraboloid.maps,
+                 .bases = technique->convolve ? &technique->basis.maps : NULL},
+    };
+    find_centers(technique);
+}
+
 static bool init(void **state, const struct technique_desc *desc) {
     const struct clustered_settings *own = settings_of(desc->settings, &own_part);
     struct clustered *technique = *state = mem_alloc(1, sizeof *technique);
@@ -137,6 +158,7 @@ static bool init(void **state, const struct technique_desc *desc) {
     enum visibility_lookup lookup = lookups[own->visibility];
     /* A pixel on its own, at a silhouette, needs no soft shadow: its VPLs' maps all differ. */
     bool own_hard = technique->share && lookup == VISIBILITY_LOOKUP_PCSS;
+    describe_vals(technique);
     return many_lights_init(&technique->lights, desc,
                             &(struct many_lights_visibility){
                                 .lookup = own_hard ? VISIBILITY_LOOKUP_HARD : lookup,
@@ -175,6 +197,7 @@ static void render_lights(void *state, const struct frame *frame) {
     many_lights_render_vpls(&technique->lights, frame);
     cluster_pass_render(&technique->cluster, frame, &technique->lights.vpls);
     render_maps(technique, frame);
+    find_centers(technique);
 }
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
@@ -201,20 +224,35 @@ static struct contribution contribution(const void *state) {
     return many_lights_contribution(&technique->lights);
 }
 
-static void outputs(const void *state, struct technique_outputs *outputs) {
+static void add_bases(const struct basis_maps *maps, struct output_list *outputs) {
+    const struct output rows[] = {
+        {"basis-cos", "Fourier bases cos c_k z of the depth maps; three terms as RGB", OUTPUT_BASIS,
+         &maps->cos},
+        {"basis-sin", "Fourier bases sin c_k z; three terms as RGB", OUTPUT_BASIS, &maps->sin},
+        {"basis-z-cos", "z cos c_k z, for the mean depth of blockers", OUTPUT_SIGNED_BASIS,
+         &maps->z_cos},
+        {"basis-z-sin", "z sin c_k z, for the mean depth of blockers", OUTPUT_SIGNED_BASIS,
+         &maps->z_sin},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        output_add(outputs, &rows[i]);
+}
+
+static void outputs(const void *state, struct output_list *outputs) {
     const struct clustered *technique = state;
-    const struct val_targets *centers = cluster_pass_centers(&technique->cluster);
-    many_lights_outputs(&technique->lights, outputs);
-    outputs->vpls = &technique->cluster.vpls;
-    if (technique->share)
-        outputs->visibility = &technique->blocks.desc.visibility;
-    outputs->val_views = &technique->cluster.views;
-    outputs->val_positions = &centers->position;
-    outputs->val_normals = &centers->normal;
-    outputs->val_fluxes = &centers->flux;
-    outputs->val_extremes = &technique->cluster.extremes;
-    outputs->depth_maps = &technique->paraboloid.maps;
-    outputs->basis_maps = technique->convolve ? &technique->basis.maps : NULL;
+    const struct output rows[] = {
+        {"val", "clusters: VPLs in the colour of their VAL, with its rectangle and normal",
+         OUTPUT_VALS, &technique->vals},
+        {"val-depth", "paraboloid depth maps from the VALs", OUTPUT_MAP_DEPTH,
+         &technique->paraboloid.maps},
+        {"visibility", "the soft shadow of each VAL alone [Dong 2009 Fig. 9]", OUTPUT_VISIBILITY,
+         &technique->vals},
+    };
+    many_lights_outputs(&technique->lights, &technique->cluster.vpls, outputs);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        output_add(outputs, &rows[i]);
+    if (technique->convolve)
+        add_bases(&technique->basis.maps, outputs);
 }
 
 static const struct settings_part *const parts[] = {

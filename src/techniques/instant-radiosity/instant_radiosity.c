@@ -92,10 +92,11 @@ static struct contribution contribution(const void *state) {
     return many_lights_contribution(&technique->lights);
 }
 
-static void outputs(const void *state, struct technique_outputs *outputs) {
+static void outputs(const void *state, struct output_list *outputs) {
     const struct instant_radiosity *technique = state;
-    many_lights_outputs(&technique->lights, outputs);
-    outputs->depth_maps = &technique->paraboloid.maps;
+    many_lights_outputs(&technique->lights, &technique->lights.vpls, outputs);
+    output_add(outputs, &(struct output){"vpl-depth", "paraboloid depth maps of the last VPLs",
+                                         OUTPUT_MAP_DEPTH, &technique->paraboloid.maps});
 }
 
 static const struct settings_part *const parts[] = {

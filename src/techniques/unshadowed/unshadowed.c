@@ -37,8 +37,9 @@ static struct contribution contribution(const void *state) {
     return many_lights_contribution(state);
 }
 
-static void outputs(const void *state, struct technique_outputs *outputs) {
-    many_lights_outputs(state, outputs);
+static void outputs(const void *state, struct output_list *outputs) {
+    const struct many_lights *lights = state;
+    many_lights_outputs(lights, &lights->vpls, outputs);
 }
 
 static const struct settings_part *const parts[] = {&lights_part, &gather_part, &blur_part, NULL};

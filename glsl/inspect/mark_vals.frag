@@ -1,5 +1,5 @@
-#include "viewer/mark.glsl"
-#include "viewer/mark_depth.glsl"
+#include "inspect/mark.glsl"
+#include "inspect/mark_depth.glsl"
 
 flat in vec3 mark_color;
 flat in float strength;

@@ -1,11 +1,9 @@
-#include "viewer/pick.h"
+#include "inspect/probe.h"
 
 #include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
-#include "gl/program.h"
 #include "shared/probe.h"
-#include "shared/visibility.h"
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>
@@ -55,67 +53,48 @@ static bool read_surface(struct pick *pick, struct renderer *renderer, float x, 
 
 /* --- visibility of each VAL at the point --- */
 
-struct probe {
-    GLuint program, framebuffer;
-    struct texture lit; /* M x 1 */
-    struct buffer params, visibility_params;
-};
-
-static bool probe_init(struct probe *probe, const struct visibility_desc *desc) {
-    *probe = (struct probe){0};
-    char *defines = visibility_defines(desc);
-    bool ok =
-        program_init(&probe->program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                             .fragment = "viewer/probe.frag",
-                                                             .defines = defines}) &&
-        texture_init(&probe->lit, &(struct texture_desc){.label = "probe",
-                                                         .format = GL_R32F,
-                                                         .width = desc->map_count}) &&
-        framebuffer_init(&probe->framebuffer,
-                         &(struct framebuffer_desc){.label = "probe", .colors = {&probe->lit}}) &&
-        buffer_init(&probe->params, "probe parameters", sizeof(struct probe_params), NULL) &&
-        buffer_init(&probe->visibility_params, "probe visibility parameters",
-                    sizeof(struct visibility_params), NULL);
-    free(defines);
-    return ok;
-}
-
-static void probe_free(struct probe *probe) {
-    program_free(&probe->program);
+void probe_free(struct probe *probe) {
+    lookup_free(&probe->lookup);
     framebuffer_free(&probe->framebuffer);
     texture_free(&probe->lit);
     buffer_free(&probe->params);
-    buffer_free(&probe->visibility_params);
+    *probe = (struct probe){0};
 }
 
-static bool read_visibility(const struct pick *pick, const struct technique_outputs *outputs,
-                            float *lit) {
-    struct probe probe;
-    bool ok = probe_init(&probe, outputs->visibility);
-    if (ok) {
-        struct probe_params params = {.position = {0}};
-        int count = outputs->visibility->map_count;
-        memcpy(params.position, pick->position, sizeof pick->position);
-        memcpy(params.normal, pick->normal, sizeof pick->normal);
-        buffer_write(&probe.params, 0, sizeof params, &params);
-        struct pass_state state = {
-            .name = "probe",
-            .program = probe.program,
-            .framebuffer = probe.framebuffer,
-            .width = count,
-            .height = 1,
-            .blocks = {{BLOCK_PASS, &probe.params}},
-        };
-        visibility_add(&state, outputs->visibility, &probe.visibility_params,
-                       &(struct visibility_inputs){.views = outputs->val_views,
-                                                   .depth = outputs->depth_maps,
-                                                   .bases = outputs->basis_maps});
-        pass_set_state(&state);
-        pass_draw_fullscreen(1);
-        gl.GetTextureImage(probe.lit.id, 0, GL_RED, GL_FLOAT, count * (GLsizei)sizeof *lit, lit);
-    }
-    probe_free(&probe);
-    return ok;
+/* A pixel for each VAL. */
+static bool fit(struct probe *probe, const struct val_output *vals) {
+    int count = vals->maps.views->count;
+    if (probe->framebuffer && probe->lit.desc.width == count)
+        return lookup_fit(&probe->lookup, "inspect/probe.frag", vals->visibility);
+    probe_free(probe);
+    return lookup_fit(&probe->lookup, "inspect/probe.frag", vals->visibility) &&
+           texture_init(
+               &probe->lit,
+               &(struct texture_desc){.label = "probe", .format = GL_R32F, .width = count}) &&
+           buffer_init(&probe->params, "probe parameters", sizeof(struct probe_params), NULL) &&
+           framebuffer_init(&probe->framebuffer,
+                            &(struct framebuffer_desc){.label = "probe", .colors = {&probe->lit}});
+}
+
+static void read_visibility(const struct probe *probe, const struct pick *pick,
+                            const struct val_output *vals, float *lit) {
+    struct probe_params params = {.position = {0}};
+    int count = probe->lit.desc.width;
+    memcpy(params.position, pick->position, sizeof pick->position);
+    memcpy(params.normal, pick->normal, sizeof pick->normal);
+    buffer_write(&probe->params, 0, sizeof params, &params);
+    struct pass_state state = {
+        .name = "probe",
+        .program = probe->lookup.program,
+        .framebuffer = probe->framebuffer,
+        .width = count,
+        .height = 1,
+        .blocks = {{BLOCK_PASS, &probe->params}},
+    };
+    visibility_add(&state, vals->visibility, &probe->lookup.params, &vals->maps);
+    pass_set_state(&state);
+    pass_draw_fullscreen(1);
+    gl.GetTextureImage(probe->lit.id, 0, GL_RED, GL_FLOAT, count * (GLsizei)sizeof *lit, lit);
 }
 
 /* --- what each VAL brings --- */
@@ -139,11 +118,12 @@ static int brightest_first(const void *a, const void *b) {
     return (x->share < y->share) - (x->share > y->share);
 }
 
-static void sum_vals(struct pick *pick, const struct technique_outputs *outputs, const float *lit) {
-    int count = outputs->visibility->map_count, vpl_count = outputs->vpls->count;
+static void sum_vals(struct pick *pick, const struct vpl_buffer *buffer, int count,
+                     const float *lit) {
+    int vpl_count = buffer->count;
     struct vpl *vpls = mem_alloc((size_t)vpl_count, sizeof *vpls);
     struct pick_val *vals = mem_alloc((size_t)count, sizeof *vals);
-    buffer_read(&outputs->vpls->buffer, 0, (size_t)vpl_count * sizeof *vpls, vpls);
+    buffer_read(&buffer->buffer, 0, (size_t)vpl_count * sizeof *vpls, vpls);
     float total = 0;
     for (int k = 0; k < count; k++)
         vals[k] = (struct pick_val){.val = k, .visibility = lit[k]};
@@ -166,32 +146,37 @@ static void sum_vals(struct pick *pick, const struct technique_outputs *outputs,
     free(vals);
 }
 
-bool pick_at(struct pick *pick, struct renderer *renderer, float x, float y) {
-    struct technique_outputs outputs;
+bool probe_pick(struct probe *probe, struct renderer *renderer, float x, float y,
+                struct pick *pick) {
+    struct output_list outputs;
     renderer_outputs(renderer, &outputs);
+    const struct val_output *vals = output_vals(&outputs);
     *pick = (struct pick){0};
     if (!read_surface(pick, renderer, x, y))
         return false;
-    if (!pick->present || !outputs.val_views)
+    if (!pick->present || !vals)
         return true;
-    float *lit = mem_alloc((size_t)outputs.visibility->map_count, sizeof *lit);
-    bool ok = read_visibility(pick, &outputs, lit);
-    if (ok)
-        sum_vals(pick, &outputs, lit);
+    if (!fit(probe, vals))
+        return false;
+    int count = vals->maps.views->count;
+    float *lit = mem_alloc((size_t)count, sizeof *lit);
+    read_visibility(probe, pick, vals, lit);
+    sum_vals(pick, output_vpls(&outputs), count, lit);
     free(lit);
-    return ok;
+    return true;
 }
 
-int pick_nearest_val(struct renderer *renderer, float x, float y) {
-    struct technique_outputs outputs;
+int probe_nearest_val(struct renderer *renderer, float x, float y) {
+    struct output_list outputs;
     renderer_outputs(renderer, &outputs);
-    if (!outputs.val_positions)
+    const struct val_output *vals = output_vals(&outputs);
+    if (!vals)
         return -1;
-    int count = outputs.val_views->count, nearest = -1;
+    int count = vals->maps.views->count, nearest = -1;
     float aspect = (float)renderer->desc.width / (float)renderer->desc.height, least = .05F;
     float(*centers)[4] = mem_alloc((size_t)count, sizeof *centers);
-    gl.GetTextureImage(outputs.val_positions->id, 0, GL_RGBA, GL_FLOAT,
-                       count * (GLsizei)sizeof *centers, centers);
+    gl.GetTextureImage(vals->positions->id, 0, GL_RGBA, GL_FLOAT, count * (GLsizei)sizeof *centers,
+                       centers);
     for (int k = 0; k < count; k++) {
         float at[2];
         if (centers[k][3] <= 0 || !camera_project(&renderer->desc.camera, centers[k], aspect, at))

@@ -1,6 +1,6 @@
 // The soft shadow of a VAL alone [Dong 2009 Fig. 9], or a sheet of all of them.
 #include "lib/gbuffer.glsl"
-#include "viewer/inspect.glsl"
+#include "inspect/inspect.glsl"
 #include "visibility/visibility.glsl"
 
 layout(location = TARGET_RESULT) out vec4 color;

@@ -1,6 +1,6 @@
 // A buffer of the frame as colours.
 #include "lib/camera.glsl"
-#include "viewer/inspect.glsl"
+#include "inspect/inspect.glsl"
 #include "lib/light.glsl"
 #include "lib/octahedral.glsl"
 #include "picture/srgb.glsl"

@@ -1,5 +1,5 @@
 // A VPL as a disc.
-#include "viewer/mark.glsl"
+#include "inspect/mark.glsl"
 #include "lib/vpl_input.glsl"
 
 flat out vec3 mark_color;

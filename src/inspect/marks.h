@@ -1,10 +1,9 @@
 /* Points and lines over the picture of a scene: VPLs, and VALs with their rectangles and normals.
  */
-#ifndef VIEWER_MARKS_H
-#define VIEWER_MARKS_H
+#ifndef INSPECT_MARKS_H
+#define INSPECT_MARKS_H
 
-#include "passes/frame.h"
-#include "techniques/technique.h"
+#include "techniques/output.h"
 
 struct marks {
     GLuint point_program, val_program;
@@ -14,10 +13,11 @@ struct marks {
 struct marks_desc {
     GLuint framebuffer; /* of the picture's size */
     int width, height;
-    float scale;     /* of the monitor */
+    float scale;                   /* of the monitor */
+    const struct vpl_buffer *vpls; /* NULL: none */
+    const struct val_output *vals;
     bool by_cluster; /* VPLs in their VAL's colour, else in that of their light */
-    bool with_vpls, with_vals;
-    int chosen; /* VAL that stands out; -1 = none */
+    int chosen;      /* VAL that stands out; -1 = none */
     bool only_chosen;
     float usual_flux; /* W of a usual VPL */
 };
@@ -26,9 +26,9 @@ bool marks_init(struct marks *marks);
 void marks_free(struct marks *marks);
 
 void marks_draw(const struct marks *marks, const struct frame *frame, const struct gbuffer *gbuffer,
-                const struct technique_outputs *outputs, const struct marks_desc *desc);
+                const struct marks_desc *desc);
 
-/* The colour of VAL k: glsl/viewer/mark.glsl's. */
-uint32_t marks_cluster_color(int k);
+/* The colour of VAL k: glsl/inspect/mark.glsl's. */
+void marks_cluster_color(int k, unsigned char rgb[3]);
 
 #endif

@@ -1,6 +1,6 @@
 // A VAL as its bounding rectangle and its normal: instance k, five lines of two triangles each.
 #include "visibility/map_views.glsl"
-#include "viewer/mark.glsl"
+#include "inspect/mark.glsl"
 
 layout(binding = UNIT_VAL_EXTREMES) uniform sampler2D val_extremes;
 layout(binding = UNIT_VAL_POSITION) uniform sampler2D val_positions; // w: count

@@ -1,10 +1,9 @@
-#include "viewer/marks.h"
+#include "inspect/marks.h"
 
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/cluster_color.h"
 #include "shared/marks.h"
-#include "viewer/ui.h"
 
 #include <math.h>
 
@@ -13,11 +12,11 @@ enum { VAL_VERTICES = 5 * 6 }; /* four edges and a normal, two triangles each */
 bool marks_init(struct marks *marks) {
     *marks = (struct marks){0};
     if (program_init(&marks->point_program,
-                     &(struct program_desc){.vertex = "viewer/mark_points.vert",
-                                            .fragment = "viewer/mark_points.frag"}) &&
+                     &(struct program_desc){.vertex = "inspect/mark_points.vert",
+                                            .fragment = "inspect/mark_points.frag"}) &&
         program_init(&marks->val_program,
-                     &(struct program_desc){.vertex = "viewer/mark_vals.vert",
-                                            .fragment = "viewer/mark_vals.frag"}) &&
+                     &(struct program_desc){.vertex = "inspect/mark_vals.vert",
+                                            .fragment = "inspect/mark_vals.frag"}) &&
         buffer_init(&marks->params, "mark parameters", sizeof(struct mark_params), NULL))
         return true;
     marks_free(marks);
@@ -58,34 +57,40 @@ static struct pass_state state_of(const struct marks *marks, const struct frame 
     };
 }
 
-void marks_draw(const struct marks *marks, const struct frame *frame, const struct gbuffer *gbuffer,
-                const struct technique_outputs *outputs, const struct marks_desc *desc) {
-    if (desc->with_vpls && outputs->vpls) {
-        struct pass_state state = state_of(marks, frame, gbuffer, desc);
-        state.program = marks->point_program;
-        state.vertex_array = outputs->vpls->vertices;
-        state.point_size = true;
-        /* Fewer VPLs, larger discs. */
-        write_params(marks, frame, desc,
-                     fminf(fmaxf(260 / sqrtf((float)outputs->vpls->count), 3), 9));
-        pass_set_state(&state);
-        pass_draw(GL_POINTS, outputs->vpls->count, 1);
-    }
-    if (desc->with_vals && outputs->val_extremes) {
-        struct pass_state state = state_of(marks, frame, gbuffer, desc);
-        state.program = marks->val_program;
-        pass_add_texture(&state, UNIT_VAL_EXTREMES, outputs->val_extremes->id);
-        pass_add_texture(&state, UNIT_VAL_POSITION, outputs->val_positions->id);
-        pass_add_block(&state, BLOCK_MAPS, &outputs->val_views->buffer);
-        write_params(marks, frame, desc, 1.6F);
-        pass_set_state(&state);
-        pass_draw(GL_TRIANGLES, VAL_VERTICES, outputs->val_views->count);
-    }
+static void draw_vpls(const struct marks *marks, const struct frame *frame,
+                      const struct gbuffer *gbuffer, const struct marks_desc *desc) {
+    struct pass_state state = state_of(marks, frame, gbuffer, desc);
+    state.program = marks->point_program;
+    state.vertex_array = desc->vpls->vertices;
+    state.point_size = true;
+    /* Fewer VPLs, larger discs. */
+    write_params(marks, frame, desc, fminf(fmaxf(260 / sqrtf((float)desc->vpls->count), 3), 9));
+    pass_set_state(&state);
+    pass_draw(GL_POINTS, desc->vpls->count, 1);
 }
 
-uint32_t marks_cluster_color(int k) {
-    long rgb[3];
+static void draw_vals(const struct marks *marks, const struct frame *frame,
+                      const struct gbuffer *gbuffer, const struct marks_desc *desc) {
+    const struct map_views *views = desc->vals->maps.views;
+    struct pass_state state = state_of(marks, frame, gbuffer, desc);
+    state.program = marks->val_program;
+    pass_add_texture(&state, UNIT_VAL_EXTREMES, desc->vals->extremes->id);
+    pass_add_texture(&state, UNIT_VAL_POSITION, desc->vals->positions->id);
+    pass_add_block(&state, BLOCK_MAPS, &views->buffer);
+    write_params(marks, frame, desc, 1.6F);
+    pass_set_state(&state);
+    pass_draw(GL_TRIANGLES, VAL_VERTICES, views->count);
+}
+
+void marks_draw(const struct marks *marks, const struct frame *frame, const struct gbuffer *gbuffer,
+                const struct marks_desc *desc) {
+    if (desc->vpls)
+        draw_vpls(marks, frame, gbuffer, desc);
+    if (desc->vals)
+        draw_vals(marks, frame, gbuffer, desc);
+}
+
+void marks_cluster_color(int k, unsigned char rgb[3]) {
     for (int c = 0; c < 3; c++)
-        rgb[c] = lrintf(255 * cluster_color(k, c));
-    return UI_RGBA(rgb[0], rgb[1], rgb[2], 255);
+        rgb[c] = (unsigned char)lrintf(255 * cluster_color(k, c));
 }

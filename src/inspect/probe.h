@@ -1,7 +1,8 @@
 /* What a surface that was clicked is, and which VALs light it. */
-#ifndef VIEWER_PICK_H
-#define VIEWER_PICK_H
+#ifndef INSPECT_PROBE_H
+#define INSPECT_PROBE_H
 
+#include "inspect/lookup.h"
 #include "renderer/renderer.h"
 
 enum { PICK_VALS_MAX = 8 };
@@ -20,12 +21,24 @@ struct pick {
     int val_count;
 };
 
+/* What asks; zeroed at first. */
+struct probe {
+    struct lookup lookup;
+    struct texture lit; /* M x 1 */
+    GLuint framebuffer;
+    struct buffer params;
+};
+
+/* Accepts a zeroed one. */
+void probe_free(struct probe *probe);
+
 /* At a place of the picture, 0 to 1, y down, of the last frame. Reads back, and so waits for the
  * GPU. Error: GPU memory, shader. */
-bool pick_at(struct pick *pick, struct renderer *renderer, float x, float y);
+bool probe_pick(struct probe *probe, struct renderer *renderer, float x, float y,
+                struct pick *pick);
 
 /* The VAL whose centre is nearest to a place of the picture, within a twentieth of its height; -1 =
  * none. */
-int pick_nearest_val(struct renderer *renderer, float x, float y);
+int probe_nearest_val(struct renderer *renderer, float x, float y);
 
 #endif

@@ -1,0 +1,196 @@
+#include "inspect/aov.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "passes/gather/blur.h"
+#include "passes/lights/val_light.h"
+#include "renderer/layer_target.h"
+#include "shared/composite.h"
+#include "shared/vpl.h"
+
+#include <cglm/cglm.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What an output's channels are filled from. */
+struct fill {
+    struct renderer *renderer;
+    const struct frame *frame;
+    const struct layer_target *target;
+    struct image *image;
+    int channel; /* the output's first */
+};
+
+/* --- drawn layers --- */
+
+/* A blur of no radius puts the tiles in order. */
+static bool fill_irradiance(const struct fill *fill, const void *source) {
+    struct renderer *renderer = fill->renderer;
+    struct composite_inputs inputs = renderer_composite_inputs(renderer);
+    struct blur_pass order;
+    if (!blur_pass_init(&order, &(struct blur_desc){.width = renderer->desc.width,
+                                                    .height = renderer->desc.height,
+                                                    .distance = 1}))
+        return false;
+    blur_pass_render(&order, fill->frame, &renderer->gbuffer, source);
+    inputs.contribution.irradiance = &order.blurred;
+    composite_pass_render_layer(&renderer->composite, fill->frame, &inputs, LAYER_INDIRECT,
+                                fill->target->framebuffer);
+    layer_target_read(fill->target, 0, 3, fill->image, fill->channel);
+    blur_pass_free(&order);
+    return true;
+}
+
+static bool fill_from_vals(const struct fill *fill, const struct val_output *vals, int first,
+                           int count) {
+    struct val_light_pass pass;
+    if (!val_light_pass_init(&pass, vals->visibility))
+        return false;
+    val_light_pass_render(&pass, fill->frame, &fill->renderer->gbuffer, &vals->maps, vals->fluxes,
+                          fill->target->framebuffer);
+    layer_target_read(fill->target, first, count, fill->image, fill->channel);
+    val_light_pass_free(&pass);
+    return true;
+}
+
+static bool fill_strongest(const struct fill *fill, const void *source) {
+    return fill_from_vals(fill, source, 0, 3);
+}
+
+static bool fill_visibility(const struct fill *fill, const void *source) {
+    return fill_from_vals(fill, source, 3, 1);
+}
+
+/* --- VPLs --- */
+
+/* The pixel that a point falls on and its distance along the view's axis; false outside. */
+static bool project(const struct renderer *renderer, const float position[3], int pixel[2],
+                    float *depth) {
+    const struct view *view = &renderer->camera_view;
+    vec4 clip, point = {position[0], position[1], position[2], 1};
+    vec3 from_eye;
+    glm_mat4_mulv((vec4 *)view->world_to_clip, point, clip);
+    if (clip[3] <= 0)
+        return false;
+    float x = (clip[0] / clip[3] * .5f + .5f) * (float)renderer->desc.width;
+    float y = (.5f - clip[1] / clip[3] * .5f) * (float)renderer->desc.height;
+    if (!(x >= 0 && y >= 0 && x < (float)renderer->desc.width && y < (float)renderer->desc.height))
+        return false;
+    pixel[0] = (int)x;
+    pixel[1] = (int)y;
+    glm_vec3_sub((float *)position, (float *)view->origin, from_eye);
+    *depth = glm_vec3_dot(from_eye, (float *)view->forward);
+    return true;
+}
+
+/* VPLs behind what the pixel shows are left out. */
+static bool fill_flux(const struct fill *fill, const void *source) {
+    const struct vpl_buffer *buffer = source;
+    size_t bytes = (size_t)buffer->count * sizeof(struct vpl);
+    struct vpl *vpls = mem_alloc(bytes, 1);
+    buffer_read(&buffer->buffer, 0, bytes, vpls);
+    int z = image_find_channel(fill->image, "Z");
+    for (int i = 0; i < buffer->count; i++) {
+        int pixel[2];
+        float depth;
+        if (vpls[i].emits <= 0 || !project(fill->renderer, vpls[i].position, pixel, &depth))
+            continue;
+        float *channels = image_at(fill->image, pixel[0], pixel[1]);
+        if (fabsf(depth - channels[z]) < .01f * fill->renderer->desc.geometry->radius)
+            glm_vec3_add(channels + fill->channel, vpls[i].flux, channels + fill->channel);
+    }
+    free(vpls);
+    return true;
+}
+
+/* --- names --- */
+
+/* Kinds that are pictures of what the camera sees; others have a shape of their own, or are layers
+ * of every file. */
+static const struct layer_kind {
+    const char *channels; /* one character each */
+    bool (*fill)(const struct fill *fill, const void *source);
+} kinds[] = {
+    [OUTPUT_IRRADIANCE] = {"RGB", fill_irradiance},
+    [OUTPUT_VPLS] = {"RGB", fill_flux},
+    [OUTPUT_VALS] = {"RGB", fill_strongest},
+    [OUTPUT_VISIBILITY] = {"Y", fill_visibility},
+};
+
+static const struct layer_kind *kind_of(const struct output *output) {
+    bool listed = output->kind < sizeof kinds / sizeof *kinds;
+    return listed && kinds[output->kind].fill ? &kinds[output->kind] : NULL;
+}
+
+/* The next of "a,b"; false at the end. */
+static bool next_name(const char **names, char *name, size_t size) {
+    if (!*names)
+        return false;
+    size_t length = strcspn(*names, ",");
+    snprintf(name, size, "%.*s", (int)length, *names);
+    *names = (*names)[length] ? *names + length + 1 : NULL;
+    return true;
+}
+
+static bool refuse(const struct renderer *renderer, const struct output_list *outputs,
+                   const char *name) {
+    char names[512] = "";
+    size_t used = 0;
+    for (int i = 0; i < outputs->count; i++)
+        if (kind_of(&outputs->items[i]) && used < sizeof names)
+            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "",
+                                     outputs->items[i].name);
+    return error_set("aov: technique '%s' has no layer '%s' to add (there are %s)",
+                     renderer->technique->name, name, used ? names : "none");
+}
+
+bool aov_check(const struct renderer *renderer, const char *names) {
+    struct output_list outputs;
+    char name[64];
+    renderer_outputs(renderer, &outputs);
+    while (next_name(&names, name, sizeof name)) {
+        const struct output *output = output_find(&outputs, name);
+        if (!output || !kind_of(output))
+            return refuse(renderer, &outputs, name);
+    }
+    return true;
+}
+
+static bool append(struct fill *fill, const struct output *output) {
+    const struct layer_kind *kind = kind_of(output);
+    char channels[256] = "";
+    size_t used = 0;
+    for (const char *c = kind->channels; *c; c++)
+        used += (size_t)snprintf(channels + used, sizeof channels - used, "%s%s.%c",
+                                 used ? " " : "", output->name, *c);
+    fill->channel = fill->image->channel_count;
+    image_add_channels(fill->image, channels);
+    return kind->fill(fill, output->source);
+}
+
+bool aov_append(struct renderer *renderer, const char *names, struct image *image) {
+    struct timers untimed = {0};
+    struct frame frame = renderer_frame(renderer);
+    struct output_list outputs;
+    struct layer_target target;
+    char name[64];
+    if (!names)
+        return true;
+    if (!aov_check(renderer, names) || !layer_target_init(&target, image->width, image->height))
+        return false;
+    renderer_outputs(renderer, &outputs);
+    frame.timers = &untimed;
+    struct fill fill = {renderer, &frame, &target, image, 0};
+    bool ok = true, added[OUTPUTS_MAX] = {false};
+    while (ok && next_name(&names, name, sizeof name)) {
+        const struct output *output = output_find(&outputs, name);
+        bool *done = &added[output - outputs.items];
+        ok = *done || append(&fill, output);
+        *done = true;
+    }
+    layer_target_free(&target);
+    return ok;
+}

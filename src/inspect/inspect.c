@@ -1,0 +1,264 @@
+#include "inspect/inspect.h"
+
+#include "base/error.h"
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "inspect/sheet.h"
+#include "shared/inspect.h"
+
+#include <cglm/util.h>
+
+#include <math.h>
+#include <string.h>
+
+enum { SHEET_GAP = 6 }; /* pixels of a monitor of scale 1 */
+
+bool inspect_init(struct inspect *inspect) {
+    *inspect = (struct inspect){0};
+    if (program_init(&inspect->program,
+                     &(struct program_desc){.vertex = "fullscreen.vert",
+                                            .fragment = "inspect/inspect.frag"}) &&
+        buffer_init(&inspect->params, "inspect parameters", sizeof(struct inspect_params), NULL) &&
+        marks_init(&inspect->marks))
+        return true;
+    inspect_free(inspect);
+    return false;
+}
+
+static void free_canvas(struct inspect *inspect) {
+    framebuffer_free(&inspect->framebuffer);
+    texture_free(&inspect->canvas);
+}
+
+void inspect_free(struct inspect *inspect) {
+    program_free(&inspect->program);
+    lookup_free(&inspect->visibility);
+    buffer_free(&inspect->params);
+    free_canvas(inspect);
+    marks_free(&inspect->marks);
+}
+
+/* --- what there is --- */
+
+/* What is shown of an output. */
+struct shown {
+    enum output_kind kind;
+    const struct vpl_buffer *vpls;
+    const struct val_output *vals;
+    const struct texture *texture; /* what is drawn, or the ground for marks */
+    int width, height, layers;     /* of one layer in its own size, and how many */
+};
+
+/* By the output's kind. Marks lie on the picture. */
+static const struct texture *texture_of(const struct renderer *renderer,
+                                        const struct output *output) {
+    switch (output->kind) {
+    case OUTPUT_IRRADIANCE:
+        return &((const struct irradiance *)output->source)->texture;
+    case OUTPUT_MAP_DEPTH:
+        return &((const struct depth_maps *)output->source)->depth;
+    case OUTPUT_VPLS:
+    case OUTPUT_VALS:
+    case OUTPUT_VISIBILITY:
+        return &renderer->composite.display;
+    default:
+        return output->source;
+    }
+}
+
+/* False where there is no such output. */
+static bool find(struct shown *shown, const struct renderer *renderer, const char *name) {
+    struct output_list outputs;
+    renderer_outputs(renderer, &outputs);
+    const struct output *output = output_find(&outputs, name);
+    if (!output)
+        return false;
+    const struct texture *texture = texture_of(renderer, output);
+    *shown = (struct shown){.kind = output->kind,
+                            .vpls = output_vpls(&outputs),
+                            .vals = output_vals(&outputs),
+                            .texture = texture,
+                            .width = texture->desc.width,
+                            .height = texture->desc.height,
+                            .layers = texture->desc.layers};
+    if (shown->kind == OUTPUT_VISIBILITY)
+        shown->layers = shown->vals->maps.views->count;
+    return true;
+}
+
+int inspect_layers(const struct renderer *renderer, const char *output) {
+    struct shown shown;
+    return find(&shown, renderer, output) ? shown.layers : 0;
+}
+
+const char *inspect_find(const struct renderer *renderer, enum output_kind kind) {
+    struct output_list outputs;
+    renderer_outputs(renderer, &outputs);
+    for (int i = 0; i < outputs.count; i++)
+        if (outputs.items[i].kind == kind)
+            return outputs.items[i].name;
+    return NULL;
+}
+
+bool inspect_is(const struct renderer *renderer, const char *output, enum output_kind kind) {
+    struct shown shown;
+    return find(&shown, renderer, output) && shown.kind == kind;
+}
+
+static struct sheet sheet_of(const struct shown *shown, const struct inspect_choice *choice) {
+    return sheet_fit(choice->width, choice->height, shown->layers,
+                     (float)shown->width / (float)shown->height);
+}
+
+int inspect_sheet_layer(const struct renderer *renderer, const struct inspect_choice *choice,
+                        float x, float y) {
+    struct shown shown;
+    if (!find(&shown, renderer, choice->output))
+        return -1;
+    struct sheet sheet = sheet_of(&shown, choice);
+    return sheet_layer_at(&sheet, x, y);
+}
+
+/* --- drawing --- */
+
+static bool fit_canvas(struct inspect *inspect, int width, int height) {
+    if (inspect->framebuffer && inspect->canvas.desc.width == width &&
+        inspect->canvas.desc.height == height)
+        return true;
+    free_canvas(inspect);
+    return texture_init(&inspect->canvas, &(struct texture_desc){.label = "inspected buffer",
+                                                                 .format = GL_RGBA8,
+                                                                 .width = width,
+                                                                 .height = height}) &&
+           framebuffer_init(&inspect->framebuffer,
+                            &(struct framebuffer_desc){.label = "inspected buffer",
+                                                       .colors = {&inspect->canvas}});
+}
+
+static void draw_texture(const struct inspect *inspect, const struct frame *frame,
+                         const struct texture *source) {
+    bool plane = source->desc.target == GL_TEXTURE_2D;
+    pass_set_state(&(struct pass_state){
+        .name = "inspect",
+        .program = inspect->program,
+        .framebuffer = inspect->framebuffer,
+        .width = inspect->canvas.desc.width,
+        .height = inspect->canvas.desc.height,
+        .textures = {{plane ? UNIT_INSPECTED_PLANE : UNIT_INSPECTED_LAYERS, source->id}},
+        .blocks = {{BLOCK_VIEW, frame->view},
+                   {BLOCK_LIGHT, frame->light},
+                   {BLOCK_PASS, &inspect->params}},
+    });
+    pass_draw_fullscreen(1);
+}
+
+static void draw_visibility(const struct inspect *inspect, const struct frame *frame,
+                            const struct gbuffer *gbuffer, const struct val_output *vals) {
+    struct pass_state state = {
+        .name = "inspect visibility",
+        .program = inspect->visibility.program,
+        .framebuffer = inspect->framebuffer,
+        .width = inspect->canvas.desc.width,
+        .height = inspect->canvas.desc.height,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &inspect->params}},
+    };
+    visibility_add(&state, vals->visibility, &inspect->visibility.params, &vals->maps);
+    pass_set_state(&state);
+    pass_draw_fullscreen(1);
+}
+
+/* The flux of a VPL of albedo 1/2. */
+static float usual_flux(const struct renderer *renderer, int vpl_count) {
+    const struct light_block *light = &renderer->light_block;
+    float brightest = fmaxf(light->intensity[0], fmaxf(light->intensity[1], light->intensity[2]));
+    return .5F * brightest * light->measure / (float)vpl_count;
+}
+
+static void draw_marks(const struct inspect *inspect, const struct renderer *renderer,
+                       const struct frame *frame, const struct shown *shown,
+                       const struct inspect_choice *choice) {
+    bool one_shadow = shown->kind == OUTPUT_VISIBILITY, vpls_alone = shown->kind == OUTPUT_VPLS;
+    marks_draw(&inspect->marks, frame, &renderer->gbuffer,
+               &(struct marks_desc){
+                   .framebuffer = inspect->framebuffer,
+                   .width = inspect->canvas.desc.width,
+                   .height = inspect->canvas.desc.height,
+                   .scale = choice->scale,
+                   .vpls = one_shadow ? NULL : shown->vpls,
+                   .vals = vpls_alone ? NULL : shown->vals,
+                   .by_cluster = !vpls_alone,
+                   .chosen = one_shadow ? choice->layer : choice->chosen,
+                   .only_chosen = one_shadow,
+                   .usual_flux = shown->vpls ? usual_flux(renderer, shown->vpls->count) : 0,
+               });
+}
+
+static int mode_of(enum output_kind kind) {
+    static const int modes[] = {
+        [OUTPUT_NORMAL] = INSPECT_NORMAL,
+        [OUTPUT_ALBEDO] = INSPECT_ALBEDO,
+        [OUTPUT_DEPTH] = INSPECT_DEPTH,
+        [OUTPUT_LIGHT_DEPTH] = INSPECT_LIGHT_DEPTH,
+        [OUTPUT_IRRADIANCE] = INSPECT_IRRADIANCE,
+        [OUTPUT_VPLS] = INSPECT_DIMMED,
+        [OUTPUT_VALS] = INSPECT_DIMMED,
+        [OUTPUT_VISIBILITY] = INSPECT_VISIBILITY,
+        [OUTPUT_MAP_DEPTH] = INSPECT_MAP_DEPTH,
+        [OUTPUT_BASIS] = INSPECT_BASIS,
+        [OUTPUT_SIGNED_BASIS] = INSPECT_SIGNED_BASIS,
+    };
+    return modes[kind];
+}
+
+/* sheet NULL: one layer. */
+static void write_params(const struct inspect *inspect, const struct renderer *renderer,
+                         const struct frame *frame, const struct inspect_choice *choice,
+                         const struct shown *shown, const struct sheet *sheet) {
+    const struct geometry *geometry = renderer->desc.geometry;
+    struct inspect_params params = {
+        .kind = mode_of(shown->kind),
+        .first_layer = choice->layer < 0 ? 0 : choice->layer,
+        .layer_count = shown->layers,
+        .exposure = exp2f(renderer_exposure(renderer)) / ((float)GLM_PI * frame->irradiance_scale),
+    };
+    if (sheet) {
+        params.columns = sheet->columns;
+        params.rows = sheet->rows;
+        params.cell[0] = (float)sheet->cell_width;
+        params.cell[1] = (float)sheet->cell_height;
+        params.gap = SHEET_GAP * choice->scale;
+    }
+    memcpy(params.center, geometry->center, sizeof geometry->center);
+    params.radius = geometry->radius;
+    buffer_write(&inspect->params, 0, sizeof params, &params);
+}
+
+bool inspect_draw(struct inspect *inspect, struct renderer *renderer,
+                  const struct inspect_choice *choice) {
+    struct frame frame = renderer_frame(renderer);
+    struct shown shown;
+    if (!find(&shown, renderer, choice->output))
+        return error_set("technique '%s' has no output '%s'", renderer->technique->name,
+                         choice->output);
+    bool visibility = shown.kind == OUTPUT_VISIBILITY,
+         whole = shown.layers > 1 && choice->layer < 0;
+    struct sheet sheet = sheet_of(&shown, choice);
+    /* One layer is shown in its own size, a sheet in what room there is. */
+    int width = whole ? sheet.columns * sheet.cell_width : shown.width;
+    int height = whole ? sheet.rows * sheet.cell_height : shown.height;
+    if (!fit_canvas(inspect, width, height) ||
+        (visibility && !lookup_fit(&inspect->visibility, "inspect/inspect_visibility.frag",
+                                   shown.vals->visibility)))
+        return false;
+    write_params(inspect, renderer, &frame, choice, &shown, whole ? &sheet : NULL);
+    if (visibility)
+        draw_visibility(inspect, &frame, &renderer->gbuffer, shown.vals);
+    else
+        draw_texture(inspect, &frame, shown.texture);
+    if (shown.kind == OUTPUT_VPLS || shown.kind == OUTPUT_VALS || (visibility && !whole))
+        draw_marks(inspect, renderer, &frame, &shown, choice);
+    return true;
+}

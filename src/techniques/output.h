@@ -1,0 +1,55 @@
+/* What there is to look at after a frame, as a list of rows: the renderer and the technique each add
+ * what they have. Who looks asks by name or by type, and is told NULL where there is none.
+ */
+#ifndef TECHNIQUES_OUTPUT_H
+#define TECHNIQUES_OUTPUT_H
+
+#include "passes/visibility/visibility.h"
+
+/* What is shown of an output, and what its source is. */
+enum output_kind {
+    OUTPUT_NORMAL,       /* struct texture: layers of world normals, octahedral */
+    OUTPUT_ALBEDO,       /* struct texture: layers, square root of the albedo */
+    OUTPUT_DEPTH,        /* struct texture: layers, reversed depth from the camera */
+    OUTPUT_LIGHT_DEPTH,  /* struct texture: a layer for each view of the light */
+    OUTPUT_IRRADIANCE,   /* struct irradiance */
+    OUTPUT_VPLS,         /* struct vpl_buffer */
+    OUTPUT_VALS,         /* struct val_output */
+    OUTPUT_VISIBILITY,   /* struct val_output: which of the VALs' light arrives */
+    OUTPUT_MAP_DEPTH,    /* struct depth_maps */
+    OUTPUT_BASIS,        /* struct texture: layers of paraboloid maps in [0, 1] */
+    OUTPUT_SIGNED_BASIS, /* struct texture: the same in [-1, 1] */
+};
+
+/* Virtual area lights, and how the maps from them are looked up. Textures are M x 1. */
+struct val_output {
+    const struct texture *positions, *normals, *fluxes; /* position w: how many VPLs */
+    const struct texture *extremes; /* bounding rectangles: max s, max t, -min s, -min t */
+    const struct visibility_desc *visibility; /* by blocks, where they look up */
+    struct visibility_inputs maps;            /* bases NULL where they are not made */
+};
+
+struct output {
+    const char *name; /* a word for command lines: "rsm-normal" */
+    const char *help;
+    enum output_kind kind;
+    const void *source; /* of the technique or renderer, until it changes or is freed */
+};
+
+enum { OUTPUTS_MAX = 32 };
+
+struct output_list {
+    struct output items[OUTPUTS_MAX];
+    int count;
+};
+
+void output_add(struct output_list *list, const struct output *output);
+
+/* NULL where there is none of the name, as of NULL. */
+const struct output *output_find(const struct output_list *list, const char *name);
+
+/* The first of its kind; NULL where there is none. */
+const struct vpl_buffer *output_vpls(const struct output_list *list);
+const struct val_output *output_vals(const struct output_list *list);
+
+#endif

@@ -1,0 +1,176 @@
+/* What there is to look at: the list of outputs, their pictures, and the pixel that is clicked on.
+ */
+#include "render_support.h"
+
+#include "base/error.h"
+#include "gl/glsl.h"
+#include "inspect/inspect.h"
+#include "inspect/probe.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char small[] = "vpls=64 vals=6 map-size=32 rsm-size=64 shadow-size=128 interleave=4";
+
+static void open_frame(struct stage *stage, struct renderer *renderer, const char *technique,
+                       const char *settings) {
+    char all[256];
+    snprintf(all, sizeof all, "%s %s", small, settings);
+    open_stage(stage, "scenes/cornell-box.glb");
+    struct renderer_desc desc = desc_of(stage, technique, all, 48, 32);
+    open_renderer(renderer, &desc);
+}
+
+static void close_frame(struct stage *stage, struct renderer *renderer) {
+    renderer_free(renderer);
+    stage_free(stage);
+}
+
+static struct inspect_choice choice_of(const char *output) {
+    return (struct inspect_choice){
+        .output = output, .layer = -1, .chosen = -1, .width = 96, .height = 64, .scale = 1};
+}
+
+/* --- outputs ---------------------------------------------------------------------------------- */
+
+static int count_shades(const struct texture *canvas) {
+    struct bitmap picture;
+    bool seen[256] = {false};
+    int count = 0;
+    texture_read_bitmap(canvas, &picture);
+    for (int i = 0; i < picture.width * picture.height; i++) {
+        count += !seen[picture.rgba[4 * i + 1]];
+        seen[picture.rgba[4 * i + 1]] = true;
+    }
+    bitmap_free(&picture);
+    return count;
+}
+
+/* Each output that a technique lists is a picture, as a whole and of its last layer. */
+static void check_pictures(const char *technique, const char *settings) {
+    struct stage stage;
+    struct renderer renderer;
+    struct inspect inspect;
+    struct output_list outputs;
+    open_frame(&stage, &renderer, technique, settings);
+    check_ok("inspect", inspect_init(&inspect));
+    renderer_outputs(&renderer, &outputs);
+    for (int i = 0; i < outputs.count; i++) {
+        const char *name = outputs.items[i].name;
+        struct inspect_choice choice = choice_of(name);
+        int layers = inspect_layers(&renderer, name);
+        check_ok(name, inspect_draw(&inspect, &renderer, &choice));
+        printf("    %-18s %-12s %d layers, %dx%d, %d shades\n", technique, name, layers,
+               inspect.canvas.desc.width, inspect.canvas.desc.height,
+               count_shades(&inspect.canvas));
+        assert_true(count_shades(&inspect.canvas) > 2);
+        choice.layer = layers - 1;
+        check_ok(name, inspect_draw(&inspect, &renderer, &choice));
+        assert_int_equal(strspn(name, "abcdefghijklmnopqrstuvwxyz-"), strlen(name));
+    }
+    inspect_free(&inspect);
+    close_frame(&stage, &renderer);
+}
+
+static void test_pictures(void **state) {
+    (void)state;
+    check_pictures("clustered", "visibility=cssm");
+    check_pictures("instant-radiosity", "map-batch=16");
+    check_pictures("unshadowed", "");
+}
+
+static void test_missing(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    struct inspect inspect;
+    struct inspect_choice choice = choice_of("visibility");
+    open_frame(&stage, &renderer, "unshadowed", "");
+    check_ok("inspect", inspect_init(&inspect));
+    assert_int_equal(inspect_layers(&renderer, "visibility"), 0);
+    assert_null(inspect_find(&renderer, OUTPUT_VALS));
+    assert_string_equal(inspect_find(&renderer, OUTPUT_VPLS), "vpl");
+    assert_false(inspect_draw(&inspect, &renderer, &choice));
+    assert_string_equal(error_get(), "technique 'unshadowed' has no output 'visibility'");
+    inspect_free(&inspect);
+    close_frame(&stage, &renderer);
+}
+
+/* A view that is drawn again reads no shader; one of another lookup does. */
+static void test_shaders_kept(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    struct inspect inspect;
+    struct inspect_choice choice = choice_of("visibility");
+    open_frame(&stage, &renderer, "clustered", "");
+    check_ok("inspect", inspect_init(&inspect));
+    check_ok("first", inspect_draw(&inspect, &renderer, &choice));
+    glsl_set_folder("/nowhere");
+    bool again = inspect_draw(&inspect, &renderer, &choice);
+    glsl_set_folder(NULL);
+    check_ok("again", again);
+    struct settings other = renderer.desc.settings;
+    check_ok("setting", settings_assign(&other, "vals=5"));
+    check_ok("change", renderer_configure(&renderer, renderer.technique, &other));
+    renderer_render(&renderer);
+    glsl_set_folder("/nowhere");
+    bool changed = inspect_draw(&inspect, &renderer, &choice);
+    glsl_set_folder(NULL);
+    assert_false(changed);
+    check_ok("after all", inspect_draw(&inspect, &renderer, &choice));
+    inspect_free(&inspect);
+    close_frame(&stage, &renderer);
+}
+
+/* --- a pixel ---------------------------------------------------------------------------------- */
+
+/* What is told of a place is what the layers have there. */
+static void test_pick(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    struct probe probe = {0};
+    struct image layers;
+    open_frame(&stage, &renderer, "clustered", "");
+    check_ok("layers", renderer_read_layers(&renderer, &layers));
+    static const char *const names[] = {"R", "direct.R", "indirect.R", "albedo.R", "normal.X"};
+    int lit = 0;
+    for (int i = 0; i < 6; i++) {
+        int x = 4 + 8 * i, y = 3 + 5 * i;
+        struct pick pick;
+        check_ok("pick", probe_pick(&probe, &renderer, ((float)x + .5F) / 48, ((float)y + .5F) / 32,
+                                    &pick));
+        const float *told[] = {pick.radiance, pick.direct, pick.indirect, pick.albedo, pick.normal};
+        const float *pixel = image_at(&layers, x, y);
+        for (int k = 0; k < 5; k++)
+            assert_memory_equal(told[k], pixel + image_find_channel(&layers, names[k]),
+                                3 * sizeof(float));
+        float position[3], away = 0;
+        pixel_position(&renderer, &layers, x, y, position);
+        for (int c = 0; c < 3; c++)
+            away = fmaxf(away, fabsf(position[c] - pick.position[c]));
+        check_at_most("position, metres", (double)away, 1e-5);
+        float shares = 0;
+        for (int k = 0; k < pick.val_count; k++)
+            shares += pick.vals[k].share;
+        if (pick.val_count)
+            check_near("shares of all VALs", (double)shares, 1, 1e-4);
+        lit += pick.val_count > 0;
+    }
+    assert_true(lit > 2);
+    image_free(&layers);
+    probe_free(&probe);
+    close_frame(&stage, &renderer);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_missing),
+        cmocka_unit_test(test_shaders_kept),
+        cmocka_unit_test(test_pick),
+    };
+    return cmocka_run_group_tests_name("inspect", tests, open_group_context, close_group_context);
+}
