@@ -150,7 +150,7 @@ static inline void place_light(struct world *world, enum emitter_type type, vec3
 }
 
 /* A camera within the unit sphere of albedo 1/2, off its centre, where a point light of pi W/sr is:
- * direct light is 1 everywhere, and one bounce 1/2 [METHOD 6]. */
+ * direct light is 1 everywhere, and one bounce 1/2. */
 static inline void world_in_sphere(struct world *world) {
     world_init(world);
     add_sphere(world, 0, 64);

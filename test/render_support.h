@@ -71,7 +71,7 @@ bool same_pixels(const struct image *a, const struct image *b);
 /* RMS of the difference of a layer over the mean of the reference's, over what both see. */
 double relative_rmse(const struct image *test, const struct image *reference, const char *layer);
 
-/* RMS of the gradient of the difference over the mean of the reference: banding [METHOD §5]. */
+/* RMS of the gradient of the difference over the mean of the reference: banding. */
 double gradient_error(const struct image *test, const struct image *reference, const char *layer);
 
 /* The mean of a layer's channels over the pixels that see something. */

@@ -16,7 +16,7 @@
 
 /* scenes/sphere.glb: radius 1, albedo 1/2, a point light of pi W/sr in the centre. Direct radiance
  * rho I / (pi R^2) everywhere, and one bounce exactly rho times that: cos cos / d^2 = 1 / (4 R^2)
- * for any two points, so that any VPLs, slots and clusters give the same [METHOD §6]. The layers
+ * for any two points, so that any VPLs, slots and clusters give the same. The layers
  * are without the receiver's albedo. */
 static const double exact_direct = 1, exact_indirect = .5;
 

@@ -67,7 +67,7 @@ static void test_light_on_floor(void **state) {
     world_free(&world);
 }
 
-/* Every pair of points of a sphere has the geometry term 1 / (4 R^2) [METHOD 6]: each bounce is the
+/* Every pair of points of a sphere has the geometry term 1 / (4 R^2): each bounce is the
  * albedo times the one before, in every pixel. */
 static void test_sphere(void **state) {
     (void)state;

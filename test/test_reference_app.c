@@ -44,7 +44,7 @@ static void test_usage(void **state) {
     }
 }
 
-/* Scene file to picture file: 0.5 direct, 0.25 bounced radiance in every pixel [METHOD 6]. */
+/* Scene file to picture file: 0.5 direct, 0.25 bounced radiance in every pixel. */
 static void test_sphere_file(void **state) {
     (void)state;
     char arguments[700], output[4096];

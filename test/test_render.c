@@ -1,4 +1,4 @@
-/* What may change without changing the picture [METHOD §6]: the context, the frame, the neighbours,
+/* What may change without changing the picture: the context, the frame, the neighbours,
  * the threads, the order of VPLs, the place of the scene, how meshes are cut. */
 #define _POSIX_C_SOURCE 200809L
 #include "render_support.h"

@@ -1,4 +1,4 @@
-/* Clustered visibility against a map per VPL, with the same VPLs in the same pipeline [METHOD §5],
+/* Clustered visibility against a map per VPL, with the same VPLs in the same pipeline,
  * and against what a flat blocker does exactly. */
 #include "gltf_parts.h"
 #include "render_support.h"

@@ -56,7 +56,7 @@ static struct vpl *trace_vpls(struct world *world, int count) {
     return vpls;
 }
 
-/* Any VPLs whose flux sums to the reflected flux give albedo x direct in every pixel [METHOD 6];
+/* Any VPLs whose flux sums to the reflected flux give albedo x direct in every pixel;
  * and nothing inside a sphere hides anything. */
 static void test_sphere(void **state) {
     (void)state;

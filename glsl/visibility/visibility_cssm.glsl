@@ -86,10 +86,10 @@ float visibility(int map, vec3 position, vec3 normal) {
     float penumbra = (d - z_average) * extent / z_average;
     float alpha = atan(penumbra / d);
     float blocked = blocked_fraction(uv, map, shifted, filter_lod(filter_width(alpha, p)));
-    // Ringing suppression by shift and scale (thesis Fig. 5.2).
+    // Ringing suppression by shift and scale [Dong 2011, Fig. 5.2].
     float lit = clamp(0.5 - (blocked - 0.5) * lookup.gain, 0.0, 1.0);
 #if SHARPEN
-    // Contact shadows, thesis eq. 5.9: G(v) = v^(1 + A exp(-B (d - z)))
+    // Contact shadows, [Dong 2011, eq. 5.9]: G(v) = v^(1 + A exp(-B (d - z)))
     lit = pow(lit, 1.0 + lookup.sharpen_a * exp(-lookup.sharpen_b * (d - z_average)));
 #endif
     return lit;

@@ -20,7 +20,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* The clustering starts [METHOD §2.4] beside what the benchmark compares anyway. */
+/* The clustering starts beside what the benchmark compares anyway. */
 static const char *const usual_variants[] = {
     "instant-radiosity",
     "paper",

@@ -4,9 +4,9 @@
  * it is clamped, and in a lit corner the deficit reaches half of the irradiance. So the integral is
  * split: with near(d) = (1 - d^2 / (reach^2 area))^2 the VPLs give (1 - near), and this pass gives
  * near, from the texels of the reflective shadow map around the receiver [Dachsbacher and
- * Stamminger 2005]. It takes the place of clamping and compensation [slides]. What is near counts
- * as unoccluded: the bias of it. Cost: pixels x samples, for pixels in reach of the light
- * alone.
+ * Stamminger 2005]. It takes the place of clamping and compensation [Kollig and Keller 2004]. What
+ * is near counts as unoccluded: the bias of it. Cost: pixels x samples, for pixels in reach of the
+ * light alone.
  */
 #ifndef PASSES_NEAR_FIELD_H
 #define PASSES_NEAR_FIELD_H

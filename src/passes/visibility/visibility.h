@@ -19,7 +19,7 @@ struct visibility_desc {
     float map_bias;             /* of a hard lookup, of the distance */
     float shift;                /* of the receiver's depth, over 1 / (2 K) */
     float gain;                 /* of the blocked fraction about one half */
-    float sharpen_a, sharpen_b; /* thesis eq. 5.9; A = 0: off */
+    float sharpen_a, sharpen_b; /* [Dong 2011, eq. 5.9]; A = 0: off */
     int taps;                   /* of a PCSS lookup: the filter's; the search has half as many */
     bool filter_jacobian;       /* exact paraboloid Jacobian in place of alpha / pi */
 };

@@ -1,0 +1,65 @@
+/* Each technique and direct method has a page, of the same shape, that names its own settings. */
+#include "base/file.h"
+#include "direct/direct.h"
+#include "support.h"
+#include "techniques/technique.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void check_says(const char *path, const char *text, const char *words) {
+    if (!strstr(text, words))
+        fail_msg("%s does not say '%s'", path, words);
+}
+
+/* The part that belongs to it alone is called as it is; shared ones are named by their owner. */
+static void check_page(const char *kind, const char *name,
+                       const struct settings_part *const *parts) {
+    static const char *const headings[] = {"# ",          "## Citation",
+                                           "## Pipeline", "## Deviations from the paper",
+                                           "## Settings", "## Known artefacts"};
+    char path[256], words[128];
+    snprintf(path, sizeof path, "src/%s/%s/README.md", kind, name);
+    char *text = file_read_text(path);
+    check_ok(path, text);
+    const char *at = text;
+    for (size_t i = 0; i < sizeof headings / sizeof *headings; i++) {
+        at = strstr(at, headings[i]);
+        if (!at)
+            fail_msg("%s: no '%s', or not in its place", path, headings[i]);
+    }
+    int named = 0;
+    for (; *parts; parts++) {
+        bool own = strcmp((*parts)->owner, name) == 0;
+        snprintf(words, sizeof words, "`%s", (*parts)->owner);
+        check_says(path, text, words);
+        for (const struct option *option = (*parts)->table; own && option->name; option++) {
+            snprintf(words, sizeof words, "`%s.%s`", (*parts)->owner, option->name);
+            check_says(path, text, words);
+            named++;
+        }
+    }
+    printf("    %s: %d settings of its own\n", path, named);
+    free(text);
+}
+
+static void test_techniques(void **state) {
+    (void)state;
+    for (const struct technique *const *t = techniques; *t; t++)
+        check_page("techniques", (*t)->name, (*t)->parts);
+}
+
+static void test_direct_methods(void **state) {
+    (void)state;
+    for (const struct direct_method *const *d = direct_methods; *d; d++)
+        check_page("direct", (*d)->name, (*d)->parts);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_techniques),
+        cmocka_unit_test(test_direct_methods),
+    };
+    return cmocka_run_group_tests_name("pages", tests, NULL, NULL);
+}
