@@ -48,7 +48,8 @@ CXX_FLAGS = -std=c++17 $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
 PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) 2>/dev/null))
 LIBS := $(shell pkg-config --libs $(PKG) 2>/dev/null) -lembree3 -lstdc++ -ldl -lpthread -lm
 
-OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(BUILD)/glsl_embedded.o
+EMBEDDED := $(BUILD)/glsl_embedded.o $(BUILD)/chart_embedded.o
+OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(EMBEDDED)
 GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
@@ -68,7 +69,7 @@ $(LIBRARY): $(OBJECTS)
 	$(say) AR $@
 	$(Q)ar rcs $@ $^
 
-$(BUILD)/%.o: %.c | $(BUILD)/include/version.h
+$(BUILD)/%.o: %.c | $(BUILD)/include/version.h $(BUILD)/include/sources.h
 	@mkdir -p $(@D)
 	$(say) CC $@
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c -o $@ $<
@@ -78,12 +79,22 @@ $(BUILD)/%.o: %.cpp
 	$(say) CXX $@
 	$(Q)$(CXX) $(CXX_FLAGS) -MMD -MP -c -o $@ $<
 
-# Rewritten only when it says something new, so that a build without changes does nothing.
+# Rewritten only when they say something new, so that a build without changes does nothing. What
+# cached pictures depend on: the sources of the path tracer, and all that the renderer is made of.
+sum = $$(find $(1) -type f | LC_ALL=C sort | xargs cat | cksum | tr ' ' -)
+keep = @cmp -s $@ $@.new && rm $@.new || mv $@.new $@
+
 $(BUILD)/include/version.h: FORCE
 	@mkdir -p $(@D)
 	@printf '#define MANYLIGHT_VERSION "%s"\n#define MANYLIGHT_COMMIT "%s"\n' \
 	    $(VERSION) $(COMMIT) > $@.new
-	@cmp -s $@ $@.new && rm $@.new || mv $@.new $@
+	$(keep)
+
+$(BUILD)/include/sources.h: FORCE
+	@mkdir -p $(@D)
+	@printf '#define MANYLIGHT_TRACER "%s"\n#define MANYLIGHT_SOURCES "%s"\n' \
+	    "$(call sum,src/reference src/scene)" "$(call sum,src glsl)" > $@.new
+	$(keep)
 FORCE:
 
 # Rewritten only when a shader came, went or moved: a moved file may be older than what was made of it.
@@ -91,6 +102,9 @@ $(BUILD)/shaders.list: FORCE
 	@mkdir -p $(@D)
 	@printf '%s\n' $(SHADERS) > $@.new
 	@cmp -s $@ $@.new && rm $@.new || mv $@.new $@
+
+# Text as C strings.
+quote = sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/^/"/' -e 's/$$/\\n"/'
 
 # Each shader file becomes one string, under its path below glsl/, src/ or the guests of the tests;
 # gl/glsl.c reads the table.
@@ -102,10 +116,15 @@ $(BUILD)/glsl_embedded.c $(GUESTS)/glsl_embedded.c: $(BUILD)/shaders.list Makefi
 	   for f in $(filter-out %.list Makefile,$^); do \
 	       name=$${f#glsl/}; name=$${name#src/}; \
 	       echo "{\"$${name#test/guests/}\","; \
-	       sed -e 's/\\/\\\\/g' -e 's/"/\\"/g' -e 's/^/"/' -e 's/$$/\\n"/' $$f; \
+	       $(quote) $$f; \
 	       echo '},'; \
 	   done; \
 	   echo '{0, 0}};'; } > $@
+
+$(BUILD)/chart_embedded.c: bench/chart.gp Makefile
+	@mkdir -p $(@D)
+	@{ echo 'extern const char chart_script[];'; echo 'const char chart_script[] ='; \
+	   $(quote) $<; echo ';'; } > $@
 
 $(BUILD)/%_embedded.o: $(BUILD)/%_embedded.c
 	$(say) CC $@
@@ -177,16 +196,16 @@ NOISE_OF_LARGE := --noise .06
 
 # Speed against accuracy: a grid of the method, and what it competes with. Of the two Cornell boxes
 # ours. Large scenes take seconds a frame, and a map per VPL takes most: fewer rounds do.
-CHART_RUN = ./manylight bench --reference path --cache $(REFERENCE_CACHE) --size 400x400
+CHART_RUN = ./manylight bench sweep --reference path --cache $(REFERENCE_CACHE) --size 400x400
 CHART_SMALL := $(filter-out ../%/cornell-box.glb,$(SMALL_SCENES)) $(NOISE_OF_SMALL) --frames 3
 CHART_LARGE := $(LARGE_SCENES) $(NOISE_OF_LARGE)
-CHART_GRID := --variant paper --variant fast --sweep M=2,8,30,120
+CHART_GRID := --variant paper --variant fast --vary M=2,8,30,120
 CHART_RIVALS := --variant unshadowed --variant instant-radiosity
 SWEEP := $(BENCH_RESULTS)/sweep.csv
 
 bench: all
 	@mkdir -p $(BENCH_RESULTS)
-	./manylight bench $(BENCH_SCENES) --csv $(BENCH_RESULTS)/tables.csv $(BENCH_OPTIONS)
+	./manylight bench times $(BENCH_SCENES) --csv $(BENCH_RESULTS)/times.csv $(BENCH_OPTIONS)
 
 # Measured anew each time; of the four runs' rows one heading.
 chart: all
@@ -197,19 +216,20 @@ chart: all
 	$(CHART_RUN) $(CHART_LARGE) --frames 1 $(CHART_RIVALS) $(BENCH_OPTIONS) --csv $(SWEEP).4
 	@awk 'FNR > 1 || NR == 1' $(SWEEP).[1-4] > $(SWEEP)
 	@rm $(SWEEP).[1-4]
-	./manylight bench --chart $(SWEEP) -o $(BENCH_PLOTS)
+	./manylight bench chart $(SWEEP) -o $(BENCH_PLOTS)
 
 # Where the error of a frame comes from, and how it falls with M, K, N and the size of maps.
 BUDGET_SIZE := 400x400
-BUDGET_RUN = ./manylight bench --budget --variant fast --size $(BUDGET_SIZE) --cache $(REFERENCE_CACHE)
+BUDGET_RUN = ./manylight bench budget --size $(BUDGET_SIZE) --cache $(REFERENCE_CACHE)
 CURVES_SIZE := 200x200
 
 accuracy: all
 	@mkdir -p $(BENCH_RESULTS)
 	$(BUDGET_RUN) $(SMALL_SCENES) $(NOISE_OF_SMALL) --csv $(BENCH_RESULTS)/budget.csv
 	$(BUDGET_RUN) $(LARGE_SCENES) $(NOISE_OF_LARGE) --csv $(BENCH_RESULTS)/budget-large.csv
-	./manylight bench $(filter-out %/atrium.glb,$(OWN_SCENES)) --curves --size $(CURVES_SIZE) \
-	    $(NOISE_OF_SMALL) --cache $(REFERENCE_CACHE) --csv $(BENCH_RESULTS)/curves.csv -o $(BENCH_PLOTS)
+	./manylight bench curves $(filter-out %/atrium.glb,$(OWN_SCENES)) --size $(CURVES_SIZE) \
+	    $(NOISE_OF_SMALL) --cache $(REFERENCE_CACHE) --csv $(BENCH_RESULTS)/curves.csv
+	./manylight bench chart $(BENCH_RESULTS)/curves.csv -o $(BENCH_PLOTS)
 
 # --- stability ------------------------------------------------------------------------------------
 
@@ -224,13 +244,13 @@ THREE_VARIANTS := --variant instant-radiosity --variant paper --variant fast
 
 stability: all
 	@mkdir -p $(BENCH_RESULTS)
-	./manylight bench $(MOVING_SCENES) --temporal --csv $(BENCH_RESULTS)/temporal.csv \
-	    -o $(BENCH_PLOTS) $(STABILITY_OPTIONS)
-	./manylight bench scenes/creatures.glb --temporal --csv $(BENCH_RESULTS)/temporal-creatures.csv \
+	./manylight bench temporal $(MOVING_SCENES) --csv $(BENCH_RESULTS)/temporal.csv $(STABILITY_OPTIONS)
+	./manylight bench chart $(BENCH_RESULTS)/temporal.csv -o $(BENCH_PLOTS)
+	./manylight bench temporal scenes/creatures.glb --csv $(BENCH_RESULTS)/temporal-creatures.csv \
 	    $(CREATURES_OPTIONS) $(THREE_VARIANTS)
-	./manylight bench $(MOVING_SCENES) --temporal --csv $(BENCH_RESULTS)/temporal-truth.csv \
+	./manylight bench temporal $(MOVING_SCENES) --csv $(BENCH_RESULTS)/temporal-truth.csv \
 	    $(TRUTH_OPTIONS) $(THREE_VARIANTS)
-	./manylight bench --failures --csv $(BENCH_RESULTS)/failures.csv --cache $(REFERENCE_CACHE) \
+	./manylight bench failures --csv $(BENCH_RESULTS)/failures.csv --cache $(REFERENCE_CACHE) \
 	    -o $(BENCH_RESULTS)/failures $(FAILURES_OPTIONS)
 
 # --- portable -------------------------------------------------------------------------------------
@@ -249,7 +269,7 @@ portable:
 	@! ldd $(PORTABLE)/manylight | grep -vE $(PORTABLE_NEEDS)
 
 $(BUILD)/manylight: $(PORTABLE_SOURCES:%.c=$(BUILD)/%.o) $(PORTABLE_BRIDGES:%.cpp=$(BUILD)/%.o) \
-    $(BUILD)/glsl_embedded.o
+    $(EMBEDDED)
 	$(say) LINK $@
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -static-libstdc++ -static-libgcc -o $@ $^ -ldl -lpthread -lm
 

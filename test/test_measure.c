@@ -3,14 +3,148 @@
 #include "render_support.h"
 
 #include "base/error.h"
+#include "measure/clip.h"
 #include "measure/lights.h"
-#include "measure/vpl_trace.h"
+#include "measure/sweep.h"
+#include "measure/truth.h"
+#include "measure/variant.h"
 #include "inspect/aov.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const char small[] = "vpls=64 vals=6 map-size=32 rsm-size=64 shadow-size=128 interleave=1";
+
+/* --- figures ---------------------------------------------------------------------------------- */
+
+static void test_summary(void **state) {
+    (void)state;
+    float values[101];
+    for (int i = 0; i < 101; i++)
+        values[i] = (float)((i * 37) % 101); /* 0 to 100, shuffled */
+    struct summary summary = summary_of(values, 101);
+    assert_int_equal(summary.count, 101);
+    check_near("median", summary.value, 50, 0);
+    check_near("p5", summary.p5, 5, 0);
+    check_near("p95", summary.p95, 95, 0);
+    check_near("minimum", summary.minimum, 0, 0);
+    check_near("maximum", summary.maximum, 100, 0);
+    summary = summary_of((float[]){7}, 1);
+    check_near("median of one", summary.value, 7, 0);
+    check_near("p95 of one", summary.p95, 7, 0);
+}
+
+static void test_slope(void **state) {
+    (void)state;
+    double x[] = {1, 10, 100}, cube[3], constant[] = {7, 7, 7};
+    for (int i = 0; i < 3; i++)
+        cube[i] = 5 * x[i] * x[i] * x[i];
+    check_near("slope of a cube", log_slope(x, cube, 3), 3, 1e-9);
+    check_near("slope of a constant", log_slope(x, constant, 3), 0, 1e-9);
+    check_near("slope of a point", log_slope(x, cube, 1), 0, 0);
+}
+
+/* --- grids ------------------------------------------------------------------------------------ */
+
+static void check_points(const char *text, const char *points, bool has_variants) {
+    struct sweep sweep = {0};
+    char joined[512] = "";
+    check_ok(text, sweep_parse(&sweep, text));
+    for (int i = 0; i < sweep.count; i++) {
+        strcat(joined, i ? " " : "");
+        strcat(joined, sweep.points[i]);
+    }
+    assert_string_equal(joined, points);
+    assert_int_equal(sweep.has_variants, has_variants);
+    sweep_free(&sweep);
+}
+
+static void test_sweep_points(void **state) {
+    (void)state;
+    check_points("vals=2,8,30", "vals=2 vals=8 vals=30", false);
+    check_points("M=2..40", "vals=2 vals=4 vals=8 vals=16 vals=32 vals=40", false);
+    check_points("N=64..256", "vpls=64 vpls=128 vpls=256", false);
+    check_points("K=1,2..8", "terms=1 terms=2 terms=4 terms=8", false);
+    check_points("gain=1.5,2", "gain=1.5 gain=2", false);
+    check_points("technique=clustered,unshadowed", "technique=clustered technique=unshadowed",
+                 true);
+    check_points("size=40x30,80x60", "size=40x30 size=80x60", false);
+    check_points("M=2,4,visibility=cssm,hard",
+                 "vals=2,visibility=cssm vals=2,visibility=hard vals=4,visibility=cssm "
+                 "vals=4,visibility=hard",
+                 true);
+}
+
+static void test_sweep_refusals(void **state) {
+    (void)state;
+    static const char *const wrong[] = {"",        "vals",   "vals=",          "=3",
+                                        "vals=x",  "vals=0", "vals=8..2",      "vals=2..",
+                                        "vals=2,", "woof=1", "technique=woof", "visibility=a..b"};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        struct sweep sweep = {0};
+        if (sweep_parse(&sweep, wrong[i]))
+            fail_msg("'%s' was taken for a sweep", wrong[i]);
+        printf("    %s\n", error_get());
+        sweep_free(&sweep);
+    }
+}
+
+static void test_subjects(void **state) {
+    (void)state;
+    struct measure_desc desc = measure_default(NULL, 60, 40, true);
+    check_ok("variant", variant_apply(&desc, "mine:technique=unshadowed,rsm-size=64"));
+    check_ok("point", sweep_apply("vals=4,visibility=hard,vpls=128", &desc));
+    assert_string_equal(desc.technique->name, "unshadowed");
+    check_near("vals", measure_setting(&desc, "vals"), 4, 0);
+    check_near("VPLs of all pixels", measure_pixel_vpls(&desc), 60 * 40 * 128 / 64., 1e-9);
+    assert_string_equal(desc.variant, "mine hard");
+    assert_string_equal(desc.point, "vals=4 vpls=128");
+    char *settings = measure_settings(&desc);
+    assert_string_equal(
+        settings, "lights.vpls=128 lights.rsm-size=64 clustered.vals=4 clustered.visibility=hard");
+    free(settings);
+    assert_false(variant_apply(&desc, "woof"));
+    assert_false(variant_apply(&desc, "a,b:vals=3"));
+    assert_false(variant_apply(&desc, "a:vals=x"));
+}
+
+/* --- truths ----------------------------------------------------------------------------------- */
+
+static void check_other_file(const struct measure_desc *desc, const char *first, const char *what,
+                             bool other) {
+    char *path = truth_path(&(struct truth_desc){TRUTH_PATH, "cache", .02}, desc);
+    printf("    %-16s %s\n", what, path);
+    assert_int_equal(strcmp(path, first) != 0, other);
+    free(path);
+}
+
+/* What a truth shows, and nothing else, has a part in its name. */
+static void test_truth_names(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    struct measure_desc desc = measure_default(&stage, 16, 16, true);
+    char *first = truth_path(&(struct truth_desc){TRUTH_PATH, "cache", .02}, &desc);
+    check_other_file(&desc, first, "the same", false);
+    check_ok("setting", measure_assign_text(&desc, "vals=3"));
+    check_other_file(&desc, first, "a setting", false);
+    stage.geometry.position[5][1] += .001F;
+    check_other_file(&desc, first, "a vertex", true);
+    stage.geometry.position[5][1] -= .001F;
+    pose_stage(&stage);
+    check_other_file(&desc, first, "posed again", false);
+    stage.scene.materials[1].base_color[2] *= .5F;
+    check_other_file(&desc, first, "a colour", true);
+    stage.scene.materials[1].base_color[2] *= 2;
+    stage.camera.eye[0] += 1;
+    check_other_file(&desc, first, "the camera", true);
+    pose_stage(&stage);
+    stage.emitters.items[0].intensity[0] += 1;
+    check_other_file(&desc, first, "the light", true);
+    free(first);
+    stage_free(&stage);
+}
 
 /* --- virtual lights --------------------------------------------------------------------------- */
 
@@ -57,7 +191,6 @@ static void test_without_vpls(void **state) {
     struct stage stage;
     struct renderer renderer;
     struct lights lights;
-    struct image image;
     open_stage(&stage, "scenes/cornell-box.glb");
     struct renderer_desc desc = desc_of(&stage, "unshadowed", small, 16, 16);
     open_renderer(&renderer, &desc);
@@ -65,7 +198,6 @@ static void test_without_vpls(void **state) {
     renderer.technique = &voxels;
     check_refused(lights_read(&lights, &renderer), "technique 'voxels' has no VPLs");
     lights_free(&lights);
-    check_refused(vpl_trace(&renderer, 8, 8, NULL, &image), "technique 'voxels' has no VPLs");
     check_refused(aov_check(&renderer, "vpl"),
                   "'voxels' has no layer 'vpl' to add (there are none");
     renderer.technique = own;
@@ -73,10 +205,75 @@ static void test_without_vpls(void **state) {
     stage_free(&stage);
 }
 
+/* --- clips ------------------------------------------------------------------------------------ */
+
+static int subject_of(const struct results *results, const char *variant, const char *point) {
+    for (int i = 0; i < results->subject_count; i++)
+        if (strcmp(results->subjects[i].desc.variant, variant) == 0 &&
+            strcmp(results->subjects[i].desc.point, point) == 0)
+            return i;
+    fail_msg("nothing of %s, %s", variant, point);
+    return -1;
+}
+
+static double value_of(const struct results *results, const char *variant, const char *point,
+                       const char *what) {
+    const struct result *row =
+        results_find(results, subject_of(results, variant, point), what, NULL);
+    if (!row)
+        fail_msg("no %s of %s, %s", what, variant, point);
+    printf("    %-20s %-28s %-16s %g %s\n", variant, point, what, row->figure.value, row->unit);
+    return row->figure.value;
+}
+
+/* The reference does not flicker against itself; what is interleaved and blurred does. */
+static void test_flicker(void **state) {
+    (void)state;
+    struct stage stage;
+    struct results results = {0};
+    open_stage(&stage, "scenes/moving-spot.glb");
+    struct measure_desc subjects[2], r = measure_default(&stage, 16, 16, true);
+    check_ok("settings", measure_assign_text(&r, "vpls=64,map-size=32,rsm-size=64"));
+    subjects[0] = subjects[1] = r;
+    check_ok("R", variant_apply(&r, truth_vpls));
+    check_ok("R", variant_apply(&subjects[0], truth_vpls));
+    check_ok("fast", variant_apply(&subjects[1], "fast"));
+    check_ok("clip", clip_measure(&results, &(struct clip_desc){.stage = &stage,
+                                                                .subjects = subjects,
+                                                                .count = 2,
+                                                                .frames = 3,
+                                                                .reference = r}));
+    assert_true(value_of(&results, "R", "", "flicker") == 0);
+    double mean = value_of(&results, "fast", "", "flicker"), sum = 0;
+    static const char *const points[] = {"time=0", "time=3.33333", "time=6.66667"};
+    for (int i = 0; i < 3; i++)
+        sum += value_of(&results, "fast", points[i], "frame-flicker");
+    assert_true(mean > 0);
+    check_near("mean of the frames", sum / 2, mean, 1e-9);
+    assert_true(value_of(&results, "fast", "", "most-vals") > 20);
+    assert_null(results_find(&results, subject_of(&results, "R", ""), "most-vals", NULL));
+    static const char *const when[] = {"after a tenth of the clip", "at its end"};
+    double objects = value_of(&results, "memory", when[0], "gl-objects");
+    assert_true(objects > 0 && value_of(&results, "memory", when[1], "gl-objects") == objects);
+    for (int i = 0; i < 2; i++)
+        assert_true(value_of(&results, "memory", when[i], "most-resident") >=
+                    value_of(&results, "memory", when[i], "resident-memory"));
+    results_free(&results);
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_summary),      cmocka_unit_test(test_slope),
+        cmocka_unit_test(test_sweep_points), cmocka_unit_test(test_sweep_refusals),
+        cmocka_unit_test(test_subjects),     cmocka_unit_test(test_truth_names),
+    };
+    const struct CMUnitTest rendering[] = {
         cmocka_unit_test(test_lights),
         cmocka_unit_test(test_without_vpls),
+        cmocka_unit_test(test_flicker),
     };
-    return cmocka_run_group_tests_name("measure", tests, open_group_context, close_group_context);
+    return cmocka_run_group_tests_name("measure", tests, NULL, NULL) +
+           cmocka_run_group_tests_name("renderers", rendering, open_group_context,
+                                       close_group_context);
 }

@@ -258,63 +258,10 @@ static void test_starts(void **state) {
     assert_true(least_vals("warm") <= 6);
 }
 
-/* What a clip's run tells of memory, "WHEN: 92 GL objects of 39.8 MiB; 281.5 MiB resident, ...". */
-static void read_memory(const char *when, int *objects, double *resident, double *most) {
-    const char *line = strstr(output, when);
-    assert_non_null(line);
-    assert_int_equal(sscanf(line + strlen(when),
-                            ": %d GL objects of %*f MiB; %lf MiB resident, never more than %lf",
-                            objects, resident, most),
-                     3);
-    printf("    %s %d objects, %g MiB, at most %g\n", when, *objects, *resident, *most);
-    assert_true(*resident > 0 && *most >= *resident);
-}
-
-static void check_memory_kept(void) {
-    int objects[2];
-    double resident[2], most[2];
-    read_memory("after a tenth of the clip", &objects[0], &resident[0], &most[0]);
-    read_memory("at its end", &objects[1], &resident[1], &most[1]);
-    assert_true(objects[0] > 0);
-    assert_int_equal(objects[0], objects[1]);
-    assert_true(most[1] >= most[0]);
-}
-
-static void test_flicker(void **state) {
-    (void)state;
-    char command[1024];
-    snprintf(command, sizeof command,
-             "%s bench --temporal scenes/moving-spot.glb --size 16x16 --frames 3 --set vpls=64 "
-             "--set map-size=32 --variant instant-radiosity --variant "
-             "R:technique=instant-radiosity,interleave=1,blur-radius=0 --csv %s",
-             binary_path(), scratch("temporal.csv"));
-    if (run_command(command, output, sizeof output) != 0) {
-        printf("    %s\n", output);
-        skip();
-    }
-    check_memory_kept();
-    FILE *csv = fopen(scratch("temporal.csv"), "r");
-    assert_non_null(csv);
-    char line[256], variant[64];
-    int rows = 0, frame;
-    double flicker;
-    assert_non_null(fgets(line, sizeof line, csv));
-    while (fgets(line, sizeof line, csv)) {
-        assert_int_equal(sscanf(line, "moving-spot,%63[^,],%d,%*f,%lf", variant, &frame, &flicker),
-                         3);
-        /* The reference does not flicker against itself; what is interleaved and blurred does. */
-        assert_int_equal(flicker > 0, frame > 0 && strcmp(variant, "R") != 0);
-        rows++;
-    }
-    assert_int_equal(rows, 6);
-    fclose(csv);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ranges), cmocka_unit_test(test_names),
-        cmocka_unit_test(test_split),  cmocka_unit_test(test_resume),
-        cmocka_unit_test(test_misuse), cmocka_unit_test(test_flicker),
+        cmocka_unit_test(test_ranges), cmocka_unit_test(test_names),  cmocka_unit_test(test_split),
+        cmocka_unit_test(test_resume), cmocka_unit_test(test_misuse),
     };
     const struct CMUnitTest rendering[] = {
         cmocka_unit_test(test_any_start),

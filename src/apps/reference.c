@@ -5,7 +5,7 @@
 #include "apps/context_options.h"
 #include "measure/progress.h"
 #include "measure/stage.h"
-#include "measure/vpl_trace.h"
+#include "measure/picture.h"
 
 #include "base/error.h"
 #include "base/image_file.h"
@@ -133,48 +133,34 @@ static bool trace_paths(const struct values *values, double noise, const struct 
     return ok;
 }
 
-/* The VPLs do not depend on the size of the picture, and a frame of few pixels costs little. */
-enum { VPL_FRAME_SIZE = 16 };
-
-static bool trace_vpls(const struct values *values, const struct settings *settings,
-                       const struct stage *stage, struct image *image) {
+static bool trace_vpls(const struct values *values, const struct stage *stage,
+                       struct measure_desc *desc, struct image *image) {
     struct context *context = context_create(&values->context);
+    struct progress progress;
     if (!context)
         return false;
-    struct renderer renderer;
-    struct progress progress;
-    bool ok = renderer_init(&renderer, &(struct renderer_desc){.width = VPL_FRAME_SIZE,
-                                                               .height = VPL_FRAME_SIZE,
-                                                               .settings = *settings,
-                                                               .scene = &stage->scene,
-                                                               .geometry = &stage->geometry,
-                                                               .light = stage->emitters.items[0],
-                                                               .camera = stage->camera});
-    if (ok) {
-        renderer_render(&renderer);
-        progress_start(&progress);
-        ok = vpl_trace(&renderer, values->size[0], values->size[1], &progress, image);
-        double seconds = progress_end(&progress);
-        if (ok)
-            log_note("VPLs summed in %.1f s", seconds);
-        renderer_free(&renderer);
-    }
+    desc->stage = stage;
+    desc->software = context_is_software(context);
+    progress_start(&progress);
+    bool ok = picture_trace(desc, &progress, image);
+    double seconds = progress_end(&progress);
+    if (ok)
+        log_note("VPLs summed in %.1f s", seconds);
     context_free(context);
     return ok;
 }
 
-static bool parse_settings(const struct values *values, struct settings *settings) {
-    renderer_settings_init(settings);
+static bool parse_settings(const struct values *values, struct measure_desc *desc) {
+    *desc = measure_default(NULL, values->size[0], values->size[1], false);
     if (values->technique == TECHNIQUE_PATH && values->settings.count)
         return error_set("--set is for --technique vpl-raytraced");
-    return renderer_settings_assign(settings, technique_default, values->settings.items,
-                                    values->settings.count) &&
-           technique_check(technique_default, settings);
+    return measure_assign(desc, values->settings.items, values->settings.count) &&
+           measure_check(desc);
 }
 
 int app_reference(int argc, char **argv) {
     struct values values;
-    struct settings settings;
+    struct measure_desc desc;
     const char *path;
     int status, count;
     double noise;
@@ -182,7 +168,7 @@ int app_reference(int argc, char **argv) {
     struct image image = {0};
     if (!arguments_parse(&arguments, &values, argc, argv, &path, &count, &status))
         return status;
-    if (!check_values(&values, &noise) || !parse_settings(&values, &settings))
+    if (!check_values(&values, &noise) || !parse_settings(&values, &desc))
         return arguments_misuse(argv[0]);
     if (!output_file_check(values.output) ||
         !stage_init(&stage, &(struct stage_desc){.path = path,
@@ -191,10 +177,9 @@ int app_reference(int argc, char **argv) {
                                                  .clip = values.clip,
                                                  .time = (double)values.time}))
         return arguments_fail(argv[0]);
-    bool ok =
-        (values.technique == TECHNIQUE_PATH ? trace_paths(&values, noise, &stage, &image)
-                                            : trace_vpls(&values, &settings, &stage, &image)) &&
-        image_write(&image, values.output);
+    bool ok = (values.technique == TECHNIQUE_PATH ? trace_paths(&values, noise, &stage, &image)
+                                                  : trace_vpls(&values, &stage, &desc, &image)) &&
+              image_write(&image, values.output);
     image_free(&image);
     stage_free(&stage);
     return ok ? STATUS_OK : arguments_fail(argv[0]);

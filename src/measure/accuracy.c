@@ -1,0 +1,162 @@
+#include "measure/accuracy.h"
+
+#include "base/log.h"
+#include "measure/errors.h"
+#include "measure/picture.h"
+#include "measure/sweep.h"
+
+#include <stdio.h>
+
+/* What a picture is held against; the first is made with the pictures, the others once. */
+enum { BEFORE, TRUTH, CENTERS, RAYS, STANDARDS };
+
+static const char *const standard_names[STANDARDS] = {AGAINST_BEFORE, AGAINST_TRUTH,
+                                                      AGAINST_CENTERS, AGAINST_RAYS};
+
+struct step {
+    const char *name;
+    const char *settings; /* over the desc's; NULL = paths are traced through pixels' centres */
+    const char *values;   /* a sweep; NULL = none */
+    unsigned against;     /* bits, 1 << standard */
+    bool traced;          /* visibility by ray tracing */
+};
+
+/* --- the budget ------------------------------------------------------------------------------- */
+
+/* Each pixel takes all that the pixels of an interleaving pattern take together. With EVERY_VPL
+ * blocks of one pixel are as good as none: a lookup for each VAL, not for each of its VPLs. */
+#define EVERY_VPL "interleave=1,near-samples=1024,blur-radius=0,samples=1"
+#define MAP_PER_VPL "technique=instant-radiosity,"
+#define MAP_PER_VAL "technique=clustered,"
+
+enum { ON_THE_WAY = 1U << BEFORE | 1U << TRUTH };
+
+static const struct step budget[] = {
+    /* A pixel's centre stands for all of it. */
+    {"pixel centres", NULL, NULL, ON_THE_WAY, false},
+    /* Few lights, and light near to them bounded. */
+    {"all VPLs, ray-traced", MAP_PER_VPL "clamp=disk," EVERY_VPL, NULL, ON_THE_WAY, true},
+    {"hard map per VPL", MAP_PER_VPL "clamp=disk," EVERY_VPL, NULL, ON_THE_WAY, false},
+    /* What the bound took comes back. */
+    {"near field", MAP_PER_VPL EVERY_VPL, NULL, ON_THE_WAY, false},
+    {"hard map per VAL", MAP_PER_VAL "visibility=hard,visibility-block=1," EVERY_VPL, NULL,
+     ON_THE_WAY, false},
+    {"soft map per VAL", MAP_PER_VAL "visibility-block=1," EVERY_VPL, NULL, ON_THE_WAY, false},
+    {"visibility per block", MAP_PER_VAL EVERY_VPL, NULL, ON_THE_WAY, false},
+    {"interleaved", MAP_PER_VAL "blur-radius=0,samples=1", NULL, ON_THE_WAY, false},
+    {"blurred", MAP_PER_VAL "samples=1", NULL, ON_THE_WAY | 1U << CENTERS, false},
+    {"antialiased: the frame", MAP_PER_VAL, NULL, ON_THE_WAY, false},
+    {.name = NULL},
+};
+
+/* --- the curves ------------------------------------------------------------------------------- */
+
+/* No interleaving, no blocks but of one pixel, no blur, no near field, no edges: the visibility
+ * alone. */
+#define VISIBILITY_ALONE "clamp=disk,visibility-block=1,interleave=1,blur-radius=0,samples=1"
+#define CSSM "technique=clustered,path=paper," VISIBILITY_ALONE
+#define HARD "technique=clustered,path=fast,visibility=hard," VISIBILITY_ALONE
+#define PCSS "technique=clustered,path=fast,visibility=pcss," VISIBILITY_ALONE
+
+#define OF_VALS "vals=2,4,8,16,30,60,120,1024"
+#define OF_TERMS "terms=1,2,4,8,16"
+#define OF_MAPS "map-size=64,128,256,512"
+#define OF_VPLS "vpls=64,128,256,512,1024,2048,4096"
+
+static const struct step curves[] = {
+    {"CSSM", CSSM, OF_VALS, 1U << RAYS, false},
+    {"PCSS", PCSS, OF_VALS, 1U << RAYS, false},
+    {"hard", HARD, OF_VALS, 1U << RAYS, false},
+    {"CSSM", CSSM, OF_TERMS, 1U << RAYS, false},
+    {"CSSM", CSSM, OF_MAPS, 1U << RAYS, false},
+    {"PCSS", PCSS, OF_MAPS, 1U << RAYS, false},
+    {"hard", HARD, OF_MAPS, 1U << RAYS, false},
+    {"the frame", MAP_PER_VAL "path=fast,samples=1", OF_VPLS, 1U << CENTERS, false},
+    {"the paper's frame", MAP_PER_VAL "path=paper", OF_VPLS, 1U << CENTERS, false},
+    {"all VPLs by rays", HARD, OF_VPLS, 1U << CENTERS, true},
+    {.name = NULL},
+};
+
+/* --- measuring -------------------------------------------------------------------------------- */
+
+struct run {
+    struct results *results;
+    const struct measure_desc *desc;
+    const struct truth_desc *truth;
+    struct image standards[STANDARDS]; /* those made so far */
+};
+
+static bool trace_centers(const struct run *run, const struct measure_desc *desc,
+                          struct image *image) {
+    return truth_get(&(struct truth_desc){TRUTH_CENTERS, run->truth->cache, run->truth->noise},
+                     desc, image);
+}
+
+/* Makes a standard where it is not there yet. */
+static bool need(struct run *run, int standard) {
+    struct image *image = &run->standards[standard];
+    struct measure_desc exact = *run->desc;
+    return image->pixels || (standard == TRUTH     ? truth_get(run->truth, run->desc, image)
+                             : standard == CENTERS ? trace_centers(run, run->desc, image)
+                                                   : measure_assign_text(&exact, HARD) &&
+                                                         picture_trace(&exact, NULL, image));
+}
+
+static bool add_errors(struct run *run, unsigned against, const struct image *picture) {
+    bool ok = true;
+    for (int i = 0; ok && i < STANDARDS; i++) {
+        int standard = i == BEFORE && !run->standards[BEFORE].pixels ? TRUTH : i;
+        if (against >> i & 1)
+            ok = need(run, standard) &&
+                 errors_add(run->results, picture, &run->standards[standard], standard_names[i]);
+    }
+    return ok;
+}
+
+static bool measure_picture(struct run *run, const struct step *step, const char *point) {
+    struct measure_desc desc = *run->desc;
+    struct image picture = {0};
+    snprintf(desc.variant, sizeof desc.variant, "%s", step->name);
+    bool ok = measure_assign_text(&desc, step->settings) && sweep_apply(point, &desc);
+    log_note("%s: %s %s", desc.stage->name, desc.variant, desc.point);
+    ok = ok && (!step->settings ? trace_centers(run, &desc, &picture)
+                : step->traced  ? picture_trace(&desc, NULL, &picture)
+                                : picture_render(&desc, &picture));
+    if (ok) {
+        results_begin(run->results, &desc);
+        ok = add_errors(run, step->against, &picture);
+    }
+    image_free(&run->standards[BEFORE]);
+    run->standards[BEFORE] = picture;
+    return ok;
+}
+
+static bool measure_steps(struct run *run, const struct step *steps) {
+    bool ok = true;
+    for (const struct step *step = steps; ok && step->name; step++) {
+        struct sweep sweep = {0};
+        ok = !step->values || sweep_parse(&sweep, step->values);
+        for (int i = 0; ok && i < (sweep.count ? sweep.count : 1); i++)
+            ok = measure_picture(run, step, sweep.count ? sweep.points[i] : "");
+        sweep_free(&sweep);
+    }
+    for (int i = 0; i < STANDARDS; i++)
+        image_free(&run->standards[i]);
+    return ok;
+}
+
+bool budget_measure(struct results *results, const struct measure_desc *desc,
+                    const struct truth_desc *truth) {
+    struct run run = {results, desc, truth, {{0}}};
+    if (!need(&run, TRUTH))
+        return false;
+    results_begin(results, desc);
+    results_add(results, "noise", "", "%", 100 * truth_noise(&run.standards[TRUTH]));
+    return measure_steps(&run, budget);
+}
+
+bool curves_measure(struct results *results, const struct measure_desc *desc,
+                    const struct truth_desc *truth) {
+    struct run run = {results, desc, truth, {{0}}};
+    return measure_steps(&run, curves);
+}

@@ -1,0 +1,24 @@
+/* How far a picture is from the truth. */
+#ifndef MEASURE_ERRORS_H
+#define MEASURE_ERRORS_H
+
+#include "base/image.h"
+#include "measure/results.h"
+
+/* Adds relative-rmse and relative-bias (% of the truth's mean) and gradient of the indirect layer,
+ * and ldr-flip of the picture; against: what results call the truth. Error: a layer is missing, or
+ * a value is not finite. */
+bool errors_add(struct results *results, const struct image *test, const struct image *truth,
+                const char *against);
+
+/* The mean of three channels over all pixels. */
+double image_mean(const struct image *image, const int channels[3]);
+
+/* The columns of these errors, for the table of a results_print. */
+#define ERROR_COLUMNS(against)                                                                     \
+    {"rRMSE %", "relative-rmse", against}, {"bias %", "relative-bias", against},                   \
+        {"gradient", "gradient", against}, {                                                       \
+        "FLIP", "ldr-flip", against                                                                \
+    }
+
+#endif

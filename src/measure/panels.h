@@ -1,0 +1,12 @@
+/* Several pictures beside the truth, as one: light above, differences from the truth below. */
+#ifndef MEASURE_PANELS_H
+#define MEASURE_PANELS_H
+
+#include "base/image.h"
+
+/* All three-channel, linear, of one size; a test without pixels has an empty panel. title: what
+ * label_draw knows. Error: of the file. */
+bool panels_write(const char *path, const char *title, const struct image *truth,
+                  const struct image *tests, int test_count);
+
+#endif

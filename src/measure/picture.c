@@ -1,0 +1,73 @@
+#include "measure/picture.h"
+
+#include "measure/lights.h"
+#include "techniques/many_lights.h"
+#include "reference/vpl_sum.h"
+
+bool picture_render(const struct measure_desc *desc, struct image *image) {
+    struct renderer renderer;
+    *image = (struct image){0};
+    if (!measure_start(&renderer, desc))
+        return false;
+    renderer_render(&renderer);
+    bool ok = renderer_read_layers(&renderer, image);
+    renderer_free(&renderer);
+    return ok;
+}
+
+/* The VPLs do not depend on the picture's size, and a frame of few pixels costs little. */
+static bool make_lights(const struct measure_desc *desc, struct lights *lights) {
+    struct measure_desc small = *desc;
+    struct renderer renderer;
+    small.width = small.height = 16;
+    if (!measure_start(&renderer, &small))
+        return false;
+    renderer_render(&renderer);
+    bool ok = lights_read(lights, &renderer);
+    renderer_free(&renderer);
+    return ok;
+}
+
+static bool show(void *user, double done) {
+    if (user)
+        progress_show(user, done, "");
+    return true;
+}
+
+static enum vpl_sum_bound bound_of(const struct gather_settings *settings) {
+    switch ((enum gather_clamp)settings->clamp) {
+    case GATHER_CLAMP_NONE:
+        return VPL_SUM_UNBOUNDED;
+    case GATHER_CLAMP_VALUE:
+        return VPL_SUM_CLAMPED;
+    default:
+        return VPL_SUM_DISK;
+    }
+}
+
+bool picture_trace(const struct measure_desc *desc, struct progress *progress,
+                   struct image *image) {
+    const struct stage *stage = desc->stage;
+    struct lights lights;
+    *image = (struct image){0};
+    if (!make_lights(desc, &lights))
+        return false;
+    const struct gather_settings *gather = settings_of(&desc->settings, &gather_part);
+    float radius = stage->geometry.radius;
+    bool ok = vpl_sum_render(
+        &(struct vpl_sum_desc){.scene = &stage->scene,
+                               .geometry = &stage->geometry,
+                               .camera = &stage->camera,
+                               .emitters = {stage->emitters.items, 1}, /* as the renderer has it */
+                               .vpls = lights.vpls,
+                               .vpl_count = lights.vpl_count,
+                               .width = desc->width,
+                               .height = desc->height,
+                               .bound = bound_of(gather),
+                               .clamp_value = gather->clamp_value / (radius * radius),
+                               .progress = show,
+                               .user = progress},
+        image);
+    lights_free(&lights);
+    return ok;
+}

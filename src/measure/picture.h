@@ -1,0 +1,18 @@
+/* The picture of a subject, with all layers: by the renderer, or by rays from the VPLs that the
+ * renderer made. */
+#ifndef MEASURE_PICTURE_H
+#define MEASURE_PICTURE_H
+
+#include "measure/measure.h"
+#include "measure/progress.h"
+
+/* One frame. Error: of the renderer. */
+bool picture_render(const struct measure_desc *desc, struct image *image);
+
+/* The sum over all VPLs of such a frame, exact but for the bound near a VPL: visibility by ray
+ * tracing, no interleaving, no blur. `clamp` bounds the geometry term; `near` is taken as `disk`,
+ * as the near field is no sum over VPLs. progress NULL = none shown. Error: the technique has no
+ * VPLs; of the renderer or the tracer. */
+bool picture_trace(const struct measure_desc *desc, struct progress *progress, struct image *image);
+
+#endif

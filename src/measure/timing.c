@@ -1,0 +1,133 @@
+#include "measure/timing.h"
+
+#include "base/clock.h"
+#include "base/log.h"
+#include "base/memory.h"
+#include "gl/memory.h"
+#include "measure/errors.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Of the difference between timers and clock, over the clock: above it something is wrong. */
+static const double clock_tolerance = .2;
+
+/* A subject at work: a row of frames per timer, and the clock. */
+struct run {
+    const struct measure_desc *desc;
+    struct renderer renderer;
+    double gpu_memory; /* MiB */
+    float *timers[TIMERS_MAX], *clock;
+    int taken;
+};
+
+static bool run_start(struct run *run, const struct measure_desc *desc, int frames) {
+    size_t before = gpu_memory_total();
+    run->desc = desc;
+    if (!measure_start(&run->renderer, desc))
+        return false;
+    run->gpu_memory = (double)(gpu_memory_total() - before) / (1 << 20);
+    for (int i = 0; i < TIMERS_MAX; i++)
+        run->timers[i] = mem_alloc((size_t)frames, sizeof(float));
+    run->clock = mem_alloc((size_t)frames, sizeof(float));
+    return true;
+}
+
+static void run_free(struct run *run) {
+    renderer_free(&run->renderer);
+    for (int i = 0; i < TIMERS_MAX; i++)
+        free(run->timers[i]);
+    free(run->clock);
+}
+
+static double clocked_frames(struct renderer *renderer, int frames) {
+    renderer->timers.enabled = false;
+    gl.Finish();
+    double start = clock_ms();
+    for (int i = 0; i < frames; i++)
+        renderer_render(renderer);
+    gl.Finish();
+    double ms = (clock_ms() - start) / frames;
+    renderer->timers.enabled = true;
+    return ms;
+}
+
+/* Frames between two looks at the clock: more on a GPU, where one would be too short. */
+static void take_sample(struct run *run) {
+    struct timers *timers = &run->renderer.timers;
+    int at = run->taken++, burst = run->desc->software ? 1 : 8;
+    renderer_render(&run->renderer);
+    timers_flush(timers);
+    for (int i = 0; i < timers->count; i++)
+        run->timers[i][at] = (float)timers->results[i].ms;
+    run->clock[at] = (float)clocked_frames(&run->renderer, burst);
+}
+
+/* Timers that tell another story than the clock are not to be believed: drivers lie. */
+static void check_clock(const struct run *run, double frame, double clock) {
+    if (fabs(frame - clock) > clock_tolerance * clock)
+        log_warning("%s, %s %s: the timers say %.3g ms a frame, the clock %.3g ms%s",
+                    run->desc->stage->name, run->desc->variant, run->desc->point, frame, clock,
+                    frame < clock ? " (the CPU is the slower one, or the timers lie)" : "");
+}
+
+static void add_times(struct results *results, struct run *run) {
+    const struct timers *timers = &run->renderer.timers;
+    struct summary clock = summary_of(run->clock, run->taken);
+    results_begin(results, run->desc);
+    for (int i = 0; i < timers->count; i++) {
+        struct summary pass = summary_of(run->timers[i], run->taken);
+        results_add_summary(results, timers->results[i].path, "ms", &pass);
+        if (i == 0)
+            check_clock(run, pass.value, clock.value);
+    }
+    results_add_summary(results, "clock", "ms", &clock);
+    results_add(results, "gpu-memory", "", "MiB", run->gpu_memory);
+}
+
+static bool add_errors(struct results *results, struct run *run, const struct truth_desc *truth) {
+    struct image frame = {0}, reference = {0};
+    bool ok =
+        truth->kind == TRUTH_NONE ||
+        (truth_get(truth, run->desc, &reference) && renderer_read_layers(&run->renderer, &frame) &&
+         errors_add(results, &frame, &reference, truth_names[truth->kind]));
+    image_free(&frame);
+    image_free(&reference);
+    return ok;
+}
+
+static bool measure_group(struct results *results, struct run *runs,
+                          const struct measure_desc *descs, int count,
+                          const struct timing_desc *timing) {
+    bool software = descs->software, ok = true;
+    int frames = timing->frames ? timing->frames : software ? 5 : 100;
+    int warm_up = timing->warm_up ? timing->warm_up : software ? 1 : 10;
+    for (int i = 0; i < count; i++) {
+        if (!run_start(&runs[i], &descs[i], frames))
+            return false;
+        for (int frame = 0; frame < warm_up; frame++)
+            clocked_frames(&runs[i].renderer, 1);
+    }
+    for (int round = 0; round < frames; round++)
+        for (int i = 0; i < count; i++)
+            take_sample(&runs[i]);
+    for (int i = 0; ok && i < count; i++) {
+        add_times(results, &runs[i]);
+        ok = add_errors(results, &runs[i], &timing->truth);
+    }
+    return ok;
+}
+
+bool timing_measure(struct results *results, const struct measure_desc *descs, int count,
+                    const struct timing_desc *timing) {
+    bool ok = true;
+    for (int first = 0; ok && first < count; first += TIMING_GROUP) {
+        int group = count - first < TIMING_GROUP ? count - first : TIMING_GROUP;
+        struct run *runs = mem_alloc((size_t)group, sizeof *runs);
+        ok = measure_group(results, runs, descs + first, group, timing);
+        for (int i = 0; i < group; i++)
+            run_free(&runs[i]);
+        free(runs);
+    }
+    return ok;
+}

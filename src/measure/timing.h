@@ -1,0 +1,21 @@
+/* Times frames: warm-up first, then rounds in which every subject renders once with timers and once
+ * without, so that A B A B see the same noise of the machine. */
+#ifndef MEASURE_TIMING_H
+#define MEASURE_TIMING_H
+
+#include "measure/results.h"
+#include "measure/truth.h"
+
+struct timing_desc {
+    int warm_up, frames; /* of each subject; 0 = by the context: few on the CPU, many on a GPU */
+    struct truth_desc truth; /* for errors of the last frame, too; zeroed = none */
+};
+
+/* Measures subjects of one stage, up to TIMING_GROUP with a renderer each at the same time. Adds
+ * the medians of all passes ("frame", "frame/gather" ...), "clock" (a frame without timers),
+ * "gpu-memory" and errors. Error: of a renderer or of the truth. */
+enum { TIMING_GROUP = 8 };
+bool timing_measure(struct results *results, const struct measure_desc *descs, int count,
+                    const struct timing_desc *timing);
+
+#endif

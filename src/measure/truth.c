@@ -1,0 +1,169 @@
+#define _POSIX_C_SOURCE 200809L
+#include "measure/truth.h"
+
+#include "base/error.h"
+#include "base/folder.h"
+#include "base/image_file.h"
+#include "base/log.h"
+#include "base/memory.h"
+#include "measure/picture.h"
+#include "measure/variant.h"
+#include "reference/path_tracer.h"
+
+#include "sources.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+const char *const truth_names[] = {"none", "path", "centers", "vpls", NULL};
+
+const char truth_vpls[] = "R:technique=instant-radiosity,interleave=1,blur-radius=0";
+
+/* --- what a truth depends on ------------------------------------------------------------------ */
+
+/* FNV-1a, 64 bits. */
+static void hash(uint64_t *sum, const void *bytes, size_t size) {
+    for (const unsigned char *b = bytes; size; b++, size--)
+        *sum = (*sum ^ *b) * 0x100000001b3U;
+}
+
+static void hash_materials(uint64_t *sum, const struct scene *scene) {
+    for (int i = 0; i < scene->material_count; i++) {
+        const struct material *m = &scene->materials[i];
+        const size_t from = offsetof(struct material, base_color);
+        hash(sum, m->base_color, offsetof(struct material, alpha_mask) - from); /* no padding */
+        hash(sum, &m->alpha_mask, sizeof m->alpha_mask);
+        hash(sum, &m->alpha_cutoff, sizeof m->alpha_cutoff);
+        hash(sum, &m->double_sided, sizeof m->double_sided);
+    }
+    for (int i = 0; i < scene->texture_count; i++) {
+        const struct scene_texture *t = &scene->textures[i];
+        hash(sum, t->bitmap.rgba, 4 * (size_t)t->bitmap.width * (size_t)t->bitmap.height);
+        hash(sum, &t->linear, sizeof t->linear);
+        hash(sum, &t->wrap_u, sizeof t->wrap_u);
+        hash(sum, &t->wrap_v, sizeof t->wrap_v);
+        hash(sum, &t->nearest, sizeof t->nearest);
+    }
+}
+
+static void hash_geometry(uint64_t *sum, const struct geometry *g) {
+    size_t vertices = g->vertex_count;
+    hash(sum, g->position, vertices * sizeof *g->position);
+    hash(sum, g->normal, vertices * sizeof *g->normal);
+    hash(sum, g->uv, vertices * sizeof *g->uv);
+    hash(sum, g->color, vertices * sizeof *g->color);
+    hash(sum, g->indices, g->index_count * sizeof *g->indices);
+    for (int i = 0; i < g->batch_count; i++) {
+        hash(sum, &g->batches[i].material, sizeof g->batches[i].material);
+        hash(sum, &g->batches[i].index_count, sizeof g->batches[i].index_count);
+    }
+}
+
+static void hash_camera(uint64_t *sum, const struct camera *camera) {
+    hash(sum, &camera->orthographic, sizeof camera->orthographic);
+    hash(sum, camera->eye, sizeof *camera - offsetof(struct camera, eye));
+}
+
+static uint64_t hash_of(const struct stage *stage, enum truth_kind kind) {
+    static const char tracer[] = MANYLIGHT_TRACER, all[] = MANYLIGHT_SOURCES;
+    uint64_t sum = 0xcbf29ce484222325U;
+    hash_materials(&sum, &stage->scene);
+    hash_geometry(&sum, &stage->geometry);
+    hash_camera(&sum, &stage->camera);
+    hash(&sum, stage->emitters.items,
+         (size_t)stage->emitters.count * sizeof *stage->emitters.items);
+    if (kind == TRUTH_VPLS) /* the renderer's own picture */
+        hash(&sum, all, sizeof all);
+    else
+        hash(&sum, tracer, sizeof tracer);
+    return sum;
+}
+
+/* --- where it is kept ------------------------------------------------------------------------- */
+
+/* $XDG_CACHE_HOME/manylight, or ~/.cache/manylight. */
+static char *default_folder(void) {
+    const char *cache = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
+    if (cache && *cache)
+        return mem_printf("%s/manylight", cache);
+    if (home && *home)
+        return mem_printf("%s/.cache/manylight", home);
+    error_set("no folder for references: neither XDG_CACHE_HOME nor HOME is set");
+    return NULL;
+}
+
+char *truth_path(const struct truth_desc *truth, const struct measure_desc *desc) {
+    char *folder = truth->cache ? mem_strdup(truth->cache) : default_folder(), noise[32] = "";
+    if (!folder)
+        return NULL;
+    if (truth->kind != TRUTH_VPLS)
+        snprintf(noise, sizeof noise, "-%g", truth->noise);
+    char *path = mem_printf("%s/%s-%dx%d-%s%s-%016llx.exr", folder, desc->stage->name, desc->width,
+                            desc->height, truth_names[truth->kind], noise,
+                            (unsigned long long)hash_of(desc->stage, truth->kind));
+    free(folder);
+    return path;
+}
+
+/* --- how it is made --------------------------------------------------------------------------- */
+
+bool truth_trace(const struct truth_desc *truth, const struct measure_desc *desc,
+                 struct image *image) {
+    return path_tracer_render(&(struct path_tracer_desc){.scene = &desc->stage->scene,
+                                                         .geometry = &desc->stage->geometry,
+                                                         .camera = &desc->stage->camera,
+                                                         .emitters = desc->stage->emitters,
+                                                         .width = desc->width,
+                                                         .height = desc->height,
+                                                         .bounces = 1,
+                                                         .noise = truth->noise,
+                                                         .centers = truth->kind == TRUTH_CENTERS},
+                              image, NULL);
+}
+
+static bool render_all_vpls(const struct measure_desc *desc, struct image *image) {
+    struct measure_desc all =
+        measure_default(desc->stage, desc->width, desc->height, desc->software);
+    return variant_apply(&all, truth_vpls) && picture_render(&all, image);
+}
+
+bool truth_get(const struct truth_desc *truth, const struct measure_desc *desc,
+               struct image *image) {
+    *image = (struct image){0};
+    char *path = truth_path(truth, desc);
+    if (!path)
+        return false;
+    bool ok;
+    if (access(path, F_OK) == 0) {
+        log_detail("reference %s", path);
+        ok = image_read(image, path);
+    } else {
+        log_note("making reference %s", path);
+        ok = folder_make_for(path) &&
+             (truth->kind == TRUTH_VPLS ? render_all_vpls(desc, image)
+                                        : truth_trace(truth, desc, image)) &&
+             image_write(image, path);
+    }
+    if (!ok)
+        image_free(image), *image = (struct image){0};
+    free(path);
+    return ok;
+}
+
+double truth_noise(const struct image *image) {
+    int indirect[3], error[3];
+    if (!image_find_layer(image, "indirect", indirect) ||
+        !image_find_layer(image, "standard_error", error))
+        return 0;
+    double sum = 0, square_sum = 0, values = 3.0 * image->width * image->height;
+    for (int y = 0; y < image->height; y++)
+        for (int x = 0; x < image->width; x++)
+            for (int c = 0; c < 3; c++) {
+                const float *pixel = image_at(image, x, y);
+                sum += (double)pixel[indirect[c]];
+                square_sum += pow((double)pixel[error[c]], 2);
+            }
+    return sum > 0 ? sqrt(square_sum / values) / (sum / values) : 0;
+}
