@@ -79,11 +79,27 @@ static void test_compare(void **state) {
     check_near("half the level: relative bias", atof(bias + 13), -.5, 1e-4);
 }
 
+static void test_bench(void **state) {
+    (void)state;
+    const char *csv = scratch("guests.csv");
+    static const char small[] = "--size 32x24 --frames 2 --variant ambient -q --csv";
+    char arguments[512];
+    snprintf(arguments, sizeof arguments, "bench times scenes/cornell-box.glb %s %%s", small);
+    expect(0, "  frame/ambient ", arguments, csv);
+    assert_null(strstr(output, "and VPL "));
+    snprintf(arguments, sizeof arguments,
+             "bench sweep scenes/cornell-box.glb --vary level=.5,1 --reference vpls %s %%s", small);
+    expect(0, "level=.5 ", arguments, csv);
+    snprintf(arguments, sizeof arguments, "bench temporal scenes/moving-spot.glb %s %%s", small);
+    expect(0, "  ambient ", arguments, csv);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_render),
         cmocka_unit_test(test_lists),
         cmocka_unit_test(test_compare),
+        cmocka_unit_test(test_bench),
     };
     return cmocka_run_group_tests_name("guests", tests, NULL, NULL);
 }

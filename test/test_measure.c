@@ -96,7 +96,8 @@ static void test_subjects(void **state) {
     check_ok("variant", variant_apply(&desc, "mine:technique=unshadowed,rsm-size=64"));
     check_ok("point", sweep_apply("vals=4,visibility=hard,vpls=128", &desc));
     assert_string_equal(desc.technique->name, "unshadowed");
-    check_near("vals", measure_setting(&desc, "vals"), 4, 0);
+    check_near("texels", measure_setting(&desc, "rsm-size"), 64, 0);
+    check_near("VALs that it has not", measure_setting(&desc, "vals"), 0, 0);
     check_near("VPLs of all pixels", measure_pixel_vpls(&desc), 60 * 40 * 128 / 64., 1e-9);
     assert_string_equal(desc.variant, "mine hard");
     assert_string_equal(desc.point, "vals=4 vpls=128");

@@ -89,8 +89,12 @@ char *measure_settings(const struct measure_desc *desc) {
 
 double measure_setting(const struct measure_desc *desc, const char *name) {
     struct setting setting;
-    return settings_find(&desc->settings, name, &setting) ? settings_number(&desc->settings, name)
-                                                          : 0;
+    if (!settings_find(&desc->settings, name, &setting))
+        return 0;
+    for (const struct settings_part *const *p = desc->technique->parts; *p; p++)
+        if (*p == setting.part)
+            return settings_number(&desc->settings, name);
+    return 0;
 }
 
 double measure_pixel_vpls(const struct measure_desc *desc) {

@@ -37,7 +37,7 @@ bool measure_check(const struct measure_desc *desc);
 /* The settings that are not default, "clustered.vals=8 map.size=64"; the caller frees it. */
 char *measure_settings(const struct measure_desc *desc);
 
-/* The setting of that name as a number; 0 where there is none. */
+/* The setting of that name as a number; 0 where the technique has none such. */
 double measure_setting(const struct measure_desc *desc, const char *name);
 
 static inline double measure_pixels(const struct measure_desc *desc) {
