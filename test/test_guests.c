@@ -64,6 +64,46 @@ static void test_lists(void **state) {
            "render a.glb -o a.png --technique ambient --set %s", "level=-1");
 }
 
+/* What it makes can be had as a layer; what it lacks is refused by name. */
+static void test_outputs(void **state) {
+    (void)state;
+    const char *path = scratch("guests-aov.exr");
+    char arguments[640];
+    static const char *const lacking[] = {"val", "vpl", "visibility", "gathered", "val-depth"};
+    snprintf(arguments, sizeof arguments,
+             "render scenes/cornell-box.glb -o %s --size 32x24 --technique ambient --aov", path);
+    for (size_t i = 0; i < sizeof lacking / sizeof *lacking; i++) {
+        char all[700], words[128];
+        snprintf(all, sizeof all, "%s %s", arguments, lacking[i]);
+        snprintf(words, sizeof words, "technique 'ambient' has no layer '%s'", lacking[i]);
+        expect(1, words, "%s", all);
+    }
+    char all[700];
+    snprintf(all, sizeof all, "%s irradiance", arguments);
+    expect(0, "", "%s", all);
+}
+
+/* In a window, against a technique that has all, stepping through what there is. */
+static void test_view(void **state) {
+    (void)state;
+    if (run_command("command -v xvfb-run", output, sizeof output) != 0)
+        skip();
+    char command[900];
+    const char *build = getenv("MANYLIGHT_BUILD"), *picture = scratch("guests-view.png");
+    snprintf(command, sizeof command,
+             "timeout -k 5 60 xvfb-run -a %s/test/guests/manylight view scenes/cornell-box.glb "
+             "--technique ambient --direct headlamp --size 120x100 --frames 2 --screenshot %s "
+             "</dev/null",
+             build ? build : "build", picture);
+    int status = run_command(command, output, sizeof output);
+    if (status != 0)
+        fail_msg("view: status %d:\n%s", status, output);
+    struct image image;
+    check_ok("screenshot", image_read(&image, picture));
+    assert_true(image.width == 120 && image.height == 100);
+    image_free(&image);
+}
+
 static void test_compare(void **state) {
     (void)state;
     char other[512], arguments[1100];
@@ -96,8 +136,8 @@ static void test_bench(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_render),
-        cmocka_unit_test(test_lists),
+        cmocka_unit_test(test_render),  cmocka_unit_test(test_lists),
+        cmocka_unit_test(test_outputs), cmocka_unit_test(test_view),
         cmocka_unit_test(test_compare),
         cmocka_unit_test(test_bench),
     };
