@@ -138,8 +138,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_render),  cmocka_unit_test(test_lists),
         cmocka_unit_test(test_outputs), cmocka_unit_test(test_view),
-        cmocka_unit_test(test_compare),
-        cmocka_unit_test(test_bench),
+        cmocka_unit_test(test_compare), cmocka_unit_test(test_bench),
     };
     return cmocka_run_group_tests_name("guests", tests, NULL, NULL);
 }

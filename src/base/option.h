@@ -36,7 +36,6 @@ struct option {
     const char *const *choices; /* OPTION_CHOICE: null-terminated */
     const char *value_name;     /* in --help: "FILE"; NULL = by type */
     const char *help;
-    bool reinit; /* a change allocates or compiles anew */
 };
 
 /* A table ends with a row whose name is NULL. */

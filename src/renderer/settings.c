@@ -14,8 +14,7 @@ static const struct option table[] = {
      .help = "EV"},
     {"samples", 0, OPTION_INT, offsetof(struct picture_settings, samples), 8, 1, 16,
      .help = "places of a pixel at which edges are told: antialiasing; 1 = its centre alone,\n"
-             "more count in fours",
-     .reinit = true},
+             "more count in fours"},
     {"tone-map", 0, OPTION_CHOICE, offsetof(struct picture_settings, tone_map), TONE_MAP_CLAMP,
      .choices = tone_map_names, .help = "how bright light is shown"},
     {NULL},

@@ -5,45 +5,41 @@
 
 /* Columns: name, letter, type, field, default, minimum, maximum. */
 static const struct option lights_table[] = {
-    {"vpls", 0, OPTION_INT, ROW(lights, vpls), 1024, 1, 65536, .help = "virtual point lights, N",
-     .reinit = true},
+    {"vpls", 0, OPTION_INT, ROW(lights, vpls), 1024, 1, 65536, .help = "virtual point lights, N"},
     {"seed", 0, OPTION_INT, ROW(lights, seed), 0, 0, 1e9,
-     .help = "another set of VPLs; 0 = Halton's points as they are", .reinit = true},
+     .help = "another set of VPLs; 0 = Halton's points as they are"},
     {"rsm-size", 0, OPTION_INT, ROW(lights, rsm_size), 512, 16, 8192,
-     .help = "reflective shadow map, texels a side", .reinit = true},
+     .help = "reflective shadow map, texels a side"},
     {NULL},
 };
 
 static const struct option map_table[] = {
-    {"size", 0, OPTION_INT, ROW(map, size), 256, 16, 4096, .help = "paraboloid map, texels a side",
-     .reinit = true},
+    {"size", 0, OPTION_INT, ROW(map, size), 256, 16, 4096, .help = "paraboloid map, texels a side"},
     {"near-clip", 0, OPTION_FLOAT, ROW(map, near_clip), .01, 0, 1,
      .help = "casters nearer to a light's centre are ignored, over the scene's radius; at most\n"
-             "the light's extent",
-     .reinit = true},
+             "the light's extent"},
     {NULL},
 };
 
 static const struct option lookup_table[] = {
-    {"terms", 0, OPTION_INT, ROW(lookup, terms), 4, 1, 16, .help = "terms of the Fourier series, K",
-     .reinit = true},
+    {"terms", 0, OPTION_INT, ROW(lookup, terms), 4, 1, 16,
+     .help = "terms of the Fourier series, K"},
     {"bias", 0, OPTION_FLOAT, ROW(lookup, bias), .25, 0, 100,
-     .help = "receiver offset along its normal, in texels of the map at its distance",
-     .reinit = true},
+     .help = "receiver offset along its normal, in texels of the map at its distance"},
     {"map-bias", 0, OPTION_FLOAT, ROW(lookup, map_bias), .005, 0, 1,
-     .help = "depth bias of hard lookups, of the distance", .reinit = true},
+     .help = "depth bias of hard lookups, of the distance"},
     {"shift", 0, OPTION_FLOAT, ROW(lookup, shift), .25, 0, 2,
-     .help = "ringing suppression: shift of the receiver depth, over 1/(2K)", .reinit = true},
+     .help = "ringing suppression: shift of the receiver depth, over 1/(2K)"},
     {"gain", 0, OPTION_FLOAT, ROW(lookup, gain), 2, .1, 16,
-     .help = "ringing suppression: scale about one half", .reinit = true},
+     .help = "ringing suppression: scale about one half"},
     {"sharpen-a", 0, OPTION_FLOAT, ROW(lookup, sharpen_a), 0, 0, 1000,
-     .help = "contact sharpening A [Dong 2011, eq. 5.9]; 0 = off", .reinit = true},
+     .help = "contact sharpening A [Dong 2011, eq. 5.9]; 0 = off"},
     {"sharpen-b", 0, OPTION_FLOAT, ROW(lookup, sharpen_b), 10, 0, 1000,
-     .help = "contact sharpening B", .reinit = true},
+     .help = "contact sharpening B"},
     {"taps", 0, OPTION_INT, ROW(lookup, taps), 16, 1, 256,
-     .help = "percentage-closer: texels of a filter", .reinit = true},
+     .help = "percentage-closer: texels of a filter"},
     {"filter-jacobian", 0, OPTION_FLAG, ROW(lookup, filter_jacobian), 0,
-     .help = "filter width by the paraboloid's Jacobian, not alpha/pi", .reinit = true},
+     .help = "filter width by the paraboloid's Jacobian, not alpha/pi"},
     {NULL},
 };
 
@@ -51,37 +47,35 @@ static const char *const clamp_names[] = {"none", "value", "disk", "near", NULL}
 
 static const struct option gather_table[] = {
     {"interleave", 0, OPTION_INT, ROW(gather, interleave), 8, 1, 16,
-     .help = "n: each pixel of n x n takes its share of the VPLs; 1 = all", .reinit = true},
+     .help = "n: each pixel of n x n takes its share of the VPLs; 1 = all"},
     {"clamp", 0, OPTION_CHOICE, ROW(gather, clamp), GATHER_CLAMP_NEAR, .choices = clamp_names,
-     .help = "bound of the geometry term near a VPL", .reinit = true},
+     .help = "bound of the geometry term near a VPL"},
     {"clamp-value", 0, OPTION_FLOAT, ROW(gather, clamp_value), 25, 0, 1e9,
-     .help = "the bound for clamp=value, times the squared scene radius", .reinit = true},
+     .help = "the bound for clamp=value, times the squared scene radius"},
     {"near-reach", 0, OPTION_FLOAT, ROW(gather, near_reach), 5, .1, 100,
-     .help = "clamp=near: reach of the near field, in spacings of VPLs", .reinit = true},
+     .help = "clamp=near: reach of the near field, in spacings of VPLs"},
     {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 16, 1, 1024,
-     .help = "clamp=near: samples of the near field at each pixel", .reinit = true},
+     .help = "clamp=near: samples of the near field at each pixel"},
     {NULL},
 };
 
 static const struct option blur_table[] = {
     {"radius", 0, OPTION_INT, ROW(blur, radius), -1, -1, 64,
-     .help = "taps to each side; -1 = half the interleave", .reinit = true},
+     .help = "taps to each side; -1 = half the interleave"},
     {"separable", 0, OPTION_FLAG, ROW(blur, separable), 1,
-     .help = "along x, then y, not over the whole square at once", .reinit = true},
+     .help = "along x, then y, not over the whole square at once"},
     {"distance", 0, OPTION_FLOAT, ROW(blur, distance), .1, 0, 10,
-     .help = "within this distance, over the scene's extent, alpha", .reinit = true},
+     .help = "within this distance, over the scene's extent, alpha"},
     {"cosine", 0, OPTION_FLOAT, ROW(blur, cosine), .98, -1, 1,
-     .help = "within this cosine of the normals, beta", .reinit = true},
+     .help = "within this cosine of the normals, beta"},
     {NULL},
 };
 
 static const struct option caster_table[] = {
     {"edge", 0, OPTION_FLOAT, ROW(caster, edge), .3, .005, 10,
-     .help = "longest edge of a caster in paraboloid maps, over the scene's radius",
-     .reinit = true},
+     .help = "longest edge of a caster in paraboloid maps, over the scene's radius"},
     {"error", 0, OPTION_FLOAT, ROW(caster, error), .0015, 0, 1,
-     .help = "casters in VALs' maps may stray so far, over the scene's radius; 0 = not at all",
-     .reinit = true},
+     .help = "casters in VALs' maps may stray so far, over the scene's radius; 0 = not at all"},
     {NULL},
 };
 

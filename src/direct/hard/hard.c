@@ -21,9 +21,9 @@ struct hard_settings {
 
 static const struct option table[] = {
     {"shadow-size", 0, OPTION_INT, offsetof(struct hard_settings, shadow_size), 2048, 16, 16384,
-     .help = "shadow map of the direct light, texels a side", .reinit = true},
+     .help = "shadow map of the direct light, texels a side"},
     {"shadow-bias", 0, OPTION_FLOAT, offsetof(struct hard_settings, shadow_bias), 1.5, 0, 100,
-     .help = "receiver offset along its normal, in shadow texels", .reinit = true},
+     .help = "receiver offset along its normal, in shadow texels"},
     {NULL},
 };
 

@@ -27,25 +27,20 @@ static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
 static const char *const visibility_names[] = {"cssm", "hard", "pcss", NULL};
 
 static const struct option table[] = {
-    {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024, .help = "virtual area lights (clusters), M",
-     .reinit = true},
-    {"iterations", 0, OPTION_INT, ROW(iterations), 5, 1, 64, .help = "k-means iterations",
-     .reinit = true},
+    {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024, .help = "virtual area lights (clusters), M"},
+    {"iterations", 0, OPTION_INT, ROW(iterations), 5, 1, 64, .help = "k-means iterations"},
     {"start", 0, OPTION_CHOICE, ROW(start), 0, .choices = start_names,
      .help = "where k-means begins: the same seeds each frame, the last frame's centres, or those "
-             "with empty\nclusters seeded again; frames then depend on the ones before",
-     .reinit = true},
+             "with empty\nclusters seeded again; frames then depend on the ones before"},
     {"weight-position", 0, OPTION_FLOAT, ROW(weight_position), .7, 0, 1000,
-     .help = "clustering weight of distance, w_x", .reinit = true},
+     .help = "clustering weight of distance, w_x"},
     {"weight-normal", 0, OPTION_FLOAT, ROW(weight_normal), .3, 0, 1000,
-     .help = "clustering weight of the angle between normals, w_alpha", .reinit = true},
+     .help = "clustering weight of the angle between normals, w_alpha"},
     {"visibility", 0, OPTION_CHOICE, ROW(visibility), VISIBILITY_PCSS, .choices = visibility_names,
-     .help = "lookup in a VAL's map: soft by convolution, hard, or percentage-closer soft",
-     .reinit = true},
+     .help = "lookup in a VAL's map: soft by convolution, hard, or percentage-closer soft"},
     {"visibility-block", 0, OPTION_INT, ROW(visibility_block), 7, 0, 64,
      .help = "pixels a side of a block that shares its visibility; 0 = each looks itself up;\n"
-             "blocks that are no multiple of interleave blur better",
-     .reinit = true},
+             "blocks that are no multiple of interleave blur better"},
     {NULL},
 };
 

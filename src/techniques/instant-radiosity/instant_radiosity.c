@@ -13,7 +13,7 @@ struct instant_radiosity_settings {
 
 static const struct option table[] = {
     {"map-batch", 0, OPTION_INT, offsetof(struct instant_radiosity_settings, map_batch), 64, 1,
-     1024, .help = "maps in memory at once", .reinit = true},
+     1024, .help = "maps in memory at once"},
     {NULL},
 };
 
