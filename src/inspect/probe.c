@@ -34,12 +34,13 @@ static void place_point(const struct renderer *renderer, int x, int y, float dep
 }
 
 static bool read_surface(struct pick *pick, struct renderer *renderer, float x, float y) {
+    int width = renderer->desc.width, height = renderer->desc.height;
+    int column = (int)glm_clamp(x * (float)width, 0, (float)width - 1);
+    int row = (int)glm_clamp(y * (float)height, 0, (float)height - 1);
     struct image image;
-    if (!renderer_read_layers(renderer, &image))
+    if (!renderer_read_pixel(renderer, column, row, &image))
         return false;
-    int column = (int)glm_clamp(x * (float)image.width, 0, (float)image.width - 1);
-    int row = (int)glm_clamp(y * (float)image.height, 0, (float)image.height - 1);
-    const float *pixel = image_at(&image, column, row);
+    const float *pixel = image.pixels;
     pick->present = pixel[image_find_channel(&image, "A")] > 0;
     copy_layer(&image, pixel, "R", pick->radiance);
     copy_layer(&image, pixel, "direct.R", pick->direct);

@@ -27,8 +27,10 @@ void layer_target_free(struct layer_target *target) {
 void layer_target_read(const struct layer_target *target, int first, int count, struct image *image,
                        int channel) {
     size_t row = (size_t)image->width * 4, bytes = row * (size_t)image->height * sizeof(float);
+    int bottom = target->texture.desc.height - target->y - image->height;
     float *rgba = mem_alloc(bytes, 1);
-    gl.GetTextureImage(target->texture.id, 0, GL_RGBA, GL_FLOAT, (GLsizei)bytes, rgba);
+    gl.GetTextureSubImage(target->texture.id, 0, target->x, bottom, 0, image->width, image->height,
+                          1, GL_RGBA, GL_FLOAT, (GLsizei)bytes, rgba);
     for (int y = 0; y < image->height; y++) {
         const float *from = rgba + (size_t)(image->height - 1 - y) * row + first;
         for (int x = 0; x < image->width; x++)

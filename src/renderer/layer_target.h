@@ -8,6 +8,7 @@
 struct layer_target {
     struct texture texture; /* RGBA32F */
     GLuint framebuffer;
+    int x, y; /* where the image lies in it, y down: 0 at first */
 };
 
 /* Error: out of GPU memory. */

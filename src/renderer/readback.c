@@ -36,8 +36,9 @@ static void read_layers(struct renderer *renderer, struct image *image,
     }
 }
 
-bool renderer_read_layers(struct renderer *renderer, struct image *image) {
-    int width = renderer->desc.width, height = renderer->desc.height;
+/* The image is the part of the picture from x y on, of that size. */
+static bool read_part(struct renderer *renderer, int x, int y, int width, int height,
+                      struct image *image) {
     char names[512] = "";
     for (int i = 0; i < LAYER_ROWS; i++)
         for (const char *c = layer_rows[i].channels; *c; c++) {
@@ -46,12 +47,22 @@ bool renderer_read_layers(struct renderer *renderer, struct image *image) {
                      layer_rows[i].prefix, *c);
         }
     struct layer_target target;
-    if (!layer_target_init(&target, width, height))
+    if (!layer_target_init(&target, renderer->desc.width, renderer->desc.height))
         return false;
+    target.x = x;
+    target.y = y;
     image_init(image, width, height, names);
     read_layers(renderer, image, &target);
     layer_target_free(&target);
     return true;
+}
+
+bool renderer_read_layers(struct renderer *renderer, struct image *image) {
+    return read_part(renderer, 0, 0, renderer->desc.width, renderer->desc.height, image);
+}
+
+bool renderer_read_pixel(struct renderer *renderer, int x, int y, struct image *image) {
+    return read_part(renderer, x, y, 1, 1, image);
 }
 
 void renderer_read_display(const struct renderer *renderer, struct bitmap *bitmap) {

@@ -89,6 +89,9 @@ void renderer_compose(struct renderer *renderer, int layer);
  * Error: out of GPU memory. */
 bool renderer_read_layers(struct renderer *renderer, struct image *image);
 
+/* The same of one pixel, as an image of 1 x 1. */
+bool renderer_read_pixel(struct renderer *renderer, int x, int y, struct image *image);
+
 /* The last frame as the display shows it, row 0 at the top. */
 void renderer_read_display(const struct renderer *renderer, struct bitmap *bitmap);
 
