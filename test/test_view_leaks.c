@@ -8,8 +8,13 @@
 
 #include "desktop.h"
 
+#include "base/error.h"
 #include "gl/memory.h"
+#include "viewer/ui.h"
 #include "viewer/viewer.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 
 #include <dlfcn.h>
 #include <link.h>
@@ -188,6 +193,33 @@ static int keep_library(struct dl_phdr_info *library, size_t size, void *context
     return 0;
 }
 
+/* A driver that the user interface cannot use: what was begun of it ends well. */
+static void test_no_interface(void **state) {
+    (void)state;
+    if (!stage.server)
+        skip();
+    struct window *window =
+        window_create(&(struct window_desc){.title = "manylight", .width = 60, .height = 40});
+    assert_non_null(window);
+    ui_free();
+    glfwMakeContextCurrent(NULL);
+    assert_false(ui_init(window_native(window), 1));
+    printf("    %s\n", error_get());
+    ui_free();
+    glfwMakeContextCurrent(window_native(window));
+    check_ok("user interface", ui_init(window_native(window), 1));
+    ui_free();
+    window_free(window);
+}
+
+/* Nothing has changed, and nothing is rendered. */
+static void check_rest(void) {
+    int before = viewer.frame_count;
+    turn(5);
+    printf("    %-28s %d frames rendered\n", "five turns at rest", viewer.frame_count - before);
+    assert_int_equal(viewer.frame_count, before);
+}
+
 static void test_kept(void **state) {
     (void)state;
     if (!stage.server)
@@ -200,6 +232,8 @@ static void test_kept(void **state) {
     check_ok("viewer", viewer_begin(&viewer, &desc));
     dl_iterate_phdr(keep_library, NULL);
     load("scenes/metaballs.glb");
+    go_back();
+    check_rest();
     check_kept("techniques", switch_technique, 6);
     check_kept("scenes", switch_scene, 4);
     check_kept("sizes", switch_size, 6);
@@ -213,7 +247,8 @@ static void test_kept(void **state) {
 }
 
 int main(int argc, char **argv) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kept)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_no_interface),
+                                       cmocka_unit_test(test_kept)};
     if (argc > 1)
         rounds = atoi(argv[1]);
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);

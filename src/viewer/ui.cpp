@@ -191,8 +191,12 @@ bool ui_init(void *native_window, float scale) {
 }
 
 void ui_free(void) {
-    ImGui_ImplOpenGL3_Shutdown();
-    ImGui_ImplGlfw_Shutdown();
+    if (!ImGui::GetCurrentContext())
+        return;
+    if (ImGui::GetIO().BackendRendererUserData)
+        ImGui_ImplOpenGL3_Shutdown();
+    if (ImGui::GetIO().BackendPlatformUserData)
+        ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
 }
 

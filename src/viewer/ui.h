@@ -16,7 +16,7 @@ extern "C" {
 /* For a window whose context is current. Takes the window's events after its own callbacks. Error:
  * the graphics driver. */
 bool ui_init(void *native_window, float scale);
-void ui_free(void);
+void ui_free(void); /* accepts what was not begun, or failed half-way */
 
 /* All widgets lie between these. taps: keys that were pressed and released since the last frame,
  * which a slow frame would miss. end draws them into the window's framebuffer. */

@@ -99,7 +99,7 @@ static double waiting_time(const struct viewer *viewer) {
     if (viewer->input->width == 0)
         return .1; /* minimised */
     bool busy = viewer->dirty || viewer->recompose || viewer->moving || viewer->play.on ||
-                viewer_is_scripted(viewer) || !context_is_software(viewer->context);
+                viewer_is_scripted(viewer);
     return busy ? 0 : .05;
 }
 
@@ -113,8 +113,7 @@ static void update(struct viewer *viewer) {
         return;
     viewer_animate(viewer, seconds);
     viewer->moving = window_time() - viewer->pace.last_motion < rest_after;
-    if (!context_is_software(viewer->context) || viewer_is_scripted(viewer))
-        viewer->dirty = true;
+    viewer->dirty |= viewer_is_scripted(viewer);
     viewer_update_picture(viewer);
 }
 
