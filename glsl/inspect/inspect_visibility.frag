@@ -15,10 +15,10 @@ void main() {
     surface s = gbuffer_surface(pixel);
     if (!s.present)
         return;
-    float lit = visibility(at.layer, s.position, s.normal);
+    float visible = visibility(at.layer, s.position, s.normal);
     // What the VAL cannot light, as it lies behind it or faces away, is blue.
     vec3 to_val = views[at.layer].center - s.position;
     bool faces = dot(s.normal, to_val) > 0.0 && dot(views[at.layer].axis, to_val) < 0.0;
     vec3 white = faces ? vec3(0.95) : vec3(0.36, 0.42, 0.52);
-    color.rgb = white * mix(0.08, 1.0, lit);
+    color.rgb = white * mix(0.08, 1.0, visible);
 }

@@ -2,8 +2,8 @@
 #include "visibility/visibility.glsl"
 #include "shared/probe.h"
 
-layout(location = TARGET_RESULT) out float lit;
+layout(location = TARGET_RESULT) out float visible;
 
 void main() {
-    lit = visibility(int(gl_FragCoord.x), params.position, params.normal);
+    visible = visibility(int(gl_FragCoord.x), params.position, params.normal);
 }

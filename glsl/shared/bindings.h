@@ -10,7 +10,7 @@
 #define BLOCK_MATERIAL 3
 #define BLOCK_MAPS 4
 #define BLOCK_VPLS 5
-#define BLOCK_VISIBILITY 6
+#define BLOCK_LOOKUP 6
 #define BLOCK_NEAR_SAMPLES 7
 
 /* Texture units. GL promises 96, and 16 to a stage. */
@@ -21,7 +21,6 @@
 #define UNIT_RSM_DEPTH 4
 #define UNIT_RSM_NORMAL 5
 #define UNIT_RSM_ALBEDO 6
-#define UNIT_SHADOW_MAP 7
 #define UNIT_VPLS 8
 #define UNIT_VAL_POSITION 9
 #define UNIT_VAL_NORMAL 10

@@ -5,12 +5,9 @@
 #include "shared/types.h"
 
 struct direct_params {
-    float bias;        /* metres along the normal per metre of a shadow texel */
-    float shadow_size; /* texels */
-    float unused0, unused1;
     vec3 light; /* radiance of a white surface per received light times direct_scale */
-    float unused2;
+    float unused;
 };
-PASS_BLOCK(direct_params, 32)
+PASS_BLOCK(direct_params, 16)
 
 #endif

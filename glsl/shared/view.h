@@ -17,7 +17,7 @@ struct view {
     vec3 up; /* from the axis to the top edge */
     float unused;
     vec3 forward; /* unit */
-    float far;    /* of an orthographic view, metres */
+    float far;    /* where depth is 1 if linear, metres: 1 m but for an orthographic view */
 };
 STD140_SIZE(view, 128)
 

@@ -5,11 +5,11 @@
 
 flat in int instance;
 
-layout(location = TARGET_RESULT) out float lit;
+layout(location = TARGET_RESULT) out float visible;
 
 void main() {
     int size = params.block;
     ivec2 pixel = min(ivec2(gl_FragCoord.xy) * size + size / 2, gbuffer_size() - 1);
     surface s = gbuffer_surface(pixel);
-    lit = s.present ? visibility(instance, s.position, s.normal) : 1.0;
+    visible = s.present ? visibility(instance, s.position, s.normal) : 1.0;
 }

@@ -11,14 +11,6 @@ vec3 paraboloid_local(map_view v, vec3 position) {
     return paraboloid_rotate(v, position - v.center);
 }
 
-// The local place of a receiver, lifted off its surface by so many of the map's texels, as wide as they
-// are at its distance: a surface must not shadow itself where a texel of it is deeper than its middle.
-// A texel in the middle of the map spans 4 / size radians.
-vec3 paraboloid_receiver(map_view v, vec3 position, vec3 normal, float texels, float map_size) {
-    float texel = 4.0 / map_size * distance(position, v.center);
-    return paraboloid_local(v, position + normal * (texels * texel));
-}
-
 // Where a direction lies, in the unit disc for z >= 0.
 vec2 paraboloid_project(vec3 direction) {
     return direction.xy / (1.0 + direction.z);

@@ -1,23 +1,22 @@
-// float visibility(int map, vec3 position, vec3 normal): which part of a map's light reaches a point of a
-// surface. VISIBILITY picks the file, as enum visibility_lookup.
+// Which part of a VAL's or VPL's light reaches a point of a surface, by its map. FILTER says how.
+#define PROJECTION PROJECTION_PARABOLOID
+#include "visibility/lookup.glsl"
 #include "visibility/map_views.glsl"
-#include "visibility/paraboloid.glsl"
-#include "shared/visibility.h"
 
-layout(std140, binding = BLOCK_VISIBILITY) uniform visibility_uniforms {
-    visibility_params lookup;
-};
-
-#if VISIBILITY == 1 || VISIBILITY == 3
-#include "visibility/depth_maps.glsl"
-#endif
-
-#if VISIBILITY == 0
-#include "visibility/visibility_none.glsl"
-#elif VISIBILITY == 1
-#include "visibility/visibility_hard.glsl"
-#elif VISIBILITY == 2
-#include "visibility/visibility_cssm.glsl"
+// A cluster fills its bounding rectangle thinly towards the rim: over its side, the least error of taps.
+#if FILTER == FILTER_PCSS
+const float FILLED = 0.7;
 #else
-#include "visibility/visibility_pcss.glsl"
+const float FILLED = 1.0;
 #endif
+
+float visibility(int map, vec3 position, vec3 normal) {
+#if FILTER == FILTER_NONE
+    return 1.0;
+#else
+    receiver r;
+    if (!project(views[map], position, normal, r))
+        return 1.0;
+    return lit(map, r, views[map].extent * FILLED);
+#endif
+}

@@ -1,7 +1,7 @@
 #include "inspect/lookup.h"
 
 #include "gl/program.h"
-#include "shared/visibility.h"
+#include "shared/lookup.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,7 @@ bool lookup_fit(struct lookup *lookup, const char *fragment, const struct visibi
                                                               .fragment = fragment,
                                                               .defines = defines}) &&
         buffer_init(&lookup->params, "inspected visibility parameters",
-                    sizeof(struct visibility_params), NULL))
+                    sizeof(struct lookup_params), NULL))
         return true;
     lookup_free(lookup);
     return false;

@@ -41,6 +41,7 @@ static void set_axes(struct view *view, const float origin[3], const float right
         view->up[i] = up[i] * half_height;
         view->forward[i] = forward[i];
     }
+    view->far = 1;
 }
 
 void view_of_camera(struct view *view, const struct camera *camera, const struct geometry *geometry,

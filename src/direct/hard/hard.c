@@ -1,7 +1,7 @@
 /* Direct light with a hard shadow map [Dong 2009 §6].
  *
- * The lookup compares the four nearest texels and weights the results, so that the shadow's edge is
- * a texel wide and not stepped. */
+ * The lookup is that of other maps of depth (visibility/lookup.glsl), filtered over the four nearest
+ * texels, so that the shadow's edge is a texel wide and not stepped. */
 #include "base/memory.h"
 #include "direct/direct.h"
 #include "gl/framebuffer.h"
@@ -9,6 +9,7 @@
 #include "gl/program.h"
 #include "passes/visibility/shadow_map.h"
 #include "shared/direct.h"
+#include "shared/lookup.h"
 
 #include <cglm/util.h>
 
@@ -33,12 +34,12 @@ static const struct settings_part own_part = {"hard", "direct light with hard sh
 struct hard {
     struct shadow_map_pass shadow_map;
     float bias;
-    GLuint program;
+    GLuint perspective_program, orthographic_program;
     struct target {
         struct texture light;
         GLuint framebuffer;
     } target;
-    struct buffer params;
+    struct buffer params, lookup_params;
 };
 
 static bool init_target(struct target *target, int width, int height) {
@@ -61,11 +62,22 @@ static void free_state(void *state) {
     struct hard *hard = state;
     if (hard) {
         shadow_map_pass_free(&hard->shadow_map);
-        program_free(&hard->program);
+        program_free(&hard->perspective_program);
+        program_free(&hard->orthographic_program);
         free_target(&hard->target);
         buffer_free(&hard->params);
+        buffer_free(&hard->lookup_params);
     }
     free(hard);
+}
+
+static bool init_program(GLuint *program, int projection) {
+    char *defines = mem_printf("PROJECTION %d;FILTER %d", projection, FILTER_PCF);
+    bool ok = program_init(program, &(struct program_desc){.vertex = "fullscreen.vert",
+                                                           .fragment = "direct/hard/hard.frag",
+                                                           .defines = defines});
+    free(defines);
+    return ok;
 }
 
 static bool init(void **state, const struct direct_desc *desc) {
@@ -74,11 +86,11 @@ static bool init(void **state, const struct direct_desc *desc) {
     hard->bias = own->shadow_bias;
     return shadow_map_pass_init(&hard->shadow_map,
                                 &(struct shadow_map_desc){own->shadow_size, desc->light_views}) &&
-           program_init(&hard->program,
-                        &(struct program_desc){.vertex = "fullscreen.vert",
-                                               .fragment = "direct/hard/hard.frag"}) &&
+           init_program(&hard->perspective_program, PROJECTION_PERSPECTIVE) &&
+           init_program(&hard->orthographic_program, PROJECTION_ORTHOGRAPHIC) &&
            init_target(&hard->target, desc->width, desc->height) &&
-           buffer_init(&hard->params, "direct parameters", sizeof(struct direct_params), NULL);
+           buffer_init(&hard->params, "direct parameters", sizeof(struct direct_params), NULL) &&
+           buffer_init(&hard->lookup_params, "direct lookup", sizeof(struct lookup_params), NULL);
 }
 
 static bool resize(void *state, int width, int height) {
@@ -101,22 +113,26 @@ static void render_lights(void *state, const struct frame *frame) {
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct hard *hard = state;
     const struct texture *map = &hard->shadow_map.map;
-    struct direct_params params = {.bias = hard->bias, .shadow_size = (float)map->desc.width};
+    struct lookup_params lookup = {.bias = hard->bias, .map_size = (float)map->desc.width};
+    struct direct_params params = {.unused = 0};
     for (int i = 0; i < 3; i++)
         params.light[i] = frame->light_intensity[i] / ((float)GLM_PI * frame->direct_scale);
     buffer_write(&hard->params, 0, sizeof params, &params);
+    buffer_write(&hard->lookup_params, 0, sizeof lookup, &lookup);
     pass_begin(frame->timers, &(struct pass_state){
                                   .name = "direct",
-                                  .program = hard->program,
+                                  .program = frame->light_directional ? hard->orthographic_program
+                                                                      : hard->perspective_program,
                                   .framebuffer = hard->target.framebuffer,
                                   .width = hard->target.light.desc.width,
                                   .height = hard->target.light.desc.height,
                                   .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                                                {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                                               {UNIT_SHADOW_MAP, map->id}},
+                                               {UNIT_MAP_DEPTH, map->id}},
                                   .blocks = {{BLOCK_VIEW, frame->view},
                                              {BLOCK_LIGHT, frame->light},
-                                             {BLOCK_PASS, &hard->params}},
+                                             {BLOCK_PASS, &hard->params},
+                                             {BLOCK_LOOKUP, &hard->lookup_params}},
                               });
     pass_draw_fullscreen(1);
     pass_end(frame->timers);

@@ -5,7 +5,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/gather.h"
-#include "shared/visibility.h"
+#include "shared/lookup.h"
 #include "shared/vpl.h"
 
 #include <stdlib.h>
@@ -32,8 +32,7 @@ bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) 
         irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, desc->width,
                         desc->height, desc->interleave) &&
         buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL) &&
-        buffer_init(&pass->visibility_params, "visibility parameters",
-                    sizeof(struct visibility_params), NULL))
+        buffer_init(&pass->lookup_params, "lookup parameters", sizeof(struct lookup_params), NULL))
         return true;
     gather_pass_free(pass);
     return false;
@@ -43,7 +42,7 @@ void gather_pass_free(struct gather_pass *pass) {
     program_free(&pass->program);
     irradiance_free(&pass->irradiance);
     buffer_free(&pass->params);
-    buffer_free(&pass->visibility_params);
+    buffer_free(&pass->lookup_params);
     *pass = (struct gather_pass){0};
 }
 
@@ -123,7 +122,7 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
     };
     if (pass->desc.share)
         pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, inputs->blocks->texture.id);
-    visibility_add(&state, &pass->desc.visibility, &pass->visibility_params, &inputs->visibility);
+    visibility_add(&state, &pass->desc.visibility, &pass->lookup_params, &inputs->visibility);
     write_params(pass, frame, inputs);
     pass_begin(frame->timers, &state);
     for (int slot = 0; slot < pass->desc.interleave * pass->desc.interleave; slot++)

@@ -30,7 +30,7 @@ struct gather_pass {
     struct gather_desc desc;
     GLuint program;
     struct irradiance irradiance;
-    struct buffer params, visibility_params;
+    struct buffer params, lookup_params;
 };
 
 bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc);

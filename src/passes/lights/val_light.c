@@ -2,7 +2,7 @@
 
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/visibility.h"
+#include "shared/lookup.h"
 
 #include <stdlib.h>
 
@@ -13,8 +13,7 @@ bool val_light_pass_init(struct val_light_pass *pass, const struct visibility_de
         program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
                                                             .fragment = "lights/val_light.frag",
                                                             .defines = defines}) &&
-        buffer_init(&pass->visibility_params, "visibility parameters",
-                    sizeof(struct visibility_params), NULL);
+        buffer_init(&pass->lookup_params, "lookup parameters", sizeof(struct lookup_params), NULL);
     free(defines);
     if (!ok)
         val_light_pass_free(pass);
@@ -23,7 +22,7 @@ bool val_light_pass_init(struct val_light_pass *pass, const struct visibility_de
 
 void val_light_pass_free(struct val_light_pass *pass) {
     program_free(&pass->program);
-    buffer_free(&pass->visibility_params);
+    buffer_free(&pass->lookup_params);
     *pass = (struct val_light_pass){0};
 }
 
@@ -41,7 +40,7 @@ void val_light_pass_render(const struct val_light_pass *pass, const struct frame
                      {UNIT_VAL_FLUX, val_fluxes->id}},
         .blocks = {{BLOCK_VIEW, frame->view}},
     };
-    visibility_add(&state, &pass->desc, &pass->visibility_params, inputs);
+    visibility_add(&state, &pass->desc, &pass->lookup_params, inputs);
     pass_begin(frame->timers, &state);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);

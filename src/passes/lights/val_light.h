@@ -8,7 +8,7 @@
 struct val_light_pass {
     struct visibility_desc desc;
     GLuint program;
-    struct buffer visibility_params;
+    struct buffer lookup_params;
 };
 
 bool val_light_pass_init(struct val_light_pass *pass, const struct visibility_desc *desc);

@@ -4,7 +4,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/block_visibility.h"
-#include "shared/visibility.h"
+#include "shared/lookup.h"
 
 #include <stdlib.h>
 
@@ -42,8 +42,7 @@ bool block_visibility_pass_init(struct block_visibility_pass *pass,
     struct block_visibility_params params = {.block = desc->block};
     if (init_program(pass) && init_target(pass) &&
         buffer_init(&pass->params, "block parameters", sizeof params, &params) &&
-        buffer_init(&pass->visibility_params, "visibility parameters",
-                    sizeof(struct visibility_params), NULL))
+        buffer_init(&pass->lookup_params, "lookup parameters", sizeof(struct lookup_params), NULL))
         return true;
     block_visibility_pass_free(pass);
     return false;
@@ -54,7 +53,7 @@ void block_visibility_pass_free(struct block_visibility_pass *pass) {
     framebuffer_free(&pass->framebuffer);
     texture_free(&pass->blocks.texture);
     buffer_free(&pass->params);
-    buffer_free(&pass->visibility_params);
+    buffer_free(&pass->lookup_params);
     *pass = (struct block_visibility_pass){0};
 }
 
@@ -72,7 +71,7 @@ void block_visibility_pass_render(const struct block_visibility_pass *pass,
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
-    visibility_add(&state, &pass->desc.visibility, &pass->visibility_params, inputs);
+    visibility_add(&state, &pass->desc.visibility, &pass->lookup_params, inputs);
     pass_begin(frame->timers, &state);
     pass_draw_fullscreen(pass->desc.visibility.map_count);
     pass_end(frame->timers);

@@ -17,7 +17,7 @@ struct block_visibility_pass {
     struct block_visibility_desc desc;
     GLuint program, framebuffer;
     struct block_visibilities blocks;
-    struct buffer params, visibility_params;
+    struct buffer params, lookup_params;
 };
 
 bool block_visibility_pass_init(struct block_visibility_pass *pass,

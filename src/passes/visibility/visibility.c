@@ -1,15 +1,16 @@
 #include "passes/visibility/visibility.h"
 
 #include "base/memory.h"
-#include "shared/visibility.h"
+#include "shared/lookup.h"
 
 #include <math.h>
 
 char *visibility_defines(const struct visibility_desc *desc) {
     int terms = desc->basis_terms > 0 ? desc->basis_terms : 1;
-    return mem_printf("VISIBILITY %d;MAP_COUNT %d;BASIS_TERMS %d;BASIS_GROUPS %d;"
-                      "FILTER_JACOBIAN %d;SHARPEN %d;FILTER_TAPS %d;SEARCH_TAPS %d",
-                      desc->lookup, desc->map_count, terms, (terms + 3) / 4, desc->filter_jacobian,
+    bool jacobian = desc->lookup != VISIBILITY_LOOKUP_CSSM || desc->filter_jacobian;
+    return mem_printf("FILTER %d;MAP_COUNT %d;BASIS_TERMS %d;BASIS_GROUPS %d;JACOBIAN %d;"
+                      "SHARPEN %d;FILTER_TAPS %d;SEARCH_TAPS %d",
+                      desc->lookup, desc->map_count, terms, (terms + 3) / 4, jacobian,
                       desc->sharpen_a > 0, desc->taps, (desc->taps + 1) / 2);
 }
 
@@ -31,7 +32,7 @@ static void add_maps(struct pass_state *state, const struct visibility_desc *des
 
 void visibility_add(struct pass_state *state, const struct visibility_desc *desc,
                     const struct buffer *params, const struct visibility_inputs *inputs) {
-    struct visibility_params values = {
+    struct lookup_params values = {
         .bias = desc->bias,
         .map_size = (float)desc->map_size,
         .map_bias = desc->map_bias,
@@ -41,6 +42,6 @@ void visibility_add(struct pass_state *state, const struct visibility_desc *desc
         .sharpen_b = desc->sharpen_b,
     };
     buffer_write(params, 0, sizeof values, &values);
-    pass_add_block(state, BLOCK_VISIBILITY, params);
+    pass_add_block(state, BLOCK_LOOKUP, params);
     add_maps(state, desc, inputs);
 }

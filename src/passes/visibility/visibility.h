@@ -4,24 +4,25 @@
 
 #include "gl/pass.h"
 #include "passes/frame.h"
+#include "shared/lookup.h"
 
 enum visibility_lookup {
-    VISIBILITY_LOOKUP_NONE,
-    VISIBILITY_LOOKUP_HARD, /* one texel of the depth map */
-    VISIBILITY_LOOKUP_CSSM, /* convolution soft shadow maps */
-    VISIBILITY_LOOKUP_PCSS, /* percentage-closer soft shadows */
+    VISIBILITY_LOOKUP_NONE = FILTER_NONE,
+    VISIBILITY_LOOKUP_HARD = FILTER_HARD,
+    VISIBILITY_LOOKUP_CSSM = FILTER_CSSM,
+    VISIBILITY_LOOKUP_PCSS = FILTER_PCSS,
 };
 
 struct visibility_desc {
     enum visibility_lookup lookup;
     int map_size, map_count, basis_terms;
     float bias;                 /* receiver offset along its normal, in texels of the map */
-    float map_bias;             /* of a hard lookup, of the distance */
+    float map_bias;             /* where distances are compared, of the distance */
     float shift;                /* of the receiver's depth, over 1 / (2 K) */
     float gain;                 /* of the blocked fraction about one half */
     float sharpen_a, sharpen_b; /* [Dong 2011, eq. 5.9]; A = 0: off */
     int taps;                   /* of a PCSS lookup: the filter's; the search has half as many */
-    bool filter_jacobian;       /* exact paraboloid Jacobian in place of alpha / pi */
+    bool filter_jacobian;       /* of a CSSM lookup: exact Jacobian in place of alpha / pi */
 };
 
 /* What a lookup reads. */

@@ -1,6 +1,6 @@
-// Convolution soft shadow maps with parabolic projection [Dong 2009 §4.1-4.2; Dong 2011 ch. 5].
+// Convolution soft shadow maps [Dong 2009 §4.1-4.2; Dong 2011 ch. 5].
 //
-// All distances are map depths: metres over z_far. Blocked fraction of a filter w:
+// All distances are map depths: metres over the unit. Blocked fraction of a filter w:
 //     s(d) = 1/2 + 2 sum_k (sin(c_k d) [w*cos c_k z] - cos(c_k d) [w*sin c_k z]) / c_k
 // and the mean depth of the blockers is the same expansion of z, over s (eq. 5.10, 5.11).
 
@@ -56,41 +56,20 @@ float filter_lod(float width) {
     return max(0.0, log2(lookup.map_size * width) - 1.0);
 }
 
-// Width in the map of an angle seen at a place of the paraboloid, by its Jacobian (1 + |p|^2) / 4, or
-// alpha / pi as the paper has it.
-float filter_width(float alpha, vec2 p) {
-#if FILTER_JACOBIAN
-    return alpha * (1.0 + dot(p, p)) * 0.25;
-#else
-    return alpha / PI;
-#endif
-}
-
-float visibility(int map, vec3 position, vec3 normal) {
-    map_view v = views[map];
-    vec3 q = paraboloid_receiver(v, position, normal, lookup.bias, lookup.map_size);
-    if (q.z <= 0.0)
-        return 1.0;
-    float r = length(q);
-    vec3 direction = q / r;
-    vec2 p = paraboloid_project(direction), uv = p * 0.5 + 0.5;
-    float d = r / v.z_far, extent = v.extent / v.z_far;
-
-    // The first filter: the VAL's own solid angle seen from the receiver.
-    float initial = extent * sqrt(max(direction.z, 0.05)) / d;
-    float shifted = d - lookup.shift;
-    float z_average = blocker_depth(uv, map, shifted, filter_lod(filter_width(initial, p)));
+float lit(int map, receiver r, float extent) {
+    float d = r.distance / r.unit, light = extent_in_units(r, extent);
+    // The first filter: the light's own solid angle seen from the receiver.
+    float initial = light_angle(r, light, d), shifted = d - lookup.shift;
+    float z_average = blocker_depth(r.uv, map, shifted, filter_lod(angle_width(r, initial)));
     if (z_average < 0.0)
         return 1.0;
-    // The penumbra, seen from the centre [Dong 2009 §4.2]: p cos beta = (d - z) extent / z.
-    float penumbra = (d - z_average) * extent / z_average;
-    float alpha = atan(penumbra / d);
-    float blocked = blocked_fraction(uv, map, shifted, filter_lod(filter_width(alpha, p)));
+    float alpha = atan(penumbra_angle(light, d, z_average));
+    float blocked = blocked_fraction(r.uv, map, shifted, filter_lod(angle_width(r, alpha)));
     // Ringing suppression by shift and scale [Dong 2011, Fig. 5.2].
-    float lit = clamp(0.5 - (blocked - 0.5) * lookup.gain, 0.0, 1.0);
+    float share = clamp(0.5 - (blocked - 0.5) * lookup.gain, 0.0, 1.0);
 #if SHARPEN
-    // Contact shadows, [Dong 2011, eq. 5.9]: G(v) = v^(1 + A exp(-B (d - z)))
-    lit = pow(lit, 1.0 + lookup.sharpen_a * exp(-lookup.sharpen_b * (d - z_average)));
+    // Contact shadows [Dong 2011, eq. 5.9]: G(v) = v^(1 + A exp(-B (d - z)))
+    share = pow(share, 1.0 + lookup.sharpen_a * exp(-lookup.sharpen_b * (d - z_average)));
 #endif
-    return lit;
+    return share;
 }

@@ -1,0 +1,29 @@
+/* How a point looks itself up in a map of depth: a projection, which says where the map has it, and a
+ * filter, which says which part of the light reaches it (visibility/lookup.glsl). */
+#ifndef SHARED_LOOKUP_H
+#define SHARED_LOOKUP_H
+
+#include "shared/types.h"
+
+#define PROJECTION_PARABOLOID 0   /* struct map_view */
+#define PROJECTION_PERSPECTIVE 1  /* struct view */
+#define PROJECTION_ORTHOGRAPHIC 2 /* struct view */
+
+#define FILTER_NONE 0 /* all is lit */
+#define FILTER_HARD 1 /* one texel */
+#define FILTER_CSSM 2 /* convolution soft shadow maps */
+#define FILTER_PCSS 3 /* percentage-closer soft shadows */
+#define FILTER_PCF 4  /* the four nearest texels, weighted */
+
+struct lookup_params {
+    float bias;     /* of the point along its normal, texels of the map */
+    float map_size; /* texels */
+    float map_bias; /* of the point's distance, where it is compared with a texel, of the distance */
+    float shift;    /* FILTER_CSSM: of the receiver depth, map depth */
+    float gain;     /* of the blocked fraction about one half */
+    float sharpen_a, sharpen_b;
+    float unused;
+};
+STD140_SIZE(lookup_params, 32)
+
+#endif

@@ -1,0 +1,36 @@
+// Shadows: a projection and a filter, by the defines PROJECTION and FILTER (shared/lookup.h).
+//
+// A projection says where a map has a point:
+//     receiver                              a point as the map sees it
+//     bool project(v, position, normal, r)  false where the view v does not look
+//     float receiver_distance(r, texel)     where the receiver's plane is met through a texel
+//     float extent_in_units(r, extent)      the light's extent, in units of r.unit
+//     float map_depth(r, stored)            linear depth of a texel's value, in units of r.unit
+//     float light_angle(r, extent, d)       the light's extent, seen from the receiver
+//     float penumbra_angle(extent, d, z)    the penumbra of a blocker at z, seen from the light
+//     float angle_width(r, angle)           such an angle in the map, over its width
+// Distances are metres, or all in one other unit. A filter has one function:
+//     float lit(int map, receiver r, float extent)
+#include "shared/lookup.h"
+
+layout(std140, binding = BLOCK_LOOKUP) uniform lookup_uniforms {
+    lookup_params lookup;
+};
+
+#if PROJECTION == PROJECTION_PARABOLOID
+#include "visibility/projection_paraboloid.glsl"
+#elif PROJECTION == PROJECTION_PERSPECTIVE
+#include "visibility/projection_perspective.glsl"
+#elif PROJECTION == PROJECTION_ORTHOGRAPHIC
+#include "visibility/projection_orthographic.glsl"
+#endif
+
+#if FILTER == FILTER_HARD
+#include "visibility/filter_hard.glsl"
+#elif FILTER == FILTER_CSSM
+#include "visibility/filter_cssm.glsl"
+#elif FILTER == FILTER_PCSS
+#include "visibility/filter_pcss.glsl"
+#elif FILTER == FILTER_PCF
+#include "visibility/filter_pcf.glsl"
+#endif

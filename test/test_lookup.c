@@ -1,0 +1,598 @@
+/* Lookups in maps of depth: each projection and each filter against a second implementation in
+ * doubles, over a small map that is made by hand; and each of one with each of the other. */
+#include "render_support.h"
+
+#include "base/memory.h"
+#include "gl/glsl.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/lookup.h"
+#include "shared/map_view.h"
+#include "shared/view.h"
+
+#include <cglm/cglm.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIZE = 64, LEVELS = 7, POINTS = 4000, TERMS = 4, TAPS = 16, SEARCH = TAPS / 2 };
+
+static const double extent = .3, unit = 5, near = .01; /* metres; of the orthographic: radians */
+static const double half = .8; /* of the map at 1 m, or of the orthographic one */
+static const double bias = .5, map_bias = .01, shift = .03, gain = 2;
+
+static const char *const projection_names[] = {"paraboloid", "perspective", "orthographic"};
+static const char *const filter_names[] = {"none", "hard", "cssm", "pcss", "pcf"};
+
+struct answer {
+    float uv[2], seen, depth, plane, texel, light, penumbra, width, share, unused[2];
+};
+
+struct lookups {
+    int projection, filter;
+    vec3s origin, axes[3]; /* right, up, forward */
+    vec4 points[POINTS][2];
+    double depths[SIZE][SIZE]; /* linear, over the unit; 2 where nothing is */
+    struct texture map, bases[5];
+    struct answer *answers;
+};
+
+/* --- projections, in doubles ------------------------------------------------------------------ */
+
+struct c_receiver {
+    double point[3], normal[3]; /* in the map's frame */
+    double uv[2], distance;
+    bool seen;
+};
+
+static double dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void to_frame(const struct lookups *lookups, const double v[3], double local[3]) {
+    for (int axis = 0; axis < 3; axis++)
+        local[axis] = v[0] * (double)lookups->axes[axis].x + v[1] * (double)lookups->axes[axis].y +
+                      v[2] * (double)lookups->axes[axis].z;
+}
+
+/* Where the map has a place of its own frame. */
+static void place_of(int projection, const double q[3], double uv[2]) {
+    double across = hypot(q[0], q[1]), scale = 1 / half;
+    if (projection == PROJECTION_PARABOLOID)
+        scale = across > 0 ? tan(atan2(across, q[2]) / 2) / across : 0;
+    if (projection == PROJECTION_PERSPECTIVE)
+        scale = 1 / (half * q[2]);
+    uv[0] = .5 + .5 * scale * q[0];
+    uv[1] = .5 + .5 * scale * q[1];
+}
+
+static double distance_of(int projection, const double q[3]) {
+    return projection == PROJECTION_PARABOLOID ? sqrt(dot(q, q)) : q[2];
+}
+
+/* The width of a texel at the receiver, metres. */
+static double texel_of(int projection, const double q[3]) {
+    if (projection == PROJECTION_PARABOLOID)
+        return 4. / SIZE * sqrt(dot(q, q));
+    return 2 * half / SIZE * (projection == PROJECTION_PERSPECTIVE ? q[2] : 1);
+}
+
+static struct c_receiver receiver_of(const struct lookups *lookups, const vec4 point[2]) {
+    struct c_receiver r = {.distance = 0};
+    double from[3], n[3];
+    for (int c = 0; c < 3; c++) {
+        from[c] = (double)point[0][c] - (double)lookups->origin.raw[c];
+        n[c] = (double)point[1][c];
+    }
+    to_frame(lookups, from, r.point);
+    to_frame(lookups, n, r.normal);
+    double texel = texel_of(lookups->projection, r.point);
+    for (int c = 0; c < 3; c++)
+        r.point[c] += bias * texel * r.normal[c];
+    place_of(lookups->projection, r.point, r.uv);
+    r.distance = distance_of(lookups->projection, r.point);
+    r.seen = r.point[2] > 0;
+    return r;
+}
+
+/* A place of the texel's line of sight, and along it. */
+static void sight_of(int projection, int x, int y, double origin[3], double ray[3]) {
+    double p[2] = {(x + .5) / SIZE * 2 - 1, (y + .5) / SIZE * 2 - 1};
+    bool orthographic = projection == PROJECTION_ORTHOGRAPHIC;
+    double angle = 2 * atan(hypot(p[0], p[1])), across = fmax(hypot(p[0], p[1]), 1e-12);
+    for (int c = 0; c < 2; c++) {
+        origin[c] = orthographic ? p[c] * half : 0;
+        ray[c] = orthographic                          ? 0
+                 : projection == PROJECTION_PARABOLOID ? sin(angle) * p[c] / across
+                                                       : p[c] * half;
+    }
+    origin[2] = 0;
+    ray[2] = projection == PROJECTION_PARABOLOID ? cos(angle) : 1;
+}
+
+/* Where the receiver's plane is met through a texel. */
+static double plane_of(const struct lookups *lookups, const struct c_receiver *r, int x, int y) {
+    double origin[3], ray[3], from[3], bend = 0;
+    sight_of(lookups->projection, x, y, origin, ray);
+    for (int c = 0; c < 3; c++)
+        from[c] = r->point[c] - origin[c];
+    double facing = dot(r->normal, ray), plane = r->distance;
+    if (facing < -1e-3)
+        plane = dot(r->normal, from) / facing;
+    if (lookups->projection == PROJECTION_PARABOLOID)
+        bend = 2 - 2 * dot(ray, r->point) / r->distance;
+    return fmax(fmin(plane, r->distance), r->distance / 2) * (1 - map_bias - bend);
+}
+
+/* The width in the map of what is seen under an angle, by two places that far apart. */
+static double width_of(int projection, const struct c_receiver *r, double angle) {
+    double a[3], b[3], uv[2][2], across = hypot(r->point[0], r->point[1]);
+    memcpy(a, r->point, sizeof a);
+    memcpy(b, r->point, sizeof b);
+    if (projection == PROJECTION_PARABOLOID) { /* turned towards the axis and away from it */
+        double middle = atan2(across, r->point[2]);
+        for (int c = 0; c < 3; c++) {
+            double way = c < 2 ? r->point[c] / across : 0;
+            a[c] = c < 2 ? sin(middle - angle / 2) * way : cos(middle - angle / 2);
+            b[c] = c < 2 ? sin(middle + angle / 2) * way : cos(middle + angle / 2);
+        }
+    } else {
+        a[0] -= angle * r->distance / 2;
+        b[0] += angle * r->distance / 2;
+    }
+    place_of(projection, a, uv[0]);
+    place_of(projection, b, uv[1]);
+    return hypot(uv[1][0] - uv[0][0], uv[1][1] - uv[0][1]);
+}
+
+static double light_of(int projection, const struct c_receiver *r) {
+    double cosine = r->point[2] / sqrt(dot(r->point, r->point));
+    return projection == PROJECTION_ORTHOGRAPHIC  ? extent
+           : projection == PROJECTION_PERSPECTIVE ? extent / r->distance
+                                                  : extent * sqrt(fmax(cosine, .05)) / r->distance;
+}
+
+/* The rays from both ends of the light past an edge at z, where they meet the receiver's distance. */
+static double penumbra_of(int projection, double d, double z) {
+    bool orthographic = projection == PROJECTION_ORTHOGRAPHIC;
+    double slope = orthographic ? extent / 2 : extent / 2 / z;
+    return 2 * slope * (d - z) / d;
+}
+
+/* --- filters, in doubles ---------------------------------------------------------------------- */
+
+static bool sees(const struct lookups *lookups, const struct c_receiver *r, double u, double v) {
+    int x = (int)(u * SIZE), y = (int)(v * SIZE);
+    return plane_of(lookups, r, x, y) <= lookups->depths[y][x] * unit;
+}
+
+static double filter_hard(const struct lookups *lookups, const struct c_receiver *r) {
+    return sees(lookups, r, r->uv[0], r->uv[1]);
+}
+
+static double filter_pcf(const struct lookups *lookups, const struct c_receiver *r) {
+    double x = r->uv[0] * SIZE - .5, y = r->uv[1] * SIZE - .5, sum = 0;
+    for (int i = 0; i < 4; i++) {
+        int column = (int)floor(x) + i % 2, row = (int)floor(y) + i / 2;
+        double weight = (1 - fabs(x - column)) * (1 - fabs(y - row));
+        sum += r->distance <= lookups->depths[row][column] * unit ? weight : 0;
+    }
+    return sum;
+}
+
+static void tap(const double uv[2], double radius, int i, int n, double at[2]) {
+    double turn = i * acos(-1) * (3 - sqrt(5)), reach = radius * sqrt((i + .5) / n);
+    at[0] = uv[0] + reach * cos(turn);
+    at[1] = uv[1] + reach * sin(turn);
+}
+
+/* Half of the filter's width in the map, at least half a texel. */
+static double radius_of(const struct lookups *lookups, const struct c_receiver *r, double angle) {
+    double wide = width_of(lookups->projection, r, 1e-3) * fmin(angle, .2) / 1e-3;
+    return fmax(wide / 2, .5 / SIZE);
+}
+
+static double filter_pcss(const struct lookups *lookups, const struct c_receiver *r) {
+    double sum = 0, count = 0, lit = 0, at[2];
+    double search = radius_of(lookups, r, light_of(lookups->projection, r));
+    for (int i = 0; i < SEARCH; i++) {
+        tap(r->uv, search, i, SEARCH, at);
+        if (sees(lookups, r, at[0], at[1]))
+            continue;
+        sum += lookups->depths[(int)(at[1] * SIZE)][(int)(at[0] * SIZE)] * unit;
+        count++;
+    }
+    if (count == 0)
+        return 1;
+    double z = fmax(sum / count, 1e-3 * r->distance);
+    double angle = penumbra_of(lookups->projection, r->distance, fmin(z, r->distance));
+    for (int i = 0; i < TAPS; i++) {
+        tap(r->uv, radius_of(lookups, r, angle), i, TAPS, at);
+        lit += sees(lookups, r, at[0], at[1]);
+    }
+    return lit / TAPS;
+}
+
+/* What a basis says of the linear depth z: cos or sin of c_k z, times z or not. */
+static double basis_of(double z, int k, bool sine, bool times_z) {
+    double angle = acos(-1) * (2 * k + 1) * z;
+    return (sine ? sin(angle) : cos(angle)) * (times_z ? z : 1);
+}
+
+/* The mean over the texels of a basis, bilinear between texels of a level that are means of squares
+ * of the map. k < 0: z itself. */
+static double level_of(const struct lookups *lookups, const double uv[2], int level, int k,
+                       bool sine, bool times_z) {
+    int size = SIZE >> level, side = 1 << level;
+    double x = uv[0] * size - .5, y = uv[1] * size - .5, sum = 0;
+    for (int i = 0; i < 4; i++) {
+        int column = (int)floor(x) + i % 2, row = (int)floor(y) + i / 2;
+        double weight = (1 - fabs(x - column)) * (1 - fabs(y - row)), mean = 0;
+        column = column < 0 ? 0 : column < size ? column : size - 1;
+        row = row < 0 ? 0 : row < size ? row : size - 1;
+        for (int t = 0; t < side * side; t++) {
+            double z =
+                fmin(lookups->depths[row * side + t / side][column * side + t % side], 7. / 8);
+            mean += (k < 0 ? z : basis_of(z, k, sine, times_z)) / (side * side);
+        }
+        sum += weight * mean;
+    }
+    return sum;
+}
+
+static double filtered(const struct lookups *lookups, const double uv[2], double lod, int k,
+                       bool sine, bool times_z) {
+    lod = fmin(lod, LEVELS - 1);
+    int level = (int)lod < LEVELS - 2 ? (int)lod : LEVELS - 2;
+    double part = lod - level;
+    return (1 - part) * level_of(lookups, uv, level, k, sine, times_z) +
+           part * level_of(lookups, uv, level + 1, k, sine, times_z);
+}
+
+/* The blocked fraction [Dong 2009 §4.1], or with z the sum of blockers' depths. */
+static double series(const struct lookups *lookups, const double uv[2], double d, double lod,
+                     bool times_z) {
+    double sum = times_z ? .5 * filtered(lookups, uv, lod, -1, false, false) : .5;
+    for (int k = 0; k < TERMS; k++) {
+        double c = acos(-1) * (2 * k + 1);
+        sum += 2 / c *
+               (sin(c * d) * filtered(lookups, uv, lod, k, false, times_z) -
+                cos(c * d) * filtered(lookups, uv, lod, k, true, times_z));
+    }
+    return sum;
+}
+
+static double lod_of(const struct lookups *lookups, const struct c_receiver *r, double angle) {
+    double width = width_of(lookups->projection, r, 1e-3) * angle / 1e-3;
+    return fmax(0, log2(SIZE * width) - 1);
+}
+
+static double filter_cssm(const struct lookups *lookups, const struct c_receiver *r) {
+    double d = r->distance / unit, shifted = d - shift;
+    double lod = lod_of(lookups, r, light_of(lookups->projection, r));
+    double blocked = series(lookups, r->uv, shifted, lod, false);
+    if (blocked < .02)
+        return 1;
+    double z = series(lookups, r->uv, shifted, lod, true) / blocked;
+    z = fmax(fmin(z, shifted), 1e-3);
+    double angle = penumbra_of(lookups->projection, r->distance, z * unit);
+    blocked = series(lookups, r->uv, shifted, lod_of(lookups, r, atan(angle)), false);
+    return fmax(fmin(.5 - (blocked - .5) * gain, 1), 0);
+}
+
+/* --- the map ---------------------------------------------------------------------------------- */
+
+/* A tilted blocker with a wavy edge before nothing. */
+static void make_depths(struct lookups *lookups) {
+    for (int y = 0; y < SIZE; y++)
+        for (int x = 0; x < SIZE; x++) {
+            double edge = SIZE / 2 + 6 * sin(y * .2);
+            lookups->depths[y][x] = x < edge ? .25 + .1 * y / SIZE : 2;
+        }
+}
+
+/* As the projection stores it. */
+static float stored_of(int projection, double depth) {
+    if (projection == PROJECTION_PARABOLOID)
+        return (float)fmin(depth, 1);
+    if (depth > 1)
+        return 0;
+    return (float)(projection == PROJECTION_PERSPECTIVE ? near / (depth * unit) : 1 - depth);
+}
+
+static void open_texture(struct texture *texture, GLenum format, int levels, GLenum channels,
+                         const float *texels) {
+    check_ok("texture",
+             texture_init(texture, &(struct texture_desc){.label = "lookup",
+                                                          .target = GL_TEXTURE_2D_ARRAY,
+                                                          .format = format,
+                                                          .width = SIZE,
+                                                          .height = SIZE,
+                                                          .levels = levels,
+                                                          .filter = levels > 1 ? FILTER_TRILINEAR
+                                                                               : FILTER_NEAREST}));
+    gl.TextureSubImage3D(texture->id, 0, 0, 0, 0, SIZE, SIZE, 1, channels, GL_FLOAT, texels);
+    if (levels > 1)
+        gl.GenerateTextureMipmap(texture->id);
+}
+
+static void open_map(struct lookups *lookups) {
+    float texels[SIZE * SIZE];
+    for (int i = 0; i < SIZE * SIZE; i++)
+        texels[i] = stored_of(lookups->projection, lookups->depths[i / SIZE][i % SIZE]);
+    open_texture(&lookups->map, GL_R32F, 1, GL_RED, texels);
+}
+
+/* cos, sin as (b + 1) / 2, z cos, z sin, z. */
+static void open_bases(struct lookups *lookups) {
+    float(*texels)[4] = mem_alloc(SIZE * SIZE, sizeof *texels);
+    float plain[SIZE * SIZE];
+    for (int b = 0; b < 4; b++) {
+        for (int i = 0; i < SIZE * SIZE; i++) {
+            double z = fmin(lookups->depths[i / SIZE][i % SIZE], 7. / 8);
+            plain[i] = (float)z;
+            for (int k = 0; k < TERMS; k++) {
+                double value = basis_of(z, k, b % 2, b >= 2);
+                texels[i][k] = (float)(b < 2 ? value / 2 + .5 : value);
+            }
+        }
+        open_texture(&lookups->bases[b], GL_RGBA32F, LEVELS, GL_RGBA, &texels[0][0]);
+    }
+    open_texture(&lookups->bases[4], GL_R32F, LEVELS, GL_RED, plain);
+    free(texels);
+}
+
+/* --- on the GPU ------------------------------------------------------------------------------- */
+
+/* Random places within the middle of the map, on surfaces that mostly face the light. */
+static void make_points(struct lookups *lookups) {
+    srand(7);
+#define RANDOM ((float)rand() / (float)RAND_MAX)
+    for (int i = 0; i < POINTS; i++) {
+        float z = .5f + 3 * RANDOM, spread = lookups->projection == PROJECTION_ORTHOGRAPHIC ? 1 : z;
+        float x = spread * .4f * (2 * RANDOM - 1), y = spread * .4f * (2 * RANDOM - 1);
+        vec3s at = lookups->origin;
+        at = glms_vec3_muladds(lookups->axes[0], x, at);
+        at = glms_vec3_muladds(lookups->axes[1], y, at);
+        at = glms_vec3_muladds(lookups->axes[2], z, at);
+        vec3s n = glms_vec3_scale(lookups->axes[2], -1);
+        n = glms_vec3_muladds(lookups->axes[0], 1.2f * (RANDOM - .5f), n);
+        n = glms_vec3_normalize(glms_vec3_muladds(lookups->axes[1], 1.2f * (RANDOM - .5f), n));
+        memcpy(lookups->points[i][0], at.raw, sizeof at.raw);
+        memcpy(lookups->points[i][1], n.raw, sizeof n.raw);
+    }
+}
+
+static void copy(vec3s from, float scale, vec3 to) {
+    glm_vec3_scale(from.raw, scale, to);
+}
+
+/* The view's block, and the light's extent. */
+static void open_view(const struct lookups *lookups, struct buffer *buffer) {
+    struct {
+        struct map_view view;
+        vec4 extent;
+    } paraboloid = {{.z_far = (float)unit}, {(float)extent}};
+    struct {
+        struct view view;
+        vec4 extent;
+    } flat = {{.near = (float)near, .far = (float)unit}, {(float)extent}};
+    copy(lookups->origin, 1, paraboloid.view.center);
+    copy(lookups->axes[0], 1, paraboloid.view.tangent);
+    copy(lookups->axes[2], 1, paraboloid.view.axis);
+    copy(lookups->origin, 1, flat.view.origin);
+    copy(lookups->axes[0], (float)half, flat.view.right);
+    copy(lookups->axes[1], (float)half, flat.view.up);
+    copy(lookups->axes[2], 1, flat.view.forward);
+    bool orthographic = lookups->projection == PROJECTION_ORTHOGRAPHIC;
+    flat.view.orthographic = orthographic;
+    for (int axis = 0; axis < 2; axis++)
+        for (int c = 0; c < 4; c++)
+            flat.view.world_to_clip[c][axis] =
+                (c < 3 ? lookups->axes[axis].raw[c]
+                       : -glms_vec3_dot(lookups->axes[axis], lookups->origin)) /
+                (float)half;
+    for (int c = 0; c < 4; c++)
+        flat.view.world_to_clip[c][3] = orthographic ? (c == 3)
+                                        : c < 3      ? lookups->axes[2].raw[c]
+                                                : -glms_vec3_dot(lookups->axes[2], lookups->origin);
+    if (lookups->projection == PROJECTION_PARABOLOID)
+        check_ok("view", buffer_init(buffer, "view", sizeof paraboloid, &paraboloid));
+    else
+        check_ok("view", buffer_init(buffer, "view", sizeof flat, &flat));
+}
+
+static GLuint open_program(const struct lookups *lookups) {
+    GLuint program;
+    char *defines =
+        mem_printf("PROJECTION %d;FILTER %d;JACOBIAN 1;SHARPEN 0;MAP_COUNT 1;BASIS_TERMS %d;"
+                   "BASIS_GROUPS 1;FILTER_TAPS %d;SEARCH_TAPS %d",
+                   lookups->projection, lookups->filter, TERMS, TAPS, SEARCH);
+    check_ok("program",
+             program_init(&program, &(struct program_desc){.compute = "../test/lookup.comp",
+                                                           .defines = defines}));
+    free(defines);
+    return program;
+}
+
+static void run(struct lookups *lookups) {
+    struct lookup_params params = {.bias = (float)bias,
+                                   .map_size = SIZE,
+                                   .map_bias = (float)map_bias,
+                                   .shift = (float)shift,
+                                   .gain = (float)gain};
+    struct timers untimed = {0};
+    struct buffer view, block, points, answers;
+    GLuint program = open_program(lookups);
+    open_view(lookups, &view);
+    check_ok("params", buffer_init(&block, "lookup", sizeof params, &params));
+    check_ok("points", buffer_init(&points, "points", sizeof lookups->points, lookups->points));
+    check_ok("answers", buffer_init(&answers, "answers", POINTS * sizeof *lookups->answers, NULL));
+    pass_begin(&untimed, &(struct pass_state){
+                             .name = "lookups",
+                             .program = program,
+                             .textures = {{UNIT_MAP_DEPTH, lookups->map.id},
+                                          {UNIT_BASIS_COS, lookups->bases[0].id},
+                                          {UNIT_BASIS_SIN, lookups->bases[1].id},
+                                          {UNIT_BASIS_Z_COS, lookups->bases[2].id},
+                                          {UNIT_BASIS_Z_SIN, lookups->bases[3].id},
+                                          {UNIT_BASIS_Z, lookups->bases[4].id}},
+                             .blocks = {{BLOCK_PASS, &view}, {BLOCK_LOOKUP, &block}},
+                             .storages = {{0, &points}, {1, &answers}},
+                         });
+    pass_dispatch((POINTS + 63) / 64, 1, 1);
+    pass_end(&untimed);
+    buffer_read(&answers, 0, POINTS * sizeof *lookups->answers, lookups->answers);
+    buffer_free(&view);
+    buffer_free(&block);
+    buffer_free(&points);
+    buffer_free(&answers);
+    program_free(&program);
+}
+
+static struct lookups *open_lookups(int projection, int filter) {
+    struct lookups *lookups = mem_alloc(1, sizeof *lookups);
+    lookups->projection = projection;
+    lookups->filter = filter;
+    lookups->origin = (vec3s){{.3f, 2, -.7f}};
+    lookups->axes[2] = glms_vec3_normalize((vec3s){{.2f, -1, .4f}});
+    lookups->axes[0] = glms_vec3_normalize(glms_vec3_cross(lookups->axes[2], (vec3s){{0, 0, 1}}));
+    lookups->axes[1] = glms_vec3_cross(lookups->axes[2], lookups->axes[0]);
+    lookups->answers = mem_alloc(POINTS, sizeof *lookups->answers);
+    make_depths(lookups);
+    make_points(lookups);
+    open_map(lookups);
+    open_bases(lookups);
+    run(lookups);
+    return lookups;
+}
+
+static void close_lookups(struct lookups *lookups) {
+    texture_free(&lookups->map);
+    for (int b = 0; b < 5; b++)
+        texture_free(&lookups->bases[b]);
+    free(lookups->answers);
+    free(lookups);
+}
+
+/* --- tests ------------------------------------------------------------------------------------ */
+
+static double off(double value, double expected) {
+    return fabs(value - expected);
+}
+
+static double map_depth_of(int projection, double stored) {
+    return projection == PROJECTION_PARABOLOID    ? stored
+           : projection == PROJECTION_PERSPECTIVE ? near / stored / unit
+                                                  : 1 - stored;
+}
+
+static void check_projection(int projection) {
+    struct lookups *lookups = open_lookups(projection, FILTER_NONE);
+    double uv = 0, depth = 0, plane = 0, texel = 0, light = 0, penumbra = 0, width = 0;
+    int wrong = 0;
+    for (int i = 0; i < POINTS; i++) {
+        const struct answer *a = &lookups->answers[i];
+        struct c_receiver r = receiver_of(lookups, lookups->points[i]);
+        int x = (int)((double)a->uv[0] * SIZE) + 1, y = (int)((double)a->uv[1] * SIZE);
+        wrong += (a->seen > 0) != r.seen;
+        uv = fmax(uv, fmax(off(a->uv[0], r.uv[0]), off(a->uv[1], r.uv[1])));
+        depth = fmax(depth, off(a->depth, r.distance / unit));
+        plane = fmax(plane, off(a->plane, plane_of(lookups, &r, x, y) / unit));
+        texel = fmax(texel, off(a->texel, map_depth_of(projection, .25)));
+        light = fmax(light, off(a->light, light_of(projection, &r)));
+        penumbra =
+            fmax(penumbra, off(a->penumbra, penumbra_of(projection, r.distance, .6 * r.distance)));
+        width = fmax(width, off(a->width, width_of(projection, &r, .01)));
+    }
+    printf("  %s\n", projection_names[projection]);
+    check_at_most("points that are seen, or not, unduly", wrong, 0);
+    check_at_most("places", uv, 1e-5);
+    check_at_most("distances", depth, 1e-6);
+    check_at_most("distances of planes", plane, 1e-5);
+    check_at_most("depths of a texel", texel, 1e-6);
+    check_at_most("the light's angles", light, 1e-6);
+    check_at_most("penumbrae", penumbra, 1e-6);
+    check_at_most("widths of an angle of .01", width, 1e-6);
+    close_lookups(lookups);
+}
+
+static void test_paraboloid(void **state) {
+    (void)state;
+    check_projection(PROJECTION_PARABOLOID);
+}
+
+static void test_perspective(void **state) {
+    (void)state;
+    check_projection(PROJECTION_PERSPECTIVE);
+}
+
+static void test_orthographic(void **state) {
+    (void)state;
+    check_projection(PROJECTION_ORTHOGRAPHIC);
+}
+
+/* With every projection. Where a distance is a texel's but for rounding either answer is right, and
+ * a tap more or less is a sixteenth. */
+static void check_filter(int filter, double (*expected)(const struct lookups *lookups,
+                                                        const struct c_receiver *r)) {
+    for (int projection = 0; projection < 3; projection++) {
+        struct lookups *lookups = open_lookups(projection, filter);
+        int wrong = 0, between = 0;
+        double sum = 0;
+        for (int i = 0; i < POINTS; i++) {
+            struct c_receiver r = receiver_of(lookups, lookups->points[i]);
+            double share = lookups->answers[i].share;
+            wrong += off(share, expected(lookups, &r)) > 5e-3;
+            between += share > .01 && share < .99;
+            sum += share / POINTS;
+        }
+        printf("  %s, %s: %.3f arrives, penumbra %d\n", filter_names[filter],
+               projection_names[projection], sum, between);
+        check_at_most("wrong answers", wrong, POINTS / 200);
+        assert_true(sum > .2 && sum < .9 && (between > 100) == (filter != FILTER_HARD));
+        close_lookups(lookups);
+    }
+}
+
+static void test_hard(void **state) {
+    (void)state;
+    check_filter(FILTER_HARD, filter_hard);
+}
+
+static void test_pcf(void **state) {
+    (void)state;
+    check_filter(FILTER_PCF, filter_pcf);
+}
+
+static void test_pcss(void **state) {
+    (void)state;
+    check_filter(FILTER_PCSS, filter_pcss);
+}
+
+static void test_cssm(void **state) {
+    (void)state;
+    check_filter(FILTER_CSSM, filter_cssm);
+}
+
+static int open_tests(void **state) {
+    glsl_set_folder("glsl"); /* the test's own shader lies beside the test */
+    return open_group_context(state);
+}
+
+static int close_tests(void **state) {
+    glsl_set_folder(NULL);
+    return close_group_context(state);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_paraboloid),   cmocka_unit_test(test_perspective),
+        cmocka_unit_test(test_orthographic), cmocka_unit_test(test_hard),
+        cmocka_unit_test(test_pcf),          cmocka_unit_test(test_pcss),
+        cmocka_unit_test(test_cssm),
+    };
+    return cmocka_run_group_tests_name("lookup", tests, open_tests, close_tests);
+}
