@@ -96,8 +96,8 @@ static const struct technique *technique_of(int round) {
 }
 
 static void switch_technique(int round) {
-    viewer.technique = technique_of(round);
-    check_ok("VALs", settings_assign(&viewer.settings, round % 2 ? "vals=5" : "vals=4"));
+    viewer.wish.technique = technique_of(round);
+    check_ok("VALs", settings_assign(&viewer.wish.settings, round % 2 ? "vals=5" : "vals=4"));
     viewer_touch(&viewer);
     turn(1);
 }
@@ -109,13 +109,13 @@ static void switch_scene(int round) {
 }
 
 static void switch_size(int round) {
-    window_set_size(viewer.window, PANEL + 100 + 7 * (round % 5), 90 + 5 * (round % 3));
+    window_set_size(viewer.host.window, PANEL + 100 + 7 * (round % 5), 90 + 5 * (round % 3));
     turn(2);
 }
 
 static void switch_wipe(int round) {
-    viewer.compare.mode = round % 2 ? COMPARE_OFF : COMPARE_TECHNIQUE;
-    viewer.compare.technique = technique_of(round / 2);
+    viewer.shown.compare.mode = round % 2 ? COMPARE_OFF : COMPARE_TECHNIQUE;
+    viewer.shown.compare.technique = technique_of(round / 2);
     viewer_touch(&viewer);
     turn(2);
 }
@@ -127,10 +127,10 @@ static void switch_output(int round) {
 }
 
 static void play(int round) {
-    viewer.play.on = true;
+    viewer.wish.play.on = true;
     viewer_go_to(&viewer, .07 * round);
     turn(1);
-    viewer.play.on = false;
+    viewer.wish.play.on = false;
 }
 
 static void minimise(int round) {
@@ -140,19 +140,19 @@ static void minimise(int round) {
     pause_ms(30);
     turn(2);
     if (round % 2 == 0)
-        assert_int_equal(viewer.input->width, 0);
+        assert_int_equal(viewer.host.input->width, 0);
     else
-        assert_true(viewer.input->width > 0);
+        assert_true(viewer.host.input->width > 0);
 }
 
 /* As at the beginning, so that what is there can be compared. */
 static void go_back(void) {
-    viewer.technique = technique_default;
-    viewer.settings = viewer.desc.settings;
-    viewer.compare.mode = COMPARE_OFF;
-    viewer.choice.output = NULL;
-    viewer.recompose = true;
-    window_set_size(viewer.window, PANEL + 100, 90);
+    viewer.wish.technique = technique_default;
+    viewer.wish.settings = viewer.desc.settings;
+    viewer.shown.compare.mode = COMPARE_OFF;
+    viewer.shown.choice.output = NULL;
+    viewer.shown.recompose = true;
+    window_set_size(viewer.host.window, PANEL + 100, 90);
     load("scenes/metaballs.glb");
     viewer_go_to(&viewer, 0);
     turn(30);
@@ -182,7 +182,7 @@ static void check_kept(const char *what, void (*step)(int round), int least) {
     /* What grew by a picture or a scene a round would be more. */
     assert_true(after.resident - before.resident < 24);
 #endif
-    assert_int_equal(context_message_count(viewer.context), 0);
+    assert_int_equal(context_message_count(viewer.host.context), 0);
 }
 
 /* GLFW unloads the driver at the end: nobody could tell then whose leaks those are. */
@@ -214,10 +214,11 @@ static void test_no_interface(void **state) {
 
 /* Nothing has changed, and nothing is rendered. */
 static void check_rest(void) {
-    int before = viewer.frame_count;
+    int before = viewer.shown.frame_count;
     turn(5);
-    printf("    %-28s %d frames rendered\n", "five turns at rest", viewer.frame_count - before);
-    assert_int_equal(viewer.frame_count, before);
+    printf("    %-28s %d frames rendered\n", "five turns at rest",
+           viewer.shown.frame_count - before);
+    assert_int_equal(viewer.shown.frame_count, before);
 }
 
 static void test_kept(void **state) {

@@ -1,4 +1,4 @@
-/* viewer/screen.h to its shader. */
+/* inspect/screen.h to its shader. */
 #ifndef SHARED_SCREEN_H
 #define SHARED_SCREEN_H
 

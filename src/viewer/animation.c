@@ -20,7 +20,7 @@ static void pose(struct viewer *viewer) {
     /* What a broken pose leaves cannot be drawn: back to where it began. */
     if (!geometry_pose(&document->geometry, &document->scene, placed->time)) {
         viewer_tell_error(viewer);
-        viewer->play.on = false;
+        viewer->wish.play.on = false;
         placed->time = 0;
         geometry_pose(&document->geometry, &document->scene, 0);
     }
@@ -34,7 +34,7 @@ static void pose(struct viewer *viewer) {
 
 /* In single precision, as a command line tells it. */
 static double in_range(const struct viewer *viewer, double time, double duration) {
-    if (!viewer->play.loops || duration <= 0)
+    if (!viewer->wish.play.loops || duration <= 0)
         return (double)(float)fmin(fmax(time, 0), duration);
     double rest = fmod(time, duration);
     return (double)(float)(rest < 0 ? rest + duration : rest);
@@ -48,13 +48,14 @@ void viewer_toggle_play(struct viewer *viewer) {
     double duration = scene_duration(&viewer->document.scene);
     if (!viewer->has_scene || duration <= 0)
         return;
-    viewer->play.on = !viewer->play.on;
-    if (viewer->play.on && !viewer->play.loops && viewer->placed.time >= (double)(float)duration)
+    viewer->wish.play.on = !viewer->wish.play.on;
+    if (viewer->wish.play.on && !viewer->wish.play.loops &&
+        viewer->placed.time >= (double)(float)duration)
         viewer_go_to(viewer, 0);
 }
 
 void viewer_animate(struct viewer *viewer, double seconds) {
-    struct playing *play = &viewer->play;
+    struct playing *play = &viewer->wish.play;
     double duration = scene_duration(&viewer->document.scene);
     if (play->on)
         viewer_go_to(viewer, viewer->placed.time + seconds * (double)play->speed);

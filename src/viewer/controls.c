@@ -10,10 +10,10 @@
 /* --- keys --- */
 
 static void show_layer(struct viewer *viewer, int layer) {
-    viewer->layer = layer;
-    viewer->choice.output = NULL;
-    viewer->compare.measured = false;
-    viewer->recompose = true;
+    viewer->shown.layer = layer;
+    viewer->shown.choice.output = NULL;
+    viewer->shown.compare.measured = false;
+    viewer->shown.recompose = true;
 }
 
 static void key_full(struct viewer *viewer) {
@@ -38,32 +38,32 @@ static void key_home(struct viewer *viewer) {
         viewer_pick_camera(viewer, viewer->placed.camera_number);
 }
 static void key_light(struct viewer *viewer) {
-    viewer->light_tool.shown = !viewer->light_tool.shown;
+    viewer->hand.light_tool.shown = !viewer->hand.light_tool.shown;
 }
 static void key_wipe(struct viewer *viewer) {
-    struct compare *compare = &viewer->compare;
+    struct compare *compare = &viewer->shown.compare;
     compare->mode = (enum compare_mode)((compare->mode + 1) % COMPARE_MODES);
     if (compare->mode == COMPARE_REFERENCE && !compare->reference.framebuffer)
         compare->mode = COMPARE_OFF;
-    viewer->dirty = true;
+    viewer->shown.dirty = true;
 }
 static void key_toggle(struct viewer *viewer) {
-    viewer->compare.only_right = !viewer->compare.only_right;
+    viewer->shown.compare.only_right = !viewer->shown.compare.only_right;
 }
 static void key_play(struct viewer *viewer) {
     viewer_toggle_play(viewer);
 }
 static void key_help(struct viewer *viewer) {
-    viewer->show_help = !viewer->show_help;
+    viewer->panel.help = !viewer->panel.help;
 }
 static void key_panel(struct viewer *viewer) {
-    viewer->show_panel = !viewer->show_panel;
+    viewer->panel.is_open = !viewer->panel.is_open;
 }
 static void key_overlay(struct viewer *viewer) {
-    viewer->show_overlay = !viewer->show_overlay;
+    viewer->panel.overlay = !viewer->panel.overlay;
 }
 static void key_full_screen(struct viewer *viewer) {
-    window_toggle_full_screen(viewer->window);
+    window_toggle_full_screen(viewer->host.window);
 }
 static void key_quit(struct viewer *viewer) {
     viewer->done = true;
@@ -109,9 +109,9 @@ static const struct {
 };
 
 static void run_keys(struct viewer *viewer) {
-    for (int i = 0; i < viewer->input->key_count; i++)
+    for (int i = 0; i < viewer->host.input->key_count; i++)
         for (int k = 0; k < KEY_ROWS; k++)
-            if (keys[k].key == viewer->input->keys[i])
+            if (keys[k].key == viewer->host.input->keys[i])
                 keys[k].run(viewer);
 }
 
@@ -131,7 +131,7 @@ static void touch_camera(struct viewer *viewer) {
 }
 
 static void fly(struct viewer *viewer, double seconds) {
-    const struct input *input = viewer->input;
+    const struct input *input = viewer->host.input;
     float pace = input->shift ? 3.F : input->control ? .1F : .7F, step = pace * (float)seconds;
     float right = (float)(input->key_held['D'] - input->key_held['A']);
     float up = (float)(input->key_held['E'] - input->key_held['Q']);
@@ -143,9 +143,9 @@ static void fly(struct viewer *viewer, double seconds) {
 }
 
 static void drag_camera(struct viewer *viewer) {
-    const struct input *input = viewer->input;
+    const struct input *input = viewer->host.input;
     struct orbit *orbit = &viewer->placed.orbit;
-    float height = (float)viewer->picture.height;
+    float height = (float)viewer->shown.picture.height;
     float right = (float)input->dx / height, down = (float)input->dy / height;
     bool pan = input->held[BUTTON_MIDDLE] || (input->held[BUTTON_LEFT] && input->shift);
     if (right == 0 && down == 0)
@@ -166,10 +166,10 @@ static void drag_camera(struct viewer *viewer) {
 static bool drag_light(struct viewer *viewer) {
     bool moved;
     bool held =
-        light_tool_update(&viewer->light_tool,
+        light_tool_update(&viewer->hand.light_tool,
                           &(struct light_stage){&viewer->placed.orbit.camera,
-                                                &viewer->document.geometry, &viewer->picture},
-                          viewer->input, &viewer->placed.light, &moved);
+                                                &viewer->document.geometry, &viewer->shown.picture},
+                          viewer->host.input, &viewer->placed.light, &moved);
     if (moved) {
         viewer->placed.light_moved = true;
         viewer_touch(viewer);
@@ -178,75 +178,76 @@ static bool drag_light(struct viewer *viewer) {
 }
 
 static bool drag_split(struct viewer *viewer) {
-    const struct input *input = viewer->input;
-    const struct rectangle *picture = &viewer->picture;
-    struct compare *compare = &viewer->compare;
+    const struct input *input = viewer->host.input;
+    const struct rectangle *picture = &viewer->shown.picture;
+    struct compare *compare = &viewer->shown.compare;
     double x = (input->x - picture->x) / picture->width;
     double reach = 7 * (double)input->scale / picture->width;
     double press_x = (input->press_x - picture->x) / picture->width;
     bool near_line = fabs(press_x - (double)compare->split) < reach;
-    if (input->pressed[BUTTON_LEFT] && viewer->right && !compare->only_right && near_line)
-        viewer->drags_split = true;
+    if (input->pressed[BUTTON_LEFT] && viewer->shown.right && !compare->only_right && near_line)
+        viewer->hand.drags_split = true;
     if (!input->held[BUTTON_LEFT])
-        viewer->drags_split = false;
-    if (viewer->drags_split)
+        viewer->hand.drags_split = false;
+    if (viewer->hand.drags_split)
         compare->split = (float)fmin(fmax(x, 0), 1);
-    return viewer->drags_split;
+    return viewer->hand.drags_split;
 }
 
 /* --- clicks --- */
 
 /* A click on a sheet shows that layer alone, the next one the sheet again. */
 static void click_layer(struct viewer *viewer, float x, float y) {
-    struct inspect_choice *choice = &viewer->choice;
-    choice->layer = choice->layer < 0 ? inspect_sheet_layer(&viewer->renderer, choice, x, y) : -1;
-    viewer->recompose = true;
+    struct inspect_choice *choice = &viewer->shown.choice;
+    choice->layer =
+        choice->layer < 0 ? inspect_sheet_layer(&viewer->shown.renderer, choice, x, y) : -1;
+    viewer->shown.recompose = true;
 }
 
 static void click_cluster(struct viewer *viewer, float x, float y) {
-    int val = probe_nearest_val(&viewer->renderer, x, y);
+    int val = probe_nearest_val(&viewer->shown.renderer, x, y);
     if (val < 0)
         return;
-    viewer->choice.output = inspect_find(&viewer->renderer, OUTPUT_VISIBILITY);
-    viewer->choice.layer = viewer->choice.chosen = val;
-    viewer->recompose = true;
+    viewer->shown.choice.output = inspect_find(&viewer->shown.renderer, OUTPUT_VISIBILITY);
+    viewer->shown.choice.layer = viewer->shown.choice.chosen = val;
+    viewer->shown.recompose = true;
 }
 
 static void click(struct viewer *viewer) {
-    const struct rectangle *picture = &viewer->picture;
-    const char *output = viewer->choice.output;
-    float x = (float)(viewer->input->x - picture->x) / (float)picture->width;
-    float y = (float)(viewer->input->y - picture->y) / (float)picture->height;
+    const struct rectangle *picture = &viewer->shown.picture;
+    const char *output = viewer->shown.choice.output;
+    float x = (float)(viewer->host.input->x - picture->x) / (float)picture->width;
+    float y = (float)(viewer->host.input->y - picture->y) / (float)picture->height;
     if (x < 0 || y < 0 || x >= 1 || y >= 1)
         return;
-    if (inspect_layers(&viewer->renderer, output) > 1)
+    if (inspect_layers(&viewer->shown.renderer, output) > 1)
         click_layer(viewer, x, y);
-    else if (inspect_is(&viewer->renderer, output, OUTPUT_VALS))
+    else if (inspect_is(&viewer->shown.renderer, output, OUTPUT_VALS))
         click_cluster(viewer, x, y);
     else
         viewer_pick_surface(viewer, x, y);
 }
 
 static bool was_clicked(struct viewer *viewer) {
-    const struct input *input = viewer->input;
+    const struct input *input = viewer->host.input;
     double away = fabs(input->x - input->press_x) + fabs(input->y - input->press_y);
-    return input->released[BUTTON_LEFT] && viewer->drags_picture && away < 4;
+    return input->released[BUTTON_LEFT] && viewer->hand.drags_picture && away < 4;
 }
 
 static void use_mouse(struct viewer *viewer) {
-    const struct input *input = viewer->input;
+    const struct input *input = viewer->host.input;
     /* A drag that began on the picture goes on wherever the mouse is. */
     for (int i = 0; i < BUTTON_COUNT; i++)
         if (input->pressed[i])
-            viewer->drags_picture = !ui_wants_mouse();
-    bool holds = viewer->light_tool.held != HANDLE_NONE || viewer->drags_split;
-    if ((holds || viewer->drags_picture) && (drag_light(viewer) || drag_split(viewer))) {
-        viewer->drags_picture = false;
+            viewer->hand.drags_picture = !ui_wants_mouse();
+    bool holds = viewer->hand.light_tool.held != HANDLE_NONE || viewer->hand.drags_split;
+    if ((holds || viewer->hand.drags_picture) && (drag_light(viewer) || drag_split(viewer))) {
+        viewer->hand.drags_picture = false;
         return;
     }
     if (was_clicked(viewer))
         click(viewer);
-    if (viewer->drags_picture)
+    if (viewer->hand.drags_picture)
         drag_camera(viewer);
     if (!ui_wants_mouse() && input->scroll != 0) {
         orbit_zoom(&viewer->placed.orbit, (float)input->scroll);
@@ -255,11 +256,11 @@ static void use_mouse(struct viewer *viewer) {
 }
 
 void controls_update(struct viewer *viewer, double seconds) {
-    if (viewer->input->dropped)
-        viewer_open(viewer, viewer->input->dropped);
+    if (viewer->host.input->dropped)
+        viewer_open(viewer, viewer->host.input->dropped);
     if (!ui_wants_keys())
         run_keys(viewer);
-    if (!viewer->has_scene || viewer->picture.width == 0)
+    if (!viewer->has_scene || viewer->shown.picture.width == 0)
         return;
     use_mouse(viewer);
     if (!ui_wants_keys())

@@ -5,7 +5,7 @@
 #include "scene/camera.h"
 #include "scene/mesh/geometry.h"
 #include "scene/emitter.h"
-#include "viewer/screen.h"
+#include "inspect/screen.h"
 #include "viewer/window.h"
 
 enum light_handle { HANDLE_NONE, HANDLE_POSITION, HANDLE_DIRECTION };

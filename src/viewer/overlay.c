@@ -35,8 +35,8 @@ static void draw_times(const struct pace *pace) {
 }
 
 static void draw_statistics(struct viewer *viewer) {
-    const struct pace *pace = &viewer->pace;
-    const struct renderer_desc *desc = &viewer->renderer.desc;
+    const struct pace *pace = &viewer->shown.pace;
+    const struct renderer_desc *desc = &viewer->shown.renderer.desc;
     float line = ui_line_height();
     float frame = pace->frame_count ? pace->frame_ms[pace->frame_count - 1] : 0;
     ui_area_begin("statistics", UI_OVERLAY, line, line, 17 * line, 0);
@@ -50,35 +50,36 @@ static void draw_statistics(struct viewer *viewer) {
         ui_value("pictures a second", "%.1f", fps);
     ui_value("faces", "%u", geometry_triangle_count(&viewer->document.geometry));
     struct output_list outputs;
-    renderer_outputs(&viewer->renderer, &outputs);
+    renderer_outputs(&viewer->shown.renderer, &outputs);
     const struct vpl_buffer *vpls = output_vpls(&outputs);
     const struct val_output *vals = output_vals(&outputs);
     if (vpls)
         ui_value("VPLs", "%d", vpls->count);
     if (vals)
         ui_value("VALs", "%d", vals->maps.views->count);
-    ui_value("size", "%d x %d%s", desc->width, desc->height, viewer->moving ? " while moving" : "");
+    ui_value("size", "%d x %d%s", desc->width, desc->height,
+             viewer->shown.moving ? " while moving" : "");
     ui_value("GPU memory", "%.0f MiB", (double)gpu_memory_total() / (1 << 20));
-    if (context_is_software(viewer->context))
+    if (context_is_software(viewer->host.context))
         ui_text(UI_WARNING, "software OpenGL: no GPU is used");
     ui_area_end();
 }
 
 static void draw_messages(struct viewer *viewer) {
     struct message recent[6];
-    int count = messages_recent(&viewer->messages, 8, recent, 6);
+    int count = messages_recent(&viewer->host.messages, 8, recent, 6);
     float line = ui_line_height();
     if (count == 0)
         return;
-    ui_area_begin("messages", UI_NOTE, line, (float)viewer->input->height - line,
-                  (float)viewer->area.width - 2 * line, 0);
+    ui_area_begin("messages", UI_NOTE, line, (float)viewer->host.input->height - line,
+                  (float)viewer->shown.area.width - 2 * line, 0);
     for (int i = 0; i < count; i++)
         ui_text(recent[i].tone, "%s", recent[i].text);
     ui_area_end();
 }
 
 static void draw_welcome(struct viewer *viewer) {
-    float x = (float)viewer->area.width / 2, y = (float)viewer->area.height / 2;
+    float x = (float)viewer->shown.area.width / 2, y = (float)viewer->shown.area.height / 2;
     ui_area_begin("welcome", UI_DIALOG, x, y, 0, 0);
     ui_text(UI_TITLE, "manylight");
     if (atomic_load(&viewer->loader.state) != LOADER_IDLE)
@@ -89,7 +90,7 @@ static void draw_welcome(struct viewer *viewer) {
 }
 
 static void draw_help(struct viewer *viewer) {
-    float x = (float)viewer->area.width / 2, y = (float)viewer->area.height / 2;
+    float x = (float)viewer->shown.area.width / 2, y = (float)viewer->shown.area.height / 2;
     ui_area_begin("help", UI_DIALOG, x, y, 0, 0);
     ui_text(UI_TITLE, "Keys and mouse");
     ui_separator();
@@ -106,10 +107,10 @@ static const char *right_name(const struct compare *compare) {
 /* What the colours of the heat map stand for, in the corner below. */
 static void draw_heat_scale(const struct viewer *viewer) {
     enum { STEPS = 60 };
-    const struct heat_map *scale = &viewer->compare.heat_scale;
+    const struct heat_map *scale = &viewer->shown.compare.heat_scale;
     float line = ui_line_height(), step = 8 * line / STEPS;
-    float x = (float)viewer->picture.x + 4.5F * line;
-    float y = (float)(viewer->picture.y + viewer->picture.height) - 2 * line;
+    float x = (float)viewer->shown.picture.x + 4.5F * line;
+    float y = (float)(viewer->shown.picture.y + viewer->shown.picture.height) - 2 * line;
     float lowest = scale->is_signed ? -scale->top : 0;
     char text[32];
     for (int i = 0; i < STEPS; i++) {
@@ -125,11 +126,11 @@ static void draw_heat_scale(const struct viewer *viewer) {
 }
 
 static void draw_split(const struct viewer *viewer) {
-    const struct rectangle *picture = &viewer->picture;
-    const struct compare *compare = &viewer->compare;
+    const struct rectangle *picture = &viewer->shown.picture;
+    const struct compare *compare = &viewer->shown.compare;
     float line = ui_line_height(), y = (float)(picture->y + picture->height) - 2 * line;
     float x = (float)picture->x + compare->split * (float)picture->width;
-    if (!viewer->right)
+    if (!viewer->shown.right)
         return;
     if (compare->only_right) {
         ui_draw_label((float)(picture->x + picture->width) - line, y, 1, right_name(compare));
@@ -146,16 +147,17 @@ static void draw_split(const struct viewer *viewer) {
     if (compare->heat && compare->heat_map.id)
         draw_heat_scale(viewer);
     ui_draw_label(x - .6F * line, y, 1,
-                  compare->heat ? metrics[compare->heat_metric].name : viewer->technique->name);
+                  compare->heat ? metrics[compare->heat_metric].name
+                                : viewer->wish.technique->name);
     ui_draw_label(x + .6F * line, y, 0, right_name(compare));
     ui_draw_unclip();
 }
 
 static void draw_pick(const struct viewer *viewer) {
-    const struct rectangle *picture = &viewer->picture;
+    const struct rectangle *picture = &viewer->shown.picture;
     float place[2], aspect = (float)picture->width / (float)picture->height;
-    if (!viewer->has_pick || viewer->choice.output ||
-        !camera_project(&viewer->placed.orbit.camera, viewer->pick.position, aspect, place) ||
+    if (!viewer->shown.has_pick || viewer->shown.choice.output ||
+        !camera_project(&viewer->placed.orbit.camera, viewer->shown.pick.position, aspect, place) ||
         place[0] < 0 || place[0] > 1 || place[1] < 0 || place[1] > 1)
         return;
     float x = (float)picture->x + place[0] * (float)picture->width;
@@ -167,20 +169,20 @@ static void draw_pick(const struct viewer *viewer) {
 static void draw_marks(const struct viewer *viewer) {
     draw_split(viewer);
     draw_pick(viewer);
-    light_tool_draw(&viewer->light_tool,
+    light_tool_draw(&viewer->hand.light_tool,
                     &(struct light_stage){&viewer->placed.orbit.camera, &viewer->document.geometry,
-                                          &viewer->picture},
+                                          &viewer->shown.picture},
                     &viewer->placed.light);
 }
 
 void overlay_draw(struct viewer *viewer) {
-    if (viewer->left)
+    if (viewer->shown.left)
         draw_marks(viewer);
-    if (viewer->show_overlay && viewer->has_scene)
+    if (viewer->panel.overlay && viewer->has_scene)
         draw_statistics(viewer);
     if (!viewer->has_scene || atomic_load(&viewer->loader.state) != LOADER_IDLE)
         draw_welcome(viewer);
-    if (viewer->show_help)
+    if (viewer->panel.help)
         draw_help(viewer);
     draw_messages(viewer);
 }

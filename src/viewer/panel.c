@@ -54,7 +54,7 @@ static void draw_clip(struct viewer *viewer) {
 }
 
 static void draw_animation(struct viewer *viewer) {
-    struct playing *play = &viewer->play;
+    struct playing *play = &viewer->wish.play;
     double duration = scene_duration(&viewer->document.scene);
     float time = (float)viewer->placed.time;
     draw_clip(viewer);
@@ -79,8 +79,9 @@ static void draw_animation(struct viewer *viewer) {
 static void draw_scene(struct viewer *viewer) {
     struct ui_row open = {.name = "open",
                           .help = "a .gltf or .glb file; one may also be dropped on the window"};
-    if (ui_text_field(&open, viewer->scene_path, sizeof viewer->scene_path, "path, Enter"))
-        viewer_open(viewer, viewer->scene_path);
+    if (ui_text_field(&open, viewer->panel.scene_path, sizeof viewer->panel.scene_path,
+                      "path, Enter"))
+        viewer_open(viewer, viewer->panel.scene_path);
     if (!viewer->has_scene)
         return;
     const struct scene *scene = &viewer->document.scene;
@@ -117,7 +118,7 @@ static void draw_light(struct viewer *viewer) {
     if (draw_node_choice(&row, &viewer->document.scene, NODE_LIGHT, &number))
         viewer_pick_light(viewer, number);
     ui_flag(&(struct ui_row){.name = "handles", .help = "move and turn it in the picture (L)"},
-            &viewer->light_tool.shown);
+            &viewer->hand.light_tool.shown);
     float direction[3];
     memcpy(direction, placed->light.direction, sizeof direction);
     struct ui_row position_row = {.name = "position", .help = "metres"},
@@ -208,10 +209,10 @@ static bool draw_presets(const struct technique *technique, struct settings *set
 
 /* A choice among the picture and the outputs there are. */
 static void draw_output_choice(struct viewer *viewer) {
-    struct inspect_choice *choice = &viewer->choice;
+    struct inspect_choice *choice = &viewer->shown.choice;
     struct output_list outputs;
     const char *names[OUTPUTS_MAX + 1] = {"picture"};
-    renderer_outputs(&viewer->renderer, &outputs);
+    renderer_outputs(&viewer->shown.renderer, &outputs);
     for (int i = 0; i < outputs.count; i++)
         names[i + 1] = outputs.items[i].name;
     const struct output *output = output_find(&outputs, choice->output);
@@ -223,13 +224,13 @@ static void draw_output_choice(struct viewer *viewer) {
     if (result != UI_NOTHING) {
         choice->output = result == UI_RESET || shown == 0 ? NULL : names[shown];
         choice->layer = -1;
-        viewer->recompose = true;
+        viewer->shown.recompose = true;
     }
 }
 
 static void draw_layer_choice(struct viewer *viewer) {
-    struct inspect_choice *choice = &viewer->choice;
-    int layers = inspect_layers(&viewer->renderer, choice->output);
+    struct inspect_choice *choice = &viewer->shown.choice;
+    int layers = inspect_layers(&viewer->shown.renderer, choice->output);
     struct ui_row row = {.name = "layer",
                          .help = "one alone, or a sheet of all; a click on one shows it",
                          .least = "all",
@@ -237,7 +238,7 @@ static void draw_layer_choice(struct viewer *viewer) {
     enum ui_result result = layers > 1 ? ui_int(&row, &choice->layer, -1, layers - 1) : UI_NOTHING;
     if (result != UI_NOTHING) {
         choice->layer = result == UI_RESET ? -1 : choice->layer;
-        viewer->recompose = true;
+        viewer->shown.recompose = true;
     }
 }
 
@@ -246,21 +247,21 @@ static void draw_picture(struct viewer *viewer) {
     static const int layers[] = {LAYER_BEAUTY, LAYER_INDIRECT, LAYER_DIRECT};
     int shown = -1; /* none of them while an output is looked at */
     for (int i = 0; i < 3; i++)
-        if (layers[i] == viewer->layer && !viewer->choice.output)
+        if (layers[i] == viewer->shown.layer && !viewer->shown.choice.output)
             shown = i;
     if (ui_segments("light", &shown, names, 3)) {
-        viewer->layer = layers[shown];
-        viewer->choice.output = NULL;
-        viewer->compare.measured = false;
-        viewer->recompose = true;
+        viewer->shown.layer = layers[shown];
+        viewer->shown.choice.output = NULL;
+        viewer->shown.compare.measured = false;
+        viewer->shown.recompose = true;
     }
     ui_space();
     draw_output_choice(viewer);
     draw_layer_choice(viewer);
-    if (draw_part(&picture_part, &viewer->settings)) {
+    if (draw_part(&picture_part, &viewer->wish.settings)) {
         /* Both pictures are shown alike. */
-        settings_copy(&viewer->compare.settings, &viewer->settings, &picture_part);
-        viewer->dirty = true;
+        settings_copy(&viewer->shown.compare.settings, &viewer->wish.settings, &picture_part);
+        viewer->shown.dirty = true;
     }
 }
 
@@ -281,19 +282,19 @@ static bool draw_technique_choice(const struct technique **technique) {
 }
 
 static void draw_technique(struct viewer *viewer) {
-    struct compare *compare = &viewer->compare;
+    struct compare *compare = &viewer->shown.compare;
     bool two = compare->mode == COMPARE_TECHNIQUE;
     static const char *const sides[] = {"left picture", "right picture"};
-    int side = two && viewer->edits_right;
+    int side = two && viewer->panel.edits_right;
     if (two && ui_segments("side", &side, sides, 2))
-        viewer->edits_right = side == 1;
-    const struct technique **technique = side ? &compare->technique : &viewer->technique;
-    struct settings *settings = side ? &compare->settings : &viewer->settings;
+        viewer->panel.edits_right = side == 1;
+    const struct technique **technique = side ? &compare->technique : &viewer->wish.technique;
+    struct settings *settings = side ? &compare->settings : &viewer->wish.settings;
     bool changed = draw_technique_choice(technique);
     changed |= draw_presets(*technique, settings);
     ui_space();
     changed |= draw_parts((*technique)->parts, settings);
-    changed |= draw_parts(viewer->renderer.desc.direct->parts, settings);
+    changed |= draw_parts(viewer->shown.renderer.desc.direct->parts, settings);
     if (changed)
         viewer_touch(viewer);
 }
@@ -301,7 +302,7 @@ static void draw_technique(struct viewer *viewer) {
 /* --- comparison --- */
 
 static void draw_errors(struct viewer *viewer) {
-    struct compare *compare = &viewer->compare;
+    struct compare *compare = &viewer->shown.compare;
     const char *names[METRIC_COUNT];
     ui_space();
     for (int i = 0; i < METRIC_COUNT; i++) {
@@ -325,27 +326,27 @@ static void draw_errors(struct viewer *viewer) {
 
 static void draw_compare(struct viewer *viewer) {
     static const char *const modes[] = {"off", "technique", "reference"};
-    struct compare *compare = &viewer->compare;
+    struct compare *compare = &viewer->shown.compare;
     int mode = compare->mode;
     if (ui_segments("compare", &mode, modes, COMPARE_MODES)) {
         compare->mode = (enum compare_mode)mode;
-        viewer->edits_right = mode == COMPARE_TECHNIQUE;
-        viewer->dirty = true;
+        viewer->panel.edits_right = mode == COMPARE_TECHNIQUE;
+        viewer->shown.dirty = true;
     }
     if (mode == COMPARE_REFERENCE) {
         struct ui_row row = {.name = "file", .help = "EXR, PFM, ... of the same view"};
-        if (ui_text_field(&row, viewer->reference_path, sizeof viewer->reference_path,
+        if (ui_text_field(&row, viewer->panel.reference_path, sizeof viewer->panel.reference_path,
                           "path, Enter"))
-            viewer_load_reference(viewer, viewer->reference_path);
+            viewer_load_reference(viewer, viewer->panel.reference_path);
     }
-    if (viewer->fixed_width > 0 &&
+    if (viewer->shown.fixed_width > 0 &&
         ui_wide_button("Fill the window again", "the picture has the reference's size now")) {
-        viewer->fixed_width = viewer->fixed_height = 0;
-        viewer->dirty = true;
+        viewer->shown.fixed_width = viewer->shown.fixed_height = 0;
+        viewer->shown.dirty = true;
     }
-    if (viewer->right) {
+    if (viewer->shown.right) {
         if (ui_flag(&(struct ui_row){.name = "right alone", .help = "M"}, &compare->only_right))
-            viewer->recompose = true;
+            viewer->shown.recompose = true;
         draw_errors(viewer);
     }
 }
@@ -358,7 +359,7 @@ static void draw_triple(const char *name, const float values[3]) {
 
 /* The VALs that bring most; one that is chosen shows its shadow. */
 static void draw_vals(struct viewer *viewer, const struct pick *pick) {
-    struct inspect_choice *choice = &viewer->choice;
+    struct inspect_choice *choice = &viewer->shown.choice;
     if (pick->val_count)
         ui_text(UI_DIM, "lit by");
     for (int i = 0; i < pick->val_count; i++) {
@@ -366,23 +367,23 @@ static void draw_vals(struct viewer *viewer, const struct pick *pick) {
         char name[32], share[32], visible[32];
         unsigned char rgb[3];
         bool chosen = choice->layer == val->val &&
-                      inspect_is(&viewer->renderer, choice->output, OUTPUT_VISIBILITY);
+                      inspect_is(&viewer->shown.renderer, choice->output, OUTPUT_VISIBILITY);
         snprintf(name, sizeof name, "VAL %d", val->val);
         snprintf(share, sizeof share, "%.1f %%", 100 * (double)val->share);
         snprintf(visible, sizeof visible, "visible %.0f %%", 100 * (double)val->visibility);
         marks_cluster_color(val->val, rgb);
         if (ui_list_item(UI_RGBA(rgb[0], rgb[1], rgb[2], 255), name, share, visible, val->share,
                          chosen)) {
-            choice->output = inspect_find(&viewer->renderer, OUTPUT_VISIBILITY);
+            choice->output = inspect_find(&viewer->shown.renderer, OUTPUT_VISIBILITY);
             choice->layer = choice->chosen = val->val;
-            viewer->recompose = true;
+            viewer->shown.recompose = true;
         }
     }
 }
 
 static void draw_surface(struct viewer *viewer) {
-    const struct pick *pick = &viewer->pick;
-    if (!viewer->has_pick) {
+    const struct pick *pick = &viewer->shown.pick;
+    if (!viewer->shown.has_pick) {
         ui_text(UI_DIM, "Click on the picture.");
         return;
     }
@@ -400,17 +401,18 @@ static void draw_surface(struct viewer *viewer) {
 
 static void draw_session(struct viewer *viewer) {
     struct ui_row row = {.name = "file", .help = "of settings, camera and light"};
-    ui_text_field(&row, viewer->session_path, sizeof viewer->session_path, "path");
+    ui_text_field(&row, viewer->panel.session_path, sizeof viewer->panel.session_path, "path");
     struct session session = viewer_session(viewer);
     if (ui_button("Save", NULL)) {
-        if (session_save(&session, viewer->session_path))
-            messages_add(&viewer->messages, UI_NORMAL, "saved: %s", viewer->session_path);
+        if (session_save(&session, viewer->panel.session_path))
+            messages_add(&viewer->host.messages, UI_NORMAL, "saved: %s",
+                         viewer->panel.session_path);
         else
             viewer_tell_error(viewer);
     }
     ui_same_line();
     if (ui_button("Load", NULL)) {
-        if (session_load(&session, viewer->session_path))
+        if (session_load(&session, viewer->panel.session_path))
             viewer_apply_session(viewer, &session);
         else
             viewer_tell_error(viewer);
@@ -418,14 +420,14 @@ static void draw_session(struct viewer *viewer) {
     ui_same_line();
     if (ui_button("Copy command line", "renders the very same picture offscreen")) {
         char *command = session_command(&session);
-        window_set_clipboard(viewer->window, command);
-        messages_add(&viewer->messages, UI_NORMAL, "%s", command);
+        window_set_clipboard(viewer->host.window, command);
+        messages_add(&viewer->host.messages, UI_NORMAL, "%s", command);
         free(command);
     }
 }
 
 void panel_draw(struct viewer *viewer) {
-    const struct rectangle *area = &viewer->area;
+    const struct rectangle *area = &viewer->shown.area;
     const struct {
         const char *title;
         bool open;
@@ -436,7 +438,8 @@ void panel_draw(struct viewer *viewer) {
         {"Settings", false, draw_session}, {"Technique", true, draw_technique},
     };
     ui_area_begin("panel", UI_PANEL, (float)area->width, 0,
-                  (float)(viewer->input->width - area->width), (float)viewer->input->height);
+                  (float)(viewer->host.input->width - area->width),
+                  (float)viewer->host.input->height);
     if (ui_section("Scene", true))
         draw_scene(viewer);
     for (size_t i = 0; viewer->has_scene && i < sizeof sections / sizeof *sections; i++)

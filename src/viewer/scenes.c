@@ -29,16 +29,16 @@ void viewer_pick_light(struct viewer *viewer, int n) {
 
 static bool init_renderer(struct viewer *viewer, struct renderer *renderer) {
     struct renderer_desc desc = {
-        .technique = viewer->technique,
+        .technique = viewer->wish.technique,
         .direct = viewer->desc.direct,
-        .settings = viewer->settings,
+        .settings = viewer->wish.settings,
         .scene = &viewer->document.scene,
         .geometry = &viewer->document.geometry,
         .camera = viewer->placed.orbit.camera,
         .light = viewer->placed.light,
         .keep_lights = true,
         .timed = true,
-        .software = context_is_software(viewer->context),
+        .software = context_is_software(viewer->host.context),
     };
     viewer_full_size(viewer, &desc.width, &desc.height);
     return renderer_init(renderer, &desc);
@@ -56,10 +56,10 @@ void viewer_pick_clip(struct viewer *viewer, int n) {
         viewer_tell_error(viewer);
         return;
     }
-    renderer_free(&viewer->renderer);
-    viewer->renderer = fresh;
-    compare_forget(&viewer->compare);
-    viewer->left = viewer->right = NULL;
+    renderer_free(&viewer->shown.renderer);
+    viewer->shown.renderer = fresh;
+    compare_forget(&viewer->shown.compare);
+    viewer->shown.left = viewer->shown.right = NULL;
 }
 
 /* Camera and light by texts; those that are not understood stay what they were. */
@@ -95,15 +95,15 @@ static void set_title(struct viewer *viewer) {
     const char *path = viewer->document.scene.path, *slash = strrchr(path, '/');
     char title[256];
     snprintf(title, sizeof title, "%s - manylight", slash ? slash + 1 : path);
-    window_set_title(viewer->window, title);
+    window_set_title(viewer->host.window, title);
 }
 
 void viewer_close_scene(struct viewer *viewer) {
-    compare_forget(&viewer->compare);
-    renderer_free(&viewer->renderer);
+    compare_forget(&viewer->shown.compare);
+    renderer_free(&viewer->shown.renderer);
     document_free(&viewer->document);
-    viewer->has_scene = viewer->has_pick = false;
-    viewer->left = viewer->right = NULL;
+    viewer->has_scene = viewer->shown.has_pick = false;
+    viewer->shown.left = viewer->shown.right = NULL;
 }
 
 /* What the command line says of the first scene. */
@@ -136,20 +136,20 @@ static bool show_document(struct viewer *viewer, struct document *document) {
         document_free(document);
         return false;
     }
-    compare_forget(&viewer->compare);
+    compare_forget(&viewer->shown.compare);
     if (viewer->has_scene) {
-        renderer_free(&viewer->renderer);
+        renderer_free(&viewer->shown.renderer);
         document_free(&before);
     }
-    viewer->play.on = false;
-    viewer->renderer = renderer;
+    viewer->wish.play.on = false;
+    viewer->shown.renderer = renderer;
     viewer->has_scene = true;
-    viewer->has_pick = false;
-    viewer->left = viewer->right = NULL;
+    viewer->shown.has_pick = false;
+    viewer->shown.left = viewer->shown.right = NULL;
     /* They meant the first scene. */
     viewer->desc.camera = viewer->desc.light = viewer->desc.clip = NULL;
     viewer->desc.time = 0;
-    pace_forget(&viewer->pace);
+    pace_forget(&viewer->shown.pace);
     set_title(viewer);
     return true;
 }
@@ -174,9 +174,9 @@ struct session viewer_session(const struct viewer *viewer) {
     const struct scene *scene = &viewer->document.scene;
     struct session session = {
         .scene = scene->path,
-        .technique = viewer->technique,
-        .settings = viewer->settings,
-        .layer = viewer->layer,
+        .technique = viewer->wish.technique,
+        .settings = viewer->wish.settings,
+        .layer = viewer->shown.layer,
         .clip = scene->clip,
         .time = (float)viewer->placed.time,
     };
@@ -191,10 +191,10 @@ struct session viewer_session(const struct viewer *viewer) {
 }
 
 void viewer_apply_session(struct viewer *viewer, const struct session *session) {
-    viewer->technique = session->technique;
-    viewer->settings = session->settings;
-    viewer->layer = session->layer;
-    viewer->play.on = false;
+    viewer->wish.technique = session->technique;
+    viewer->wish.settings = session->settings;
+    viewer->shown.layer = session->layer;
+    viewer->wish.play.on = false;
     if (session->clip < viewer->document.scene.clip_count &&
         session->clip != viewer->document.scene.clip)
         viewer_pick_clip(viewer, session->clip);

@@ -34,7 +34,7 @@ bool viewer_write_picture(struct viewer *viewer, const char *path) {
         return false;
     if (is_float) {
         struct image image = {0};
-        ok = renderer_read_layers(&viewer->renderer, &image) && image_write(&image, path);
+        ok = renderer_read_layers(&viewer->shown.renderer, &image) && image_write(&image, path);
         image_free(&image);
     } else {
         struct bitmap bitmap;
@@ -49,9 +49,13 @@ void viewer_take_screenshot(struct viewer *viewer) {
     if (!viewer->has_scene)
         return;
     char png[64], exr[64];
-    viewer->moving = false; /* in the full size, whatever is on its way */
-    viewer->pace.last_motion = 0;
-    viewer_update_picture(viewer);
+    viewer->shown.moving = false; /* in the full size, whatever is on its way */
+    viewer->shown.pace.last_motion = 0;
+    if (!viewer_update_picture(viewer)) {
+        viewer_tell_error(viewer);
+        viewer_close_scene(viewer);
+        return;
+    }
     for (int i = 1; i < 10000; i++) {
         snprintf(png, sizeof png, "manylight-%04d.png", i);
         snprintf(exr, sizeof exr, "manylight-%04d.exr", i);
@@ -59,7 +63,8 @@ void viewer_take_screenshot(struct viewer *viewer) {
             break;
     }
     if (viewer_write_picture(viewer, png) && viewer_write_picture(viewer, exr))
-        messages_add(&viewer->messages, UI_NORMAL, "written: %s, and %s with all layers", png, exr);
+        messages_add(&viewer->host.messages, UI_NORMAL, "written: %s, and %s with all layers", png,
+                     exr);
     else
         viewer_tell_error(viewer);
 }

@@ -9,6 +9,7 @@
 #include "gl/context.h"
 #include "inspect/inspect.h"
 #include "inspect/probe.h"
+#include "inspect/screen.h"
 #include "renderer/renderer.h"
 #include "viewer/compare.h"
 #include "viewer/light_tool.h"
@@ -16,7 +17,6 @@
 #include "viewer/messages.h"
 #include "viewer/orbit.h"
 #include "viewer/pace.h"
-#include "viewer/screen.h"
 #include "viewer/session.h"
 #include "viewer/window.h"
 
@@ -37,24 +37,70 @@ struct viewer_desc {
     const char *screenshot; /* written at the end; NULL = none */
 };
 
-struct viewer {
-    struct viewer_desc desc;
+/* The window, and what there is for all of its life. */
+struct host {
     struct window *window;
     struct context *context;
-    const struct input *input;
+    const struct input *input; /* of this turn */
     struct messages messages;
-    struct pace pace;
     struct screen screen;
+};
 
-    /* The scene, and the renderer that draws it where has_scene. */
-    struct loader loader;
-    struct document document;
-    struct renderer renderer;
-    bool has_scene;
-
-    /* What is wanted; the renderer follows. */
+/* What is wanted of a picture; the renderer follows. */
+struct wish {
     const struct technique *technique;
     struct settings settings;
+    struct playing {
+        bool on, loops;
+        float speed; /* seconds of the animation a second */
+    } play;
+};
+
+/* What is shown: viewer/picture.c. */
+struct shown {
+    struct renderer renderer; /* where has_scene */
+    struct pace pace;
+    int layer; /* LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
+    struct inspect inspect;
+    struct inspect_choice choice; /* an output, or none */
+    struct compare compare;
+    struct probe probe;
+    struct pick pick;
+    bool has_pick;
+    double pick_motion;                 /* pace.last_motion when it was read */
+    int fixed_width, fixed_height;      /* of the picture; 0 = as large as the window lets it */
+    struct rectangle area;              /* of the window that the picture may take */
+    struct rectangle picture;           /* where it lies */
+    const struct texture *left, *right; /* what was composed */
+    bool dirty;                         /* the picture is not what is wanted */
+    bool recompose;                     /* the frame is, but not what is shown of it */
+    bool moving;                        /* and this will go on for some frames */
+    bool coarse;     /* the picture is smaller than it will be at rest, and its edges are rough */
+    int frame_count; /* rendered */
+};
+
+/* What the mouse holds: viewer/controls.c. */
+struct hand {
+    struct light_tool light_tool;
+    double last_update;
+    bool drags_picture; /* the mouse was pressed on it */
+    bool drags_split;
+};
+
+/* What lies beside and over the picture: viewer/panel.c, viewer/overlay.c. */
+struct panel {
+    bool is_open, overlay, help;
+    char scene_path[512], reference_path[512], session_path[512];
+    bool edits_right; /* the settings shown are the right picture's */
+};
+
+struct viewer {
+    struct viewer_desc desc;
+    struct host host;
+    struct loader loader;
+    struct document document; /* where has_scene */
+    bool has_scene;
+    struct wish wish;
     struct placed {
         int camera_number, light_number; /* of the scene */
         bool camera_moved, light_moved;  /* by hand: an animation then leaves them alone */
@@ -62,44 +108,11 @@ struct viewer {
         struct emitter light;
         double time, posed_time; /* of the animation, seconds */
     } placed;
-    struct playing {
-        bool on, loops;
-        float speed; /* seconds of the animation a second */
-    } play;
-
-    /* What is shown. */
-    int layer; /* LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
-    struct inspect inspect;
-    struct inspect_choice choice; /* an output, or none */
-    struct compare compare;
-    struct light_tool light_tool;
-    struct probe probe;
-    struct pick pick;
-    bool has_pick;
-    double pick_motion; /* pace.last_motion when it was read */
-    bool show_panel, show_overlay, show_help;
-    int fixed_width, fixed_height;      /* of the picture; 0 = as large as the window lets it */
-    struct rectangle area;              /* of the window that the picture may take */
-    struct rectangle picture;           /* where it lies */
-    const struct texture *left, *right; /* what was composed */
-
-    bool dirty;     /* the picture is not what is wanted */
-    bool recompose; /* the frame is, but not what is shown of it */
-    bool moving;    /* and this will go on for some frames */
-    bool shown;     /* the window, once */
-    bool shown_picture;
-    bool coarse;     /* the picture is smaller than it will be at rest, and its edges are rough */
-    bool done;       /* close the window */
-    int frame_count; /* rendered */
-
-    /* viewer/controls.c */
-    double last_update;
-    bool drags_picture; /* the mouse was pressed on it */
-    bool drags_split;
-
-    /* viewer/panel.c */
-    char scene_path[512], reference_path[512], session_path[512];
-    bool edits_right; /* the settings shown are the right picture's */
+    struct shown shown;
+    struct hand hand;
+    struct panel panel;
+    bool window_shown, picture_shown; /* once */
+    bool done;                        /* close the window */
 };
 
 /* Runs until the window is closed, or until desc->frames. Error: no window, or, where frames are
@@ -113,7 +126,9 @@ bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc);
 bool viewer_turn(struct viewer *viewer);
 void viewer_end(struct viewer *viewer);
 
-/* --- viewer/viewer.c --- */
+/* The parts, each of which calls those above it alone; viewer/viewer.c calls them all in turn.
+ *
+ * --- viewer/state.c: what all parts ask and tell --- */
 
 /* Whether it renders a given number of frames, always at the given size. */
 bool viewer_is_scripted(const struct viewer *viewer);
@@ -124,7 +139,41 @@ void viewer_touch(struct viewer *viewer);
 /* Shows the present error. */
 void viewer_tell_error(struct viewer *viewer);
 
+/* --- viewer/picture.c --- */
+
+/* The size of the picture at rest. */
+void viewer_full_size(const struct viewer *viewer, int *width, int *height);
+
+/* Renders and composes what has changed. Error: the scene cannot be drawn any more. */
+bool viewer_update_picture(struct viewer *viewer);
+
+/* Reads the shaders again, from the folder of --glsl. */
 void viewer_reload_shaders(struct viewer *viewer);
+
+/* Shows the next output, or the one before; the picture stands before the first. */
+void viewer_step_output(struct viewer *viewer, int step);
+
+/* Reads what lies at a place of the picture, 0 to 1, y down. */
+void viewer_pick_surface(struct viewer *viewer, float x, float y);
+
+void viewer_load_reference(struct viewer *viewer, const char *path);
+
+/* FLIP too, which takes its time. */
+void viewer_measure_all(struct viewer *viewer);
+
+/* What is drawn into the window, where has_scene and left. */
+struct screen_pictures viewer_pictures(const struct viewer *viewer);
+
+/* --- viewer/animation.c --- */
+
+/* Lets the animation play on, and poses the scene where the time has changed. */
+void viewer_animate(struct viewer *viewer, double seconds);
+
+/* To that time of the animation, seconds: around where it loops, else as far as it goes. */
+void viewer_go_to(struct viewer *viewer, double time);
+
+/* Plays or pauses; begins anew where it had come to its end. */
+void viewer_toggle_play(struct viewer *viewer);
 
 /* --- viewer/scenes.c --- */
 
@@ -146,39 +195,6 @@ void viewer_close_scene(struct viewer *viewer);
 /* What is looked at and how; the texts are the session's. */
 struct session viewer_session(const struct viewer *viewer);
 void viewer_apply_session(struct viewer *viewer, const struct session *session);
-
-/* --- viewer/animation.c --- */
-
-/* Lets the animation play on, and poses the scene where the time has changed. */
-void viewer_animate(struct viewer *viewer, double seconds);
-
-/* To that time of the animation, seconds: around where it loops, else as far as it goes. */
-void viewer_go_to(struct viewer *viewer, double time);
-
-/* Plays or pauses; begins anew where it had come to its end. */
-void viewer_toggle_play(struct viewer *viewer);
-
-/* --- viewer/picture.c --- */
-
-/* The size of the picture at rest. */
-void viewer_full_size(const struct viewer *viewer, int *width, int *height);
-
-/* Renders and composes what has changed. */
-void viewer_update_picture(struct viewer *viewer);
-
-/* Shows the next output, or the one before; the picture stands before the first. */
-void viewer_step_output(struct viewer *viewer, int step);
-
-/* Reads what lies at a place of the picture, 0 to 1, y down. */
-void viewer_pick_surface(struct viewer *viewer, float x, float y);
-
-void viewer_load_reference(struct viewer *viewer, const char *path);
-
-/* FLIP too, which takes its time. */
-void viewer_measure_all(struct viewer *viewer);
-
-/* What is drawn into the window, where has_scene and left. */
-struct screen_pictures viewer_pictures(const struct viewer *viewer);
 
 /* --- viewer/screenshot.c --- */
 

@@ -1,4 +1,4 @@
-#include "viewer/screen.h"
+#include "inspect/screen.h"
 
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
@@ -10,7 +10,7 @@
 bool screen_init(struct screen *screen) {
     *screen = (struct screen){0};
     if (program_init(&screen->program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                              .fragment = "viewer/screen.frag"}) &&
+                                                              .fragment = "inspect/screen.frag"}) &&
         buffer_init(&screen->params, "screen parameters", sizeof(struct screen_params), NULL))
         return true;
     screen_free(screen);

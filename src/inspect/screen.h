@@ -1,6 +1,6 @@
 /* Puts pictures into the window: fitted, side by side at a wipe. */
-#ifndef VIEWER_SCREEN_H
-#define VIEWER_SCREEN_H
+#ifndef INSPECT_SCREEN_H
+#define INSPECT_SCREEN_H
 
 #include "gl/buffer.h"
 #include "gl/texture.h"

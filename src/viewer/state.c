@@ -1,0 +1,17 @@
+/* What all parts of the viewer ask and tell. */
+#include "viewer/viewer.h"
+
+#include "base/error.h"
+
+bool viewer_is_scripted(const struct viewer *viewer) {
+    return viewer->desc.frames > 0 || viewer->desc.screenshot;
+}
+
+void viewer_touch(struct viewer *viewer) {
+    viewer->shown.dirty = true;
+    viewer->shown.pace.last_motion = window_time();
+}
+
+void viewer_tell_error(struct viewer *viewer) {
+    messages_add(&viewer->host.messages, UI_ERROR, "%s", error_get());
+}
