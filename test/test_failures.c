@@ -7,12 +7,15 @@
 #include <stdio.h>
 #include <string.h>
 
+#define SMALL "vpls=256,map-size=128,shadow-size=512,rsm-size=128,near-samples=256"
+
 /* As bounds of small pictures are measured. */
-static struct failure_desc small_desc(const struct context *context) {
+static struct failure_desc small_desc(const struct context *context,
+                                      const struct text_list *settings) {
     return (struct failure_desc){
         .width = 40,
         .height = 30,
-        .settings = "vpls=256,map-size=128,shadow-size=512,rsm-size=128,near-samples=256",
+        .settings = settings,
         .truth = {TRUTH_CENTERS, scratch("references"), .05},
         .context = context,
         .small = true,
@@ -35,7 +38,8 @@ static int count_broken(const struct results *results) {
 }
 
 static void test_rows(void **state) {
-    struct failure_desc desc = small_desc(*state);
+    static const struct text_list settings = {{SMALL}, 1};
+    struct failure_desc desc = small_desc(*state, &settings);
     for (const struct failure_row *row = failure_rows; row->name; row++) {
         struct results results = {0};
         check_ok(row->name, failure_measure(&results, row, &desc));
@@ -50,8 +54,8 @@ static void test_rows(void **state) {
 static void test_bounds_break(void **state) {
     static const char *const rows[] = {"room", "val-plane", "closed-door", "grazing-light",
                                        "corner"};
-    struct failure_desc desc = small_desc(*state);
-    desc.settings = "technique=unshadowed,vpls=256,shadow-size=512,rsm-size=128,near-samples=256";
+    static const struct text_list settings = {{SMALL, "technique=unshadowed"}, 2};
+    struct failure_desc desc = small_desc(*state, &settings);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct results results = {0};
         check_ok(rows[i], failure_measure(&results, failure_row_find(rows[i]), &desc));

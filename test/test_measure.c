@@ -5,9 +5,8 @@
 #include "base/error.h"
 #include "measure/clip.h"
 #include "measure/lights.h"
-#include "measure/sweep.h"
 #include "measure/truth.h"
-#include "measure/variant.h"
+#include "measure/variants.h"
 #include "inspect/aov.h"
 
 #include <stdio.h>
@@ -47,46 +46,48 @@ static void test_slope(void **state) {
 
 /* --- grids ------------------------------------------------------------------------------------ */
 
-static void check_points(const char *text, const char *points, bool has_variants) {
-    struct sweep sweep = {0};
+/* The variants and points of a subject that is varied by one text or two. */
+static void check_grid(const char *first, const char *second, const char *expected) {
+    struct measure_desc desc = measure_default(NULL, 60, 40, true);
+    struct measure_list list = {0};
     char joined[512] = "";
-    check_ok(text, sweep_parse(&sweep, text));
-    for (int i = 0; i < sweep.count; i++) {
-        strcat(joined, i ? " " : "");
-        strcat(joined, sweep.points[i]);
-    }
-    assert_string_equal(joined, points);
-    assert_int_equal(sweep.has_variants, has_variants);
-    sweep_free(&sweep);
+    check_ok("variant", variant_apply(&desc, "fast"));
+    measure_list_add(&list, &desc);
+    check_ok(first, measure_vary(&list, first));
+    check_ok(second, !second || measure_vary(&list, second));
+    for (int i = 0; i < list.count; i++)
+        snprintf(joined + strlen(joined), sizeof joined - strlen(joined), "%s%s: %s", i ? "; " : "",
+                 list.items[i].variant, list.items[i].point);
+    assert_string_equal(joined, expected);
+    free(list.items);
 }
 
-static void test_sweep_points(void **state) {
+static void test_grids(void **state) {
     (void)state;
-    check_points("vals=2,8,30", "vals=2 vals=8 vals=30", false);
-    check_points("M=2..40", "vals=2 vals=4 vals=8 vals=16 vals=32 vals=40", false);
-    check_points("N=64..256", "vpls=64 vpls=128 vpls=256", false);
-    check_points("K=1,2..8", "terms=1 terms=2 terms=4 terms=8", false);
-    check_points("gain=1.5,2", "gain=1.5 gain=2", false);
-    check_points("technique=clustered,unshadowed", "technique=clustered technique=unshadowed",
-                 true);
-    check_points("size=40x30,80x60", "size=40x30 size=80x60", false);
-    check_points("M=2,4,visibility=cssm,hard",
-                 "vals=2,visibility=cssm vals=2,visibility=hard vals=4,visibility=cssm "
-                 "vals=4,visibility=hard",
-                 true);
+    check_grid("vals=2,8,30", NULL, "fast: vals=2; fast: vals=8; fast: vals=30");
+    check_grid("M=2..12", NULL, "fast: vals=2; fast: vals=4; fast: vals=8; fast: vals=12");
+    check_grid("N=64..128", NULL, "fast: vpls=64; fast: vpls=128");
+    check_grid("K=1,2..4", NULL, "fast: terms=1; fast: terms=2; fast: terms=4");
+    check_grid("gain=1.5,2", NULL, "fast: gain=1.5; fast: gain=2");
+    check_grid("technique=clustered,unshadowed", NULL, "fast clustered: ; fast unshadowed: ");
+    check_grid("size=40x30,80x60", NULL, "fast: size=40x30; fast: size=80x60");
+    check_grid("M=2,4", "visibility=cssm,hard",
+               "fast cssm: vals=2; fast hard: vals=2; fast cssm: vals=4; fast hard: vals=4");
 }
 
-static void test_sweep_refusals(void **state) {
+static void test_grid_refusals(void **state) {
     (void)state;
     static const char *const wrong[] = {"",        "vals",   "vals=",          "=3",
                                         "vals=x",  "vals=0", "vals=8..2",      "vals=2..",
                                         "vals=2,", "woof=1", "technique=woof", "visibility=a..b"};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        struct sweep sweep = {0};
-        if (sweep_parse(&sweep, wrong[i]))
-            fail_msg("'%s' was taken for a sweep", wrong[i]);
+        struct measure_desc desc = measure_default(NULL, 60, 40, true);
+        struct measure_list list = {0};
+        measure_list_add(&list, &desc);
+        if (measure_vary(&list, wrong[i]))
+            fail_msg("'%s' was taken for a grid", wrong[i]);
         printf("    %s\n", error_get());
-        sweep_free(&sweep);
+        free(list.items);
     }
 }
 
@@ -94,13 +95,12 @@ static void test_subjects(void **state) {
     (void)state;
     struct measure_desc desc = measure_default(NULL, 60, 40, true);
     check_ok("variant", variant_apply(&desc, "mine:technique=unshadowed,rsm-size=64"));
-    check_ok("point", sweep_apply("vals=4,visibility=hard,vpls=128", &desc));
+    check_ok("settings", measure_assign(&desc, "vals=4,visibility=hard vpls=128,size=30x20"));
     assert_string_equal(desc.technique->name, "unshadowed");
+    assert_string_equal(desc.variant, "mine");
     check_near("texels", measure_setting(&desc, "rsm-size"), 64, 0);
     check_near("VALs that it has not", measure_setting(&desc, "vals"), 0, 0);
-    check_near("VPLs of all pixels", measure_pixel_vpls(&desc), 60 * 40 * 128 / 64., 1e-9);
-    assert_string_equal(desc.variant, "mine hard");
-    assert_string_equal(desc.point, "vals=4 vpls=128");
+    check_near("VPLs of all pixels", measure_pixel_vpls(&desc), 30 * 20 * 128 / 64., 1e-9);
     char *settings = measure_settings(&desc);
     assert_string_equal(
         settings, "lights.vpls=128 lights.rsm-size=64 clustered.vals=4 clustered.visibility=hard");
@@ -128,7 +128,7 @@ static void test_truth_names(void **state) {
     struct measure_desc desc = measure_default(&stage, 16, 16, true);
     char *first = truth_path(&(struct truth_desc){TRUTH_PATH, "cache", .02}, &desc);
     check_other_file(&desc, first, "the same", false);
-    check_ok("setting", measure_assign_text(&desc, "vals=3"));
+    check_ok("setting", measure_assign(&desc, "vals=3"));
     check_other_file(&desc, first, "a setting", false);
     stage.geometry.position[5][1] += .001F;
     check_other_file(&desc, first, "a vertex", true);
@@ -233,15 +233,16 @@ static void test_flicker(void **state) {
     struct stage stage;
     struct results results = {0};
     open_stage(&stage, "scenes/moving-spot.glb");
-    struct measure_desc subjects[2], r = measure_default(&stage, 16, 16, true);
-    check_ok("settings", measure_assign_text(&r, "vpls=64,map-size=32,rsm-size=64"));
-    subjects[0] = subjects[1] = r;
+    struct measure_desc r = measure_default(&stage, 16, 16, true), fast = r;
+    struct measure_list subjects = {0};
     check_ok("R", variant_apply(&r, truth_vpls));
-    check_ok("R", variant_apply(&subjects[0], truth_vpls));
-    check_ok("fast", variant_apply(&subjects[1], "fast"));
+    check_ok("fast", variant_apply(&fast, "fast"));
+    check_ok("settings", measure_assign(&r, "vpls=64,map-size=32,rsm-size=64"));
+    check_ok("settings", measure_assign(&fast, "vpls=64,map-size=32,rsm-size=64"));
+    measure_list_add(&subjects, &r);
+    measure_list_add(&subjects, &fast);
     check_ok("clip", clip_measure(&results, &(struct clip_desc){.stage = &stage,
-                                                                .subjects = subjects,
-                                                                .count = 2,
+                                                                .subjects = &subjects,
                                                                 .frames = 3,
                                                                 .reference = r}));
     assert_true(value_of(&results, "R", "", "flicker") == 0);
@@ -259,15 +260,16 @@ static void test_flicker(void **state) {
     for (int i = 0; i < 2; i++)
         assert_true(value_of(&results, "memory", when[i], "most-resident") >=
                     value_of(&results, "memory", when[i], "resident-memory"));
+    free(subjects.items);
     results_free(&results);
     stage_free(&stage);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_summary),      cmocka_unit_test(test_slope),
-        cmocka_unit_test(test_sweep_points), cmocka_unit_test(test_sweep_refusals),
-        cmocka_unit_test(test_subjects),     cmocka_unit_test(test_truth_names),
+        cmocka_unit_test(test_summary),  cmocka_unit_test(test_slope),
+        cmocka_unit_test(test_grids),    cmocka_unit_test(test_grid_refusals),
+        cmocka_unit_test(test_subjects), cmocka_unit_test(test_truth_names),
     };
     const struct CMUnitTest rendering[] = {
         cmocka_unit_test(test_lights),

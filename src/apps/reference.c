@@ -154,7 +154,7 @@ static bool parse_settings(const struct values *values, struct measure_desc *des
     *desc = measure_default(NULL, values->size[0], values->size[1], false);
     if (values->technique == TECHNIQUE_PATH && values->settings.count)
         return error_set("--set is for --technique vpl-raytraced");
-    return measure_assign(desc, values->settings.items, values->settings.count) &&
+    return measure_assign_all(desc, values->settings.items, values->settings.count) &&
            measure_check(desc);
 }
 

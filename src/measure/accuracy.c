@@ -3,9 +3,10 @@
 #include "base/log.h"
 #include "measure/errors.h"
 #include "measure/picture.h"
-#include "measure/sweep.h"
+#include "measure/variants.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 /* What a picture is held against; the first is made with the pictures, the others once. */
 enum { BEFORE, TRUTH, CENTERS, RAYS, STANDARDS };
@@ -98,7 +99,7 @@ static bool need(struct run *run, int standard) {
     struct measure_desc exact = *run->desc;
     return image->pixels || (standard == TRUTH     ? truth_get(run->truth, run->desc, image)
                              : standard == CENTERS ? trace_centers(run, run->desc, image)
-                                                   : measure_assign_text(&exact, HARD) &&
+                                                   : measure_assign(&exact, HARD) &&
                                                          picture_trace(&exact, NULL, image));
 }
 
@@ -113,17 +114,15 @@ static bool add_errors(struct run *run, unsigned against, const struct image *pi
     return ok;
 }
 
-static bool measure_picture(struct run *run, const struct step *step, const char *point) {
-    struct measure_desc desc = *run->desc;
+static bool measure_picture(struct run *run, const struct step *step,
+                            const struct measure_desc *desc) {
     struct image picture = {0};
-    snprintf(desc.variant, sizeof desc.variant, "%s", step->name);
-    bool ok = measure_assign_text(&desc, step->settings) && sweep_apply(point, &desc);
-    log_note("%s: %s %s", desc.stage->name, desc.variant, desc.point);
-    ok = ok && (!step->settings ? trace_centers(run, &desc, &picture)
-                : step->traced  ? picture_trace(&desc, NULL, &picture)
-                                : picture_render(&desc, &picture));
+    log_note("%s: %s %s", desc->stage->name, desc->variant, desc->point);
+    bool ok = !step->settings ? trace_centers(run, desc, &picture)
+              : step->traced  ? picture_trace(desc, NULL, &picture)
+                              : picture_render(desc, &picture);
     if (ok) {
-        results_begin(run->results, &desc);
+        results_begin(run->results, desc);
         ok = add_errors(run, step->against, &picture);
     }
     image_free(&run->standards[BEFORE]);
@@ -131,15 +130,23 @@ static bool measure_picture(struct run *run, const struct step *step, const char
     return ok;
 }
 
+static bool measure_step(struct run *run, const struct step *step) {
+    struct measure_desc desc = *run->desc;
+    struct measure_list points = {0};
+    snprintf(desc.variant, sizeof desc.variant, "%s", step->name);
+    bool ok = measure_assign(&desc, step->settings);
+    measure_list_add(&points, &desc);
+    ok = ok && (!step->values || measure_vary(&points, step->values));
+    for (int i = 0; ok && i < points.count; i++)
+        ok = measure_picture(run, step, &points.items[i]);
+    free(points.items);
+    return ok;
+}
+
 static bool measure_steps(struct run *run, const struct step *steps) {
     bool ok = true;
-    for (const struct step *step = steps; ok && step->name; step++) {
-        struct sweep sweep = {0};
-        ok = !step->values || sweep_parse(&sweep, step->values);
-        for (int i = 0; ok && i < (sweep.count ? sweep.count : 1); i++)
-            ok = measure_picture(run, step, sweep.count ? sweep.points[i] : "");
-        sweep_free(&sweep);
-    }
+    for (const struct step *step = steps; ok && step->name; step++)
+        ok = measure_step(run, step);
     for (int i = 0; i < STANDARDS; i++)
         image_free(&run->standards[i]);
     return ok;

@@ -186,7 +186,7 @@ static bool run_frames(struct run *run) {
     progress_start(&progress);
     for (int i = 0; ok && i < clip->frames; i++) {
         ok = stage_pose(clip->stage, time_of(clip, i)) && make_reference(run, of_r);
-        for (int t = 0; ok && t < clip->count; t++)
+        for (int t = 0; ok && t < clip->subjects->count; t++)
             ok = track_frame(&run->tracks[t], &run->reference, of_r, i);
         if (i == clip->frames / 10)
             add_memory(run, "after a tenth of the clip");
@@ -247,12 +247,12 @@ bool clip_measure(struct results *results, const struct clip_desc *clip) {
         return error_set("%s: nothing moves", clip->stage->name);
     struct run run = {.clip = clip,
                       .results = results,
-                      .tracks = mem_alloc((size_t)clip->count, sizeof *run.tracks)};
+                      .tracks = mem_alloc((size_t)clip->subjects->count, sizeof *run.tracks)};
     bool ok = is_traced(clip) || track_start(&run.reference, &clip->reference, clip->frames);
-    for (int t = 0; ok && t < clip->count; t++)
-        ok = track_start(&run.tracks[t], &clip->subjects[t], clip->frames);
+    for (int t = 0; ok && t < clip->subjects->count; t++)
+        ok = track_start(&run.tracks[t], &clip->subjects->items[t], clip->frames);
     ok = ok && run_frames(&run);
-    for (int t = 0; t < clip->count; t++) {
+    for (int t = 0; t < clip->subjects->count; t++) {
         if (ok) {
             add_frames(&run, &run.tracks[t]);
             add_track(&run, &run.tracks[t]);

@@ -12,11 +12,12 @@
 
 #include "measure/results.h"
 #include "measure/truth.h"
+#include "measure/variants.h"
 
 struct clip_desc {
     struct stage *stage; /* of all subjects; is posed */
-    const struct measure_desc *subjects;
-    int count, frames;             /* frames: spread over the clip; at least 2 */
+    const struct measure_list *subjects;
+    int frames;                    /* spread over the clip; at least 2 */
     struct measure_desc reference; /* what is R, unless the truth is path-traced */
     struct truth_desc truth;       /* TRUTH_PATH or TRUTH_CENTERS: R; its cache has no part in it */
 };

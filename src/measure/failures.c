@@ -7,9 +7,9 @@
 #include "measure/errors.h"
 #include "measure/panels.h"
 #include "measure/picture.h"
+#include "measure/variants.h"
 #include "metrics/errors.h"
 #include "metrics/layer.h"
-#include "metrics/metric.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,18 +17,23 @@
 
 /* --- bounds ----------------------------------------------------------------------------------- */
 
-bool failure_bound_read(const char *row, const struct failure_column *column, bool small,
-                        struct failure_bound *bound) {
-    char *path = mem_printf("src/techniques/%s/bounds.csv", column->technique);
-    char *key = mem_printf("\n%s,%s,", row, column->name);
+/* At most, per cent. */
+struct bound {
+    double rmse, bias;
+};
+
+/* Error: of the file, or it has no such row. */
+static bool read_bound(const struct measure_desc *subject, bool small, struct bound *bound) {
+    char *path = mem_printf("src/techniques/%s/bounds.csv", subject->technique->name);
+    char *key = mem_printf("\n%s,%s,", subject->point, subject->variant);
     char *text = file_read_text(path), *line = text ? strstr(text, key) : NULL;
-    struct failure_bound both[2];
+    struct bound both[2];
     bool ok = line && sscanf(line + strlen(key), "%lf,%lf,%lf,%lf", &both[0].rmse, &both[0].bias,
                              &both[1].rmse, &both[1].bias) == 4;
     if (ok)
         *bound = both[small];
     else if (text)
-        error_set("%s promises nothing for %s of '%s'", path, column->name, row);
+        error_set("%s promises nothing for it", path);
     free(text);
     free(key);
     free(path);
@@ -41,6 +46,7 @@ struct run {
     const struct failure_row *row;
     const struct failure_desc *desc;
     struct stage stage;
+    struct image picture;                       /* the truth, all layers */
     struct image truth, tests[FAILURE_COLUMNS]; /* indirect layers */
 };
 
@@ -70,54 +76,49 @@ static void add_worst(struct results *results, const struct comparison *comparis
     results_add(results, "worst-y", "", "", at[1]);
 }
 
-/* Whether a picture that has no value but finite ones is within the bound. */
-static bool add_errors(struct results *results, const struct image *test, const struct image *truth,
-                       const struct failure_bound *bound) {
-    struct comparison comparison = {.test = test, .reference = truth};
-    double rmse = 100 * metric_measure(metric_find("relative-rmse"), &comparison, NULL);
-    double bias = 100 * metric_measure(metric_find("relative-bias"), &comparison, NULL);
-    results_add(results, "relative-rmse", truth_names[TRUTH_CENTERS], "%", rmse);
-    results_add(results, "relative-bias", truth_names[TRUTH_CENTERS], "%", bias);
-    add_worst(results, &comparison);
-    return rmse <= bound->rmse && fabs(bias) <= bound->bias;
-}
-
 /* The row's settings count, whatever column and desc say. */
-static bool prepare(const struct run *run, const struct failure_column *column,
-                    struct measure_desc *subject) {
+static bool prepare(const struct run *run, const char *column, struct measure_desc *subject,
+                    struct bound *bound) {
     const struct failure_row *row = run->row;
-    *subject = measure_default(&run->stage, run->desc->width, run->desc->height,
+    const struct text_list *common = run->desc->settings;
+    *subject = measure_default(&run->stage, row->width ? row->width : run->desc->width,
+                               row->height ? row->height : run->desc->height,
                                context_is_software(run->desc->context));
-    char *technique = mem_printf("technique=%s", column->technique);
-    bool ok = measure_assign_text(subject, technique) &&
-              measure_assign_text(subject, column->settings) &&
-              measure_assign_text(subject, run->desc->settings) &&
-              measure_assign_text(subject, row->settings);
-    free(technique);
-    snprintf(subject->variant, sizeof subject->variant, "%s", column->name);
     snprintf(subject->point, sizeof subject->point, "%s", row->name);
-    if (row->width) {
-        subject->width = row->width;
-        subject->height = row->height;
-    }
-    return ok;
+    return variant_apply(subject, column) && read_bound(subject, run->desc->small, bound) &&
+           (!common || measure_assign_all(subject, common->items, common->count)) &&
+           measure_assign(subject, row->settings);
 }
 
 static bool get_truth(struct run *run, const struct measure_desc *subject) {
-    struct image picture = {0};
-    bool ok = run->truth.pixels || (truth_get(&run->desc->truth, subject, &picture) &&
-                                    layer_extract(&run->truth, &picture, "indirect"));
-    image_free(&picture);
-    return ok;
+    return run->truth.pixels || (truth_get(&run->desc->truth, subject, &run->picture) &&
+                                 layer_extract(&run->truth, &run->picture, "indirect"));
+}
+
+/* Of a picture whose values are all finite. */
+static bool add_errors(struct results *results, const struct run *run, const struct image *picture,
+                       struct image *test) {
+    if (!layer_extract(test, picture, "indirect"))
+        return false;
+    add_worst(results, &(struct comparison){.test = test, .reference = &run->truth});
+    return errors_add(results, picture, &run->picture, truth_names[TRUTH_CENTERS]);
+}
+
+static void add_bound(struct results *results, const struct bound *bound, bool sound) {
+    int subject = results->subject_count - 1;
+    results_add(results, "rmse-bound", "", "%", bound->rmse);
+    results_add(results, "bias-bound", "", "%", bound->bias);
+    results_add(results, "holds", "", "",
+                sound && results_value(results, subject, "relative-rmse", NULL) <= bound->rmse &&
+                    fabs(results_value(results, subject, "relative-bias", NULL)) <= bound->bias);
 }
 
 static bool measure(struct results *results, struct run *run, int column) {
     struct measure_desc subject;
-    struct failure_bound bound;
-    struct image picture = {0}, *test = &run->tests[column];
+    struct bound bound;
+    struct image picture = {0};
     int messages = context_message_count(run->desc->context);
-    if (!prepare(run, &failure_columns[column], &subject) || !get_truth(run, &subject) ||
-        !failure_bound_read(run->row->name, &failure_columns[column], run->desc->small, &bound) ||
+    if (!prepare(run, failure_columns[column], &subject, &bound) || !get_truth(run, &subject) ||
         !picture_render(&subject, &picture))
         return false;
     messages = context_message_count(run->desc->context) - messages;
@@ -125,11 +126,8 @@ static bool measure(struct results *results, struct run *run, int column) {
     results_begin(results, &subject);
     results_add(results, "messages", "", "", messages);
     results_add(results, "non-finite", "", "", non_finite);
-    results_add(results, "rmse-bound", "", "%", bound.rmse);
-    results_add(results, "bias-bound", "", "%", bound.bias);
-    bool ok = non_finite || layer_extract(test, &picture, "indirect");
-    bool holds = ok && !non_finite && add_errors(results, test, &run->truth, &bound) && !messages;
-    results_add(results, "holds", "", "", holds);
+    bool ok = non_finite || add_errors(results, run, &picture, &run->tests[column]);
+    add_bound(results, &bound, ok && !non_finite && !messages);
     image_free(&picture);
     return ok;
 }
@@ -150,11 +148,13 @@ bool failure_measure(struct results *results, const struct failure_row *row,
     bool ok =
         stage_init(&run.stage, &(struct stage_desc){.path = row->scene, .camera = row->camera});
     for (int i = 0; ok && i < FAILURE_COLUMNS; i++)
-        ok = measure(results, &run, i) || error_prefix("%s", failure_columns[i].name);
+        ok = measure(results, &run, i) ||
+             error_prefix("%.*s", (int)strcspn(failure_columns[i], ":"), failure_columns[i]);
     ok = ok && draw(&run);
     for (int i = 0; i < FAILURE_COLUMNS; i++)
         image_free(&run.tests[i]);
     image_free(&run.truth);
+    image_free(&run.picture);
     stage_free(&run.stage);
     return ok || error_prefix("%s", row->name);
 }

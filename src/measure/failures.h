@@ -2,7 +2,9 @@
  * drawn in several ways and held against rays. bench/STABILITY.md says why each breaks and what
  * does better.
  *
- * What is promised of each technique lies in its folder, src/techniques/NAME/bounds.csv.
+ * What is promised of each technique lies in its folder, src/techniques/NAME/bounds.csv: at most so
+ * many per cent of relative RMSE and of relative bias, at 160x120 and 2 % noise, and in small, as
+ * `make test` runs it.
  */
 #ifndef MEASURE_FAILURES_H
 #define MEASURE_FAILURES_H
@@ -12,7 +14,7 @@
 #include "measure/truth.h"
 
 struct failure_row {
-    const char *name, *what;
+    const char *name;
     const char *scene;    /* file */
     const char *camera;   /* as scene/placing.h has it; NULL = the first */
     const char *settings; /* "key=value,..." over each column's own; NULL = none */
@@ -22,39 +24,25 @@ struct failure_row {
 /* End with a row of no name. */
 extern const struct failure_row failure_rows[];
 
-/* A way to draw each row: a variant. */
-struct failure_column {
-    const char *name, *technique, *settings;
-};
-
-extern const struct failure_column failure_columns[];
-
 enum { FAILURE_COLUMNS = 5 };
+
+/* Ways to draw each row, as variant_apply has it. */
+extern const char *const failure_columns[FAILURE_COLUMNS];
 
 /* Error: names all rows. */
 const struct failure_row *failure_row_find(const char *name);
 
-/* At most, in per cent: relative RMSE and size of the relative bias of the indirect light. */
-struct failure_bound {
-    double rmse, bias;
-};
-
-/* What a column promises for a row: at 160x120 and 2 % noise, or `small`, as `make test` runs it.
- * Error: of the file, or it has no such row. */
-bool failure_bound_read(const char *row, const struct failure_column *column, bool small,
-                        struct failure_bound *bound);
-
 struct failure_desc {
     int width, height;
-    const char *settings;          /* of all columns, below the row's; NULL = none */
-    struct truth_desc truth;       /* TRUTH_CENTERS: without the error of edges */
-    const struct context *context; /* its messages count */
-    bool small;                    /* hold results to the bounds of small pictures */
-    const char *pictures;          /* folder; NULL = no pictures */
+    const struct text_list *settings; /* of all columns, below the row's; NULL = none */
+    struct truth_desc truth;          /* TRUTH_CENTERS: without the error of edges */
+    const struct context *context;    /* its messages count */
+    bool small;                       /* hold results to the bounds of small pictures */
+    const char *pictures;             /* folder; NULL = no pictures */
 };
 
 /* Adds a subject for each column, whose point is the row's name:
- *     relative-rmse, relative-bias, worst (pixel: |v - r| over the reference's mean) in %, worst-x,
+ *     what errors_add adds, worst (pixel: |v - r| over the reference's mean) in %, worst-x,
  *     worst-y, non-finite (values), messages (of OpenGL), rmse-bound, bias-bound, and holds: 1
  *     where it is finite, silent and within bounds
  * Errors over a black truth are infinite. Error: of the scene, the renderer or a file. */

@@ -38,7 +38,7 @@ static bool sort_out(struct measure_desc *desc, const char *word, struct text *s
     return true;
 }
 
-bool measure_assign(struct measure_desc *desc, const char *const *texts, int count) {
+bool measure_assign_all(struct measure_desc *desc, const char *const *texts, int count) {
     struct measure_desc changed = *desc;
     struct text settings = {0};
     bool ok = true;
@@ -57,8 +57,8 @@ bool measure_assign(struct measure_desc *desc, const char *const *texts, int cou
     return ok;
 }
 
-bool measure_assign_text(struct measure_desc *desc, const char *text) {
-    return measure_assign(desc, &text, text ? 1 : 0);
+bool measure_assign(struct measure_desc *desc, const char *text) {
+    return measure_assign_all(desc, &text, text ? 1 : 0);
 }
 
 static bool blame(const struct measure_desc *desc) {

@@ -25,11 +25,13 @@ struct measure_desc {
 struct measure_desc measure_default(const struct stage *stage, int width, int height,
                                     bool software);
 
-/* Assigns texts, each "key=value" or several with spaces or commas between: "technique=NAME",
- * "direct=NAME", "size=WxH" or a setting; presets come first, wherever they stand. Error: of a name
+/* Assigns "key=value", or several with spaces or commas between: "technique=NAME", "direct=NAME",
+ * "size=WxH" or a setting; presets come first, wherever they stand. NULL is none. Error: of a name
  * or a value. */
-bool measure_assign(struct measure_desc *desc, const char *const *texts, int count);
-bool measure_assign_text(struct measure_desc *desc, const char *text); /* NULL = none */
+bool measure_assign(struct measure_desc *desc, const char *text);
+
+/* The same of several such texts as one. */
+bool measure_assign_all(struct measure_desc *desc, const char *const *texts, int count);
 
 /* Whether the settings go together. Error: a sentence; names the variant. */
 bool measure_check(const struct measure_desc *desc);

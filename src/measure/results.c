@@ -3,9 +3,12 @@
 #include "base/memory.h"
 #include "base/output_file.h"
 #include "base/parallel.h"
+#include "base/text.h"
+#include "metrics/quantile.h"
 
 #include "version.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -63,6 +66,31 @@ double results_value(const struct results *results, int subject, const char *wha
                      const char *against) {
     const struct result *row = results_find(results, subject, what, against);
     return row ? row->figure.value : 0;
+}
+
+struct summary summary_of(float *values, int count) {
+    size_t n = (size_t)count;
+    return (struct summary){
+        .value = (double)quantile(values, n, .5),
+        .p5 = (double)quantile(values, n, .05),
+        .p95 = (double)quantile(values, n, .95),
+        .minimum = (double)quantile(values, n, 0),
+        .maximum = (double)quantile(values, n, 1),
+        .count = count,
+    };
+}
+
+double log_slope(const double *x, const double *y, int count) {
+    double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+    for (int i = 0; i < count; i++) {
+        mean_x += log(x[i]) / count;
+        mean_y += log(y[i]) / count;
+    }
+    for (int i = 0; i < count; i++) {
+        xx += pow(log(x[i]) - mean_x, 2);
+        xy += (log(x[i]) - mean_x) * (log(y[i]) - mean_y);
+    }
+    return xx > 0 ? xy / xx : 0;
 }
 
 /* --- tables ----------------------------------------------------------------------------------- */
@@ -123,117 +151,102 @@ void results_print(FILE *out, const struct results *results, int first, const st
     }
 }
 
-/* --- the machine ------------------------------------------------------------------------------ */
+/* --- the file --------------------------------------------------------------------------------- */
 
-enum { MACHINE_CELLS = 8 };
-
-static const char *const machine_names[MACHINE_CELLS] = {
-    "gl_vendor", "gl_renderer", "gl_version", "software", "cpu", "cores", "commit", "date"};
-
-struct machine {
-    char cells[MACHINE_CELLS][160];
-};
-
-static void read_cpu(char *text, size_t size) {
-    char line[256];
-    snprintf(text, size, "unknown");
-    FILE *file = fopen("/proc/cpuinfo", "r");
-    while (file && fgets(line, sizeof line, file))
-        if (strncmp(line, "model name", 10) == 0 && strchr(line, ':')) {
-            snprintf(text, size, "%s", strchr(line, ':') + 2);
-            break;
-        }
-    if (file)
-        fclose(file);
-    text[strcspn(text, "\n")] = '\0';
+static void add_cell(struct text *line, const char *cell) {
+    bool quoted = strpbrk(cell, ",\"\n");
+    text_print(line, quoted ? ",\"" : ",");
+    for (const char *c = cell; *c; c++)
+        text_print(line, *c == '"' ? "\"\"" : "%c", *c);
+    text_print(line, quoted ? "\"" : "");
 }
 
-static struct machine machine_read(bool software) {
-    static const GLenum strings[] = {GL_VENDOR, GL_RENDERER, GL_VERSION};
-    struct machine machine;
-    size_t size = sizeof machine.cells[0];
+static void add_cpu(struct text *line) {
+    char info[256];
+    const char *model = "unknown";
+    FILE *file = fopen("/proc/cpuinfo", "r");
+    while (file && fgets(info, sizeof info, file))
+        if (strncmp(info, "model name", 10) == 0 && strchr(info, ':')) {
+            info[strcspn(info, "\n")] = '\0';
+            model = strchr(info, ':') + 2;
+            break;
+        }
+    add_cell(line, model);
+    if (file)
+        fclose(file);
+}
+
+static const char machine_heading[] =
+    ",gl_vendor,gl_renderer,gl_version,software,cpu,cores,commit,date";
+
+/* The cells below that heading; the caller frees them. */
+static char *machine_cells(bool software) {
+    struct text cells = {0};
+    char date[16];
     time_t now = time(NULL);
-    for (int i = 0; i < 3; i++)
-        snprintf(machine.cells[i], size, "%s", (const char *)gl.GetString(strings[i]));
-    snprintf(machine.cells[3], size, software ? "yes" : "no");
-    read_cpu(machine.cells[4], size);
-    snprintf(machine.cells[5], size, "%d", parallel_core_count());
-    snprintf(machine.cells[6], size, "%s", MANYLIGHT_COMMIT);
-    strftime(machine.cells[7], size, "%Y-%m-%d", gmtime(&now));
-    return machine;
+    add_cell(&cells, (const char *)gl.GetString(GL_VENDOR));
+    add_cell(&cells, (const char *)gl.GetString(GL_RENDERER));
+    add_cell(&cells, (const char *)gl.GetString(GL_VERSION));
+    add_cell(&cells, software ? "yes" : "no");
+    add_cpu(&cells);
+    strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
+    text_print(&cells, ",%d,%s,%s", parallel_core_count(), MANYLIGHT_COMMIT, date);
+    return cells.data;
 }
 
 void results_print_machine(FILE *out, bool software) {
-    struct machine machine = machine_read(software);
-    for (int i = 0; i < MACHINE_CELLS; i++)
-        fprintf(out, "%s%s %s", i ? ", " : "", machine_names[i], machine.cells[i]);
-    fprintf(out, "%s\n", software ? " (passes timed with glFinish)" : "");
+    char *cells = machine_cells(software);
+    fprintf(out, "%s\n%s%s\n", machine_heading + 1, cells + 1,
+            software ? " (passes timed with glFinish)" : "");
+    free(cells);
 }
 
-/* --- the file --------------------------------------------------------------------------------- */
-
-static void print_cell(FILE *out, const char *text) {
-    bool quoted = strpbrk(text, ",\"\n");
-    fputs(quoted ? "\"" : "", out);
-    for (const char *c = text; *c; c++)
-        fprintf(out, *c == '"' ? "\"\"" : "%c", *c);
-    fputs(quoted ? "\"," : ",", out);
-}
-
-static void print_subject(FILE *out, const char *mode, const struct subject *subject) {
-    char *settings = measure_settings(&subject->desc);
-    print_cell(out, mode);
-    print_cell(out, subject->scene);
-    fprintf(out, "%u,%d,%d,", subject->faces, subject->desc.width, subject->desc.height);
-    print_cell(out, subject->desc.technique->name);
-    print_cell(out, subject->desc.variant);
-    print_cell(out, subject->desc.point);
-    print_cell(out, settings);
+static void add_subject(struct text *line, const struct subject *subject) {
+    const struct measure_desc *desc = &subject->desc;
+    char *settings = measure_settings(desc);
+    add_cell(line, subject->scene);
+    text_print(line, ",%u,%d,%d", subject->faces, desc->width, desc->height);
+    add_cell(line, desc->technique->name);
+    add_cell(line, desc->variant);
+    add_cell(line, desc->point);
+    add_cell(line, settings);
     free(settings);
 }
 
-static void print_figure(FILE *out, const struct result *row) {
-    const struct summary *f = &row->figure;
-    print_cell(out, row->what);
-    print_cell(out, row->against);
-    print_cell(out, row->unit);
-    fprintf(out, "%.6g,%.6g,%.6g,%.6g,%.6g,%d,", f->value, f->p5, f->p95, f->minimum, f->maximum,
-            f->count);
-}
-
 /* Empty where there is nothing to share by. */
-static void print_share(FILE *out, double value, double by) {
-    if (value > 0 && by > 0)
-        fprintf(out, "%.4g", value / by);
-    fputc(',', out);
+static void add_share(struct text *line, double value, double by) {
+    text_print(line, value > 0 && by > 0 ? ",%.4g" : ",", value / by);
 }
 
-static void print_row(FILE *out, const char *mode, const struct results *results,
-                      const struct result *row, const struct machine *machine) {
+static void add_row(struct text *out, const struct results *results, const struct result *row) {
     const struct subject *subject = &results->subjects[row->subject];
-    double nanoseconds = strcmp(row->unit, "ms") == 0 ? 1e6 * row->figure.value : 0;
-    print_subject(out, mode, subject);
-    print_figure(out, row);
-    print_share(out, results_value(results, row->subject, "clock", NULL), 1);
-    print_share(out, nanoseconds, measure_pixels(&subject->desc));
-    print_share(out, nanoseconds, measure_pixel_vpls(&subject->desc));
-    for (int i = 0; i < MACHINE_CELLS - 1; i++)
-        print_cell(out, machine->cells[i]);
-    fprintf(out, "%s\n", machine->cells[MACHINE_CELLS - 1]);
+    const struct summary *f = &row->figure;
+    double nanoseconds = strcmp(row->unit, "ms") == 0 ? 1e6 * f->value : 0;
+    add_subject(out, subject);
+    add_cell(out, row->what);
+    add_cell(out, row->against);
+    add_cell(out, row->unit);
+    text_print(out, ",%.6g,%.6g,%.6g,%.6g,%.6g,%d", f->value, f->p5, f->p95, f->minimum, f->maximum,
+               f->count);
+    add_share(out, results_value(results, row->subject, "clock", NULL), 1);
+    add_share(out, nanoseconds, measure_pixels(&subject->desc));
+    add_share(out, nanoseconds, measure_pixel_vpls(&subject->desc));
 }
 
 bool results_write(const struct results *results, const char *mode, const char *path) {
-    struct machine machine =
-        machine_read(results->subject_count && results->subjects[0].desc.software);
-    struct output_text text;
-    output_text_init(&text);
-    FILE *out = text.stream;
-    fprintf(out, "mode,scene,faces,width,height,technique,variant,point,settings,what,against,unit,"
-                 "value,p5,p95,min,max,count,frame_ms,ns_per_pixel,ns_per_pixel_vpl");
-    for (int i = 0; i < MACHINE_CELLS; i++)
-        fprintf(out, ",%s", machine_names[i]);
-    fprintf(out, "\n");
-    for (int i = 0; i < results->row_count; i++)
-        print_row(out, mode, results, &results->rows[i], &machine);
-    return output_text_end(&text, path);
+    char *machine = machine_cells(results->subject_count && results->subjects->desc.software);
+    struct text out = {0};
+    text_print(&out,
+               "mode,scene,faces,width,height,technique,variant,point,settings,what,against,unit,"
+               "value,p5,p95,min,max,count,frame_ms,ns_per_pixel,ns_per_pixel_vpl%s\n",
+               machine_heading);
+    for (int i = 0; i < results->row_count; i++) {
+        text_print(&out, "%s", mode);
+        add_row(&out, results, &results->rows[i]);
+        text_print(&out, "%s\n", machine);
+    }
+    bool ok = output_file_write(path, out.data, out.length);
+    free(out.data);
+    free(machine);
+    return ok;
 }

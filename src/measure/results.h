@@ -13,9 +13,20 @@
 #define MEASURE_RESULTS_H
 
 #include "measure/measure.h"
-#include "measure/summary.h"
 
 #include <stdio.h>
+
+struct summary {
+    double value; /* the median, where nothing else is said */
+    double p5, p95, minimum, maximum;
+    int count;
+};
+
+/* Order statistics. Sorts the values; count is at least 1. */
+struct summary summary_of(float *values, int count);
+
+/* The slope of log y over log x by least squares; 0 for a single x. */
+double log_slope(const double *x, const double *y, int count);
 
 struct result {
     int subject;
@@ -66,7 +77,7 @@ struct table {
  * scene and size. */
 void results_print(FILE *out, const struct results *results, int first, const struct table *table);
 
-/* One line: what the current context is, and the program. */
+/* One line: the cells that tell the machine, of the current context. */
 void results_print_machine(FILE *out, bool software);
 
 /* Error: of the file. */

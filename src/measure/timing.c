@@ -12,32 +12,33 @@
 /* Of the difference between timers and clock, over the clock: above it something is wrong. */
 static const double clock_tolerance = .2;
 
-/* A subject at work: a row of frames per timer, and the clock. */
+/* A subject at work. */
 struct run {
     const struct measure_desc *desc;
     struct renderer renderer;
     double gpu_memory; /* MiB */
-    float *timers[TIMERS_MAX], *clock;
-    int taken;
+    float *samples;    /* a row of frames for each timer, and for the clock */
+    int frames, taken;
 };
+
+enum { CLOCK = TIMERS_MAX, ROWS };
+
+static float *row_of(const struct run *run, int row) {
+    return run->samples + (size_t)row * (size_t)run->frames;
+}
 
 static bool run_start(struct run *run, const struct measure_desc *desc, int frames) {
     size_t before = gpu_memory_total();
-    run->desc = desc;
-    if (!measure_start(&run->renderer, desc))
-        return false;
+    *run = (struct run){.desc = desc, .frames = frames};
+    run->samples = mem_alloc(ROWS * (size_t)frames, sizeof *run->samples);
+    bool ok = measure_start(&run->renderer, desc);
     run->gpu_memory = (double)(gpu_memory_total() - before) / (1 << 20);
-    for (int i = 0; i < TIMERS_MAX; i++)
-        run->timers[i] = mem_alloc((size_t)frames, sizeof(float));
-    run->clock = mem_alloc((size_t)frames, sizeof(float));
-    return true;
+    return ok;
 }
 
 static void run_free(struct run *run) {
     renderer_free(&run->renderer);
-    for (int i = 0; i < TIMERS_MAX; i++)
-        free(run->timers[i]);
-    free(run->clock);
+    free(run->samples);
 }
 
 static double clocked_frames(struct renderer *renderer, int frames) {
@@ -59,8 +60,8 @@ static void take_sample(struct run *run) {
     renderer_render(&run->renderer);
     timers_flush(timers);
     for (int i = 0; i < timers->count; i++)
-        run->timers[i][at] = (float)timers->results[i].ms;
-    run->clock[at] = (float)clocked_frames(&run->renderer, burst);
+        row_of(run, i)[at] = (float)timers->results[i].ms;
+    row_of(run, CLOCK)[at] = (float)clocked_frames(&run->renderer, burst);
 }
 
 /* Timers that tell another story than the clock are not to be believed: drivers lie. */
@@ -71,17 +72,21 @@ static void check_clock(const struct run *run, double frame, double clock) {
                     frame < clock ? " (the CPU is the slower one, or the timers lie)" : "");
 }
 
-static void add_times(struct results *results, struct run *run) {
+/* first: the subject that the others are compared with. */
+static void add_times(struct results *results, struct run *run, int first) {
     const struct timers *timers = &run->renderer.timers;
-    struct summary clock = summary_of(run->clock, run->taken);
+    struct summary clock = summary_of(row_of(run, CLOCK), run->taken);
     results_begin(results, run->desc);
     for (int i = 0; i < timers->count; i++) {
-        struct summary pass = summary_of(run->timers[i], run->taken);
+        struct summary pass = summary_of(row_of(run, i), run->taken);
         results_add_summary(results, timers->results[i].path, "ms", &pass);
         if (i == 0)
             check_clock(run, pass.value, clock.value);
     }
     results_add_summary(results, "clock", "ms", &clock);
+    results_add(results, "fps", "", "1/s", 1e3 / clock.value);
+    results_add(results, "of-first", "", "1",
+                clock.value / results_value(results, first, "clock", NULL));
     results_add(results, "gpu-memory", "", "MiB", run->gpu_memory);
 }
 
@@ -96,7 +101,7 @@ static bool add_errors(struct results *results, struct run *run, const struct tr
     return ok;
 }
 
-static bool measure_group(struct results *results, struct run *runs,
+static bool measure_group(struct results *results, int first, struct run *runs,
                           const struct measure_desc *descs, int count,
                           const struct timing_desc *timing) {
     bool software = descs->software, ok = true;
@@ -112,19 +117,20 @@ static bool measure_group(struct results *results, struct run *runs,
         for (int i = 0; i < count; i++)
             take_sample(&runs[i]);
     for (int i = 0; ok && i < count; i++) {
-        add_times(results, &runs[i]);
+        add_times(results, &runs[i], first);
         ok = add_errors(results, &runs[i], &timing->truth);
     }
     return ok;
 }
 
-bool timing_measure(struct results *results, const struct measure_desc *descs, int count,
+bool timing_measure(struct results *results, const struct measure_list *subjects,
                     const struct timing_desc *timing) {
+    int base = results->subject_count;
     bool ok = true;
-    for (int first = 0; ok && first < count; first += TIMING_GROUP) {
-        int group = count - first < TIMING_GROUP ? count - first : TIMING_GROUP;
+    for (int first = 0; ok && first < subjects->count; first += TIMING_GROUP) {
+        int left = subjects->count - first, group = left < TIMING_GROUP ? left : TIMING_GROUP;
         struct run *runs = mem_alloc((size_t)group, sizeof *runs);
-        ok = measure_group(results, runs, descs + first, group, timing);
+        ok = measure_group(results, base, runs, &subjects->items[first], group, timing);
         for (int i = 0; i < group; i++)
             run_free(&runs[i]);
         free(runs);

@@ -5,6 +5,7 @@
 
 #include "measure/results.h"
 #include "measure/truth.h"
+#include "measure/variants.h"
 
 struct timing_desc {
     int warm_up, frames; /* of each subject; 0 = by the context: few on the CPU, many on a GPU */
@@ -15,7 +16,7 @@ struct timing_desc {
  * the medians of all passes ("frame", "frame/gather" ...), "clock" (a frame without timers),
  * "gpu-memory" and errors. Error: of a renderer or of the truth. */
 enum { TIMING_GROUP = 8 };
-bool timing_measure(struct results *results, const struct measure_desc *descs, int count,
+bool timing_measure(struct results *results, const struct measure_list *subjects,
                     const struct timing_desc *timing);
 
 #endif

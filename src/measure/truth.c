@@ -7,7 +7,7 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "measure/picture.h"
-#include "measure/variant.h"
+#include "measure/variants.h"
 #include "reference/path_tracer.h"
 
 #include "sources.h"

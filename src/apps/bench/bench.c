@@ -6,9 +6,7 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/output_file.h"
-#include "base/text.h"
 #include "measure/timing.h"
-#include "measure/variant.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -19,111 +17,126 @@ static const struct bench_mode *const modes[] = {
     &bench_curves, &bench_temporal, &bench_failures, &bench_chart,
 };
 
-enum { MODES = sizeof modes / sizeof *modes };
+enum { MODES = sizeof modes / sizeof *modes, USUAL_MAX = 64 /* arguments where none is given */ };
 
-const char *const bench_usual_variants[] = {"paper", "fast", NULL};
+const char *const bench_variants[] = {"paper", "fast", NULL};
 const char *const bench_no_variants[] = {":", NULL};
+
+/* [Dong 2009, Table 1], or what stands for them. */
+const char *const bench_scenes[] = {"scenes/cornell-box.glb", "scenes/cornell-animal.glb",
+                                    "scenes/atrium.glb", "scenes/metaballs.glb", NULL};
 
 /* --- subjects --------------------------------------------------------------------------------- */
 
-bool bench_prepare(const struct bench *bench, const struct stage *stage, const char *variant,
-                   struct measure_desc *desc) {
-    *desc = measure_default(stage, bench->values.size[0], bench->values.size[1],
+bool bench_prepare(const struct bench *bench, const char *variant, struct measure_desc *desc) {
+    const struct bench_values *values = &bench->values;
+    *desc = measure_default(bench->stage, values->size[0], values->size[1],
                             bench->context && context_is_software(bench->context));
-    return variant_apply(desc, variant) && measure_assign_text(desc, bench->settings);
+    return variant_apply(desc, variant) &&
+           measure_assign_all(desc, values->settings.items, values->settings.count);
 }
 
-/* At each point of the sweep. */
-static bool list_variant(const struct bench *bench, const struct stage *stage,
-                         const struct sweep *sweep, const char *variant,
-                         struct measure_desc **descs, int *count) {
+bool bench_list(const struct bench *bench, const char *const *variants, const char *axis,
+                struct measure_list *list) {
+    const struct text_list *asked = &bench->values.variants, *axes = &bench->values.axes;
     bool ok = true;
-    for (int i = 0; ok && i < (sweep->count ? sweep->count : 1); i++) {
-        *descs = mem_resize(*descs, (size_t)*count + 1, sizeof **descs);
-        struct measure_desc *desc = &(*descs)[(*count)++];
-        ok = bench_prepare(bench, stage, variant, desc) &&
-             (!sweep->count || sweep_apply(sweep->points[i], desc)) && measure_check(desc);
+    *list = (struct measure_list){0};
+    for (int i = 0; ok && (asked->count ? i < asked->count : variants[i] != NULL); i++) {
+        struct measure_desc desc;
+        ok = bench_prepare(bench, asked->count ? asked->items[i] : variants[i], &desc);
+        measure_list_add(list, &desc);
     }
+    for (int i = 0; ok && i < axes->count; i++)
+        ok = measure_vary(list, axes->items[i]);
+    ok = ok && (!axis || measure_vary(list, axis));
+    for (int i = 0; ok && i < list->count; i++)
+        ok = measure_check(&list->items[i]);
     return ok;
-}
-
-struct measure_desc *bench_list(const struct bench *bench, const struct stage *stage,
-                                const struct sweep *sweep, const char *const *usual, int *count) {
-    const struct text_list *asked = &bench->values.variants;
-    const char *const *names = asked->count          ? asked->items
-                               : sweep->has_variants ? bench_no_variants
-                                                     : usual;
-    struct measure_desc *descs = NULL;
-    bool ok = true;
-    *count = 0;
-    for (int i = 0; ok && (asked->count ? i < asked->count : names[i] != NULL); i++)
-        ok = list_variant(bench, stage, sweep, names[i], &descs, count);
-    if (!ok)
-        free(descs), descs = NULL;
-    return descs;
 }
 
 struct truth_desc bench_truth(const struct bench *bench, enum truth_kind kind) {
     return (struct truth_desc){kind, bench->values.cache, (double)bench->values.noise};
 }
 
-bool bench_time(struct bench *bench, const struct measure_desc *descs, int count,
-                enum truth_kind kind) {
-    return timing_measure(&bench->results, descs, count,
+bool bench_time(struct bench *bench, const struct measure_list *subjects, enum truth_kind kind) {
+    return timing_measure(&bench->results, subjects,
                           &(struct timing_desc){bench->values.warm_up, bench->values.frames,
                                                 bench_truth(bench, kind)});
 }
 
 static bool measure_scene(struct bench *bench, const struct bench_mode *mode, const char *path) {
-    struct stage *stage = &bench->stage;
-    int count, first = bench->results.subject_count;
-    if (!stage_init(stage, &(struct stage_desc){.path = path}))
+    struct stage stage;
+    struct measure_list subjects;
+    int first = bench->results.subject_count;
+    if (!stage_init(&stage, &(struct stage_desc){.path = path}))
         return false;
-    struct measure_desc *descs = bench_list(bench, stage, &bench->sweep, mode->usual, &count);
-    log_note("%s", stage->name);
-    bool ok = descs && mode->measure(bench, descs, count);
+    bench->stage = &stage;
+    log_note("%s", stage.name);
+    bool ok = bench_list(bench, mode->variants, NULL, &subjects) && mode->measure(bench, &subjects);
     for (const struct table *table = mode->tables; ok && table && table->title; table++)
         results_print(stdout, &bench->results, first, table);
-    free(descs);
-    stage_free(stage);
+    free(subjects.items);
+    stage_free(&stage);
     return ok;
 }
 
 /* --- the command line ------------------------------------------------------------------------- */
 
-/* The paper's scenes [Dong 2009, Table 1], or what stands for them. */
-static bool pick_usual_scenes(struct bench *bench) {
-    static const char *const usual[] = {"scenes/cornell-box.glb", "scenes/cornell-animal.glb",
-                                        "scenes/atrium.glb", "scenes/metaballs.glb"};
-    bench->arguments = mem_resize(bench->arguments, 4, sizeof *bench->arguments);
-    for (int i = 0; i < 4; i++)
-        if (access(usual[i], R_OK) == 0)
-            bench->arguments[bench->argument_count++] = usual[i];
-        else
-            log_note("%s is not here", usual[i]);
-    return bench->argument_count || error_set("no SCENE, and none of the usual ones is here");
+#define VALUE(member) offsetof(struct bench_values, member)
+
+/* Of all modes. */
+static const struct option options[] = {
+    {"vary", 0, OPTION_LIST, VALUE(axes), .value_name = "KEY=A,B..C",
+     .help = "a setting, technique or size; vals=2..128 is powers of two; N, M and K are vpls,\n"
+             "vals and terms; repeatable: a grid over all"},
+    {"size", 's', OPTION_SIZE, VALUE(size), 800, 1, 16384, .help = "of the picture, pixels"},
+    {"variant", 0, OPTION_LIST, VALUE(variants),
+     .help = "what to compare, of the list below; repeatable"},
+    {"set", 0, OPTION_LIST, VALUE(settings), .value_name = "KEY=VALUE",
+     .help = "a setting of all (manylight render --help); repeatable"},
+    {"frames", 0, OPTION_INT, VALUE(frames), 0, 0, 100000,
+     .help = "measured of each, 0 = 5 on software OpenGL, else 100; or of a clip, 0 = 50"},
+    {"warm-up", 0, OPTION_INT, VALUE(warm_up), 0, 0, 100000,
+     .help = "frames before; 0 = 1 on software OpenGL, else 10"},
+    {"reference", 0, OPTION_CHOICE, VALUE(reference), .choices = truth_names,
+     .help = "what holds the truth: one bounce path-traced (centers: through pixels' centres),\n"
+             "or all VPLs with a map each, as for a clip where there is none"},
+    {"noise", 0, OPTION_FLOAT, VALUE(noise), .01, 1e-4, 1,
+     .help = "of a path-traced reference: standard error over mean"},
+    {"cache", 0, OPTION_TEXT, VALUE(cache), .value_name = "DIR",
+     .help = "where references are kept [$XDG_CACHE_HOME/manylight]"},
+    {"output", 'o', OPTION_TEXT, VALUE(output), .value_name = "DIR", .help = "where pictures go"},
+    {"csv", 0, OPTION_TEXT, VALUE(csv), .value_name = "FILE",
+     .help = "write all figures, a row each"},
+    CONTEXT_OPTIONS(struct bench_values, context),
+};
+
+enum { OPTIONS = sizeof options / sizeof *options };
+
+static bool has_option(const struct bench_mode *mode, const char *name) {
+    size_t length = strlen(name);
+    for (const char *at = mode->options; *(at += strspn(at, " ")); at += strcspn(at, " "))
+        if (strcspn(at, " ") == length && strncmp(at, name, length) == 0)
+            return true;
+    return false;
 }
 
-/* "a=1", "b=2" as "a=1,b=2"; the caller frees it. */
-static char *join(const struct text_list *list) {
-    struct text text = {0};
-    for (int i = 0; i < list->count; i++)
-        text_print(&text, "%s%s", i ? "," : "", list->items[i]);
-    return text.data;
+static bool pick_scenes(struct bench *bench, const char *const *scenes) {
+    for (; *scenes; scenes++)
+        if (access(*scenes, R_OK) == 0)
+            bench->arguments[bench->argument_count++] = *scenes;
+        else
+            log_note("%s is not here", *scenes);
+    return bench->argument_count || error_set("no SCENE, and none of the usual ones is here");
 }
 
 /* Everything that the arguments alone can get wrong: variants and settings are tried. */
 static bool check(struct bench *bench, const struct bench_mode *mode) {
-    int count;
-    bench->settings = join(&bench->values.settings);
-    for (int i = 0; i < bench->values.axes.count; i++)
-        if (!sweep_parse(&bench->sweep, bench->values.axes.items[i]))
-            return false;
-    struct measure_desc *tried = bench_list(bench, NULL, &bench->sweep, mode->usual, &count);
-    free(tried);
-    return tried && (mode->check             ? mode->check(bench)
-                     : bench->argument_count ? true
-                                             : pick_usual_scenes(bench));
+    struct measure_list tried;
+    bool ok = bench_list(bench, mode->variants, NULL, &tried);
+    free(tried.items);
+    return ok && (mode->check ? mode->check(bench)
+                              : bench->argument_count || pick_scenes(bench, mode->scenes));
 }
 
 /* What would be told after hours of measuring only. */
@@ -140,7 +153,9 @@ static bool run(struct bench *bench, const struct bench_mode *mode) {
         return false;
     struct context_desc desc = bench->values.context;
     desc.debug = desc.debug || mode == &bench_failures; /* it counts messages */
-    bool ok = mode->needs_no_context || (bench->context = context_create(&desc));
+    bool ok = !has_option(mode, "context") || (bench->context = context_create(&desc));
+    if (bench->context)
+        results_print_machine(stdout, context_is_software(bench->context));
     for (int i = 0; ok && mode->measure && i < bench->argument_count; i++)
         ok = measure_scene(bench, mode, bench->arguments[i]);
     ok = ok && (!mode->finish || mode->finish(bench));
@@ -156,27 +171,29 @@ static void print_variants(FILE *out, const void *values) {
 }
 
 static int run_mode(const struct bench_mode *mode, int argc, char **argv) {
-    struct bench bench = {.arguments = mem_alloc((size_t)argc, sizeof *bench.arguments)};
-    const struct arguments arguments = {
-        .synopsis = mode->synopsis,
-        .summary = mode->summary,
-        .options = mode->options,
-        .max_positional = argc,
-        .print_more = option_find(mode->options, "variant") ? print_variants : NULL,
-    };
+    struct bench bench = {.arguments =
+                              mem_alloc((size_t)argc + USUAL_MAX, sizeof *bench.arguments)};
+    struct option table[OPTIONS + 1] = {{NULL}};
+    char synopsis[64], name[32];
     int status;
-    char name[32];
+    for (int i = 0, used = 0; i < OPTIONS; i++)
+        if (has_option(mode, options[i].name))
+            table[used++] = options[i];
+    snprintf(synopsis, sizeof synopsis, "%s [OPTION ...]", mode->arguments);
     snprintf(name, sizeof name, "bench %s", mode->name);
     argv[0] = name;
-    if (arguments_parse(&arguments, &bench.values, argc, argv, bench.arguments,
-                        &bench.argument_count, &status)) {
+    if (arguments_parse(
+            &(struct arguments){.synopsis = synopsis,
+                                .summary = mode->help,
+                                .options = table,
+                                .max_positional = argc,
+                                .print_more = has_option(mode, "variant") ? print_variants : NULL},
+            &bench.values, argc, argv, bench.arguments, &bench.argument_count, &status)) {
         if (!check(&bench, mode))
             status = arguments_misuse(name);
         else
             status = run(&bench, mode) ? STATUS_OK : arguments_fail(name);
     }
-    sweep_free(&bench.sweep);
-    free(bench.settings);
     results_free(&bench.results);
     free(bench.arguments);
     return status;
@@ -186,7 +203,8 @@ static void print_help(FILE *out) {
     fprintf(out, "usage: manylight bench MODE [SCENE ...] [OPTION ...]\n\n"
                  "Measures what frames cost, and how true they are.\n\n");
     for (int i = 0; i < MODES; i++)
-        fprintf(out, "  %-10s %s\n", modes[i]->name, modes[i]->help);
+        fprintf(out, "  %-10s %.*s\n", modes[i]->name, (int)strcspn(modes[i]->help, "\n"),
+                modes[i]->help);
     fprintf(out, "\nmanylight bench MODE --help lists a mode's options.\n");
 }
 

@@ -11,24 +11,19 @@ static const struct table tables[] = {
     {.title = NULL},
 };
 
-static bool measure(struct bench *bench, const struct measure_desc *descs, int count) {
-    (void)count;
+static bool measure(struct bench *bench, const struct measure_list *subjects) {
     struct truth_desc truth = bench_truth(bench, TRUTH_PATH);
-    return budget_measure(&bench->results, descs, &truth);
+    return budget_measure(&bench->results, subjects->items, &truth);
 }
-
-static const struct option options[] = {
-    BENCH_SIZE(800), BENCH_SETTINGS, BENCH_NOISE, BENCH_CACHE, BENCH_CSV, BENCH_CONTEXT, {NULL},
-};
 
 const struct bench_mode bench_budget = {
     .name = "budget",
-    .help = "the error of the frame, step by step on the way from the truth",
-    .synopsis = "[SCENE ...] [OPTION ...]",
-    .summary = "Walks from a path-traced truth to the frame in steps that change one thing each,\n"
-               "and tells the error of each. Without SCENE: the paper's four scenes.",
-    .options = options,
-    .usual = bench_no_variants,
+    .help = "the error of the frame, step by step on the way from the truth\n"
+            "Each step changes one thing. Without SCENE: the paper's four scenes.",
+    .arguments = "[SCENE ...]",
+    .options = "size set noise cache" BENCH_CONTEXT,
+    .variants = bench_no_variants,
+    .scenes = bench_scenes,
     .measure = measure,
     .tables = tables,
 };

@@ -41,22 +41,15 @@ static bool finish(struct bench *bench) {
     return ok;
 }
 
-static const struct option options[] = {
-    {"output", 'o', OPTION_TEXT, BENCH_VALUE(output), .value_name = "DIR",
-     .help = "where the charts go [.]"},
-    {NULL},
-};
-
 const struct bench_mode bench_chart = {
     .name = "chart",
-    .help = "draws the CSV files of sweep, curves and temporal",
-    .synopsis = "FILE.csv [FILE.csv ...] [-o DIR]",
-    .summary = "Draws each scene of the files as SVG and PNG, with gnuplot: of a sweep with a\n"
-               "reference time against error and the Pareto front, of curves errors against each\n"
-               "setting, of a clip flicker and VALs in use over time.",
-    .options = options,
-    .needs_no_context = true,
+    .help =
+        "draws the CSV files of sweep, curves and temporal, with gnuplot\n"
+        "Each scene as SVG and PNG: of a sweep with a reference time against error and the Pareto\n"
+        "front, of curves errors against each setting, of a clip flicker and VALs in use.",
+    .arguments = "FILE.csv [FILE.csv ...]",
+    .options = "output",
     .check = check,
-    .usual = bench_no_variants,
+    .variants = bench_no_variants,
     .finish = finish,
 };

@@ -1,11 +1,10 @@
 /* manylight bench temporal: how steady moving pictures are. */
 #include "apps/bench/bench.h"
 
-#include "base/error.h"
 #include "measure/clip.h"
 
 /* The clustering's starts beside what is compared anyway. */
-static const char *const usual[] = {
+static const char *const variants[] = {
     "instant-radiosity",
     "paper",
     "fast",
@@ -13,6 +12,9 @@ static const char *const usual[] = {
     "reseed:technique=clustered,start=reseed",
     NULL,
 };
+
+static const char *const scenes[] = {"scenes/moving-spot.glb", "scenes/metaballs.glb",
+                                     "scenes/door.glb", NULL};
 
 static const struct table tables[] = {
     {"change beyond the reference's over its mean; travel of VALs' centres over that of VPLs",
@@ -30,46 +32,27 @@ static const struct table tables[] = {
     {.title = NULL},
 };
 
-static bool check(struct bench *bench) {
-    return bench->argument_count || error_set("SCENE is missing");
-}
-
-static bool measure(struct bench *bench, const struct measure_desc *descs, int count) {
+static bool measure(struct bench *bench, const struct measure_list *subjects) {
     struct clip_desc clip = {
-        .stage = &bench->stage,
-        .subjects = descs,
-        .count = count,
-        .frames = bench->values.frames,
+        .stage = bench->stage,
+        .subjects = subjects,
+        .frames = bench->values.frames ? bench->values.frames : 50,
         .truth = bench_truth(bench, (enum truth_kind)bench->values.reference),
     };
-    return bench_prepare(bench, &bench->stage, truth_vpls, &clip.reference) &&
+    return bench_prepare(bench, truth_vpls, &clip.reference) &&
            clip_measure(&bench->results, &clip);
 }
 
-static const struct option options[] = {
-    {"frames", 0, OPTION_INT, BENCH_VALUE(frames), 50, 2, 100000,
-     .help = "spread over each scene's clip"},
-    {"reference", 0, OPTION_CHOICE, BENCH_VALUE(reference), TRUTH_VPLS, .choices = truth_names,
-     .help = "all VPLs with a map each; or traced in each frame, of one bounce (centers: through\n"
-             "pixels' centres)"},
-    BENCH_SIZE(800),
-    BENCH_VARIANTS,
-    BENCH_SETTINGS,
-    BENCH_NOISE,
-    BENCH_CSV,
-    BENCH_CONTEXT,
-    {NULL},
-};
-
 const struct bench_mode bench_temporal = {
     .name = "temporal",
-    .help = "flicker over a clip, VALs in use, and memory",
-    .synopsis = "SCENE [SCENE ...] [OPTION ...]",
-    .summary = "Measures how steady moving pictures are: what changes from frame to frame beyond\n"
-               "what changes in the reference, over its mean.",
-    .options = options,
-    .check = check,
-    .usual = usual,
+    .help =
+        "flicker over a clip, VALs in use, and memory\n"
+        "Flicker is what changes from frame to frame beyond what changes in the reference, over\n"
+        "its mean. Without SCENE: moving-spot, metaballs and door, from the folder scenes.",
+    .arguments = "[SCENE ...]",
+    .options = "size variant set frames reference noise" BENCH_CONTEXT,
+    .variants = variants,
+    .scenes = scenes,
     .measure = measure,
     .tables = tables,
 };

@@ -29,115 +29,99 @@ static const struct step {
 
 enum { STEPS = sizeof steps / sizeof *steps };
 
-static void print_rates(const struct results *results) {
-    int first = 0;
-    printf("\nTable 1: frame rates\n  %-16s %-18s %9s %8s %10s %8s %9s %10s %8s\n", "scene",
-           "variant", "size", "faces", "ms", "fps", "paper fps", "GPU memory", "of first");
-    for (int i = 0; i < results->subject_count; i++) {
-        const struct subject *subject = &results->subjects[i];
-        char size[24], paper[16] = "-";
-        double ms = results_value(results, i, "clock", NULL);
-        snprintf(size, sizeof size, "%dx%d", subject->desc.width, subject->desc.height);
-        for (size_t k = 0; k < sizeof paper_rates / sizeof *paper_rates; k++)
-            if (strcmp(paper_rates[k].scene, subject->scene) == 0)
-                snprintf(paper, sizeof paper, "%.1f", paper_rates[k].fps);
-        if (strcmp(results->subjects[first].scene, subject->scene) != 0)
-            first = i;
-        printf("  %-16s %-18s %9s %8u %10.2f %8.2f %9s %6.1f MiB %8.2f\n", subject->scene,
-               subject->desc.variant, size, subject->faces, ms, 1e3 / ms, paper,
-               results_value(results, i, "gpu-memory", NULL),
-               ms / results_value(results, first, "clock", NULL));
-    }
+static const struct table rates = {NULL,
+                                   {{"ms", "clock", NULL},
+                                    {"fps", "fps", NULL},
+                                    {"of first", "of-first", NULL},
+                                    {"GPU MiB", "gpu-memory", NULL}}};
+
+static void print_rates(const struct results *results, int first) {
+    struct table table = rates;
+    char title[64] = "Table 1, frame rates";
+    for (size_t i = 0; i < sizeof paper_rates / sizeof *paper_rates; i++)
+        if (strcmp(paper_rates[i].scene, results->subjects[first].scene) == 0)
+            snprintf(title, sizeof title, "Table 1, frame rates (paper: %.1f fps)",
+                     paper_rates[i].fps);
+    table.title = title;
+    results_print(stdout, results, first, &table);
 }
 
-/* The pass of a row directly below the frame; NULL: another row. */
-static const char *top_pass(const struct result *row) {
-    const char *name = row->what + strlen("frame/");
-    return strncmp(row->what, "frame/", strlen("frame/")) == 0 && !strchr(name, '/') ? name : NULL;
-}
-
-static bool belongs(const struct step *step, const char *pass) {
+/* Of a pass directly below the frame: which step of the paper's it belongs to; STEPS: to none, -1:
+ * it is the frame, or within another pass. */
+static int step_of(const char *path) {
     char word[TIMER_PATH_SIZE];
-    snprintf(word, sizeof word, "/%s/", pass);
-    return strstr(step->passes, word);
+    const char *name = strchr(path, '/');
+    if (!name || strchr(name + 1, '/'))
+        return -1;
+    snprintf(word, sizeof word, "%s/", name);
+    for (int i = 0; i < STEPS; i++)
+        if (strstr(steps[i].passes, word))
+            return i;
+    return STEPS;
 }
 
-/* All passes, those within others too. Returns the sum of those that are in no other. */
-static double print_passes(const struct results *results, int subject, double frame) {
+/* All passes, those within others too; adds up what belongs to each step. */
+static void print_passes(const struct results *results, int subject, double frame,
+                         double sums[STEPS + 1]) {
     const struct measure_desc *desc = &results->subjects[subject].desc;
-    double sum = 0, pixels = measure_pixels(desc), pixel_vpls = measure_pixel_vpls(desc);
+    double pixels = measure_pixels(desc), pixel_vpls = measure_pixel_vpls(desc);
     for (int i = 0; i < results->row_count; i++) {
         const struct result *row = &results->rows[i];
+        const struct summary *ms = &row->figure;
         if (row->subject != subject || strncmp(row->what, "frame", 5) != 0)
             continue;
-        const struct summary *ms = &row->figure;
         printf("  %-32s %9.3f %9.3f %9.3f %9.3f %9.3f %6.1f %9.3g", row->what, ms->value, ms->p5,
                ms->p95, ms->minimum, ms->maximum, 100 * ms->value / frame,
                1e6 * ms->value / pixels);
-        if (pixel_vpls > 0)
-            printf(" %9.3g", 1e6 * ms->value / pixel_vpls);
-        printf("\n");
-        sum += top_pass(row) ? ms->value : 0;
+        printf(pixel_vpls > 0 ? " %9.3g\n" : "\n", 1e6 * ms->value / pixel_vpls);
+        if (step_of(row->what) >= 0)
+            sums[step_of(row->what)] += ms->value;
     }
-    return sum;
 }
 
-static double step_ms(const struct results *results, int subject, const struct step *step) {
-    double sum = 0;
-    for (int i = 0; i < results->row_count; i++) {
-        const struct result *row = &results->rows[i];
-        if (row->subject == subject && top_pass(row) && belongs(step, top_pass(row)))
-            sum += row->figure.value;
-    }
-    return sum;
-}
-
-static void print_steps(const struct results *results, int subject) {
+static void print_times(const struct results *results, int subject) {
     const struct measure_desc *desc = &results->subjects[subject].desc;
     const struct result *whole = results_find(results, subject, "frame", NULL);
-    double frame = whole->figure.value;
-    printf(
-        "\nTable 2: %s, %s, %dx%d, medians of %d frames\n  %-32s %9s %9s %9s %9s %9s %6s %9s %9s\n",
-        results->subjects[subject].scene, desc->variant, desc->width, desc->height,
-        whole->figure.count, "pass", "ms", "p5", "p95", "min", "max", "%", "ns/pixel", "and VPL");
-    double sum = print_passes(results, subject, frame);
+    double frame = whole->figure.value, sums[STEPS + 1] = {0}, sum = 0;
+    printf("\nTable 2: %s, %s, %dx%d, medians of %d frames\n", results->subjects[subject].scene,
+           desc->variant, desc->width, desc->height, whole->figure.count);
+    printf("  %-32s %9s %9s %9s %9s %9s %6s %9s %9s\n", "pass", "ms", "p5", "p95", "min", "max",
+           "%", "ns/pixel", measure_pixel_vpls(desc) > 0 ? "and VPL" : "");
+    print_passes(results, subject, frame, sums);
+    for (int i = 0; i <= STEPS; i++)
+        sum += sums[i];
     printf("  sum of passes %.3f ms, whole frame %.3f ms, without timers %.3f ms\n", sum, frame,
            results_value(results, subject, "clock", NULL));
     printf("  %-32s %9s %9s %9s %9s\n", "step of the paper", "ms", "%", "paper ms", "paper %");
-    for (const struct step *step = steps; step < steps + STEPS; step++) {
-        double ms = step_ms(results, subject, step);
-        printf("  %-32s %9.3f %9.1f %9.1f %9.1f\n", step->name, ms, 100 * ms / frame, step->ms,
-               step->percent);
-        sum -= ms;
-    }
-    if (sum > 1e-6)
-        printf("  %-32s %9.3f %9.1f\n", "other", sum, 100 * sum / frame);
+    for (int i = 0; i < STEPS; i++)
+        printf("  %-32s %9.3f %9.1f %9.1f %9.1f\n", steps[i].name, sums[i], 100 * sums[i] / frame,
+               steps[i].ms, steps[i].percent);
+    if (sums[STEPS] > 0)
+        printf("  %-32s %9.3f %9.1f\n", "other", sums[STEPS], 100 * sums[STEPS] / frame);
 }
 
-static bool measure(struct bench *bench, const struct measure_desc *descs, int count) {
-    return bench_time(bench, descs, count, TRUTH_NONE);
-}
-
-static bool finish(struct bench *bench) {
-    results_print_machine(stdout, context_is_software(bench->context));
-    print_rates(&bench->results);
-    for (int i = 0; i < bench->results.subject_count; i++)
-        print_steps(&bench->results, i);
+static bool measure(struct bench *bench, const struct measure_list *subjects) {
+    int first = bench->results.subject_count;
+    if (!bench_time(bench, subjects, TRUTH_NONE))
+        return false;
+    print_rates(&bench->results, first);
     return true;
 }
 
-static const struct option options[] = {
-    BENCH_SIZE(800), BENCH_VARIANTS, BENCH_SETTINGS, BENCH_FRAMES, BENCH_CSV, BENCH_CONTEXT, {NULL},
-};
+static bool finish(struct bench *bench) {
+    for (int i = 0; i < bench->results.subject_count; i++)
+        print_times(&bench->results, i);
+    return true;
+}
 
 const struct bench_mode bench_times = {
     .name = "times",
-    .help = "time of a frame, pass by pass, as in the paper's Tables 1 and 2",
-    .synopsis = "[SCENE ...] [OPTION ...]",
-    .summary = "Measures how long frames take, pass by pass, as in the paper's Tables 1 and 2.\n"
-               "Without SCENE: the paper's four scenes, from the folder scenes.",
-    .options = options,
-    .usual = bench_usual_variants,
+    .help = "time of a frame, pass by pass, as in the paper's Tables 1 and 2\n"
+            "Without SCENE: the paper's four scenes, from the folder scenes.",
+    .arguments = "[SCENE ...]",
+    .options = "size variant set frames warm-up" BENCH_CONTEXT,
+    .variants = bench_variants,
+    .scenes = bench_scenes,
     .measure = measure,
     .finish = finish,
 };
