@@ -32,6 +32,7 @@ static void test_usage(void **state) {
         {"scenes/sphere.glb -o x.png", "x.png: only EXR", 2},
         {"scenes/sphere.glb -o x.exr --noise 0%", "'0%'", 2},
         {"scenes/sphere.glb -o x.exr --noise 1% --spp 4", "exclude each other", 2},
+        {"scenes/sphere.glb -o x.exr --technique vpl-raytraced --denoise", "--denoise is for", 2},
         {"no-such.glb -o x.exr", "no-such.glb", 1},
         {"scenes/sphere.glb -o x.exr --light sun", "no light 'sun'", 1},
         {"scenes/sphere.glb -o no/such/x.exr --size 8x8 --spp 4", "no/such/x.exr", 1},

@@ -205,6 +205,32 @@ static void test_threads_and_seeds(void **state) {
     world_free(&world);
 }
 
+/* Counts that are no multiple of the streams, and a single path. */
+static void test_few_samples(void **state) {
+    (void)state;
+    struct world world;
+    struct image image;
+    make_corner(&world);
+    struct path_tracer_desc desc = describe(&world, 64, 64);
+    desc.bounces = 1;
+    render(&desc, &image);
+    double truth = mean_of(&image, CHANNEL_INDIRECT);
+    image_free(&image);
+    for (int samples = 1; samples <= 7; samples += 3) {
+        desc.samples = samples;
+        struct path_tracer_progress reached = render(&desc, &image);
+        assert_int_equal(reached.samples, samples);
+        /* 4096 pixels of a path each have a noise of 2 %. */
+        check_near("mean", mean_of(&image, CHANNEL_INDIRECT), truth, 0.06 / sqrt(samples) * truth);
+        if (samples == 1)
+            check_near("noise that one sample does not tell", reached.noise, 0, 0);
+        else
+            check_at_most("noise of some", 0.01, reached.noise);
+        image_free(&image);
+    }
+    world_free(&world);
+}
+
 static bool count_calls(void *user, const struct path_tracer_progress *progress) {
     int *calls = user;
     assert_true(progress->done >= 0 && progress->done <= 1);
@@ -305,6 +331,7 @@ int main(void) {
         cmocka_unit_test(test_alpha_mask),
         cmocka_unit_test(test_albedo_weighting),
         cmocka_unit_test(test_threads_and_seeds),
+        cmocka_unit_test(test_few_samples),
         cmocka_unit_test(test_noise_and_cancel),
     };
     return cmocka_run_group_tests_name("reference_rules", tests, NULL, NULL);

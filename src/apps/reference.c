@@ -25,9 +25,9 @@ struct values {
     struct context_desc context;
     struct text_list settings;
     const char *output, *noise, *camera, *light, *clip;
-    int size[2], bounces, samples, seed, technique;
+    int size[2], bounces, samples, paths, seed, technique;
     float time;
-    bool centers;
+    bool centers, denoise;
 };
 
 static const struct option options[] = {
@@ -44,11 +44,16 @@ static const struct option options[] = {
     {"bounces", 0, OPTION_INT, offsetof(struct values, bounces), 1, 0, 1000,
      .help = "of indirect light; 0 = direct light only"},
     {"spp", 0, OPTION_INT, offsetof(struct values, samples), 0, 0, 1e6,
-     .help = "samples per pixel, in steps of 4; 0 = by --noise"},
+     .help = "samples per pixel; 0 = by --noise"},
+    {"paths", 0, OPTION_INT, offsetof(struct values, paths), 0, 0, 1024,
+     .help = "of indirect light from each sample; 0 = 1 below 16 samples per pixel, else 4"},
     {"noise", 0, OPTION_TEXT, offsetof(struct values, noise), .value_name = "X%",
      .help = "samples until the indirect light's standard error (RMS over mean) is below [1%]"},
     {"centers", 0, OPTION_FLAG, offsetof(struct values, centers),
      .help = "through pixels' centres alone, as a rasteriser has them: edges are not smooth"},
+    {"denoise", 0, OPTION_FLAG, offsetof(struct values, denoise),
+     .help = "filter the indirect light along surfaces, by as much as it is noisy: for few\n"
+             "samples. standard_error stays that of the light before"},
     {"seed", 0, OPTION_INT, offsetof(struct values, seed), 0, 0, 2147483647,
      .help = "another seed, another noise"},
     {"camera", 0, OPTION_TEXT, offsetof(struct values, camera), .value_name = "NAME|N",
@@ -68,7 +73,8 @@ static const struct arguments arguments = {
     .synopsis = "SCENE -o FILE.exr [OPTION ...]",
     .summary = "Traces the scene on all cores. The layers are those of render: beauty, Z,\n"
                "direct, indirect (irradiance / pi, without albedo), albedo, normal; and\n"
-               "standard_error, that of the indirect layer, where it is path-traced.",
+               "standard_error, that of the indirect layer, where it is path-traced: 0 for a\n"
+               "single sample, which does not tell.",
     .options = options,
     .min_positional = 1,
     .max_positional = 1,
@@ -95,6 +101,8 @@ static bool check_values(const struct values *values, double *noise) {
         return error_set("%s: only EXR files (.exr) hold all layers", values->output);
     if (values->noise && values->samples > 0)
         return error_set("--spp and --noise exclude each other");
+    if (values->technique != TECHNIQUE_PATH && values->denoise)
+        return error_set("--denoise is for --technique path");
     return !values->noise || parse_noise(values->noise, noise);
 }
 
@@ -123,13 +131,18 @@ static bool trace_paths(const struct values *values, double noise, const struct 
                                                             .noise = noise,
                                                             .seed = (uint32_t)values->seed,
                                                             .centers = values->centers,
+                                                            .paths = values->paths,
+                                                            .denoise = values->denoise,
                                                             .progress = show,
                                                             .user = &progress},
                                  image, &reached);
     double seconds = progress_end(&progress);
-    if (ok)
-        log_note("%d samples per pixel in %.1f s, noise of the indirect light %.2f %%",
-                 reached.samples, seconds, 100 * reached.noise);
+    if (ok && reached.samples == 1)
+        log_note("1 sample per pixel in %.1f s, which does not tell its noise", seconds);
+    else if (ok)
+        log_note("%d samples per pixel in %.1f s, noise of the indirect light %.2f %%%s",
+                 reached.samples, seconds, 100 * reached.noise,
+                 values->denoise ? " before the filter" : "");
     return ok;
 }
 

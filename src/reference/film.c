@@ -16,6 +16,7 @@ void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_samp
     vec3s light = glms_vec3_add(sample->direct, sample->indirect);
     vec3s weight = glms_vec3_adds(sample->albedo, least_weight);
     pixel->coverage += 1;
+    add(pixel->position, sample->position.raw);
     add(pixel->albedo, sample->albedo.raw);
     add(pixel->normal, sample->normal.raw);
     add(pixel->beauty, glms_vec3_mul(sample->albedo, light).raw);
@@ -26,6 +27,7 @@ void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_samp
 
 void film_pixel_merge(struct film_pixel *pixel, const struct film_pixel *other) {
     pixel->coverage += other->coverage;
+    add(pixel->position, other->position);
     add(pixel->albedo, other->albedo);
     add(pixel->normal, other->normal);
     add(pixel->beauty, other->beauty);
@@ -43,9 +45,17 @@ static double total_weight(const struct film_pixel *pixel, int channel) {
     return sum;
 }
 
+static int used_streams(const struct film_pixel *pixel) {
+    int count = 0;
+    for (int s = 0; s < FILM_STREAMS; s++)
+        count += pixel->streams[s].weight[0] > 0;
+    return count;
+}
+
 struct film_estimate film_pixel_estimate(const struct film_pixel *pixel) {
     struct film_estimate estimate = {0};
-    for (int c = 0; c < 3 && pixel->coverage > 0; c++) {
+    int used = used_streams(pixel);
+    for (int c = 0; c < 3 && used > 0; c++) {
         const struct film_stream *streams = pixel->streams;
         double weight = total_weight(pixel, c), sum = 0, square_sum = 0;
         for (int s = 0; s < FILM_STREAMS; s++)
@@ -55,7 +65,8 @@ struct film_estimate film_pixel_estimate(const struct film_pixel *pixel) {
         for (int s = 0; s < FILM_STREAMS; s++)
             square_sum += pow(streams[s].indirect[c] - mean * streams[s].weight[c], 2);
         estimate.mean[c] = mean;
-        estimate.variance[c] = square_sum * FILM_STREAMS / (FILM_STREAMS - 1) / (weight * weight);
+        if (used > 1)
+            estimate.variance[c] = square_sum * used / (used - 1) / (weight * weight);
     }
     return estimate;
 }

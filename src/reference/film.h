@@ -17,13 +17,13 @@
 enum { FILM_STREAMS = 4 };
 
 struct film_sample {
-    vec3s albedo, normal;
+    vec3s position, albedo, normal;
     vec3s direct, indirect; /* irradiance over pi */
 };
 
 /* Sums over samples; all zero = none. */
 struct film_pixel {
-    float coverage, albedo[3], normal[3];
+    float coverage, position[3], albedo[3], normal[3];
     float beauty[3], direct[3]; /* times the albedo */
     struct film_stream {
         float weight[3], indirect[3]; /* the albedo, the light times it */
@@ -31,7 +31,8 @@ struct film_pixel {
 };
 
 struct film_estimate {
-    double mean[3], variance[3]; /* of the indirect light, and of that mean */
+    double mean[3],
+        variance[3]; /* of the indirect light, and of that mean: 0 for a single stream */
 };
 
 void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_sample *sample);

@@ -1,5 +1,6 @@
 #include "reference/path_tracer.h"
 
+#include "reference/denoise.h"
 #include "reference/film.h"
 #include "reference/channels.h"
 #include "reference/path.h"
@@ -12,12 +13,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Points of a stream: of the first pass, and how many a forecast expects before it has seen any. */
-enum { FIRST_PASS_POINTS = 8, EXPECTED_POINTS = 64 };
+/* Samples of a pixel: of the first pass, and how many a forecast expects before it has seen any. */
+enum { FIRST_PASS_SAMPLES = 32, EXPECTED_SAMPLES = 256 };
 
 /* Indirect paths from each point that the camera sees: the noise is in them, not in the camera ray
- * and the direct light, whose rays are thus shared. */
-enum { PATHS_PER_SAMPLE = 4 };
+ * and the direct light, whose rays are thus shared. Few samples want each its own point. */
+enum { PATHS_PER_SAMPLE = 4, FEW_SAMPLES = 16 };
 
 struct renderer {
     struct path_tracer_desc desc; /* resolved */
@@ -27,7 +28,7 @@ struct renderer {
     struct light_vertex *lights[FILM_STREAMS];
     struct film_pixel *pixels;
     struct image *image; /* once developed */
-    uint32_t done, end;  /* points of each stream: of earlier passes, and after the present one */
+    uint32_t done, end;  /* samples of a pixel: of earlier passes, and after the present one */
     double noise;        /* after the last pass */
 };
 
@@ -40,27 +41,35 @@ static struct film_pixel *pixel_at(const struct renderer *renderer, int x, int y
 static vec3s mean_of_paths(const struct renderer *renderer, const struct hit *hit, int stream,
                            const struct sampler *start) {
     struct path_scene scene = {&renderer->rays, &renderer->emission, renderer->desc.bounces};
+    uint32_t paths = (uint32_t)renderer->desc.paths;
     vec3s sum = glms_vec3_zero();
-    for (uint32_t i = 0; i < PATHS_PER_SAMPLE; i++) {
-        struct sampler sampler = {start->seed, start->index * PATHS_PER_SAMPLE + i, start->pair};
+    for (uint32_t i = 0; i < paths; i++) {
+        struct sampler sampler = {start->seed, start->index * paths + i, start->pair};
         vec3s light = path_indirect(&scene, renderer->lights[stream], hit, &sampler);
         sum = glms_vec3_add(sum, light);
     }
-    return glms_vec3_scale(sum, 1.0f / PATHS_PER_SAMPLE);
+    return glms_vec3_scale(sum, 1 / (float)paths);
 }
 
-/* What the sample of that index of a stream sees; false where that is nothing. */
-static bool take_sample(const struct renderer *renderer, int px, int py, int stream, uint32_t index,
+static int stream_of(uint32_t sample) {
+    return (int)(sample % FILM_STREAMS);
+}
+
+/* What a pixel's i-th sample sees; false where that is nothing. */
+static bool take_sample(const struct renderer *renderer, int px, int py, uint32_t i,
                         struct film_sample *sample) {
     const struct path_tracer_desc *desc = &renderer->desc;
     uint32_t pixel_number = (uint32_t)py * (uint32_t)desc->width + (uint32_t)px;
     uint32_t pixel_seed = sampler_hash(desc->seed, pixel_number);
-    struct sampler sampler = {.seed = sampler_hash(pixel_seed, (uint32_t)stream), .index = index};
+    int stream = stream_of(i);
+    struct sampler sampler = {.seed = sampler_hash(pixel_seed, (uint32_t)stream),
+                              .index = i / FILM_STREAMS};
     vec2s jitter = sampler_next(&sampler), at = desc->centers ? (vec2s){{0.5f, 0.5f}} : jitter;
     struct hit hit;
     if (!primary_hit(&renderer->primary, (float)px + at.x, (float)py + at.y, &hit))
         return false;
     *sample = (struct film_sample){
+        .position = hit.position,
         .albedo = hit.albedo,
         .normal = hit.normal,
         .direct = emission_direct(&renderer->emission, &renderer->rays, &hit),
@@ -73,22 +82,21 @@ static bool take_sample(const struct renderer *renderer, int px, int py, int str
 static void add_pass(const struct renderer *renderer, int px, int py) {
     struct film_pixel sums = {0};
     struct film_sample sample;
-    for (int stream = 0; stream < FILM_STREAMS; stream++)
-        for (uint32_t i = renderer->done; i < renderer->end; i++)
-            if (take_sample(renderer, px, py, stream, i, &sample))
-                film_pixel_add(&sums, stream, &sample);
+    for (uint32_t i = renderer->done; i < renderer->end; i++)
+        if (take_sample(renderer, px, py, i, &sample))
+            film_pixel_add(&sums, stream_of(i), &sample);
     film_pixel_merge(pixel_at(renderer, px, py), &sums);
 }
 
 /* --- passes --- */
 
-/* With these low-dimensional integrands the error falls about as points^-0.75. */
-static double points_needed(const struct renderer *renderer) {
+/* With these low-dimensional integrands the error falls about as samples^-0.75. */
+static double samples_needed(const struct renderer *renderer) {
     const struct path_tracer_desc *desc = &renderer->desc;
     if (desc->samples > 0)
-        return ceil(desc->samples / (double)FILM_STREAMS);
+        return desc->samples;
     if (renderer->done == 0)
-        return EXPECTED_POINTS;
+        return EXPECTED_SAMPLES;
     return renderer->done * pow(renderer->noise / desc->noise, 1 / 0.75);
 }
 
@@ -96,11 +104,11 @@ static double points_needed(const struct renderer *renderer) {
 static bool report(void *context, double rows_done) {
     const struct renderer *renderer = context;
     const struct path_tracer_desc *desc = &renderer->desc;
-    double points = renderer->done + (renderer->end - renderer->done) * rows_done;
+    double samples = renderer->done + (renderer->end - renderer->done) * rows_done;
     struct path_tracer_progress progress = {
-        .done = points / fmax(points_needed(renderer), renderer->end),
+        .done = samples / fmax(samples_needed(renderer), renderer->end),
         .noise = renderer->noise,
-        .samples = (int)renderer->done * FILM_STREAMS,
+        .samples = (int)renderer->done,
     };
     return !desc->progress || desc->progress(desc->user, &progress);
 }
@@ -115,7 +123,7 @@ static void add_pass_to_row(void *context, int row) {
  * covered: of slivers at silhouettes few samples tell, and little of them is seen. */
 static double estimate_noise(const struct renderer *renderer) {
     size_t pixel_count = (size_t)renderer->desc.width * (size_t)renderer->desc.height;
-    double samples = (double)renderer->done * FILM_STREAMS, mean_sum = 0, variance_sum = 0;
+    double samples = renderer->done, mean_sum = 0, variance_sum = 0;
     for (size_t i = 0; i < pixel_count; i++) {
         const struct film_pixel *pixel = &renderer->pixels[i];
         struct film_estimate estimate = film_pixel_estimate(pixel);
@@ -151,8 +159,8 @@ static uint32_t next_end(uint32_t done) {
 
 static bool render_passes(struct renderer *renderer) {
     if (renderer->desc.samples > 0)
-        return render_pass(renderer, (uint32_t)points_needed(renderer));
-    bool ok = render_pass(renderer, FIRST_PASS_POINTS);
+        return render_pass(renderer, (uint32_t)renderer->desc.samples);
+    bool ok = render_pass(renderer, FIRST_PASS_SAMPLES);
     while (ok && renderer->noise > renderer->desc.noise)
         ok = render_pass(renderer, next_end(renderer->done));
     return ok;
@@ -162,13 +170,13 @@ static bool render_passes(struct renderer *renderer) {
 
 static void develop_row(void *context, int row) {
     const struct renderer *renderer = context;
-    int samples = (int)renderer->done * FILM_STREAMS;
+    int samples = (int)renderer->done;
     for (int x = 0; x < renderer->desc.width; x++) {
         struct hit center;
         float *channels = image_at(renderer->image, x, row);
         film_pixel_develop(pixel_at(renderer, x, row), samples, channels);
         if (primary_hit(&renderer->primary, (float)x + 0.5f, (float)row + 0.5f, &center))
-            channels[CHANNEL_DEPTH] = primary_depth(&renderer->primary, &center);
+            channels[CHANNEL_DEPTH] = primary_depth(&renderer->primary, center.position);
     }
 }
 
@@ -188,12 +196,15 @@ static struct path_tracer_desc resolve(const struct path_tracer_desc *desc) {
         resolved.height = 800;
     if (resolved.noise == 0)
         resolved.noise = 0.01;
+    if (resolved.paths == 0)
+        resolved.paths = desc->samples > 0 && desc->samples < FEW_SAMPLES ? 1 : PATHS_PER_SAMPLE;
     return resolved;
 }
 
 static void trace_lights(struct renderer *renderer) {
     const struct path_tracer_desc *desc = &renderer->desc;
-    for (int stream = 0; stream < FILM_STREAMS && desc->bounces > 0; stream++)
+    int used = desc->samples > 0 && desc->samples < FILM_STREAMS ? desc->samples : FILM_STREAMS;
+    for (int stream = 0; stream < used && desc->bounces > 0; stream++)
         renderer->lights[stream] =
             light_vertices_trace(&renderer->emission, &renderer->rays,
                                  sampler_hash(~desc->seed, (uint32_t)stream), desc->threads);
@@ -203,7 +214,16 @@ static bool render(struct renderer *renderer, const struct hit_table *table) {
     if (!ray_scene_init(&renderer->rays, table))
         return false;
     trace_lights(renderer);
-    return render_passes(renderer) && develop(renderer);
+    if (!render_passes(renderer) || !develop(renderer))
+        return false;
+    if (renderer->desc.denoise)
+        denoise(&(struct denoise_desc){.pixels = renderer->pixels,
+                                       .primary = &renderer->primary,
+                                       .samples = (int)renderer->done,
+                                       .paths = renderer->desc.paths,
+                                       .threads = renderer->desc.threads},
+                renderer->image);
+    return true;
 }
 
 bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image,
@@ -220,8 +240,7 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
         mem_alloc((size_t)desc->width * (size_t)desc->height, sizeof *renderer.pixels);
     bool ok = render(&renderer, &table);
     if (ok && reached)
-        *reached =
-            (struct path_tracer_progress){1, renderer.noise, (int)renderer.done * FILM_STREAMS};
+        *reached = (struct path_tracer_progress){1, renderer.noise, (int)renderer.done};
     for (int stream = 0; stream < FILM_STREAMS; stream++)
         free(renderer.lights[stream]);
     free(renderer.pixels);

@@ -21,7 +21,7 @@
 
 struct path_tracer_progress {
     double done;  /* estimated share of the work, in [0, 1] */
-    double noise; /* so far; 0 before the first estimate */
+    double noise; /* so far; 0 before the first estimate, for which one sample is too few */
     int samples;  /* per pixel, of the finished passes */
 };
 
@@ -33,10 +33,12 @@ struct path_tracer_desc {
     struct emitters emitters; /* one at least */
     int width, height;        /* default 800 */
     int bounces;              /* 0 = direct light only */
-    int samples;  /* per pixel, rounded up to a multiple of 4; 0 = until noise is reached */
+    int samples;              /* per pixel; 0 = until noise is reached */
+    int paths;    /* of indirect light from each sample; default 1 below 16 samples, else 4 */
     double noise; /* standard error of the indirect layer, RMS over its mean; default 0.01 */
     uint32_t seed;
     bool centers; /* through pixels' centres, as a rasteriser has them; else all over pixels */
+    bool denoise; /* the indirect layer (reference/denoise.h), after the noise is told */
     int threads;  /* 0 = all cores; does not change the picture */
     /* Called now and then from any of the threads, one at a time; false cancels. */
     bool (*progress)(void *user, const struct path_tracer_progress *progress);

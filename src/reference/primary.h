@@ -15,6 +15,9 @@ struct primary_rays {
 bool primary_hit(const struct primary_rays *primary, float x, float y, struct hit *hit);
 
 /* Along the view axis, metres. */
-float primary_depth(const struct primary_rays *primary, const struct hit *hit);
+float primary_depth(const struct primary_rays *primary, vec3s position);
+
+/* Height of a pixel where the depth is that, metres. */
+float primary_pixel_size(const struct primary_rays *primary, float depth);
 
 #endif

@@ -72,7 +72,7 @@ static void render_pixel(const struct summation *summation, int px, int py) {
     vec3s direct = emission_direct(&summation->emission, &summation->rays, &hit);
     write(&channels[CHANNEL_BEAUTY], glms_vec3_mul(hit.albedo, glms_vec3_add(direct, indirect)));
     channels[CHANNEL_ALPHA] = 1;
-    channels[CHANNEL_DEPTH] = primary_depth(&summation->primary, &hit);
+    channels[CHANNEL_DEPTH] = primary_depth(&summation->primary, hit.position);
     write(&channels[CHANNEL_DIRECT], direct);
     write(&channels[CHANNEL_INDIRECT], indirect);
     write(&channels[CHANNEL_ALBEDO], hit.albedo);
