@@ -75,11 +75,11 @@ static void test_times(void **state) {
         "paper: 20.4 fps",
         "  fast  ",
         "Table 2: cornell-box, paper, 24x16",
-        "  frame/cssm/depth maps ",
+        "  frame/maps/depth maps ",
         "deferred rendering",
         "VPL generation",
         "VAL clustering",
-        "CSSM",
+        "VAL maps",
         "indirect illumination",
         "blur",
         "sum of passes",
@@ -93,7 +93,7 @@ static void test_times(void **state) {
     assert_true(check_csv(text) > 10);
     assert_non_null(
         strstr(text, "\ntimes,cornell-box,36,24,16,clustered,fast,,clustered.vals=4 map.size=32,"
-                     "frame/cssm/depth maps,,ms,"));
+                     "frame/maps/depth maps,,ms,"));
     assert_non_null(strstr(text, ",unshadowed,none,,clustered.vals=4 map.size=32,clock,,ms,"));
     free(text);
 }

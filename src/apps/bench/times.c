@@ -22,7 +22,7 @@ static const struct step {
     {"deferred rendering", "/gbuffer/shadow map/direct/antialias/composite/", .4, .8},
     {"VPL generation", "/rsm/vpls/", .1, .2},
     {"VAL clustering", "/clustering/", .5, 1.0},
-    {"CSSM", "/cssm/map views/depth maps/", 4.2, 8.1},
+    {"VAL maps", "/maps/depth maps/", 4.2, 8.1},
     {"indirect illumination", "/gather/block visibility/near light/near field/", 35.0, 69.0},
     {"blur", "/blur/", 10.7, 21.0},
 };

@@ -180,7 +180,7 @@ static bool resize(void *state, int width, int height) {
 }
 
 static void render_maps(struct clustered *technique, const struct frame *frame) {
-    timer_begin(frame->timers, "cssm");
+    timer_begin(frame->timers, "maps");
     paraboloid_pass_render(&technique->paraboloid, frame, &technique->cluster.views);
     if (technique->convolve)
         basis_pass_render(&technique->basis, frame, &technique->paraboloid.maps);
