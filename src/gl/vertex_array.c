@@ -1,9 +1,11 @@
 #include "gl/vertex_array.h"
 
-void vertex_array_attribute(GLuint vertices, GLuint location, const struct buffer *buffer,
-                            GLint count, GLenum type, GLsizei stride) {
-    gl.VertexArrayVertexBuffer(vertices, location, buffer->id, 0, stride);
-    gl.VertexArrayAttribFormat(vertices, location, count, type, type != GL_FLOAT, 0);
+void vertex_array_attribute(GLuint vertices, GLuint location,
+                            const struct vertex_attribute *attribute) {
+    GLenum type = attribute->type;
+    gl.VertexArrayVertexBuffer(vertices, location, attribute->buffer->id,
+                               (GLintptr)attribute->offset, attribute->stride);
+    gl.VertexArrayAttribFormat(vertices, location, attribute->count, type, type != GL_FLOAT, 0);
     gl.VertexArrayAttribBinding(vertices, location, location);
     gl.EnableVertexArrayAttrib(vertices, location);
 }

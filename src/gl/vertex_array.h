@@ -4,10 +4,17 @@
 
 #include "gl/buffer.h"
 
-/* Feeds the attribute from a buffer of its own, `stride` bytes apart. Integers are fractions of
- * their type's greatest. */
-void vertex_array_attribute(GLuint vertices, GLuint location, const struct buffer *buffer,
-                            GLint count, GLenum type, GLsizei stride);
+/* How an attribute lies in a buffer, bytes. Integers are fractions of their type's greatest. */
+struct vertex_attribute {
+    const struct buffer *buffer;
+    GLint count;
+    GLenum type;
+    GLsizei stride;
+    size_t offset;
+};
+
+void vertex_array_attribute(GLuint vertices, GLuint location,
+                            const struct vertex_attribute *attribute);
 
 /* Accepts 0. */
 void vertex_array_free(GLuint *vertices);

@@ -1,6 +1,7 @@
 #include "passes/frame.h"
 
 #include "gl/framebuffer.h"
+#include "gl/vertex_array.h"
 #include "shared/vpl.h"
 
 #include <math.h>
@@ -49,10 +50,11 @@ float frame_near_reach(const struct frame *frame, int vpl_count, float asked) {
     return frame->light_directional ? asked : fminf(asked, 1 / sqrtf(widest));
 }
 
-static void add_attribute(GLuint vertices, GLuint location, size_t offset) {
-    gl.VertexArrayAttribFormat(vertices, location, 4, GL_FLOAT, GL_FALSE, (GLuint)offset);
-    gl.VertexArrayAttribBinding(vertices, location, 0);
-    gl.EnableVertexArrayAttrib(vertices, location);
+/* Four floats of each VPL. */
+static void add_attribute(const struct vpl_buffer *vpls, GLuint location, size_t offset) {
+    vertex_array_attribute(
+        vpls->vertices, location,
+        &(struct vertex_attribute){&vpls->buffer, 4, GL_FLOAT, sizeof(struct vpl), offset});
 }
 
 bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {
@@ -62,16 +64,14 @@ bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {
     if (!buffer_init(&vpls->buffer, label, size, NULL))
         return false;
     gl.CreateVertexArrays(1, &vpls->vertices);
-    gl.VertexArrayVertexBuffer(vpls->vertices, 0, vpls->buffer.id, 0, sizeof(struct vpl));
-    add_attribute(vpls->vertices, ATTRIBUTE_VPL_POSITION, offsetof(struct vpl, position));
-    add_attribute(vpls->vertices, ATTRIBUTE_VPL_NORMAL, offsetof(struct vpl, normal));
-    add_attribute(vpls->vertices, ATTRIBUTE_VPL_FLUX, offsetof(struct vpl, flux));
+    add_attribute(vpls, ATTRIBUTE_VPL_POSITION, offsetof(struct vpl, position));
+    add_attribute(vpls, ATTRIBUTE_VPL_NORMAL, offsetof(struct vpl, normal));
+    add_attribute(vpls, ATTRIBUTE_VPL_FLUX, offsetof(struct vpl, flux));
     return true;
 }
 
 void vpl_buffer_free(struct vpl_buffer *vpls) {
-    if (vpls->vertices)
-        gl.DeleteVertexArrays(1, &vpls->vertices);
+    vertex_array_free(&vpls->vertices);
     buffer_free(&vpls->buffer);
     *vpls = (struct vpl_buffer){0};
 }

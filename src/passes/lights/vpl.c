@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "gl/vertex_array.h"
 #include "shared/vpl_pass.h"
 
 #include <math.h>
@@ -36,17 +37,15 @@ bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc) {
         return false;
     }
     gl.CreateVertexArrays(1, &pass->vertices);
-    gl.VertexArrayVertexBuffer(pass->vertices, 0, pass->halton.id, 0, 2 * sizeof(float));
-    gl.VertexArrayAttribFormat(pass->vertices, ATTRIBUTE_HALTON, 2, GL_FLOAT, GL_FALSE, 0);
-    gl.VertexArrayAttribBinding(pass->vertices, ATTRIBUTE_HALTON, 0);
-    gl.EnableVertexArrayAttrib(pass->vertices, ATTRIBUTE_HALTON);
+    vertex_array_attribute(
+        pass->vertices, ATTRIBUTE_HALTON,
+        &(struct vertex_attribute){&pass->halton, 2, GL_FLOAT, 2 * sizeof(float), 0});
     return true;
 }
 
 void vpl_pass_free(struct vpl_pass *pass) {
     program_free(&pass->program);
-    if (pass->vertices)
-        gl.DeleteVertexArrays(1, &pass->vertices);
+    vertex_array_free(&pass->vertices);
     buffer_free(&pass->halton);
     buffer_free(&pass->params);
     *pass = (struct vpl_pass){0};

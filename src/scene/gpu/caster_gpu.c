@@ -39,9 +39,11 @@ static bool init_buffers(struct caster_gpu *gpu, const struct geometry *geometry
                      caster->indices))
         return false;
     gl.CreateVertexArrays(1, &gpu->vertices);
-    vertex_array_attribute(gpu->vertices, ATTRIBUTE_POSITION, &gpu->positions, 3, GL_FLOAT, 12);
+    vertex_array_attribute(gpu->vertices, ATTRIBUTE_POSITION,
+                           &(struct vertex_attribute){&gpu->positions, 3, GL_FLOAT, 12, 0});
     if (gpu->uvs.id)
-        vertex_array_attribute(gpu->vertices, ATTRIBUTE_UV, &gpu->uvs, 2, GL_FLOAT, 8);
+        vertex_array_attribute(gpu->vertices, ATTRIBUTE_UV,
+                               &(struct vertex_attribute){&gpu->uvs, 2, GL_FLOAT, 8, 0});
     gl.VertexArrayElementBuffer(gpu->vertices, gpu->indices.id);
     return true;
 }

@@ -88,12 +88,14 @@ static bool upload_textures(struct scene_gpu *gpu, const struct scene *scene) {
 
 static void make_vertex_array(struct scene_gpu *gpu) {
     gl.CreateVertexArrays(1, &gpu->shaded_vertices);
-    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_POSITION, &gpu->positions, 3, GL_FLOAT,
-                           12);
-    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_NORMAL, &gpu->normals, 3, GL_SHORT, 8);
-    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_UV, &gpu->uvs, 2, GL_FLOAT, 8);
-    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_COLOR, &gpu->colors, 4,
-                           GL_UNSIGNED_SHORT, 8);
+    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_POSITION,
+                           &(struct vertex_attribute){&gpu->positions, 3, GL_FLOAT, 12, 0});
+    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_NORMAL,
+                           &(struct vertex_attribute){&gpu->normals, 3, GL_SHORT, 8, 0});
+    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_UV,
+                           &(struct vertex_attribute){&gpu->uvs, 2, GL_FLOAT, 8, 0});
+    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_COLOR,
+                           &(struct vertex_attribute){&gpu->colors, 4, GL_UNSIGNED_SHORT, 8, 0});
     gl.VertexArrayElementBuffer(gpu->shaded_vertices, gpu->indices.id);
 }
 
