@@ -57,6 +57,18 @@ const char *scratch(const char *file_name) {
     return path;
 }
 
+void in_scratch(char *to, size_t size, const char *text) {
+    const char *folder = scratch("");
+    size_t length = strlen(folder) - 1; /* without the slash */
+    for (; *text && size > length + 1; text++) {
+        size_t step = *text == '@' ? length : 1;
+        memcpy(to, *text == '@' ? folder : text, step);
+        to += step;
+        size -= step;
+    }
+    *to = '\0';
+}
+
 const char *binary_path(void) {
     const char *binary = getenv("MANYLIGHT_BINARY");
     return binary ? binary : "./manylight";

@@ -25,6 +25,9 @@ int run_command(const char *command, char *output, size_t output_size);
  * of 8. */
 const char *scratch(const char *file_name);
 
+/* Copies text, with the test's own folder for each @. */
+void in_scratch(char *to, size_t size, const char *text);
+
 /* The manylight binary under test. */
 const char *binary_path(void);
 

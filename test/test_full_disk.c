@@ -52,10 +52,10 @@ static void write_pictures(void) {
     image_free(&image);
 }
 
-/* Runs `BINARY ARGUMENTS` behind a shell's preamble; %s in the arguments is the folder. */
+/* Runs `BINARY ARGUMENTS` behind a shell's preamble; @ is the scratch folder. */
 static int run(const char *before, const char *arguments, const char *after) {
     char filled[1024], command[2048];
-    snprintf(filled, sizeof filled, arguments, folder);
+    in_scratch(filled, sizeof filled, arguments);
     snprintf(command, sizeof command, "(%s %s %s %s)", before, binary_path(), filled, after);
     int status = run_command(command, output, sizeof output);
     printf("    %s %s -> %d %.300s\n", filled, after, status, output);
@@ -83,11 +83,11 @@ static void test_stdout(void **state) {
         "render --help",
         "info " BOX,
         "info --gl",
-        "compare build/scratch/a.exr build/scratch/b.exr",
-        "compare build/scratch/a.exr build/scratch/b.exr --json",
-        "render " BOX QUICK "-o %s/stats.png --stats",
+        "compare @/a.exr @/b.exr",
+        "compare @/a.exr @/b.exr --json",
+        "render " BOX QUICK "-o @/full-disk/stats.png --stats",
         "bench " BOX "--size 24x16 --frames 1",
-        "bench " BOX "--size 24x16 --budget --set vpls=64 --noise 1 --cache build/scratch/cache",
+        "bench " BOX "--size 24x16 --budget --set vpls=64 --noise 1 --cache @/cache",
     };
     write_pictures();
     make_folder();
@@ -106,7 +106,7 @@ static void test_closed_streams(void **state) {
     (void)state;
     make_folder();
     write_pictures();
-    const char *arguments = "render " BOX QUICK "-o %s/closed.exr --quiet";
+    const char *arguments = "render " BOX QUICK "-o @/full-disk/closed.exr --quiet";
     if (run("", arguments, ">/dev/null") != 0)
         skip();
     assert_int_equal(run("", arguments, "<&- >&- 2>&-"), 0);
@@ -117,25 +117,25 @@ static void test_closed_streams(void **state) {
 
 /* Programs that write files. */
 static const char *const writers[] = {
-    "compare build/scratch/a.exr build/scratch/b.exr -o %s/heat.png",
-    "compare build/scratch/a.exr build/scratch/b.exr -o %s/heat.jpg",
-    "compare build/scratch/a.exr build/scratch/b.exr -o %s/heat.exr",
-    "render " BOX QUICK "-o %s/a.png",
-    "render " BOX QUICK "-o %s/a.jpg",
-    "render " BOX QUICK "-o %s/a.exr",
-    "render " BOX QUICK "-o %s/a.##.tga --frames 0..3",
-    "reference " BOX "--size 24x16 --spp 4 -o %s/truth.exr",
-    "bench " BOX "--size 24x16 --frames 1 --csv %s/times.csv",
-    "bench " BOX "--size 24x16 --frames 1 --json %s/times.json",
-    "bench " BOX "--size 24x16 --budget --set vpls=64 --noise 1 --csv %s/budget.csv "
-    "--cache build/scratch/cache",
-    "bench " BOX "--size 24x16 --reference path --noise 1 --frames 1 --cache %s",
+    "compare @/a.exr @/b.exr -o @/full-disk/heat.png",
+    "compare @/a.exr @/b.exr -o @/full-disk/heat.jpg",
+    "compare @/a.exr @/b.exr -o @/full-disk/heat.exr",
+    "render " BOX QUICK "-o @/full-disk/a.png",
+    "render " BOX QUICK "-o @/full-disk/a.jpg",
+    "render " BOX QUICK "-o @/full-disk/a.exr",
+    "render " BOX QUICK "-o @/full-disk/a.##.tga --frames 0..3",
+    "reference " BOX "--size 24x16 --spp 4 -o @/full-disk/truth.exr",
+    "bench " BOX "--size 24x16 --frames 1 --csv @/full-disk/times.csv",
+    "bench " BOX "--size 24x16 --frames 1 --json @/full-disk/times.json",
+    "bench " BOX "--size 24x16 --budget --set vpls=64 --noise 1 --csv @/full-disk/budget.csv "
+    "--cache @/cache",
+    "bench " BOX "--size 24x16 --reference path --noise 1 --frames 1 --cache @/full-disk",
     "bench scenes/moving-spot.glb --temporal --size 16x16 --frames 2 --set vpls=64 "
-    "--set map-size=32 --variant instant-radiosity --csv %s/temporal.csv",
-    "bench --failures room --size 16x16 --noise 1 --cache build/scratch/cache "
-    "--csv %s/failures.csv",
-    "bench --failures room --size 16x16 --noise 1 --cache build/scratch/cache -o %s",
-    "bench --chart build/scratch/sweep.csv -o %s",
+    "--set map-size=32 --variant instant-radiosity --csv @/full-disk/temporal.csv",
+    "bench --failures room --size 16x16 --noise 1 --cache @/cache "
+    "--csv @/full-disk/failures.csv",
+    "bench --failures room --size 16x16 --noise 1 --cache @/cache -o @/full-disk",
+    "bench --chart @/sweep.csv -o @/full-disk",
 };
 
 static void test_writers(void **state) {
@@ -144,7 +144,7 @@ static void test_writers(void **state) {
     make_folder();
     run("",
         "bench " BOX "--size 24x16 --frames 1 --reference path --noise 1 --sweep vals=2,4 "
-        "--cache build/scratch/cache --csv build/scratch/sweep.csv",
+        "--cache @/cache --csv @/sweep.csv",
         ">/dev/null");
     for (size_t i = 0; i < sizeof writers / sizeof *writers; i++) {
         make_folder();

@@ -34,6 +34,13 @@ static void grow_pixels(struct image *image, int old_count) {
     image->pixels = pixels;
 }
 
+bool image_fits(int width, int height, int channel_count) {
+    uint64_t pixels = (uint64_t)width * (uint64_t)height;
+    uint64_t of_pixel = (uint64_t)channel_count * sizeof(float);
+    return mem_check(pixels > UINT64_MAX / of_pixel ? UINT64_MAX : pixels * of_pixel) ||
+           error_prefix("a picture of %dx%d with %d channels", width, height, channel_count);
+}
+
 void image_init(struct image *image, int width, int height, const char *channel_names) {
     assert(width > 0 && height > 0);
     *image = (struct image){.width = width, .height = height};

@@ -21,6 +21,10 @@ struct bitmap {
     unsigned char *rgba; /* height x width x 4 */
 };
 
+/* Whether memory has room for such a picture; ask where the size comes from outside. Error: names
+ * size and memory. */
+bool image_fits(int width, int height, int channel_count);
+
 /* Zero pixels; names as in "R G B direct.R direct.G direct.B". Sizes must be positive. */
 void image_init(struct image *image, int width, int height, const char *channel_names);
 

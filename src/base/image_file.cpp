@@ -167,6 +167,8 @@ extern "C" bool image_read(struct image *image, const char *path) try {
     const ImageSpec spec = in->spec();
     if (!check_size(spec, path))
         return false;
+    if (!image_fits(spec.width, spec.height, spec.nchannels))
+        return error_prefix("%s", path);
     std::vector<std::string> names;
     std::vector<const char *> pointers;
     for (int i = 0; i < spec.nchannels; i++)
@@ -272,6 +274,8 @@ extern "C" bool bitmap_decode(struct bitmap *bitmap, const void *bytes, size_t s
         return error_set("not a picture of a known format");
     if (!check_size(spec, "picture"))
         return false;
+    if (!mem_check(spec.image_pixels() * (spec.nchannels + 4)))
+        return error_prefix("a picture of %dx%d", spec.width, spec.height);
     std::vector<unsigned char> source(spec.image_pixels() * spec.nchannels);
     if (!in->read_image(0, 0, 0, spec.nchannels, TypeDesc::UINT8, source.data()))
         return fail("picture", in->geterror());

@@ -1,10 +1,53 @@
+#define _POSIX_C_SOURCE 200809L
 #include "base/memory.h"
 
+#include "base/error.h"
+
+#include <inttypes.h>
 #include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+/* The number behind the word in a file of /proc or /sys; "" = the first. UINT64_MAX where there is
+ * none. */
+static uint64_t number_in(const char *path, const char *word) {
+    char line[256];
+    uint64_t number = UINT64_MAX;
+    FILE *file = fopen(path, "r");
+    while (file && fgets(line, sizeof line, file))
+        if (strncmp(line, word, strlen(word)) == 0 &&
+            sscanf(line + strlen(word), "%" SCNu64, &number) == 1)
+            break;
+    if (file)
+        fclose(file);
+    return number;
+}
+
+static uint64_t least(uint64_t a, uint64_t b) {
+    return a < b ? a : b;
+}
+
+/* Of ulimit -v, less what is mapped. */
+static uint64_t left_of_limit(void) {
+    struct rlimit limit;
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+        return UINT64_MAX;
+    uint64_t mapped = number_in("/proc/self/statm", "") * (uint64_t)sysconf(_SC_PAGESIZE);
+    return mapped < limit.rlim_cur ? limit.rlim_cur - mapped : 0;
+}
+
+bool mem_check(uint64_t bytes) {
+    static const double gib = 1 << 30;
+    uint64_t free_kib = number_in("/proc/meminfo", "MemAvailable:");
+    uint64_t there = free_kib == UINT64_MAX ? free_kib : free_kib * 1024;
+    there = least(there, number_in("/sys/fs/cgroup/memory.max", ""));
+    there = least(there, left_of_limit());
+    return bytes <= there || error_set("%.2f GiB of memory are wanted, and %.2f GiB are free",
+                                       (double)bytes / gib, (double)there / gib);
+}
 
 static void *checked(void *pointer, size_t count, size_t size) {
     if (pointer)

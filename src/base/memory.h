@@ -1,8 +1,15 @@
-/* CPU memory. Running out of it aborts with a message, so callers need no check. free() frees. */
+/* CPU memory. Running out of it aborts with a message, so callers need no check; what the world asks
+ * for, such as a picture's size in a file, passes mem_check first. free() frees. */
 #ifndef BASE_MEMORY_H
 #define BASE_MEMORY_H
 
+#include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
+
+/* Whether so many bytes are free, by the machine and by the limits of this process. Error: how many
+ * are wanted and how many there are; the caller puts in front what wants them. */
+bool mem_check(uint64_t bytes);
 
 /* count elements of size bytes each, zeroed; a valid pointer even for 0 bytes. */
 void *mem_alloc(size_t count, size_t size);

@@ -23,6 +23,8 @@ bool layer_extract(struct image *layer, const struct image *picture, const char 
     int channels[3];
     if (!image_find_layer(picture, name, channels) || !check_finite(picture, channels))
         return false;
+    if (!image_fits(picture->width, picture->height, 3))
+        return false;
     image_init(layer, picture->width, picture->height, "R G B");
     for (int y = 0; y < picture->height; y++)
         for (int x = 0; x < picture->width; x++)

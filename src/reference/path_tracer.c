@@ -7,6 +7,7 @@
 #include "reference/rows.h"
 #include "reference/primary.h"
 
+#include "base/error.h"
 #include "base/memory.h"
 
 #include <assert.h>
@@ -226,12 +227,22 @@ static bool render(struct renderer *renderer, const struct hit_table *table) {
     return true;
 }
 
+/* Beside the picture each pixel has its sums. */
+static bool check_memory(const struct path_tracer_desc *desc) {
+    uint64_t pixels = (uint64_t)desc->width * (uint64_t)desc->height;
+    uint64_t of_pixel = sizeof(struct film_pixel) + sizeof(float) * (CHANNEL_STANDARD_ERROR + 3);
+    return mem_check(pixels * of_pixel) ||
+           error_prefix("a reference of %dx%d", desc->width, desc->height);
+}
+
 bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image,
                         struct path_tracer_progress *reached) {
     struct renderer renderer = {.desc = resolve(desc), .image = image};
     struct hit_table table;
     *image = (struct image){0};
     desc = &renderer.desc;
+    if (!check_memory(desc))
+        return false;
     hit_table_init(&table, desc->scene, desc->geometry);
     emission_init(&renderer.emission, &desc->emitters, desc->geometry, LIGHT_VERTEX_COUNT);
     renderer.primary =

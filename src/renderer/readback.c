@@ -40,14 +40,16 @@ static void read_layers(struct renderer *renderer, struct image *image,
 static bool read_part(struct renderer *renderer, int x, int y, int width, int height,
                       struct image *image) {
     char names[512] = "";
+    int count = 0;
     for (int i = 0; i < LAYER_ROWS; i++)
-        for (const char *c = layer_rows[i].channels; *c; c++) {
+        for (const char *c = layer_rows[i].channels; *c; c++, count++) {
             size_t used = strlen(names);
             snprintf(names + used, sizeof names - used, "%s%s%c", used ? " " : "",
                      layer_rows[i].prefix, *c);
         }
     struct layer_target target;
-    if (!layer_target_init(&target, renderer->desc.width, renderer->desc.height))
+    if (!image_fits(width, height, count) ||
+        !layer_target_init(&target, renderer->desc.width, renderer->desc.height))
         return false;
     target.x = x;
     target.y = y;

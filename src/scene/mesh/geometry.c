@@ -88,6 +88,11 @@ static void list_parts(struct geometry *geometry, const struct scene *scene) {
             list_node_parts(geometry, scene, node, dynamic);
 }
 
+static size_t vertex_bytes(const struct geometry *geometry) {
+    return sizeof *geometry->position + sizeof *geometry->normal + sizeof *geometry->uv +
+           sizeof *geometry->color;
+}
+
 /* Vertices of part after part. */
 static bool lay_vertices(struct geometry *geometry, const struct scene *scene) {
     uint64_t vertices = 0, indices = 0;
@@ -102,6 +107,9 @@ static bool lay_vertices(struct geometry *geometry, const struct scene *scene) {
     }
     if (indices == 0)
         return error_set("there is no triangle");
+    if (!mem_check(vertices * vertex_bytes(geometry) + indices * sizeof *geometry->indices))
+        return error_prefix("%llu vertices and %llu indices", (unsigned long long)vertices,
+                            (unsigned long long)indices);
     geometry->vertex_count = (uint32_t)vertices;
     geometry->index_count = (uint32_t)indices;
     return true;

@@ -1,0 +1,108 @@
+/* What is larger than memory is refused before it is allocated: one message that names the file, the
+ * object, what is wanted and what is free; exit 1, no abort, no file. */
+#include "support.h"
+
+#include "base/error.h"
+#include "base/image.h"
+#include "base/memory.h"
+#include "base/output_file.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+static char output[4096];
+
+static void write_text(const char *path, const char *text) {
+    check_ok(path, output_file_write(path, text, strlen(text)));
+}
+
+/* Heads of pictures of 2^28 pixels; no reader comes to what follows. */
+static void write_pictures(void) {
+    static const unsigned char tga[64] = {[2] = 2, [13] = 64, [15] = 64, [16] = 24};
+    write_text(scratch("huge.ppm"), "P6\n16384 16384\n255\nxxx");
+    write_text(scratch("huge.pfm"), "PF\n16384 16384\n-1.0\nxxx");
+    check_ok("tga", output_file_write(scratch("huge.tga"), tga, sizeof tga));
+}
+
+#define TRIANGLE "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"
+#define HEAD "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],"
+
+/* A triangle with such a texture; twice 30 million vertices, of which the file gives three. */
+static void write_scenes(void) {
+    write_text(scratch("huge-texture.gltf"),
+               HEAD "\"nodes\":[{\"mesh\":0},{}],\"meshes\":[{\"primitives\":[{\"attributes\":"
+                    "{\"POSITION\":0},\"material\":0}]}],\"materials\":[{\"name\":\"wall\","
+                    "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],\"textures\":"
+                    "[{\"source\":0}],\"images\":[{\"uri\":\"huge.tga\"}],\"buffers\":[{"
+                    "\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64," TRIANGLE
+                    "\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"accessors\":[{"
+                    "\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\","
+                    "\"min\":[0,0,0],\"max\":[1,1,0]}]}");
+    write_text(scratch("huge-mesh.gltf"),
+               HEAD "\"nodes\":[{\"mesh\":0},{\"mesh\":0}],\"meshes\":[{\"primitives\":[{"
+                    "\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"componentType\":5126,"
+                    "\"count\":30000000,\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1,1],"
+                    "\"sparse\":{\"count\":1,\"indices\":{\"bufferView\":0,\"byteOffset\":0,"
+                    "\"componentType\":5125},\"values\":{\"bufferView\":0,\"byteOffset\":12}}}],"
+                    "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;"
+                    "base64," TRIANGLE "\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}]}");
+}
+
+static void test_refusals(void **state) {
+    (void)state;
+#ifdef __SANITIZE_ADDRESS__
+    skip(); /* needs more address space than any limit leaves */
+#endif
+    static const struct {
+        const char *limit, *arguments, *message; /* KiB of address space */
+    } cases[] = {
+        {"2500000", "compare @/huge.ppm scenes/none.exr",
+         "huge.ppm: a picture of 16384x16384 with 3 channels: 3.00 GiB of memory are wanted, and "},
+        {"2500000", "compare @/huge.pfm scenes/none.exr",
+         "huge.pfm: a picture of 16384x16384 with 3 channels: 3.00 GiB of memory are wanted, and "},
+        {"1500000", "info @/huge-texture.gltf",
+         "material 0 'wall': image 0: huge.tga: a picture of 16384x16384: 1.75 GiB of memory are "
+         "wanted, and "},
+        {"2500000", "info @/huge-mesh.gltf",
+         "60000000 vertices and 60000000 indices: 2.91 GiB of memory are wanted, and "},
+        {"8000000", "reference scenes/cornell-box.glb --size 16384x16384 --spp 4 -o none.exr",
+         "a reference of 16384x16384: 57.00 GiB of memory are wanted, and "},
+    };
+    write_pictures();
+    write_scenes();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char command[1024], arguments[512];
+        in_scratch(arguments, sizeof arguments, cases[i].arguments);
+        snprintf(command, sizeof command, "ulimit -v %s; exec %s %s", cases[i].limit, binary_path(),
+                 arguments);
+        int status = run_command(command, output, sizeof output);
+        printf("    %s -> %d %s", cases[i].arguments, status, output);
+        assert_int_equal(status, 1);
+        assert_non_null(strstr(output, cases[i].message));
+        assert_ptr_equal(strchr(output, '\n'), output + strlen(output) - 1);
+    }
+    assert_int_not_equal(access("none.exr", F_OK), 0);
+}
+
+/* Products of three sizes do not wrap. */
+static void test_sums(void **state) {
+    (void)state;
+    assert_true(mem_check(0));
+    assert_true(mem_check(1 << 20));
+    assert_false(mem_check(UINT64_MAX / 2));
+    printf("    %s\n", error_get());
+    assert_true(image_fits(16, 16, 4));
+    assert_false(image_fits(2000000000, 1000000000, 1));
+    printf("    %s\n", error_get());
+    assert_non_null(strstr(error_get(), "a picture of 2000000000x1000000000 with 1 channels: "));
+    assert_false(image_fits(1 << 30, 1 << 30, 16)); /* 2^66 bytes */
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_sums),
+    };
+    return cmocka_run_group_tests_name("memory", tests, NULL, NULL);
+}
