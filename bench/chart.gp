@@ -10,7 +10,6 @@ set datafile separator comma
 set datafile columnheaders
 set datafile missing NaN
 set encoding utf8
-set print "-"
 set key outside right top vertical Left reverse noenhanced
 set grid lc rgb '#dddddd'
 set border lc rgb '#444444'
@@ -140,11 +139,9 @@ do for [i = 1:words(scenes)] {
         do for [type in "svg png"] {
             eval(value(type))
             name = file_of(i, chart) . "." . type
-            set output name . ".part"
+            set output name
             eval("plot " . (chart eq "time" ? pareto . ", " : "") . curves)
             unset output
-            result = system("mv '" . name . ".part' '" . name . "'") # whole or not at all
-            print name
             drawn = drawn + 1
         }
     }

@@ -86,8 +86,8 @@ static void test_stdout(void **state) {
         "compare @/a.exr @/b.exr",
         "compare @/a.exr @/b.exr --json",
         "render " BOX QUICK "-o @/full-disk/stats.png --stats",
-        "bench " BOX "--size 24x16 --frames 1",
-        "bench " BOX "--size 24x16 --budget --set vpls=64 --noise 1 --cache @/cache",
+        "bench times " BOX "--size 24x16 --frames 1",
+        "bench budget " BOX "--size 24x16 --set vpls=64 --noise 1 --cache @/cache",
     };
     write_pictures();
     make_folder();
@@ -125,17 +125,16 @@ static const char *const writers[] = {
     "render " BOX QUICK "-o @/full-disk/a.exr",
     "render " BOX QUICK "-o @/full-disk/a.##.tga --frames 0..3",
     "reference " BOX "--size 24x16 --spp 4 -o @/full-disk/truth.exr",
-    "bench " BOX "--size 24x16 --frames 1 --csv @/full-disk/times.csv",
-    "bench " BOX "--size 24x16 --frames 1 --json @/full-disk/times.json",
-    "bench " BOX "--size 24x16 --budget --set vpls=64 --noise 1 --csv @/full-disk/budget.csv "
+    "bench times " BOX "--size 24x16 --frames 1 --csv @/full-disk/times.csv",
+    "bench budget " BOX "--size 24x16 --set vpls=64 --noise 1 --csv @/full-disk/budget.csv "
     "--cache @/cache",
-    "bench " BOX "--size 24x16 --reference path --noise 1 --frames 1 --cache @/full-disk",
-    "bench scenes/moving-spot.glb --temporal --size 16x16 --frames 2 --set vpls=64 "
+    "bench sweep " BOX "--size 24x16 --reference path --noise 1 --frames 1 --cache @/full-disk",
+    "bench temporal scenes/moving-spot.glb --size 16x16 --frames 2 --set vpls=64 "
     "--set map-size=32 --variant instant-radiosity --csv @/full-disk/temporal.csv",
-    "bench --failures room --size 16x16 --noise 1 --cache @/cache "
+    "bench failures room --size 16x16 --noise 1 --cache @/cache "
     "--csv @/full-disk/failures.csv",
-    "bench --failures room --size 16x16 --noise 1 --cache @/cache -o @/full-disk",
-    "bench --chart @/sweep.csv -o @/full-disk",
+    "bench failures room --size 16x16 --noise 1 --cache @/cache -o @/full-disk",
+    "bench chart @/sweep.csv -o @/full-disk",
 };
 
 static void test_writers(void **state) {
@@ -143,7 +142,7 @@ static void test_writers(void **state) {
     write_pictures();
     make_folder();
     run("",
-        "bench " BOX "--size 24x16 --frames 1 --reference path --noise 1 --sweep vals=2,4 "
+        "bench sweep " BOX "--size 24x16 --frames 1 --reference path --noise 1 --vary vals=2,4 "
         "--cache @/cache --csv @/sweep.csv",
         ">/dev/null");
     for (size_t i = 0; i < sizeof writers / sizeof *writers; i++) {
@@ -155,7 +154,8 @@ static void test_writers(void **state) {
         assert_true(count_files() > 0);
         make_folder();
         assert_int_equal(run("ulimit -f 0;", writers[i], ">/dev/null"), 1);
-        expect_message("cannot write ", ": File too large");
+        bool draws = strstr(writers[i], "chart"); /* gnuplot loses the drawing before we have it */
+        expect_message("cannot write ", draws ? "has no end" : ": File too large");
         assert_int_equal(count_files(), 0);
     }
 }

@@ -80,7 +80,7 @@ static void test_refusals(void **state) {
         printf("    %s -> %d %s", cases[i].arguments, status, output);
         assert_int_equal(status, 1);
         assert_non_null(strstr(output, cases[i].message));
-        assert_ptr_equal(strchr(output, '\n'), output + strlen(output) - 1);
+        assert_null(strstr(output, "Aborted"));
     }
     assert_int_not_equal(access("none.exr", F_OK), 0);
 }

@@ -148,6 +148,12 @@ static bool check_output(const struct bench *bench) {
     return ok;
 }
 
+/* All rows so far: who stops a long run keeps those of the scenes before. */
+static bool write_rows(const struct bench *bench, const struct bench_mode *mode) {
+    return !bench->values.csv || !bench->results.row_count ||
+           results_write(&bench->results, mode->name, bench->values.csv);
+}
+
 static bool run(struct bench *bench, const struct bench_mode *mode) {
     if (!check_output(bench))
         return false;
@@ -157,10 +163,9 @@ static bool run(struct bench *bench, const struct bench_mode *mode) {
     if (bench->context)
         results_print_machine(stdout, context_is_software(bench->context));
     for (int i = 0; ok && mode->measure && i < bench->argument_count; i++)
-        ok = measure_scene(bench, mode, bench->arguments[i]);
+        ok = measure_scene(bench, mode, bench->arguments[i]) && write_rows(bench, mode);
     ok = ok && (!mode->finish || mode->finish(bench));
-    if (bench->values.csv && bench->results.row_count) /* what there is, if it failed half-way */
-        ok = results_write(&bench->results, mode->name, bench->values.csv) && ok;
+    ok = write_rows(bench, mode) && ok; /* what there is, if it failed half-way */
     context_free(bench->context);
     return ok;
 }

@@ -3,9 +3,14 @@
 #include "apps/bench/bench.h"
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/folder.h"
+#include "base/image_file.h"
 #include "base/memory.h"
+#include "base/output_file.h"
 
+#include <dirent.h>
+#include <errno.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,14 +25,73 @@ static bool check(struct bench *bench) {
     return bench->argument_count || error_set("FILE.csv is missing");
 }
 
-static bool draw(const char *csv, const char *folder) {
-    if (access(csv, R_OK) != 0)
-        return error_set("cannot open %s", csv);
+/* gnuplot says nothing of a disk that takes no more: a drawing must end as it should. */
+static bool is_whole(const char *path, const struct file_bytes *bytes) {
+    static const char end[] = "</svg>";
+    if (strcmp(strrchr(path, '.'), ".svg") != 0)
+        return image_is_whole(path);
+    size_t size = bytes->size;
+    while (size > 0 && bytes->data[size - 1] == '\n')
+        size--;
+    return size > strlen(end) && memcmp(bytes->data + size - strlen(end), end, strlen(end)) == 0;
+}
+
+static bool keep(const char *drawn, const char *path) {
+    struct file_bytes bytes;
+    bool ok = file_read(&bytes, drawn) &&
+              (is_whole(drawn, &bytes) ||
+               error_set("cannot write %s: gnuplot's drawing has no end", path)) &&
+              output_file_write(path, bytes.data, bytes.size);
+    free(bytes.data);
+    if (ok)
+        printf("%s\n", path);
+    return ok;
+}
+
+static int is_drawing(const struct dirent *entry) {
+    return strstr(entry->d_name, ".svg") || strstr(entry->d_name, ".png");
+}
+
+/* Takes what was drawn to its folder; deletes it here, whatever happens. */
+static bool take_drawings(const char *from, const char *to, bool ok) {
+    struct dirent **entries;
+    int count = scandir(from, &entries, is_drawing, alphasort);
+    for (int i = 0; i < count; i++) {
+        char *drawn = mem_printf("%s/%s", from, entries[i]->d_name);
+        char *path = mem_printf("%s/%s", to, entries[i]->d_name);
+        ok = ok && keep(drawn, path);
+        remove(drawn);
+        free(drawn);
+        free(path);
+        free(entries[i]);
+    }
+    if (count >= 0)
+        free(entries);
+    return ok;
+}
+
+static bool run_gnuplot(const char *csv, const char *folder) {
     FILE *gnuplot = popen("gnuplot -", "w");
     if (!gnuplot)
         return error_set("cannot run gnuplot");
     fprintf(gnuplot, "csv = '%s'\nfolder = '%s'\n%s", csv, folder, chart_script);
     return pclose(gnuplot) == 0 || error_set("%s: gnuplot is missing, or draws no chart", csv);
+}
+
+/* gnuplot draws into a folder of its own. */
+static bool draw(const char *csv, const char *folder) {
+    const char *place = getenv("TMPDIR");
+    char *own = mem_printf("%s/manylight-XXXXXX", place && *place ? place : "/tmp");
+    bool ok = (access(csv, R_OK) == 0 || error_set("cannot open %s", csv)) &&
+              (!strpbrk(own, "'\n") || error_set("%s: gnuplot takes no quote in a name", own));
+    if (ok && (mkdtemp(own) || error_set("cannot make folder %s: %s", own, strerror(errno)))) {
+        ok = take_drawings(own, folder, run_gnuplot(csv, own));
+        rmdir(own);
+    } else {
+        ok = false;
+    }
+    free(own);
+    return ok;
 }
 
 static bool finish(struct bench *bench) {
