@@ -8,9 +8,8 @@ static const struct error_row {
     const char *metric, *layer, *unit;
     double scale;
 } rows[] = {
-    {"relative-rmse", "indirect", "%", 100},
-    {"relative-bias", "indirect", "%", 100},
-    {"gradient", "indirect", "1", 1},
+    {"relative-rmse", "indirect", "%", 100}, {"relative-mae", "indirect", "%", 100},
+    {"relative-bias", "indirect", "%", 100}, {"gradient", "indirect", "1", 1},
     {"ldr-flip", "beauty", "1", 1},
 };
 

@@ -5,9 +5,10 @@
 #include "base/image.h"
 #include "measure/results.h"
 
-/* Adds relative-rmse and relative-bias (% of the truth's mean) and gradient of the indirect layer,
- * and ldr-flip of the picture; against: what results call the truth. Error: a layer is missing, or
- * a value is not finite. */
+/* Adds relative-rmse, relative-mae, relative-bias (% of the truth's mean) and gradient of the
+ * indirect layer, and ldr-flip of the picture: few wrong pixels make the first, many the second,
+ * and the last says whether they are seen. against: what results call the truth. Error: a layer is
+ * missing, or a value is not finite. */
 bool errors_add(struct results *results, const struct image *test, const struct image *truth,
                 const char *against);
 
@@ -16,8 +17,8 @@ double image_mean(const struct image *image, const int channels[3]);
 
 /* The columns of these errors, for the table of a results_print. */
 #define ERROR_COLUMNS(against)                                                                     \
-    {"rRMSE %", "relative-rmse", against}, {"bias %", "relative-bias", against},                   \
-        {"gradient", "gradient", against}, {                                                       \
+    {"rRMSE %", "relative-rmse", against}, {"rMAE %", "relative-mae", against},                    \
+        {"bias %", "relative-bias", against}, {"gradient", "gradient", against}, {                 \
         "FLIP", "ldr-flip", against                                                                \
     }
 
