@@ -21,7 +21,7 @@ enum { FIRST_PASS_SAMPLES = 32, EXPECTED_SAMPLES = 256 };
  * and the direct light, whose rays are thus shared. Few samples want each its own point. */
 enum { PATHS_PER_SAMPLE = 4, FEW_SAMPLES = 16 };
 
-struct renderer {
+struct tracer {
     struct path_tracer_desc desc; /* resolved */
     struct ray_scene rays;
     struct primary_rays primary;
@@ -35,18 +35,18 @@ struct renderer {
 
 /* --- samples --- */
 
-static struct film_pixel *pixel_at(const struct renderer *renderer, int x, int y) {
-    return &renderer->pixels[(size_t)y * (size_t)renderer->desc.width + (size_t)x];
+static struct film_pixel *pixel_at(const struct tracer *tracer, int x, int y) {
+    return &tracer->pixels[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
 }
 
-static vec3s mean_of_paths(const struct renderer *renderer, const struct hit *hit, int stream,
+static vec3s mean_of_paths(const struct tracer *tracer, const struct hit *hit, int stream,
                            const struct sampler *start) {
-    struct path_scene scene = {&renderer->rays, &renderer->emission, renderer->desc.bounces};
-    uint32_t paths = (uint32_t)renderer->desc.paths;
+    struct path_scene scene = {&tracer->rays, &tracer->emission, tracer->desc.bounces};
+    uint32_t paths = (uint32_t)tracer->desc.paths;
     vec3s sum = glms_vec3_zero();
     for (uint32_t i = 0; i < paths; i++) {
         struct sampler sampler = {start->seed, start->index * paths + i, start->pair};
-        vec3s light = path_indirect(&scene, renderer->lights[stream], hit, &sampler);
+        vec3s light = path_indirect(&scene, tracer->lights[stream], hit, &sampler);
         sum = glms_vec3_add(sum, light);
     }
     return glms_vec3_scale(sum, 1 / (float)paths);
@@ -57,9 +57,9 @@ static int stream_of(uint32_t sample) {
 }
 
 /* What a pixel's i-th sample sees; false where that is nothing. */
-static bool take_sample(const struct renderer *renderer, int px, int py, uint32_t i,
+static bool take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
                         struct film_sample *sample) {
-    const struct path_tracer_desc *desc = &renderer->desc;
+    const struct path_tracer_desc *desc = &tracer->desc;
     uint32_t pixel_number = (uint32_t)py * (uint32_t)desc->width + (uint32_t)px;
     uint32_t pixel_seed = sampler_hash(desc->seed, pixel_number);
     int stream = stream_of(i);
@@ -67,66 +67,66 @@ static bool take_sample(const struct renderer *renderer, int px, int py, uint32_
                               .index = i / FILM_STREAMS};
     vec2s jitter = sampler_next(&sampler), at = desc->centers ? (vec2s){{0.5f, 0.5f}} : jitter;
     struct hit hit;
-    if (!primary_hit(&renderer->primary, (float)px + at.x, (float)py + at.y, &hit))
+    if (!primary_hit(&tracer->primary, (float)px + at.x, (float)py + at.y, &hit))
         return false;
     *sample = (struct film_sample){
         .position = hit.position,
         .albedo = hit.albedo,
         .normal = hit.normal,
-        .direct = emission_direct(&renderer->emission, &renderer->rays, &hit),
-        .indirect = mean_of_paths(renderer, &hit, stream, &sampler),
+        .direct = emission_direct(&tracer->emission, &tracer->rays, &hit),
+        .indirect = mean_of_paths(tracer, &hit, stream, &sampler),
     };
     return true;
 }
 
 /* Sums of a pass are made apart, so that a long render loses no digits. */
-static void add_pass(const struct renderer *renderer, int px, int py) {
+static void add_pass(const struct tracer *tracer, int px, int py) {
     struct film_pixel sums = {0};
     struct film_sample sample;
-    for (uint32_t i = renderer->done; i < renderer->end; i++)
-        if (take_sample(renderer, px, py, i, &sample))
+    for (uint32_t i = tracer->done; i < tracer->end; i++)
+        if (take_sample(tracer, px, py, i, &sample))
             film_pixel_add(&sums, stream_of(i), &sample);
-    film_pixel_merge(pixel_at(renderer, px, py), &sums);
+    film_pixel_merge(pixel_at(tracer, px, py), &sums);
 }
 
 /* --- passes --- */
 
 /* With these low-dimensional integrands the error falls about as samples^-0.75. */
-static double samples_needed(const struct renderer *renderer) {
-    const struct path_tracer_desc *desc = &renderer->desc;
+static double samples_needed(const struct tracer *tracer) {
+    const struct path_tracer_desc *desc = &tracer->desc;
     if (desc->samples > 0)
         return desc->samples;
-    if (renderer->done == 0)
+    if (tracer->done == 0)
         return EXPECTED_SAMPLES;
-    return renderer->done * pow(renderer->noise / desc->noise, 1 / 0.75);
+    return tracer->done * pow(tracer->noise / desc->noise, 1 / 0.75);
 }
 
 /* rows_done: the share of the present pass. */
 static bool report(void *context, double rows_done) {
-    const struct renderer *renderer = context;
-    const struct path_tracer_desc *desc = &renderer->desc;
-    double samples = renderer->done + (renderer->end - renderer->done) * rows_done;
+    const struct tracer *tracer = context;
+    const struct path_tracer_desc *desc = &tracer->desc;
+    double samples = tracer->done + (tracer->end - tracer->done) * rows_done;
     struct path_tracer_progress progress = {
-        .done = samples / fmax(samples_needed(renderer), renderer->end),
-        .noise = renderer->noise,
-        .samples = (int)renderer->done,
+        .done = samples / fmax(samples_needed(tracer), tracer->end),
+        .noise = tracer->noise,
+        .samples = (int)tracer->done,
     };
     return !desc->progress || desc->progress(desc->user, &progress);
 }
 
 static void add_pass_to_row(void *context, int row) {
-    const struct renderer *renderer = context;
-    for (int x = 0; x < renderer->desc.width; x++)
-        add_pass(renderer, x, row);
+    const struct tracer *tracer = context;
+    for (int x = 0; x < tracer->desc.width; x++)
+        add_pass(tracer, x, row);
 }
 
 /* Standard error, RMS over pixels and channels, over the mean. A pixel counts as far as it is
  * covered: of slivers at silhouettes few samples tell, and little of them is seen. */
-static double estimate_noise(const struct renderer *renderer) {
-    size_t pixel_count = (size_t)renderer->desc.width * (size_t)renderer->desc.height;
-    double samples = renderer->done, mean_sum = 0, variance_sum = 0;
+static double estimate_noise(const struct tracer *tracer) {
+    size_t pixel_count = (size_t)tracer->desc.width * (size_t)tracer->desc.height;
+    double samples = tracer->done, mean_sum = 0, variance_sum = 0;
     for (size_t i = 0; i < pixel_count; i++) {
-        const struct film_pixel *pixel = &renderer->pixels[i];
+        const struct film_pixel *pixel = &tracer->pixels[i];
         struct film_estimate estimate = film_pixel_estimate(pixel);
         double alpha = pixel->coverage / samples;
         for (int c = 0; c < 3; c++) {
@@ -138,14 +138,13 @@ static double estimate_noise(const struct renderer *renderer) {
     return mean_sum > 0 ? sqrt(variance_sum / values) / (mean_sum / values) : 0;
 }
 
-static bool render_pass(struct renderer *renderer, uint32_t end) {
-    const struct path_tracer_desc *desc = &renderer->desc;
-    renderer->end = end;
-    if (!rows_render(
-            &(struct rows){desc->height, desc->threads, add_pass_to_row, report, renderer}))
+static bool render_pass(struct tracer *tracer, uint32_t end) {
+    const struct path_tracer_desc *desc = &tracer->desc;
+    tracer->end = end;
+    if (!rows_render(&(struct rows){desc->height, desc->threads, add_pass_to_row, report, tracer}))
         return false;
-    renderer->done = end;
-    renderer->noise = estimate_noise(renderer);
+    tracer->done = end;
+    tracer->noise = estimate_noise(tracer);
     return true;
 }
 
@@ -158,33 +157,33 @@ static uint32_t next_end(uint32_t done) {
     return done + power / 4;
 }
 
-static bool render_passes(struct renderer *renderer) {
-    if (renderer->desc.samples > 0)
-        return render_pass(renderer, (uint32_t)renderer->desc.samples);
-    bool ok = render_pass(renderer, FIRST_PASS_SAMPLES);
-    while (ok && renderer->noise > renderer->desc.noise)
-        ok = render_pass(renderer, next_end(renderer->done));
+static bool render_passes(struct tracer *tracer) {
+    if (tracer->desc.samples > 0)
+        return render_pass(tracer, (uint32_t)tracer->desc.samples);
+    bool ok = render_pass(tracer, FIRST_PASS_SAMPLES);
+    while (ok && tracer->noise > tracer->desc.noise)
+        ok = render_pass(tracer, next_end(tracer->done));
     return ok;
 }
 
 /* --- the picture --- */
 
 static void develop_row(void *context, int row) {
-    const struct renderer *renderer = context;
-    int samples = (int)renderer->done;
-    for (int x = 0; x < renderer->desc.width; x++) {
+    const struct tracer *tracer = context;
+    int samples = (int)tracer->done;
+    for (int x = 0; x < tracer->desc.width; x++) {
         struct hit center;
-        float *channels = image_at(renderer->image, x, row);
-        film_pixel_develop(pixel_at(renderer, x, row), samples, channels);
-        if (primary_hit(&renderer->primary, (float)x + 0.5f, (float)row + 0.5f, &center))
-            channels[CHANNEL_DEPTH] = primary_depth(&renderer->primary, center.position);
+        float *channels = image_at(tracer->image, x, row);
+        film_pixel_develop(pixel_at(tracer, x, row), samples, channels);
+        if (primary_hit(&tracer->primary, (float)x + 0.5f, (float)row + 0.5f, &center))
+            channels[CHANNEL_DEPTH] = primary_depth(&tracer->primary, center.position);
     }
 }
 
-static bool develop(struct renderer *renderer) {
-    const struct path_tracer_desc *desc = &renderer->desc;
-    image_init(renderer->image, desc->width, desc->height, CHANNELS_OF_PATH_TRACER);
-    return rows_render(&(struct rows){desc->height, desc->threads, develop_row, NULL, renderer});
+static bool develop(struct tracer *tracer) {
+    const struct path_tracer_desc *desc = &tracer->desc;
+    image_init(tracer->image, desc->width, desc->height, CHANNELS_OF_PATH_TRACER);
+    return rows_render(&(struct rows){desc->height, desc->threads, develop_row, NULL, tracer});
 }
 
 static struct path_tracer_desc resolve(const struct path_tracer_desc *desc) {
@@ -202,28 +201,28 @@ static struct path_tracer_desc resolve(const struct path_tracer_desc *desc) {
     return resolved;
 }
 
-static void trace_lights(struct renderer *renderer) {
-    const struct path_tracer_desc *desc = &renderer->desc;
+static void trace_lights(struct tracer *tracer) {
+    const struct path_tracer_desc *desc = &tracer->desc;
     int used = desc->samples > 0 && desc->samples < FILM_STREAMS ? desc->samples : FILM_STREAMS;
     for (int stream = 0; stream < used && desc->bounces > 0; stream++)
-        renderer->lights[stream] =
-            light_vertices_trace(&renderer->emission, &renderer->rays,
+        tracer->lights[stream] =
+            light_vertices_trace(&tracer->emission, &tracer->rays,
                                  sampler_hash(~desc->seed, (uint32_t)stream), desc->threads);
 }
 
-static bool render(struct renderer *renderer, const struct hit_table *table) {
-    if (!ray_scene_init(&renderer->rays, table))
+static bool render(struct tracer *tracer, const struct hit_table *table) {
+    if (!ray_scene_init(&tracer->rays, table))
         return false;
-    trace_lights(renderer);
-    if (!render_passes(renderer) || !develop(renderer))
+    trace_lights(tracer);
+    if (!render_passes(tracer) || !develop(tracer))
         return false;
-    if (renderer->desc.denoise)
-        denoise(&(struct denoise_desc){.pixels = renderer->pixels,
-                                       .primary = &renderer->primary,
-                                       .samples = (int)renderer->done,
-                                       .paths = renderer->desc.paths,
-                                       .threads = renderer->desc.threads},
-                renderer->image);
+    if (tracer->desc.denoise)
+        denoise(&(struct denoise_desc){.pixels = tracer->pixels,
+                                       .primary = &tracer->primary,
+                                       .samples = (int)tracer->done,
+                                       .paths = tracer->desc.paths,
+                                       .threads = tracer->desc.threads},
+                tracer->image);
     return true;
 }
 
@@ -237,26 +236,24 @@ static bool check_memory(const struct path_tracer_desc *desc) {
 
 bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image,
                         struct path_tracer_progress *reached) {
-    struct renderer renderer = {.desc = resolve(desc), .image = image};
+    struct tracer tracer = {.desc = resolve(desc), .image = image};
     struct hit_table table;
     *image = (struct image){0};
-    desc = &renderer.desc;
+    desc = &tracer.desc;
     if (!check_memory(desc))
         return false;
     hit_table_init(&table, desc->scene, desc->geometry);
-    emission_init(&renderer.emission, &desc->emitters, desc->geometry, LIGHT_VERTEX_COUNT);
-    renderer.primary =
-        (struct primary_rays){&renderer.rays, desc->camera, desc->width, desc->height};
-    renderer.pixels =
-        mem_alloc((size_t)desc->width * (size_t)desc->height, sizeof *renderer.pixels);
-    bool ok = render(&renderer, &table);
+    emission_init(&tracer.emission, &desc->emitters, desc->geometry, LIGHT_VERTEX_COUNT);
+    tracer.primary = (struct primary_rays){&tracer.rays, desc->camera, desc->width, desc->height};
+    tracer.pixels = mem_alloc((size_t)desc->width * (size_t)desc->height, sizeof *tracer.pixels);
+    bool ok = render(&tracer, &table);
     if (ok && reached)
-        *reached = (struct path_tracer_progress){1, renderer.noise, (int)renderer.done};
+        *reached = (struct path_tracer_progress){1, tracer.noise, (int)tracer.done};
     for (int stream = 0; stream < FILM_STREAMS; stream++)
-        free(renderer.lights[stream]);
-    free(renderer.pixels);
-    emission_free(&renderer.emission);
-    ray_scene_free(&renderer.rays);
+        free(tracer.lights[stream]);
+    free(tracer.pixels);
+    emission_free(&tracer.emission);
+    ray_scene_free(&tracer.rays);
     hit_table_free(&table);
     return ok;
 }
