@@ -111,7 +111,7 @@ struct renderer_desc desc_of(const struct stage *stage, const char *technique, c
         .height = height,
         .scene = &stage->scene,
         .geometry = &stage->geometry,
-        .light = stage->emitters.items[0],
+        .emitters = stage->emitters,
         .camera = stage->camera,
         .software = true,
     };

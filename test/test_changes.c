@@ -7,6 +7,7 @@
 #include "gl/glsl.h"
 #include "gl/memory.h"
 #include "renderer/renderer.h"
+#include "scene/placing.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -44,7 +45,7 @@ static int set_up_scene(void **state, const char *path) {
     renderer_settings_init(&desc->settings);
     set(&desc->settings, "vpls=128 vals=8 map-size=32 rsm-size=64 shadow-size=128");
     camera_place(&desc->camera, &fixture->scene, 0, 0);
-    emitter_place(&desc->light, &fixture->scene, 0, 0);
+    check_ok("lights", emitters_from_text(&desc->emitters, &fixture->scene, NULL, 0));
     return 0;
 }
 
@@ -59,6 +60,7 @@ static int set_up_moving(void **state) {
 static int tear_down(void **state) {
     struct fixture *fixture = *state;
     if (fixture->context) {
+        emitters_free(&fixture->desc.emitters);
         geometry_free(&fixture->geometry);
         scene_free(&fixture->scene);
         context_free(fixture->context);
@@ -118,11 +120,16 @@ static void test_as_new(void **state) {
     check_ok("size", renderer_resize(&renderer, 33, 21));
     check_as_new("size", &renderer);
 
-    struct emitter light = renderer.desc.light;
-    light.type = EMITTER_POINT;
-    light.position[1] -= .1F;
-    check_ok("a light of six views", renderer_set_light(&renderer, &light));
+    struct emitter light[2] = {renderer.desc.emitters.items[0], renderer.desc.emitters.items[0]};
+    light[0].type = EMITTER_POINT;
+    light[0].position[1] -= .1F;
+    check_ok("a light of six views", renderer_set_lights(&renderer, &(struct emitters){light, 1}));
     check_as_new("light", &renderer);
+    check_ok("a second light", renderer_set_lights(&renderer, &(struct emitters){light, 2}));
+    check_as_new("two lights", &renderer);
+    light[1].intensity[0] /= 8;
+    check_ok("a dimmer one", renderer_set_lights(&renderer, &(struct emitters){light, 2}));
+    check_as_new("other shares of VPLs", &renderer);
     struct camera camera = renderer.desc.camera;
     camera.eye[0] += .2F;
     renderer_set_camera(&renderer, &camera);
@@ -133,7 +140,7 @@ static void test_as_new(void **state) {
     /* And all the way back. */
     check_ok("settings",
              renderer_configure(&renderer, fixture->desc.technique, &fixture->desc.settings));
-    check_ok("light", renderer_set_light(&renderer, &fixture->desc.light));
+    check_ok("light", renderer_set_lights(&renderer, &fixture->desc.emitters));
     renderer_set_camera(&renderer, &fixture->desc.camera);
     check_ok("size", renderer_resize(&renderer, WIDTH, HEIGHT));
     struct bitmap after = picture_of(&renderer);
@@ -249,10 +256,11 @@ static void test_lights_are_kept(void **state) {
     check_frame("first", &renderer, true);
 
     struct camera camera = desc.camera;
-    struct emitter light = desc.light;
+    struct emitter light = desc.emitters.items[0];
+    const struct emitters lights = {&light, 1};
     struct settings settings = desc.settings;
     camera.eye[0] += .1F;
-    check_ok("camera", renderer_update(&renderer, &light, &camera));
+    check_ok("camera", renderer_update(&renderer, &lights, &camera));
     check_frame("camera", &renderer, false);
     set(&settings, "exposure=1");
     check_ok("exposure", renderer_configure(&renderer, technique_default, &settings));
@@ -260,15 +268,15 @@ static void test_lights_are_kept(void **state) {
     check_ok("size", renderer_resize(&renderer, 57, 31));
     check_frame("size", &renderer, false);
     light.position[1] -= .1F;
-    check_ok("light", renderer_update(&renderer, &light, &camera));
+    check_ok("light", renderer_update(&renderer, &lights, &camera));
     check_frame("light", &renderer, true);
     set(&settings, "vals=4");
     check_ok("settings", renderer_configure(&renderer, technique_default, &settings));
     check_frame("settings", &renderer, true);
     check_ok("pose", geometry_pose(&fixture->geometry, &fixture->scene, 1));
-    check_ok("pose", renderer_update(&renderer, &light, &camera));
+    check_ok("pose", renderer_update(&renderer, &lights, &camera));
     check_frame("geometry", &renderer, true);
-    check_ok("nothing", renderer_update(&renderer, &light, &camera));
+    check_ok("nothing", renderer_update(&renderer, &lights, &camera));
     check_frame("nothing", &renderer, false);
     renderer_free(&renderer);
 

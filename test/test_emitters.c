@@ -75,11 +75,11 @@ static void test_texts(void **state) {
     (void)state;
     struct scene scene;
     check_ok("scene", scene_load(&scene, "scenes/three-lights.glb"));
-    check_picked(&scene, NULL, "0; 1; 2");
-    check_picked(&scene, "", "0; 1; 2");
+    check_picked(&scene, NULL, "0,1,2");
+    check_picked(&scene, "", "0,1,2");
     check_picked(&scene, "blue", "1");
-    check_picked(&scene, "lamp,0", "0; 2");
-    check_picked(&scene, "2, red, 2", "0; 2");
+    check_picked(&scene, "lamp,0", "0,2");
+    check_picked(&scene, "2, red, 2", "0,2");
     check_picked(&scene, "lamp position=0,2,0 intensity=5,5,5; 1",
                  "1; 2 position=0,2,0 intensity=5,5,5");
     check_picked(&scene, "red,blue intensity=1,2,3", "0 intensity=1,2,3; 1 intensity=1,2,3");

@@ -179,7 +179,7 @@ static bool is_true_vpl(const struct bench *bench, const struct vpl *vpl) {
     struct hit hit;
     if (!ray_scene_hit(&bench->rays.scene, origin, direction, &hit))
         return false;
-    float share = bench->renderer.light_block.measure /
+    float share = bench->renderer.light_block->sources[0].measure /
                   (float)settings_number(&bench->renderer.desc.settings, "vpls");
     float cone = emitter_cone(light, glms_vec3_dot(direction, to_vec3s(light->direction)));
     vec3s flux =
@@ -199,8 +199,8 @@ static void test_vpls(void **state) {
         struct vpl *vpls = read_vpls(&bench.renderer);
         int emitting = 0, wrong = 0;
         for (int k = 0; k < 1024; k++) {
-            emitting += vpls[k].emits > 0;
-            wrong += vpls[k].emits > 0 && !is_true_vpl(&bench, &vpls[k]);
+            emitting += vpls[k].reach > 0;
+            wrong += vpls[k].reach > 0 && !is_true_vpl(&bench, &vpls[k]);
         }
         printf("  %s: %d of 1024 emit\n", light_cases[i].name, emitting);
         assert_true(emitting > 300);
@@ -351,7 +351,7 @@ static void check_map_of_vpl(const char *scene, int seed) {
             wrong += (value > expected / 2) != visible;
         }
     printf("  %s seed %d: %d pixels, %d blocked\n", scene, seed, count, blocked);
-    if (vpl->emits > 0)
+    if (vpl->reach > 0)
         assert_true(count > SIZE * SIZE / 10);
     check_at_most("pixels whose visibility a ray denies", wrong / fmax(count, 1), .02);
     free(vpl);

@@ -2,6 +2,7 @@
  * what the VPLs reflect is what meets the surfaces, times albedo. */
 #include "render_support.h"
 
+#include "base/deal.h"
 #include "base/memory.h"
 #include "shared/vpl.h"
 
@@ -156,37 +157,43 @@ static void test_sphere_clamps(void **state) {
 
 /* --- energy ----------------------------------------------------------------------------------- */
 
-/* Sum of the VPLs' flux, the mean of RGB, W. */
-static double vpl_flux(const struct stage *stage, const char *settings) {
+enum { ENERGY_VPLS = 4096, LIGHTS = 3 };
+
+/* Sums of the fluxes of each light's VPLs, the mean of RGB, W. */
+static void vpl_fluxes(const struct stage *stage, double sums[LIGHTS]) {
     struct renderer renderer;
-    struct renderer_desc desc = desc_of(stage, "unshadowed", settings, 8, 8);
+    struct renderer_desc desc =
+        desc_of(stage, "unshadowed", "vpls=4096 interleave=1 rsm-size=1024", 8, 8);
+    struct dealt dealt[ENERGY_VPLS];
+    double weights[LIGHTS] = {0};
+    for (int i = 0; i < stage->emitters.count; i++)
+        weights[i] = emitter_flux(&stage->emitters.items[i], stage->geometry.radius);
+    deal(weights, stage->emitters.count, dealt, ENERGY_VPLS, NULL);
     open_renderer(&renderer, &desc);
     struct vpl *vpls = read_vpls(&renderer);
-    double sum = 0;
-    for (int i = 0; i < (int)settings_number(&desc.settings, "vpls"); i++)
+    memset(sums, 0, LIGHTS * sizeof *sums);
+    for (int i = 0; i < ENERGY_VPLS; i++)
         for (int c = 0; c < 3; c++)
-            sum += (double)vpls[i].flux[c] / 3;
+            sums[dealt[i].taker] += (double)vpls[i].flux[c] / 3;
     free(vpls);
     renderer_free(&renderer);
-    return sum;
 }
 
 /* What a ray of the light's colour reflects where it lands, the mean of RGB. */
-static double reflected(const struct stage *stage, const struct rays *rays, vec3s origin,
+static double reflected(const struct emitter *light, const struct rays *rays, vec3s origin,
                         vec3s direction) {
     struct hit hit;
     if (!ray_scene_hit(&rays->scene, origin, direction, &hit))
         return 0;
     double sum = 0;
     for (int c = 0; c < 3; c++)
-        sum += (double)(hit.albedo.raw[c] * stage->emitters.items[0].intensity[c]) / 3;
+        sum += (double)(hit.albedo.raw[c] * light->intensity[c]) / 3;
     return sum;
 }
 
 /* The same flux by rays in evenly spread directions of the whole sphere (Fibonacci's spiral). */
-static double reflected_by_rays(const struct stage *stage, const struct rays *rays) {
+static double reflected_by_rays(const struct emitter *light, const struct rays *rays) {
     enum { DIRECTIONS = 200000 };
-    const struct emitter *light = stage->emitters.items;
     vec3s origin = to_vec3s(light->position);
     double sum = 0;
     for (int i = 0; i < DIRECTIONS; i++) {
@@ -196,17 +203,18 @@ static double reflected_by_rays(const struct stage *stage, const struct rays *ra
         double cone =
             (double)emitter_cone(light, glms_vec3_dot(direction, to_vec3s(light->direction)));
         if (cone > 0)
-            sum += cone * reflected(stage, rays, origin, direction);
+            sum += cone * reflected(light, rays, origin, direction);
     }
     return sum * 4 * GLM_PI / DIRECTIONS;
 }
 
 /* The same by parallel rays from a square that covers the scene's bounding sphere. */
-static double reflected_by_parallel_rays(const struct stage *stage, const struct rays *rays) {
+static double reflected_by_parallel_rays(const struct stage *stage, const struct emitter *light,
+                                         const struct rays *rays) {
     enum { SIDE = 400 };
-    vec3s direction = to_vec3s(stage->emitters.items[0].direction);
-    vec3s right = to_vec3s(stage->emitters.items[0].right);
-    vec3s up = to_vec3s(stage->emitters.items[0].up);
+    vec3s direction = to_vec3s(light->direction);
+    vec3s right = to_vec3s(light->right);
+    vec3s up = to_vec3s(light->up);
     float radius = stage->geometry.radius, cell = 2 * radius / SIDE;
     vec3s middle = glms_vec3_muladds(direction, -2 * radius, to_vec3s(stage->geometry.center));
     double sum = 0;
@@ -214,19 +222,31 @@ static double reflected_by_parallel_rays(const struct stage *stage, const struct
         float s = ((float)(i % SIDE) + .5f) * cell - radius;
         float t = ((float)(i / SIDE) + .5f) * cell - radius;
         vec3s origin = glms_vec3_muladds(right, s, glms_vec3_muladds(up, t, middle));
-        sum += reflected(stage, rays, origin, direction);
+        sum += reflected(light, rays, origin, direction);
     }
     return sum * (double)(cell * cell);
 }
 
+/* Of each light by itself. */
 static void check_energy(const char *what, const struct stage *stage) {
     struct rays rays;
+    double sums[LIGHTS];
     open_rays(&rays, stage);
-    double expected = stage->emitters.items[0].type == EMITTER_DIRECTIONAL
-                          ? reflected_by_parallel_rays(stage, &rays)
-                          : reflected_by_rays(stage, &rays);
+    vpl_fluxes(stage, sums);
+    for (int i = 0; i < stage->emitters.count; i++) {
+        const struct emitter *light = &stage->emitters.items[i];
+        double expected = light->type == EMITTER_DIRECTIONAL
+                              ? reflected_by_parallel_rays(stage, light, &rays)
+                              : reflected_by_rays(light, &rays);
+        check_near(what, sums[i] / expected, 1, .01);
+    }
     close_rays(&rays);
-    check_near(what, vpl_flux(stage, "vpls=4096 interleave=1 rsm-size=1024") / expected, 1, .01);
+}
+
+/* In through the open front, slanting. */
+static void make_sun(struct emitter *light) {
+    light->type = EMITTER_DIRECTIONAL;
+    emitter_aim(light, (const float[]){.3f, -.4f, -1});
 }
 
 static void test_energy(void **state) {
@@ -244,14 +264,21 @@ static void test_energy(void **state) {
     check_energy("of a spot wider than one map", &stage);
     light->type = EMITTER_POINT;
     check_energy("of a point light", &stage);
-    /* In through the open front, slanting. */
-    light->type = EMITTER_DIRECTIONAL;
-    vec3 direction = {.3f, -.4f, -1}, up = {0, 1, 0}, back;
-    glm_vec3_normalize_to(direction, light->direction);
-    glm_vec3_negate_to(light->direction, back);
-    glm_vec3_crossn(up, back, light->right);
-    glm_vec3_cross(back, light->right, light->up);
+    make_sun(light);
     check_energy("of a directional light", &stage);
+    stage_free(&stage);
+}
+
+/* Of three lights of all types: each VPL stands for more where there are fewer. */
+static void test_energy_of_several(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/three-lights.glb");
+    check_energy("reflected flux of two spots and a point", &stage);
+    make_sun(&stage.emitters.items[1]);
+    for (int c = 0; c < 3; c++)
+        stage.emitters.items[1].intensity[c] /= 100;
+    check_energy("of a spot, a sun and a point", &stage);
     stage_free(&stage);
 }
 
@@ -260,6 +287,7 @@ int main(void) {
         cmocka_unit_test(test_sphere_unshadowed), cmocka_unit_test(test_sphere_instant_radiosity),
         cmocka_unit_test(test_sphere_clustered),  cmocka_unit_test(test_sphere_pcss),
         cmocka_unit_test(test_sphere_clamps),     cmocka_unit_test(test_energy),
+        cmocka_unit_test(test_energy_of_several),
     };
     return cmocka_run_group_tests_name("light", tests, open_group_context, close_group_context);
 }

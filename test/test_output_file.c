@@ -199,7 +199,7 @@ static void test_session(void **state) {
     struct session session = {.scene = "scenes/cornell-box.glb",
                               .technique = technique_default,
                               .camera = "0",
-                              .light = "0"};
+                              .lights = mem_strdup("0")};
     renderer_settings_init(&session.settings);
     snprintf(path, sizeof path, "%s/view.txt", folder);
     check_ok("save", session_save(&session, path));
@@ -210,6 +210,7 @@ static void test_session(void **state) {
     check_ok("load", session_load(&session, path));
     session.scene = path;
     expect_refused(session_save(&session, path), path, "it is the input");
+    session_free(&session);
     assert_int_equal(count_files(folder), 1);
 }
 

@@ -65,7 +65,7 @@ static void close_vals(struct frame_of_vals *frame) {
 }
 
 static bool emits(const struct vpl *vpl) {
-    return vpl->emits > 0;
+    return vpl->reach > 0;
 }
 
 /* --- k-means ---------------------------------------------------------------------------------- */

@@ -163,7 +163,7 @@ static void test_misuse(void **state) {
 
 static void pose(struct stage *stage, struct renderer *renderer, double time) {
     check_ok("pose", stage_pose(stage, time));
-    check_ok("update", renderer_update(renderer, stage->emitters.items, &stage->camera));
+    check_ok("update", renderer_update(renderer, &stage->emitters, &stage->camera));
     renderer_render(renderer);
 }
 
@@ -239,8 +239,8 @@ static int least_vals(const char *start) {
         int count = 0;
         for (int i = 0; i < 256; i++) {
             bool *val = &used[(int)vpls[i].val];
-            count += vpls[i].emits > 0 && !*val;
-            *val |= vpls[i].emits > 0;
+            count += vpls[i].reach > 0 && !*val;
+            *val |= vpls[i].reach > 0;
         }
         least = count < least ? count : least;
         free(vpls);

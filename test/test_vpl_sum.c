@@ -37,7 +37,7 @@ static struct vpl trace_vpl(const struct world *world, const struct emission *em
     return (struct vpl){.position = {p[0], p[1], p[2]},
                         .normal = {n[0], n[1], n[2]},
                         .flux = {flux, flux, flux},
-                        .emits = 1};
+                        .reach = 1};
 }
 
 static struct vpl *trace_vpls(struct world *world, int count) {
@@ -91,7 +91,7 @@ static void test_one_vpl(void **state) {
                       .normal = {0, -1, 0},
                       .area = 0.3f,
                       .flux = {2, 1, 0},
-                      .emits = 1};
+                      .reach = 1};
     struct vpl_sum_desc desc = sum_desc(&world, &vpl, 1, 4);
     desc.emitters.count = 0;
     /* At the pixel whose centre is (5/8, 5/8); cos = height / d at both ends. */
@@ -118,7 +118,7 @@ static void test_one_vpl(void **state) {
                    1e-5);
         image_free(&image);
     }
-    vpl.emits = 0;
+    vpl.reach = 0;
     struct image image;
     check_ok("sum", vpl_sum_render(&desc, &image));
     check_near("a sample that met nothing", mean_of(&image, CHANNEL_INDIRECT), 0, 0);

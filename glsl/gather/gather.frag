@@ -43,7 +43,7 @@ float geometry_term(vec3 to_vpl, vec3 normal, vpl light) {
     return cosines / (distance2 * (distance2 + light.area * INVERSE_PI));
 #else
     // The near field comes from the reflective shadow map.
-    float far = 1.0 - near_share(distance2, light.area, params.reach);
+    float far = 1.0 - near_share(distance2, light.area, light.reach);
     return cosines * far / (distance2 * distance2);
 #endif
 }

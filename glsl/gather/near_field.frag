@@ -1,20 +1,21 @@
 // The near field of the lit surfaces: what VPLs, a spacing apart, cannot resolve. Each pixel gathers from
-// the reflective shadow map around its own place in the light's view [Dachsbacher and Stamminger 2005],
+// the reflective shadow map around its own place in each light's view [Dachsbacher and Stamminger 2005],
 // log-polar, so that a corner is resolved at every distance. Unoccluded.
 //     E = 1/n sum_j  rho I / pi  cos cos / d^2  near(d)  dw_j
 // A draw fills one tile, whose pixels share their samples, as in the gather.
 #include "lib/gbuffer.glsl"
 #include "lib/interleaving.glsl"
-#include "lib/light.glsl"
 #include "gather/near_field.glsl"
 #include "gather/near_light.glsl"
+#include "lib/light.glsl"
+#include "lib/vpl_shares.glsl"
 #include "shared/near_field.h"
 #include "shared/vpl.h"
 
 layout(std140, binding = BLOCK_NEAR_SAMPLES) uniform sample_uniforms {
     near_sample samples[NEAR_SAMPLES_MAX];
 };
-layout(binding = UNIT_NEAR_LIGHT) uniform usampler2DArray near_lights;
+layout(binding = UNIT_NEAR_LIGHT) uniform usampler2DArray near_lights[LIGHT_MAP_KINDS];
 
 layout(location = LOCATION_SLOT) uniform ivec4 slot; // first sample, count, the tile's place in the pattern
 
@@ -22,49 +23,83 @@ layout(location = TARGET_RESULT) out vec4 irradiance;
 
 const float PI = 3.14159265358979;
 
-// The view that sees a direction: where there is but one it is known beforehand, and need not be looked
-// up pixel by pixel.
-int seen_by(vec3 direction) {
-#if LIGHT_VIEWS == 1
-    return 0;
-#else
-    return light_view_index(direction);
-#endif
+// Of maps of the kind, texels a side.
+int near_size(int kind) {
+    return kind == LIGHT_MAP_FACE ? textureSize(near_lights[LIGHT_MAP_FACE], 0).x
+                                  : textureSize(near_lights[LIGHT_MAP_SINGLE], 0).x;
 }
 
-// What reaches the receiver from where the light's view has the point `ndc`, per unit of ndc area and
-// spread of the view.
-vec3 sample_light(surface receiver, view v, int layer, vec2 ndc) {
+near_light near_fetch(light_view v, ivec2 texel) {
+    ivec3 place = ivec3(texel, v.layer);
+    return near_light_unpack(v.kind == LIGHT_MAP_FACE
+                                 ? texelFetch(near_lights[LIGHT_MAP_FACE], place, 0)
+                                 : texelFetch(near_lights[LIGHT_MAP_SINGLE], place, 0));
+}
+
+// What reaches the receiver from where the light's view of that number has the point `ndc`, per unit of
+// ndc area and spread of the view.
+vec3 sample_light(surface receiver, light l, int index, vec2 ndc, float reach) {
+    light_view seen = lights.views[index];
+    view v = seen.view;
     vec3 ray = v.forward + ndc.x * v.right + ndc.y * v.up;
     // Solid angle per unit of ndc area, but for the view's own spread; an area does not depend on the ray.
     float stretch = inversesqrt(dot(ray, ray));
     float measure = v.orthographic ? 1.0 : stretch * stretch * stretch;
-#if LIGHT_VIEWS > 1
+#if CUBES
     // The point may lie beyond the edge of a cube's face: another face has it.
-    int own = layer;
-    layer = seen_by(ray);
-    v = light.views[layer];
-    if (layer != own) {
-        vec4 clip = v.world_to_clip * vec4(light.position + ray, 1.0);
+    int other = light_view_index(l, ray);
+    seen = lights.views[other];
+    v = seen.view;
+    if (other != index) {
+        vec4 clip = v.world_to_clip * vec4(l.position + ray, 1.0);
         ndc = clip.xy / clip.w;
     }
 #endif
     if (any(greaterThanEqual(abs(ndc), vec2(1.0))))
         return vec3(0.0);
-    vec2 size = vec2(textureSize(near_lights, 0).xy);
+    vec2 size = vec2(near_size(seen.kind));
     ivec2 texel = ivec2((ndc * 0.5 + 0.5) * size);
-    near_light l = near_light_unpack(texelFetch(near_lights, ivec3(texel, layer), 0));
-    if (l.depth <= 0.0)
+    near_light near = near_fetch(seen, texel);
+    if (near.depth <= 0.0)
         return vec3(0.0);
-    vec3 position = view_position(v, (vec2(texel) + 0.5) / size * 2.0 - 1.0, l.depth);
+    vec3 position = view_position(v, (vec2(texel) + 0.5) / size * 2.0 - 1.0, near.depth);
     vec3 to_sample = (position - receiver.position) * params.inverse_radius;
     float distance2 = dot(to_sample, to_sample);
     float cosines = max(dot(receiver.normal, to_sample), 0.0) *
-                    max(-dot(octahedral_decode(l.normal_code), to_sample), 0.0);
+                    max(-dot(octahedral_decode(near.normal_code), to_sample), 0.0);
     if (cosines <= 0.0)
         return vec3(0.0);
-    float near = near_share(distance2, l.spacing * l.spacing, params.reach);
-    return l.power * (cosines / (distance2 * distance2) * near * measure);
+    float share = near_share(distance2, near.spacing * near.spacing, reach);
+    return near.power * (cosines / (distance2 * distance2) * share * measure);
+}
+
+// Of one light.
+vec3 near_field(surface s, light l, vpl_share share) {
+    int index = light_view_index(l, s.position - l.position);
+    light_view seen = lights.views[index];
+    view v = seen.view;
+    vec4 clip = v.world_to_clip * vec4(s.position, 1.0);
+    if (clip.w <= 0.0)
+        return vec3(0.0);
+    vec2 center = clip.xy / clip.w;
+    // The reach of the widest VPL, in ndc.
+    float radius = share.reach * sqrt(share.measure / VPL_COSINE_MIN) / length(v.right);
+    if (any(greaterThan(abs(center), vec2(1.0 + radius))))
+        return vec3(0.0);
+    vec2 aspect = vec2(1.0, length(v.right) / length(v.up));
+    float least = 1.0 / float(near_size(seen.kind)), span = log(radius / least);
+    if (span <= 0.0)
+        return vec3(0.0);
+    vec3 sum = vec3(0.0);
+    for (int i = slot.x; i < slot.x + slot.y; i++) {
+        float r = least * exp(span * samples[i].log_radius);
+        // Log-polar density: 1 / (2 pi r^2 span) per ndc area.
+        vec2 ndc = center + r * samples[i].direction * aspect;
+        sum += sample_light(s, l, index, ndc, share.reach) * (r * r);
+    }
+    float spread = length(v.right) * length(v.up);
+    float weight = 2.0 * PI * span * aspect.y * spread / float(slot.y);
+    return sum * (weight / PI);
 }
 
 void main() {
@@ -73,27 +108,6 @@ void main() {
     surface s = gbuffer_surface(pixel);
     if (!s.present)
         return;
-    int layer = seen_by(s.position - light.position);
-    view v = light.views[layer];
-    vec4 clip = v.world_to_clip * vec4(s.position, 1.0);
-    if (clip.w <= 0.0)
-        return;
-    vec2 center = clip.xy / clip.w;
-    // The reach of the widest VPL, in ndc.
-    float radius = params.reach * sqrt(params.vpl_share / VPL_COSINE_MIN) / length(v.right);
-    if (any(greaterThan(abs(center), vec2(1.0 + radius))))
-        return;
-    vec2 aspect = vec2(1.0, length(v.right) / length(v.up));
-    float least = 1.0 / float(textureSize(near_lights, 0).x), span = log(radius / least);
-    if (span <= 0.0)
-        return;
-    vec3 sum = vec3(0.0);
-    for (int i = slot.x; i < slot.x + slot.y; i++) {
-        float r = least * exp(span * samples[i].log_radius);
-        // Log-polar density: 1 / (2 pi r^2 span) per ndc area.
-        sum += sample_light(s, v, layer, center + r * samples[i].direction * aspect) * (r * r);
-    }
-    float spread = length(v.right) * length(v.up);
-    float weight = 2.0 * PI * span * aspect.y * spread / float(slot.y);
-    irradiance = vec4(sum * (weight / PI), 1.0);
+    for (int i = 0; i < LIGHTS; i++)
+        irradiance.rgb += near_field(s, lights.sources[i], vpl_shares.of[i]);
 }

@@ -14,6 +14,6 @@ void main() {
     mark_color = params.by_cluster ? cluster_color(int(v.val)) : pow(glow / (1.0 + glow), vec3(0.4545));
     strength = params.by_cluster ? cluster_strength(int(v.val)) : 1.0;
     middle = (gl_Position.xy / gl_Position.w * 0.5 + 0.5) * params.picture;
-    if (v.emits <= 0.0)
+    if (v.reach <= 0.0)
         gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
 }

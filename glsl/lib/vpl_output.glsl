@@ -4,10 +4,10 @@
 layout(xfb_buffer = 0, xfb_stride = 48) out;
 layout(xfb_offset = 0) out vec4 captured_position_and_val;
 layout(xfb_offset = 16) out vec4 captured_normal_and_area;
-layout(xfb_offset = 32) out vec4 captured_flux_and_emits;
+layout(xfb_offset = 32) out vec4 captured_flux_and_reach;
 
 void vpl_output(vpl v) {
     captured_position_and_val = vec4(v.position, v.val);
     captured_normal_and_area = vec4(v.normal, v.area);
-    captured_flux_and_emits = vec4(v.flux, v.emits);
+    captured_flux_and_reach = vec4(v.flux, v.reach);
 }

@@ -14,5 +14,5 @@ void main() {
     vec3 from_center = v.position - texelFetch(val_positions, ivec2(k, 0), 0).xyz;
     vec2 st = vec2(dot(from_center, tangent), dot(from_center, bitangent));
     place = vec4(st, -st);
-    gl_Position = v.emits > 0.0 ? val_pixel(k) : vec4(0.0, 0.0, 2.0, 1.0);
+    gl_Position = v.reach > 0.0 ? val_pixel(k) : vec4(0.0, 0.0, 2.0, 1.0);
 }

@@ -18,7 +18,7 @@ vec3 on_surface(int k, vec3 center, vec3 mean, out float spacing) {
     spacing = 0.0;
     for (int i = 0; i < params.vpl_count; i++) {
         vpl v = vpl_at(i);
-        bool lights = int(v.val) == k && v.emits > 0.0;
+        bool lights = int(v.val) == k && v.reach > 0.0;
         float d = val_distance(v.position, v.normal, center, mean);
         if (lights && d < least) {
             least = d;

@@ -5,7 +5,7 @@
 
 vpl seed_vpl(int k) {
     int i = k * params.vpl_count / params.val_count;
-    for (int step = 0; step < params.vpl_count && vpl_at(i).emits == 0.0; step++)
+    for (int step = 0; step < params.vpl_count && vpl_at(i).reach == 0.0; step++)
         i = (i + 1) % params.vpl_count;
     return vpl_at(i);
 }

@@ -1,13 +1,10 @@
-// Draws the scene into a G-buffer: the camera's, or the light's (the reflective shadow map), of which
-// instance i is the i-th view. Or the camera's depth alone, for antialiasing, instance i shifted by the
-// i-th part of a pixel.
-#extension GL_ARB_shader_viewport_layer_array : require
+// Draws the scene into a G-buffer: the camera's, or the lights' (the reflective shadow map). Or the
+// camera's depth alone, for antialiasing, instance i shifted by the i-th part of a pixel.
 #ifdef LIGHT_VIEW
-#include "lib/light.glsl"
-#define VIEW light.views[gl_InstanceID]
+#include "lib/light_target.glsl"
 #else
+#extension GL_ARB_shader_viewport_layer_array : require
 #include "lib/camera.glsl"
-#define VIEW camera
 #endif
 #ifdef SAMPLE_LAYERS
 #include "shared/antialias.h"
@@ -23,11 +20,15 @@ out vec2 surface_uv;
 out vec4 surface_color;
 
 void main() {
-    gl_Position = VIEW.world_to_clip * vec4(position, 1.0);
+#ifdef LIGHT_VIEW
+    gl_Position = lights.views[target_view()].view.world_to_clip * vec4(position, 1.0);
+#else
+    gl_Position = camera.world_to_clip * vec4(position, 1.0);
+    gl_Layer = gl_InstanceID;
+#endif
 #ifdef SAMPLE_LAYERS
     gl_Position.xy += params.shifts[gl_InstanceID].xy * gl_Position.w;
 #endif
-    gl_Layer = gl_InstanceID;
     surface_normal = normal;
     surface_uv = uv;
     surface_color = color;

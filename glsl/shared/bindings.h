@@ -5,50 +5,52 @@
 
 /* Uniform blocks. GL promises 84. */
 #define BLOCK_VIEW 0
-#define BLOCK_LIGHT 1
+#define BLOCK_LIGHTS 1
 #define BLOCK_PASS 2 /* the parameters of the pass */
 #define BLOCK_MATERIAL 3
 #define BLOCK_MAPS 4
 #define BLOCK_VPLS 5
 #define BLOCK_LOOKUP 6
 #define BLOCK_NEAR_SAMPLES 7
+#define BLOCK_VPL_SHARES 8
 
-/* Texture units. GL promises 96, and 16 to a stage. */
+/* Texture units. GL promises 96, and 16 to a stage. Maps of lights' views have LIGHT_MAP_KINDS each
+ * (shared/light.h). */
 #define UNIT_BASE_COLOR 0
 #define UNIT_GBUFFER_DEPTH 1
 #define UNIT_GBUFFER_NORMAL 2
 #define UNIT_GBUFFER_ALBEDO 3
 #define UNIT_RSM_DEPTH 4
-#define UNIT_RSM_NORMAL 5
-#define UNIT_RSM_ALBEDO 6
-#define UNIT_VPLS 8
-#define UNIT_VAL_POSITION 9
-#define UNIT_VAL_NORMAL 10
-#define UNIT_VAL_FLUX 11
-#define UNIT_VAL_EXTREMES 12
-#define UNIT_SUM_POSITION 13
-#define UNIT_SUM_NORMAL 14
-#define UNIT_SUM_FLUX 15
-#define UNIT_MAP_DEPTH 16
-#define UNIT_BASIS_COS 17
-#define UNIT_BASIS_SIN 18
-#define UNIT_BASIS_Z_COS 19
-#define UNIT_BASIS_Z_SIN 20
-#define UNIT_BASIS_Z 21
-#define UNIT_BLOCK_VISIBILITY 22
-#define UNIT_NEAR_LIGHT 23
-#define UNIT_DIRECT 24
-#define UNIT_IRRADIANCE 25
-#define UNIT_BLUR_TAPS 26
-#define UNIT_SAMPLE_DEPTH 27
-#define UNIT_SAMPLE_PICKS 28
-#define UNIT_INSPECTED_LAYERS 29
-#define UNIT_INSPECTED_PLANE 30
-#define UNIT_LEFT_PICTURE 31
-#define UNIT_RIGHT_PICTURE 32
-#define UNIT_RADIANCE 33
-#define UNIT_IN_SCATTER 34
-#define UNIT_TRANSMITTANCE 35
+#define UNIT_RSM_NORMAL 6
+#define UNIT_RSM_ALBEDO 8
+#define UNIT_VPLS 10
+#define UNIT_VAL_POSITION 11
+#define UNIT_VAL_NORMAL 12
+#define UNIT_VAL_FLUX 13
+#define UNIT_VAL_EXTREMES 14
+#define UNIT_SUM_POSITION 15
+#define UNIT_SUM_NORMAL 16
+#define UNIT_SUM_FLUX 17
+#define UNIT_MAP_DEPTH 18
+#define UNIT_BASIS_COS 19
+#define UNIT_BASIS_SIN 20
+#define UNIT_BASIS_Z_COS 21
+#define UNIT_BASIS_Z_SIN 22
+#define UNIT_BASIS_Z 23
+#define UNIT_BLOCK_VISIBILITY 24
+#define UNIT_NEAR_LIGHT 25
+#define UNIT_DIRECT 27
+#define UNIT_IRRADIANCE 28
+#define UNIT_BLUR_TAPS 29
+#define UNIT_SAMPLE_DEPTH 30
+#define UNIT_SAMPLE_PICKS 31
+#define UNIT_INSPECTED_LAYERS 32
+#define UNIT_INSPECTED_PLANE 33
+#define UNIT_LEFT_PICTURE 34
+#define UNIT_RIGHT_PICTURE 35
+#define UNIT_RADIANCE 36
+#define UNIT_IN_SCATTER 37
+#define UNIT_TRANSMITTANCE 38
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0
@@ -60,7 +62,7 @@
 #define ATTRIBUTE_VPL_POSITION 0
 #define ATTRIBUTE_VPL_NORMAL 1
 #define ATTRIBUTE_VPL_FLUX 2
-#define ATTRIBUTE_HALTON 0
+#define ATTRIBUTE_VPL_POINT 0
 
 /* Targets: the one of most shaders, and those of shaders that write several. */
 #define TARGET_RESULT 0
@@ -80,5 +82,7 @@
 #define LOCATION_SLOT_WEIGHT 1
 #define LOCATION_FIRST_MAP 2
 #define LOCATION_FIRST_LAYER 3
+#define LOCATION_FIRST_VIEW 4
+#define LOCATION_LIGHT 5
 
 #endif

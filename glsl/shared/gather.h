@@ -8,11 +8,9 @@ struct gather_params {
     STRUCT(interleaving) pattern;
     float scale;       /* of the stored irradiance */
     float clamp_at;    /* 1/m2 */
-    float reach;       /* of the near field, in spacings of VPLs */
     float block_apart; /* metres: farther from a block's plane, a pixel looks itself up */
     int block;         /* pixels a side of a block that shares its visibility */
-    int unused0, unused1, unused2;
 };
-PASS_BLOCK(gather_params, 48)
+PASS_BLOCK(gather_params, 32)
 
 #endif

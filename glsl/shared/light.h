@@ -1,30 +1,56 @@
-/* The light and the views from it: one of a spot or a directional light, six of a point light. */
+/* The scene's lights, and the views from them: one of a spot or a directional light, six of a point
+ * light. What the views see lies in arrays of maps, a layer each: one array of single views and one
+ * of faces, which are half as large. */
 #ifndef SHARED_LIGHT_H
 #define SHARED_LIGHT_H
 
 #include "shared/view.h"
 
-#define LIGHT_VIEWS_MAX 6
+#define LIGHTS_MAX 64
+#define LIGHT_VIEWS_MAX 256
+
+/* Kinds of views, and of arrays of maps. The single views come first. */
+#define LIGHT_MAP_SINGLE 0
+#define LIGHT_MAP_FACE 1
+#define LIGHT_MAP_KINDS 2
 
 #define LIGHT_TYPE_SPOT 0
 #define LIGHT_TYPE_POINT 1
 #define LIGHT_TYPE_DIRECTIONAL 2
 
-struct light_block {
-    STRUCT(view) views[LIGHT_VIEWS_MAX];
+struct light {
     vec3 intensity; /* W/sr, of a directional light W/m2 */
     float measure;  /* what it shines into: solid angle, sr; of a directional light area, m2 */
     vec3 position;
     int type;       /* LIGHT_TYPE_... */
     vec3 direction; /* with right and up orthonormal */
-    int view_count;
+    int first_view;
     vec3 right;
     float cos_inner;
     vec3 up;
     float cos_outer;
-    float direct_scale; /* of the stored direct irradiance: squared scene radius, m2 */
-    float unused0, unused1, unused2;
+    vec3 radiance;      /* of a white surface, for an irradiance over intensity of 1 / direct_scale */
+    float direct_scale; /* squared scene radius, m2: keeps numbers apart from the scene's units */
+    int view_count;
+    int unused0, unused1, unused2;
 };
-STD140_SIZE(light_block, LIGHT_VIEWS_MAX * 128 + 96)
+STD140_SIZE(light, 112)
+
+struct light_view {
+    STRUCT(view) view;
+    int light;
+    int kind;  /* LIGHT_MAP_... */
+    int layer; /* of its kind's maps */
+    int unused;
+};
+STD140_SIZE(light_view, 144)
+
+struct light_block {
+    STRUCT(light) sources[LIGHTS_MAX];
+    STRUCT(light_view) views[LIGHT_VIEWS_MAX];
+    int count, single_count, face_count;
+    int unused;
+};
+STD140_SIZE(light_block, LIGHTS_MAX * 112 + LIGHT_VIEWS_MAX * 144 + 16)
 
 #endif

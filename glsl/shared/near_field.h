@@ -6,14 +6,13 @@
 
 struct near_field_params {
     STRUCT(interleaving) pattern;
-    float vpl_share;      /* solid angle of one VPL, sr; of a directional light's area, m2 */
-    float reach;          /* of the near field, in spacings of VPLs */
     float power_scale;    /* of the stored power: that of the irradiance over the squared radius */
     float inverse_radius; /* of the scene, 1/m */
+    float unused0, unused1;
 };
 PASS_BLOCK(near_field_params, 32)
 
-/* A place around the receiver's own in the light's view. */
+/* A place around the receiver's own in a light's view. */
 struct near_sample {
     vec2 direction;   /* unit */
     float log_radius; /* 0 at the least radius, 1 at the greatest */

@@ -48,8 +48,9 @@ static const struct option options[] = {
          "vpl (flux of VPLs)"},
     {"camera", 0, OPTION_TEXT, offsetof(struct values, camera), .value_name = "NAME|N",
      .help = "camera of the scene [the first], or changed: \"0 eye=0,1,3 forward=0,0,-1\""},
-    {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N",
-     .help = "light of the scene [the first], or changed: \"0 position=0,2,0 intensity=9,9,9\""},
+    {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N,...",
+     .help = "lights of the scene that shine [all], or changed: \"lamp,2\",\n"
+             "\"0 position=0,2,0 intensity=9,9,9; 1\""},
     {"clip", 0, OPTION_TEXT, offsetof(struct values, clip), .value_name = "NAME|N",
      .help = "animation of the scene [the first]"},
     {"time", 0, OPTION_FLOAT, offsetof(struct values, time), 0, 0, 1e6,
@@ -175,8 +176,7 @@ static bool outputs_are_there(const struct values *values, int frame) {
 static bool render_frame(const struct values *values, struct renderer *renderer,
                          struct stage *stage, int frame) {
     double time = (double)values->time + frame / (double)values->fps;
-    if (!stage_pose(stage, time) ||
-        !renderer_update(renderer, stage->emitters.items, &stage->camera))
+    if (!stage_pose(stage, time) || !renderer_update(renderer, &stage->emitters, &stage->camera))
         return false;
     renderer_render(renderer);
     return write_outputs(values, renderer, frame);
@@ -254,7 +254,7 @@ static bool render_scene(const struct values *values, const struct frames *frame
         return false;
     desc->scene = &stage.scene;
     desc->geometry = &stage.geometry;
-    desc->light = stage.emitters.items[0];
+    desc->emitters = stage.emitters;
     desc->camera = stage.camera;
     context = context_create(&values->context);
     desc->software = context && context_is_software(context);

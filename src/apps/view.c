@@ -24,8 +24,9 @@ static const struct option options[] = {
     TECHNIQUE_OPTIONS(struct values, technique),
     {"camera", 0, OPTION_TEXT, offsetof(struct values, camera), .value_name = "NAME|N",
      .help = "camera of the scene [the first], or changed: \"0 eye=0,1,3 forward=0,0,-1\""},
-    {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N",
-     .help = "light of the scene [the first], or changed: \"0 position=0,2,0 intensity=9,9,9\""},
+    {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N,...",
+     .help = "lights of the scene that shine [all], or changed: \"lamp,2\",\n"
+             "\"0 position=0,2,0 intensity=9,9,9; 1\""},
     {"clip", 0, OPTION_TEXT, offsetof(struct values, clip), .value_name = "NAME|N",
      .help = "animation of the scene [the first]"},
     {"time", 0, OPTION_FLOAT, offsetof(struct values, time), 0, 0, 1e6,

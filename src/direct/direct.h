@@ -5,11 +5,12 @@
 
 #include "base/settings.h"
 #include "passes/frame.h"
+#include "scene/view.h"
 
 struct direct_desc {
     const struct settings *settings;
     int width, height;
-    int light_views;
+    const struct light_layout *lights;
 };
 
 struct direct_method {

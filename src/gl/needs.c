@@ -1,6 +1,7 @@
 #include "gl/needs.h"
 
 #include "base/error.h"
+#include "shared/light.h"
 #include "shared/map_view.h"
 #include "shared/vpl.h"
 
@@ -18,6 +19,7 @@ static const struct {
 enum {
     VPL_BLOCK_BYTES = VPLS_PER_BLOCK * sizeof(struct vpl),
     VIEW_BLOCK_BYTES = MAP_VIEWS_MAX * sizeof(struct map_view),
+    LIGHT_BLOCK_BYTES = sizeof(struct light_block),
     VPL_TEXELS = VPLS_MAX * sizeof(struct vpl) / sizeof(vec4),
 };
 
@@ -28,6 +30,7 @@ static const struct {
 } limits[] = {
     {GL_MAX_UNIFORM_BLOCK_SIZE, VPL_BLOCK_BYTES, "bytes in a uniform block", "virtual lights"},
     {GL_MAX_UNIFORM_BLOCK_SIZE, VIEW_BLOCK_BYTES, "bytes in a uniform block", "shadow maps' views"},
+    {GL_MAX_UNIFORM_BLOCK_SIZE, LIGHT_BLOCK_BYTES, "bytes in a uniform block", "lights"},
     {GL_MAX_TEXTURE_BUFFER_SIZE, VPL_TEXELS, "texels in a buffer texture", "virtual lights"},
 };
 

@@ -96,7 +96,7 @@ static bool fill_flux(const struct fill *fill, const void *source) {
     for (int i = 0; i < buffer->count; i++) {
         int pixel[2];
         float depth;
-        if (vpls[i].emits <= 0 || !project(fill->renderer, vpls[i].position, pixel, &depth))
+        if (vpls[i].reach <= 0 || !project(fill->renderer, vpls[i].position, pixel, &depth))
             continue;
         float *channels = image_at(fill->image, pixel[0], pixel[1]);
         if (fabsf(depth - channels[z]) < .01f * fill->renderer->desc.geometry->radius)

@@ -147,7 +147,7 @@ static void draw_texture(const struct inspect *inspect, const struct frame *fram
         .height = inspect->canvas.desc.height,
         .textures = {{plane ? UNIT_INSPECTED_PLANE : UNIT_INSPECTED_LAYERS, source->id}},
         .blocks = {{BLOCK_VIEW, frame->view},
-                   {BLOCK_LIGHT, frame->light},
+                   {BLOCK_LIGHTS, frame->lights},
                    {BLOCK_PASS, &inspect->params}},
     });
     pass_draw_fullscreen(1);
@@ -170,11 +170,15 @@ static void draw_visibility(const struct inspect *inspect, const struct frame *f
     pass_draw_fullscreen(1);
 }
 
-/* The flux of a VPL of albedo 1/2. */
+/* The mean flux of VPLs of albedo 1/2. */
 static float usual_flux(const struct renderer *renderer, int vpl_count) {
-    const struct light_block *light = &renderer->light_block;
-    float brightest = fmaxf(light->intensity[0], fmaxf(light->intensity[1], light->intensity[2]));
-    return .5F * brightest * light->measure / (float)vpl_count;
+    float sum = 0;
+    for (int i = 0; i < renderer->light_block->count; i++) {
+        const struct light *light = &renderer->light_block->sources[i];
+        const float *rgb = light->intensity;
+        sum += .5F * fmaxf(rgb[0], fmaxf(rgb[1], rgb[2])) * light->measure;
+    }
+    return sum / (float)vpl_count;
 }
 
 static void draw_marks(const struct inspect *inspect, const struct renderer *renderer,
@@ -198,17 +202,12 @@ static void draw_marks(const struct inspect *inspect, const struct renderer *ren
 
 static int mode_of(enum output_kind kind) {
     static const int modes[] = {
-        [OUTPUT_NORMAL] = INSPECT_NORMAL,
-        [OUTPUT_ALBEDO] = INSPECT_ALBEDO,
-        [OUTPUT_DEPTH] = INSPECT_DEPTH,
-        [OUTPUT_LIGHT_DEPTH] = INSPECT_LIGHT_DEPTH,
-        [OUTPUT_IRRADIANCE] = INSPECT_IRRADIANCE,
-        [OUTPUT_VPLS] = INSPECT_DIMMED,
-        [OUTPUT_VALS] = INSPECT_DIMMED,
-        [OUTPUT_VISIBILITY] = INSPECT_VISIBILITY,
-        [OUTPUT_MAP_DEPTH] = INSPECT_MAP_DEPTH,
-        [OUTPUT_BASIS] = INSPECT_BASIS,
-        [OUTPUT_SIGNED_BASIS] = INSPECT_SIGNED_BASIS,
+        [OUTPUT_NORMAL] = INSPECT_NORMAL,         [OUTPUT_ALBEDO] = INSPECT_ALBEDO,
+        [OUTPUT_DEPTH] = INSPECT_DEPTH,           [OUTPUT_SINGLE_DEPTH] = INSPECT_SINGLE_DEPTH,
+        [OUTPUT_FACE_DEPTH] = INSPECT_FACE_DEPTH, [OUTPUT_IRRADIANCE] = INSPECT_IRRADIANCE,
+        [OUTPUT_VPLS] = INSPECT_DIMMED,           [OUTPUT_VALS] = INSPECT_DIMMED,
+        [OUTPUT_VISIBILITY] = INSPECT_VISIBILITY, [OUTPUT_MAP_DEPTH] = INSPECT_MAP_DEPTH,
+        [OUTPUT_BASIS] = INSPECT_BASIS,           [OUTPUT_SIGNED_BASIS] = INSPECT_SIGNED_BASIS,
     };
     return modes[kind];
 }

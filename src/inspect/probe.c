@@ -129,7 +129,7 @@ static void sum_vals(struct pick *pick, const struct vpl_buffer *buffer, int cou
     for (int k = 0; k < count; k++)
         vals[k] = (struct pick_val){.val = k, .visibility = lit[k]};
     for (int i = 0; i < vpl_count; i++) {
-        if (vpls[i].emits <= 0)
+        if (vpls[i].reach <= 0)
             continue;
         struct pick_val *val = &vals[(int)vpls[i].val];
         float brought = irradiance_from(&vpls[i], pick) * val->visibility;

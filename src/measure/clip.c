@@ -98,7 +98,7 @@ static void measure_travel(const struct track *track, double frame[FIGURES]) {
     if (now->vpl_count)
         frame[VPL_TRAVEL] = mean_travel(now->vpls->position, before->vpls->position, now->vpl_count,
                                         sizeof *now->vpls / sizeof(float),
-                                        offsetof(struct vpl, emits) / sizeof(float));
+                                        offsetof(struct vpl, reach) / sizeof(float));
     if (now->val_count)
         frame[VAL_TRAVEL] = mean_travel(*now->centers, *before->centers, now->val_count, 4, 3);
 }
@@ -131,7 +131,7 @@ static void add_memory(struct run *run, const char *when) {
 /* Makes room for a frame, and renders it. */
 static bool render_frame(struct track *track) {
     const struct stage *stage = track->desc->stage;
-    if (!renderer_update(&track->renderer, stage->emitters.items, &stage->camera))
+    if (!renderer_update(&track->renderer, &stage->emitters, &stage->camera))
         return false;
     renderer_render(&track->renderer);
     lights_read(&track->lights, &track->renderer);

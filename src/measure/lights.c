@@ -9,7 +9,7 @@
 static void count(struct lights *lights) {
     bool *seen = mem_alloc((size_t)lights->val_count + 1, sizeof *seen);
     for (int i = 0; i < lights->vpl_count; i++) {
-        if (lights->vpls[i].emits <= 0)
+        if (lights->vpls[i].reach <= 0)
             continue;
         lights->lit++;
         int val = lights->val_count ? (int)lights->vpls[i].val : 0;

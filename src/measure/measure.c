@@ -112,7 +112,7 @@ bool measure_start(struct renderer *renderer, const struct measure_desc *desc) {
                                                             .settings = desc->settings,
                                                             .scene = &desc->stage->scene,
                                                             .geometry = &desc->stage->geometry,
-                                                            .light = desc->stage->emitters.items[0],
+                                                            .emitters = desc->stage->emitters,
                                                             .camera = desc->stage->camera,
                                                             .timed = true,
                                                             .software = desc->software})) ||

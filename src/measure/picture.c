@@ -58,7 +58,7 @@ bool picture_trace(const struct measure_desc *desc, struct progress *progress,
         &(struct vpl_sum_desc){.scene = &stage->scene,
                                .geometry = &stage->geometry,
                                .camera = &stage->camera,
-                               .emitters = {stage->emitters.items, 1}, /* as the renderer has it */
+                               .emitters = stage->emitters,
                                .vpls = lights.vpls,
                                .vpl_count = lights.vpl_count,
                                .width = desc->width,

@@ -45,9 +45,19 @@ void gbuffer_free(struct gbuffer *gbuffer) {
     *gbuffer = (struct gbuffer){0};
 }
 
-float frame_near_reach(const struct frame *frame, int vpl_count, float asked) {
-    float widest = frame->light_measure / (float)vpl_count / (float)VPL_COSINE_MIN;
-    return frame->light_directional ? asked : fminf(asked, 1 / sqrtf(widest));
+void rsm_add(struct pass_state *state, const struct gbuffer rsm[LIGHT_MAP_KINDS]) {
+    for (GLuint kind = 0; kind < LIGHT_MAP_KINDS; kind++)
+        if (rsm[kind].depth.id) {
+            pass_add_texture(state, UNIT_RSM_DEPTH + kind, rsm[kind].depth.id);
+            pass_add_texture(state, UNIT_RSM_NORMAL + kind, rsm[kind].normal.id);
+            pass_add_texture(state, UNIT_RSM_ALBEDO + kind, rsm[kind].albedo.id);
+        }
+}
+
+int frame_target_views(const struct frame *frame, GLuint program, int kind) {
+    int first = kind == LIGHT_MAP_FACE ? frame->layout.views[LIGHT_MAP_SINGLE] : 0;
+    gl.ProgramUniform1i(program, LOCATION_FIRST_VIEW, first);
+    return frame->layout.views[kind];
 }
 
 /* Four floats of each VPL. */

@@ -6,30 +6,30 @@
 #define PASSES_FRAME_H
 
 #include "gl/buffer.h"
+#include "gl/pass.h"
 #include "gl/texture.h"
 #include "gl/timer.h"
 #include "scene/gpu/scene_gpu.h"
+#include "scene/view.h"
 #include "shared/interleaving.h"
 
 /* What every pass of one frame may use. */
 struct frame {
     struct timers *timers;
-    const struct buffer *view, *light; /* for BLOCK_VIEW, BLOCK_LIGHT */
+    const struct buffer *view, *lights; /* for BLOCK_VIEW, BLOCK_LIGHTS */
     const struct scene_gpu *scene;
-    float light_measure; /* solid angle that the light shines into, sr; a directional light's area,
-                            m2 */
-    bool light_directional;
-    int light_views;                    /* 1 or 6 */
-    float light_intensity[3];           /* W/sr, W/m2 of a directional light */
-    float direct_scale;                 /* shared/light.h */
-    float bounds_min[3], bounds_max[3]; /* of the scene, metres */
-    float radius;                       /* of its bounding sphere, metres */
-    float irradiance_scale;             /* stored irradiance = W/m2 times this: a power of two that
+    const struct emitters *emitters;
+    const struct light_block *light_block; /* of the emitters: what the buffer holds */
+    struct light_layout layout;            /* of the lights' maps */
+    float bounds_min[3], bounds_max[3];    /* of the scene, metres */
+    float radius;                          /* of its bounding sphere, metres */
+    float irradiance_scale; /* stored irradiance = W/m2 times this: a power of two that
                                            keeps half floats in range at every scale of scene and light */
 };
 
-/* Surfaces seen from the camera (one layer) or from the light (the reflective shadow map: one layer
- * a view). Arrays of layers:
+/* Surfaces seen from the camera (one layer) or from the lights (the reflective shadow map: one of
+ * LIGHT_MAP_KINDS, a layer each view; without textures where there are none of the kind). Arrays of
+ * layers:
  *   normal  RG16      world normal, octahedral
  *   albedo  RGB10_A2  square root of the albedo; A = 1 where something is
  *   depth   D32F      reversed (shared/view.h); 0 where nothing is
@@ -86,10 +86,6 @@ struct irradiance {
     int interleave, tile_width, tile_height;
 };
 
-/* How far the near field reaches, in spacings of VPLs: as far as is asked for, but no farther from
- * its point in the light's view than 45 degrees, where few VPLs are far apart. */
-float frame_near_reach(const struct frame *frame, int vpl_count, float asked);
-
 /* What a technique makes, each NULL where it does not; composite adds what is there:
  *
  *     L = transmittance (albedo (direct + irradiance / pi) + radiance) + in_scatter
@@ -103,8 +99,14 @@ struct contribution {
     const struct texture *in_scatter, *transmittance; /* both or none */
 };
 
+/* Sets what lib/light_target.glsl needs to draw views of that kind; returns how many there are. */
+int frame_target_views(const struct frame *frame, GLuint program, int kind);
+
 bool gbuffer_init(struct gbuffer *gbuffer, const char *label, int width, int height, int layers);
 void gbuffer_free(struct gbuffer *gbuffer);
+
+/* Binds what lib/rsm.glsl reads. */
+void rsm_add(struct pass_state *state, const struct gbuffer rsm[LIGHT_MAP_KINDS]);
 
 bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count);
 void vpl_buffer_free(struct vpl_buffer *vpls);

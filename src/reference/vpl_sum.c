@@ -52,7 +52,7 @@ static vec3s gather(const struct summation *summation, const struct hit *x) {
     vec3s sum = glms_vec3_zero();
     for (int i = 0; i < desc->vpl_count; i++) {
         const struct vpl *vpl = &desc->vpls[i];
-        float geometry = vpl->emits > 0 ? geometry_term(desc, x, vpl) : 0;
+        float geometry = vpl->reach > 0 ? geometry_term(desc, x, vpl) : 0;
         if (geometry > 0 && is_visible(summation, x, vpl))
             sum = glms_vec3_muladds(vector_of(vpl->flux), geometry, sum);
     }

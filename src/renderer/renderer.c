@@ -1,25 +1,31 @@
 #include "renderer/renderer.h"
 
+#include "base/memory.h"
 #include "shared/composite.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 const char *const shown_layer_names[] = {
     [LAYER_BEAUTY] = "full", [LAYER_DIRECT] = "direct", [LAYER_INDIRECT] = "indirect", NULL};
 
-/* A power of two near the irradiance that the light could make across the scene, inverted: exact to
- * multiply by, and keeps half floats in range whatever the units. */
-static float irradiance_scale(const struct renderer_desc *desc) {
-    const struct emitter *light = &desc->light;
+/* Near the irradiance that the light could make across the scene. A narrow cone lights little, and
+ * less than its intensity says. */
+static float typical_irradiance(const struct emitter *light, float radius) {
     float brightest = fmaxf(light->intensity[0], fmaxf(light->intensity[1], light->intensity[2]));
-    float radius = desc->geometry->radius;
-    /* A narrow cone lights little, and less than its intensity says. */
     float share = light->type == EMITTER_SPOT
                       ? emitter_cone(light, 1) * fminf((float)emitter_solid_angle(light), 1)
                       : 1;
-    float typical =
-        light->type == EMITTER_DIRECTIONAL ? brightest : brightest * share / (radius * radius);
+    return light->type == EMITTER_DIRECTIONAL ? brightest : brightest * share / (radius * radius);
+}
+
+/* A power of two near what all lights could make, inverted: exact to multiply by, and keeps half
+ * floats in range whatever the units. */
+static float irradiance_scale(const struct renderer_desc *desc) {
+    float typical = 0;
+    for (int i = 0; i < desc->emitters.count; i++)
+        typical += typical_irradiance(&desc->emitters.items[i], desc->geometry->radius);
     return typical > 0 && isfinite(typical) ? exp2f(-roundf(log2f(typical))) : 1;
 }
 
@@ -27,7 +33,7 @@ static float irradiance_scale(const struct renderer_desc *desc) {
 enum part {
     PART_GBUFFER = 1,    /* size */
     PART_GEOMETRY = 2,   /* nothing but shaders */
-    PART_DIRECT = 4,     /* method, its settings, number of light views; takes size as it is */
+    PART_DIRECT = 4,     /* method, its settings, layout of lights; takes size as it is */
     PART_TECHNIQUE = 8,  /* the same */
     PART_ANTIALIAS = 16, /* size, samples */
     PART_COMPOSITE = 32, /* size, what the technique contributes */
@@ -50,29 +56,27 @@ static bool init_antialias(struct renderer *renderer) {
 static bool init_direct(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     renderer->direct = desc->direct;
-    return renderer->direct->init(&renderer->direct_state,
-                                  &(struct direct_desc){
-                                      .settings = &desc->settings,
-                                      .width = desc->width,
-                                      .height = desc->height,
-                                      .light_views = emitter_view_count(&desc->light),
-                                  });
+    return renderer->direct->init(&renderer->direct_state, &(struct direct_desc){
+                                                               .settings = &desc->settings,
+                                                               .width = desc->width,
+                                                               .height = desc->height,
+                                                               .lights = &renderer->layout,
+                                                           });
 }
 
 static bool init_technique(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     renderer->technique = desc->technique;
     return technique_check(desc->technique, &desc->settings) &&
-           renderer->technique->init(&renderer->technique_state,
-                                     &(struct technique_desc){
-                                         .settings = &desc->settings,
-                                         .scene = desc->scene,
-                                         .geometry = desc->geometry,
-                                         .casters = renderer->casters,
-                                         .width = desc->width,
-                                         .height = desc->height,
-                                         .light_views = emitter_view_count(&desc->light),
-                                     });
+           renderer->technique->init(&renderer->technique_state, &(struct technique_desc){
+                                                                     .settings = &desc->settings,
+                                                                     .scene = desc->scene,
+                                                                     .geometry = desc->geometry,
+                                                                     .casters = renderer->casters,
+                                                                     .width = desc->width,
+                                                                     .height = desc->height,
+                                                                     .lights = &renderer->layout,
+                                                                 });
 }
 
 /* For the technique that is there, or else for another's contribution. */
@@ -101,13 +105,16 @@ static void write_views(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     view_of_camera(&renderer->camera_view, &desc->camera, desc->geometry,
                    (float)desc->width / (float)desc->height);
-    view_of_emitter(&renderer->light_block, &desc->light, desc->geometry);
+    views_of_emitters(renderer->light_block, &desc->emitters, desc->geometry);
     buffer_write(&renderer->view_buffer, 0, sizeof renderer->camera_view, &renderer->camera_view);
-    buffer_write(&renderer->light_buffer, 0, sizeof renderer->light_block, &renderer->light_block);
+    buffer_write(&renderer->light_buffer, 0, sizeof *renderer->light_block, renderer->light_block);
 }
 
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) {
-    *renderer = (struct renderer){.desc = *desc, .casters = caster_pool_create(desc->geometry)};
+    *renderer = (struct renderer){.desc = *desc,
+                                  .casters = caster_pool_create(desc->geometry),
+                                  .light_block = mem_alloc(1, sizeof *renderer->light_block)};
+    renderer->desc.emitters = emitters_copy(&desc->emitters);
     if (!desc->technique)
         renderer->desc.technique = technique_default;
     if (!desc->direct)
@@ -115,10 +122,11 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
     if (desc->settings.part_count == 0)
         renderer_settings_init(&renderer->desc.settings);
     timers_init(&renderer->timers, desc->timed, desc->software);
-    if (scene_gpu_init(&renderer->scene, desc->scene, desc->geometry) &&
+    if (light_layout_of(&renderer->layout, &desc->emitters) &&
+        scene_gpu_init(&renderer->scene, desc->scene, desc->geometry) &&
         init_parts(renderer, PART_ALL, 0) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
-        buffer_init(&renderer->light_buffer, "light", sizeof renderer->light_block, NULL)) {
+        buffer_init(&renderer->light_buffer, "lights", sizeof *renderer->light_block, NULL)) {
         write_views(renderer);
         return true;
     }
@@ -144,6 +152,8 @@ void renderer_free(struct renderer *renderer) {
     caster_pool_free(renderer->casters);
     buffer_free(&renderer->view_buffer);
     buffer_free(&renderer->light_buffer);
+    free(renderer->light_block);
+    emitters_free(&renderer->desc.emitters);
     *renderer = (struct renderer){0};
 }
 
@@ -198,14 +208,17 @@ static bool resize_kept(struct renderer *renderer, const struct renderer_desc *d
     return false;
 }
 
-/* The new parts are made beside the old ones, which go only when all are there. */
-static bool change(struct renderer *renderer, const struct renderer_desc *desc, unsigned parts) {
-    struct renderer fresh = {.desc = *desc, .casters = renderer->casters};
+/* The new parts are made beside the old ones, which go only when all are there. The desc's lights
+ * have that layout. */
+static bool change_lights(struct renderer *renderer, const struct renderer_desc *desc,
+                          const struct light_layout *layout, unsigned parts) {
+    struct renderer fresh = {.desc = *desc, .casters = renderer->casters, .layout = *layout};
     bool ok = init_parts(&fresh, parts, renderer->composite.desc.contributes) &&
               resize_kept(renderer, desc, parts);
     if (ok) {
         swap_parts(renderer, &fresh, parts);
         renderer->desc = *desc;
+        renderer->layout = *layout;
         write_views(renderer);
         renderer->lights_drawn &= !(parts & PART_LIGHTS);
         if (parts & PART_TECHNIQUE) { /* other passes, other timers */
@@ -215,6 +228,10 @@ static bool change(struct renderer *renderer, const struct renderer_desc *desc, 
     }
     free_parts(&fresh);
     return ok;
+}
+
+static bool change(struct renderer *renderer, const struct renderer_desc *desc, unsigned parts) {
+    return change_lights(renderer, desc, &renderer->layout, parts);
 }
 
 bool renderer_makes_technique(const struct renderer *renderer, const struct technique *technique,
@@ -250,12 +267,23 @@ bool renderer_resize(struct renderer *renderer, int width, int height) {
     return change(renderer, &desc, PART_SIZE);
 }
 
-bool renderer_set_light(struct renderer *renderer, const struct emitter *light) {
+bool renderer_set_lights(struct renderer *renderer, const struct emitters *emitters) {
     struct renderer_desc desc = renderer->desc;
-    bool same_views = emitter_view_count(light) == emitter_view_count(&desc.light);
-    renderer->lights_drawn &= memcmp(light, &desc.light, sizeof *light) == 0;
-    desc.light = *light;
-    return change(renderer, &desc, same_views ? 0 : PART_DIRECT | PART_TECHNIQUE | PART_COMPOSITE);
+    struct emitters old = desc.emitters;
+    struct light_layout layout;
+    if (!light_layout_of(&layout, emitters))
+        return false;
+    bool same_layout = light_layouts_same(&layout, &renderer->layout);
+    bool same_lights = emitters_same(emitters, &old);
+    desc.emitters = emitters_copy(emitters);
+    if (!change_lights(renderer, &desc, &layout,
+                       same_layout ? 0 : PART_DIRECT | PART_TECHNIQUE | PART_COMPOSITE)) {
+        emitters_free(&desc.emitters);
+        return false;
+    }
+    renderer->lights_drawn &= same_lights;
+    emitters_free(&old);
+    return true;
 }
 
 void renderer_set_camera(struct renderer *renderer, const struct camera *camera) {
@@ -269,13 +297,13 @@ static bool update_technique(struct renderer *renderer) {
            technique->update(renderer->technique_state, renderer->desc.geometry);
 }
 
-bool renderer_update(struct renderer *renderer, const struct emitter *light,
+bool renderer_update(struct renderer *renderer, const struct emitters *emitters,
                      const struct camera *camera) {
     renderer->desc.camera = *camera;
     renderer->lights_drawn &= renderer->scene.pose == renderer->desc.geometry->pose_count;
     return scene_gpu_update(&renderer->scene, renderer->desc.geometry) &&
            caster_pool_update(renderer->casters) && update_technique(renderer) &&
-           renderer_set_light(renderer, light);
+           renderer_set_lights(renderer, emitters);
 }
 
 bool renderer_reload_shaders(struct renderer *renderer) {
@@ -289,16 +317,14 @@ struct frame renderer_frame(struct renderer *renderer) {
     struct frame frame = {
         .timers = &renderer->timers,
         .view = &renderer->view_buffer,
-        .light = &renderer->light_buffer,
+        .lights = &renderer->light_buffer,
         .scene = &renderer->scene,
-        .light_measure = renderer->light_block.measure,
-        .light_directional = desc->light.type == EMITTER_DIRECTIONAL,
-        .light_views = emitter_view_count(&desc->light),
-        .direct_scale = renderer->light_block.direct_scale,
+        .emitters = &desc->emitters,
+        .light_block = renderer->light_block,
+        .layout = renderer->layout,
         .radius = desc->geometry->radius,
         .irradiance_scale = irradiance_scale(desc),
     };
-    memcpy(frame.light_intensity, desc->light.intensity, sizeof frame.light_intensity);
     memcpy(frame.bounds_min, desc->geometry->bounds_min, sizeof frame.bounds_min);
     memcpy(frame.bounds_max, desc->geometry->bounds_max, sizeof frame.bounds_max);
     return frame;

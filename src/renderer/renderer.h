@@ -27,7 +27,7 @@ struct renderer_desc {
     struct settings settings;           /* renderer_settings_init */
     const struct scene *scene;          /* must outlive the renderer, as must the geometry */
     const struct geometry *geometry;
-    struct emitter light;
+    struct emitters emitters; /* one at least; the renderer takes a copy */
     struct camera camera;
     bool keep_lights; /* frames in which only the camera moved use the lights' passes of the one
                          before: the same picture in less time */
@@ -49,12 +49,13 @@ struct renderer {
     const struct direct_method *direct;
     void *direct_state;
     bool lights_drawn; /* what depends on no camera is that of desc */
+    struct light_layout layout;
     struct view camera_view;
-    struct light_block light_block;
+    struct light_block *light_block;
     struct buffer view_buffer, light_buffer;
 };
 
-/* Error: driver, shader, size or memory. */
+/* Error: driver, shader, size, memory, or more lights than there is room for. */
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc);
 void renderer_free(struct renderer *renderer);
 
@@ -63,7 +64,7 @@ void renderer_free(struct renderer *renderer);
 bool renderer_configure(struct renderer *renderer, const struct technique *technique,
                         const struct settings *settings);
 bool renderer_resize(struct renderer *renderer, int width, int height);
-bool renderer_set_light(struct renderer *renderer, const struct emitter *light);
+bool renderer_set_lights(struct renderer *renderer, const struct emitters *emitters);
 void renderer_set_camera(struct renderer *renderer, const struct camera *camera);
 bool renderer_reload_shaders(struct renderer *renderer);
 
@@ -72,10 +73,10 @@ bool renderer_reload_shaders(struct renderer *renderer);
 bool renderer_makes_technique(const struct renderer *renderer, const struct technique *technique,
                               const struct settings *settings);
 
-/* After geometry_pose: uploads what has moved, and sees it from a light and a camera. For the same
+/* After geometry_pose: uploads what has moved, and sees it from lights and a camera. For the same
  * bits whatever came before, begin with the geometry at time 0. Error: out of GPU memory; the
  * renderer must then be freed. */
-bool renderer_update(struct renderer *renderer, const struct emitter *light,
+bool renderer_update(struct renderer *renderer, const struct emitters *emitters,
                      const struct camera *camera);
 
 /* Renders one frame into the composite's display texture. Timer "frame". */

@@ -1,5 +1,6 @@
 #include "scene/emitter.h"
 
+#include "base/memory.h"
 #include "scene/node.h"
 
 #include <cglm/cglm.h>
@@ -12,6 +13,18 @@ int emitter_node_count(const struct scene *scene) {
 
 int emitter_find(const struct scene *scene, const char *text) {
     return node_find_carrying(scene, NODE_LIGHT, text);
+}
+
+struct emitters emitters_copy(const struct emitters *emitters) {
+    size_t count = (size_t)emitters->count;
+    struct emitters copy = {mem_alloc(count, sizeof *copy.items), emitters->count};
+    memcpy(copy.items, emitters->items, count * sizeof *copy.items);
+    return copy;
+}
+
+bool emitters_same(const struct emitters *a, const struct emitters *b) {
+    return a->count == b->count &&
+           memcmp(a->items, b->items, (size_t)a->count * sizeof *a->items) == 0;
 }
 
 void emitters_free(struct emitters *emitters) {

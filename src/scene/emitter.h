@@ -24,6 +24,9 @@ struct emitters {
     int count;
 };
 
+struct emitters emitters_copy(const struct emitters *emitters);
+bool emitters_same(const struct emitters *a, const struct emitters *b);
+
 /* Accepts zeroed ones. */
 void emitters_free(struct emitters *emitters);
 

@@ -218,12 +218,15 @@ void camera_to_text(const struct camera *camera, const struct scene *scene, int 
 
 char *emitters_to_text(const struct emitters *emitters, const struct scene *scene, double time) {
     struct text text = {0};
+    const char *separator = "";
     for (int i = 0; i < emitters->count; i++) {
         struct emitter before;
         char changes[PLACING_TEXT_SIZE] = "";
         emitter_place(&before, scene, emitters->items[i].number, time);
         append_words(emitter_words, &emitters->items[i], &before, changes);
-        text_print(&text, "%s%d%s", i ? "; " : "", emitters->items[i].number, changes);
+        text_print(&text, "%s%d%s", *changes && i ? "; " : separator, emitters->items[i].number,
+                   changes);
+        separator = *changes ? "; " : ",";
     }
     return text.data;
 }

@@ -1,7 +1,10 @@
 #include "scene/view.h"
 
+#include "base/error.h"
+
 #include <cglm/cglm.h>
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -59,9 +62,32 @@ void view_of_camera(struct view *view, const struct camera *camera, const struct
     set_matrix(view);
 }
 
-int emitter_view_count(const struct emitter *light) {
+/* --- lights --- */
+
+static int view_count(const struct emitter *light) {
     bool narrow = light->type == EMITTER_SPOT && light->cos_outer >= 0.5f;
     return light->type == EMITTER_DIRECTIONAL || narrow ? 1 : 6;
+}
+
+bool light_layout_of(struct light_layout *layout, const struct emitters *emitters) {
+    *layout = (struct light_layout){.lights = emitters->count};
+    for (int i = 0; i < emitters->count; i++) {
+        int views = view_count(&emitters->items[i]);
+        layout->views[views > 1 ? LIGHT_MAP_FACE : LIGHT_MAP_SINGLE] += views;
+    }
+    int views = layout->views[LIGHT_MAP_SINGLE] + layout->views[LIGHT_MAP_FACE];
+    return (layout->lights <= LIGHTS_MAX && views <= LIGHT_VIEWS_MAX) ||
+           error_set(
+               "%d lights with %d views: at most %d with %d shine at once; --light picks some",
+               layout->lights, views, LIGHTS_MAX, LIGHT_VIEWS_MAX);
+}
+
+bool light_layouts_same(const struct light_layout *a, const struct light_layout *b) {
+    return a->lights == b->lights && memcmp(a->views, b->views, sizeof a->views) == 0;
+}
+
+int light_map_size(int kind, int size) {
+    return kind == LIGHT_MAP_FACE ? (size + 1) / 2 : size;
 }
 
 static void set_spot_view(struct view *view, const struct emitter *light) {
@@ -108,35 +134,68 @@ static void set_directional_view(struct view *view, const struct emitter *light,
     view->far = high[2] - low[2];
 }
 
-void view_of_emitter(struct light_block *block, const struct emitter *light,
+static void set_view(struct view *view, const struct emitter *light, int face,
                      const struct geometry *geometry) {
-    *block = (struct light_block){0};
-    int count = emitter_view_count(light);
-    for (int i = 0; i < count; i++) {
-        struct view *view = &block->views[i];
-        if (light->type == EMITTER_DIRECTIONAL)
-            set_directional_view(view, light, geometry);
-        else if (count == 1)
-            set_spot_view(view, light);
-        else
-            set_face_view(view, light, i);
-        view->near = near_fraction * geometry->radius;
-        set_matrix(view);
+    if (light->type == EMITTER_DIRECTIONAL)
+        set_directional_view(view, light, geometry);
+    else if (view_count(light) == 1)
+        set_spot_view(view, light);
+    else
+        set_face_view(view, light, face);
+    view->near = near_fraction * geometry->radius;
+    set_matrix(view);
+}
+
+/* What it shines into: solid angle, sr; of a directional light area, m2. */
+static float measure(const struct emitter *light, const struct view *first) {
+    return light->type == EMITTER_DIRECTIONAL
+               ? 4 * glm_vec3_norm((float *)first->right) * glm_vec3_norm((float *)first->up)
+               : (float)emitter_solid_angle(light);
+}
+
+static struct light light_of(const struct emitter *emitter, const struct view *first,
+                             const struct geometry *geometry) {
+    bool directional = emitter->type == EMITTER_DIRECTIONAL;
+    struct light light = {
+        .measure = measure(emitter, first),
+        .type = emitter->type,
+        .cos_inner = emitter->cos_inner,
+        .cos_outer = emitter->cos_outer,
+        .direct_scale = directional ? 1 : geometry->radius * geometry->radius,
+        .view_count = view_count(emitter),
+    };
+    for (int c = 0; c < 3; c++) {
+        light.intensity[c] = emitter->intensity[c];
+        light.position[c] = (directional ? first->origin : emitter->position)[c];
+        light.direction[c] = emitter->direction[c];
+        light.right[c] = emitter->right[c];
+        light.up[c] = emitter->up[c];
+        light.radiance[c] = emitter->intensity[c] / (GLM_PIf * light.direct_scale);
     }
-    const struct view *first = &block->views[0];
-    glm_vec3_copy((float *)light->intensity, block->intensity);
-    block->measure = light->type == EMITTER_DIRECTIONAL ? 4 * glm_vec3_norm((float *)first->right) *
-                                                              glm_vec3_norm((float *)first->up)
-                                                        : (float)emitter_solid_angle(light);
-    glm_vec3_copy((float *)(light->type == EMITTER_DIRECTIONAL ? first->origin : light->position),
-                  block->position);
-    block->type = light->type;
-    glm_vec3_copy((float *)light->direction, block->direction);
-    block->view_count = count;
-    glm_vec3_copy((float *)light->right, block->right);
-    block->cos_inner = light->cos_inner;
-    glm_vec3_copy((float *)light->up, block->up);
-    block->cos_outer = light->cos_outer;
-    block->direct_scale =
-        light->type == EMITTER_DIRECTIONAL ? 1 : geometry->radius * geometry->radius;
+    return light;
+}
+
+void views_of_emitters(struct light_block *block, const struct emitters *emitters,
+                       const struct geometry *geometry) {
+    struct light_layout layout;
+    bool fits = light_layout_of(&layout, emitters);
+    assert(fits);
+    *block = (struct light_block){
+        .count = emitters->count,
+        .single_count = layout.views[LIGHT_MAP_SINGLE],
+        .face_count = layout.views[LIGHT_MAP_FACE],
+    };
+    int ends[LIGHT_MAP_KINDS] = {0};
+    for (int i = 0; i < emitters->count; i++) {
+        const struct emitter *emitter = &emitters->items[i];
+        int count = view_count(emitter), kind = count > 1 ? LIGHT_MAP_FACE : LIGHT_MAP_SINGLE;
+        int first = ends[kind] + (kind == LIGHT_MAP_FACE ? block->single_count : 0);
+        for (int face = 0; face < count; face++) {
+            struct light_view *view = &block->views[first + face];
+            *view = (struct light_view){.light = i, .kind = kind, .layer = ends[kind]++};
+            set_view(&view->view, emitter, face, geometry);
+        }
+        block->sources[i] = light_of(emitter, &block->views[first].view, geometry);
+        block->sources[i].first_view = first;
+    }
 }

@@ -1,4 +1,4 @@
-/* The views that passes draw: of a camera, and from a light (shared/view.h, shared/light.h). */
+/* The views that passes draw: of a camera, and from the lights (shared/view.h, shared/light.h). */
 #ifndef SCENE_VIEW_H
 #define SCENE_VIEW_H
 
@@ -11,12 +11,24 @@
 void view_of_camera(struct view *view, const struct camera *camera, const struct geometry *geometry,
                     float aspect);
 
+/* What the maps of lights must be made for. Lights that move or change keep it. */
+struct light_layout {
+    int lights;
+    int views[LIGHT_MAP_KINDS];
+};
+
+/* Error: more lights or views than there is room for. */
+bool light_layout_of(struct light_layout *layout, const struct emitters *emitters);
+
+bool light_layouts_same(const struct light_layout *a, const struct light_layout *b);
+
+/* Texels a side of a map of that kind, where a single view's has `size`. Six views see the whole
+ * sphere with half of that each: the same density. */
+int light_map_size(int kind, int size);
+
 /* One perspective view of a spot, six along the world's axes of a point light (and of a spot wider
  * than 2 x 60 degrees), one orthographic view over the scene's bounds of a directional light. */
-void view_of_emitter(struct light_block *block, const struct emitter *light,
-                     const struct geometry *geometry);
-
-/* How many views: 1 or 6. */
-int emitter_view_count(const struct emitter *light);
+void views_of_emitters(struct light_block *block, const struct emitters *emitters,
+                       const struct geometry *geometry);
 
 #endif

@@ -36,21 +36,19 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
                                                                  visibility->map_count),
                                 .clamp = (enum gather_clamp)own->clamp,
                                 .clamp_value = own->clamp_value,
-                                .reach = own->near_reach,
                             });
 }
 
 static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct lights_settings *own_lights = settings_of(desc->settings, &lights_part);
     const struct gather_settings *own = settings_of(desc->settings, &gather_part);
     lights->has_near_field = own->clamp == GATHER_CLAMP_NEAR;
     return !lights->has_near_field ||
            near_field_pass_init(&lights->near_field, &(struct near_field_desc){
                                                          .samples = own->near_samples,
                                                          .interleave = own->interleave,
-                                                         .vpl_count = lights->vpls.count,
-                                                         .rsm_size = lights->rsm.width,
-                                                         .light_views = desc->light_views,
-                                                         .reach = own->near_reach,
+                                                         .rsm_size = own_lights->rsm_size,
+                                                         .lights = *desc->lights,
                                                      });
 }
 
@@ -75,15 +73,22 @@ bool many_lights_check(const struct settings *settings) {
                                                gather->interleave, places, lights->vpls);
 }
 
+static bool init_rsm(struct many_lights *lights, const struct light_layout *layout, int size) {
+    bool ok = true;
+    for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++) {
+        int texels = light_map_size(kind, size), layers = layout->views[kind];
+        ok = layers == 0 || gbuffer_init(&lights->rsm[kind], "rsm", texels, texels, layers);
+    }
+    return ok;
+}
+
 bool many_lights_init(struct many_lights *lights, const struct technique_desc *desc,
                       const struct many_lights_visibility *visibility) {
     const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
     *lights = (struct many_lights){0};
-    /* Six maps of a cube see the whole sphere: half the size a side is the same density. */
-    int rsm_size = desc->light_views > 1 ? (own->rsm_size + 1) / 2 : own->rsm_size;
-    if (gbuffer_init(&lights->rsm, "rsm", rsm_size, rsm_size, desc->light_views) &&
-        geometry_pass_init(&lights->geometry) &&
-        vpl_pass_init(&lights->vpl, &(struct vpl_desc){.count = own->vpls, .seed = own->seed}) &&
+    if (init_rsm(lights, desc->lights, own->rsm_size) && geometry_pass_init(&lights->geometry) &&
+        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) &&
         init_gather(lights, desc, visibility) && init_near_field(lights, desc) &&
         init_blur(lights, desc))
@@ -93,7 +98,8 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
 }
 
 void many_lights_free(struct many_lights *lights) {
-    gbuffer_free(&lights->rsm);
+    for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
+        gbuffer_free(&lights->rsm[kind]);
     geometry_pass_free(&lights->geometry);
     vpl_pass_free(&lights->vpl);
     vpl_buffer_free(&lights->vpls);
@@ -123,16 +129,17 @@ bool many_lights_resize(struct many_lights *lights, int width, int height) {
 }
 
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame) {
-    geometry_pass_render_light(&lights->geometry, frame, &lights->rsm);
-    vpl_pass_render(&lights->vpl, frame, &lights->rsm, &lights->vpls);
+    geometry_pass_render_lights(&lights->geometry, frame, lights->rsm);
+    vpl_pass_render(&lights->vpl, frame, lights->rsm, &lights->vpls);
     if (lights->has_near_field)
-        near_field_pass_render_light(&lights->near_field, frame, &lights->rsm);
+        near_field_pass_render_lights(&lights->near_field, frame, lights->rsm, &lights->vpl.shares);
 }
 
 void many_lights_finish(const struct many_lights *lights, const struct frame *frame,
                         const struct gbuffer *gbuffer) {
     if (lights->has_near_field)
-        near_field_pass_render(&lights->near_field, frame, gbuffer, &lights->gather.irradiance);
+        near_field_pass_render(&lights->near_field, frame, gbuffer, &lights->vpl.shares,
+                               &lights->gather.irradiance);
     blur_pass_render(&lights->blur, frame, gbuffer, &lights->gather.irradiance);
 }
 
@@ -150,19 +157,32 @@ struct contribution many_lights_contribution(const struct many_lights *lights) {
     return (struct contribution){.irradiance = &lights->blur.blurred};
 }
 
+/* Those of faces have names of their own where there are both kinds. */
+static void add_rsm(const struct many_lights *lights, int kind, struct output_list *outputs) {
+    const struct gbuffer *rsm = &lights->rsm[kind];
+    bool faces = kind == LIGHT_MAP_FACE && lights->rsm[LIGHT_MAP_SINGLE].layers > 0;
+    const struct output rows[] = {
+        {faces ? "rsm-faces-normal" : "rsm-normal", "reflective shadow map: what a light sees",
+         OUTPUT_NORMAL, &rsm->normal},
+        {faces ? "rsm-faces-albedo" : "rsm-albedo",
+         "reflective shadow map: the surfaces' own colours", OUTPUT_ALBEDO, &rsm->albedo},
+        {faces ? "rsm-faces-depth" : "rsm-depth",
+         "reflective shadow map: near to the light is bright",
+         kind == LIGHT_MAP_FACE ? OUTPUT_FACE_DEPTH : OUTPUT_SINGLE_DEPTH, &rsm->depth},
+    };
+    for (size_t i = 0; rsm->layers && i < sizeof rows / sizeof *rows; i++)
+        output_add(outputs, &rows[i]);
+}
+
 void many_lights_outputs(const struct many_lights *lights, const struct vpl_buffer *vpls,
                          struct output_list *outputs) {
     const struct output rows[] = {
-        {"rsm-normal", "reflective shadow map: what the light sees", OUTPUT_NORMAL,
-         &lights->rsm.normal},
-        {"rsm-albedo", "reflective shadow map: the surfaces' own colours", OUTPUT_ALBEDO,
-         &lights->rsm.albedo},
-        {"rsm-depth", "reflective shadow map: near to the light is bright", OUTPUT_LIGHT_DEPTH,
-         &lights->rsm.depth},
         {"vpl", "virtual point lights, in the colour of their light", OUTPUT_VPLS, vpls},
         {"gathered", "irradiance before the blur, in tiles of the pattern", OUTPUT_IRRADIANCE,
          &lights->gather.irradiance},
     };
+    for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
+        add_rsm(lights, kind, outputs);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         output_add(outputs, &rows[i]);
 }

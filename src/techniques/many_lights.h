@@ -62,7 +62,7 @@ extern const struct settings_part lights_part, map_part, lookup_part, gather_par
 /* --- passes --- */
 
 struct many_lights {
-    struct gbuffer rsm;
+    struct gbuffer rsm[LIGHT_MAP_KINDS];
     struct geometry_pass geometry;
     struct vpl_pass vpl;
     struct vpl_buffer vpls;

@@ -11,7 +11,8 @@ enum output_kind {
     OUTPUT_NORMAL,       /* struct texture: layers of world normals, octahedral */
     OUTPUT_ALBEDO,       /* struct texture: layers, square root of the albedo */
     OUTPUT_DEPTH,        /* struct texture: layers, reversed depth from the camera */
-    OUTPUT_LIGHT_DEPTH,  /* struct texture: a layer for each view of the light */
+    OUTPUT_SINGLE_DEPTH, /* struct texture: a layer for each light of one view */
+    OUTPUT_FACE_DEPTH,   /* struct texture: a layer for each face of lights of six */
     OUTPUT_IRRADIANCE,   /* struct irradiance */
     OUTPUT_VPLS,         /* struct vpl_buffer */
     OUTPUT_VALS,         /* struct val_output */

@@ -6,6 +6,7 @@
 #include "base/settings.h"
 #include "passes/frame.h"
 #include "scene/gpu/caster_pool.h"
+#include "scene/view.h"
 #include "techniques/output.h"
 
 struct technique_desc {
@@ -14,7 +15,7 @@ struct technique_desc {
     const struct geometry *geometry; /* as it is posed now */
     struct caster_pool *casters;     /* of the geometry; moved with it */
     int width, height;
-    int light_views;
+    const struct light_layout *lights;
 };
 
 /* A named choice of settings. */

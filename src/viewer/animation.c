@@ -26,8 +26,11 @@ static void pose(struct viewer *viewer) {
     }
     if (!placed->camera_moved)
         place_camera(viewer);
-    if (!placed->light_moved)
-        emitter_place(&placed->light, &document->scene, placed->light_number, placed->time);
+    for (int i = 0; i < placed->emitters.count; i++) {
+        struct emitter *light = &placed->emitters.items[i];
+        if (!viewer_light_is_moved(viewer, i))
+            emitter_place(light, &document->scene, light->number, placed->time);
+    }
     placed->posed_time = placed->time;
     viewer_touch(viewer);
 }

@@ -61,7 +61,7 @@ bool compare_render(struct compare *compare, const struct renderer *renderer) {
     if (compare->mode != COMPARE_TECHNIQUE)
         return true;
     if (!renderer_resize(other, desc->width, desc->height) ||
-        !renderer_update(other, &desc->light, &desc->camera))
+        !renderer_update(other, &desc->emitters, &desc->camera))
         return give_up(compare);
     renderer_render(other);
     return true;

@@ -169,11 +169,9 @@ static bool drag_light(struct viewer *viewer) {
         light_tool_update(&viewer->hand.light_tool,
                           &(struct light_stage){&viewer->placed.orbit.camera,
                                                 &viewer->document.geometry, &viewer->shown.picture},
-                          viewer->host.input, &viewer->placed.light, &moved);
-    if (moved) {
-        viewer->placed.light_moved = true;
-        viewer_touch(viewer);
-    }
+                          viewer->host.input, viewer_light(viewer), &moved);
+    if (moved)
+        viewer_touch_light(viewer);
     return held;
 }
 

@@ -172,7 +172,7 @@ static void draw_marks(const struct viewer *viewer) {
     light_tool_draw(&viewer->hand.light_tool,
                     &(struct light_stage){&viewer->placed.orbit.camera, &viewer->document.geometry,
                                           &viewer->shown.picture},
-                    &viewer->placed.light);
+                    viewer_light(viewer));
 }
 
 void overlay_draw(struct viewer *viewer) {

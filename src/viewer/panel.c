@@ -97,7 +97,7 @@ static void draw_scene(struct viewer *viewer) {
 /* --- light --- */
 
 static void draw_brightness(struct viewer *viewer) {
-    struct emitter *light = &viewer->placed.light;
+    struct emitter *light = viewer_light(viewer);
     float brightest = fmaxf(light->intensity[0], fmaxf(light->intensity[1], light->intensity[2]));
     float ev = log2f(fmaxf(brightest, 1e-6F)), before = ev;
     struct ui_row row = {.name = "intensity",
@@ -107,35 +107,46 @@ static void draw_brightness(struct viewer *viewer) {
         return;
     for (int c = 0; c < 3; c++)
         light->intensity[c] *= exp2f(ev - before);
-    viewer->placed.light_moved = true;
-    viewer_touch(viewer);
+    viewer_touch_light(viewer);
+}
+
+/* Which of those that shine. */
+static void draw_light_choice(struct viewer *viewer) {
+    const struct scene *scene = &viewer->document.scene;
+    struct placed *placed = &viewer->placed;
+    const char *names[LIGHTS_MAX];
+    int count = placed->emitters.count < LIGHTS_MAX ? placed->emitters.count : LIGHTS_MAX;
+    for (int i = 0; i < count; i++) {
+        int node = node_carrying(scene, NODE_LIGHT, placed->emitters.items[i].number);
+        names[i] = *scene->nodes[node].name ? scene->nodes[node].name : "without a name";
+    }
+    struct ui_row row = {.name = "light",
+                         .help = "of those that shine, the one to move and turn",
+                         .differs = viewer_light_is_moved(viewer, placed->chosen_light)};
+    if (ui_choice(&row, &placed->chosen_light, names, count) == UI_RESET)
+        viewer_reset_light(viewer);
 }
 
 static void draw_light(struct viewer *viewer) {
-    struct placed *placed = &viewer->placed;
-    int number = placed->light_number;
-    struct ui_row row = {.name = "light", .help = "of the scene", .differs = placed->light_moved};
-    if (draw_node_choice(&row, &viewer->document.scene, NODE_LIGHT, &number))
-        viewer_pick_light(viewer, number);
+    draw_light_choice(viewer);
+    struct emitter *light = viewer_light(viewer);
     ui_flag(&(struct ui_row){.name = "handles", .help = "move and turn it in the picture (L)"},
             &viewer->hand.light_tool.shown);
     float direction[3];
-    memcpy(direction, placed->light.direction, sizeof direction);
+    memcpy(direction, light->direction, sizeof direction);
     struct ui_row position_row = {.name = "position", .help = "metres"},
                   direction_row = {.name = "direction", .help = "where it shines"};
     bool moved =
-        placed->light.type != EMITTER_DIRECTIONAL &&
-        ui_vector(&position_row, placed->light.position, .005F * viewer->document.geometry.radius);
-    if (placed->light.type != EMITTER_POINT && ui_vector(&direction_row, direction, .01F) &&
+        light->type != EMITTER_DIRECTIONAL &&
+        ui_vector(&position_row, light->position, .005F * viewer->document.geometry.radius);
+    if (light->type != EMITTER_POINT && ui_vector(&direction_row, direction, .01F) &&
         direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2] >
             0) {
-        emitter_aim(&placed->light, direction);
+        emitter_aim(light, direction);
         moved = true;
     }
-    if (moved) {
-        placed->light_moved = true;
-        viewer_touch(viewer);
-    }
+    if (moved)
+        viewer_touch_light(viewer);
     draw_brightness(viewer);
 }
 
@@ -400,7 +411,7 @@ static void draw_surface(struct viewer *viewer) {
 /* --- session --- */
 
 static void draw_session(struct viewer *viewer) {
-    struct ui_row row = {.name = "file", .help = "of settings, camera and light"};
+    struct ui_row row = {.name = "file", .help = "of settings, camera and lights"};
     ui_text_field(&row, viewer->panel.session_path, sizeof viewer->panel.session_path, "path");
     struct session session = viewer_session(viewer);
     if (ui_button("Save", NULL)) {
@@ -424,6 +435,7 @@ static void draw_session(struct viewer *viewer) {
         messages_add(&viewer->host.messages, UI_NORMAL, "%s", command);
         free(command);
     }
+    session_free(&session);
 }
 
 void panel_draw(struct viewer *viewer) {

@@ -36,9 +36,10 @@ static void follow_wishes(struct viewer *viewer) {
     }
     if (technique != viewer->wish.technique)
         pace_forget(&shown->pace);
-    if (!renderer_set_light(renderer, &viewer->placed.light)) {
+    if (!renderer_set_lights(renderer, &viewer->placed.emitters)) {
         viewer_tell_error(viewer);
-        viewer->placed.light = renderer->desc.light;
+        emitters_free(&viewer->placed.emitters);
+        viewer->placed.emitters = emitters_copy(&renderer->desc.emitters);
     }
     renderer_set_camera(renderer, &viewer->placed.orbit.camera);
     if (!compare_follow(&shown->compare, renderer, shown->coarse))
@@ -100,7 +101,7 @@ static bool render(struct viewer *viewer) {
             viewer_tell_error(viewer);
         pace_forget(&shown->pace);
     }
-    if (!renderer_update(renderer, &viewer->placed.light, &viewer->placed.orbit.camera))
+    if (!renderer_update(renderer, &viewer->placed.emitters, &viewer->placed.orbit.camera))
         return false;
     renderer_render(renderer);
     if (!compare_render(&shown->compare, renderer))

@@ -7,7 +7,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 void viewer_pick_camera(struct viewer *viewer, int n) {
@@ -20,10 +19,23 @@ void viewer_pick_camera(struct viewer *viewer, int n) {
     viewer_touch(viewer);
 }
 
-void viewer_pick_light(struct viewer *viewer, int n) {
-    emitter_place(&viewer->placed.light, &viewer->document.scene, n, viewer->placed.time);
-    viewer->placed.light_number = n;
-    viewer->placed.light_moved = false;
+struct emitter *viewer_light(const struct viewer *viewer) {
+    return &viewer->placed.emitters.items[viewer->placed.chosen_light];
+}
+
+bool viewer_light_is_moved(const struct viewer *viewer, int i) {
+    return viewer->placed.lights_moved >> i & 1;
+}
+
+void viewer_touch_light(struct viewer *viewer) {
+    viewer->placed.lights_moved |= (uint64_t)1 << viewer->placed.chosen_light;
+    viewer_touch(viewer);
+}
+
+void viewer_reset_light(struct viewer *viewer) {
+    struct emitter *light = viewer_light(viewer);
+    emitter_place(light, &viewer->document.scene, light->number, viewer->placed.time);
+    viewer->placed.lights_moved &= ~((uint64_t)1 << viewer->placed.chosen_light);
     viewer_touch(viewer);
 }
 
@@ -35,7 +47,7 @@ static bool init_renderer(struct viewer *viewer, struct renderer *renderer) {
         .scene = &viewer->document.scene,
         .geometry = &viewer->document.geometry,
         .camera = viewer->placed.orbit.camera,
-        .light = viewer->placed.light,
+        .emitters = viewer->placed.emitters,
         .keep_lights = true,
         .timed = true,
         .software = context_is_software(viewer->host.context),
@@ -62,27 +74,37 @@ void viewer_pick_clip(struct viewer *viewer, int n) {
     viewer->shown.left = viewer->shown.right = NULL;
 }
 
-/* Camera and light by texts; those that are not understood stay what they were. */
+/* Lights by a text. What it moves stays there. */
+static bool place_lights(struct viewer *viewer, const char *text) {
+    const struct scene *scene = &viewer->document.scene;
+    struct placed *placed = &viewer->placed;
+    if (!emitters_from_text(&placed->emitters, scene, text, placed->time))
+        return false;
+    placed->chosen_light = 0;
+    placed->lights_moved = 0;
+    for (int i = 0; i < placed->emitters.count && i < LIGHTS_MAX; i++) {
+        struct emitter before;
+        emitter_place(&before, scene, placed->emitters.items[i].number, placed->time);
+        bool moved = memcmp(&before, &placed->emitters.items[i], sizeof before) != 0;
+        placed->lights_moved |= (uint64_t)moved << i;
+    }
+    return true;
+}
+
+/* Camera and lights by texts; those that are not understood stay what they were. */
 static bool place(struct viewer *viewer, const char *camera_text, const char *light_text) {
     const struct scene *scene = &viewer->document.scene;
     const struct geometry *geometry = &viewer->document.geometry;
     struct camera camera;
-    struct emitters lights = {0};
     bool has_camera = camera_from_text(&camera, scene, camera_text, viewer->placed.time,
                                        &viewer->placed.camera_number);
     if (has_camera) {
         orbit_start(&viewer->placed.orbit, &camera, geometry->center, geometry->radius);
         viewer->placed.camera_moved = camera_text && strchr(camera_text, '=');
     }
-    bool has_light = emitters_from_text(&lights, scene, light_text, viewer->placed.time);
-    if (has_light) {
-        viewer->placed.light = lights.items[0];
-        viewer->placed.light_number = lights.items[0].number;
-        viewer->placed.light_moved = light_text && strchr(light_text, '=');
-    }
-    emitters_free(&lights);
+    bool has_lights = place_lights(viewer, light_text);
     viewer_touch(viewer);
-    return has_camera && has_light;
+    return has_camera && has_lights;
 }
 
 /* --- opening --- */
@@ -102,6 +124,7 @@ void viewer_close_scene(struct viewer *viewer) {
     compare_forget(&viewer->shown.compare);
     renderer_free(&viewer->shown.renderer);
     document_free(&viewer->document);
+    emitters_free(&viewer->placed.emitters);
     viewer->has_scene = viewer->shown.has_pick = false;
     viewer->shown.left = viewer->shown.right = NULL;
 }
@@ -125,11 +148,12 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     viewer->document = *document;
     viewer->placed = (struct placed){0};
     viewer_pick_camera(viewer, 0);
-    viewer_pick_light(viewer, 0);
+    place_lights(viewer, NULL);
     bool placed = place_as_told(viewer);
     if (!placed && !viewer_is_scripted(viewer))
         viewer_tell_error(viewer);
     if ((!placed && viewer_is_scripted(viewer)) || !init_renderer(viewer, &renderer)) {
+        emitters_free(&viewer->placed.emitters);
         viewer->document = before;
         viewer->placed = placed_before;
         error_prefix("%s", document->scene.path);
@@ -140,6 +164,7 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     if (viewer->has_scene) {
         renderer_free(&viewer->shown.renderer);
         document_free(&before);
+        emitters_free(&placed_before.emitters);
     }
     viewer->wish.play.on = false;
     viewer->shown.renderer = renderer;
@@ -183,10 +208,7 @@ struct session viewer_session(const struct viewer *viewer) {
     viewer_full_size(viewer, &session.width, &session.height);
     camera_to_text(&viewer->placed.orbit.camera, scene, viewer->placed.camera_number,
                    viewer->placed.time, session.camera);
-    struct emitter light = viewer->placed.light;
-    char *text = emitters_to_text(&(struct emitters){&light, 1}, scene, viewer->placed.time);
-    snprintf(session.light, sizeof session.light, "%s", text);
-    free(text);
+    session.lights = emitters_to_text(&viewer->placed.emitters, scene, viewer->placed.time);
     return session;
 }
 
@@ -199,6 +221,6 @@ void viewer_apply_session(struct viewer *viewer, const struct session *session) 
         session->clip != viewer->document.scene.clip)
         viewer_pick_clip(viewer, session->clip);
     viewer_go_to(viewer, (double)session->time);
-    if (!place(viewer, session->camera, session->light))
+    if (!place(viewer, session->camera, session->lights))
         viewer_tell_error(viewer);
 }

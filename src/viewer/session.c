@@ -1,3 +1,4 @@
+#define _POSIX_C_SOURCE 200809L
 #include "viewer/session.h"
 
 #include "base/error.h"
@@ -17,6 +18,11 @@ static const struct option session_table[] = {
     {"time", 0, OPTION_FLOAT, offsetof(struct session, time), 0, 0, 1e6, .help = NULL},
     {NULL},
 };
+
+void session_free(struct session *session) {
+    free(session->lights);
+    session->lights = NULL;
+}
 
 /* Steps through the settings that are not at their defaults. */
 static bool next_changed(const struct settings *settings, struct setting *setting) {
@@ -76,7 +82,7 @@ char *session_command(const struct session *session) {
         append(&text, mem_printf(" --set %s=%s", name, value));
     }
     append_quoted(&text, "--camera", session->camera);
-    append_quoted(&text, "--light", session->light);
+    append_quoted(&text, "--light", session->lights);
     append(&text, mem_strdup(" -o picture.png"));
     return text;
 }
@@ -103,7 +109,7 @@ bool session_save(const struct session *session, const char *path) {
         return false;
     output_text_init(&text);
     fprintf(text.stream, "# manylight view: settings\ntechnique = %s\ncamera = %s\nlight = %s\n",
-            session->technique->name, session->camera, session->light);
+            session->technique->name, session->camera, session->lights);
     for (const struct option *option = session_table; option->name; option++)
         write_value(text.stream, option, session);
     for (struct setting setting = {0}; next_changed(&session->settings, &setting);)
@@ -125,8 +131,11 @@ static bool read_line(struct session *session, char *line) {
         return option_parse(option, session, value);
     if (strcmp(line, "camera") == 0)
         return snprintf(session->camera, sizeof session->camera, "%s", value) > 0;
-    if (strcmp(line, "light") == 0)
-        return snprintf(session->light, sizeof session->light, "%s", value) > 0;
+    if (strcmp(line, "light") == 0) {
+        free(session->lights);
+        session->lights = mem_strdup(value);
+        return true;
+    }
     if (strcmp(line, "technique") == 0) {
         const struct technique *technique = technique_find(value);
         session->technique = technique ? technique : session->technique;
@@ -142,14 +151,18 @@ bool session_load(struct session *session, const char *path) {
     if (!file)
         return error_set("cannot read %s: %s", path, strerror(errno));
     struct session read = *session;
+    read.lights = mem_strdup(session->lights);
     options_set_defaults(session_table, &read);
     read.technique = technique_default;
     renderer_settings_init(&read.settings);
-    char line[1024];
+    char *line = NULL;
+    size_t room = 0;
     bool ok = true;
-    for (int number = 1; ok && fgets(line, sizeof line, file); number++)
+    for (int number = 1; ok && getline(&line, &room, file) >= 0; number++)
         ok = read_line(&read, line) || error_prefix("%s:%d", path, number);
+    free(line);
     fclose(file);
+    session_free(ok ? session : &read);
     if (ok)
         *session = read;
     return ok;

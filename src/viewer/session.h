@@ -16,14 +16,17 @@ struct session {
     int layer;  /* that is shown: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
     int clip;   /* number of the animation */
     float time; /* of it, seconds */
-    char camera[PLACING_TEXT_SIZE], light[PLACING_TEXT_SIZE];
+    char camera[PLACING_TEXT_SIZE];
+    char *lights;
 };
+
+void session_free(struct session *session);
 
 /* "manylight render SCENE --size ... -o picture.png", quoted for a shell; to be freed. Settings at
  * their defaults are left out. */
 char *session_command(const struct session *session);
 
-/* One "key = value" a line: technique, layer, clip, time, camera, light and the settings that are
+/* One "key = value" a line: technique, layer, clip, time, camera, lights and the settings that are
  * not at their defaults. */
 bool session_save(const struct session *session, const char *path);
 

@@ -170,6 +170,7 @@ bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc) {
 void viewer_end(struct viewer *viewer) {
     loader_free(&viewer->loader);
     close_window(viewer);
+    emitters_free(&viewer->placed.emitters);
     messages_free(&viewer->host.messages);
 }
 

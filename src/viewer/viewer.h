@@ -26,7 +26,7 @@ struct viewer_desc {
     const struct technique *technique;
     const struct direct_method *direct;
     struct settings settings;
-    const char *camera, *light; /* as scene/placing.h has it; NULL = the first */
+    const char *camera, *light; /* as scene/placing.h has it; NULL = the first, and all */
     const char *clip;           /* name or number; NULL = the first */
     double time;                /* of the animation, seconds */
     int layer;                  /* to show: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
@@ -102,11 +102,13 @@ struct viewer {
     bool has_scene;
     struct wish wish;
     struct placed {
-        int camera_number, light_number; /* of the scene */
-        bool camera_moved, light_moved;  /* by hand: an animation then leaves them alone */
+        int camera_number; /* of the scene */
+        bool camera_moved; /* by hand: an animation then leaves it alone */
         struct orbit orbit;
-        struct emitter light;
-        double time, posed_time; /* of the animation, seconds */
+        struct emitters emitters; /* that shine */
+        int chosen_light;         /* of them, which is moved and turned */
+        uint64_t lights_moved;    /* by hand: a bit of each */
+        double time, posed_time;  /* of the animation, seconds */
     } placed;
     struct shown shown;
     struct hand hand;
@@ -182,9 +184,15 @@ void viewer_open(struct viewer *viewer, const char *path);
 /* Takes a scene that has been loaded. False: it cannot be shown, and the one before stays. */
 bool viewer_poll_loader(struct viewer *viewer);
 
-/* Places the scene's n-th camera or light. */
+/* Places the scene's n-th camera. */
 void viewer_pick_camera(struct viewer *viewer, int n);
-void viewer_pick_light(struct viewer *viewer, int n);
+
+/* The light that is chosen, to be moved and turned: then viewer_touch_light. viewer_reset_light puts
+ * it back to where the scene has it. */
+struct emitter *viewer_light(const struct viewer *viewer);
+bool viewer_light_is_moved(const struct viewer *viewer, int i);
+void viewer_touch_light(struct viewer *viewer);
+void viewer_reset_light(struct viewer *viewer);
 
 /* Begins the scene's n-th clip. */
 void viewer_pick_clip(struct viewer *viewer, int n);

@@ -1,4 +1,4 @@
-/* Direct light with a hard shadow map [Dong 2009 §6].
+/* Direct light with hard shadow maps [Dong 2009 §6].
  *
  * The lookup is that of other maps of depth (visibility/lookup.glsl), filtered over the four nearest
  * texels, so that the shadow's edge is a texel wide and not stepped. */
@@ -8,10 +8,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "passes/visibility/shadow_map.h"
-#include "shared/direct.h"
 #include "shared/lookup.h"
-
-#include <cglm/util.h>
 
 #include <stdlib.h>
 
@@ -22,7 +19,7 @@ struct hard_settings {
 
 static const struct option table[] = {
     {"shadow-size", 0, OPTION_INT, offsetof(struct hard_settings, shadow_size), 2048, 16, 16384,
-     .help = "shadow map of the direct light, texels a side"},
+     .help = "shadow map of a light, texels a side"},
     {"shadow-bias", 0, OPTION_FLOAT, offsetof(struct hard_settings, shadow_bias), 1.5, 0, 100,
      .help = "receiver offset along its normal, in shadow texels"},
     {NULL},
@@ -33,13 +30,12 @@ static const struct settings_part own_part = {"hard", "direct light with hard sh
 
 struct hard {
     struct shadow_map_pass shadow_map;
-    float bias;
     GLuint perspective_program, orthographic_program;
     struct target {
         struct texture light;
         GLuint framebuffer;
     } target;
-    struct buffer params, lookup_params;
+    struct buffer lookups[LIGHT_MAP_KINDS];
 };
 
 static bool init_target(struct target *target, int width, int height) {
@@ -65,8 +61,8 @@ static void free_state(void *state) {
         program_free(&hard->perspective_program);
         program_free(&hard->orthographic_program);
         free_target(&hard->target);
-        buffer_free(&hard->params);
-        buffer_free(&hard->lookup_params);
+        for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
+            buffer_free(&hard->lookups[kind]);
     }
     free(hard);
 }
@@ -80,17 +76,24 @@ static bool init_program(GLuint *program, int projection) {
     return ok;
 }
 
+static bool init_lookups(struct hard *hard, int size, float bias) {
+    bool ok = true;
+    for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++) {
+        struct lookup_params params = {.bias = bias, .map_size = (float)light_map_size(kind, size)};
+        ok = ok && buffer_init(&hard->lookups[kind], "direct lookup", sizeof params, &params);
+    }
+    return ok;
+}
+
 static bool init(void **state, const struct direct_desc *desc) {
     const struct hard_settings *own = settings_of(desc->settings, &own_part);
     struct hard *hard = *state = mem_alloc(1, sizeof *hard);
-    hard->bias = own->shadow_bias;
     return shadow_map_pass_init(&hard->shadow_map,
-                                &(struct shadow_map_desc){own->shadow_size, desc->light_views}) &&
+                                &(struct shadow_map_desc){own->shadow_size, *desc->lights}) &&
            init_program(&hard->perspective_program, PROJECTION_PERSPECTIVE) &&
            init_program(&hard->orthographic_program, PROJECTION_ORTHOGRAPHIC) &&
            init_target(&hard->target, desc->width, desc->height) &&
-           buffer_init(&hard->params, "direct parameters", sizeof(struct direct_params), NULL) &&
-           buffer_init(&hard->lookup_params, "direct lookup", sizeof(struct lookup_params), NULL);
+           init_lookups(hard, own->shadow_size, own->shadow_bias);
 }
 
 static bool resize(void *state, int width, int height) {
@@ -110,32 +113,39 @@ static void render_lights(void *state, const struct frame *frame) {
     shadow_map_pass_render(&hard->shadow_map, frame);
 }
 
-static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
-    struct hard *hard = state;
-    const struct texture *map = &hard->shadow_map.map;
-    struct lookup_params lookup = {.bias = hard->bias, .map_size = (float)map->desc.width};
-    struct direct_params params = {.unused = 0};
-    for (int i = 0; i < 3; i++)
-        params.light[i] = frame->light_intensity[i] / ((float)GLM_PI * frame->direct_scale);
-    buffer_write(&hard->params, 0, sizeof params, &params);
-    buffer_write(&hard->lookup_params, 0, sizeof lookup, &lookup);
-    pass_begin(frame->timers, &(struct pass_state){
-                                  .name = "direct",
-                                  .program = frame->light_directional ? hard->orthographic_program
-                                                                      : hard->perspective_program,
-                                  .framebuffer = hard->target.framebuffer,
-                                  .width = hard->target.light.desc.width,
-                                  .height = hard->target.light.desc.height,
-                                  .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
-                                               {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                                               {UNIT_MAP_DEPTH, map->id}},
-                                  .blocks = {{BLOCK_VIEW, frame->view},
-                                             {BLOCK_LIGHT, frame->light},
-                                             {BLOCK_PASS, &hard->params},
-                                             {BLOCK_LOOKUP, &hard->lookup_params}},
-                              });
+/* Adds one light's. */
+static void draw_light(const struct hard *hard, const struct frame *frame,
+                       const struct gbuffer *gbuffer, int index) {
+    const struct light *light = &frame->light_block->sources[index];
+    int kind = frame->light_block->views[light->first_view].kind;
+    bool directional = light->type == LIGHT_TYPE_DIRECTIONAL;
+    GLuint program = directional ? hard->orthographic_program : hard->perspective_program;
+    pass_set_state(&(struct pass_state){
+        .name = "direct",
+        .program = program,
+        .framebuffer = hard->target.framebuffer,
+        .width = hard->target.light.desc.width,
+        .height = hard->target.light.desc.height,
+        .blend = PASS_BLEND_ADD,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                     {UNIT_MAP_DEPTH, hard->shadow_map.maps[kind].id}},
+        .blocks = {{BLOCK_VIEW, frame->view},
+                   {BLOCK_LIGHTS, frame->lights},
+                   {BLOCK_LOOKUP, &hard->lookups[kind]}},
+    });
+    gl.ProgramUniform1i(program, LOCATION_LIGHT, index);
     pass_draw_fullscreen(1);
-    pass_end(frame->timers);
+}
+
+static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
+    static const float zero[4] = {0};
+    struct hard *hard = state;
+    timer_begin(frame->timers, "direct");
+    framebuffer_clear_color(hard->target.framebuffer, TARGET_RESULT, zero);
+    for (int i = 0; i < frame->light_block->count; i++)
+        draw_light(hard, frame, gbuffer, i);
+    timer_end(frame->timers);
 }
 
 static const struct texture *light(const void *state) {
@@ -148,7 +158,7 @@ static const struct settings_part *const parts[] = {&own_part, NULL};
 extern const struct direct_method hard_direct;
 const struct direct_method hard_direct = {
     .name = "hard",
-    .help = "one shadow map, hard shadows",
+    .help = "a shadow map for each light, hard shadows",
     .parts = parts,
     .init = init,
     .free = free_state,

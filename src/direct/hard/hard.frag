@@ -1,25 +1,26 @@
-// Direct light with a hard shadow map.
+// Direct light with a hard shadow map, of one light.
 #include "lib/gbuffer.glsl"
 #include "lib/light.glsl"
-#include "shared/direct.h"
 #include "visibility/lookup.glsl"
+
+layout(location = LOCATION_LIGHT) uniform int light_index;
 
 layout(location = TARGET_RESULT) out vec4 direct;
 
 // The share that arrives.
-float arriving(surface s, int layer) {
+float arriving(surface s, light_view v) {
     receiver r;
-    return project(light.views[layer], s.position, s.normal, r) ? lit(layer, r, 0.0) : 1.0;
+    return project(v.view, s.position, s.normal, r) ? lit(v.layer, r, 0.0) : 1.0;
 }
 
 // Irradiance per unit of intensity, times direct_scale.
-float received(surface s, vec3 direction, float distance2) {
+float received(surface s, light l, vec3 direction, float distance2) {
     float share = max(dot(s.normal, -direction), 0.0);
-    if (light.type != LIGHT_TYPE_DIRECTIONAL)
-        share *= light.direct_scale / distance2;
-    if (light.type == LIGHT_TYPE_SPOT)
-        share *= light_cone(dot(direction, light.direction));
-    return share > 0.0 ? share * arriving(s, light_view_index(direction)) : 0.0;
+    if (l.type != LIGHT_TYPE_DIRECTIONAL)
+        share *= l.direct_scale / distance2;
+    if (l.type == LIGHT_TYPE_SPOT)
+        share *= light_cone(l, dot(direction, l.direction));
+    return share > 0.0 ? share * arriving(s, lights.views[light_view_index(l, direction)]) : 0.0;
 }
 
 void main() {
@@ -27,9 +28,9 @@ void main() {
     surface s = gbuffer_surface(ivec2(gl_FragCoord.xy));
     if (!s.present)
         return;
-    vec3 to_light = light.position - s.position;
+    light l = lights.sources[light_index];
+    vec3 to_light = l.position - s.position;
     float distance2 = dot(to_light, to_light);
-    vec3 direction = light.type == LIGHT_TYPE_DIRECTIONAL ? light.direction
-                                                          : -to_light * inversesqrt(distance2);
-    direct.rgb = params.light * received(s, direction, distance2);
+    vec3 direction = l.type == LIGHT_TYPE_DIRECTIONAL ? l.direction : -to_light * inversesqrt(distance2);
+    direct.rgb = l.radiance * received(s, l, direction, distance2);
 }

@@ -61,7 +61,6 @@ static void write_params(const struct gather_pass *pass, const struct frame *fra
         .pattern = irradiance_pattern(&pass->irradiance),
         .scale = frame->irradiance_scale,
         .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
-        .reach = frame_near_reach(frame, inputs->vpls->count, desc->reach),
         .block = desc->share ? inputs->blocks->block : 1,
         .block_apart = block_apart * frame->radius,
     };

@@ -23,7 +23,6 @@ struct gather_desc {
     struct visibility_desc visibility;
     enum gather_clamp clamp;
     float clamp_value; /* of the bounded geometry term, times the squared scene radius */
-    float reach;       /* of the near field, in spacings of VPLs */
 };
 
 struct gather_pass {

@@ -29,11 +29,12 @@ static bool upload_samples(struct near_field_pass *pass) {
 }
 
 static bool init_programs(struct near_field_pass *pass) {
-    char *defines = mem_printf("LIGHT_VIEWS %d", pass->desc.light_views);
+    char *defines = mem_printf("LIGHTS %d;CUBES %d", pass->desc.lights.lights,
+                               pass->desc.lights.views[LIGHT_MAP_FACE] > 0);
     bool ok =
         program_init(&pass->light_program,
                      &(struct program_desc){
-                         .vertex = "layers.vert",
+                         .vertex = "light_maps.vert",
                          .fragment = "gather/near_light.frag",
                      }) &&
         program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
@@ -43,35 +44,39 @@ static bool init_programs(struct near_field_pass *pass) {
     return ok;
 }
 
-static bool init_lights(struct near_field_pass *pass) {
-    return texture_init(&pass->lights,
-                        &(struct texture_desc){
-                            .label = "near lights",
-                            .target = GL_TEXTURE_2D_ARRAY,
-                            .format = GL_RGBA32UI,
-                            .width = pass->desc.rsm_size,
-                            .height = pass->desc.rsm_size,
-                            .layers = pass->desc.light_views,
-                        }) &&
-           framebuffer_init(
-               &pass->lights_framebuffer,
-               &(struct framebuffer_desc){.label = "near lights", .colors = {&pass->lights}});
+static bool init_lights(struct near_field_pass *pass, int kind) {
+    int size = light_map_size(kind, pass->desc.rsm_size), layers = pass->desc.lights.views[kind];
+    return layers == 0 ||
+           (texture_init(&pass->lights[kind], &(struct texture_desc){.label = "near lights",
+                                                                     .target = GL_TEXTURE_2D_ARRAY,
+                                                                     .format = GL_RGBA32UI,
+                                                                     .width = size,
+                                                                     .height = size,
+                                                                     .layers = layers}) &&
+            framebuffer_init(&pass->lights_framebuffers[kind],
+                             &(struct framebuffer_desc){.label = "near lights",
+                                                        .colors = {&pass->lights[kind]}}));
 }
 
 bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_desc *desc) {
     *pass = (struct near_field_pass){.desc = *desc};
-    if (init_programs(pass) && init_lights(pass) && upload_samples(pass) &&
-        buffer_init(&pass->params, "near field parameters", sizeof(struct near_field_params), NULL))
-        return true;
-    near_field_pass_free(pass);
-    return false;
+    bool ok =
+        init_programs(pass) && upload_samples(pass) &&
+        buffer_init(&pass->params, "near field parameters", sizeof(struct near_field_params), NULL);
+    for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++)
+        ok = init_lights(pass, kind);
+    if (!ok)
+        near_field_pass_free(pass);
+    return ok;
 }
 
 void near_field_pass_free(struct near_field_pass *pass) {
     program_free(&pass->light_program);
     program_free(&pass->program);
-    texture_free(&pass->lights);
-    framebuffer_free(&pass->lights_framebuffer);
+    for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++) {
+        texture_free(&pass->lights[kind]);
+        framebuffer_free(&pass->lights_framebuffers[kind]);
+    }
     buffer_free(&pass->samples);
     buffer_free(&pass->params);
     *pass = (struct near_field_pass){0};
@@ -81,58 +86,71 @@ static void write_params(const struct near_field_pass *pass, const struct frame 
                          struct interleaving pattern) {
     struct near_field_params params = {
         .pattern = pattern,
-        .vpl_share = frame->light_measure / (float)pass->desc.vpl_count,
-        .reach = frame_near_reach(frame, pass->desc.vpl_count, pass->desc.reach),
         .power_scale = frame->irradiance_scale / (frame->radius * frame->radius),
         .inverse_radius = 1 / frame->radius,
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
 
-void near_field_pass_render_light(const struct near_field_pass *pass, const struct frame *frame,
-                                  const struct gbuffer *rsm) {
+void near_field_pass_render_lights(const struct near_field_pass *pass, const struct frame *frame,
+                                   const struct gbuffer rsm[LIGHT_MAP_KINDS],
+                                   const struct buffer *shares) {
+    struct pass_state state = {
+        .name = "near light",
+        .program = pass->light_program,
+        .blocks = {{BLOCK_LIGHTS, frame->lights},
+                   {BLOCK_VPL_SHARES, shares},
+                   {BLOCK_PASS, &pass->params}},
+    };
+    rsm_add(&state, rsm);
     write_params(pass, frame, (struct interleaving){.n = 1});
-    pass_begin(frame->timers,
-               &(struct pass_state){
-                   .name = "near light",
-                   .program = pass->light_program,
-                   .framebuffer = pass->lights_framebuffer,
-                   .width = pass->desc.rsm_size,
-                   .height = pass->desc.rsm_size,
-                   .textures = {{UNIT_RSM_DEPTH, rsm->depth.id},
-                                {UNIT_RSM_NORMAL, rsm->normal.id},
-                                {UNIT_RSM_ALBEDO, rsm->albedo.id}},
-                   .blocks = {{BLOCK_LIGHT, frame->light}, {BLOCK_PASS, &pass->params}},
-               });
-    pass_draw_fullscreen(pass->desc.light_views);
-    pass_end(frame->timers);
+    timer_begin(frame->timers, "near light");
+    for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
+        if (frame->layout.views[kind]) {
+            state.framebuffer = pass->lights_framebuffers[kind];
+            state.width = pass->lights[kind].desc.width;
+            state.height = pass->lights[kind].desc.height;
+            pass_set_state(&state);
+            pass_draw_fullscreen(frame_target_views(frame, state.program, kind));
+        }
+    timer_end(frame->timers);
+}
+
+/* The tile of one slot of the pattern. */
+static void draw_slot(const struct near_field_pass *pass, const struct irradiance *irradiance,
+                      int slot) {
+    int n = irradiance->interleave, patterns = pattern_count(&pass->desc);
+    pass_viewport(slot % n * irradiance->tile_width, slot / n * irradiance->tile_height,
+                  irradiance->tile_width, irradiance->tile_height);
+    gl.ProgramUniform4i(pass->program, LOCATION_SLOT, slot % patterns * pass->desc.samples,
+                        pass->desc.samples, slot % n, slot / n);
+    pass_draw_fullscreen(1);
 }
 
 void near_field_pass_render(const struct near_field_pass *pass, const struct frame *frame,
-                            const struct gbuffer *gbuffer, const struct irradiance *irradiance) {
-    int n = irradiance->interleave, patterns = pattern_count(&pass->desc);
+                            const struct gbuffer *gbuffer, const struct buffer *shares,
+                            const struct irradiance *irradiance) {
+    struct pass_state state = {
+        .name = "near field",
+        .program = pass->program,
+        .framebuffer = irradiance->framebuffer,
+        .width = irradiance->texture.desc.width,
+        .height = irradiance->texture.desc.height,
+        .blend = PASS_BLEND_ADD,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
+        .blocks = {{BLOCK_VIEW, frame->view},
+                   {BLOCK_LIGHTS, frame->lights},
+                   {BLOCK_VPL_SHARES, shares},
+                   {BLOCK_PASS, &pass->params},
+                   {BLOCK_NEAR_SAMPLES, &pass->samples}},
+    };
+    for (GLuint kind = 0; kind < LIGHT_MAP_KINDS; kind++)
+        if (pass->lights[kind].id)
+            pass_add_texture(&state, UNIT_NEAR_LIGHT + kind, pass->lights[kind].id);
     write_params(pass, frame, irradiance_pattern(irradiance));
-    pass_begin(frame->timers, &(struct pass_state){
-                                  .name = "near field",
-                                  .program = pass->program,
-                                  .framebuffer = irradiance->framebuffer,
-                                  .width = irradiance->texture.desc.width,
-                                  .height = irradiance->texture.desc.height,
-                                  .blend = PASS_BLEND_ADD,
-                                  .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
-                                               {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                                               {UNIT_NEAR_LIGHT, pass->lights.id}},
-                                  .blocks = {{BLOCK_VIEW, frame->view},
-                                             {BLOCK_LIGHT, frame->light},
-                                             {BLOCK_PASS, &pass->params},
-                                             {BLOCK_NEAR_SAMPLES, &pass->samples}},
-                              });
-    for (int slot = 0; slot < n * n; slot++) {
-        pass_viewport(slot % n * irradiance->tile_width, slot / n * irradiance->tile_height,
-                      irradiance->tile_width, irradiance->tile_height);
-        gl.ProgramUniform4i(pass->program, LOCATION_SLOT, slot % patterns * pass->desc.samples,
-                            pass->desc.samples, slot % n, slot / n);
-        pass_draw_fullscreen(1);
-    }
+    pass_begin(frame->timers, &state);
+    for (int slot = 0; slot < irradiance->interleave * irradiance->interleave; slot++)
+        draw_slot(pass, irradiance, slot);
     pass_end(frame->timers);
 }

@@ -5,7 +5,7 @@
  * split: with near(d) = (1 - d^2 / (reach^2 area))^2 the VPLs give (1 - near), and this pass gives
  * near, from the texels of the reflective shadow map around the receiver [Dachsbacher and
  * Stamminger 2005]. It takes the place of clamping and compensation [Kollig and Keller 2004]. What
- * is near counts as unoccluded: the bias of it. Cost: pixels x samples, for pixels in reach of the
+ * is near counts as unoccluded: the bias of it. Cost: pixels x samples, for pixels in reach of a
  * light alone.
  */
 #ifndef PASSES_NEAR_FIELD_H
@@ -16,28 +16,30 @@
 struct near_field_desc {
     int samples;    /* of each pixel */
     int interleave; /* of the irradiance that it adds to: as many patterns, squared */
-    int vpl_count;
-    int rsm_size, light_views;
-    float reach; /* in spacings of VPLs */
+    int rsm_size;   /* as lights' settings have it */
+    struct light_layout lights;
 };
 
 struct near_field_pass {
     struct near_field_desc desc;
     GLuint light_program, program;
-    struct texture lights; /* RGBA32UI of the shadow map's size, glsl/gather/near_light.glsl */
-    GLuint lights_framebuffer;
+    struct texture lights[LIGHT_MAP_KINDS]; /* RGBA32UI, maps as the shadow map's,
+                                               glsl/gather/near_light.glsl */
+    GLuint lights_framebuffers[LIGHT_MAP_KINDS];
     struct buffer samples, params;
 };
 
 bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_desc *desc);
 void near_field_pass_free(struct near_field_pass *pass);
 
-/* What the reflective shadow map says, made ready. Timer "near light". */
-void near_field_pass_render_light(const struct near_field_pass *pass, const struct frame *frame,
-                                  const struct gbuffer *rsm);
+/* What the reflective shadow map says, made ready; shares are passes/vpl.h's. Timer "near light". */
+void near_field_pass_render_lights(const struct near_field_pass *pass, const struct frame *frame,
+                                   const struct gbuffer rsm[LIGHT_MAP_KINDS],
+                                   const struct buffer *shares);
 
 /* Adds to the irradiance. Timer "near field". */
 void near_field_pass_render(const struct near_field_pass *pass, const struct frame *frame,
-                            const struct gbuffer *gbuffer, const struct irradiance *irradiance);
+                            const struct gbuffer *gbuffer, const struct buffer *shares,
+                            const struct irradiance *irradiance);
 
 #endif

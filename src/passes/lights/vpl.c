@@ -1,68 +1,119 @@
 #include "passes/lights/vpl.h"
 
+#include "base/deal.h"
 #include "base/halton.h"
 #include "base/memory.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "gl/vertex_array.h"
-#include "shared/vpl_pass.h"
+#include "shared/vpl.h"
+#include "shared/vpl_share.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-static bool upload_halton(struct vpl_pass *pass) {
-    int count = pass->desc.count;
-    float(*points)[2] = mem_alloc((size_t)count, sizeof *points);
-    /* A shift by Halton's own later points: any seed is a new, equally even set. */
-    double shift[2] = {0, 0};
-    if (pass->desc.seed)
-        for (int axis = 0; axis < 2; axis++)
-            shift[axis] = radical_inverse(axis ? 7 : 5, (uint32_t)pass->desc.seed);
-    for (int i = 0; i < count; i++)
-        for (int axis = 0; axis < 2; axis++)
-            points[i][axis] =
-                (float)fmod(radical_inverse(axis ? 3 : 2, (uint32_t)i) + shift[axis], 1);
-    bool ok = buffer_init(&pass->halton, "Halton points", (size_t)count * sizeof *points, points);
-    free(points);
-    return ok;
-}
+/* What a VPL is made of: ATTRIBUTE_VPL_POINT. */
+struct vpl_point {
+    float halton[2];
+    float light; /* a whole number */
+};
 
 bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc) {
     *pass = (struct vpl_pass){.desc = *desc};
-    struct vpl_params params = {.count = desc->count};
-    if (!upload_halton(pass) ||
-        !buffer_init(&pass->params, "VPL parameters", sizeof params, &params) ||
-        !program_init(&pass->program, &(struct program_desc){.vertex = "lights/vpl.vert"})) {
+    size_t size = (size_t)desc->count * sizeof *pass->points;
+    pass->points = mem_alloc((size_t)desc->count, sizeof *pass->points);
+    if (!program_init(&pass->program, &(struct program_desc){.vertex = "lights/vpl.vert"}) ||
+        !buffer_init(&pass->samples, "Halton points", size, NULL) ||
+        !buffer_init(&pass->shares, "shares of VPLs", sizeof(struct vpl_share_block), NULL)) {
         vpl_pass_free(pass);
         return false;
     }
     gl.CreateVertexArrays(1, &pass->vertices);
     vertex_array_attribute(
-        pass->vertices, ATTRIBUTE_HALTON,
-        &(struct vertex_attribute){&pass->halton, 2, GL_FLOAT, 2 * sizeof(float), 0});
+        pass->vertices, ATTRIBUTE_VPL_POINT,
+        &(struct vertex_attribute){&pass->samples, 3, GL_FLOAT, sizeof *pass->points, 0});
     return true;
 }
 
 void vpl_pass_free(struct vpl_pass *pass) {
     program_free(&pass->program);
     vertex_array_free(&pass->vertices);
-    buffer_free(&pass->halton);
-    buffer_free(&pass->params);
+    buffer_free(&pass->samples);
+    buffer_free(&pass->shares);
+    free(pass->points);
     *pass = (struct vpl_pass){0};
 }
 
-void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
-                     const struct gbuffer *rsm, const struct vpl_buffer *vpls) {
-    pass_begin(frame->timers,
-               &(struct pass_state){
-                   .name = "vpls",
-                   .program = pass->program,
-                   .vertex_array = pass->vertices,
-                   .textures = {{UNIT_RSM_DEPTH, rsm->depth.id},
-                                {UNIT_RSM_NORMAL, rsm->normal.id},
-                                {UNIT_RSM_ALBEDO, rsm->albedo.id}},
-                   .blocks = {{BLOCK_LIGHT, frame->light}, {BLOCK_PASS, &pass->params}},
-               });
+/* A shift by Halton's own later points: for any seed, and for each light after the first, a new set
+ * that is as even. */
+static double shift(int seed, int light, int axis) {
+    double by_seed = seed ? radical_inverse(axis ? 7 : 5, (uint32_t)seed) : 0;
+    return by_seed + radical_inverse(axis ? 13 : 11, (uint32_t)light);
+}
+
+static void deal_points(struct vpl_pass *pass) {
+    int count = pass->desc.count;
+    struct dealt *dealt = mem_alloc((size_t)count, sizeof *dealt);
+    deal(pass->fluxes, pass->light_count, dealt, count, pass->counts);
+    for (int i = 0; i < count; i++) {
+        int light = dealt[i].taker;
+        pass->points[i].light = (float)light;
+        for (int axis = 0; axis < 2; axis++) {
+            double point = radical_inverse(axis ? 3 : 2, (uint32_t)dealt[i].number);
+            pass->points[i].halton[axis] =
+                (float)fmod(point + shift(pass->desc.seed, light, axis), 1);
+        }
+    }
+    buffer_write(&pass->samples, 0, (size_t)count * sizeof *pass->points, pass->points);
+    free(dealt);
+}
+
+/* In most clips the fluxes stay what they are, and so do the points. */
+static void follow_fluxes(struct vpl_pass *pass, const struct frame *frame) {
+    const struct emitters *emitters = frame->emitters;
+    double fluxes[LIGHTS_MAX] = {0};
+    for (int i = 0; i < emitters->count; i++)
+        fluxes[i] = emitter_flux(&emitters->items[i], frame->radius);
+    if (pass->light_count == emitters->count && memcmp(fluxes, pass->fluxes, sizeof fluxes) == 0)
+        return;
+    pass->light_count = emitters->count;
+    memcpy(pass->fluxes, fluxes, sizeof fluxes);
+    deal_points(pass);
+}
+
+/* As far as is asked for, but no farther from its point in the light's view than 45 degrees, where
+ * few VPLs are far apart. */
+static float near_reach(const struct light *light, float measure, float asked) {
+    float widest = measure / (float)VPL_COSINE_MIN;
+    return light->type == LIGHT_TYPE_DIRECTIONAL ? asked : fminf(asked, 1 / sqrtf(widest));
+}
+
+static void write_shares(const struct vpl_pass *pass, const struct frame *frame) {
+    struct vpl_share_block shares = {0};
+    for (int i = 0; i < pass->light_count; i++) {
+        const struct light *light = &frame->light_block->sources[i];
+        if (pass->counts[i] == 0)
+            continue;
+        float measure = light->measure / (float)pass->counts[i];
+        shares.of[i] = (struct vpl_share){.measure = measure,
+                                          .reach = near_reach(light, measure, pass->desc.reach)};
+    }
+    buffer_write(&pass->shares, 0, sizeof shares, &shares);
+}
+
+void vpl_pass_render(struct vpl_pass *pass, const struct frame *frame,
+                     const struct gbuffer rsm[LIGHT_MAP_KINDS], const struct vpl_buffer *vpls) {
+    follow_fluxes(pass, frame);
+    write_shares(pass, frame);
+    struct pass_state state = {
+        .name = "vpls",
+        .program = pass->program,
+        .vertex_array = pass->vertices,
+        .blocks = {{BLOCK_LIGHTS, frame->lights}, {BLOCK_VPL_SHARES, &pass->shares}},
+    };
+    rsm_add(&state, rsm);
+    pass_begin(frame->timers, &state);
     pass_feedback(vpls->buffer.id, 0, pass->desc.count);
     pass_end(frame->timers);
 }

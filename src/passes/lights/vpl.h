@@ -1,10 +1,13 @@
 /* Virtual point lights by transform feedback [Dong 2009 §4, §6].
  *
- * Point i reads the reflective shadow map at Halton point i, mapped to the light's own domain: the
- * cone of a spot, the sphere of a point light (uniform in solid angle, each sample stands for Omega
- * / N), the rectangle of a directional light. The papers map a square over the cone and waste 21 %.
- * Reflected flux Phi_i = albedo_i I(w_i) Omega / N, W. A sample that meets nothing has flux 0.
- * The 16 VPLs of an interleave slot are contiguous: aligned runs of the sequence are stratified.
+ * Each reads the reflective shadow map at a Halton point, mapped to its light's own domain: the cone
+ * of a spot, the sphere of a point light (uniform in solid angle, each sample stands for Omega / n),
+ * the rectangle of a directional light. The papers map a square over the cone and waste 21 %.
+ * Reflected flux Phi_i = albedo_i I(w_i) Omega / n, W. A sample that meets nothing has flux 0.
+ *
+ * Of several lights each has n of the N by its share of the flux, at least one, and points of its
+ * own. The 16 VPLs of an interleave slot are contiguous, and hold all lights by their shares:
+ * aligned runs of the sequences are stratified.
  */
 #ifndef PASSES_VPL_H
 #define PASSES_VPL_H
@@ -12,21 +15,26 @@
 #include "passes/frame.h"
 
 struct vpl_desc {
-    int count;
-    int seed; /* 0 = Halton's points as they are; else shifted on the torus */
+    int count;   /* N */
+    int seed;    /* 0 = Halton's points as they are; else shifted on the torus */
+    float reach; /* of the near field that is asked for, in spacings of VPLs */
 };
 
 struct vpl_pass {
     struct vpl_desc desc;
     GLuint program, vertices;
-    struct buffer halton, params;
+    struct vpl_point *points;      /* as the buffer has them */
+    int light_count;               /* of the lights that they were dealt to; 0 = none yet */
+    double fluxes[LIGHTS_MAX];     /* of them */
+    int counts[LIGHTS_MAX];        /* n of each */
+    struct buffer samples, shares; /* the points; struct vpl_share_block, for BLOCK_VPL_SHARES */
 };
 
 bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc);
 void vpl_pass_free(struct vpl_pass *pass);
 
-/* Fills vpls (C(i) = 0). Timer "vpls". */
-void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
-                     const struct gbuffer *rsm, const struct vpl_buffer *vpls);
+/* Fills vpls (C(i) = 0) and pass->shares. Timer "vpls". */
+void vpl_pass_render(struct vpl_pass *pass, const struct frame *frame,
+                     const struct gbuffer rsm[LIGHT_MAP_KINDS], const struct vpl_buffer *vpls);
 
 #endif

@@ -32,26 +32,30 @@ static void render(struct pass_state state, const struct frame *frame,
     state.width = gbuffer->width;
     state.height = gbuffer->height;
     state.depth = PASS_DEPTH_GREATER;
-    pass_begin(frame->timers, &state);
+    pass_set_state(&state);
     framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_NORMAL, zero);
     framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_ALBEDO, zero);
     framebuffer_clear_depth(gbuffer->framebuffer, 0);
     scene_gpu_draw_shaded(frame->scene, views);
-    pass_end(frame->timers);
 }
 
 void geometry_pass_render_camera(const struct geometry_pass *pass, const struct frame *frame,
                                  const struct gbuffer *gbuffer) {
+    timer_begin(frame->timers, "gbuffer");
     render((struct pass_state){.name = "gbuffer",
                                .program = pass->camera_program,
                                .blocks = {{BLOCK_VIEW, frame->view}}},
            frame, gbuffer, 1);
+    timer_end(frame->timers);
 }
 
-void geometry_pass_render_light(const struct geometry_pass *pass, const struct frame *frame,
-                                const struct gbuffer *rsm) {
-    render((struct pass_state){.name = "rsm",
-                               .program = pass->light_program,
-                               .blocks = {{BLOCK_LIGHT, frame->light}}},
-           frame, rsm, frame->light_views);
+void geometry_pass_render_lights(const struct geometry_pass *pass, const struct frame *frame,
+                                 const struct gbuffer rsm[LIGHT_MAP_KINDS]) {
+    struct pass_state state = {
+        .name = "rsm", .program = pass->light_program, .blocks = {{BLOCK_LIGHTS, frame->lights}}};
+    timer_begin(frame->timers, "rsm");
+    for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
+        if (frame->layout.views[kind])
+            render(state, frame, &rsm[kind], frame_target_views(frame, state.program, kind));
+    timer_end(frame->timers);
 }

@@ -1,8 +1,8 @@
-/* Draws the scene's surfaces into a G-buffer: the camera's, or the light's.
+/* Draws the scene's surfaces into a G-buffer: the camera's, or the lights'.
  *
- * The light's G-buffer is the reflective shadow map [Dong 2009 §6; Dachsbacher and Stamminger
- * 2005]: one layer of a spot or a directional light, six of a point light, which the papers keep in
- * a cube map.
+ * The lights' G-buffer is the reflective shadow map [Dong 2009 §6; Dachsbacher and Stamminger
+ * 2005]: one map of a spot or a directional light, six of a point light, which the papers keep in a
+ * cube map.
  */
 #ifndef PASSES_GEOMETRY_H
 #define PASSES_GEOMETRY_H
@@ -20,8 +20,8 @@ void geometry_pass_free(struct geometry_pass *pass);
 void geometry_pass_render_camera(const struct geometry_pass *pass, const struct frame *frame,
                                  const struct gbuffer *gbuffer);
 
-/* Clears and fills one layer for each view from the light. Timer "rsm". */
-void geometry_pass_render_light(const struct geometry_pass *pass, const struct frame *frame,
-                                const struct gbuffer *rsm);
+/* Clears and fills the map of each view from a light. Timer "rsm". */
+void geometry_pass_render_lights(const struct geometry_pass *pass, const struct frame *frame,
+                                 const struct gbuffer rsm[LIGHT_MAP_KINDS]);
 
 #endif

@@ -5,55 +5,70 @@
 #include "gl/program.h"
 #include "shared/bindings.h"
 
+static bool init_maps(struct shadow_map_pass *pass, int kind, int size, int layers) {
+    return layers == 0 ||
+           (texture_init(&pass->maps[kind], &(struct texture_desc){.label = "shadow map",
+                                                                   .target = GL_TEXTURE_2D_ARRAY,
+                                                                   .format = GL_DEPTH_COMPONENT32F,
+                                                                   .width = size,
+                                                                   .height = size,
+                                                                   .layers = layers}) &&
+            framebuffer_init(
+                &pass->framebuffers[kind],
+                &(struct framebuffer_desc){.label = "shadow map", .depth = &pass->maps[kind]}));
+}
+
 bool shadow_map_pass_init(struct shadow_map_pass *pass, const struct shadow_map_desc *desc) {
-    int size = desc->light_views > 1 ? (desc->size + 1) / 2 : desc->size;
     *pass = (struct shadow_map_pass){0};
-    if (program_init(&pass->opaque_program,
-                     &(struct program_desc){.vertex = "visibility/shadow_map.vert",
-                                            .fragment = "picture/depth_only.frag"}) &&
-        program_init(&pass->masked_program,
-                     &(struct program_desc){.vertex = "picture/geometry.vert",
-                                            .fragment = "picture/geometry.frag",
-                                            .defines = "LIGHT_VIEW;DEPTH_ONLY"}) &&
-        texture_init(&pass->map, &(struct texture_desc){.label = "shadow map",
-                                                        .target = GL_TEXTURE_2D_ARRAY,
-                                                        .format = GL_DEPTH_COMPONENT32F,
-                                                        .width = size,
-                                                        .height = size,
-                                                        .layers = desc->light_views}) &&
-        framebuffer_init(&pass->framebuffer,
-                         &(struct framebuffer_desc){.label = "shadow map", .depth = &pass->map}))
-        return true;
-    shadow_map_pass_free(pass);
-    return false;
+    bool ok = program_init(&pass->opaque_program,
+                           &(struct program_desc){.vertex = "visibility/shadow_map.vert",
+                                                  .fragment = "picture/depth_only.frag"}) &&
+              program_init(&pass->masked_program,
+                           &(struct program_desc){.vertex = "picture/geometry.vert",
+                                                  .fragment = "picture/geometry.frag",
+                                                  .defines = "LIGHT_VIEW;DEPTH_ONLY"});
+    for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++)
+        ok = init_maps(pass, kind, light_map_size(kind, desc->size), desc->lights.views[kind]);
+    if (!ok)
+        shadow_map_pass_free(pass);
+    return ok;
 }
 
 void shadow_map_pass_free(struct shadow_map_pass *pass) {
     program_free(&pass->opaque_program);
     program_free(&pass->masked_program);
-    framebuffer_free(&pass->framebuffer);
-    texture_free(&pass->map);
+    for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++) {
+        framebuffer_free(&pass->framebuffers[kind]);
+        texture_free(&pass->maps[kind]);
+    }
     *pass = (struct shadow_map_pass){0};
 }
 
-void shadow_map_pass_render(const struct shadow_map_pass *pass, const struct frame *frame) {
+static void render_kind(const struct shadow_map_pass *pass, const struct frame *frame, int kind) {
     struct pass_state state = {
         .name = "shadow map",
         .program = pass->opaque_program,
-        .framebuffer = pass->framebuffer,
+        .framebuffer = pass->framebuffers[kind],
         .vertex_array = frame->scene->shaded_vertices,
-        .width = pass->map.desc.width,
-        .height = pass->map.desc.height,
+        .width = pass->maps[kind].desc.width,
+        .height = pass->maps[kind].desc.height,
         .depth = PASS_DEPTH_GREATER,
-        .blocks = {{BLOCK_LIGHT, frame->light}},
+        .blocks = {{BLOCK_LIGHTS, frame->lights}},
     };
-    pass_begin(frame->timers, &state);
-    framebuffer_clear_depth(pass->framebuffer, 0);
-    scene_gpu_draw_opaque(frame->scene, frame->light_views);
+    pass_set_state(&state);
+    framebuffer_clear_depth(state.framebuffer, 0);
+    scene_gpu_draw_opaque(frame->scene, frame_target_views(frame, state.program, kind));
     if (frame->scene->has_masked) {
         state.program = pass->masked_program;
         pass_set_state(&state);
-        scene_gpu_draw_masked(frame->scene, frame->light_views);
+        scene_gpu_draw_masked(frame->scene, frame_target_views(frame, state.program, kind));
     }
-    pass_end(frame->timers);
+}
+
+void shadow_map_pass_render(const struct shadow_map_pass *pass, const struct frame *frame) {
+    timer_begin(frame->timers, "shadow map");
+    for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
+        if (frame->layout.views[kind])
+            render_kind(pass, frame, kind);
+    timer_end(frame->timers);
 }

@@ -1,0 +1,271 @@
+/* Several lights in one picture: each has the maps, the direct light and the VPLs that it would have
+ * alone, and light adds up. */
+#include "render_support.h"
+
+#include "base/error.h"
+#include "gl/memory.h"
+#include "reference/channels.h"
+#include "reference/path_tracer.h"
+#include "scene/view.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIZE = 64 };
+
+static const char *const three_lights = "scenes/three-lights.glb";
+
+/* The stage with these lights alone, which are the test's. */
+static struct image render_with(const struct stage *stage, struct emitter *lights, int count,
+                                const char *technique, const char *settings) {
+    struct renderer_desc desc = desc_of(stage, technique, settings, SIZE, SIZE);
+    desc.emitters = (struct emitters){lights, count};
+    return render_layers(&desc);
+}
+
+static void darken(struct emitter *light) {
+    memset(light->intensity, 0, sizeof light->intensity);
+}
+
+/* --- maps ------------------------------------------------------------------------------------- */
+
+/* Each view has a layer of its kind's maps, and those of a light follow each other. */
+static void test_layout(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, three_lights);
+    struct emitter lights[6];
+    static const int kinds[6] = {2, 0, 2, 1, 2, 0}; /* points 2, spots 0 and 1 */
+    static struct light_block block;
+    for (int i = 0; i < 6; i++)
+        lights[i] = stage.emitters.items[kinds[i]];
+    struct light_layout layout;
+    struct emitters emitters = {lights, 6};
+    check_ok("layout", light_layout_of(&layout, &emitters));
+    views_of_emitters(&block, &emitters, &stage.geometry);
+    assert_int_equal(layout.views[LIGHT_MAP_SINGLE], 3);
+    assert_int_equal(layout.views[LIGHT_MAP_FACE], 18);
+    assert_int_equal(block.single_count, 3);
+    assert_int_equal(block.face_count, 18);
+    for (int i = 0; i < 3 + 18; i++) {
+        const struct light_view *view = &block.views[i];
+        const struct light *light = &block.sources[view->light];
+        assert_int_equal(view->kind, i < 3 ? LIGHT_MAP_SINGLE : LIGHT_MAP_FACE);
+        assert_int_equal(view->layer, i < 3 ? i : i - 3);
+        assert_int_equal(light->view_count, kinds[view->light] == 2 ? 6 : 1);
+        assert_true(i >= light->first_view && i < light->first_view + light->view_count);
+    }
+    assert_int_equal(light_map_size(LIGHT_MAP_SINGLE, 511), 511);
+    assert_int_equal(light_map_size(LIGHT_MAP_FACE, 511), 256);
+    stage_free(&stage);
+}
+
+/* A light that gives nothing beside another changes no bit: neither where its maps take room, nor
+ * which VPLs the other has. */
+static void test_dark_lights(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, three_lights);
+    static const struct {
+        const char *what, *technique;
+        int order[3];
+    } rows[] = {{"a spot, clustered", "clustered", {0, 2, 1}},
+                {"a point, clustered", "clustered", {2, 0, 1}},
+                {"a point, unshadowed", "unshadowed", {2, 1, 0}}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const char *settings = "vpls=256 vals=8 map-size=64 rsm-size=128 shadow-size=512";
+        struct emitter lights[3];
+        for (int k = 0; k < 3; k++) {
+            lights[k] = stage.emitters.items[rows[i].order[k]];
+            if (k > 0)
+                darken(&lights[k]);
+        }
+        struct image one = render_with(&stage, lights, 1, rows[i].technique, settings);
+        struct image among = render_with(&stage, lights, 3, rows[i].technique, settings);
+        bool same = same_pixels(&one, &among);
+        printf("    %-30s %s\n", rows[i].what, same ? "the same bits" : "other bits");
+        assert_true(same);
+        assert_true(layer_mean(&one, "indirect") > 0);
+        image_free(&one);
+        image_free(&among);
+    }
+    stage_free(&stage);
+}
+
+/* --- sums ------------------------------------------------------------------------------------- */
+
+/* The layer's worst difference from the sum of the parts', over their greatest value. */
+static double worst_difference(const struct image *whole, const struct image *parts, int count,
+                               const char *layer) {
+    int channels[3];
+    double worst = 0, greatest = 0;
+    assert_true(image_find_layer(whole, layer, channels));
+    for (int i = 0; i < SIZE * SIZE; i++)
+        for (int c = 0; c < 3; c++) {
+            double sum = 0;
+            for (int p = 0; p < count; p++)
+                sum += image_at(&parts[p], i % SIZE, i / SIZE)[channels[c]];
+            double value = image_at(whole, i % SIZE, i / SIZE)[channels[c]];
+            worst = fmax(worst, fabs(value - sum));
+            greatest = fmax(greatest, sum);
+        }
+    return worst / greatest;
+}
+
+/* Adds the parts into the first. */
+static struct image *add_up(struct image *parts, int count) {
+    size_t values = (size_t)SIZE * SIZE * (size_t)parts->channel_count;
+    for (int p = 1; p < count; p++)
+        for (size_t i = 0; i < values; i++)
+            parts[0].pixels[i] += parts[p].pixels[i];
+    return parts;
+}
+
+/* Without visibility the sum over VPLs is linear; each light has about a third of them in the sum,
+ * and all of them alone. */
+static void test_sum(void **state) {
+    (void)state;
+    struct stage stage;
+    struct image parts[3];
+    const char *settings = "vpls=8192 interleave=1 near-samples=256 shadow-size=1024";
+    open_stage(&stage, three_lights);
+    struct emitter *lights = stage.emitters.items;
+    struct image whole = render_with(&stage, lights, 3, "unshadowed", settings);
+    for (int i = 0; i < 3; i++)
+        parts[i] = render_with(&stage, &lights[i], 1, "unshadowed", settings);
+    check_at_most("direct light, worst difference", worst_difference(&whole, parts, 3, "direct"),
+                  1e-6);
+    double mean = 0;
+    for (int i = 0; i < 3; i++)
+        mean += layer_mean(&parts[i], "indirect");
+    check_near("indirect light, mean", layer_mean(&whole, "indirect"), mean, .003 * mean);
+    struct image *sum = add_up(parts, 3);
+    check_at_most("indirect light, relative RMSE", relative_rmse(&whole, sum, "indirect"), .02);
+    image_free(&whole);
+    for (int i = 0; i < 3; i++)
+        image_free(&parts[i]);
+    stage_free(&stage);
+}
+
+/* A light in two halves at one place is the one; the halves' VPLs lie between each other. */
+static void test_split(void **state) {
+    (void)state;
+    struct stage stage;
+    const char *settings = "vpls=4096 interleave=1 near-samples=256 shadow-size=512";
+    open_stage(&stage, three_lights);
+    for (int i = 0; i < 3; i += 2) {
+        struct emitter whole = stage.emitters.items[i], halves[2] = {whole, whole};
+        for (int c = 0; c < 3; c++)
+            halves[0].intensity[c] = halves[1].intensity[c] = whole.intensity[c] / 2;
+        struct image one = render_with(&stage, &whole, 1, "unshadowed", settings);
+        struct image two = render_with(&stage, halves, 2, "unshadowed", settings);
+        check_at_most("direct light, worst difference", worst_difference(&two, &one, 1, "direct"),
+                      1e-6);
+        double mean = layer_mean(&one, "indirect");
+        check_near("indirect light, mean", layer_mean(&two, "indirect"), mean, .003 * mean);
+        check_at_most("indirect light, relative RMSE", relative_rmse(&two, &one, "indirect"), .04);
+        image_free(&one);
+        image_free(&two);
+    }
+    stage_free(&stage);
+}
+
+/* --- truth ------------------------------------------------------------------------------------ */
+
+/* The channels that the renderer has too. */
+static struct image without_errors(const struct image *traced) {
+    struct image image;
+    image_init(&image, traced->width, traced->height, CHANNELS_COMMON);
+    for (int i = 0; i < SIZE * SIZE; i++)
+        memcpy(image_at(&image, i % SIZE, i / SIZE), image_at(traced, i % SIZE, i / SIZE),
+               (size_t)image.channel_count * sizeof(float));
+    return image;
+}
+
+/* Against the path tracer, by the pixels' centres: both have all three lights. In so small a picture
+ * the Cornell box under one spot is 17 and 9 % off. */
+static void test_truth(void **state) {
+    (void)state;
+    struct stage stage;
+    struct image traced;
+    open_stage(&stage, three_lights);
+    check_ok("truth", path_tracer_render(&(struct path_tracer_desc){.scene = &stage.scene,
+                                                                    .geometry = &stage.geometry,
+                                                                    .camera = &stage.camera,
+                                                                    .emitters = stage.emitters,
+                                                                    .width = SIZE,
+                                                                    .height = SIZE,
+                                                                    .bounces = 1,
+                                                                    .samples = 256,
+                                                                    .centers = true},
+                                         &traced, NULL));
+    struct image truth = without_errors(&traced);
+    static const struct {
+        const char *technique, *settings;
+        double direct, indirect;
+    } rows[] = {
+        {"clustered", "", .01, .2},
+        {"instant-radiosity", "vpls=4096 interleave=1", .01, .09},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct image image =
+            render_with(&stage, stage.emitters.items, 3, rows[i].technique, rows[i].settings);
+        printf("  %s %s\n", rows[i].technique, rows[i].settings);
+        double mean = layer_mean(&truth, "direct");
+        check_near("direct light, mean", layer_mean(&image, "direct"), mean, .005 * mean);
+        check_at_most("direct light, relative RMSE", relative_rmse(&image, &truth, "direct"),
+                      rows[i].direct);
+        mean = layer_mean(&truth, "indirect");
+        check_near("indirect light, mean", layer_mean(&image, "indirect"), mean, .02 * mean);
+        check_at_most("indirect light, relative RMSE", relative_rmse(&image, &truth, "indirect"),
+                      rows[i].indirect);
+        image_free(&image);
+    }
+    image_free(&traced);
+    image_free(&truth);
+    stage_free(&stage);
+}
+
+/* --- too many --------------------------------------------------------------------------------- */
+
+static void test_too_many(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    struct emitter lights[LIGHTS_MAX + 1];
+    open_stage(&stage, three_lights);
+    struct renderer_desc desc =
+        desc_of(&stage, "unshadowed", "vpls=128 interleave=2 rsm-size=16 shadow-size=16", 8, 8);
+    for (int i = 0; i <= LIGHTS_MAX; i++)
+        lights[i] = stage.emitters.items[0];
+    desc.emitters = (struct emitters){lights, LIGHTS_MAX + 1};
+    assert_false(renderer_init(&renderer, &desc));
+    assert_string_equal(error_get(), "65 lights with 65 views: at most 64 with 256 shine at once; "
+                                     "--light picks some");
+    desc.emitters.count = LIGHTS_MAX;
+    check_ok("as many as there may be", renderer_init(&renderer, &desc));
+    renderer_render(&renderer);
+    for (int i = 0; i < 43; i++)
+        lights[i] = stage.emitters.items[2];
+    assert_false(renderer_set_lights(&renderer, &(struct emitters){lights, 43}));
+    assert_string_equal(error_get(), "43 lights with 258 views: at most 64 with 256 shine at once; "
+                                     "--light picks some");
+    renderer_render(&renderer);
+    check_ok("42 points", renderer_set_lights(&renderer, &(struct emitters){lights, 42}));
+    renderer_render(&renderer);
+    renderer_free(&renderer);
+    assert_int_equal(gpu_memory_total(), 0);
+    stage_free(&stage);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_layout), cmocka_unit_test(test_dark_lights),
+        cmocka_unit_test(test_sum),    cmocka_unit_test(test_split),
+        cmocka_unit_test(test_truth),  cmocka_unit_test(test_too_many),
+    };
+    return cmocka_run_group_tests_name("several lights", tests, open_group_context,
+                                       close_group_context);
+}
