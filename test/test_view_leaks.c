@@ -150,7 +150,7 @@ static void go_back(void) {
     viewer.wish.technique = technique_default;
     viewer.wish.settings = viewer.desc.settings;
     viewer.shown.compare.mode = COMPARE_OFF;
-    viewer.shown.choice.output = NULL;
+    viewer.shown.choice.output = "normal"; /* whatever output was shown, one canvas is there */
     viewer.shown.recompose = true;
     window_set_size(viewer.host.window, PANEL + 100, 90);
     load("scenes/metaballs.glb");
@@ -158,6 +158,9 @@ static void go_back(void) {
     turn(30);
     pause_ms(300); /* at rest, in the full size */
     turn(3);
+    viewer.shown.choice.output = NULL;
+    viewer.shown.recompose = true;
+    turn(1);
 }
 
 static void check_kept(const char *what, void (*step)(int round), int least) {
