@@ -112,7 +112,7 @@ static void test_sweep_and_cache(void **state) {
              cache, csv);
     check_runs(arguments);
     check_says("making reference");
-    check_says("  fast hard            vals=8 ");
+    check_says("  fast hard                vals=8 ");
     check_runs(arguments);
     assert_null(strstr(output, "making reference"));
     char *text = read_text(csv);

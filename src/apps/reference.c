@@ -3,7 +3,7 @@
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/context_options.h"
-#include "measure/progress.h"
+#include "base/progress.h"
 #include "measure/stage.h"
 #include "measure/picture.h"
 

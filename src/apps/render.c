@@ -5,7 +5,7 @@
 #include "apps/context_options.h"
 #include "apps/frames.h"
 #include "apps/interrupt.h"
-#include "measure/progress.h"
+#include "base/progress.h"
 #include "measure/stage.h"
 #include "apps/stats.h"
 #include "apps/technique_options.h"

@@ -4,9 +4,8 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "gl/memory.h"
-#include "measure/errors.h"
 #include "measure/lights.h"
-#include "measure/progress.h"
+#include "base/progress.h"
 #include "scene/animation.h"
 #include "shared/vpl.h"
 

@@ -36,12 +36,3 @@ bool errors_add(struct results *results, const struct image *test, const struct 
             return false;
     return true;
 }
-
-double image_mean(const struct image *image, const int channels[3]) {
-    double sum = 0;
-    for (int y = 0; y < image->height; y++)
-        for (int x = 0; x < image->width; x++)
-            for (int c = 0; c < 3; c++)
-                sum += (double)image_at(image, x, y)[channels[c]];
-    return sum / (3. * image->width * image->height);
-}

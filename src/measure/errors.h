@@ -12,9 +12,6 @@
 bool errors_add(struct results *results, const struct image *test, const struct image *truth,
                 const char *against);
 
-/* The mean of three channels over all pixels. */
-double image_mean(const struct image *image, const int channels[3]);
-
 /* The columns of these errors, for the table of a results_print. */
 #define ERROR_COLUMNS(against)                                                                     \
     {"rRMSE %", "relative-rmse", against}, {"rMAE %", "relative-mae", against},                    \

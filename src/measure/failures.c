@@ -5,7 +5,7 @@
 #include "base/folder.h"
 #include "base/memory.h"
 #include "measure/errors.h"
-#include "measure/panels.h"
+#include "metrics/panels.h"
 #include "measure/picture.h"
 #include "measure/variants.h"
 #include "metrics/errors.h"

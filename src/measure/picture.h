@@ -4,7 +4,7 @@
 #define MEASURE_PICTURE_H
 
 #include "measure/measure.h"
-#include "measure/progress.h"
+#include "base/progress.h"
 
 /* One frame. Error: of the renderer. */
 bool picture_render(const struct measure_desc *desc, struct image *image);

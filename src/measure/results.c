@@ -4,11 +4,9 @@
 #include "base/output_file.h"
 #include "base/parallel.h"
 #include "base/text.h"
-#include "metrics/quantile.h"
 
 #include "version.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -68,31 +66,6 @@ double results_value(const struct results *results, int subject, const char *wha
     return row ? row->figure.value : 0;
 }
 
-struct summary summary_of(float *values, int count) {
-    size_t n = (size_t)count;
-    return (struct summary){
-        .value = (double)quantile(values, n, .5),
-        .p5 = (double)quantile(values, n, .05),
-        .p95 = (double)quantile(values, n, .95),
-        .minimum = (double)quantile(values, n, 0),
-        .maximum = (double)quantile(values, n, 1),
-        .count = count,
-    };
-}
-
-double log_slope(const double *x, const double *y, int count) {
-    double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
-    for (int i = 0; i < count; i++) {
-        mean_x += log(x[i]) / count;
-        mean_y += log(y[i]) / count;
-    }
-    for (int i = 0; i < count; i++) {
-        xx += pow(log(x[i]) - mean_x, 2);
-        xy += (log(x[i]) - mean_x) * (log(y[i]) - mean_y);
-    }
-    return xx > 0 ? xy / xx : 0;
-}
-
 /* --- tables ----------------------------------------------------------------------------------- */
 
 enum {
@@ -116,7 +89,7 @@ static bool same_heading(const struct subject *a, const struct subject *b) {
 }
 
 static void print_heading(FILE *out, const struct subject *subject, const struct table *table) {
-    fprintf(out, "%s: %s, %u faces, %dx%d\n  %-20s %-24s", table->title, subject->scene,
+    fprintf(out, "%s: %s, %u faces, %dx%d\n  %-24s %-24s", table->title, subject->scene,
             subject->faces, subject->desc.width, subject->desc.height, "variant", "");
     for (int i = 0; i < COLUMNS_MAX && table->columns[i].heading; i++)
         fprintf(out, " %10s", table->columns[i].heading);
@@ -144,7 +117,7 @@ void results_print(FILE *out, const struct results *results, int first, const st
         if (!last || !same_heading(last, subject))
             print_heading(out, subject, table);
         last = subject;
-        fprintf(out, "  %-20s %-24s", subject->desc.variant, subject->desc.point);
+        fprintf(out, "  %-24s %-24s", subject->desc.variant, subject->desc.point);
         for (int k = 0; k < COLUMNS_MAX && table->columns[k].heading; k++)
             print_value(out, line[k]);
         fprintf(out, "\n");

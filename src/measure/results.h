@@ -13,20 +13,9 @@
 #define MEASURE_RESULTS_H
 
 #include "measure/measure.h"
+#include "metrics/summary.h"
 
 #include <stdio.h>
-
-struct summary {
-    double value; /* the median, where nothing else is said */
-    double p5, p95, minimum, maximum;
-    int count;
-};
-
-/* Order statistics. Sorts the values; count is at least 1. */
-struct summary summary_of(float *values, int count);
-
-/* The slope of log y over log x by least squares; 0 for a single x. */
-double log_slope(const double *x, const double *y, int count);
 
 struct result {
     int subject;

@@ -17,7 +17,7 @@ static const struct bench_mode *const modes[] = {
     &bench_curves, &bench_temporal, &bench_failures, &bench_chart,
 };
 
-enum { MODES = sizeof modes / sizeof *modes, USUAL_MAX = 64 /* arguments where none is given */ };
+enum { MODES = sizeof modes / sizeof *modes };
 
 const char *const bench_variants[] = {"paper", "fast", NULL};
 const char *const bench_no_variants[] = {":", NULL};
@@ -121,10 +121,16 @@ static bool has_option(const struct bench_mode *mode, const char *name) {
     return false;
 }
 
+void bench_add_argument(struct bench *bench, const char *argument) {
+    size_t count = (size_t)bench->argument_count++;
+    bench->arguments = mem_resize(bench->arguments, count + 1, sizeof *bench->arguments);
+    bench->arguments[count] = argument;
+}
+
 static bool pick_scenes(struct bench *bench, const char *const *scenes) {
     for (; *scenes; scenes++)
         if (access(*scenes, R_OK) == 0)
-            bench->arguments[bench->argument_count++] = *scenes;
+            bench_add_argument(bench, *scenes);
         else
             log_note("%s is not here", *scenes);
     return bench->argument_count || error_set("no SCENE, and none of the usual ones is here");
@@ -176,8 +182,7 @@ static void print_variants(FILE *out, const void *values) {
 }
 
 static int run_mode(const struct bench_mode *mode, int argc, char **argv) {
-    struct bench bench = {.arguments =
-                              mem_alloc((size_t)argc + USUAL_MAX, sizeof *bench.arguments)};
+    struct bench bench = {.arguments = mem_alloc((size_t)argc, sizeof *bench.arguments)};
     struct option table[OPTIONS + 1] = {{NULL}};
     char synopsis[64], name[32];
     int status;

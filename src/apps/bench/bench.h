@@ -52,6 +52,9 @@ extern const struct bench_mode bench_times, bench_sweep, bench_scaling, bench_bu
 /* paper and fast; none, the defaults alone; and the paper's scenes. */
 extern const char *const bench_variants[], *const bench_no_variants[], *const bench_scenes[];
 
+/* For check, where none is given. */
+void bench_add_argument(struct bench *bench, const char *argument);
+
 /* A subject of the present scene, with the options' size and settings over a variant's. Error: of
  * the variant or a setting. */
 bool bench_prepare(const struct bench *bench, const char *variant, struct measure_desc *desc);

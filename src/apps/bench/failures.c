@@ -21,7 +21,7 @@ static bool check(struct bench *bench) {
             return false;
     if (bench->argument_count == 0)
         for (const struct failure_row *row = failure_rows; row->name; row++)
-            bench->arguments[bench->argument_count++] = row->name;
+            bench_add_argument(bench, row->name);
     return true;
 }
 

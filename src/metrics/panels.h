@@ -1,6 +1,6 @@
 /* Several pictures beside the truth, as one: light above, differences from the truth below. */
-#ifndef MEASURE_PANELS_H
-#define MEASURE_PANELS_H
+#ifndef METRICS_PANELS_H
+#define METRICS_PANELS_H
 
 #include "base/image.h"
 

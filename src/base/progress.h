@@ -2,8 +2,8 @@
  *
  * Nothing is written where stderr is not a terminal or after --quiet.
  */
-#ifndef MEASURE_PROGRESS_H
-#define MEASURE_PROGRESS_H
+#ifndef BASE_PROGRESS_H
+#define BASE_PROGRESS_H
 
 #include <stdbool.h>
 

@@ -1,8 +1,7 @@
-#include "measure/panels.h"
+#include "metrics/panels.h"
 
 #include "base/image_file.h"
 #include "base/memory.h"
-#include "measure/errors.h"
 #include "metrics/colour.h"
 #include "metrics/heat_map.h"
 

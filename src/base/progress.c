@@ -1,5 +1,5 @@
 #define _POSIX_C_SOURCE 200809L
-#include "measure/progress.h"
+#include "base/progress.h"
 
 #include "base/clock.h"
 #include "base/log.h"

@@ -1,0 +1,30 @@
+#include "metrics/summary.h"
+
+#include "metrics/quantile.h"
+
+#include <math.h>
+
+struct summary summary_of(float *values, int count) {
+    size_t n = (size_t)count;
+    return (struct summary){
+        .value = (double)quantile(values, n, .5),
+        .p5 = (double)quantile(values, n, .05),
+        .p95 = (double)quantile(values, n, .95),
+        .minimum = (double)quantile(values, n, 0),
+        .maximum = (double)quantile(values, n, 1),
+        .count = count,
+    };
+}
+
+double log_slope(const double *x, const double *y, int count) {
+    double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+    for (int i = 0; i < count; i++) {
+        mean_x += log(x[i]) / count;
+        mean_y += log(y[i]) / count;
+    }
+    for (int i = 0; i < count; i++) {
+        xx += pow(log(x[i]) - mean_x, 2);
+        xy += (log(x[i]) - mean_x) * (log(y[i]) - mean_y);
+    }
+    return xx > 0 ? xy / xx : 0;
+}
