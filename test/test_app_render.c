@@ -1,7 +1,9 @@
 /* manylight render: exit statuses, messages and files, as a shell sees them; and --aov's layers. */
+#include "gltf_parts.h"
 #include "render_support.h"
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/image_file.h"
 #include "base/memory.h"
 #include "inspect/aov.h"
@@ -150,6 +152,27 @@ static void test_nothing_half_written(void **state) {
     snprintf(command, sizeof command, "ls %s", folder);
     assert_int_equal(run_command(command, output, sizeof output), 0);
     assert_string_equal(output, "b.exr\n");
+}
+
+/* A texture of the scene is no place for the picture, whether it is shown or not. */
+static void test_own_texture(void **state) {
+    (void)state;
+    unsigned char red[4] = {255, 0, 0, 255};
+    struct file_bytes before, after;
+    check_ok("texture", bitmap_write(&(struct bitmap){1, 1, red}, scratch("own.png")));
+    check_ok("read", file_read(&before, scratch("own.png")));
+    char arguments[1024];
+    snprintf(arguments, sizeof arguments, "%s --size 8x8 -o %s",
+             write_parts("own.glb",
+                         &(struct gltf_parts){.more = "\"images\": [{\"uri\": \"own.png\"}],"}),
+             scratch("own.png"));
+    expect(1, arguments);
+    expect_text("own.png: it is the input");
+    check_ok("read again", file_read(&after, scratch("own.png")));
+    assert_int_equal(after.size, before.size);
+    assert_memory_equal(after.data, before.data, after.size);
+    free(before.data);
+    free(after.data);
 }
 
 /* --- files ------------------------------------------------------------------------------------ */
@@ -401,6 +424,7 @@ int main(void) {
         cmocka_unit_test(test_ranges),
         cmocka_unit_test(test_preset_first),
         cmocka_unit_test(test_failures),
+        cmocka_unit_test(test_own_texture),
         cmocka_unit_test(test_nothing_half_written),
         cmocka_unit_test(test_files),
         cmocka_unit_test(test_exposure),

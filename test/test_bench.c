@@ -184,7 +184,7 @@ static void test_front(void **state) {
     /* gnuplot's sixth mark is the ring's, with which the seventh is made. */
     assert_int_equal(count_of(text, "'#gpPt5' transform"), 3);
     for (int i = 1; i <= 5; i++) {
-        char label[8];
+        char label[16];
         snprintf(label, sizeof label, "M=%d", i);
         assert_non_null(strstr(text, label));
     }

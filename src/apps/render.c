@@ -126,7 +126,7 @@ static bool check_aov(const struct values *values) {
 
 static bool write_output(const struct values *values, struct renderer *renderer, const char *path) {
     bool is_float, ok;
-    if (!image_format_is_float(path, &is_float))
+    if (!image_format_is_float(path, &is_float) || !scene_check_output(renderer->desc.scene, path))
         return false;
     if (is_float) {
         struct image image = {0};
@@ -213,12 +213,11 @@ static bool render_frames(const struct values *values, const struct frames *fram
 }
 
 /* What can be told before long work; of a sequence, by its first frame. */
-static bool check_files(const struct values *values, const struct frames *frames,
-                        const char *scene) {
+static bool check_files(const struct values *values, const struct frames *frames) {
     bool ok = true;
     for (int i = 0; ok && i < values->outputs.count; i++) {
         char *path = frame_name(values->outputs.items[i], frames->count ? frames->numbers[0] : 0);
-        ok = output_file_check(path) && output_file_is_not(path, scene);
+        ok = output_file_check(path);
         free(path);
     }
     return ok;
@@ -246,7 +245,7 @@ static bool render_scene(const struct values *values, const struct frames *frame
                          struct renderer_desc *desc, const char *path) {
     struct stage stage;
     struct context *context;
-    if (!check_files(values, frames, path) ||
+    if (!check_files(values, frames) ||
         !stage_init(&stage, &(struct stage_desc){.path = path,
                                                  .camera = values->camera,
                                                  .light = values->light,

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/output_file.h"
 #include "scene/animation.h"
 #include "scene/gltf/gltf.h"
 #include "scene/node.h"
@@ -25,6 +26,13 @@ bool scene_load(struct scene *scene, const char *path) {
     return false;
 }
 
+bool scene_check_output(const struct scene *scene, const char *path) {
+    bool ok = output_file_is_not(path, scene->path);
+    for (int i = 0; ok && i < scene->file_count; i++)
+        ok = output_file_is_not(path, scene->files[i]);
+    return ok;
+}
+
 void scene_free(struct scene *scene) {
     for (int i = 0; i < scene->mesh_count; i++) {
         for (int p = 0; p < scene->meshes[i].primitive_count; p++)
@@ -42,6 +50,9 @@ void scene_free(struct scene *scene) {
     }
     for (int i = 0; i < scene->clip_count; i++)
         clip_free(&scene->clips[i]);
+    for (int i = 0; i < scene->file_count; i++)
+        free(scene->files[i]);
+    free(scene->files);
     free(scene->path);
     free(scene->skins);
     free(scene->metaballs);

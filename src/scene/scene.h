@@ -145,7 +145,8 @@ struct scene {
     struct metaballs *metaballs;
     struct clip *clips;
     int node_count, mesh_count, material_count, texture_count, light_count, camera_count;
-    int skin_count, metaballs_count, clip_count;
+    char **files; /* beside path: the buffers and pictures that it names */
+    int skin_count, metaballs_count, clip_count, file_count;
     int clip; /* the one that plays, where there are any; the first after loading */
 };
 
@@ -154,6 +155,9 @@ bool scene_load(struct scene *scene, const char *path);
 
 /* Accepts zeroed and half-built scenes. */
 void scene_free(struct scene *scene);
+
+/* An error where writing to the path would destroy one of the scene's own files. */
+bool scene_check_output(const struct scene *scene, const char *path);
 
 /* World matrices of all nodes at a time in seconds: node_count x 16 floats, column-major. */
 void scene_node_worlds(const struct scene *scene, double time, float (*worlds)[16]);

@@ -30,7 +30,8 @@ static void read_shown(const struct viewer *viewer, struct bitmap *shown) {
 
 bool viewer_write_picture(struct viewer *viewer, const char *path) {
     bool is_float, ok;
-    if (!image_format_is_float(path, &is_float))
+    if (!image_format_is_float(path, &is_float) ||
+        !scene_check_output(viewer->shown.renderer.desc.scene, path))
         return false;
     if (is_float) {
         struct image image = {0};

@@ -72,6 +72,19 @@ bool check_extensions(const Model &model, const char *path) {
     return true;
 }
 
+void list_files(Loader &loader) {
+    std::vector<std::string> uris;
+    for (const tinygltf::Buffer &buffer : loader.model.buffers)
+        uris.push_back(buffer.uri);
+    for (const tinygltf::Image &image : loader.model.images)
+        uris.push_back(image.uri);
+    struct scene &scene = *loader.scene;
+    scene.files = allocate<char *>(uris.size());
+    for (const std::string &uri : uris)
+        if (!uri.empty() && uri.compare(0, 5, "data:") != 0)
+            scene.files[scene.file_count++] = mem_strdup((loader.folder + decode_uri(uri)).c_str());
+}
+
 } // namespace
 } // namespace gltf
 
@@ -84,6 +97,7 @@ extern "C" bool gltf_load(struct scene *scene, const char *path) try {
     scene->path = mem_strdup(path);
     if (!parse(loader, path))
         return false;
+    list_files(loader);
     return (check_version(loader.model.asset) && check_extensions(loader.model, path) &&
             load_materials(loader) && load_meshes(loader) && load_lights(loader) &&
             load_cameras(loader) && load_nodes(loader) && load_skins(loader) &&
