@@ -3,6 +3,7 @@
 #include "hand_made.h"
 
 #include "base/error.h"
+#include "reference/ray_scene.h"
 #include "reference/sampler.h"
 #include "reference/warp.h"
 
@@ -128,6 +129,45 @@ static void test_alpha_mask(void **state) {
     check_near("shadow of the solid", image_at(&image, 1, 6)[CHANNEL_DIRECT], 0, 0);
     check_near("light under the hole", image_at(&image, 6, 6)[CHANNEL_DIRECT], 1, 1e-6);
     image_free(&image);
+}
+
+/* Four rays at once see what each sees alone, holes too. */
+static void test_packets(void **state) {
+    (void)state;
+    struct world world;
+    struct scene_texture texture;
+    struct hit_table table;
+    struct ray_scene rays;
+    start_floor(&world);
+    add_half_cover(&world, 0, true);
+    set_mask(&world, &texture);
+    add_rectangle(&world, 1, (vec3s){{0, 0.5f, 1}}, (vec3s){{1, 0, 0}}, (vec3s){{0, 0, -1}});
+    world_finish(&world);
+    hit_table_init(&table, &world.scene, &world.geometry);
+    check_ok("build", ray_scene_init(&rays, &table));
+    int seen = 0, asked = 0;
+    for (uint32_t n = 0; n < 1000; n++) {
+        struct sampler sampler = {.index = n};
+        vec2s at = sampler_next(&sampler);
+        vec3s from = {{at.x, 0.1f, at.y}}, to[4];
+        bool visible[4], wanted[4];
+        for (int i = 0; i < 4; i++) {
+            vec2s end = sampler_next(&sampler);
+            to[i] = (vec3s){{end.x, i ? 0.5f * (float)i + 0.1f : 0.1f, end.y}};
+            visible[i] = wanted[i] = (n + (uint32_t)i) % 5 != 0;
+        }
+        ray_scene_visible_4(&rays, from, to, visible);
+        for (int i = 0; i < 4; i++) {
+            assert_int_equal(visible[i], wanted[i] && ray_scene_visible(&rays, from, to[i]));
+            seen += visible[i];
+            asked += wanted[i];
+        }
+    }
+    printf("    %d of %d are visible\n", seen, asked);
+    assert_true(seen > asked / 4 && seen < asked * 3 / 4);
+    ray_scene_free(&rays);
+    hit_table_free(&table);
+    world_free(&world);
 }
 
 /* Where a pixel shows two surfaces, and where it is partly empty. */
@@ -329,6 +369,7 @@ int main(void) {
         cmocka_unit_test(test_back_of_double_sided),
         cmocka_unit_test(test_bounce_off_a_back),
         cmocka_unit_test(test_alpha_mask),
+        cmocka_unit_test(test_packets),
         cmocka_unit_test(test_albedo_weighting),
         cmocka_unit_test(test_threads_and_seeds),
         cmocka_unit_test(test_few_samples),

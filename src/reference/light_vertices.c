@@ -22,11 +22,14 @@ static void trace(const struct work *work, uint32_t i) {
     struct sampler sampler = {.seed = seed_of(work, ray.taker), .index = (uint32_t)ray.number};
     struct light_vertex *vertex = &work->vertices[i];
     struct arrival arrival;
+    struct hit hit;
     vec2s sample = sampler_next(&sampler);
-    if (!emission_first_hit(work->emission, ray.taker, work->rays, sample, &vertex->hit) ||
-        !emission_reach(work->emission, ray.taker, &vertex->hit, &arrival))
+    if (!emission_first_hit(work->emission, ray.taker, work->rays, sample, &hit) ||
+        !emission_reach(work->emission, ray.taker, &hit, &arrival))
         return;
-    vertex->radiance = emission_reflected(&vertex->hit, &arrival);
+    vertex->radiance = emission_reflected(&hit, &arrival);
+    vertex->position = hit.position;
+    vertex->normal = hit.geometric_normal;
     if (glms_vec3_norm2(vertex->radiance) > 0)
         vertex->density = arrival.density;
 }

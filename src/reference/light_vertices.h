@@ -16,9 +16,9 @@
 enum { LIGHT_VERTEX_COUNT = 1 << 16 };
 
 struct light_vertex {
-    struct hit hit;
-    vec3s radiance; /* reflected, W/(sr m2) */
-    float density;  /* of light rays at the hit, 1/m2; 0 where none is reflected */
+    vec3s position, normal; /* geometric, on the light's side */
+    vec3s radiance;         /* reflected, W/(sr m2) */
+    float density;          /* of light rays there, 1/m2; 0 where none is reflected */
 };
 
 /* Traces the emission's LIGHT_VERTEX_COUNT rays on some threads (0 = all cores); free() frees. */

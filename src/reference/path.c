@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-/* Light vertices for each cosine ray: they cost a shadow ray only. */
+/* Light vertices for each cosine ray: they cost a shadow ray only, and one packet has them all. */
 enum { LIGHTS_PER_VERTEX = 4 };
 
 /* The power heuristic with exponent 2 [Veach 1997, §9.2.4]: of the weights tried, the best on
@@ -14,37 +14,39 @@ static float weight(float density, float other_density) {
     return 1 / (1 + ratio * ratio);
 }
 
-/* The density, per area at y, with which sampling the cosine at x finds y; 0 where x and y do not
- * face each other. */
-static float cosine_density(const struct hit *x, const struct hit *y) {
-    vec3s path = glms_vec3_sub(y->position, x->position);
+/* The density, per area at a point y of that geometric normal, with which sampling the cosine at x
+ * finds y; 0 where x and y do not face each other. */
+static float cosine_density(const struct hit *x, vec3s y, vec3s normal) {
+    vec3s path = glms_vec3_sub(y, x->position);
     float distance2 = glms_vec3_norm2(path);
-    float cos_x = glms_vec3_dot(x->normal, path), cos_y = -glms_vec3_dot(y->geometric_normal, path);
+    float cos_x = glms_vec3_dot(x->normal, path), cos_y = -glms_vec3_dot(normal, path);
     if (cos_x <= 0 || cos_y <= 0 || glms_vec3_dot(x->geometric_normal, path) <= 0)
         return 0;
     return (cos_x / distance2) * (cos_y / distance2) * GLM_1_PIf;
 }
 
-/* By way of the first hit y of a light ray. */
-static vec3s from_light_vertex(const struct ray_scene *rays, const struct hit *x,
-                               const struct light_vertex *vertex) {
-    const struct hit *y = &vertex->hit;
-    float p_light = LIGHTS_PER_VERTEX * vertex->density;
-    float p_cosine = p_light > 0 ? cosine_density(x, y) : 0;
-    if (p_cosine == 0 ||
-        !ray_scene_visible(rays, ray_scene_departure(rays, x), ray_scene_departure(rays, y)))
-        return glms_vec3_zero();
-    /* The geometry term over pi, cos(x) cos(y) / (pi d^2), equals p_cosine. */
-    return glms_vec3_scale(vertex->radiance, p_cosine / p_light * weight(p_light, p_cosine));
-}
-
+/* By way of the first hits of light rays, a run of them at once. */
 static vec3s from_light_vertices(const struct ray_scene *rays, const struct hit *x,
                                  const struct light_vertex *vertices, struct sampler *sampler) {
     uint32_t first = sampler_next_run(sampler, LIGHTS_PER_VERTEX);
-    vec3s sum = glms_vec3_zero();
+    const struct light_vertex *run[LIGHTS_PER_VERTEX];
+    float p_cosine[LIGHTS_PER_VERTEX];
+    vec3s to[LIGHTS_PER_VERTEX], sum = glms_vec3_zero();
+    bool visible[LIGHTS_PER_VERTEX];
     for (uint32_t i = 0; i < LIGHTS_PER_VERTEX; i++) {
-        const struct light_vertex *vertex = &vertices[(first ^ i) % LIGHT_VERTEX_COUNT];
-        sum = glms_vec3_add(sum, from_light_vertex(rays, x, vertex));
+        run[i] = &vertices[(first ^ i) % LIGHT_VERTEX_COUNT];
+        p_cosine[i] = run[i]->density > 0 ? cosine_density(x, run[i]->position, run[i]->normal) : 0;
+        visible[i] = p_cosine[i] > 0;
+        to[i] = ray_scene_above(rays, run[i]->position, run[i]->normal);
+    }
+    ray_scene_visible_4(rays, ray_scene_departure(rays, x), to, visible);
+    for (int i = 0; i < LIGHTS_PER_VERTEX; i++) {
+        if (!visible[i])
+            continue;
+        /* The geometry term over pi, cos(x) cos(y) / (pi d^2), equals p_cosine. */
+        float p_light = LIGHTS_PER_VERTEX * run[i]->density;
+        float share = p_cosine[i] / p_light * weight(p_light, p_cosine[i]);
+        sum = glms_vec3_muladds(run[i]->radiance, share, sum);
     }
     return sum;
 }
@@ -55,7 +57,7 @@ static vec3s from_light_vertices(const struct ray_scene *rays, const struct hit 
 static vec3s from_cosine_ray(const struct ray_scene *rays, const struct emission *emission,
                              const struct hit *x, const struct hit *y, struct sampler *sampler) {
     float pick = emission->count > 1 ? sampler_next(sampler).x : 0;
-    float p_cosine = cosine_density(x, y), sum = 0, picked = 0;
+    float p_cosine = cosine_density(x, y->position, y->geometric_normal), sum = 0, picked = 0;
     struct arrival arrival;
     vec3s light = glms_vec3_zero(), source = light;
     for (int n = 0; n < emission->count; n++) {

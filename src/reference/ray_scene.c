@@ -20,14 +20,30 @@ static struct triangle_point point_of(const struct ray_scene *rays, const struct
     return (struct triangle_point){first + hit->primID, hit->u, hit->v};
 }
 
-/* Only single rays are traced, so that a filter sees one ray and one hit. */
-static void let_pass_holes(const struct RTCFilterFunctionNArguments *arguments) {
-    const struct ray_scene *rays = ((const struct ray_context *)arguments->context)->rays;
-    struct triangle_point point = point_of(rays, (const struct RTCHit *)arguments->hit);
-    if (hit_is_hole(rays->table, &point))
-        arguments->valid[0] = 0;
+/* The i-th hit of a packet: the members of RTCHit, each an array of as many as there are rays.
+ * Embree's own accessors are C++. */
+static struct RTCHit hit_of_packet(const struct RTCHitN *packet, unsigned count, unsigned i) {
+    const float *numbers = (const float *)packet;
+    const unsigned *ids = (const unsigned *)packet;
+    return (struct RTCHit){.u = numbers[3 * count + i],
+                           .v = numbers[4 * count + i],
+                           .primID = ids[5 * count + i],
+                           .geomID = ids[6 * count + i]};
 }
 
+static void let_pass_holes(const struct RTCFilterFunctionNArguments *arguments) {
+    const struct ray_scene *rays = ((const struct ray_context *)arguments->context)->rays;
+    for (unsigned i = 0; i < arguments->N; i++) {
+        if (arguments->valid[i] == 0)
+            continue;
+        struct RTCHit hit = hit_of_packet(arguments->hit, arguments->N, i);
+        struct triangle_point point = point_of(rays, &hit);
+        if (hit_is_hole(rays->table, &point))
+            arguments->valid[i] = 0;
+    }
+}
+
+/* The camera's rays are single ones. */
 static void let_pass_hidden(const struct RTCFilterFunctionNArguments *arguments) {
     const struct ray_scene *rays = ((const struct ray_context *)arguments->context)->rays;
     const struct RTCRay *ray = (const struct RTCRay *)arguments->ray;
@@ -86,7 +102,8 @@ bool ray_scene_init(struct ray_scene *rays, const struct hit_table *table) {
     if (!rays->device)
         return error_set("cannot start Embree: %s", error_text(rtcGetDeviceError(NULL)));
     rays->scene = rtcNewScene(rays->device);
-    /* Watertight edges: a ray through a crack would see the far side's light. */
+    /* Watertight edges: a ray through a crack would see the far side's light. Of rays aimed at the
+     * edges of a closed sphere 1.5 % escape without this flag, which costs some 10 % of the time. */
     rtcSetSceneFlags(rays->scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
     uint32_t opaque = geometry->opaque_index_count, masked = geometry->index_count - opaque;
     if (opaque > 0)
@@ -162,6 +179,34 @@ bool ray_scene_visible(const struct ray_scene *rays, vec3s from, vec3s to) {
     return ray.tfar >= 0;
 }
 
+static void set_ray(struct RTCRay4 *packet, int i, const struct RTCRay *ray) {
+    packet->org_x[i] = ray->org_x, packet->org_y[i] = ray->org_y, packet->org_z[i] = ray->org_z;
+    packet->dir_x[i] = ray->dir_x, packet->dir_y[i] = ray->dir_y, packet->dir_z[i] = ray->dir_z;
+    packet->tfar[i] = ray->tfar;
+    packet->mask[i] = ray->mask;
+}
+
+void ray_scene_visible_4(const struct ray_scene *rays, vec3s from, const vec3s to[4],
+                         bool visible[4]) {
+    struct ray_context context = make_context(rays, NULL);
+    struct RTCRay4 packet = {0};
+    int traced[4] __attribute__((aligned(16))); /* -1 = yes, as Embree wants it */
+    for (int i = 0; i < 4; i++) {
+        vec3s direction = glms_vec3_sub(to[i], from);
+        float distance = glms_vec3_norm(direction);
+        traced[i] = visible[i] && distance > rays->clearance ? -1 : 0;
+        struct RTCRay ray = make_ray(from, direction, 1 - rays->clearance / distance);
+        set_ray(&packet, i, &ray);
+    }
+    rtcOccluded4(traced, rays->scene, &context.embree, &packet);
+    for (int i = 0; i < 4; i++)
+        visible[i] = visible[i] && (!traced[i] || packet.tfar[i] >= 0);
+}
+
+vec3s ray_scene_above(const struct ray_scene *rays, vec3s position, vec3s normal) {
+    return glms_vec3_add(position, glms_vec3_scale(normal, rays->clearance));
+}
+
 vec3s ray_scene_departure(const struct ray_scene *rays, const struct hit *hit) {
-    return glms_vec3_add(hit->position, glms_vec3_scale(hit->geometric_normal, rays->clearance));
+    return ray_scene_above(rays, hit->position, hit->geometric_normal);
 }

@@ -35,7 +35,12 @@ bool ray_scene_camera_hit(const struct ray_scene *rays, vec3s origin, vec3s dire
 /* Whether nothing lies between two points. */
 bool ray_scene_visible(const struct ray_scene *rays, vec3s from, vec3s to);
 
-/* The point above the surface where rays begin and end. */
+/* The same from one point to four, of those that are marked on entry. */
+void ray_scene_visible_4(const struct ray_scene *rays, vec3s from, const vec3s to[4],
+                         bool visible[4]);
+
+/* The point above the surface where rays begin and end; the same of a geometric normal alone. */
 vec3s ray_scene_departure(const struct ray_scene *rays, const struct hit *hit);
+vec3s ray_scene_above(const struct ray_scene *rays, vec3s position, vec3s normal);
 
 #endif
