@@ -8,42 +8,36 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const struct caster_desc coarse = {.max_edge = .5F, .error = .002F};
-static const struct caster_desc fine = {.max_edge = .1F, .error = .002F};
-static const struct caster_desc exact = {.max_edge = .5F};
+static const struct caster_desc coarse = {.error = .002F, .long_count = 500};
+static const struct caster_desc few_long = {.error = .002F, .long_count = 4};
+static const struct caster_desc exact = {.long_count = 500};
 
-/* What the indices on the GPU name is what the caster has at the present pose. */
-static void check_vertices(const struct caster *caster, const struct buffer *buffer, size_t width,
-                           const void *base, const void *extra) {
-    size_t base_size = caster->base_count * width, extra_size = caster->extra_count * width;
-    char *expected = mem_alloc(base_size + extra_size, 1),
-         *got = mem_alloc(base_size + extra_size, 1);
-    memcpy(expected, base, base_size);
-    memcpy(expected + base_size, extra, extra_size);
-    buffer_read(buffer, 0, base_size + extra_size, got);
-    for (uint32_t k = 0; k < caster->index_count; k++)
-        assert_memory_equal(got + caster->indices[k] * width, expected + caster->indices[k] * width,
-                            width);
-    free(expected);
+/* What is on the GPU is what the caster has at the present pose. */
+static void check_buffer(const struct buffer *buffer, size_t offset, size_t size,
+                         const void *expected) {
+    char *got = mem_alloc(size, 1);
+    buffer_read(buffer, offset, size, got);
+    assert_memory_equal(got, expected, size);
     free(got);
 }
 
 static void check_buffers(const struct caster_gpu *gpu, const struct geometry *geometry) {
-    const struct caster *caster = &gpu->caster;
-    uint32_t *indices = mem_alloc(caster->index_count, sizeof *indices);
-    float(*position)[3] = mem_alloc(caster->extra_count, sizeof *position);
-    float(*uv)[2] = mem_alloc(caster->extra_count, sizeof *uv);
-    assert_int_equal(caster->base_count, geometry->vertex_count);
-    buffer_read(&gpu->indices, 0, caster->index_count * sizeof *indices, indices);
-    assert_memory_equal(indices, caster->indices, caster->index_count * sizeof *indices);
-    caster_fill(caster, geometry, position, uv);
-    check_vertices(caster, &gpu->positions, sizeof *position, geometry->position, position);
+    const struct caster_list *list = gpu->caster.list;
+    size_t count = geometry->vertex_count, size = sizeof *list->indices;
+    assert_int_equal(gpu->caster.vertex_count, count);
+    check_buffer(&gpu->indices, 0, list[CASTER_SHORT].index_count * size,
+                 list[CASTER_SHORT].indices);
+    check_buffer(&gpu->indices, list[CASTER_SHORT].index_count * size,
+                 list[CASTER_LONG].index_count * size, list[CASTER_LONG].indices);
+    check_buffer(&gpu->positions, 0, count * sizeof *geometry->position, geometry->position);
     assert_true(caster_gpu_has_masked(gpu) == (gpu->uvs.id != 0));
     if (gpu->uvs.id)
-        check_vertices(caster, &gpu->uvs, sizeof *uv, geometry->uv, uv);
-    free(indices);
-    free(position);
-    free(uv);
+        check_buffer(&gpu->uvs, 0, count * sizeof *geometry->uv, geometry->uv);
+}
+
+static uint32_t triangles(const struct caster_gpu *gpu) {
+    const struct caster_list *list = gpu->caster.list;
+    return (list[CASTER_SHORT].index_count + list[CASTER_LONG].index_count) / 3;
 }
 
 static const struct caster_gpu *acquire(struct caster_pool *pool, const struct caster_desc *desc) {
@@ -63,8 +57,8 @@ static void test_shared_and_kept(void **state) {
     size_t one = gpu_memory_total() - before;
     assert_ptr_equal(a, same);
     const struct caster_gpu *b = acquire(pool, &exact);
-    printf("    %u and %u triangles\n", a->caster.index_count / 3, b->caster.index_count / 3);
-    assert_true(a->caster.index_count < b->caster.index_count);
+    printf("    %u and %u triangles\n", triangles(a), triangles(b));
+    assert_true(triangles(a) < triangles(b));
     check_buffers(a, &stage.geometry);
     check_buffers(b, &stage.geometry);
 
@@ -79,7 +73,7 @@ static void test_shared_and_kept(void **state) {
     assert_false(caster_pool_has(pool, &exact));
     assert_true(caster_pool_has(pool, &coarse));
     assert_int_equal(gpu_memory_total() - before, one);
-    a = acquire(pool, &fine);
+    a = acquire(pool, &few_long);
     assert_false(caster_pool_has(pool, &coarse));
     caster_pool_release(pool, &a);
     caster_pool_free(pool);
@@ -95,7 +89,7 @@ static void pose(struct stage *stage, double time) {
 static void check_moved(struct stage *stage, float cell) {
     static const double times[] = {.3, 1, 2.5, 4, 6};
     struct caster_pool *pool = caster_pool_create(&stage->geometry);
-    const struct caster_gpu *used = acquire(pool, &coarse), *unused = acquire(pool, &fine);
+    const struct caster_gpu *used = acquire(pool, &coarse), *unused = acquire(pool, &few_long);
     caster_pool_release(pool, &unused);
     for (int i = 0; i < stage->scene.metaballs_count; i++)
         stage->scene.metaballs[i].cell = cell;
@@ -104,8 +98,8 @@ static void check_moved(struct stage *stage, float cell) {
         check_ok("update", caster_pool_update(pool));
         check_buffers(used, &stage->geometry);
     }
-    assert_true(caster_pool_has(pool, &fine));
-    unused = acquire(pool, &fine);
+    assert_true(caster_pool_has(pool, &few_long));
+    unused = acquire(pool, &few_long);
     check_buffers(unused, &stage->geometry);
     caster_pool_release(pool, &unused);
     caster_pool_release(pool, &used);
@@ -143,7 +137,7 @@ static void test_masked(void **state) {
     for (uint32_t i = 0; i < stage.geometry.vertex_count; i++)
         stage.geometry.uv[i][0] = stage.geometry.uv[i][1] = (float)i;
     struct caster_pool *pool = caster_pool_create(&stage.geometry);
-    const struct caster_gpu *caster = acquire(pool, &fine);
+    const struct caster_gpu *caster = acquire(pool, &few_long);
     assert_true(caster_gpu_has_masked(caster));
     check_buffers(caster, &stage.geometry);
     caster_pool_release(pool, &caster);

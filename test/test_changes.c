@@ -114,7 +114,7 @@ static void test_as_new(void **state) {
     set(&settings, "exposure=1");
     check_ok("exposure", renderer_configure(&renderer, technique_default, &settings));
     check_as_new("exposure", &renderer);
-    set(&settings, "caster-edge=.1 shadow-size=64 vals=4");
+    set(&settings, "caster-long=10 shadow-size=64 vals=4");
     check_ok("settings", renderer_configure(&renderer, technique_default, &settings));
     check_as_new("settings", &renderer);
     check_ok("size", renderer_resize(&renderer, 33, 21));

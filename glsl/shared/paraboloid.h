@@ -11,8 +11,12 @@ struct paraboloid_params {
     float near_clip; /* metres */
     float clip_z;    /* where a map begins, metres above its plane */
     float map_size;  /* texels */
-    float unused0, unused1;
+    float pieces;    /* of a long edge, per radian that it spans at the rim of the map */
+    float long_edge; /* shorter ones stay whole, metres */
 };
 PASS_BLOCK(paraboloid_params, 48)
+
+/* An edge falls into no more pieces. */
+#define PARABOLOID_PIECES_MAX 64.0
 
 #endif

@@ -9,6 +9,9 @@
 
 in vec3 local;      // a point of the triangle's plane, in the map's frame
 flat in vec2 range; // near, z_far, metres
+#ifdef LONG
+flat in vec3 plane; // of a long triangle that is drawn in pieces: its normal, not unit
+#endif
 
 #ifdef MASKED
 layout(std140, binding = BLOCK_MATERIAL) uniform material_uniforms {
@@ -28,7 +31,11 @@ void main() {
         discard;
 #endif
     vec3 direction = paraboloid_direction(gl_FragCoord.xy / params.map_size * 2.0 - 1.0);
+#ifdef LONG
+    vec3 normal = plane; // derivatives over a small piece lose too many digits
+#else
     vec3 normal = cross(dFdx(local), dFdy(local));
+#endif
     float facing = dot(normal, direction);
     float r = dot(normal, local) / facing;
     if (!(r > range.x && direction.z > 0.0))

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STAGES = 3, KEPT_MAX = 64 };
+enum { STAGES = 5, KEPT_MAX = 64 };
 
 /* The full sources of a program, as the driver gets them. */
 struct sources {
@@ -17,7 +17,9 @@ struct sources {
     const char *files[STAGES];
 };
 
-static const GLenum stage_types[STAGES] = {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER, GL_COMPUTE_SHADER};
+static const GLenum stage_types[STAGES] = {GL_VERTEX_SHADER, GL_TESS_CONTROL_SHADER,
+                                           GL_TESS_EVALUATION_SHADER, GL_FRAGMENT_SHADER,
+                                           GL_COMPUTE_SHADER};
 
 static void free_sources(struct sources *sources) {
     for (int i = 0; i < STAGES; i++)
@@ -25,7 +27,8 @@ static void free_sources(struct sources *sources) {
 }
 
 static bool load_sources(struct sources *sources, const struct program_desc *desc) {
-    *sources = (struct sources){.files = {desc->vertex, desc->fragment, desc->compute}};
+    *sources = (struct sources){
+        .files = {desc->vertex, desc->control, desc->evaluation, desc->fragment, desc->compute}};
     for (int i = 0; i < STAGES; i++)
         if (sources->files[i] &&
             !glsl_load(&sources->stages[i], sources->files[i], desc->defines)) {

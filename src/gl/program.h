@@ -13,7 +13,7 @@
 
 /* File names below glsl/; NULL = no such stage. */
 struct program_desc {
-    const char *vertex, *fragment, *compute;
+    const char *vertex, *control, *evaluation, *fragment, *compute; /* two for tessellation */
     const char *defines; /* "NAME VALUE;NAME VALUE", for all stages */
 };
 

@@ -145,7 +145,12 @@ void many_lights_finish(const struct many_lights *lights, const struct frame *fr
 
 struct caster_desc many_lights_caster(const struct settings *settings) {
     const struct caster_settings *own = settings_of(settings, &caster_part);
-    return (struct caster_desc){.max_edge = own->edge, .error = own->error};
+    return (struct caster_desc){.error = own->error, .long_count = own->long_count};
+}
+
+float many_lights_caster_bend(const struct settings *settings) {
+    const struct caster_settings *own = settings_of(settings, &caster_part);
+    return own->bend;
 }
 
 float many_lights_depth_range(const struct settings *settings) {

@@ -45,7 +45,8 @@ struct blur_settings {
 };
 
 struct caster_settings {
-    float edge, error;
+    float error, bend;
+    int long_count;
 };
 
 extern const struct settings_part lights_part, map_part, lookup_part, gather_part, blur_part,
@@ -95,6 +96,9 @@ bool many_lights_resize(struct many_lights *lights, int width, int height);
 
 /* The casters that the settings ask for. */
 struct caster_desc many_lights_caster(const struct settings *settings);
+
+/* How far edges of long casters may stray in a map, texels. */
+float many_lights_caster_bend(const struct settings *settings);
 
 /* RSM and VPLs, into lights->vpls. */
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame);

@@ -72,10 +72,12 @@ static const struct option blur_table[] = {
 };
 
 static const struct option caster_table[] = {
-    {"edge", 0, OPTION_FLOAT, ROW(caster, edge), .3, .005, 10,
-     .help = "longest edge of a caster in paraboloid maps, over the scene's radius"},
     {"error", 0, OPTION_FLOAT, ROW(caster, error), .0015, 0, 1,
      .help = "casters in VALs' maps may stray so far, over the scene's radius; 0 = not at all"},
+    {"bend", 0, OPTION_FLOAT, ROW(caster, bend), .25, .01, 1000,
+     .help = "edges of long casters may stray so far from their bent image, in texels of the map"},
+    {"long", 0, OPTION_INT, ROW(caster, long_count), 500, 0, 10000000,
+     .help = "casters that are drawn so: the triangles with the longest edges"},
     {NULL},
 };
 

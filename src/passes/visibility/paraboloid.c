@@ -6,11 +6,25 @@
 #include "shared/map_view.h"
 #include "shared/paraboloid.h"
 
+#include <math.h>
 #include <string.h>
 
 /* The plane of the light itself is not a caster: the map begins this far above it, over the radius.
  */
 static const float clip_fraction = 1e-4f;
+
+static bool init_programs(GLuint programs[2], const char *defines, const char *long_defines) {
+    return program_init(&programs[CASTER_SHORT],
+                        &(struct program_desc){.vertex = "visibility/paraboloid.vert",
+                                               .fragment = "visibility/paraboloid.frag",
+                                               .defines = defines}) &&
+           program_init(&programs[CASTER_LONG],
+                        &(struct program_desc){.vertex = "visibility/paraboloid_long.vert",
+                                               .control = "visibility/paraboloid_long.tesc",
+                                               .evaluation = "visibility/paraboloid_long.tese",
+                                               .fragment = "visibility/paraboloid.frag",
+                                               .defines = long_defines});
+}
 
 bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_desc *desc) {
     *pass = (struct paraboloid_pass){
@@ -18,13 +32,8 @@ bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_
         .maps = {.size = desc->size, .count = desc->count, .depth_range = desc->depth_range},
     };
     if (caster_pool_acquire(desc->casters, &pass->caster, &desc->caster) &&
-        program_init(&pass->opaque_program,
-                     &(struct program_desc){.vertex = "visibility/paraboloid.vert",
-                                            .fragment = "visibility/paraboloid.frag"}) &&
-        program_init(&pass->masked_program,
-                     &(struct program_desc){.vertex = "visibility/paraboloid.vert",
-                                            .fragment = "visibility/paraboloid.frag",
-                                            .defines = "MASKED"}) &&
+        init_programs(pass->opaque_programs, NULL, "LONG") &&
+        init_programs(pass->masked_programs, "MASKED", "LONG;MASKED") &&
         program_init(&pass->views_program,
                      &(struct program_desc){.vertex = "visibility/vpl_views.vert"}) &&
         texture_init(&pass->maps.depth,
@@ -49,8 +58,10 @@ bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_
 
 void paraboloid_pass_free(struct paraboloid_pass *pass) {
     caster_pool_release(pass->desc.casters, &pass->caster);
-    program_free(&pass->opaque_program);
-    program_free(&pass->masked_program);
+    for (int l = 0; l < 2; l++) {
+        program_free(&pass->opaque_programs[l]);
+        program_free(&pass->masked_programs[l]);
+    }
     program_free(&pass->views_program);
     framebuffer_free(&pass->framebuffer);
     texture_free(&pass->maps.depth);
@@ -65,6 +76,8 @@ static void write_params(const struct paraboloid_pass *pass, const struct frame 
         .near_clip = pass->desc.near_clip * frame->radius,
         .clip_z = clip_fraction * frame->radius,
         .map_size = (float)pass->maps.size,
+        .pieces = sqrtf((float)pass->maps.size / (16 * pass->desc.bend)),
+        .long_edge = pass->caster->caster.long_edge,
     };
     memcpy(params.bounds_min, frame->bounds_min, sizeof frame->bounds_min);
     memcpy(params.bounds_max, frame->bounds_max, sizeof frame->bounds_max);
@@ -84,11 +97,23 @@ void paraboloid_pass_view_vpls(struct paraboloid_pass *pass, const struct frame 
     pass_feedback(pass->views.buffer.id, first, count);
 }
 
+static void draw_casters(const struct paraboloid_pass *pass, struct pass_state *state,
+                         enum caster_length length, const struct scene_gpu *scene, int count) {
+    state->program = pass->opaque_programs[length];
+    pass_set_state(state);
+    caster_gpu_draw_opaque(pass->caster, length, count);
+    if (!caster_gpu_has_masked(pass->caster))
+        return;
+    state->program = pass->masked_programs[length];
+    pass_set_state(state);
+    caster_gpu_draw_masked(pass->caster, length, scene, count);
+}
+
 void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct frame *frame,
                             const struct map_views *views) {
     struct pass_state state = {
         .name = "depth maps",
-        .program = pass->opaque_program,
+        .program = pass->opaque_programs[CASTER_SHORT],
         .framebuffer = pass->framebuffer,
         .vertex_array = pass->caster->vertices,
         .width = pass->maps.size,
@@ -100,11 +125,7 @@ void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct fra
     write_params(pass, frame);
     pass_begin(frame->timers, &state);
     framebuffer_clear_depth(pass->framebuffer, pass->maps.depth_range);
-    caster_gpu_draw_opaque(pass->caster, views->count);
-    if (caster_gpu_has_masked(pass->caster)) {
-        state.program = pass->masked_program;
-        pass_set_state(&state);
-        caster_gpu_draw_masked(pass->caster, frame->scene, views->count);
-    }
+    for (int l = 0; l < 2; l++)
+        draw_casters(pass, &state, (enum caster_length)l, frame->scene, views->count);
     pass_end(frame->timers);
 }

@@ -9,6 +9,7 @@
 struct paraboloid_desc {
     struct caster_pool *casters; /* must outlive the pass */
     struct caster_desc caster;   /* which of them the maps show */
+    float bend; /* how far edges of long casters may stray from their true place, texels */
     int size, count;
     float depth_range;
     float near_clip; /* over the scene's radius; for views made here from VPLs */
@@ -17,7 +18,8 @@ struct paraboloid_desc {
 struct paraboloid_pass {
     struct paraboloid_desc desc;
     const struct caster_gpu *caster;
-    GLuint opaque_program, masked_program, views_program;
+    GLuint opaque_programs[2], masked_programs[2]; /* at caster_length */
+    GLuint views_program;
     GLuint framebuffer;
     struct depth_maps maps;
     struct map_views views; /* made by paraboloid_pass_view_vpls */

@@ -1,42 +1,36 @@
 #include "scene/gpu/caster_gpu.h"
 
-#include "base/memory.h"
 #include "gl/vertex_array.h"
 #include "shared/bindings.h"
 
-#include <stdlib.h>
+static bool init_attributes(struct caster_gpu *gpu, const struct geometry *geometry) {
+    size_t count = geometry->vertex_count;
+    return buffer_init(&gpu->positions, "caster positions", count * sizeof *geometry->position,
+                       geometry->position) &&
+           (!caster_gpu_has_masked(gpu) ||
+            buffer_init(&gpu->uvs, "caster uvs", count * sizeof *geometry->uv, geometry->uv));
+}
 
-/* The geometry's values, then those of the extra vertices. */
-static bool init_attribute(struct buffer *buffer, const char *label, const struct caster *caster,
-                           size_t width, const void *base, const void *extra) {
-    size_t base_size = caster->base_count * width, extra_size = caster->extra_count * width;
-    if (!buffer_init(buffer, label, base_size + extra_size, NULL))
+/* Where a list begins in the buffer of indices. */
+static uint32_t first_of(const struct caster *caster, enum caster_length length) {
+    return length == CASTER_LONG ? caster->list[CASTER_SHORT].index_count : 0;
+}
+
+static bool init_indices(struct caster_gpu *gpu) {
+    const struct caster_list *list = gpu->caster.list;
+    size_t count = (size_t)list[CASTER_SHORT].index_count + list[CASTER_LONG].index_count;
+    if (!buffer_init(&gpu->indices, "caster indices", count * sizeof(uint32_t), NULL))
         return false;
-    buffer_write(buffer, 0, base_size, base);
-    buffer_write(buffer, base_size, extra_size, extra);
+    for (int l = 0; l < 2; l++)
+        buffer_write(&gpu->indices,
+                     first_of(&gpu->caster, (enum caster_length)l) * sizeof(uint32_t),
+                     list[l].index_count * sizeof(uint32_t), list[l].indices);
     return true;
 }
 
-static bool init_attributes(struct caster_gpu *gpu, const struct geometry *geometry) {
-    const struct caster *caster = &gpu->caster;
-    bool masked = caster_gpu_has_masked(gpu);
-    float(*uv)[2] = masked ? mem_alloc(caster->extra_count, sizeof *uv) : NULL;
-    gpu->extra = mem_alloc(caster->extra_count, sizeof *gpu->extra);
-    caster_fill(caster, geometry, gpu->extra, uv);
-    bool ok =
-        init_attribute(&gpu->positions, "caster positions", caster, sizeof *gpu->extra,
-                       geometry->position, gpu->extra) &&
-        (!masked || init_attribute(&gpu->uvs, "caster uvs", caster, sizeof *uv, geometry->uv, uv));
-    free(uv);
-    return ok;
-}
-
 static bool init_buffers(struct caster_gpu *gpu, const struct geometry *geometry) {
-    const struct caster *caster = &gpu->caster;
     gpu->pose = geometry->pose_count;
-    if (!init_attributes(gpu, geometry) ||
-        !buffer_init(&gpu->indices, "caster indices", caster->index_count * sizeof *caster->indices,
-                     caster->indices))
+    if (!init_attributes(gpu, geometry) || !init_indices(gpu))
         return false;
     gl.CreateVertexArrays(1, &gpu->vertices);
     vertex_array_attribute(gpu->vertices, ATTRIBUTE_POSITION,
@@ -53,8 +47,6 @@ static void free_buffers(struct caster_gpu *gpu) {
     buffer_free(&gpu->positions);
     buffer_free(&gpu->uvs);
     buffer_free(&gpu->indices);
-    free(gpu->extra);
-    gpu->extra = NULL;
 }
 
 bool caster_gpu_init(struct caster_gpu *gpu, const struct geometry *geometry,
@@ -75,29 +67,18 @@ void caster_gpu_free(struct caster_gpu *gpu) {
 
 /* --- what has moved --------------------------------------------------------------------------- */
 
-static void update_vertices(struct caster_gpu *gpu, const struct geometry *geometry, int index) {
-    const struct geometry_part *part = &geometry->parts[index];
-    const struct caster_part *extra = &gpu->caster.parts[index];
-    size_t size = sizeof *gpu->extra;
-    caster_fill_part(&gpu->caster, geometry, index, gpu->extra);
-    buffer_write(&gpu->positions, part->first_vertex * size, part->vertex_count * size,
-                 geometry->position + part->first_vertex);
-    buffer_write(&gpu->positions, (gpu->caster.base_count + extra->first_extra) * size,
-                 extra->extra_count * size, gpu->extra + extra->first_extra);
-}
-
-/* The triangles of dynamic batches. The others keep theirs: whether a triangle is seen from behind
- * is all one to a depth map. */
+/* The triangles of dynamic batches, of which none is long. The others keep theirs: whether a
+ * triangle is seen from behind is all one to a depth map. */
 static void update_indices(struct caster_gpu *gpu, const struct geometry *geometry) {
-    struct caster *caster = &gpu->caster;
-    for (int i = 0; i < caster->batch_count; i++) {
-        const struct geometry_batch *batch = &caster->batches[i];
+    const struct caster_list *list = &gpu->caster.list[CASTER_SHORT];
+    for (int i = 0; i < gpu->caster.batch_count; i++) {
+        const struct geometry_batch *batch = &list->batches[i];
         if (!batch->dynamic)
             continue;
-        caster_take_batch(caster, geometry, i);
-        buffer_write(&gpu->indices, batch->first_index * sizeof *caster->indices,
-                     batch->index_count * sizeof *caster->indices,
-                     caster->indices + batch->first_index);
+        caster_take_batch(&gpu->caster, geometry, i);
+        buffer_write(&gpu->indices, batch->first_index * sizeof *list->indices,
+                     batch->index_count * sizeof *list->indices,
+                     list->indices + batch->first_index);
     }
 }
 
@@ -110,10 +91,13 @@ bool caster_gpu_update(struct caster_gpu *gpu, const struct geometry *geometry) 
     }
     gpu->pose = geometry->pose_count;
     bool rewound = false;
+    size_t size = sizeof *geometry->position;
     for (int i = 0; i < geometry->part_count; i++) {
-        if (geometry->parts[i].moved > seen)
-            update_vertices(gpu, geometry, i);
-        rewound |= geometry->parts[i].rewound > seen;
+        const struct geometry_part *part = &geometry->parts[i];
+        if (part->moved > seen)
+            buffer_write(&gpu->positions, part->first_vertex * size, part->vertex_count * size,
+                         geometry->position + part->first_vertex);
+        rewound |= part->rewound > seen;
     }
     if (rewound)
         update_indices(gpu, geometry);
@@ -122,20 +106,33 @@ bool caster_gpu_update(struct caster_gpu *gpu, const struct geometry *geometry) 
 
 /* --- drawing ---------------------------------------------------------------------------------- */
 
-bool caster_gpu_has_masked(const struct caster_gpu *gpu) {
-    return gpu->caster.opaque_index_count < gpu->caster.index_count;
-}
-
-void caster_gpu_draw_opaque(const struct caster_gpu *gpu, int instances) {
-    GLsizei count = (GLsizei)gpu->caster.opaque_index_count;
+static void draw(const struct caster_gpu *gpu, enum caster_length length, uint32_t first,
+                 uint32_t count, int instances) {
+    size_t offset = (first_of(&gpu->caster, length) + first) * sizeof(uint32_t);
     if (count)
-        gl.DrawElementsInstanced(GL_TRIANGLES, count, GL_UNSIGNED_INT, NULL, instances);
+        gl.DrawElementsInstanced(length == CASTER_LONG ? GL_PATCHES : GL_TRIANGLES, (GLsizei)count,
+                                 GL_UNSIGNED_INT, (const void *)offset, instances);
 }
 
-void caster_gpu_draw_masked(const struct caster_gpu *gpu, const struct scene_gpu *scene,
+bool caster_gpu_has_masked(const struct caster_gpu *gpu) {
+    const struct caster_list *list = gpu->caster.list;
+    return list[CASTER_SHORT].opaque_index_count < list[CASTER_SHORT].index_count ||
+           list[CASTER_LONG].opaque_index_count < list[CASTER_LONG].index_count;
+}
+
+void caster_gpu_draw_opaque(const struct caster_gpu *gpu, enum caster_length length,
                             int instances) {
-    const struct caster *caster = &gpu->caster;
-    for (int i = 0; i < caster->batch_count; i++)
-        if (caster->batches[i].first_index >= caster->opaque_index_count)
-            scene_gpu_draw_batch(scene, &caster->batches[i], instances);
+    draw(gpu, length, 0, gpu->caster.list[length].opaque_index_count, instances);
+}
+
+void caster_gpu_draw_masked(const struct caster_gpu *gpu, enum caster_length length,
+                            const struct scene_gpu *scene, int instances) {
+    const struct caster_list *list = &gpu->caster.list[length];
+    for (int i = 0; i < gpu->caster.batch_count; i++) {
+        const struct geometry_batch *batch = &list->batches[i];
+        if (batch->first_index < list->opaque_index_count || !batch->index_count)
+            continue;
+        scene_gpu_bind_material(scene, batch->material);
+        draw(gpu, length, batch->first_index, batch->index_count, instances);
+    }
 }

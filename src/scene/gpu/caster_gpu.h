@@ -8,10 +8,10 @@
 
 struct caster_gpu {
     struct caster caster;
-    struct buffer positions, uvs, indices; /* uvs only where there is an alpha mask */
-    GLuint vertices;                       /* vertex array of positions and uvs */
-    float (*extra)[3];                     /* the caster's extra positions */
-    unsigned pose;                         /* of the geometry, that was uploaded last */
+    struct buffer positions, uvs; /* uvs only where there is an alpha mask */
+    struct buffer indices;        /* of the short list, then of the long one */
+    GLuint vertices;              /* vertex array of positions and uvs */
+    unsigned pose;                /* of the geometry, that was uploaded last */
 };
 
 /* Makes the caster of the geometry as it is posed now, and uploads it. Error: out of GPU memory. */
@@ -25,10 +25,10 @@ bool caster_gpu_update(struct caster_gpu *gpu, const struct geometry *geometry);
 
 bool caster_gpu_has_masked(const struct caster_gpu *gpu);
 
-/* With vertex array vertices; the masked ones bind the scene's BLOCK_MATERIAL and UNIT_BASE_COLOR.
- */
-void caster_gpu_draw_opaque(const struct caster_gpu *gpu, int instances);
-void caster_gpu_draw_masked(const struct caster_gpu *gpu, const struct scene_gpu *scene,
-                            int instances);
+/* With vertex array vertices: the short triangles as GL_TRIANGLES, or the long ones as GL_PATCHES
+ * of three; the masked ones bind the scene's BLOCK_MATERIAL and UNIT_BASE_COLOR. */
+void caster_gpu_draw_opaque(const struct caster_gpu *gpu, enum caster_length length, int instances);
+void caster_gpu_draw_masked(const struct caster_gpu *gpu, enum caster_length length,
+                            const struct scene_gpu *scene, int instances);
 
 #endif

@@ -44,7 +44,8 @@ void caster_pool_free(struct caster_pool *pool) {
 
 static struct pooled *find(const struct caster_pool *pool, const struct caster_desc *desc) {
     struct pooled *pooled = pool->first;
-    while (pooled && (pooled->desc.max_edge != desc->max_edge || pooled->desc.error != desc->error))
+    while (pooled &&
+           (pooled->desc.error != desc->error || pooled->desc.long_count != desc->long_count))
         pooled = pooled->next;
     return pooled;
 }

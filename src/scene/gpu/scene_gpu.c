@@ -200,29 +200,33 @@ static void draw_indices(uint32_t first, uint32_t count, int instances) {
                              (const void *)(uintptr_t)(first * sizeof(uint32_t)), instances);
 }
 
-void scene_gpu_draw_batch(const struct scene_gpu *gpu, const struct geometry_batch *batch,
-                          int instances) {
-    int texture = gpu->scene->materials[batch->material].base_color_texture;
+void scene_gpu_bind_material(const struct scene_gpu *gpu, int material) {
+    int texture = gpu->scene->materials[material].base_color_texture;
     pass_bind_block(&(struct pass_block){
         .block = BLOCK_MATERIAL,
         .buffer = &gpu->materials,
-        .offset = (size_t)batch->material * MATERIAL_STRIDE,
+        .offset = (size_t)material * MATERIAL_STRIDE,
         .size = sizeof(struct material_block),
     });
     if (texture >= 0)
         pass_bind_texture(UNIT_BASE_COLOR, gpu->textures[texture].id);
+}
+
+static void draw_batch(const struct scene_gpu *gpu, const struct geometry_batch *batch,
+                       int instances) {
+    scene_gpu_bind_material(gpu, batch->material);
     draw_indices(batch->first_index, batch->index_count, instances);
 }
 
 void scene_gpu_draw_shaded(const struct scene_gpu *gpu, int instances) {
     for (int i = 0; i < gpu->batch_count; i++)
-        scene_gpu_draw_batch(gpu, &gpu->batches[i], instances);
+        draw_batch(gpu, &gpu->batches[i], instances);
 }
 
 void scene_gpu_draw_masked(const struct scene_gpu *gpu, int instances) {
     for (int i = 0; i < gpu->batch_count; i++)
         if (gpu->scene->materials[gpu->batches[i].material].alpha_mask)
-            scene_gpu_draw_batch(gpu, &gpu->batches[i], instances);
+            draw_batch(gpu, &gpu->batches[i], instances);
 }
 
 void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided, int instances) {

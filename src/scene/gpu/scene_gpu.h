@@ -39,9 +39,7 @@ void scene_gpu_draw_masked(const struct scene_gpu *gpu, int instances);
 void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided, int instances);
 void scene_gpu_draw_opaque(const struct scene_gpu *gpu, int instances);
 
-/* One batch of the bound vertex array with its material: binds BLOCK_MATERIAL and UNIT_BASE_COLOR.
- */
-void scene_gpu_draw_batch(const struct scene_gpu *gpu, const struct geometry_batch *batch,
-                          int instances);
+/* Binds BLOCK_MATERIAL and, where it has one, UNIT_BASE_COLOR. */
+void scene_gpu_bind_material(const struct scene_gpu *gpu, int material);
 
 #endif

@@ -1,7 +1,6 @@
 #include "scene/mesh/caster.h"
 
 #include "base/memory.h"
-#include "scene/mesh/edge_table.h"
 #include "scene/mesh/simplify.h"
 
 #include <assert.h>
@@ -9,276 +8,164 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What grows while triangles are split. */
-struct splitter {
-    struct caster *caster;
-    const struct geometry *geometry;
-    const uint32_t *moved_to;    /* the vertex that stands for each; NULL = itself */
-    struct edge_table midpoints; /* vertex number of each split edge's; 0 = not made yet */
-    float (*extra)[3];           /* positions of the extra vertices */
-    uint32_t index_capacity, extra_capacity;
-    float max_edge_squared;
-};
+/* --- what is long ----------------------------------------------------------------------------- */
 
-static const float *position_of(const struct splitter *splitter, uint32_t vertex) {
-    uint32_t base = splitter->caster->base_count;
-    return vertex < base ? splitter->geometry->position[vertex] : splitter->extra[vertex - base];
+/* The same bits for triangles that share the edge. */
+static float longest_edge(const struct geometry *geometry, const uint32_t corner[3]) {
+    float longest = 0;
+    for (int e = 0; e < 3; e++)
+        longest = fmaxf(longest, glm_vec3_distance2(geometry->position[corner[e]],
+                                                    geometry->position[corner[(e + 1) % 3]]));
+    return sqrtf(longest);
 }
 
-/* This and the length below give the same bits for a, b as for b, a: that keeps cracks shut. */
-static void midpoint(const float *a, const float *b, int width, float *out) {
-    for (int c = 0; c < width; c++)
-        out[c] = .5F * a[c] + .5F * b[c];
+static int compare_falling(const void *a, const void *b) {
+    float x = *(const float *)a, y = *(const float *)b;
+    return (x < y) - (x > y);
 }
 
-static float length_squared(const struct splitter *splitter, uint32_t from, uint32_t to) {
-    const float *a = position_of(splitter, from), *b = position_of(splitter, to);
-    float sum = 0;
-    for (int c = 0; c < 3; c++)
-        sum += (a[c] - b[c]) * (a[c] - b[c]);
-    return sum;
-}
-
-static uint32_t add_midpoint(struct splitter *splitter, uint32_t a, uint32_t b) {
-    struct caster *caster = splitter->caster;
-    if (caster->extra_count == splitter->extra_capacity) {
-        uint32_t capacity = splitter->extra_capacity = 2 * splitter->extra_capacity + 1024;
-        splitter->extra = mem_resize(splitter->extra, capacity, sizeof *splitter->extra);
-        caster->midpoint_of =
-            mem_resize(caster->midpoint_of, capacity, sizeof *caster->midpoint_of);
+/* The length that no more than so many triangles surpass: those of a grid are alike, and all short
+ * where they are too many. */
+static float find_long_edge(const struct caster_list *all, const struct geometry *geometry,
+                            uint32_t long_count) {
+    float *edges = mem_alloc(all->index_count / 3, sizeof *edges);
+    uint32_t count = 0;
+    for (int i = 0; i < geometry->batch_count; i++) {
+        const struct geometry_batch *batch = &all->batches[i];
+        for (uint32_t k = 0; k < batch->index_count && !batch->dynamic; k += 3)
+            edges[count++] = longest_edge(geometry, all->indices + batch->first_index + k);
     }
-    uint32_t i = caster->extra_count++;
-    midpoint(position_of(splitter, a), position_of(splitter, b), 3, splitter->extra[i]);
-    caster->midpoint_of[i][0] = a;
-    caster->midpoint_of[i][1] = b;
-    return caster->base_count + i;
+    qsort(edges, count, sizeof *edges, compare_falling);
+    float found = count > long_count ? edges[long_count] : 0;
+    free(edges);
+    return found;
 }
 
-static uint32_t midpoint_between(struct splitter *splitter, uint32_t a, uint32_t b) {
-    uint32_t *vertex = edge_table_at(&splitter->midpoints, a, b);
-    if (*vertex == 0)
-        *vertex = add_midpoint(splitter, a, b);
-    return *vertex;
-}
+/* --- lists ------------------------------------------------------------------------------------ */
 
-static void emit(struct splitter *splitter, const uint32_t corner[3]) {
-    struct caster *caster = splitter->caster;
-    if (caster->index_count + 3 > splitter->index_capacity) {
-        splitter->index_capacity += splitter->index_capacity / 2 + 3 * 1024;
-        caster->indices =
-            mem_resize(caster->indices, splitter->index_capacity, sizeof *caster->indices);
-    }
-    memcpy(caster->indices + caster->index_count, corner, 3 * sizeof *corner);
-    caster->index_count += 3;
-}
-
-/* Bisects the longest edge while it is too long, which keeps angles from getting ever smaller
- * [Rosenberg and Stenger 1975]. Any other long edge stays whole in one of the halves and is
- * bisected there: in the end it is cut at the same points whichever triangle looks at it. False
- * when there would be more indices than the limit. */
-static bool split(struct splitter *splitter, const uint32_t corner[3], uint32_t max_indices) {
-    if (splitter->caster->index_count >= max_indices)
-        return false;
-    int longest = 0;
-    float length[3];
-    for (int e = 0; e < 3; e++) {
-        length[e] = length_squared(splitter, corner[e], corner[(e + 1) % 3]);
-        if (length[e] > length[longest])
-            longest = e;
-    }
-    if (length[longest] <= splitter->max_edge_squared) {
-        emit(splitter, corner);
-        return true;
-    }
-    uint32_t a = corner[longest], b = corner[(longest + 1) % 3], c = corner[(longest + 2) % 3];
-    uint32_t middle = midpoint_between(splitter, a, b);
-    return split(splitter, (uint32_t[]){a, middle, c}, max_indices) &&
-           split(splitter, (uint32_t[]){middle, b, c}, max_indices);
-}
-
-/* False where moving has left nothing of the triangle. */
-static bool move_corners(const struct splitter *splitter, const uint32_t corner[3],
-                         uint32_t moved[3]) {
-    for (int c = 0; c < 3; c++)
-        moved[c] = splitter->moved_to ? splitter->moved_to[corner[c]] : corner[c];
-    return !splitter->moved_to ||
-           (moved[0] != moved[1] && moved[1] != moved[2] && moved[2] != moved[0]);
-}
-
-static bool split_batch(struct splitter *splitter, const struct geometry_batch *batch) {
-    struct caster *caster = splitter->caster;
-    struct geometry_batch *made = &caster->batches[caster->batch_count++];
-    *made = *batch;
-    made->first_index = caster->index_count;
-    for (uint32_t k = 0; k < batch->index_count; k += 3) {
-        uint32_t at = batch->first_index + k;
-        const uint32_t *corner = &splitter->geometry->indices[at];
-        uint32_t moved[3];
-        if (batch->dynamic)
-            emit(splitter, corner);
-        else if (move_corners(splitter, corner, moved) &&
-                 !split(splitter, moved, at + 3 + 3 * CASTER_MAX_EXTRA_TRIANGLES))
-            return false;
-    }
-    made->index_count = caster->index_count - made->first_index;
-    return true;
-}
-
-/* Splits everything by the bound; false when there would be too many triangles. */
-static bool try_bound(struct caster *caster, const struct geometry *geometry,
-                      const uint32_t *moved_to, float max_edge) {
-    *caster = (struct caster){.max_edge = max_edge, .base_count = geometry->vertex_count};
-    caster->batches = mem_alloc((size_t)geometry->batch_count, sizeof *caster->batches);
-    struct splitter splitter = {
-        .caster = caster,
-        .geometry = geometry,
-        .moved_to = moved_to,
-        .max_edge_squared = max_edge * max_edge,
+static void list_init(struct caster_list *list, const struct geometry *geometry,
+                      uint32_t index_count) {
+    *list = (struct caster_list){
+        .indices = mem_alloc(index_count, sizeof *list->indices),
+        .batches = mem_alloc((size_t)geometry->batch_count, sizeof *list->batches),
     };
-    bool good = true;
-    for (int i = 0; good && i < geometry->batch_count; i++) {
-        good = split_batch(&splitter, &geometry->batches[i]);
-        if (geometry->batches[i].first_index < geometry->opaque_index_count)
-            caster->opaque_index_count = caster->index_count;
-    }
-    free(splitter.extra);
-    edge_table_free(&splitter.midpoints);
-    return good;
 }
 
-/* No triangle with edges up to the bound is larger than the equilateral one. A bound that this
- * rules out need not be tried. */
-static float least_bound(const struct geometry *geometry) {
-    double area = 0;
-    for (uint32_t k = 0; k < geometry->index_count; k += 3) {
-        const uint32_t *corner = &geometry->indices[k];
-        vec3 edge[2], normal;
-        for (int e = 0; e < 2; e++)
-            glm_vec3_sub(geometry->position[corner[e + 1]], geometry->position[corner[0]], edge[e]);
-        glm_vec3_cross(edge[0], edge[1], normal);
-        area += .5 * (double)glm_vec3_norm(normal);
-    }
-    double most = geometry->index_count / 3 + CASTER_MAX_EXTRA_TRIANGLES;
-    return (float)sqrt(area / (sqrt(3) / 4 * most));
+static void list_free(struct caster_list *list) {
+    free(list->indices);
+    free(list->batches);
 }
 
-/* The part that has the vertex: the last that begins before or at it. */
-static int part_of(const struct geometry *geometry, uint32_t vertex) {
-    int low = 0, high = geometry->part_count;
-    while (high - low > 1) {
-        int middle = (low + high) / 2;
-        *(geometry->parts[middle].first_vertex <= vertex ? &low : &high) = middle;
-    }
-    return low;
+static void list_begin_batch(struct caster_list *list, const struct geometry *geometry, int batch) {
+    list->batches[batch] = geometry->batches[batch];
+    list->batches[batch].first_index = list->index_count;
+    list->batches[batch].index_count = 0;
 }
 
-/* The triangles of a part follow one another, and so do its extra vertices. */
-static void find_parts(struct caster *caster, const struct geometry *geometry) {
-    caster->parts = mem_alloc((size_t)geometry->part_count, sizeof *caster->parts);
-    for (uint32_t i = 0; geometry->part_count && i < caster->extra_count; i++) {
-        uint32_t vertex = caster->base_count + i;
-        while (vertex >= caster->base_count)
-            vertex = caster->midpoint_of[vertex - caster->base_count][0];
-        struct caster_part *part = &caster->parts[part_of(geometry, vertex)];
-        if (part->extra_count++ == 0)
-            part->first_extra = i;
-        assert(part->first_extra + part->extra_count == i + 1);
+static void list_add(struct caster_list *list, const uint32_t *indices, uint32_t count) {
+    memcpy(list->indices + list->index_count, indices, count * sizeof *indices);
+    list->index_count += count;
+}
+
+static void list_end_batch(struct caster_list *list, const struct geometry *geometry, int batch) {
+    struct geometry_batch *made = &list->batches[batch];
+    made->index_count = list->index_count - made->first_index;
+    if (geometry->batches[batch].first_index < geometry->opaque_index_count)
+        list->opaque_index_count = list->index_count;
+}
+
+/* Without the triangles of which moving the vertices leaves nothing. */
+static void add_moved(struct caster_list *list, const struct geometry *geometry,
+                      const struct geometry_batch *batch, const uint32_t *moved_to) {
+    for (uint32_t k = 0; k < batch->index_count; k += 3) {
+        const uint32_t *corner = geometry->indices + batch->first_index + k;
+        uint32_t moved[3] = {moved_to[corner[0]], moved_to[corner[1]], moved_to[corner[2]]};
+        if (moved[0] != moved[1] && moved[1] != moved[2] && moved[2] != moved[0])
+            list_add(list, moved, 3);
+    }
+}
+
+static void list_all(struct caster_list *list, const struct geometry *geometry,
+                     const uint32_t *moved_to) {
+    list_init(list, geometry, geometry->index_count);
+    for (int i = 0; i < geometry->batch_count; i++) {
+        const struct geometry_batch *batch = &geometry->batches[i];
+        list_begin_batch(list, geometry, i);
+        if (moved_to && !batch->dynamic)
+            add_moved(list, geometry, batch, moved_to);
+        else
+            list_add(list, geometry->indices + batch->first_index, batch->index_count);
+        list_end_batch(list, geometry, i);
+    }
+}
+
+/* --- the caster ------------------------------------------------------------------------------- */
+
+static void sort_out(struct caster *caster, const struct caster_list *all,
+                     const struct geometry *geometry) {
+    for (int l = 0; l < 2; l++)
+        list_init(&caster->list[l], geometry, all->index_count);
+    for (int i = 0; i < geometry->batch_count; i++) {
+        const struct geometry_batch *batch = &all->batches[i];
+        for (int l = 0; l < 2; l++)
+            list_begin_batch(&caster->list[l], geometry, i);
+        for (uint32_t k = 0; k < batch->index_count; k += 3) {
+            const uint32_t *corner = all->indices + batch->first_index + k;
+            bool is_long = !batch->dynamic && longest_edge(geometry, corner) > caster->long_edge;
+            list_add(&caster->list[is_long ? CASTER_LONG : CASTER_SHORT], corner, 3);
+        }
+        for (int l = 0; l < 2; l++)
+            list_end_batch(&caster->list[l], geometry, i);
     }
 }
 
 void caster_init(struct caster *caster, const struct geometry *geometry,
                  const struct caster_desc *desc) {
-    float max_edge = desc->max_edge * geometry->radius, error = desc->error * geometry->radius;
-    assert(max_edge > 0);
-    /* An edge only a few steps of a float long has no midpoint of its own. */
-    for (int c = 0; c < 3; c++)
-        max_edge = fmaxf(max_edge, 1e-6F * fmaxf(fabsf(geometry->bounds_min[c]),
-                                                 fabsf(geometry->bounds_max[c])));
-    float least = least_bound(geometry);
-    while (max_edge < least)
-        max_edge *= 2;
+    *caster = (struct caster){
+        .vertex_count = geometry->vertex_count,
+        .batch_count = geometry->batch_count,
+    };
     uint32_t *moved_to =
-        error > 0 ? simplify_geometry(geometry,
-                                      &(struct simplify_desc){.error = error, .max_edge = max_edge})
-                  : NULL;
-    while (!try_bound(caster, geometry, moved_to, max_edge)) {
-        caster_free(caster);
-        max_edge *= 2;
-    }
-    find_parts(caster, geometry);
+        desc->error > 0
+            ? simplify_geometry(geometry,
+                                &(struct simplify_desc){.error = desc->error * geometry->radius,
+                                                        .max_edge = INFINITY})
+            : NULL;
+    struct caster_list all;
+    list_all(&all, geometry, moved_to);
+    caster->long_edge = find_long_edge(&all, geometry, (uint32_t)desc->long_count);
+    sort_out(caster, &all, geometry);
+    list_free(&all);
     free(moved_to);
 }
 
 void caster_free(struct caster *caster) {
-    free(caster->parts);
-    free(caster->midpoint_of);
-    free(caster->indices);
-    free(caster->batches);
+    for (int l = 0; l < 2; l++)
+        list_free(&caster->list[l]);
     *caster = (struct caster){0};
 }
 
-/* Fills some of an array of the extra vertices from one of the geometry's. */
-static void fill(const struct caster *caster, struct caster_part range, const float *base,
-                 int width, float *extra) {
-    for (size_t i = range.first_extra; i < range.first_extra + range.extra_count; i++) {
-        const float *end[2];
-        for (int e = 0; e < 2; e++) {
-            uint32_t vertex = caster->midpoint_of[i][e];
-            end[e] = vertex < caster->base_count
-                         ? base + (size_t)vertex * (size_t)width
-                         : extra + (size_t)(vertex - caster->base_count) * (size_t)width;
-        }
-        midpoint(end[0], end[1], width, extra + i * (size_t)width);
-    }
-}
-
-void caster_fill(const struct caster *caster, const struct geometry *geometry, float (*position)[3],
-                 float (*uv)[2]) {
-    struct caster_part all = {0, caster->extra_count};
-    fill(caster, all, *geometry->position, 3, *position);
-    if (uv)
-        fill(caster, all, *geometry->uv, 2, *uv);
-}
-
-void caster_fill_part(const struct caster *caster, const struct geometry *geometry, int part,
-                      float (*position)[3]) {
-    fill(caster, caster->parts[part], *geometry->position, 3, *position);
-}
-
 void caster_take_batch(struct caster *caster, const struct geometry *geometry, int batch) {
-    const struct geometry_batch *from = &geometry->batches[batch], *to = &caster->batches[batch];
+    struct caster_list *list = &caster->list[CASTER_SHORT];
+    const struct geometry_batch *from = &geometry->batches[batch], *to = &list->batches[batch];
     assert(from->dynamic && from->index_count == to->index_count);
-    memcpy(caster->indices + to->first_index, geometry->indices + from->first_index,
-           from->index_count * sizeof *caster->indices);
+    memcpy(list->indices + to->first_index, geometry->indices + from->first_index,
+           from->index_count * sizeof *list->indices);
 }
 
-/* Static vertices keep their numbers; the extra ones follow those of the geometry. */
-static uint32_t renumber(const struct caster *caster, uint32_t vertex, uint32_t new_base) {
-    return vertex < caster->base_count ? vertex : vertex - caster->base_count + new_base;
-}
-
+/* Static vertices keep their numbers. */
 void caster_lay_out(struct caster *caster, const struct geometry *geometry) {
-    uint32_t base = geometry->vertex_count, first = 0;
-    uint32_t *old = caster->indices;
-    caster->indices = mem_alloc((size_t)caster->index_count + geometry->index_count, sizeof *old);
-    for (uint32_t i = 0; i < caster->extra_count; i++)
-        for (int e = 0; e < 2; e++)
-            caster->midpoint_of[i][e] = renumber(caster, caster->midpoint_of[i][e], base);
+    struct caster_list *list = &caster->list[CASTER_SHORT], old = *list;
+    list_init(list, geometry, old.index_count + geometry->index_count);
     for (int i = 0; i < caster->batch_count; i++) {
-        struct geometry_batch *batch = &caster->batches[i];
-        const uint32_t *from = old + batch->first_index;
-        batch->first_index = first;
-        if (batch->dynamic) {
-            batch->index_count = geometry->batches[i].index_count;
-            caster_take_batch(caster, geometry, i);
-        }
-        for (uint32_t k = 0; k < batch->index_count && !batch->dynamic; k++)
-            caster->indices[first + k] = renumber(caster, from[k], base);
-        first += batch->index_count;
-        if (geometry->batches[i].first_index < geometry->opaque_index_count)
-            caster->opaque_index_count = first;
+        const struct geometry_batch *now = &geometry->batches[i], *batch = &old.batches[i];
+        list_begin_batch(list, geometry, i);
+        if (now->dynamic)
+            list_add(list, geometry->indices + now->first_index, now->index_count);
+        else
+            list_add(list, old.indices + batch->first_index, batch->index_count);
+        list_end_batch(list, geometry, i);
     }
-    caster->index_count = first;
-    caster->base_count = base;
-    free(old);
+    caster->vertex_count = geometry->vertex_count;
+    list_free(&old);
 }

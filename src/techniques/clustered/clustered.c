@@ -95,6 +95,7 @@ static bool init_maps(struct clustered *technique, const struct technique_desc *
                                 &(struct paraboloid_desc){
                                     .casters = desc->casters,
                                     .caster = many_lights_caster(settings),
+                                    .bend = many_lights_caster_bend(desc->settings),
                                     .size = map->size,
                                     .count = own->vals,
                                     .depth_range = many_lights_depth_range(settings),

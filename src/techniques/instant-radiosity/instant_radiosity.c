@@ -46,14 +46,16 @@ static bool init(void **state, const struct technique_desc *desc) {
     return many_lights_init(&technique->lights, desc,
                             &(struct many_lights_visibility){
                                 VISIBILITY_LOOKUP_HARD, .map_per_vpl = true, .map_count = batch}) &&
-           paraboloid_pass_init(&technique->paraboloid, &(struct paraboloid_desc){
-                                                            .casters = desc->casters,
-                                                            .caster = caster,
-                                                            .size = map->size,
-                                                            .count = batch,
-                                                            .depth_range = 1,
-                                                            .near_clip = map->near_clip,
-                                                        });
+           paraboloid_pass_init(&technique->paraboloid,
+                                &(struct paraboloid_desc){
+                                    .casters = desc->casters,
+                                    .caster = caster,
+                                    .bend = many_lights_caster_bend(desc->settings),
+                                    .size = map->size,
+                                    .count = batch,
+                                    .depth_range = 1,
+                                    .near_clip = map->near_clip,
+                                });
 }
 
 static bool resize(void *state, int width, int height) {

@@ -1,0 +1,23 @@
+// A corner of a caster, on its way into a paraboloid depth map: places it there.
+#include "visibility/paraboloid.glsl"
+#include "shared/paraboloid.h"
+
+out vec3 local;
+flat out vec2 range;
+out float gl_ClipDistance[2];
+
+// q: in the frame of view v, whose map is the layer.
+void paraboloid_corner(map_view v, int layer, vec3 q) {
+    float r = length(q);
+    gl_ClipDistance[0] = q.z - params.clip_z;
+    // Geometry around the centre would hide all the rest [Dong 2009 Fig. 7].
+    gl_ClipDistance[1] = r - v.near;
+    // Behind the plane the projection runs off to infinity; what is there is clipped away. The farther off
+    // a corner there is drawn, the farther from its true place an edge to it enters the map.
+    vec3 direction = q / max(r, 1e-20);
+    direction.z = max(direction.z, -0.25);
+    gl_Position = vec4(paraboloid_project(direction), r / v.z_far, 1.0);
+    gl_Layer = layer;
+    local = q;
+    range = vec2(v.near, v.z_far);
+}
