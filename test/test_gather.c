@@ -320,6 +320,25 @@ static void test_slots(void **state) {
     close_bench(&bench);
 }
 
+/* The near field's samples are a pattern's: pixels without interleaving take them all. */
+static void test_near_samples(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, cornell_box);
+    struct image by_default = render_stage(&stage, "unshadowed", "vpls=64 interleave=1", 24);
+    struct image all =
+        render_stage(&stage, "unshadowed", "vpls=64 interleave=1 near-samples=1024", 24);
+    struct image few =
+        render_stage(&stage, "unshadowed", "vpls=64 interleave=1 near-samples=16", 24);
+    size_t size = (size_t)24 * 24 * (size_t)all.channel_count * sizeof *all.pixels;
+    assert_memory_equal(by_default.pixels, all.pixels, size);
+    assert_memory_not_equal(few.pixels, all.pixels, size);
+    image_free(&by_default);
+    image_free(&all);
+    image_free(&few);
+    stage_free(&stage);
+}
+
 /* --- visibility ------------------------------------------------------------------------------- */
 
 /* One VPL with one map: each pixel has all of its light or none, as a ray to it says. */
@@ -389,7 +408,7 @@ int main(void) {
         cmocka_unit_test(test_surfaces), cmocka_unit_test(test_direct),
         cmocka_unit_test(test_vpls),     cmocka_unit_test(test_sums),
         cmocka_unit_test(test_slots),    cmocka_unit_test(test_map_of_vpl),
-        cmocka_unit_test(test_batches),
+        cmocka_unit_test(test_batches),  cmocka_unit_test(test_near_samples),
     };
     return cmocka_run_group_tests_name("gather", tests, open_group_context, close_group_context);
 }

@@ -54,8 +54,8 @@ static const struct option gather_table[] = {
      .help = "the bound for clamp=value, times the squared scene radius"},
     {"near-reach", 0, OPTION_FLOAT, ROW(gather, near_reach), 5, .1, 100,
      .help = "clamp=near: reach of the near field, in spacings of VPLs"},
-    {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 16, 1, 1024,
-     .help = "clamp=near: samples of the near field at each pixel"},
+    {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 1024, 1, 1024,
+     .help = "clamp=near: samples of the near field that n x n pixels share out"},
     {NULL},
 };
 

@@ -10,10 +10,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* As many samples as each slot may have of its own; fewer slots' worth are shared. */
-static int pattern_count(const struct near_field_desc *desc) {
-    int slots = desc->interleave * desc->interleave, most = NEAR_SAMPLES_MAX / desc->samples;
-    return slots < most ? slots : most;
+/* Of each pixel: its share of the pattern's. */
+static int share_of_samples(const struct near_field_desc *desc) {
+    int share = desc->samples / (desc->interleave * desc->interleave);
+    return share > 0 ? share : 1;
 }
 
 static bool upload_samples(struct near_field_pass *pass) {
@@ -119,11 +119,12 @@ void near_field_pass_render_lights(const struct near_field_pass *pass, const str
 /* The tile of one slot of the pattern. */
 static void draw_slot(const struct near_field_pass *pass, const struct irradiance *irradiance,
                       int slot) {
-    int n = irradiance->interleave, patterns = pattern_count(&pass->desc);
+    int n = irradiance->interleave, samples = share_of_samples(&pass->desc);
+    int patterns = pass->desc.samples / samples;
     pass_viewport(slot % n * irradiance->tile_width, slot / n * irradiance->tile_height,
                   irradiance->tile_width, irradiance->tile_height);
-    gl.ProgramUniform4i(pass->program, LOCATION_SLOT, slot % patterns * pass->desc.samples,
-                        pass->desc.samples, slot % n, slot / n);
+    gl.ProgramUniform4i(pass->program, LOCATION_SLOT, slot % patterns * samples, samples, slot % n,
+                        slot / n);
     pass_draw_fullscreen(1);
 }
 

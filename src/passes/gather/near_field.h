@@ -14,8 +14,8 @@
 #include "passes/frame.h"
 
 struct near_field_desc {
-    int samples;    /* of each pixel */
-    int interleave; /* of the irradiance that it adds to: as many patterns, squared */
+    int samples;    /* that the n x n pixels of a pattern share out */
+    int interleave; /* n, of the irradiance that it adds to */
     int rsm_size;   /* as lights' settings have it */
     struct light_layout lights;
 };
