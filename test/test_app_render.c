@@ -122,6 +122,8 @@ static void test_failures(void **state) {
     expect_text("manylight render: cannot open nowhere.glb: No such file");
     expect_box(1, "--camera nobody -o a.png");
     expect_text("nobody");
+    expect_box(1, "--light 0,lamp -o a.png");
+    expect_text("no light 'lamp' (there is: 0=spot)");
     expect_box(1, "--light 7 -o a.png");
     expect_box(1, "-o /nowhere/at/all.png");
     expect_text("/nowhere/at/all.png");

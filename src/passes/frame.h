@@ -105,7 +105,8 @@ int frame_target_views(const struct frame *frame, GLuint program, int kind);
 bool gbuffer_init(struct gbuffer *gbuffer, const char *label, int width, int height, int layers);
 void gbuffer_free(struct gbuffer *gbuffer);
 
-/* Binds what lib/rsm.glsl reads. */
+/* Binds what lib/rsm.glsl reads. For a kind that is not there, and is not read, the other stands in:
+ * drivers warn of empty units. */
 void rsm_add(struct pass_state *state, const struct gbuffer rsm[LIGHT_MAP_KINDS]);
 
 bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count);

@@ -34,7 +34,7 @@ static bool init_programs(struct near_field_pass *pass) {
     bool ok =
         program_init(&pass->light_program,
                      &(struct program_desc){
-                         .vertex = "light_maps.vert",
+                         .vertex = "gather/near_light.vert",
                          .fragment = "gather/near_light.frag",
                      }) &&
         program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
@@ -146,9 +146,9 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
                    {BLOCK_PASS, &pass->params},
                    {BLOCK_NEAR_SAMPLES, &pass->samples}},
     };
-    for (GLuint kind = 0; kind < LIGHT_MAP_KINDS; kind++)
-        if (pass->lights[kind].id)
-            pass_add_texture(&state, UNIT_NEAR_LIGHT + kind, pass->lights[kind].id);
+    for (GLuint kind = 0; kind < LIGHT_MAP_KINDS; kind++) /* as rsm_add */
+        pass_add_texture(&state, UNIT_NEAR_LIGHT + kind,
+                         pass->lights[pass->lights[kind].id ? kind : !kind].id);
     write_params(pass, frame, irradiance_pattern(irradiance));
     pass_begin(frame->timers, &state);
     for (int slot = 0; slot < irradiance->interleave * irradiance->interleave; slot++)
