@@ -260,7 +260,7 @@ stability: all
 PORTABLE := $(BUILD)/portable
 PORTABLE_SOURCES := $(filter-out src/reference/% src/viewer/% src/apps/view.c src/apps/reference.c, \
     $(SOURCES)) $(wildcard portable/*.c) src/main.c
-PORTABLE_BRIDGES := $(filter-out src/base/image_file.cpp src/viewer/%,$(BRIDGES))
+PORTABLE_BRIDGES := $(filter-out src/base/file/image_file.cpp src/viewer/%,$(BRIDGES))
 PORTABLE_NEEDS := 'linux-vdso|libc\.so|libm\.so|libdl\.so|libpthread\.so|ld-linux'
 
 portable:

@@ -1,11 +1,11 @@
 /* Picture files without OpenImageIO, for `make portable`: PFM (the beauty layer) and 8-bit PNG.
  * Textures are decoded by stb_image. The only place that names stb. */
-#include "base/image_file.h"
+#include "base/file/image_file.h"
 
 #include "base/error.h"
-#include "base/file.h"
+#include "base/file/file.h"
 #include "base/memory.h"
-#include "base/output_file.h"
+#include "base/file/output_file.h"
 #include "base/text.h"
 
 #define STB_IMAGE_IMPLEMENTATION

@@ -1,9 +1,9 @@
 #define _POSIX_C_SOURCE 200809L
 #include "glb.h"
 
-#include "base/file.h"
+#include "base/file/file.h"
 #include "base/memory.h"
-#include "base/output_file.h"
+#include "base/file/output_file.h"
 
 #include <cglm/cglm.h>
 #include <stdio.h>

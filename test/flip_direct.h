@@ -1,5 +1,5 @@
 /* LDR-FLIP straight from its definition, slowly: two-dimensional kernels, doubles, one pixel at a
- * time. A second implementation to hold metrics/flip.h against. */
+ * time. A second implementation to hold metrics/flip/flip.h against. */
 #ifndef TEST_FLIP_DIRECT_H
 #define TEST_FLIP_DIRECT_H
 

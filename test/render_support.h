@@ -5,8 +5,8 @@
 #include "support.h"
 
 #include "measure/stage.h"
-#include "gl/context.h"
-#include "reference/ray_scene.h"
+#include "gl/context/context.h"
+#include "reference/scene/ray_scene.h"
 #include "renderer/renderer.h"
 
 /* A debug context of that kind that is current; the test is skipped where there is none. */

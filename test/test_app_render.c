@@ -3,8 +3,8 @@
 #include "render_support.h"
 
 #include "base/error.h"
-#include "base/file.h"
-#include "base/image_file.h"
+#include "base/file/file.h"
+#include "base/file/image_file.h"
 #include "base/memory.h"
 #include "inspect/aov.h"
 #include "shared/vpl.h"

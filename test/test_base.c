@@ -2,10 +2,10 @@
 #include "support.h"
 
 #include "base/error.h"
-#include "base/file.h"
+#include "base/file/file.h"
 #include "base/halton.h"
 #include "base/image.h"
-#include "base/image_file.h"
+#include "base/file/image_file.h"
 #include "base/memory.h"
 #include "base/option.h"
 #include "base/settings.h"

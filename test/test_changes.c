@@ -3,7 +3,7 @@
 #include "support.h"
 
 #include "base/error.h"
-#include "gl/context.h"
+#include "gl/context/context.h"
 #include "gl/glsl.h"
 #include "gl/memory.h"
 #include "renderer/renderer.h"

@@ -3,7 +3,7 @@
 #include "support.h"
 
 #include "base/error.h"
-#include "base/image_file.h"
+#include "base/file/image_file.h"
 
 #include <dirent.h>
 #include <stdio.h>

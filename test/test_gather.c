@@ -3,7 +3,7 @@
 #include "render_support.h"
 
 #include "base/memory.h"
-#include "reference/emission.h"
+#include "reference/scene/emission.h"
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>

@@ -3,8 +3,8 @@
 
 #include "base/error.h"
 #include "gl/api.h"
-#include "gl/context.h"
-#include "gl/needs.h"
+#include "gl/context/context.h"
+#include "gl/context/needs.h"
 #include "shared/vpl.h"
 
 #include <stdio.h>

@@ -2,7 +2,7 @@
 #define _XOPEN_SOURCE 700
 #include "gltf_parts.h"
 
-#include "base/image_file.h"
+#include "base/file/image_file.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "scene/mesh/geometry.h"

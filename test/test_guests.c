@@ -1,6 +1,6 @@
 /* A technique and a direct method that only tests have go through every subcommand: nothing in the
  * program knows VPLs, maps or a blur to be there. */
-#include "base/image_file.h"
+#include "base/file/image_file.h"
 #include "base/memory.h"
 #include "support.h"
 

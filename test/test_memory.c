@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "base/image.h"
 #include "base/memory.h"
-#include "base/output_file.h"
+#include "base/file/output_file.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -3,10 +3,10 @@
 #include "support.h"
 
 #include "base/error.h"
-#include "base/file.h"
-#include "base/image_file.h"
+#include "base/file/file.h"
+#include "base/file/image_file.h"
 #include "base/memory.h"
-#include "base/output_file.h"
+#include "base/file/output_file.h"
 #include "viewer/session.h"
 
 #include <dirent.h>

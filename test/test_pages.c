@@ -1,5 +1,5 @@
 /* Each technique and direct method has a page, of the same shape, that names its own settings. */
-#include "base/file.h"
+#include "base/file/file.h"
 #include "direct/direct.h"
 #include "support.h"
 #include "techniques/technique.h"

@@ -3,7 +3,7 @@
 #include "support.h"
 
 #include "base/image.h"
-#include "base/image_file.h"
+#include "base/file/image_file.h"
 
 #include <math.h>
 #include <stdio.h>

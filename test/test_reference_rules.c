@@ -3,7 +3,7 @@
 #include "hand_made.h"
 
 #include "base/error.h"
-#include "reference/ray_scene.h"
+#include "reference/scene/ray_scene.h"
 #include "reference/sampler.h"
 #include "reference/warp.h"
 

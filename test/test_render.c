@@ -3,7 +3,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "render_support.h"
 
-#include "base/image_file.h"
+#include "base/file/image_file.h"
 #include "base/memory.h"
 #include "gl/memory.h"
 #include "passes/gather/gather.h"

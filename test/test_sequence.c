@@ -4,7 +4,7 @@
 
 #include "apps/frames.h"
 #include "base/error.h"
-#include "base/image_file.h"
+#include "base/file/image_file.h"
 #include "base/memory.h"
 #include "gl/memory.h"
 #include "shared/vpl.h"

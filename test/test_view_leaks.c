@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "gl/memory.h"
-#include "viewer/ui.h"
+#include "viewer/window/ui.h"
 #include "viewer/viewer.h"
 
 #define GLFW_INCLUDE_NONE

@@ -3,7 +3,7 @@
 #include "hand_made.h"
 
 #include "base/halton.h"
-#include "reference/emission.h"
+#include "reference/scene/emission.h"
 #include "reference/vpl_sum.h"
 
 static struct vpl_sum_desc sum_desc(struct world *world, const struct vpl *vpls, int count,

@@ -2,7 +2,7 @@
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 
-#include "base/image_file.h"
+#include "base/file/image_file.h"
 
 #include <math.h>
 #include <signal.h>

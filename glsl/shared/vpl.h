@@ -18,7 +18,7 @@ STD140_SIZE(vpl, 48)
 /* Where light grazes a surface, a VPL's area is that of this cosine. */
 #define VPL_COSINE_MIN 0.25
 
-/* VPLs per uniform block: 48 KiB, within the 64 KiB that all drivers seen allow (gl/needs.h). */
+/* VPLs per uniform block: 48 KiB, within the 64 KiB that all drivers seen allow (gl/context/needs.h). */
 #define VPLS_PER_BLOCK 1024
 #define VPLS_MAX 65536
 

@@ -11,7 +11,7 @@
 #define APPS_CONTEXT_OPTIONS_H
 
 #include "base/option.h"
-#include "gl/context.h"
+#include "gl/context/context.h"
 
 _Static_assert(sizeof(enum context_kind) == sizeof(int), "OPTION_CHOICE writes an int");
 

@@ -8,9 +8,9 @@
 #include "measure/picture.h"
 
 #include "base/error.h"
-#include "base/image_file.h"
+#include "base/file/image_file.h"
 #include "base/log.h"
-#include "base/output_file.h"
+#include "base/file/output_file.h"
 #include "reference/path_tracer.h"
 
 #include <stdlib.h>

@@ -11,9 +11,9 @@
 #include "apps/technique_options.h"
 
 #include "base/error.h"
-#include "base/image_file.h"
+#include "base/file/image_file.h"
 #include "base/log.h"
-#include "base/output_file.h"
+#include "base/file/output_file.h"
 #include "gl/glsl.h"
 #include "inspect/aov.h"
 

@@ -4,8 +4,8 @@
 #include "apps/technique_options.h"
 
 #include "base/error.h"
-#include "base/image_file.h"
-#include "base/output_file.h"
+#include "base/file/image_file.h"
+#include "base/file/output_file.h"
 #include "viewer/viewer.h"
 
 struct values {

@@ -1,6 +1,6 @@
 /* The OpenGL functions that manylight uses, as a table: gl.CreateTextures(...).
  *
- * The table belongs to the context that is current; context_make_current (gl/context.h) fills it
+ * The table belongs to the context that is current; context_make_current (gl/context/context.h) fills it
  * through the context's own getproc, so that one binary serves EGL, OSMesa and a window. A function
  * that is not in the list yet gets its line in GL_FUNCTIONS; a driver without one that is there is
  * refused, so `make lint` refuses those that nobody calls. One thread uses OpenGL.

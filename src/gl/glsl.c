@@ -1,7 +1,7 @@
 #include "gl/glsl.h"
 
 #include "base/error.h"
-#include "base/file.h"
+#include "base/file/file.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include "gl/glsl_embedded.h"

@@ -1,8 +1,8 @@
 #include "measure/failures.h"
 
 #include "base/error.h"
-#include "base/file.h"
-#include "base/folder.h"
+#include "base/file/file.h"
+#include "base/file/folder.h"
 #include "base/memory.h"
 #include "measure/errors.h"
 #include "metrics/panels.h"

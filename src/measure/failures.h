@@ -9,7 +9,7 @@
 #ifndef MEASURE_FAILURES_H
 #define MEASURE_FAILURES_H
 
-#include "gl/context.h"
+#include "gl/context/context.h"
 #include "measure/results.h"
 #include "measure/truth.h"
 

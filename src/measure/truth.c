@@ -2,8 +2,8 @@
 #include "measure/truth.h"
 
 #include "base/error.h"
-#include "base/folder.h"
-#include "base/image_file.h"
+#include "base/file/folder.h"
+#include "base/file/image_file.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "measure/picture.h"

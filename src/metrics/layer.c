@@ -1,7 +1,7 @@
 #include "metrics/layer.h"
 
 #include "base/error.h"
-#include "base/image_file.h"
+#include "base/file/image_file.h"
 #include "metrics/colour.h"
 
 #include <math.h>

@@ -5,8 +5,8 @@
 #include "base/parallel.h"
 #include "metrics/box_error.h"
 #include "metrics/errors.h"
-#include "metrics/flip.h"
-#include "metrics/hdr_flip.h"
+#include "metrics/flip/flip.h"
+#include "metrics/flip/hdr_flip.h"
 #include "metrics/worst_share.h"
 
 #include <math.h>

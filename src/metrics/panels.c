@@ -1,6 +1,6 @@
 #include "metrics/panels.h"
 
-#include "base/image_file.h"
+#include "base/file/image_file.h"
 #include "base/memory.h"
 #include "metrics/colour.h"
 #include "metrics/heat_map.h"

@@ -10,7 +10,7 @@
 #ifndef REFERENCE_LIGHT_VERTICES_H
 #define REFERENCE_LIGHT_VERTICES_H
 
-#include "reference/emission.h"
+#include "reference/scene/emission.h"
 #include "reference/sampler.h"
 
 enum { LIGHT_VERTEX_COUNT = 1 << 16 };

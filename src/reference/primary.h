@@ -2,7 +2,7 @@
 #ifndef REFERENCE_PRIMARY_H
 #define REFERENCE_PRIMARY_H
 
-#include "reference/ray_scene.h"
+#include "reference/scene/ray_scene.h"
 #include "scene/camera.h"
 
 struct primary_rays {

@@ -1,6 +1,6 @@
 #include "reference/vpl_sum.h"
 
-#include "reference/emission.h"
+#include "reference/scene/emission.h"
 #include "reference/channels.h"
 #include "reference/rows.h"
 #include "reference/vector.h"

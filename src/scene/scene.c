@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
-#include "base/output_file.h"
+#include "base/file/output_file.h"
 #include "scene/animation.h"
 #include "scene/gltf/gltf.h"
 #include "scene/node.h"

@@ -2,7 +2,7 @@
 #include "viewer/viewer.h"
 
 #include "shared/composite.h"
-#include "viewer/ui.h"
+#include "viewer/window/ui.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 #include "viewer/light_tool.h"
 
-#include "viewer/ui.h"
+#include "viewer/window/ui.h"
 
 #include <cglm/cglm.h>
 

@@ -6,7 +6,7 @@
 #include "scene/mesh/geometry.h"
 #include "scene/emitter.h"
 #include "inspect/screen.h"
-#include "viewer/window.h"
+#include "viewer/window/window.h"
 
 enum light_handle { HANDLE_NONE, HANDLE_POSITION, HANDLE_DIRECTION };
 

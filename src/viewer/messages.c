@@ -1,7 +1,7 @@
 #include "viewer/messages.h"
 
 #include "base/log.h"
-#include "viewer/window.h"
+#include "viewer/window/window.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
 #ifndef VIEWER_MESSAGES_H
 #define VIEWER_MESSAGES_H
 
-#include "viewer/ui.h"
+#include "viewer/window/ui.h"
 
 #include <pthread.h>
 

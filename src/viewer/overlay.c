@@ -2,7 +2,7 @@
 #include "viewer/viewer.h"
 
 #include "gl/memory.h"
-#include "viewer/ui.h"
+#include "viewer/window/ui.h"
 
 #include <stdio.h>
 #include <string.h>

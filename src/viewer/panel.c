@@ -6,7 +6,7 @@
 #include "scene/animation.h"
 #include "scene/node.h"
 #include "shared/composite.h"
-#include "viewer/ui.h"
+#include "viewer/window/ui.h"
 
 #include <math.h>
 #include <stdio.h>

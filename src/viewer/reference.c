@@ -1,7 +1,7 @@
 #include "viewer/reference.h"
 
 #include "base/error.h"
-#include "base/image_file.h"
+#include "base/file/image_file.h"
 #include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/pass.h"

@@ -1,8 +1,8 @@
 /* Writes what is shown to files. */
 #include "viewer/viewer.h"
 
-#include "base/image_file.h"
-#include "viewer/ui.h"
+#include "base/file/image_file.h"
+#include "viewer/window/ui.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 
 #include "base/log.h"
 #include "gl/glsl.h"
-#include "viewer/ui.h"
+#include "viewer/window/ui.h"
 
 /* How long after the last change the picture counts as at rest, seconds. */
 static const double rest_after = .25;

@@ -6,7 +6,7 @@
 #ifndef VIEWER_VIEWER_H
 #define VIEWER_VIEWER_H
 
-#include "gl/context.h"
+#include "gl/context/context.h"
 #include "inspect/inspect.h"
 #include "inspect/probe.h"
 #include "inspect/screen.h"
@@ -18,7 +18,7 @@
 #include "viewer/orbit.h"
 #include "viewer/pace.h"
 #include "viewer/session.h"
-#include "viewer/window.h"
+#include "viewer/window/window.h"
 
 struct viewer_desc {
     const char *scene; /* NULL: none yet */

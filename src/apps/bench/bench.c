@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/memory.h"
-#include "base/output_file.h"
+#include "base/file/output_file.h"
 #include "measure/timing.h"
 
 #include <stdlib.h>

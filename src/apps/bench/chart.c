@@ -3,11 +3,11 @@
 #include "apps/bench/bench.h"
 
 #include "base/error.h"
-#include "base/file.h"
-#include "base/folder.h"
-#include "base/image_file.h"
+#include "base/file/file.h"
+#include "base/file/folder.h"
+#include "base/file/image_file.h"
 #include "base/memory.h"
-#include "base/output_file.h"
+#include "base/file/output_file.h"
 
 #include <dirent.h>
 #include <errno.h>

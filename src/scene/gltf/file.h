@@ -2,7 +2,7 @@
 #ifndef SCENE_GLTF_FILE_H
 #define SCENE_GLTF_FILE_H
 
-#include "base/file.h"
+#include "base/file/file.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -8,7 +8,7 @@
 
 extern "C" {
 #include "base/error.h"
-#include "base/image_file.h"
+#include "base/file/image_file.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "scene/gltf/accessor.h"

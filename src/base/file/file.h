@@ -1,0 +1,20 @@
+/* Whole files. */
+#ifndef BASE_FILE_FILE_H
+#define BASE_FILE_FILE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct file_bytes {
+    unsigned char *data; /* free() frees */
+    size_t size;         /* without the zero that follows the last byte */
+};
+
+/* Reads a whole regular file of less than 4 GiB. Error: names the path and the reason; bytes are
+ * zeroed then. */
+bool file_read(struct file_bytes *bytes, const char *path);
+
+/* The same as text, to be freed by the caller; NULL on error. */
+char *file_read_text(const char *path);
+
+#endif

@@ -1,0 +1,23 @@
+#define _POSIX_C_SOURCE 200809L
+#include "base/file/folder.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+bool folder_make_for(const char *file_path) {
+    char *path = mem_strdup(file_path);
+    bool ok = true;
+    for (char *slash = strchr(path + 1, '/'); slash && ok; slash = strchr(slash + 1, '/')) {
+        *slash = '\0';
+        ok = mkdir(path, 0777) == 0 || errno == EEXIST ||
+             error_set("cannot make folder %s: %s", path, strerror(errno));
+        *slash = '/';
+    }
+    free(path);
+    return ok;
+}

@@ -1,0 +1,11 @@
+/* Folders of the file system. */
+#ifndef BASE_FILE_FOLDER_H
+#define BASE_FILE_FOLDER_H
+
+#include <stdbool.h>
+
+/* Makes the folders on the way to a file, where they are missing. Error: names the first that
+ * cannot be made. */
+bool folder_make_for(const char *file_path);
+
+#endif

@@ -1,0 +1,297 @@
+/* The bridge to OpenImageIO. No exception leaves it. */
+#include "base/file/image_file.h"
+
+extern "C" {
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/file/output_file.h"
+}
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
+
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+using namespace OIIO;
+
+namespace {
+
+/* Beyond this a file is refused rather than read: 2^28 pixels is 16384 x 16384. */
+const imagesize_t max_pixels = imagesize_t(1) << 28;
+
+bool fail(const char *path, const std::string &reason) {
+    std::string line = reason.empty() ? "cannot be read" : reason.substr(0, reason.find('\n'));
+    return error_set("%s: %s", path, line.c_str());
+}
+
+bool check_size(const ImageSpec &spec, const char *path) {
+    if (spec.width < 1 || spec.height < 1 || spec.depth != 1 || spec.nchannels < 1)
+        return fail(path, "not a two-dimensional picture");
+    if (spec.image_pixels() > max_pixels)
+        return fail(path,
+                    "too large: " + std::to_string(spec.width) + "x" + std::to_string(spec.height));
+    return true;
+}
+
+/* What is written and read here; of the other formats that OpenImageIO knows, some lose what does
+ * not fit on the disk without a word. */
+struct format {
+    const char *extension, *name;
+    bool is_float;
+    std::string end; /* the last bytes of a whole file, where the decoder does not miss them */
+};
+
+const format formats[] = {
+    {"exr", "openexr", true, ""},
+    {"tif", "tiff", true, ""},
+    {"tiff", "tiff", true, ""},
+    {"pfm", "pnm", true, ""},
+    {"hdr", "hdr", true, ""},
+    {"png", "png", false, "IEND\xAE\x42\x60\x82"},
+    {"jpg", "jpeg", false, ""},
+    {"jpeg", "jpeg", false, ""},
+    {"webp", "webp", false, ""},
+    {"bmp", "bmp", false, ""},
+    {"tga", "targa", false, std::string("TRUEVISION-XFILE.", 18)},
+    {"gif", "gif", false, ";"},
+    {"jp2", "jpeg2000", false, ""},
+    {"ppm", "pnm", false, ""},
+    {"dpx", "dpx", false, ""},
+};
+
+/* NULL after an error. */
+const format *find_format(const char *path) {
+    std::string extension = Strutil::lower(Filesystem::extension(path, false));
+    std::string known;
+    for (const format &f : formats) {
+        if (extension == f.extension)
+            return &f;
+        known += std::string(" .") + f.extension;
+    }
+    fail(path, extension.empty()
+                   ? "no extension, so no picture format (try .exr or .png)"
+                   : "unknown picture format '." + extension + "' (known:" + known + ")");
+    return NULL;
+}
+
+/* Decodes all pixels and drops them. "" or the reason why that fails. */
+std::string try_decode(ImageInput *in, const ImageSpec &spec) {
+    std::vector<char> pixels(spec.image_bytes(true));
+    bool good = in->read_image(0, 0, 0, spec.nchannels, TypeDesc::UNKNOWN, pixels.data());
+    /* A cut JPEG is good, but for what is said of it. */
+    std::string reason = in->geterror();
+    return reason.empty() && !good ? "cannot be decoded" : reason;
+}
+
+bool ends_well(const char *path, const format &format) {
+    std::string end(format.end.size(), ' ');
+    uint64_t size = Filesystem::file_size(path);
+    return end.empty() || (size > end.size() &&
+                           Filesystem::read_bytes(path, &end[0], end.size(), size - end.size()) &&
+                           end == format.end);
+}
+
+/* The file is made in memory, for some encoders end the program, or say nothing, when a file does
+ * not take their bytes; and decoded again before it is written. */
+bool write_pixels(const char *path, const char *format, const ImageSpec &spec, TypeDesc type,
+                  const void *pixels) {
+    std::vector<unsigned char> bytes;
+    Filesystem::IOVecOutput writer(bytes);
+    auto out = ImageOutput::create(format);
+    if (!out)
+        return fail(path, geterror());
+    bool good =
+        out->set_ioproxy(&writer) && out->open(path, spec) && out->write_image(type, pixels);
+    std::string reason = out->geterror();
+    if (!out->close() || !good || !reason.empty())
+        return fail(path, reason.empty() ? "cannot be encoded" : reason);
+    Filesystem::IOMemReader reader(bytes.data(), bytes.size());
+    ImageSpec written;
+    auto in = ImageInput::create(format);
+    if (!in || !in->set_ioproxy(&reader) || !in->open(path, written))
+        return fail(path, "was not encoded well: " + (in ? in->geterror() : geterror()));
+    reason = try_decode(in.get(), written);
+    if (!reason.empty() || written.width != spec.width || written.height != spec.height)
+        return fail(path, "was not encoded well: " + reason);
+    return output_file_write(path, bytes.data(), bytes.size());
+}
+
+/* Portable float map, which OpenImageIO reads but does not write: a line each of kind, size and
+ * byte order (negative: little endian), then rows of RGB from the bottom up. */
+bool write_pfm(const char *path, int width, int height, const std::vector<float> &rgb) {
+    std::string head = Strutil::sprintf("PF\n%d %d\n-1.0\n", width, height);
+    std::vector<char> bytes(head.begin(), head.end());
+    size_t row = size_t(width) * 3;
+    for (int y = height - 1; y >= 0; y--) {
+        const char *from = reinterpret_cast<const char *>(&rgb[y * row]);
+        bytes.insert(bytes.end(), from, from + row * sizeof rgb[0]);
+    }
+    return output_file_write(path, bytes.data(), bytes.size());
+}
+
+/* Formats of floats that have no more than red, green and blue. */
+bool is_plain(const format *format) {
+    return strcmp(format->extension, "pfm") == 0 || strcmp(format->extension, "hdr") == 0;
+}
+
+bool write_plain(const struct image *image, const char *path, const format *format) {
+    int channels[3];
+    if (!image_find_layer(image, "", channels))
+        return error_prefix("%s", path);
+    size_t count = size_t(image->width) * image->height;
+    std::vector<float> rgb(count * 3);
+    for (size_t i = 0; i < rgb.size(); i++)
+        rgb[i] = image->pixels[i / 3 * image->channel_count + channels[i % 3]];
+    if (strcmp(format->extension, "pfm") == 0)
+        return write_pfm(path, image->width, image->height, rgb);
+    ImageSpec spec(image->width, image->height, 3, TypeDesc::FLOAT);
+    return write_pixels(path, format->name, spec, TypeDesc::FLOAT, rgb.data());
+}
+
+bool is_colour(const std::string &name) {
+    std::string last = name.substr(name.find_last_of('.') + 1);
+    return last == "R" || last == "G" || last == "B" || last == "A";
+}
+
+} // namespace
+
+extern "C" bool image_read(struct image *image, const char *path) try {
+    *image = {};
+    auto in = ImageInput::open(path);
+    if (!in)
+        return fail(path, geterror());
+    const ImageSpec spec = in->spec();
+    if (!check_size(spec, path))
+        return false;
+    if (!image_fits(spec.width, spec.height, spec.nchannels))
+        return error_prefix("%s", path);
+    std::vector<std::string> names;
+    std::vector<const char *> pointers;
+    for (int i = 0; i < spec.nchannels; i++)
+        names.push_back(spec.channel_name(i));
+    for (const std::string &name : names)
+        pointers.push_back(name.c_str());
+    image_init_named(image, spec.width, spec.height, pointers.data(), spec.nchannels);
+    image->encoded = !spec.format.is_floating_point();
+    bool good = in->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, image->pixels);
+    std::string reason = in->geterror(); /* of a cut JPEG, though it is read */
+    if (good && reason.empty())
+        return true;
+    image_free(image);
+    return fail(path, reason);
+} catch (const std::exception &error) {
+    image_free(image);
+    return fail(path, error.what());
+}
+
+extern "C" bool image_is_whole(const char *path) try {
+    const format *format = find_format(path);
+    if (!format)
+        return false;
+    if (!ends_well(path, *format))
+        return fail(path, "ends too soon");
+    auto in = ImageInput::open(path);
+    if (!in)
+        return fail(path, geterror());
+    if (!check_size(in->spec(), path))
+        return false;
+    std::string reason = try_decode(in.get(), in->spec());
+    return reason.empty() || fail(path, reason);
+} catch (const std::exception &error) {
+    return fail(path, error.what());
+}
+
+extern "C" bool image_write(const struct image *image, const char *path) try {
+    const format *format = find_format(path);
+    if (!format)
+        return false;
+    if (is_plain(format))
+        return write_plain(image, path, format);
+    ImageSpec spec(image->width, image->height, image->channel_count, TypeDesc::FLOAT);
+    spec.channelnames.clear();
+    for (int i = 0; i < image->channel_count; i++)
+        spec.channelnames.push_back(image->names[i]);
+    if (strcmp(format->name, "openexr") == 0) {
+        spec.attribute("compression", "zip");
+        spec.attribute("DateTime", ""); /* else it is now, and no two files are alike */
+        for (const std::string &name : spec.channelnames)
+            spec.channelformats.push_back(is_colour(name) ? TypeDesc::HALF : TypeDesc::FLOAT);
+    }
+    spec.alpha_channel = image_find_channel(image, "A");
+    spec.z_channel = image_find_channel(image, "Z");
+    return write_pixels(path, format->name, spec, TypeDesc::FLOAT, image->pixels);
+} catch (const std::exception &error) {
+    return fail(path, error.what());
+}
+
+extern "C" bool bitmap_write(const struct bitmap *bitmap, const char *path) try {
+    const format *format = find_format(path);
+    if (!format)
+        return false;
+    /* Our pictures are opaque: an alpha channel would only surprise. */
+    ImageSpec spec(bitmap->width, bitmap->height, 3, TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    std::vector<unsigned char> rgb(size_t(bitmap->width) * bitmap->height * 3);
+    for (size_t i = 0; i < rgb.size() / 3; i++)
+        memcpy(&rgb[i * 3], &bitmap->rgba[i * 4], 3);
+    return write_pixels(path, format->name, spec, TypeDesc::UINT8, rgb.data());
+} catch (const std::exception &error) {
+    return fail(path, error.what());
+}
+
+extern "C" bool image_format_is_float(const char *path, bool *is_float) try {
+    const format *format = find_format(path);
+    if (!format)
+        return false;
+    *is_float = format->is_float;
+    return true;
+} catch (const std::exception &error) {
+    return fail(path, error.what());
+}
+
+extern "C" bool bitmap_decode(struct bitmap *bitmap, const void *bytes, size_t size) try {
+    *bitmap = {};
+    /* The format is told by its content; the name only has to have no known extension. */
+    Filesystem::IOMemReader reader(const_cast<void *>(bytes), size);
+    static const char *const formats[] = {"png", "jpeg", "webp", "bmp", "tga"};
+    std::unique_ptr<ImageInput> in;
+    ImageSpec spec;
+    for (const char *format : formats) {
+        in = ImageInput::create(format);
+        if (in && in->set_ioproxy(&reader)) {
+            reader.seek(0);
+            if (in->open("texture", spec))
+                break;
+            in->geterror();
+        }
+        in.reset();
+    }
+    if (!in)
+        return error_set("not a picture of a known format");
+    if (!check_size(spec, "picture"))
+        return false;
+    if (!mem_check(spec.image_pixels() * (spec.nchannels + 4)))
+        return error_prefix("a picture of %dx%d", spec.width, spec.height);
+    std::vector<unsigned char> source(spec.image_pixels() * spec.nchannels);
+    if (!in->read_image(0, 0, 0, spec.nchannels, TypeDesc::UINT8, source.data()))
+        return fail("picture", in->geterror());
+    bitmap->width = spec.width;
+    bitmap->height = spec.height;
+    bitmap->rgba = static_cast<unsigned char *>(mem_alloc(spec.image_pixels(), 4));
+    const int n = spec.nchannels;
+    for (size_t i = 0; i < spec.image_pixels(); i++) {
+        const unsigned char *from = &source[i * n];
+        unsigned char *to = &bitmap->rgba[i * 4];
+        for (int c = 0; c < 3; c++)
+            to[c] = from[n >= 3 ? c : 0];
+        to[3] = n == 4 ? from[3] : n == 2 ? from[1] : 255;
+    }
+    return true;
+} catch (const std::exception &error) {
+    bitmap_free(bitmap);
+    return error_set("%s", error.what());
+}

@@ -1,0 +1,39 @@
+/* Picture files through OpenImageIO: the only place that names it. */
+#ifndef BASE_FILE_IMAGE_FILE_H
+#define BASE_FILE_IMAGE_FILE_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#include "base/image.h"
+
+/* Reads any format that OpenImageIO knows, all channels of the first part, as floats. Integer
+ * formats come as stored, over [0, 1] and still sRGB-encoded; image->encoded tells. Error: names
+ * the file and the reason. */
+bool image_read(struct image *image, const char *path);
+
+/* Writes floats; the extension picks the format. EXR: half for colour, 32 bit for Z and for layers
+ * named in neither RGBA. PFM and HDR get red, green and blue of the beauty layer. What was encoded is
+ * decoded again, then written as base/file/output_file.h does. */
+bool image_write(const struct image *image, const char *path);
+
+/* Writes an 8-bit picture (PNG, JPEG, ...). Alpha is dropped where the format has none. */
+bool bitmap_write(const struct bitmap *bitmap, const char *path);
+
+/* Whether the file opens, decodes to its last pixel and ends as its format does. Error: says why
+ * not. */
+bool image_is_whole(const char *path);
+
+/* Whether the extension names a format that stores floats (EXR, PFM, HDR, ...). An error where the
+ * extension is missing or unknown; call it before long work. */
+bool image_format_is_float(const char *path, bool *is_float);
+
+/* Decodes a PNG, JPEG, ... held in memory. Grey becomes RGB, missing alpha 255. */
+bool bitmap_decode(struct bitmap *bitmap, const void *bytes, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,42 @@
+/* Files that are written whole or not at all: the only way to write one.
+ *
+ * The content is made in memory. Its bytes go into a file without a name (or with a name of its own
+ * beside the target, where the file system knows no other), are synced and read back, and only then
+ * take the target's name. Whatever fails, and whenever the process is killed, the target is what it
+ * was or what it should be; a kill in the midst of replacing it may leave the other one beside it, as
+ * .manylight-PID-N.part.
+ */
+#ifndef BASE_FILE_OUTPUT_FILE_H
+#define BASE_FILE_OUTPUT_FILE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+/* Whether a file can be written there; call it before long work. Error: names the path and the
+ * reason: a folder, a folder that is missing or read-only, a name too long. */
+bool output_file_check(const char *path);
+
+/* An error where the two are one file, which would be lost. */
+bool output_file_is_not(const char *path, const char *input);
+
+/* Replaces what is there. A device or a pipe is written to as it is. Error: names the path. */
+bool output_file_write(const char *path, const void *bytes, size_t size);
+
+/* Text that is printed to a stream in memory, on its way to a file. free accepts a zeroed one. */
+struct output_text {
+    FILE *stream;
+    char *data;
+    size_t size;
+};
+
+void output_text_init(struct output_text *text);
+void output_text_free(struct output_text *text);
+
+/* Writes all that was printed so far: may be called again when there is more. */
+bool output_text_write(struct output_text *text, const char *path);
+
+/* Writes it and frees the text, whatever happens. */
+bool output_text_end(struct output_text *text, const char *path);
+
+#endif

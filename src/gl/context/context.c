@@ -1,0 +1,229 @@
+#include "gl/context/context.h"
+
+#include "base/error.h"
+#include "base/log.h"
+#include "base/memory.h"
+#include "gl/api.h"
+#include "gl/context/needs.h"
+#include "gl/context/platform.h"
+#include "gl/program.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const context_kind_names[] = {"auto", "egl", "osmesa", NULL};
+
+struct context {
+    struct native_context native; /* platform NULL: adopted, the window's owner binds it */
+    struct gl_api api;
+    char description[128];
+    bool software;
+    int message_count;
+};
+
+/* OpenGL knows a current context, so must we. */
+static struct context *current;
+
+/* --- debug messages --- */
+
+static void APIENTRY on_message(GLenum source, GLenum type, GLuint id, GLenum severity,
+                                GLsizei length, const GLchar *message, const void *user) {
+    (void)source, (void)type, (void)id, (void)severity, (void)length;
+    ((struct context *)user)->message_count++;
+    log_warning("OpenGL: %.*s", (int)strcspn(message, "\n"), message);
+}
+
+static void listen(struct context *context) {
+    gl.Enable(GL_DEBUG_OUTPUT);
+    gl.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    gl.DebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, NULL, GL_TRUE);
+    gl.DebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_NOTIFICATION, 0, NULL,
+                           GL_FALSE);
+    gl.DebugMessageCallback(on_message, context);
+}
+
+/* --- making a context --- */
+
+static bool is_software(const char *renderer) {
+    static const char *const names[] = {"llvmpipe", "softpipe", "swrast", "Software"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strstr(renderer, names[i]))
+            return true;
+    return false;
+}
+
+static void make_empty_objects(struct gl_api *api) {
+    api->CreateVertexArrays(1, &api->empty_vertex_array);
+    api->CreateFramebuffers(1, &api->empty_framebuffer);
+    api->NamedFramebufferParameteri(api->empty_framebuffer, GL_FRAMEBUFFER_DEFAULT_WIDTH, 1);
+    api->NamedFramebufferParameteri(api->empty_framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, 1);
+}
+
+/* Fills in what needs the context to be current, and makes `gl` its table. */
+static bool load(struct context *context, void *(*getproc)(const char *name), bool debug) {
+    if (!gl_api_load(&context->api, getproc) || !gl_needs_met(&context->api))
+        return false;
+    make_empty_objects(&context->api);
+    context->api.programs = program_cache_create();
+    gl = context->api;
+    current = context;
+    context->software = is_software((const char *)gl.GetString(GL_RENDERER));
+    if (debug)
+        listen(context);
+    return true;
+}
+
+static struct context *try_candidate(const struct candidate *candidate, bool debug) {
+    struct context *context = mem_alloc(1, sizeof *context);
+    const struct platform *platform = candidate->platform;
+    context_make_current(NULL);
+    snprintf(context->description, sizeof context->description, "%s", candidate->name);
+    if (platform->create(&context->native, candidate, debug) && platform->bind(&context->native)) {
+        current = context;
+        if (load(context, platform->getproc, debug))
+            return context;
+    }
+    context_free(context);
+    error_prefix("%s", candidate->name);
+    return NULL;
+}
+
+/* --- candidates --- */
+
+/* Reasons of failure, one after another. */
+struct reasons {
+    char text[1536];
+    size_t used;
+};
+
+static void add_reason(struct reasons *reasons) {
+    if (reasons->used < sizeof reasons->text)
+        reasons->used +=
+            (size_t)snprintf(reasons->text + reasons->used, sizeof reasons->text - reasons->used,
+                             "%s%s", reasons->used ? "; " : "", error_get());
+}
+
+static void list_candidates(struct candidate_list *list, enum context_kind kind,
+                            struct reasons *reasons) {
+    list->count = 0;
+    if (kind != CONTEXT_OSMESA && !egl_platform.list(list))
+        add_reason(reasons);
+    if (kind != CONTEXT_EGL && !osmesa_platform.list(list))
+        add_reason(reasons);
+}
+
+static struct context *try_all(const struct candidate_list *list, bool debug,
+                               struct reasons *reasons) {
+    for (int i = 0; i < list->count; i++) {
+        struct context *context = try_candidate(&list->items[i], debug);
+        if (context)
+            return context;
+        add_reason(reasons);
+    }
+    return NULL;
+}
+
+static struct context *try_device(const struct candidate_list *list, int number, bool debug,
+                                  struct reasons *reasons) {
+    int count = 0;
+    struct context *context = NULL;
+    for (int i = 0; i < list->count; i++) {
+        if (list->items[i].number == number)
+            context = try_candidate(&list->items[i], debug);
+        count += list->items[i].number >= 0;
+    }
+    if (number >= count)
+        error_set("no EGL device %d (there are %d, counted from 0)", number, count);
+    if (!context)
+        add_reason(reasons);
+    return context;
+}
+
+struct context *context_create(const struct context_desc *desc) {
+    struct candidate_list list;
+    struct reasons reasons = {"", 0};
+    struct context *before = current;
+    list_candidates(&list, desc->kind, &reasons);
+    struct context *context = desc->device < 0
+                                  ? try_all(&list, desc->debug, &reasons)
+                                  : try_device(&list, desc->device, desc->debug, &reasons);
+    if (!context) {
+        context_make_current(before);
+        error_set("no OpenGL 4.5 core context: %s", reasons.text);
+    }
+    return context;
+}
+
+struct context *context_adopt(void *(*getproc)(const char *name), bool debug) {
+    struct context *context = mem_alloc(1, sizeof *context);
+    snprintf(context->description, sizeof context->description, "window");
+    if (load(context, getproc, debug))
+        return context;
+    context_free(context);
+    error_prefix("window");
+    return NULL;
+}
+
+/* --- being current --- */
+
+/* EGL and OSMesa may share one Mesa, whose notion of the current context would be torn between
+ * them: the old context is always let go before another is bound. */
+static void release_current(void) {
+    if (current && current->native.platform)
+        current->native.platform->unbind(&current->native);
+    current = NULL;
+    memset(&gl, 0, sizeof gl);
+}
+
+void context_make_current(struct context *context) {
+    if (context == current)
+        return;
+    release_current();
+    if (!context)
+        return;
+    if (context->native.platform && !context->native.platform->bind(&context->native)) {
+        /* A context that was current before: only a driver that lost it refuses. */
+        log_warning("%s: %s", context->description, error_get());
+        abort();
+    }
+    current = context;
+    gl = context->api;
+}
+
+void context_free(struct context *context) {
+    if (!context)
+        return;
+    if (context == current)
+        release_current();
+    if (context->native.platform)
+        context->native.platform->destroy(&context->native);
+    program_cache_free(context->api.programs);
+    free(context);
+}
+
+/* --- questions --- */
+
+const char *context_description(const struct context *context) {
+    return context->description;
+}
+
+bool context_is_software(const struct context *context) {
+    return context->software;
+}
+
+int context_message_count(const struct context *context) {
+    return context->message_count;
+}
+
+void context_list_devices(char *text, size_t size) {
+    struct candidate_list list;
+    struct reasons reasons = {"", 0};
+    list_candidates(&list, CONTEXT_AUTO, &reasons);
+    size_t used = 0;
+    text[0] = '\0';
+    for (int i = 0; i < list.count && used < size; i++)
+        used += (size_t)snprintf(text + used, size - used, "%s\n", list.items[i].name);
+    if (reasons.used && used < size)
+        snprintf(text + used, size - used, "%s\n", reasons.text);
+}

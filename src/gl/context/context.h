@@ -1,0 +1,58 @@
+/* OpenGL 4.5 core contexts without a window: EGL on a device, EGL surfaceless, OSMesa.
+ *
+ * libEGL and libOSMesa are opened at run time; a machine needs only one of them. The functions of
+ * the current context are in the table `gl` (gl/api.h), filled by the context's own getproc.
+ */
+#ifndef GL_CONTEXT_CONTEXT_H
+#define GL_CONTEXT_CONTEXT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum context_kind {
+    CONTEXT_AUTO,   /* EGL, then OSMesa */
+    CONTEXT_EGL,    /* hardware devices, then surfaceless, then software devices */
+    CONTEXT_OSMESA, /* software, one process-wide library */
+};
+
+/* For option tables: "auto", "egl", "osmesa", NULL. */
+extern const char *const context_kind_names[];
+
+struct context_desc {
+    enum context_kind kind;
+    int device; /* number of an EGL device, from 0, and that one only; -1 = try all in order */
+    bool debug; /* a debug context: every GL message is logged and counted */
+};
+
+struct context;
+
+/* Makes a context and makes it current. Error: one message that says what was tried and why each
+ * attempt failed; the context that was current still is. */
+struct context *context_create(const struct context_desc *desc);
+
+/* Accepts NULL. The freed context is current no more; another one that is current stays so. */
+void context_free(struct context *context);
+
+/* Lets the present context go and makes this one current: the table `gl` is its own. NULL: none.
+ * A window's context is bound by its owner, after this call. */
+void context_make_current(struct context *context);
+
+/* Makes a context object around one that is already current (a window's): fills `gl` through
+ * getproc. */
+struct context *context_adopt(void *(*getproc)(const char *name), bool debug);
+
+/* "EGL device 0 (/dev/dri/card0)", "EGL device 1 (software)", "EGL surfaceless", "OSMesa",
+ * "window". */
+const char *context_description(const struct context *context);
+
+/* Whether the GL implementation renders on the CPU (llvmpipe, softpipe, swrast). */
+bool context_is_software(const struct context *context);
+
+/* GL debug messages of severity above notification since the context was made. */
+int context_message_count(const struct context *context);
+
+/* All ways to a context that there are, one per line in the order tried, into text; then why
+ * others are not. */
+void context_list_devices(char *text, size_t size);
+
+#endif

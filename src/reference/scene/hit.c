@@ -1,0 +1,130 @@
+#include "reference/scene/hit.h"
+
+#include "reference/scene/texture.h"
+#include "reference/vector.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* The three vertices' numbers and weights at a point. */
+struct corners {
+    uint32_t index[3];
+    float weight[3];
+};
+
+static struct corners find_corners(const struct hit_table *table,
+                                   const struct triangle_point *point) {
+    const uint32_t *index = &table->geometry->indices[3 * (size_t)point->triangle];
+    return (struct corners){{index[0], index[1], index[2]},
+                            {1 - point->u - point->v, point->u, point->v}};
+}
+
+static vec3s interpolate_vector(float (*vectors)[3], const struct corners *corners) {
+    vec3s sum = glms_vec3_scale(vector_of(vectors[corners->index[0]]), corners->weight[0]);
+    for (int k = 1; k < 3; k++)
+        sum = glms_vec3_muladds(vector_of(vectors[corners->index[k]]), corners->weight[k], sum);
+    return sum;
+}
+
+static vec4s interpolate_color(float (*colors)[4], const struct corners *corners) {
+    vec4s sum = {{0, 0, 0, 0}};
+    for (int k = 0; k < 3; k++) {
+        const float *color = colors[corners->index[k]];
+        sum = glms_vec4_muladds((vec4s){{color[0], color[1], color[2], color[3]}},
+                                corners->weight[k], sum);
+    }
+    return sum;
+}
+
+static vec2s interpolate_uv(float (*uvs)[2], const struct corners *corners) {
+    vec2s sum = {{0, 0}};
+    for (int k = 0; k < 3; k++) {
+        const float *uv = uvs[corners->index[k]];
+        sum = glms_vec2_muladds((vec2s){{uv[0], uv[1]}}, corners->weight[k], sum);
+    }
+    return sum;
+}
+
+/* Counter-clockwise as seen from the front. */
+static vec3s winding_normal(const struct geometry *geometry, const uint32_t index[3]) {
+    vec3s p0 = vector_of(geometry->position[index[0]]);
+    return glms_vec3_crossn(glms_vec3_sub(vector_of(geometry->position[index[1]]), p0),
+                            glms_vec3_sub(vector_of(geometry->position[index[2]]), p0));
+}
+
+/* Base colour factor x texture x vertex colour, linear. */
+static vec4s base_color(const struct hit_table *table, const struct material *material,
+                        const struct corners *corners) {
+    const float *factor = material->base_color;
+    vec4s color = glms_vec4_mul(interpolate_color(table->geometry->color, corners),
+                                (vec4s){{factor[0], factor[1], factor[2], factor[3]}});
+    if (material->base_color_texture < 0)
+        return color;
+    const struct scene_texture *texture = &table->scene->textures[material->base_color_texture];
+    vec2s uv = interpolate_uv(table->geometry->uv, corners);
+    return glms_vec4_mul(color, texture_lookup(texture, table->srgb_to_linear, uv));
+}
+
+static const struct material *material_of(const struct hit_table *table, uint32_t triangle) {
+    return &table->scene->materials[table->material_of[triangle]];
+}
+
+static float decode_srgb(float value) {
+    return value <= 0.04045f ? value / 12.92f : powf((value + 0.055f) / 1.055f, 2.4f);
+}
+
+void hit_table_init(struct hit_table *table, const struct scene *scene,
+                    const struct geometry *geometry) {
+    size_t triangle_count = geometry->index_count / 3;
+    *table = (struct hit_table){
+        .scene = scene,
+        .geometry = geometry,
+        .material_of = mem_alloc(triangle_count, sizeof *table->material_of),
+        .normal_of = mem_alloc(triangle_count, sizeof *table->normal_of),
+    };
+    for (int i = 0; i < 256; i++)
+        table->srgb_to_linear[i] = decode_srgb((float)i / 255);
+    for (size_t i = 0; i < triangle_count; i++)
+        table->normal_of[i] = winding_normal(geometry, &geometry->indices[3 * i]);
+    for (int b = 0; b < geometry->batch_count; b++) {
+        const struct geometry_batch *batch = &geometry->batches[b];
+        for (uint32_t i = 0; i < batch->index_count / 3; i++)
+            table->material_of[batch->first_index / 3 + i] = batch->material;
+    }
+}
+
+void hit_table_free(struct hit_table *table) {
+    free(table->material_of);
+    free(table->normal_of);
+    *table = (struct hit_table){0};
+}
+
+void hit_at(const struct hit_table *table, const struct triangle_point *point, vec3s ray_direction,
+            struct hit *hit) {
+    const struct geometry *geometry = table->geometry;
+    const struct material *material = material_of(table, point->triangle);
+    struct corners corners = find_corners(table, point);
+    vec3s front = table->normal_of[point->triangle];
+    bool from_behind = glms_vec3_dot(front, ray_direction) > 0;
+    float side = from_behind ? -1 : 1;
+    hit->position = interpolate_vector(geometry->position, &corners);
+    hit->geometric_normal = glms_vec3_scale(front, side);
+    hit->normal = glms_vec3_scale_as(interpolate_vector(geometry->normal, &corners), side);
+    if (!from_behind || material->double_sided)
+        hit->albedo = glms_vec3(base_color(table, material, &corners));
+    else
+        hit->albedo = glms_vec3_zero();
+}
+
+bool hit_is_hole(const struct hit_table *table, const struct triangle_point *point) {
+    const struct material *material = material_of(table, point->triangle);
+    struct corners corners = find_corners(table, point);
+    return material->alpha_mask && base_color(table, material, &corners).a < material->alpha_cutoff;
+}
+
+bool hit_is_hidden(const struct hit_table *table, uint32_t triangle, vec3s ray_direction) {
+    return !material_of(table, triangle)->double_sided &&
+           glms_vec3_dot(table->normal_of[triangle], ray_direction) > 0;
+}

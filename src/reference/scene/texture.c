@@ -1,0 +1,59 @@
+#include "reference/scene/texture.h"
+
+#include <math.h>
+
+/* x modulo n, in [0, n) for negative x too. */
+static int wrap_around(int x, int n) {
+    int rest = x % n;
+    return rest < 0 ? rest + n : rest;
+}
+
+static int wrap(int x, int n, enum texture_wrap mode) {
+    switch (mode) {
+    case TEXTURE_WRAP_REPEAT:
+        return wrap_around(x, n);
+    case TEXTURE_WRAP_MIRROR:
+        x = wrap_around(x, 2 * n);
+        return x < n ? x : 2 * n - 1 - x;
+    case TEXTURE_WRAP_CLAMP:
+        break;
+    }
+    return x < 0 ? 0 : x < n ? x : n - 1;
+}
+
+static float decode(const struct scene_texture *texture, const float srgb_to_linear[256],
+                    unsigned char byte) {
+    return texture->linear ? (float)byte / 255 : srgb_to_linear[byte];
+}
+
+static vec4s texel(const struct scene_texture *texture, const float srgb_to_linear[256], int x,
+                   int y) {
+    const struct bitmap *bitmap = &texture->bitmap;
+    x = wrap(x, bitmap->width, texture->wrap_u);
+    y = wrap(y, bitmap->height, texture->wrap_v);
+    const unsigned char *rgba = &bitmap->rgba[4 * ((size_t)y * (size_t)bitmap->width + (size_t)x)];
+    return (vec4s){{decode(texture, srgb_to_linear, rgba[0]),
+                    decode(texture, srgb_to_linear, rgba[1]),
+                    decode(texture, srgb_to_linear, rgba[2]), (float)rgba[3] / 255}};
+}
+
+/* Integers stay exact and far from overflow; a picture is at most 2^14 wide. */
+static float in_texels(float coordinate, int size) {
+    float x = coordinate * (float)size;
+    return isfinite(x) ? fminf(fmaxf(x, -1e9f), 1e9f) : 0;
+}
+
+vec4s texture_lookup(const struct scene_texture *texture, const float srgb_to_linear[256],
+                     vec2s uv) {
+    float x = in_texels(uv.x, texture->bitmap.width);
+    float y = in_texels(uv.y, texture->bitmap.height);
+    if (texture->nearest)
+        return texel(texture, srgb_to_linear, (int)floorf(x), (int)floorf(y));
+    float left = floorf(x - 0.5f), top = floorf(y - 0.5f);
+    int i = (int)left, j = (int)top;
+    vec4s above = glms_vec4_lerp(texel(texture, srgb_to_linear, i, j),
+                                 texel(texture, srgb_to_linear, i + 1, j), x - 0.5f - left);
+    vec4s below = glms_vec4_lerp(texel(texture, srgb_to_linear, i, j + 1),
+                                 texel(texture, srgb_to_linear, i + 1, j + 1), x - 0.5f - left);
+    return glms_vec4_lerp(above, below, y - 0.5f - top);
+}

@@ -1,0 +1,139 @@
+/* The widgets of the viewer, immediate: each call draws one and tells what the user did with it.
+ *
+ * A thin bridge to Dear ImGui, which is named in ui.cpp alone, with a look of our own. One user
+ * interface a process. Lengths and positions are pixels of the framebuffer, y down. */
+#ifndef VIEWER_WINDOW_UI_H
+#define VIEWER_WINDOW_UI_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* For a window whose context is current. Takes the window's events after its own callbacks. Error:
+ * the graphics driver. */
+bool ui_init(void *native_window, float scale);
+void ui_free(void); /* accepts what was not begun, or failed half-way */
+
+/* All widgets lie between these. taps: keys that were pressed and released since the last frame,
+ * which a slow frame would miss. end draws them into the window's framebuffer. */
+void ui_frame_begin(const int *taps, int tap_count);
+void ui_frame_end(void);
+
+/* Whether the mouse is over a widget, or text is typed into one: then it is not the picture's. */
+bool ui_wants_mouse(void);
+bool ui_wants_keys(void);
+
+/* The unit of the layout: pixels a line of text takes. */
+float ui_line_height(void);
+
+/* --- areas --- */
+
+enum ui_area {
+    UI_PANEL,   /* opaque, scrolls */
+    UI_OVERLAY, /* see-through, lets the mouse pass; as large as what is in it */
+    UI_NOTE,    /* the same, above the point x y */
+    UI_DIALOG,  /* opaque; as large as what is in it, about the point x y */
+};
+
+void ui_area_begin(const char *id, enum ui_area kind, float x, float y, float width, float height);
+void ui_area_end(void);
+
+/* A heading that opens and closes; whether it is open. */
+bool ui_section(const char *title, bool open_at_first);
+
+/* A small title within a section. */
+void ui_heading(const char *title);
+
+/* A thin line with space around. */
+void ui_separator(void);
+void ui_space(void);
+
+/* What follows stands beside what came before. */
+void ui_same_line(void);
+
+/* What follows is shown grey and does not react. */
+void ui_disabled_begin(bool disabled);
+void ui_disabled_end(void);
+
+/* --- text --- */
+
+enum ui_tone { UI_NORMAL, UI_DIM, UI_ACCENT, UI_WARNING, UI_ERROR, UI_TITLE };
+
+void ui_text(enum ui_tone tone, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* A name on the left and its value on the right. */
+void ui_value(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* A term, and what it means in a column of its own. */
+void ui_definition(const char *term, const char *meaning);
+
+/* --- rows: a name, a widget, and an arrow back to the default --- */
+
+struct ui_row {
+    const char *name;
+    const char *help;  /* shown while the mouse rests on it; NULL = none */
+    bool differs;      /* from the default: the arrow is there */
+    const char *least; /* written in place of the least number of a slider; NULL = the number */
+    bool even;         /* a slider moves evenly, however wide its range */
+    const char *scope; /* tells rows of the same name apart; NULL = "" */
+};
+
+enum ui_result { UI_NOTHING, UI_CHANGED, UI_RESET };
+
+enum ui_result ui_flag(const struct ui_row *row, bool *value);
+enum ui_result ui_int(const struct ui_row *row, int *value, int minimum, int maximum);
+enum ui_result ui_float(const struct ui_row *row, float *value, float minimum, float maximum);
+enum ui_result ui_choice(const struct ui_row *row, int *value, const char *const *names, int count);
+
+/* Three numbers that are dragged, by this much a pixel. */
+enum ui_result ui_vector(const struct ui_row *row, float value[3], float step);
+
+/* A text; UI_CHANGED when Enter was pressed. */
+enum ui_result ui_text_field(const struct ui_row *row, char *text, size_t size, const char *hint);
+
+/* --- others --- */
+
+bool ui_button(const char *name, const char *help);
+
+/* A button as wide as the area. */
+bool ui_wide_button(const char *name, const char *help);
+
+/* Buttons side by side of which one is on; whether another was chosen. */
+bool ui_segments(const char *id, int *value, const char *const *names, int count);
+
+/* A line that can be chosen: a patch of colour, a name, and two texts in columns of their own; a
+ * share as a bar behind. */
+bool ui_list_item(uint32_t color, const char *name, const char *middle, const char *right,
+                  float share, bool chosen);
+
+/* A bar behind a name and a value: a share of a whole. */
+void ui_bar(const char *name, int indent, float share, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+/* A curve of the last values, oldest first, from 0 to top. */
+void ui_plot(const float *values, int count, float top, float width, float height);
+
+/* --- drawing on the picture, below all areas --- */
+
+#define UI_RGBA(r, g, b, a)                                                                        \
+    ((uint32_t)(a) << 24 | (uint32_t)(b) << 16 | (uint32_t)(g) << 8 | (uint32_t)(r))
+
+void ui_draw_clip(float x, float y, float width, float height);
+void ui_draw_unclip(void);
+void ui_draw_line(float x0, float y0, float x1, float y1, uint32_t color, float thickness);
+void ui_draw_disc(float x, float y, float radius, uint32_t color);
+void ui_draw_ring(float x, float y, float radius, uint32_t color, float thickness);
+void ui_draw_rectangle(float x, float y, float width, float height, uint32_t color);
+
+/* A text on a dark ground; align 0 = x is its left edge, 1 = its right one. */
+void ui_draw_label(float x, float y, float align, const char *text);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,89 @@
+/* A window with an OpenGL 4.5 core context, and what the user does to it: the only place that names
+ * GLFW. */
+#ifndef VIEWER_WINDOW_WINDOW_H
+#define VIEWER_WINDOW_WINDOW_H
+
+#include <stdbool.h>
+
+/* Letters, digits and punctuation are their own ASCII characters, letters in upper case. */
+enum window_key {
+    KEY_NONE,
+    KEY_SPACE = ' ',
+    KEY_LEFT_BRACKET = '[',
+    KEY_RIGHT_BRACKET = ']',
+    KEY_ESCAPE = 256,
+    KEY_F1,
+    KEY_F2,
+    KEY_F3,
+    KEY_F4,
+    KEY_F5,
+    KEY_F6,
+    KEY_F7,
+    KEY_F8,
+    KEY_F9,
+    KEY_F10,
+    KEY_F11,
+    KEY_F12,
+    KEY_COUNT,
+};
+
+enum window_button { BUTTON_LEFT, BUTTON_RIGHT, BUTTON_MIDDLE, BUTTON_COUNT };
+
+enum { INPUT_KEYS_MAX = 32 };
+
+/* What happened between two polls. Positions are in pixels of the framebuffer, y down. */
+struct input {
+    int width, height; /* of the framebuffer; 0 while minimised */
+    float scale;       /* of the monitor: 2 = twice as many pixels an inch */
+    double x, y, dx, dy, scroll;
+    double press_x, press_y; /* where a button was pressed last */
+    /* A button that was pressed and released since the last poll counts as held in this one. */
+    bool held[BUTTON_COUNT], pressed[BUTTON_COUNT], released[BUTTON_COUNT];
+    bool shift, control;
+    bool key_held[KEY_COUNT];
+    int keys[INPUT_KEYS_MAX]; /* pressed, in order */
+    int key_count;
+    int taps[INPUT_KEYS_MAX]; /* keys pressed and released again, in the system's own codes */
+    int tap_count;
+    char *dropped; /* a file's path, or NULL */
+    bool any;      /* anything at all happened */
+    bool close;    /* asked for by the window manager */
+};
+
+struct window_desc {
+    const char *title;
+    int width, height; /* of the picture, pixels */
+    int margin;        /* beside it, pixels of a monitor of scale 1 */
+    bool debug;        /* a debug context */
+};
+
+struct window;
+
+/* Opens the window; its context is current. Error: no display, or no such context. */
+struct window *window_create(const struct window_desc *desc);
+
+/* Accepts NULL. */
+void window_free(struct window *window);
+
+/* For context_adopt. */
+void *window_getproc(const char *name);
+
+/* GLFW's own, for the user interface. */
+void *window_native(struct window *window);
+
+/* Handles what has happened; waits up to so many seconds for something to happen first. Valid until
+ * the next poll. */
+const struct input *window_poll(struct window *window, double wait);
+
+/* Shows what was drawn; with vertical sync waits for the monitor. */
+void window_swap(struct window *window);
+
+void window_set_title(struct window *window, const char *title);
+void window_set_size(struct window *window, int width, int height);
+void window_toggle_full_screen(struct window *window);
+void window_set_clipboard(struct window *window, const char *text);
+
+/* Seconds since some point in the past. */
+double window_time(void);
+
+#endif
