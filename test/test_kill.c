@@ -139,13 +139,15 @@ static void test_interrupts(void **state) {
         skip();
     for (int i = 0; i < 2; i++) {
         make_folder(folder);
-        pid_t process = start(folder, "");
+        /* Many more frames than are waited for: the signal is to come before their end, however slow
+         * this process is to send it. */
+        pid_t process = start(folder, "--frames 0..99");
         assert_true(wait_for(process, folder, 1));
         kill(process, signals[i]);
         assert_int_equal(end_of(process), 128 + signals[i]);
         int count = count_whole(folder);
         printf("    %s after %d frames\n", strsignal(signals[i]), count);
-        assert_in_range(count, 2, FRAMES - 1);
+        assert_in_range(count, 2, 99);
         check_message(folder, "manylight render: stopped before frame ");
         assert_int_equal(end_of(start(folder, "--skip-existing")), 0);
         check_same(folder, whole);
@@ -236,7 +238,9 @@ static void test_killed_writers(void **state) {
     int rounds = 60;
     make_folder(folder);
     snprintf(path, sizeof path, "%s/letters", folder);
-    check_ok("first", output_file_write(path, memset(mem_alloc(SIZE, 1), 'z', SIZE), SIZE));
+    void *first = memset(mem_alloc(SIZE, 1), 'z', SIZE);
+    check_ok("first", output_file_write(path, first, SIZE));
+    free(first);
     for (int round = 0; round < rounds; round++) {
         pid_t writers[WRITERS];
         fflush(NULL);
