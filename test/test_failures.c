@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define SMALL "vpls=256,map-size=128,shadow-size=512,rsm-size=128,near-samples=256"
+#define SMALL "vpls=256,map-size=128,shadow-size=512,rsm-size=128"
 
 /* As bounds of small pictures are measured. */
 static struct failure_desc small_desc(const struct context *context,

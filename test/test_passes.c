@@ -492,14 +492,14 @@ static float *run_blur(struct blur_bench *bench,
     gl.TextureSubImage2D(source->texture.id, 0, 0, 0, row, source->tile_height * n, GL_RGBA,
                          GL_FLOAT, texels);
     struct frame frame = renderer_frame(&bench->renderer);
-    blur_pass_render(&bench->blur, &frame, &bench->renderer.gbuffer, source);
+    blur_pass_render(&bench->blur, &frame, &bench->renderer.gbuffer,
+                     &(struct blur_inputs){.source = source});
     float *blurred = mem_alloc((size_t)bench->width * (size_t)bench->height, sizeof *blurred);
     texels = mem_resize(texels, (size_t)bench->width * (size_t)bench->height, sizeof *texels);
     gl.GetTextureImage(bench->blur.blurred.texture.id, 0, GL_RED, GL_FLOAT,
                        bench->width * bench->height * (GLsizei)sizeof *texels, texels);
     for (int y = 0; y < bench->height; y++)
-        memcpy(blurred + (size_t)y * (size_t)bench->width,
-               texels + (size_t)(bench->height - 1 - y) * (size_t)bench->width,
+        memcpy(blurred + y * bench->width, texels + (bench->height - 1 - y) * bench->width,
                (size_t)bench->width * sizeof *blurred);
     free(texels);
     return blurred;
@@ -516,7 +516,8 @@ static void test_blur_conserves(void **state) {
     (void)state;
     for (int way = 0; way < 4; way++) {
         struct blur_bench bench;
-        open_blur(&bench, &(struct blur_desc){61, 43, 4, .1f, .8f, way & 1}, way & 2 ? 8 : 1);
+        open_blur(&bench, &(struct blur_desc){61, 43, 4, .1f, .8f, .square = way & 1},
+                  way & 2 ? 8 : 1);
         float *blurred = run_blur(&bench, constant);
         double worst = 0;
         int alpha = image_find_channel(&bench.layers, "A");
@@ -540,7 +541,7 @@ static float normal_code(const struct blur_bench *bench, int x, int y) {
 static void test_blur_keeps_edges(void **state) {
     (void)state;
     struct blur_bench bench;
-    open_blur(&bench, &(struct blur_desc){64, 64, 6, 10, .99f, false}, 1);
+    open_blur(&bench, &(struct blur_desc){64, 64, 6, 10, .99f, .square = false}, 1);
     float *blurred = run_blur(&bench, normal_code);
     double worst = 0;
     int alpha = image_find_channel(&bench.layers, "A");
@@ -563,7 +564,7 @@ static float slot_code(const struct blur_bench *bench, int x, int y) {
 static void test_blur_holds_every_slot(void **state) {
     (void)state;
     struct blur_bench bench;
-    open_blur(&bench, &(struct blur_desc){64, 64, 4, 10, .9f, false}, 8);
+    open_blur(&bench, &(struct blur_desc){64, 64, 4, 10, .9f, .square = false}, 8);
     float *blurred = run_blur(&bench, slot_code);
     int whole = 0;
     double worst = 0;
@@ -572,8 +573,7 @@ static void test_blur_holds_every_slot(void **state) {
             float code = normal_code(&bench, x, y);
             bool flat = true;
             for (int i = 0; i < 81; i++)
-                flat =
-                    flat && fabsf(normal_code(&bench, x + i % 9 - 4, y + i / 9 - 4) - code) < .01f;
+                flat &= fabsf(normal_code(&bench, x + i % 9 - 4, y + i / 9 - 4) - code) < .01f;
             whole += flat;
             if (flat)
                 worst = fmax(worst, fabs((double)blurred[y * 64 + x] - 31.5));

@@ -187,6 +187,7 @@ static void test_any_start(void **state) {
     check_ok("layers", renderer_read_layers(&renderer, &image[0]));
     renderer_free(&renderer);
     pose_stage(&stage);
+    desc.emitters = stage.emitters; /* those before are gone */
     open_renderer(&renderer, &desc);
     pose(&stage, &renderer, 6);
     check_ok("layers", renderer_read_layers(&renderer, &image[1]));

@@ -204,6 +204,7 @@ static void test_no_interface(void **state) {
     struct window *window =
         window_create(&(struct window_desc){.title = "manylight", .width = 60, .height = 40});
     assert_non_null(window);
+    dl_iterate_phdr(keep_library, NULL);
     ui_free();
     glfwMakeContextCurrent(NULL);
     assert_false(ui_init(window_native(window), 1));

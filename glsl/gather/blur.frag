@@ -20,10 +20,15 @@ vec3 tap_position(ivec2 pixel, vec2 per_pixel, uvec4 tap) {
 void write(uvec4 center, vec3 irradiance) {
 #ifdef PACK
     packed_tap = blur_tap_pack(
-        blur_tap(blur_tap_depth(center), unpackUnorm2x16(center.y), irradiance));
+        blur_tap(blur_tap_depth(center), unpackUnorm2x16(center.y), irradiance, blur_tap_detail(center)));
 #else
     blurred = vec4(irradiance, blur_tap_depth(center) > 0.0 ? 1.0 : 0.0);
 #endif
+}
+
+// Of a tap so many pixels away.
+float window(int away, int radius) {
+    return away > radius ? 0.0 : radius > 0 && away == radius ? 0.5 : 1.0;
 }
 
 void main() {
@@ -32,6 +37,8 @@ void main() {
     uvec4 center = texelFetch(taps, pixel, 0);
     vec3 position = tap_position(pixel, per_pixel, center), normal = blur_tap_normal(center);
     int radius = params.radius, rows = params.rows;
+    bool detail = blur_tap_detail(center);
+    int own = detail ? params.detail_radius : radius;
     ivec2 along = params.along, across = along.yx;
     vec4 sum = vec4(0.0);
     for (int j = -rows; j <= rows; j++)
@@ -43,8 +50,8 @@ void main() {
             vec3 apart = tap_position(at, per_pixel, tap) - position;
             if (blur_tap_depth(tap) > 0.0 && dot(apart, apart) < params.distance2 &&
                 dot(blur_tap_normal(tap), normal) > params.cosine) {
-                float weight = (radius > 0 && abs(i) == radius ? 0.5 : 1.0) *
-                               (rows > 0 && abs(j) == rows ? 0.5 : 1.0);
+                float weight = window(abs(i), own) * (rows > 0 ? window(abs(j), own) : 1.0);
+                weight *= detail && blur_tap_detail(tap) ? params.detail_weight : 1.0;
                 sum += weight * vec4(blur_tap_irradiance(tap), 1.0);
             }
         }

@@ -5,6 +5,10 @@
 #include "shared/blur.h"
 
 layout(binding = UNIT_IRRADIANCE) uniform sampler2D source;
+#if DETAIL
+layout(binding = UNIT_LIST_TEXELS) uniform usampler2D list_texels;
+layout(binding = UNIT_DETAIL_IRRADIANCE) uniform sampler2D detail_irradiance;
+#endif
 
 layout(location = TARGET_RESULT) out uvec4 packed_tap;
 
@@ -12,5 +16,12 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec2 normal_code = texelFetch(gbuffer_normals, ivec3(pixel, 0), 0).rg;
     vec3 irradiance = texelFetch(source, interleaved_texel(params.pattern, pixel), 0).rgb;
-    packed_tap = blur_tap_pack(blur_tap(gbuffer_depth(pixel), normal_code, irradiance));
+    bool detail = false;
+#if DETAIL
+    uint texel = texelFetch(list_texels, pixel, 0).r;
+    detail = texel != 0u;
+    if (detail)
+        irradiance = texelFetch(detail_irradiance, ivec2((texel & 0xffffu) - 1u, texel >> 16), 0).rgb;
+#endif
+    packed_tap = blur_tap_pack(blur_tap(gbuffer_depth(pixel), normal_code, irradiance, detail));
 }

@@ -3,8 +3,8 @@
 // A draw fills one tile: the pixels of one place in the interleaving pattern, which share their VPLs
 // [Segovia et al. 2006].
 #include "lib/gbuffer.glsl"
-#include "lib/interleaving.glsl"
 #include "gather/near_field.glsl"
+#include "gather/receiver.glsl"
 #include "visibility/visibility.glsl"
 #include "shared/gather.h"
 #include "shared/vpl.h"
@@ -61,7 +61,9 @@ vec3 unshadowed(int i, surface s, out int map) {
 
 void main() {
     irradiance = vec4(0.0);
-    ivec2 pixel = interleaved_pixel(params.pattern, ivec2(gl_FragCoord.xy), slot.zw);
+    ivec2 pixel;
+    if (!receiver_pixel(params.pattern, slot.zw, pixel))
+        return;
     surface s = gbuffer_surface(pixel);
     if (!s.present)
         return;

@@ -4,8 +4,8 @@
 //     E = 1/n sum_j  rho I / pi  cos cos / d^2  near(d)  dw_j
 // A draw fills one tile, whose pixels share their samples, as in the gather.
 #include "lib/gbuffer.glsl"
-#include "lib/interleaving.glsl"
 #include "gather/near_field.glsl"
+#include "gather/receiver.glsl"
 #include "gather/near_light.glsl"
 #include "lib/light.glsl"
 #include "lib/vpl_shares.glsl"
@@ -104,7 +104,9 @@ vec3 near_field(surface s, light l, vpl_share share) {
 
 void main() {
     irradiance = vec4(0.0);
-    ivec2 pixel = interleaved_pixel(params.pattern, ivec2(gl_FragCoord.xy), slot.zw);
+    ivec2 pixel;
+    if (!receiver_pixel(params.pattern, slot.zw, pixel))
+        return;
     surface s = gbuffer_surface(pixel);
     if (!s.present)
         return;

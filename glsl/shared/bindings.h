@@ -13,6 +13,12 @@
 #define BLOCK_LOOKUP 6
 #define BLOCK_NEAR_SAMPLES 7
 #define BLOCK_VPL_SHARES 8
+#define BLOCK_LIST_COUNTS 9
+
+/* Storages and images, which shaders write. GL promises 8 each to compute shaders. */
+#define STORAGE_LIST_COUNTS 0
+#define IMAGE_LISTED_PIXELS 0
+#define IMAGE_LIST_TEXELS 1
 
 /* Texture units. GL promises 96, and 16 to a stage. Maps of lights' views have LIGHT_MAP_KINDS each
  * (shared/light.h). */
@@ -51,6 +57,9 @@
 #define UNIT_RADIANCE 36
 #define UNIT_IN_SCATTER 37
 #define UNIT_TRANSMITTANCE 38
+#define UNIT_LISTED_PIXELS 39
+#define UNIT_LIST_TEXELS 40
+#define UNIT_DETAIL_IRRADIANCE 41
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0
@@ -84,5 +93,6 @@
 #define LOCATION_FIRST_LAYER 3
 #define LOCATION_FIRST_VIEW 4
 #define LOCATION_LIGHT 5
+#define LOCATION_TILE 6
 
 #endif

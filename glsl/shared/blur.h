@@ -11,7 +11,8 @@ struct blur_params {
     int rows;                     /* of such taps to each side across */
     float distance2;              /* alpha^2, m2 */
     float cosine;                 /* beta */
-    float unused0, unused1;
+    int detail_radius;            /* of pixels with few like neighbours */
+    float detail_weight;          /* of their estimates: as many more lights have they */
 };
 PASS_BLOCK(blur_params, 48)
 

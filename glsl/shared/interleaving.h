@@ -12,4 +12,7 @@ struct interleaving {
 };
 STD140_SIZE(interleaving, 16)
 
+/* Lists of pixels, one a place of the pattern: at most 8 x 8. */
+#define PIXEL_LISTS_MAX 64
+
 #endif

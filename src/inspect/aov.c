@@ -35,7 +35,8 @@ static bool fill_irradiance(const struct fill *fill, const void *source) {
                                                     .height = renderer->desc.height,
                                                     .distance = 1}))
         return false;
-    blur_pass_render(&order, fill->frame, &renderer->gbuffer, source);
+    blur_pass_render(&order, fill->frame, &renderer->gbuffer,
+                     &(struct blur_inputs){.source = source});
     inputs.contribution.irradiance = &order.blurred;
     composite_pass_render_layer(&renderer->composite, fill->frame, &inputs, LAYER_INDIRECT,
                                 fill->target->framebuffer);

@@ -122,3 +122,14 @@ void irradiance_free(struct irradiance *irradiance) {
     texture_free(&irradiance->texture);
     *irradiance = (struct irradiance){0};
 }
+
+void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists) {
+    pass_add_texture(state, UNIT_LISTED_PIXELS, lists->pixels.id);
+    pass_add_block(state, BLOCK_LIST_COUNTS, &lists->counts);
+}
+
+void pixel_lists_draw(const struct pixel_lists *lists, GLuint program) {
+    gl.ProgramUniform4i(program, LOCATION_TILE, lists->tile_width, lists->tile_height,
+                        lists->interleave, 0);
+    pass_draw(GL_TRIANGLES, 6, 1);
+}

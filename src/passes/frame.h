@@ -86,6 +86,15 @@ struct irradiance {
     int interleave, tile_width, tile_height;
 };
 
+/* Some pixels of a picture, as a list for each place of the n x n pattern. */
+struct pixel_lists {
+    struct texture pixels; /* R32UI, x | y << 16, in tiles; a list fills its tile row by row */
+    struct texture texels; /* R32UI, of each pixel of the picture: x + 1 | y << 16 of its texel in
+                              the lists; 0 where it is not listed */
+    struct buffer counts;  /* of the lists: uint */
+    int interleave, tile_width, tile_height;
+};
+
 /* What a technique makes, each NULL where it does not; composite adds what is there:
  *
  *     L = transmittance (albedo (direct + irradiance / pi) + radiance) + in_scatter
@@ -115,6 +124,11 @@ void vpl_buffer_free(struct vpl_buffer *vpls);
 bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum format, int width,
                      int height, int interleave);
 void irradiance_free(struct irradiance *irradiance);
+
+/* What a pass over listed pixels binds, for gather/receiver.glsl; and one place's draw, after
+ * LOCATION_SLOT is set. */
+void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists);
+void pixel_lists_draw(const struct pixel_lists *lists, GLuint program);
 
 /* For shaders. */
 struct interleaving irradiance_pattern(const struct irradiance *irradiance);

@@ -22,21 +22,50 @@ struct visibility_desc many_lights_lookup(const struct settings *settings,
     };
 }
 
+static int blur_radius(const struct settings *settings) {
+    const struct gather_settings *gather = settings_of(settings, &gather_part);
+    const struct blur_settings *blur = settings_of(settings, &blur_part);
+    return blur->radius < 0 ? gather->interleave / 2 : blur->radius;
+}
+
+/* What is listed looks itself up: a block of pixels does not speak for it. */
+static bool init_detail(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
+    const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
+    struct gather_desc gather_desc = lights->gather.desc;
+    gather_desc.interleave = gather->detail;
+    gather_desc.listed = true;
+    gather_desc.share = false;
+    return !lights->has_detail || (detail_pass_init(&lights->detail,
+                                                    &(struct detail_desc){
+                                                        .width = desc->width,
+                                                        .height = desc->height,
+                                                        .interleave = gather->detail,
+                                                        .radius = blur_radius(desc->settings),
+                                                        .distance = blur->distance,
+                                                        .cosine = blur->cosine,
+                                                        .share = gather->detail_share,
+                                                    }) &&
+                                   gather_pass_init(&lights->detail_gather, &gather_desc));
+}
+
 static bool init_gather(struct many_lights *lights, const struct technique_desc *desc,
                         const struct many_lights_visibility *visibility) {
     const struct gather_settings *own = settings_of(desc->settings, &gather_part);
-    return gather_pass_init(&lights->gather,
-                            &(struct gather_desc){
-                                .width = desc->width,
-                                .height = desc->height,
-                                .interleave = own->interleave,
-                                .map_per_vpl = visibility->map_per_vpl,
-                                .share = visibility->share,
-                                .visibility = many_lights_lookup(desc->settings, visibility->lookup,
-                                                                 visibility->map_count),
-                                .clamp = (enum gather_clamp)own->clamp,
-                                .clamp_value = own->clamp_value,
-                            });
+    struct gather_desc gather_desc = {
+        .width = desc->width,
+        .height = desc->height,
+        .interleave = own->interleave,
+        .map_per_vpl = visibility->map_per_vpl,
+        .share = visibility->share,
+        .visibility = many_lights_lookup(desc->settings, visibility->lookup, visibility->map_count),
+        .clamp = (enum gather_clamp)own->clamp,
+        .clamp_value = own->clamp_value,
+    };
+    /* Where all pixels gather as much, or none is blurred, none needs more. */
+    lights->has_detail =
+        own->detail > 0 && own->detail < own->interleave && blur_radius(desc->settings) > 0;
+    return gather_pass_init(&lights->gather, &gather_desc) && init_detail(lights, desc);
 }
 
 static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc) {
@@ -46,7 +75,7 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
     return !lights->has_near_field ||
            near_field_pass_init(&lights->near_field, &(struct near_field_desc){
                                                          .samples = own->near_samples,
-                                                         .interleave = own->interleave,
+                                                         .listed = lights->has_detail,
                                                          .rsm_size = own_lights->rsm_size,
                                                          .lights = *desc->lights,
                                                      });
@@ -54,15 +83,20 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
 
 static bool init_blur(struct many_lights *lights, const struct technique_desc *desc) {
     const struct blur_settings *own = settings_of(desc->settings, &blur_part);
-    int radius = own->radius < 0 ? lights->gather.desc.interleave / 2 : own->radius;
-    return blur_pass_init(&lights->blur, &(struct blur_desc){
-                                             .width = desc->width,
-                                             .height = desc->height,
-                                             .radius = radius,
-                                             .distance = own->distance,
-                                             .cosine = own->cosine,
-                                             .square = !own->separable,
-                                         });
+    int radius = blur_radius(desc->settings);
+    int n = lights->gather.desc.interleave;
+    int detail = lights->has_detail ? lights->detail_gather.desc.interleave : 0;
+    return blur_pass_init(&lights->blur,
+                          &(struct blur_desc){
+                              .width = desc->width,
+                              .height = desc->height,
+                              .radius = radius,
+                              .detail_radius = detail / 2,
+                              .detail_weight = detail ? n * n / (detail * detail) : 0,
+                              .distance = own->distance,
+                              .cosine = own->cosine,
+                              .square = !own->separable,
+                          });
 }
 
 bool many_lights_check(const struct settings *settings) {
@@ -105,26 +139,42 @@ void many_lights_free(struct many_lights *lights) {
     vpl_buffer_free(&lights->vpls);
     gather_pass_free(&lights->gather);
     near_field_pass_free(&lights->near_field);
+    detail_pass_free(&lights->detail);
+    gather_pass_free(&lights->detail_gather);
+    blur_pass_free(&lights->blur);
+}
+
+/* What is as large as the picture. */
+static bool init_sized(struct many_lights *fresh, const struct many_lights *old, int width,
+                       int height) {
+    struct gather_desc gather = old->gather.desc, detail_gather = old->detail_gather.desc;
+    struct detail_desc detail = old->detail.desc;
+    struct blur_desc blur = old->blur.desc;
+    gather.width = detail_gather.width = detail.width = blur.width = width;
+    gather.height = detail_gather.height = detail.height = blur.height = height;
+    return gather_pass_init(&fresh->gather, &gather) && blur_pass_init(&fresh->blur, &blur) &&
+           (!old->has_detail || (detail_pass_init(&fresh->detail, &detail) &&
+                                 gather_pass_init(&fresh->detail_gather, &detail_gather)));
+}
+
+static void free_sized(struct many_lights *lights) {
+    gather_pass_free(&lights->gather);
+    detail_pass_free(&lights->detail);
+    gather_pass_free(&lights->detail_gather);
     blur_pass_free(&lights->blur);
 }
 
 bool many_lights_resize(struct many_lights *lights, int width, int height) {
-    struct gather_desc gather_desc = lights->gather.desc;
-    struct blur_desc blur_desc = lights->blur.desc;
-    struct gather_pass gather;
-    struct blur_pass blur;
-    gather_desc.width = blur_desc.width = width;
-    gather_desc.height = blur_desc.height = height;
-    if (!gather_pass_init(&gather, &gather_desc))
-        return false;
-    if (!blur_pass_init(&blur, &blur_desc)) {
-        gather_pass_free(&gather);
+    struct many_lights fresh = {0};
+    if (!init_sized(&fresh, lights, width, height)) {
+        free_sized(&fresh);
         return false;
     }
-    gather_pass_free(&lights->gather);
-    blur_pass_free(&lights->blur);
-    lights->gather = gather;
-    lights->blur = blur;
+    free_sized(lights);
+    lights->gather = fresh.gather;
+    lights->detail = fresh.detail;
+    lights->detail_gather = fresh.detail_gather;
+    lights->blur = fresh.blur;
     return true;
 }
 
@@ -135,12 +185,47 @@ void many_lights_render_vpls(struct many_lights *lights, const struct frame *fra
         near_field_pass_render_lights(&lights->near_field, frame, lights->rsm, &lights->vpl.shares);
 }
 
+void many_lights_begin(const struct many_lights *lights, const struct frame *frame,
+                       const struct gbuffer *gbuffer) {
+    gather_pass_clear(&lights->gather);
+    if (!lights->has_detail)
+        return;
+    detail_pass_render(&lights->detail, frame, gbuffer);
+    gather_pass_clear(&lights->detail_gather);
+}
+
+void many_lights_gather(const struct many_lights *lights, const struct frame *frame,
+                        const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
+    gather_pass_render(&lights->gather, frame, gbuffer, inputs);
+    if (!lights->has_detail)
+        return;
+    struct gather_inputs listed = *inputs;
+    listed.lists = &lights->detail.lists;
+    gather_pass_render(&lights->detail_gather, frame, gbuffer, &listed);
+}
+
+static void add_near_field(const struct many_lights *lights, const struct frame *frame,
+                           const struct gbuffer *gbuffer) {
+    struct near_field_inputs inputs = {.shares = &lights->vpl.shares,
+                                       .irradiance = &lights->gather.irradiance};
+    near_field_pass_render(&lights->near_field, frame, gbuffer, &inputs);
+    if (!lights->has_detail)
+        return;
+    inputs.irradiance = &lights->detail_gather.irradiance;
+    inputs.lists = &lights->detail.lists;
+    near_field_pass_render(&lights->near_field, frame, gbuffer, &inputs);
+}
+
 void many_lights_finish(const struct many_lights *lights, const struct frame *frame,
                         const struct gbuffer *gbuffer) {
     if (lights->has_near_field)
-        near_field_pass_render(&lights->near_field, frame, gbuffer, &lights->vpl.shares,
-                               &lights->gather.irradiance);
-    blur_pass_render(&lights->blur, frame, gbuffer, &lights->gather.irradiance);
+        add_near_field(lights, frame, gbuffer);
+    struct blur_inputs inputs = {.source = &lights->gather.irradiance};
+    if (lights->has_detail) {
+        inputs.lists = &lights->detail.lists;
+        inputs.detail = &lights->detail_gather.irradiance;
+    }
+    blur_pass_render(&lights->blur, frame, gbuffer, &inputs);
 }
 
 struct caster_desc many_lights_caster(const struct settings *settings) {

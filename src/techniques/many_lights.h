@@ -4,6 +4,7 @@
 #define TECHNIQUES_MANY_LIGHTS_H
 
 #include "passes/gather/blur.h"
+#include "passes/gather/detail.h"
 #include "passes/gather/gather.h"
 #include "passes/picture/geometry.h"
 #include "passes/gather/near_field.h"
@@ -36,6 +37,8 @@ struct gather_settings {
     int interleave, clamp; /* enum gather_clamp */
     float clamp_value, near_reach;
     int near_samples;
+    int detail; /* n of pixels with few like neighbours; 0: as all others */
+    float detail_share;
 };
 
 struct blur_settings {
@@ -57,7 +60,8 @@ extern const struct settings_part lights_part, map_part, lookup_part, gather_par
     { "fast", "the defaults", "" }
 
 #define MANY_LIGHTS_AS_PUBLISHED                                                                   \
-    "gather.clamp=disk caster.error=0 blur.separable=off lookup.bias=2 blur.cosine=.8 "            \
+    "gather.clamp=disk gather.detail=0 caster.error=0 blur.separable=off lookup.bias=2 "           \
+    "blur.cosine=.8 "                                                                              \
     "picture.samples=1"
 
 /* --- passes --- */
@@ -70,6 +74,9 @@ struct many_lights {
     struct gather_pass gather;
     bool has_near_field; /* clamp=near */
     struct near_field_pass near_field;
+    bool has_detail; /* pixels with few like neighbours gather more */
+    struct detail_pass detail;
+    struct gather_pass detail_gather;
     struct blur_pass blur;
 };
 
@@ -106,6 +113,12 @@ void many_lights_render_vpls(struct many_lights *lights, const struct frame *fra
 /* The share of map depth that the scene may take, so that the series, of period 2, stays clear of
  * the falls at |t| = 1: 1 - 1 / (2 K). */
 float many_lights_depth_range(const struct settings *settings);
+
+/* The gather: begins at zero, and then adds VPLs in as many calls as the technique likes. */
+void many_lights_begin(const struct many_lights *lights, const struct frame *frame,
+                       const struct gbuffer *gbuffer);
+void many_lights_gather(const struct many_lights *lights, const struct frame *frame,
+                        const struct gbuffer *gbuffer, const struct gather_inputs *inputs);
 
 /* The near field, where it is not the VPLs', and the blur: after the gather. */
 void many_lights_finish(const struct many_lights *lights, const struct frame *frame,

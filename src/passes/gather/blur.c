@@ -9,6 +9,7 @@ static bool init_programs(struct blur_pass *pass) {
     struct program_desc half = desc, pack = desc;
     half.defines = "PACK 1";
     pack.fragment = "gather/blur_pack.frag";
+    pack.defines = pass->desc.detail_weight > 0 ? "DETAIL 1" : "DETAIL 0";
     return program_init(&pass->pack_program, &pack) && program_init(&pass->half_program, &half) &&
            program_init(&pass->program, &desc);
 }
@@ -53,14 +54,16 @@ static void write_params(const struct blur_pass *pass, const struct frame *frame
             .rows = pass->desc.square ? pass->desc.radius : 0,
             .distance2 = distance * distance,
             .cosine = pass->desc.cosine,
+            .detail_radius = pass->desc.detail_radius,
+            .detail_weight = (float)pass->desc.detail_weight,
         };
         buffer_write(&pass->params[axis], 0, sizeof params, &params);
     }
 }
 
 static void pack(const struct blur_pass *pass, const struct gbuffer *gbuffer,
-                 const struct irradiance *source) {
-    pass_set_state(&(struct pass_state){
+                 const struct blur_inputs *inputs) {
+    struct pass_state state = {
         .name = "blur",
         .program = pass->pack_program,
         .framebuffer = pass->taps.framebuffer,
@@ -68,9 +71,14 @@ static void pack(const struct blur_pass *pass, const struct gbuffer *gbuffer,
         .height = pass->desc.height,
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                     {UNIT_IRRADIANCE, source->texture.id}},
+                     {UNIT_IRRADIANCE, inputs->source->texture.id}},
         .blocks = {{BLOCK_PASS, &pass->params[0]}},
-    });
+    };
+    if (inputs->lists) {
+        pass_add_texture(&state, UNIT_LIST_TEXELS, inputs->lists->texels.id);
+        pass_add_texture(&state, UNIT_DETAIL_IRRADIANCE, inputs->detail->texture.id);
+    }
+    pass_set_state(&state);
     pass_draw_fullscreen(1);
 }
 
@@ -89,10 +97,10 @@ static void blur(const struct blur_pass *pass, const struct frame *frame, GLuint
 }
 
 void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
-                      const struct gbuffer *gbuffer, const struct irradiance *source) {
+                      const struct gbuffer *gbuffer, const struct blur_inputs *inputs) {
     timer_begin(frame->timers, "blur");
-    write_params(pass, frame, source);
-    pack(pass, gbuffer, source);
+    write_params(pass, frame, inputs->source);
+    pack(pass, gbuffer, inputs);
     if (pass->desc.square) {
         blur(pass, frame, pass->program, &pass->taps, &pass->blurred, 0);
     } else {

@@ -12,10 +12,12 @@
 
 struct blur_desc {
     int width, height;
-    int radius;     /* taps to each side; 0 only puts the tiles in order */
-    float distance; /* alpha, over the extent (twice the radius) of the scene */
-    float cosine;   /* beta */
-    bool square;    /* over all taps of the square at once, as published; else along x, then y */
+    int radius;                       /* taps to each side; 0 only puts the tiles in order */
+    float distance;                   /* alpha, over the extent (twice the radius) of the scene */
+    float cosine;                     /* beta */
+    int detail_radius, detail_weight; /* of listed pixels: a smaller radius, and how many times the
+                                         others' count their estimates; 0: there are none */
+    bool square; /* over all taps of the square at once, as published; else along x, then y */
 };
 
 struct blur_pass {
@@ -26,11 +28,18 @@ struct blur_pass {
     struct buffer params[2]; /* along x, along y */
 };
 
+/* What is blurred: where lists is not NULL, their pixels have another estimate, in their tiles. */
+struct blur_inputs {
+    const struct irradiance *source;
+    const struct pixel_lists *lists;
+    const struct irradiance *detail;
+};
+
 bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc);
 void blur_pass_free(struct blur_pass *pass);
 
-/* From source to pass->blurred. Timer "blur". */
+/* From the inputs to pass->blurred. Timer "blur". */
 void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
-                      const struct gbuffer *gbuffer, const struct irradiance *source);
+                      const struct gbuffer *gbuffer, const struct blur_inputs *inputs);
 
 #endif

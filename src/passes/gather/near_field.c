@@ -10,9 +10,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Of each pixel: its share of the pattern's. */
-static int share_of_samples(const struct near_field_desc *desc) {
-    int share = desc->samples / (desc->interleave * desc->interleave);
+/* Of each of n x n pixels. */
+static int share_of_samples(const struct near_field_desc *desc, int n) {
+    int share = desc->samples / (n * n);
     return share > 0 ? share : 1;
 }
 
@@ -29,8 +29,9 @@ static bool upload_samples(struct near_field_pass *pass) {
 }
 
 static bool init_programs(struct near_field_pass *pass) {
-    char *defines = mem_printf("LIGHTS %d;CUBES %d", pass->desc.lights.lights,
-                               pass->desc.lights.views[LIGHT_MAP_FACE] > 0);
+    int lights = pass->desc.lights.lights, cubes = pass->desc.lights.views[LIGHT_MAP_FACE] > 0;
+    char *defines = mem_printf("LISTED 0;LIGHTS %d;CUBES %d", lights, cubes);
+    char *listed = mem_printf("LISTED 1;LIGHTS %d;CUBES %d", lights, cubes);
     bool ok =
         program_init(&pass->light_program,
                      &(struct program_desc){
@@ -39,8 +40,14 @@ static bool init_programs(struct near_field_pass *pass) {
                      }) &&
         program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
                                                             .fragment = "gather/near_field.frag",
-                                                            .defines = defines});
+                                                            .defines = defines}) &&
+        (!pass->desc.listed ||
+         program_init(&pass->listed_program,
+                      &(struct program_desc){.vertex = "gather/listed.vert",
+                                             .fragment = "gather/near_field.frag",
+                                             .defines = listed}));
     free(defines);
+    free(listed);
     return ok;
 }
 
@@ -73,6 +80,7 @@ bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_
 void near_field_pass_free(struct near_field_pass *pass) {
     program_free(&pass->light_program);
     program_free(&pass->program);
+    program_free(&pass->listed_program);
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++) {
         texture_free(&pass->lights[kind]);
         framebuffer_free(&pass->lights_framebuffers[kind]);
@@ -117,23 +125,27 @@ void near_field_pass_render_lights(const struct near_field_pass *pass, const str
 }
 
 /* The tile of one slot of the pattern. */
-static void draw_slot(const struct near_field_pass *pass, const struct irradiance *irradiance,
-                      int slot) {
-    int n = irradiance->interleave, samples = share_of_samples(&pass->desc);
+static void draw_slot(const struct near_field_pass *pass, GLuint program,
+                      const struct near_field_inputs *inputs, int slot) {
+    const struct irradiance *irradiance = inputs->irradiance;
+    int n = irradiance->interleave, samples = share_of_samples(&pass->desc, n);
     int patterns = pass->desc.samples / samples;
     pass_viewport(slot % n * irradiance->tile_width, slot / n * irradiance->tile_height,
                   irradiance->tile_width, irradiance->tile_height);
-    gl.ProgramUniform4i(pass->program, LOCATION_SLOT, slot % patterns * samples, samples, slot % n,
+    gl.ProgramUniform4i(program, LOCATION_SLOT, slot % patterns * samples, samples, slot % n,
                         slot / n);
-    pass_draw_fullscreen(1);
+    if (inputs->lists)
+        pixel_lists_draw(inputs->lists, program);
+    else
+        pass_draw_fullscreen(1);
 }
 
 void near_field_pass_render(const struct near_field_pass *pass, const struct frame *frame,
-                            const struct gbuffer *gbuffer, const struct buffer *shares,
-                            const struct irradiance *irradiance) {
+                            const struct gbuffer *gbuffer, const struct near_field_inputs *inputs) {
+    const struct irradiance *irradiance = inputs->irradiance;
     struct pass_state state = {
-        .name = "near field",
-        .program = pass->program,
+        .name = inputs->lists ? "near field of detail" : "near field",
+        .program = inputs->lists ? pass->listed_program : pass->program,
         .framebuffer = irradiance->framebuffer,
         .width = irradiance->texture.desc.width,
         .height = irradiance->texture.desc.height,
@@ -142,16 +154,18 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_LIGHTS, frame->lights},
-                   {BLOCK_VPL_SHARES, shares},
+                   {BLOCK_VPL_SHARES, inputs->shares},
                    {BLOCK_PASS, &pass->params},
                    {BLOCK_NEAR_SAMPLES, &pass->samples}},
     };
     for (GLuint kind = 0; kind < LIGHT_MAP_KINDS; kind++) /* as rsm_add */
         pass_add_texture(&state, UNIT_NEAR_LIGHT + kind,
                          pass->lights[pass->lights[kind].id ? kind : !kind].id);
+    if (inputs->lists)
+        pixel_lists_add(&state, inputs->lists);
     write_params(pass, frame, irradiance_pattern(irradiance));
     pass_begin(frame->timers, &state);
     for (int slot = 0; slot < irradiance->interleave * irradiance->interleave; slot++)
-        draw_slot(pass, irradiance, slot);
+        draw_slot(pass, state.program, inputs, slot);
     pass_end(frame->timers);
 }

@@ -14,15 +14,15 @@
 #include "passes/frame.h"
 
 struct near_field_desc {
-    int samples;    /* that the n x n pixels of a pattern share out */
-    int interleave; /* n, of the irradiance that it adds to */
-    int rsm_size;   /* as lights' settings have it */
+    int samples;  /* that the n x n pixels of a pattern share out */
+    bool listed;  /* pixels of lists come too */
+    int rsm_size; /* as lights' settings have it */
     struct light_layout lights;
 };
 
 struct near_field_pass {
     struct near_field_desc desc;
-    GLuint light_program, program;
+    GLuint light_program, program, listed_program;
     struct texture lights[LIGHT_MAP_KINDS]; /* RGBA32UI, maps as the shadow map's,
                                                glsl/gather/near_light.glsl */
     GLuint lights_framebuffers[LIGHT_MAP_KINDS];
@@ -37,9 +37,14 @@ void near_field_pass_render_lights(const struct near_field_pass *pass, const str
                                    const struct gbuffer rsm[LIGHT_MAP_KINDS],
                                    const struct buffer *shares);
 
-/* Adds to the irradiance. Timer "near field". */
+struct near_field_inputs {
+    const struct buffer *shares;         /* passes/vpl.h's */
+    const struct irradiance *irradiance; /* to be added to */
+    const struct pixel_lists *lists;     /* NULL, or its tiles are these lists' */
+};
+
+/* Adds to inputs->irradiance. Timer "near field", or "near field of detail". */
 void near_field_pass_render(const struct near_field_pass *pass, const struct frame *frame,
-                            const struct gbuffer *gbuffer, const struct buffer *shares,
-                            const struct irradiance *irradiance);
+                            const struct gbuffer *gbuffer, const struct near_field_inputs *inputs);
 
 #endif

@@ -73,13 +73,13 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     struct instant_radiosity *technique = state;
     struct many_lights *lights = &technique->lights;
     struct paraboloid_pass *paraboloid = &technique->paraboloid;
-    gather_pass_clear(&lights->gather);
+    many_lights_begin(lights, frame, gbuffer);
     int total = lights->vpls.count, batch = paraboloid->desc.count;
     for (int first = 0; first < total; first += batch) {
         int count = total - first < batch ? total - first : batch;
         paraboloid_pass_view_vpls(paraboloid, frame, &lights->vpls, first, count);
         paraboloid_pass_render(paraboloid, frame, &paraboloid->views);
-        gather_pass_render(&lights->gather, frame, gbuffer,
+        many_lights_gather(lights, frame, gbuffer,
                            &(struct gather_inputs){.vpls = &lights->vpls,
                                                    .first = first,
                                                    .count = count,

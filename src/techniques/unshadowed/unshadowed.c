@@ -27,9 +27,8 @@ static void render_lights(void *state, const struct frame *frame) {
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct many_lights *lights = state;
-    gather_pass_clear(&lights->gather);
-    gather_pass_render(&lights->gather, frame, gbuffer,
-                       &(struct gather_inputs){.vpls = &lights->vpls});
+    many_lights_begin(lights, frame, gbuffer);
+    many_lights_gather(lights, frame, gbuffer, &(struct gather_inputs){.vpls = &lights->vpls});
     many_lights_finish(lights, frame, gbuffer);
 }
 

@@ -1,0 +1,45 @@
+// Lists the pixels that have few like neighbours where the blur looks for them: by their place in the
+// pattern, row by row of its tile, so that a draw finds them side by side. The order within a list is
+// that of arrival; no pixel's light depends on it.
+#include "lib/gbuffer.glsl"
+#include "shared/detail.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(r32ui, binding = IMAGE_LISTED_PIXELS) writeonly uniform uimage2D listed_pixels;
+layout(r32ui, binding = IMAGE_LIST_TEXELS) writeonly uniform uimage2D list_texels;
+layout(std430, binding = STORAGE_LIST_COUNTS) buffer list_counts {
+    uint counts[PIXEL_LISTS_MAX];
+};
+
+// Of the window's middle, its corners and the middles of its sides those on the same surface, the pixel itself
+// too. At a straight edge they are six.
+float like_neighbours(surface s, ivec2 pixel, ivec2 size) {
+    float like = 0.0;
+    for (int j = -params.radius; j <= params.radius; j += params.radius)
+        for (int i = -params.radius; i <= params.radius; i += params.radius) {
+            ivec2 at = clamp(pixel + ivec2(i, j), ivec2(0), size - 1);
+            surface c = gbuffer_surface(at);
+            vec3 apart = c.position - s.position;
+            bool alike = c.present && dot(apart, apart) < params.distance2 &&
+                         dot(c.normal, s.normal) > params.cosine &&
+                         abs(dot(apart, s.normal)) < params.apart;
+            like += alike ? 1.0 : 0.0;
+        }
+    return like;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = gbuffer_size();
+    if (any(greaterThanEqual(pixel, size)))
+        return;
+    surface s = gbuffer_surface(pixel);
+    uint code = 0u;
+    if (s.present && like_neighbours(s, pixel, size) < params.fewest) {
+        ivec2 place = pixel % params.pattern.n, tile = params.pattern.tile;
+        int at = int(atomicAdd(counts[place.y * params.pattern.n + place.x], 1u));
+        ivec2 texel = place * tile + ivec2(at % tile.x, at / tile.x);
+        imageStore(listed_pixels, texel, uvec4(pixel.x | pixel.y << 16));
+        code = uint(texel.x + 1 | texel.y << 16);
+    }
+    imageStore(list_texels, pixel, uvec4(code));
+}

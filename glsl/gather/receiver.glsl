@@ -1,0 +1,22 @@
+// The pixel that a texel of a tile gathers for: of all pixels the one at its place in the pattern, or the
+// one that a list has there.
+#include "lib/interleaving.glsl"
+
+#if LISTED
+layout(binding = UNIT_LISTED_PIXELS) uniform usampler2D listed_pixels;
+
+flat in int listed; // pixels of this tile's list
+
+// False beyond the list's end.
+bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
+    ivec2 texel = ivec2(gl_FragCoord.xy), within = texel - place * pattern.tile;
+    uint code = texelFetch(listed_pixels, texel, 0).r;
+    pixel = ivec2(code & 0xffffu, code >> 16);
+    return within.y * pattern.tile.x + within.x < listed;
+}
+#else
+bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
+    pixel = interleaved_pixel(pattern, ivec2(gl_FragCoord.xy), place);
+    return true;
+}
+#endif

@@ -1,0 +1,18 @@
+/* passes/gather/detail.h to its shader. */
+#ifndef SHARED_DETAIL_H
+#define SHARED_DETAIL_H
+
+#include "shared/interleaving.h"
+
+struct detail_params {
+    STRUCT(interleaving) pattern; /* of the lists */
+    float distance2;              /* alpha^2 of the blur, m2 */
+    float cosine;                 /* beta */
+    float apart;                  /* metres: neighbours farther off the pixel's plane are unlike */
+    float fewest;                 /* like neighbours of a smooth pixel */
+    int radius;                   /* of the window, pixels */
+    int unused0, unused1, unused2;
+};
+PASS_BLOCK(detail_params, 48)
+
+#endif

@@ -1,0 +1,84 @@
+#include "passes/gather/detail.h"
+
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/detail.h"
+
+#include <assert.h>
+
+static bool init_picture(struct texture *texture, const char *label, int width, int height) {
+    return texture_init(texture,
+                        &(struct texture_desc){
+                            .label = label, .format = GL_R32UI, .width = width, .height = height});
+}
+
+static bool init_lists(struct pixel_lists *lists, const struct detail_desc *desc) {
+    int n = desc->interleave;
+    assert(n * n <= PIXEL_LISTS_MAX);
+    lists->interleave = n;
+    lists->tile_width = (desc->width + n - 1) / n;
+    lists->tile_height = (desc->height + n - 1) / n;
+    return init_picture(&lists->pixels, "listed pixels", lists->tile_width * n,
+                        lists->tile_height * n) &&
+           init_picture(&lists->texels, "list texels", desc->width, desc->height) &&
+           buffer_init(&lists->counts, "list counts", PIXEL_LISTS_MAX * sizeof(GLuint), NULL);
+}
+
+bool detail_pass_init(struct detail_pass *pass, const struct detail_desc *desc) {
+    *pass = (struct detail_pass){.desc = *desc};
+    if (program_init(&pass->program, &(struct program_desc){.compute = "gather/detail.comp"}) &&
+        init_lists(&pass->lists, desc) &&
+        buffer_init(&pass->params, "detail parameters", sizeof(struct detail_params), NULL))
+        return true;
+    detail_pass_free(pass);
+    return false;
+}
+
+void detail_pass_free(struct detail_pass *pass) {
+    program_free(&pass->program);
+    texture_free(&pass->lists.pixels);
+    texture_free(&pass->lists.texels);
+    buffer_free(&pass->lists.counts);
+    buffer_free(&pass->params);
+    *pass = (struct detail_pass){0};
+}
+
+/* A neighbour this far off the pixel's plane, over the scene's radius, is another surface. */
+static const float plane_apart = 0.01f;
+
+static void write_params(const struct detail_pass *pass, const struct frame *frame) {
+    const struct detail_desc *desc = &pass->desc;
+    static const GLuint none[PIXEL_LISTS_MAX] = {0};
+    float distance = desc->distance * 2 * frame->radius;
+    struct detail_params params = {
+        .pattern = {.tile = {pass->lists.tile_width, pass->lists.tile_height},
+                    .n = desc->interleave},
+        .distance2 = distance * distance,
+        .cosine = desc->cosine,
+        .apart = plane_apart * frame->radius,
+        .fewest = desc->share * 9, /* the window is sampled in nine places */
+        .radius = desc->radius,
+    };
+    buffer_write(&pass->params, 0, sizeof params, &params);
+    buffer_write(&pass->lists.counts, 0, sizeof none, none);
+}
+
+void detail_pass_render(const struct detail_pass *pass, const struct frame *frame,
+                        const struct gbuffer *gbuffer) {
+    write_params(pass, frame);
+    pass_begin(frame->timers,
+               &(struct pass_state){
+                   .name = "detail",
+                   .program = pass->program,
+                   .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                                {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
+                   .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+                   .storages = {{STORAGE_LIST_COUNTS, &pass->lists.counts}},
+                   .images = {{IMAGE_LISTED_PIXELS, &pass->lists.pixels, 0, GL_WRITE_ONLY},
+                              {IMAGE_LIST_TEXELS, &pass->lists.texels, 0, GL_WRITE_ONLY}},
+               });
+    pass_dispatch((pass->desc.width + 7) / 8, (pass->desc.height + 7) / 8, 1);
+    /* Later passes fetch the lists, and read their lengths as uniforms. */
+    gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT);
+    pass_end(frame->timers);
+}

@@ -1,0 +1,198 @@
+/* Pixels with few like neighbours: which are listed, what they gather, and how they are blurred. */
+#include "render_support.h"
+
+#include "base/memory.h"
+#include "passes/gather/blur.h"
+#include "passes/gather/detail.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIZE = 64, RADIUS = 4, LISTS = 4 };
+
+/* A frame, and the lists of a G-buffer. */
+struct detail_bench {
+    struct stage stage;
+    struct renderer renderer;
+    struct detail_pass detail;
+    GLuint texels[SIZE * SIZE], counts[LISTS * LISTS];
+};
+
+static void open_bench(struct detail_bench *bench, const char *scene, const char *settings,
+                       float share) {
+    open_stage(&bench->stage, scene);
+    struct renderer_desc desc = desc_of(&bench->stage, "unshadowed", settings, SIZE, SIZE);
+    open_renderer(&bench->renderer, &desc);
+    check_ok("detail", detail_pass_init(&bench->detail, &(struct detail_desc){.width = SIZE,
+                                                                              .height = SIZE,
+                                                                              .interleave = LISTS,
+                                                                              .radius = RADIUS,
+                                                                              .distance = .1f,
+                                                                              .cosine = .98f,
+                                                                              .share = share}));
+}
+
+static void list_pixels(struct detail_bench *bench, const struct gbuffer *gbuffer) {
+    struct frame frame = renderer_frame(&bench->renderer);
+    detail_pass_render(&bench->detail, &frame, gbuffer);
+    gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+    gl.GetTextureImage(bench->detail.lists.texels.id, 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                       sizeof bench->texels, bench->texels);
+    buffer_read(&bench->detail.lists.counts, 0, sizeof bench->counts, bench->counts);
+}
+
+static void close_bench(struct detail_bench *bench) {
+    detail_pass_free(&bench->detail);
+    renderer_free(&bench->renderer);
+    stage_free(&bench->stage);
+}
+
+/* A plane before the camera: on the left of one normal, on the right in stripes as wide as the
+ * window's radius, of one and another. */
+static void make_stripes(struct gbuffer *gbuffer) {
+    check_ok("G-buffer", gbuffer_init(gbuffer, "stripes", SIZE, SIZE, 1));
+    static float depths[SIZE * SIZE], normals[SIZE * SIZE][2];
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        int x = i % SIZE;
+        depths[i] = .5f;
+        normals[i][0] = x >= SIZE / 2 && x / RADIUS % 2 ? 1 : .5f; /* +x, else +z */
+        normals[i][1] = .5f;
+    }
+    gl.TextureSubImage3D(gbuffer->depth.id, 0, 0, 0, 0, SIZE, SIZE, 1, GL_DEPTH_COMPONENT, GL_FLOAT,
+                         depths);
+    gl.TextureSubImage3D(gbuffer->normal.id, 0, 0, 0, 0, SIZE, SIZE, 1, GL_RG, GL_FLOAT, normals);
+}
+
+/* Stripes are listed, the plane is not, nor its straight edge; a list has each pixel once. */
+static void test_lists(void **state) {
+    (void)state;
+    struct detail_bench bench;
+    struct gbuffer gbuffer;
+    open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .66f);
+    make_stripes(&gbuffer);
+    list_pixels(&bench, &gbuffer);
+    int smooth_listed = 0, stripes_left = 0, listed = 0, misplaced = 0, counted = 0;
+    static GLuint pixels[SIZE * SIZE];
+    gl.GetTextureImage(bench.detail.lists.pixels.id, 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                       sizeof pixels, pixels);
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        int x = i % SIZE, y = i / SIZE;
+        GLuint code = bench.texels[i];
+        smooth_listed += code && x < SIZE / 2;
+        stripes_left += !code && x >= SIZE / 2 + RADIUS && x < SIZE - RADIUS;
+        listed += code != 0;
+        if (code)
+            misplaced += pixels[(code >> 16) * SIZE + (code & 0xffff) - 1] != (GLuint)(x | y << 16);
+    }
+    for (int i = 0; i < LISTS * LISTS; i++)
+        counted += (int)bench.counts[i];
+    printf("    listed %d, on the plane %d, not of the stripes %d, misplaced %d\n", listed,
+           smooth_listed, stripes_left, misplaced);
+    assert_int_equal(smooth_listed, 0);
+    assert_int_equal(stripes_left, 0);
+    assert_int_equal(misplaced, 0);
+    assert_int_equal(counted, listed);
+    gbuffer_free(&gbuffer);
+    close_bench(&bench);
+}
+
+static void fill(struct irradiance *irradiance, int interleave, float value) {
+    const float color[4] = {value, value, value, 1};
+    check_ok("irradiance",
+             irradiance_init(irradiance, "constant", GL_RGBA32F, SIZE, SIZE, interleave));
+    gl.ClearTexImage(irradiance->texture.id, 0, GL_RGBA, GL_FLOAT, color);
+}
+
+/* Weights sum to one, whatever is listed, along lines and in squares. */
+static void test_blur_conserves(void **state) {
+    (void)state;
+    struct detail_bench bench;
+    struct gbuffer gbuffer;
+    struct irradiance source, detail;
+    open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .66f);
+    make_stripes(&gbuffer);
+    list_pixels(&bench, &gbuffer);
+    fill(&source, 8, .75f);
+    fill(&detail, LISTS, .75f);
+    for (int square = 0; square < 2; square++) {
+        struct blur_pass blur;
+        check_ok("blur", blur_pass_init(&blur, &(struct blur_desc){.width = SIZE,
+                                                                   .height = SIZE,
+                                                                   .radius = RADIUS,
+                                                                   .distance = .1f,
+                                                                   .cosine = .98f,
+                                                                   .detail_radius = 2,
+                                                                   .detail_weight = 4,
+                                                                   .square = square}));
+        struct frame frame = renderer_frame(&bench.renderer);
+        blur_pass_render(&blur, &frame, &gbuffer,
+                         &(struct blur_inputs){&source, &bench.detail.lists, &detail});
+        static float blurred[SIZE * SIZE];
+        gl.GetTextureImage(blur.blurred.texture.id, 0, GL_RED, GL_FLOAT, sizeof blurred, blurred);
+        double worst = 0;
+        for (int i = 0; i < SIZE * SIZE; i++)
+            worst = fmax(worst, fabs((double)blurred[i] - .75));
+        check_at_most("a blurred constant", worst, 1e-3);
+        blur_pass_free(&blur);
+    }
+    irradiance_free(&source);
+    irradiance_free(&detail);
+    gbuffer_free(&gbuffer);
+    close_bench(&bench);
+}
+
+/* Where no pixel is listed, the picture is the one without lists, to the bit. */
+static void test_all_smooth(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-animal.glb");
+    struct image without = render_stage(&stage, "clustered", "vpls=64 vals=4 detail=0", SIZE);
+    struct image with =
+        render_stage(&stage, "clustered", "vpls=64 vals=4 detail=4 detail-share=0", SIZE);
+    assert_memory_equal(without.pixels, with.pixels,
+                        (size_t)SIZE * SIZE * (size_t)without.channel_count * sizeof *with.pixels);
+    image_free(&without);
+    image_free(&with);
+    stage_free(&stage);
+}
+
+/* What is listed with n = 1 takes all VPLs and no blur, as all pixels without interleaving do. */
+static void test_listed_sums(void **state) {
+    (void)state;
+    struct detail_bench bench;
+    open_bench(&bench, "scenes/cornell-animal.glb", "vpls=256 interleave=8 detail=1 detail-share=1",
+               1);
+    list_pixels(&bench, &bench.renderer.gbuffer);
+    struct image mixed, plain = render_stage(&bench.stage, "unshadowed",
+                                             "vpls=256 interleave=1 blur-radius=0", SIZE);
+    check_ok("layers", renderer_read_layers(&bench.renderer, &mixed));
+    int red = image_find_channel(&plain, "indirect.R"), listed = 0, away = 0;
+    double worst = 0, mean = layer_mean(&plain, "indirect");
+    for (int y = 0; y < SIZE; y++)
+        for (int x = 0; x < SIZE; x++) {
+            double expected = (double)image_at(&plain, x, y)[red];
+            double off = fabs((double)image_at(&mixed, x, y)[red] - expected) / (expected + mean);
+            bool is_listed = bench.texels[(SIZE - 1 - y) * SIZE + x] != 0;
+            listed += is_listed;
+            away += !is_listed && off > .002;
+            worst = is_listed ? fmax(worst, off) : worst;
+        }
+    printf("    listed %d, others that differ %d\n", listed, away);
+    assert_true(listed > 100 && away > 100);
+    check_at_most("worst listed pixel's distance from the sum over all VPLs", worst, .002);
+    image_free(&mixed);
+    image_free(&plain);
+    close_bench(&bench);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_lists),
+        cmocka_unit_test(test_blur_conserves),
+        cmocka_unit_test(test_all_smooth),
+        cmocka_unit_test(test_listed_sums),
+    };
+    return cmocka_run_group_tests_name("detail", tests, open_group_context, close_group_context);
+}
