@@ -259,6 +259,9 @@ static void test_killed_writers(void **state) {
 }
 
 int main(void) {
+    /* A shell that runs this in the background has them ignored, and so would all that starts here. */
+    signal(SIGINT, SIG_DFL);
+    signal(SIGTERM, SIG_DFL);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_interrupts),     cmocka_unit_test(test_ignored),
         cmocka_unit_test(test_kills),          cmocka_unit_test(test_two_processes),
