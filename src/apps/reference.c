@@ -3,6 +3,7 @@
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/context_options.h"
+#include "apps/stage_options.h"
 #include "base/progress.h"
 #include "measure/stage.h"
 #include "measure/picture.h"
@@ -23,17 +24,22 @@ static const char *const reference_techniques[] = {"path", "vpl-raytraced", NULL
 struct values {
     struct common_values common;
     struct context_desc context;
+    struct stage_desc stage;
+    struct path_tracer_desc tracer;
     struct text_list settings;
-    const char *output, *noise, *camera, *light, *clip;
-    int size[2], bounces, samples, paths, seed, technique;
+    const char *output, *noise;
+    int technique;
     float time;
-    bool centers, denoise;
 };
+
+_Static_assert(offsetof(struct path_tracer_desc, height) ==
+                   offsetof(struct path_tracer_desc, width) + sizeof(int),
+               "OPTION_SIZE writes both");
 
 static const struct option options[] = {
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE.exr",
      .help = "the picture to write"},
-    {"size", 0, OPTION_SIZE, offsetof(struct values, size), 800, 1, 16384,
+    {"size", 0, OPTION_SIZE, offsetof(struct values, tracer.width), 800, 1, 16384,
      .help = "of the picture, pixels"},
     {"technique", 0, OPTION_CHOICE, offsetof(struct values, technique),
      .choices = reference_techniques,
@@ -41,28 +47,22 @@ static const struct option options[] = {
              "visibility by ray tracing"},
     {"set", 0, OPTION_LIST, offsetof(struct values, settings), .value_name = "KEY=VALUE",
      .help = "a setting of the VPLs (manylight render --help): vpls, seed, clamp ...; repeatable"},
-    {"bounces", 0, OPTION_INT, offsetof(struct values, bounces), 1, 0, 1000,
+    {"bounces", 0, OPTION_INT, offsetof(struct values, tracer.bounces), 1, 0, 1000,
      .help = "of indirect light; 0 = direct light only"},
-    {"spp", 0, OPTION_INT, offsetof(struct values, samples), 0, 0, 1e6,
+    {"spp", 0, OPTION_INT, offsetof(struct values, tracer.samples), 0, 0, 1e6,
      .help = "samples per pixel; 0 = by --noise"},
-    {"paths", 0, OPTION_INT, offsetof(struct values, paths), 0, 0, 1024,
+    {"paths", 0, OPTION_INT, offsetof(struct values, tracer.paths), 0, 0, 1024,
      .help = "of indirect light from each sample; 0 = 1 below 16 samples per pixel, else 4"},
     {"noise", 0, OPTION_TEXT, offsetof(struct values, noise), .value_name = "X%",
      .help = "samples until the indirect light's standard error (RMS over mean) is below [1%]"},
-    {"centers", 0, OPTION_FLAG, offsetof(struct values, centers),
+    {"centers", 0, OPTION_FLAG, offsetof(struct values, tracer.centers),
      .help = "through pixels' centres alone, as a rasteriser has them: edges are not smooth"},
-    {"denoise", 0, OPTION_FLAG, offsetof(struct values, denoise),
+    {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
      .help = "filter the indirect light along surfaces, by as much as it is noisy: for few\n"
              "samples. standard_error stays that of the light before"},
-    {"seed", 0, OPTION_INT, offsetof(struct values, seed), 0, 0, 2147483647,
+    {"seed", 0, OPTION_INT, offsetof(struct values, tracer.seed), 0, 0, 2147483647,
      .help = "another seed, another noise"},
-    {"camera", 0, OPTION_TEXT, offsetof(struct values, camera), .value_name = "NAME|N",
-     .help = "camera of the scene [the first]"},
-    {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N,...",
-     .help = "lights of the scene that shine [all], or changed: \"lamp,2\",\n"
-             "\"0 position=0,2,0 intensity=9,9,9; 1\""},
-    {"clip", 0, OPTION_TEXT, offsetof(struct values, clip), .value_name = "NAME|N",
-     .help = "animation of the scene [the first]"},
+    STAGE_OPTIONS(struct values, stage),
     {"time", 0, OPTION_FLOAT, offsetof(struct values, time), 0, 0, 1e6,
      .help = "of the animation, seconds"},
     CONTEXT_OPTIONS(struct values, context),
@@ -92,18 +92,17 @@ static bool parse_noise(const char *text, double *noise) {
            error_set("noise: '%s' is not a share from 0.0001%% to 100%%", text);
 }
 
-static bool check_values(const struct values *values, double *noise) {
-    *noise = 0;
+static bool check_values(struct values *values) {
     if (!values->output)
         return error_set("-o FILE.exr is missing");
     const char *extension = strrchr(values->output, '.');
     if (!extension || strcmp(extension, ".exr") != 0)
         return error_set("%s: only EXR files (.exr) hold all layers", values->output);
-    if (values->noise && values->samples > 0)
+    if (values->noise && values->tracer.samples > 0)
         return error_set("--spp and --noise exclude each other");
-    if (values->technique != TECHNIQUE_PATH && values->denoise)
+    if (values->technique != TECHNIQUE_PATH && values->tracer.denoise)
         return error_set("--denoise is for --technique path");
-    return !values->noise || parse_noise(values->noise, noise);
+    return !values->noise || parse_noise(values->noise, &values->tracer.noise);
 }
 
 static bool show(void *user, const struct path_tracer_progress *progress) {
@@ -115,34 +114,26 @@ static bool show(void *user, const struct path_tracer_progress *progress) {
     return true;
 }
 
-static bool trace_paths(const struct values *values, double noise, const struct stage *stage,
+static bool trace_paths(const struct values *values, const struct stage *stage,
                         struct image *image) {
     struct progress progress;
     struct path_tracer_progress reached;
+    struct path_tracer_desc desc = values->tracer;
+    desc.scene = &stage->scene;
+    desc.geometry = &stage->geometry;
+    desc.camera = &stage->camera;
+    desc.emitters = stage->emitters;
+    desc.progress = show;
+    desc.user = &progress;
     progress_start(&progress);
-    bool ok = path_tracer_render(&(struct path_tracer_desc){.scene = &stage->scene,
-                                                            .geometry = &stage->geometry,
-                                                            .camera = &stage->camera,
-                                                            .emitters = stage->emitters,
-                                                            .width = values->size[0],
-                                                            .height = values->size[1],
-                                                            .bounces = values->bounces,
-                                                            .samples = values->samples,
-                                                            .noise = noise,
-                                                            .seed = (uint32_t)values->seed,
-                                                            .centers = values->centers,
-                                                            .paths = values->paths,
-                                                            .denoise = values->denoise,
-                                                            .progress = show,
-                                                            .user = &progress},
-                                 image, &reached);
+    bool ok = path_tracer_render(&desc, image, &reached);
     double seconds = progress_end(&progress);
     if (ok && reached.samples == 1)
         log_note("1 sample per pixel in %.1f s, which does not tell its noise", seconds);
     else if (ok)
         log_note("%d samples per pixel in %.1f s, noise of the indirect light %.2f %%%s",
                  reached.samples, seconds, 100 * reached.noise,
-                 values->denoise ? " before the filter" : "");
+                 desc.denoise ? " before the filter" : "");
     return ok;
 }
 
@@ -164,7 +155,7 @@ static bool trace_vpls(const struct values *values, const struct stage *stage,
 }
 
 static bool parse_settings(const struct values *values, struct measure_desc *desc) {
-    *desc = measure_default(NULL, values->size[0], values->size[1], false);
+    *desc = measure_default(NULL, values->tracer.width, values->tracer.height, false);
     if (values->technique == TECHNIQUE_PATH && values->settings.count)
         return error_set("--set is for --technique vpl-raytraced");
     return measure_assign_all(desc, values->settings.items, values->settings.count) &&
@@ -172,25 +163,19 @@ static bool parse_settings(const struct values *values, struct measure_desc *des
 }
 
 int app_reference(int argc, char **argv) {
-    struct values values;
+    struct values values = {0};
     struct measure_desc desc;
-    const char *path;
     int status, count;
-    double noise;
     struct stage stage;
     struct image image = {0};
-    if (!arguments_parse(&arguments, &values, argc, argv, &path, &count, &status))
+    if (!arguments_parse(&arguments, &values, argc, argv, &values.stage.path, &count, &status))
         return status;
-    if (!check_values(&values, &noise) || !parse_settings(&values, &desc))
+    if (!check_values(&values) || !parse_settings(&values, &desc))
         return arguments_misuse(argv[0]);
-    if (!output_file_check(values.output) ||
-        !stage_init(&stage, &(struct stage_desc){.path = path,
-                                                 .camera = values.camera,
-                                                 .light = values.light,
-                                                 .clip = values.clip,
-                                                 .time = (double)values.time}))
+    values.stage.time = (double)values.time;
+    if (!output_file_check(values.output) || !stage_init(&stage, &values.stage))
         return arguments_fail(argv[0]);
-    bool ok = (values.technique == TECHNIQUE_PATH ? trace_paths(&values, noise, &stage, &image)
+    bool ok = (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &image)
                                                   : trace_vpls(&values, &stage, &desc, &image)) &&
               image_write(&image, values.output);
     image_free(&image);

@@ -6,6 +6,7 @@
 #include "apps/frames.h"
 #include "apps/interrupt.h"
 #include "base/progress.h"
+#include "apps/stage_options.h"
 #include "measure/stage.h"
 #include "apps/stats.h"
 #include "apps/technique_options.h"
@@ -25,10 +26,11 @@ struct values {
     struct common_values common;
     struct context_desc context;
     struct technique_values technique;
+    struct stage_desc stage;
     struct text_list outputs;
     int size[2];
     int layer;
-    const char *camera, *light, *clip, *frames, *glsl, *aov;
+    const char *frames, *glsl, *aov;
     float time, fps;
     bool skip_existing, stats;
 };
@@ -46,13 +48,7 @@ static const struct option options[] = {
          "more layers in EXR, outputs of the technique, such as gathered (before the blur), val\n"
          "(the strongest VAL's colour), visibility (the share of the VALs' light that arrives),\n"
          "vpl (flux of VPLs)"},
-    {"camera", 0, OPTION_TEXT, offsetof(struct values, camera), .value_name = "NAME|N",
-     .help = "camera of the scene [the first], or changed: \"0 eye=0,1,3 forward=0,0,-1\""},
-    {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N,...",
-     .help = "lights of the scene that shine [all], or changed: \"lamp,2\",\n"
-             "\"0 position=0,2,0 intensity=9,9,9; 1\""},
-    {"clip", 0, OPTION_TEXT, offsetof(struct values, clip), .value_name = "NAME|N",
-     .help = "animation of the scene [the first]"},
+    STAGE_OPTIONS(struct values, stage),
     {"time", 0, OPTION_FLOAT, offsetof(struct values, time), 0, 0, 1e6,
      .help = "of the animation, seconds; with --frames, of frame 0"},
     {"frames", 0, OPTION_TEXT, offsetof(struct values, frames), .value_name = "A..B|A,B,C",
@@ -96,9 +92,9 @@ static const struct arguments arguments = {
 };
 
 /* Each frame of several needs files of its own. */
-static bool check_name(const char *name, const struct frames *frames) {
-    bool is_float, numbered = frame_name_is_numbered(name);
-    if (!image_format_is_float(name, &is_float))
+static bool check_name(const char *name, const struct frames *frames, bool *is_float) {
+    bool numbered = frame_name_is_numbered(name);
+    if (!image_format_is_float(name, is_float))
         return false;
     if (!frames->numbers && numbered)
         return error_set("%s: '#' stands for the number of a frame, and there is no --frames",
@@ -109,19 +105,34 @@ static bool check_name(const char *name, const struct frames *frames) {
 }
 
 static bool check_outputs(const struct values *values, const struct frames *frames) {
+    bool is_float, any_float = false;
     if (values->outputs.count == 0)
         return error_set("no output: -o FILE");
-    for (int i = 0; i < values->outputs.count; i++)
-        if (!check_name(values->outputs.items[i], frames))
+    for (int i = 0; i < values->outputs.count; i++) {
+        if (!check_name(values->outputs.items[i], frames, &is_float))
             return false;
-    return true;
+        any_float = any_float || is_float;
+    }
+    return !values->aov || any_float || error_set("aov: no output that holds layers: -o FILE.exr");
 }
 
-static bool check_aov(const struct values *values) {
-    bool is_float, any = !values->aov;
-    for (int i = 0; i < values->outputs.count; i++)
-        any = any || (image_format_is_float(values->outputs.items[i], &is_float) && is_float);
-    return any || error_set("aov: no output that holds layers: -o FILE.exr");
+typedef bool visit_output(const struct values *values, struct renderer *renderer, const char *path);
+
+/* Visits the outputs of a frame, until one says false. */
+static bool each_output(const struct values *values, struct renderer *renderer, int frame,
+                        visit_output *visit) {
+    bool ok = true;
+    for (int i = 0; ok && i < values->outputs.count; i++) {
+        char *path = frame_name(values->outputs.items[i], frame);
+        ok = visit(values, renderer, path);
+        free(path);
+    }
+    return ok;
+}
+
+static bool check_file(const struct values *values, struct renderer *renderer, const char *path) {
+    (void)values, (void)renderer;
+    return output_file_check(path);
 }
 
 static bool write_output(const struct values *values, struct renderer *renderer, const char *path) {
@@ -143,18 +154,9 @@ static bool write_output(const struct values *values, struct renderer *renderer,
     return ok;
 }
 
-static bool write_outputs(const struct values *values, struct renderer *renderer, int frame) {
-    bool ok = true;
-    for (int i = 0; ok && i < values->outputs.count; i++) {
-        char *path = frame_name(values->outputs.items[i], frame);
-        ok = write_output(values, renderer, path);
-        free(path);
-    }
-    return ok;
-}
-
 /* Says which files are there but must be rendered again. */
-static bool output_is_there(const char *path) {
+static bool is_there(const struct values *values, struct renderer *renderer, const char *path) {
+    (void)values, (void)renderer;
     if (access(path, F_OK) != 0)
         return false;
     if (image_is_whole(path))
@@ -163,23 +165,13 @@ static bool output_is_there(const char *path) {
     return false;
 }
 
-static bool outputs_are_there(const struct values *values, int frame) {
-    bool all = true;
-    for (int i = 0; all && i < values->outputs.count; i++) {
-        char *path = frame_name(values->outputs.items[i], frame);
-        all = output_is_there(path);
-        free(path);
-    }
-    return all;
-}
-
 static bool render_frame(const struct values *values, struct renderer *renderer,
                          struct stage *stage, int frame) {
     double time = (double)values->time + frame / (double)values->fps;
     if (!stage_pose(stage, time) || !renderer_update(renderer, &stage->emitters, &stage->camera))
         return false;
     renderer_render(renderer);
-    return write_outputs(values, renderer, frame);
+    return each_output(values, renderer, frame, write_output);
 }
 
 static bool render_frames(const struct values *values, const struct frames *frames,
@@ -196,7 +188,7 @@ static bool render_frames(const struct values *values, const struct frames *fram
                            frame, done, skipped, frames->count - i);
             break;
         }
-        if (values->skip_existing && outputs_are_there(values, frame)) {
+        if (values->skip_existing && each_output(values, renderer, frame, is_there)) {
             skipped++;
             continue;
         }
@@ -209,17 +201,6 @@ static bool render_frames(const struct values *values, const struct frames *fram
     double seconds = progress_end(&progress);
     if (ok && frames->count > 1)
         log_note("%d frames in %.1f s, %d were there", done, seconds, skipped);
-    return ok;
-}
-
-/* What can be told before long work; of a sequence, by its first frame. */
-static bool check_files(const struct values *values, const struct frames *frames) {
-    bool ok = true;
-    for (int i = 0; ok && i < values->outputs.count; i++) {
-        char *path = frame_name(values->outputs.items[i], frames->count ? frames->numbers[0] : 0);
-        ok = output_file_check(path);
-        free(path);
-    }
     return ok;
 }
 
@@ -240,16 +221,14 @@ static bool render(const struct values *values, const struct frames *frames,
     return ok;
 }
 
-/* The stage begins at time 0, whatever the frames: so all of them come out of the same renderer. */
+/* Files are checked before long work, of a sequence by its first frame. The stage begins at time 0,
+ * whatever the frames: so all of them come out of the same renderer. */
 static bool render_scene(const struct values *values, const struct frames *frames,
-                         struct renderer_desc *desc, const char *path) {
+                         struct renderer_desc *desc) {
     struct stage stage;
     struct context *context;
-    if (!check_files(values, frames) ||
-        !stage_init(&stage, &(struct stage_desc){.path = path,
-                                                 .camera = values->camera,
-                                                 .light = values->light,
-                                                 .clip = values->clip}))
+    if (!each_output(values, NULL, frames->count ? frames->numbers[0] : 0, check_file) ||
+        !stage_init(&stage, &values->stage))
         return false;
     desc->scene = &stage.scene;
     desc->geometry = &stage.geometry;
@@ -264,17 +243,15 @@ static bool render_scene(const struct values *values, const struct frames *frame
 }
 
 int app_render(int argc, char **argv) {
-    struct values values;
+    struct values values = {0};
     struct frames frames = {0};
-    const char *scene;
     int count, status;
-    if (!arguments_parse(&arguments, &values, argc, argv, &scene, &count, &status))
+    if (!arguments_parse(&arguments, &values, argc, argv, &values.stage.path, &count, &status))
         return status;
     struct renderer_desc desc = {
         .width = values.size[0], .height = values.size[1], .timed = values.stats};
     if ((values.frames && !frames_parse(&frames, values.frames)) ||
-        !check_outputs(&values, &frames) || !check_aov(&values) ||
-        !technique_values_resolve(&values.technique, &desc)) {
+        !check_outputs(&values, &frames) || !technique_values_resolve(&values.technique, &desc)) {
         frames_free(&frames);
         return arguments_misuse(argv[0]);
     }
@@ -282,7 +259,7 @@ int app_render(int argc, char **argv) {
     bool is_sequence = frames.count > 1;
     if (is_sequence)
         interrupts_hold();
-    bool ok = render_scene(&values, &frames, &desc, scene);
+    bool ok = render_scene(&values, &frames, &desc);
     frames_free(&frames);
     if (ok)
         return STATUS_OK;

@@ -1,6 +1,7 @@
 /* manylight view: the desktop viewer. */
 #include "apps/apps.h"
 #include "apps/arguments.h"
+#include "apps/stage_options.h"
 #include "apps/technique_options.h"
 
 #include "base/error.h"
@@ -11,39 +12,34 @@
 struct values {
     struct common_values common;
     struct technique_values technique;
-    int size[2];
-    int layer, frames;
-    const char *camera, *light, *clip, *reference, *glsl, *screenshot;
+    struct viewer_desc viewer;
     float time;
-    bool debug;
 };
 
+_Static_assert(offsetof(struct viewer_desc, height) ==
+                   offsetof(struct viewer_desc, width) + sizeof(int),
+               "OPTION_SIZE writes both");
+
 static const struct option options[] = {
-    {"size", 0, OPTION_SIZE, offsetof(struct values, size), 800, 16, 16384,
+    {"size", 0, OPTION_SIZE, offsetof(struct values, viewer.width), 800, 16, 16384,
      .help = "of the picture, pixels"},
     TECHNIQUE_OPTIONS(struct values, technique),
-    {"camera", 0, OPTION_TEXT, offsetof(struct values, camera), .value_name = "NAME|N",
-     .help = "camera of the scene [the first], or changed: \"0 eye=0,1,3 forward=0,0,-1\""},
-    {"light", 0, OPTION_TEXT, offsetof(struct values, light), .value_name = "NAME|N,...",
-     .help = "lights of the scene that shine [all], or changed: \"lamp,2\",\n"
-             "\"0 position=0,2,0 intensity=9,9,9; 1\""},
-    {"clip", 0, OPTION_TEXT, offsetof(struct values, clip), .value_name = "NAME|N",
-     .help = "animation of the scene [the first]"},
+    STAGE_OPTIONS(struct values, viewer),
     {"time", 0, OPTION_FLOAT, offsetof(struct values, time), 0, 0, 1e6,
      .help = "of the animation, seconds"},
-    {"layer", 0, OPTION_CHOICE, offsetof(struct values, layer), .choices = shown_layer_names,
+    {"layer", 0, OPTION_CHOICE, offsetof(struct values, viewer.layer), .choices = shown_layer_names,
      .help = "light to show"},
-    {"reference", 0, OPTION_TEXT, offsetof(struct values, reference), .value_name = "FILE",
+    {"reference", 0, OPTION_TEXT, offsetof(struct values, viewer.reference), .value_name = "FILE",
      .help = "picture of the same view to compare with"},
-    {"frames", 0, OPTION_INT, offsetof(struct values, frames), 0, 0, 1e9,
+    {"frames", 0, OPTION_INT, offsetof(struct values, viewer.frames), 0, 0, 1e9,
      .help = "render so many frames at the full size and end; 0 = until closed"},
-    {"screenshot", 0, OPTION_TEXT, offsetof(struct values, screenshot), .value_name = "FILE",
+    {"screenshot", 0, OPTION_TEXT, offsetof(struct values, viewer.screenshot), .value_name = "FILE",
      .help = "write the picture after --frames (or the first) and end"},
-    {"glsl", 0, OPTION_TEXT, offsetof(struct values, glsl), .value_name = "DIR",
+    {"glsl", 0, OPTION_TEXT, offsetof(struct values, viewer.glsl), .value_name = "DIR",
      .help =
          "read the shaders from this folder, a glsl/ with src/ beside it, not from the binary; F5\n"
          "reads them again"},
-    {"gl-debug", 0, OPTION_FLAG, offsetof(struct values, debug),
+    {"gl-debug", 0, OPTION_FLAG, offsetof(struct values, viewer.debug),
      .help = "a debug context: OpenGL's messages go to stderr"},
     {NULL},
 };
@@ -61,41 +57,29 @@ static const struct arguments arguments = {
 };
 
 int app_view(int argc, char **argv) {
-    struct values values;
+    struct values values = {0};
     const char *scene;
     int count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, &scene, &count, &status))
         return status;
-    struct viewer_desc desc = {
-        .scene = scene,
-        .width = values.size[0],
-        .height = values.size[1],
-        .camera = values.camera,
-        .light = values.light,
-        .clip = values.clip,
-        .time = (double)values.time,
-        .layer = values.layer,
-        .reference = values.reference,
-        .glsl = values.glsl,
-        .debug = values.debug,
-        .frames = values.frames,
-        .screenshot = values.screenshot,
-    };
+    struct viewer_desc *desc = &values.viewer;
+    const char *screenshot = desc->screenshot;
+    desc->scene = scene;
+    desc->time = (double)values.time;
     bool is_float;
     struct renderer_desc made = {0};
     bool ok = technique_values_resolve(&values.technique, &made);
-    desc.technique = made.technique;
-    desc.direct = made.direct;
-    desc.settings = made.settings;
-    if (!ok || (values.screenshot && !image_format_is_float(values.screenshot, &is_float)))
+    desc->technique = made.technique;
+    desc->direct = made.direct;
+    desc->settings = made.settings;
+    if (!ok || (screenshot && !image_format_is_float(screenshot, &is_float)))
         return arguments_misuse(argv[0]);
-    if ((values.frames || values.screenshot) && !scene) {
+    if ((desc->frames || screenshot) && !scene) {
         error_set("--frames and --screenshot need a scene");
         return arguments_misuse(argv[0]);
     }
-    if (values.screenshot &&
-        (!output_file_check(values.screenshot) || !output_file_is_not(values.screenshot, scene) ||
-         (values.reference && !output_file_is_not(values.screenshot, values.reference))))
+    if (screenshot && (!output_file_check(screenshot) || !output_file_is_not(screenshot, scene) ||
+                       (desc->reference && !output_file_is_not(screenshot, desc->reference))))
         return arguments_fail(argv[0]);
-    return viewer_run(&desc) ? STATUS_OK : arguments_fail(argv[0]);
+    return viewer_run(desc) ? STATUS_OK : arguments_fail(argv[0]);
 }
