@@ -78,11 +78,8 @@ struct measurement {
 struct report {
     struct measurement measurements[METRIC_COUNT]; /* as in metrics[] */
     const struct metric *pictured;                 /* by --output */
+    bool as_values; /* --output has a float format: bare values, not false colours */
 };
-
-static struct measurement *measurement_of(struct report *report, const struct metric *metric) {
-    return &report->measurements[metric - metrics];
-}
 
 /* --metric: by name. */
 static bool ask_named(struct report *report, const struct text_list *names) {
@@ -91,9 +88,9 @@ static bool ask_named(struct report *report, const struct text_list *names) {
         const struct metric *metric = all ? NULL : metric_find(names->items[i]);
         if (!all && !metric)
             return error_prefix("metric");
-        for (const struct metric *m = metrics; m < metrics + METRIC_COUNT; m++)
-            if (all || m == metric)
-                measurement_of(report, m)->asked = true;
+        for (int m = 0; m < METRIC_COUNT; m++)
+            if (all || metric == &metrics[m])
+                report->measurements[m].asked = true;
         if (!report->pictured)
             report->pictured = metric;
     }
@@ -116,15 +113,8 @@ static bool ask_bounded(struct report *report, const char *text) {
     double bound = strtod(equals + 1, &end);
     if (end == equals + 1 || *end || !(bound >= 0))
         return error_set("'%s' is not a number from 0 up", equals + 1);
-    *measurement_of(report, metric) = (struct measurement){.asked = true, .bound = bound};
+    report->measurements[metric - metrics] = (struct measurement){.asked = true, .bound = bound};
     return true;
-}
-
-/* Without --metric: those usual for this kind of picture. */
-static void ask_usual(struct report *report, int kind) {
-    for (const struct metric *m = metrics; m < metrics + METRIC_COUNT; m++)
-        if (m->usual_for & kind)
-            measurement_of(report, m)->asked = true;
 }
 
 /* Everything that the arguments alone can get wrong. */
@@ -137,8 +127,7 @@ static bool report_init(struct report *report, const struct values *values) {
     for (int i = 0; i < values->bounds.count; i++)
         if (!ask_bounded(report, values->bounds.items[i]))
             return error_prefix("max");
-    bool is_float;
-    if (values->output && !image_format_is_float(values->output, &is_float))
+    if (values->output && !image_format_is_float(values->output, &report->as_values))
         return false;
     if (values->output && report->pictured && report->pictured->higher_is_better)
         return error_set("%s has no picture; put another --metric first", report->pictured->name);
@@ -232,16 +221,6 @@ static bool write_heat_map(const struct values *values, const struct metric *met
     return ok;
 }
 
-/* False colours in an 8-bit format, the bare values in a float format. */
-static bool write_picture(const struct values *values, const struct metric *metric, double value,
-                          const struct image *size, const float *map) {
-    bool is_float;
-    if (!image_format_is_float(values->output, &is_float))
-        return false;
-    return is_float ? write_values(values->output, size, map)
-                    : write_heat_map(values, metric, value, size, map);
-}
-
 static bool measure(struct report *report, const struct values *values,
                     const struct pictures *pictures) {
     struct comparison comparison = {.test = &pictures->test,
@@ -250,13 +229,15 @@ static bool measure(struct report *report, const struct values *values,
     size_t pixel_count = (size_t)pictures->test.width * (size_t)pictures->test.height;
     float *map = mem_alloc(pixel_count, sizeof *map);
     bool ok = true;
-    for (const struct metric *m = metrics; ok && m < metrics + METRIC_COUNT; m++) {
-        struct measurement *measurement = measurement_of(report, m);
-        if (!measurement->asked)
+    for (int i = 0; ok && i < METRIC_COUNT; i++) {
+        struct measurement *m = &report->measurements[i];
+        if (!m->asked)
             continue;
-        measurement->value = metric_measure(m, &comparison, map);
-        if (values->output && m == report->pictured)
-            ok = write_picture(values, m, measurement->value, &pictures->test, map);
+        m->value = metric_measure(&metrics[i], &comparison, map);
+        if (values->output && report->pictured == &metrics[i])
+            ok = report->as_values
+                     ? write_values(values->output, &pictures->test, map)
+                     : write_heat_map(values, &metrics[i], m->value, &pictures->test, map);
     }
     free(map);
     return ok;
@@ -287,8 +268,10 @@ static int compare(const struct values *values, struct report *report, struct pi
         !pictures_read(pictures, values->layer ? values->layer : "beauty"))
         return arguments_fail(name);
     int kind = pictures->any_encoded ? METRIC_LDR : METRIC_HDR;
-    if (values->metrics.count == 0)
-        ask_usual(report, kind);
+    /* Without --metric: those usual for this kind of picture. */
+    for (int i = 0; values->metrics.count == 0 && i < METRIC_COUNT; i++)
+        if (metrics[i].usual_for & kind)
+            report->measurements[i].asked = true;
     if (!report->pictured)
         report->pictured = metric_find(kind == METRIC_LDR ? "ldr-flip" : "hdr-flip");
     if (!measure(report, values, pictures))

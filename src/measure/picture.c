@@ -34,16 +34,12 @@ static bool show(void *user, double done) {
     return true;
 }
 
-static enum vpl_sum_bound bound_of(const struct gather_settings *settings) {
-    switch ((enum gather_clamp)settings->clamp) {
-    case GATHER_CLAMP_NONE:
-        return VPL_SUM_UNBOUNDED;
-    case GATHER_CLAMP_VALUE:
-        return VPL_SUM_CLAMPED;
-    default:
-        return VPL_SUM_DISK;
-    }
-}
+static const enum vpl_sum_bound bounds[] = {
+    [GATHER_CLAMP_NONE] = VPL_SUM_UNBOUNDED,
+    [GATHER_CLAMP_VALUE] = VPL_SUM_CLAMPED,
+    [GATHER_CLAMP_DISK] = VPL_SUM_DISK,
+    [GATHER_CLAMP_NEAR] = VPL_SUM_DISK,
+};
 
 bool picture_trace(const struct measure_desc *desc, struct progress *progress,
                    struct image *image) {
@@ -63,7 +59,7 @@ bool picture_trace(const struct measure_desc *desc, struct progress *progress,
                                .vpl_count = lights.vpl_count,
                                .width = desc->width,
                                .height = desc->height,
-                               .bound = bound_of(gather),
+                               .bound = bounds[gather->clamp],
                                .clamp_value = gather->clamp_value / (radius * radius),
                                .progress = show,
                                .user = progress},

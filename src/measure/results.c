@@ -27,28 +27,20 @@ void results_begin(struct results *results, const struct measure_desc *desc) {
     subject->desc.stage = NULL;
 }
 
-static struct result *add(struct results *results, const char *what) {
+void results_add_summary(struct results *results, const char *what, const char *against,
+                         const char *unit, const struct summary *figure) {
     size_t count = (size_t)results->row_count++;
     results->rows = mem_resize(results->rows, count + 1, sizeof *results->rows);
     struct result *row = &results->rows[count];
-    *row = (struct result){.subject = results->subject_count - 1, .against = ""};
+    *row = (struct result){
+        .subject = results->subject_count - 1, .against = against, .unit = unit, .figure = *figure};
     snprintf(row->what, sizeof row->what, "%s", what);
-    return row;
 }
 
 void results_add(struct results *results, const char *what, const char *against, const char *unit,
                  double value) {
-    struct result *row = add(results, what);
-    row->against = against;
-    row->unit = unit;
-    row->figure = (struct summary){value, value, value, value, value, 1};
-}
-
-void results_add_summary(struct results *results, const char *what, const char *unit,
-                         const struct summary *figure) {
-    struct result *row = add(results, what);
-    row->unit = unit;
-    row->figure = *figure;
+    results_add_summary(results, what, against, unit,
+                        &(struct summary){value, value, value, value, value, 1});
 }
 
 const struct result *results_find(const struct results *results, int subject, const char *what,
@@ -68,15 +60,11 @@ double results_value(const struct results *results, int subject, const char *wha
 
 /* --- tables ----------------------------------------------------------------------------------- */
 
-enum {
-    COLUMNS_MAX = sizeof((struct table *)NULL)->columns / sizeof *((struct table *)NULL)->columns
-};
-
 /* The subject's rows of the table's columns. Returns whether there is any. */
 static bool find_line(const struct results *results, int subject, const struct table *table,
                       const struct result *line[COLUMNS_MAX]) {
     bool any = false;
-    for (int i = 0; i < COLUMNS_MAX && table->columns[i].heading; i++) {
+    for (int i = 0; table->columns[i].heading; i++) {
         line[i] = results_find(results, subject, table->columns[i].what, table->columns[i].against);
         any = any || line[i];
     }
@@ -91,7 +79,7 @@ static bool same_heading(const struct subject *a, const struct subject *b) {
 static void print_heading(FILE *out, const struct subject *subject, const struct table *table) {
     fprintf(out, "%s: %s, %u faces, %dx%d\n  %-24s %-24s", table->title, subject->scene,
             subject->faces, subject->desc.width, subject->desc.height, "variant", "");
-    for (int i = 0; i < COLUMNS_MAX && table->columns[i].heading; i++)
+    for (int i = 0; table->columns[i].heading; i++)
         fprintf(out, " %10s", table->columns[i].heading);
     fprintf(out, "\n");
 }
@@ -118,7 +106,7 @@ void results_print(FILE *out, const struct results *results, int first, const st
             print_heading(out, subject, table);
         last = subject;
         fprintf(out, "  %-24s %-24s", subject->desc.variant, subject->desc.point);
-        for (int k = 0; k < COLUMNS_MAX && table->columns[k].heading; k++)
+        for (int k = 0; table->columns[k].heading; k++)
             print_value(out, line[k]);
         fprintf(out, "\n");
     }

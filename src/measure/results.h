@@ -44,8 +44,8 @@ void results_free(struct results *results);
 void results_begin(struct results *results, const struct measure_desc *desc);
 void results_add(struct results *results, const char *what, const char *against, const char *unit,
                  double value);
-void results_add_summary(struct results *results, const char *what, const char *unit,
-                         const struct summary *figure);
+void results_add_summary(struct results *results, const char *what, const char *against,
+                         const char *unit, const struct summary *figure);
 
 /* The first row of the subject and that name; against NULL = whatever. NULL: there is none. */
 const struct result *results_find(const struct results *results, int subject, const char *what,
@@ -55,11 +55,13 @@ const struct result *results_find(const struct results *results, int subject, co
 double results_value(const struct results *results, int subject, const char *what,
                      const char *against);
 
+enum { COLUMNS_MAX = 8 };
+
 struct table {
     const char *title;
     struct {
         const char *heading, *what, *against;
-    } columns[8]; /* up to the first of no heading */
+    } columns[COLUMNS_MAX + 1]; /* up to the first of no heading */
 };
 
 /* A line for each subject from the first on that has any of the columns, below a heading for each

@@ -18,7 +18,7 @@ struct run {
     struct renderer renderer;
     double gpu_memory; /* MiB */
     float *samples;    /* a row of frames for each timer, and for the clock */
-    int frames, taken;
+    int frames;
 };
 
 enum { CLOCK = TIMERS_MAX, ROWS };
@@ -54,9 +54,9 @@ static double clocked_frames(struct renderer *renderer, int frames) {
 }
 
 /* Frames between two looks at the clock: more on a GPU, where one would be too short. */
-static void take_sample(struct run *run) {
+static void take_sample(struct run *run, int at) {
     struct timers *timers = &run->renderer.timers;
-    int at = run->taken++, burst = run->desc->software ? 1 : 8;
+    int burst = run->desc->software ? 1 : 8;
     renderer_render(&run->renderer);
     timers_flush(timers);
     for (int i = 0; i < timers->count; i++)
@@ -75,15 +75,15 @@ static void check_clock(const struct run *run, double frame, double clock) {
 /* first: the subject that the others are compared with. */
 static void add_times(struct results *results, struct run *run, int first) {
     const struct timers *timers = &run->renderer.timers;
-    struct summary clock = summary_of(row_of(run, CLOCK), run->taken);
+    struct summary clock = summary_of(row_of(run, CLOCK), run->frames);
     results_begin(results, run->desc);
     for (int i = 0; i < timers->count; i++) {
-        struct summary pass = summary_of(row_of(run, i), run->taken);
-        results_add_summary(results, timers->results[i].path, "ms", &pass);
+        struct summary pass = summary_of(row_of(run, i), run->frames);
+        results_add_summary(results, timers->results[i].path, "", "ms", &pass);
         if (i == 0)
             check_clock(run, pass.value, clock.value);
     }
-    results_add_summary(results, "clock", "ms", &clock);
+    results_add_summary(results, "clock", "", "ms", &clock);
     results_add(results, "fps", "", "1/s", 1e3 / clock.value);
     results_add(results, "of-first", "", "1",
                 clock.value / results_value(results, first, "clock", NULL));
@@ -115,7 +115,7 @@ static bool measure_group(struct results *results, int first, struct run *runs,
     }
     for (int round = 0; round < frames; round++)
         for (int i = 0; i < count; i++)
-            take_sample(&runs[i]);
+            take_sample(&runs[i], round);
     for (int i = 0; ok && i < count; i++) {
         add_times(results, &runs[i], first);
         ok = add_errors(results, &runs[i], &timing->truth);

@@ -20,11 +20,11 @@ static const struct bench_mode *const modes[] = {
 enum { MODES = sizeof modes / sizeof *modes };
 
 const char *const bench_variants[] = {"paper", "fast", NULL};
-const char *const bench_no_variants[] = {":", NULL};
+static const char *const defaults_alone[] = {":", NULL};
 
 /* [Dong 2009, Table 1], or what stands for them. */
-const char *const bench_scenes[] = {"scenes/cornell-box.glb", "scenes/cornell-animal.glb",
-                                    "scenes/atrium.glb", "scenes/metaballs.glb", NULL};
+static const char *const paper_scenes[] = {"scenes/cornell-box.glb", "scenes/cornell-animal.glb",
+                                           "scenes/atrium.glb", "scenes/metaballs.glb", NULL};
 
 /* --- subjects --------------------------------------------------------------------------------- */
 
@@ -41,6 +41,7 @@ bool bench_list(const struct bench *bench, const char *const *variants, const ch
     const struct text_list *asked = &bench->values.variants, *axes = &bench->values.axes;
     bool ok = true;
     *list = (struct measure_list){0};
+    variants = variants ? variants : defaults_alone;
     for (int i = 0; ok && (asked->count ? i < asked->count : variants[i] != NULL); i++) {
         struct measure_desc desc;
         ok = bench_prepare(bench, asked->count ? asked->items[i] : variants[i], &desc);
@@ -128,7 +129,7 @@ void bench_add_argument(struct bench *bench, const char *argument) {
 }
 
 static bool pick_scenes(struct bench *bench, const char *const *scenes) {
-    for (; *scenes; scenes++)
+    for (scenes = scenes ? scenes : paper_scenes; *scenes; scenes++)
         if (access(*scenes, R_OK) == 0)
             bench_add_argument(bench, *scenes);
         else
@@ -189,7 +190,8 @@ static int run_mode(const struct bench_mode *mode, int argc, char **argv) {
     for (int i = 0, used = 0; i < OPTIONS; i++)
         if (has_option(mode, options[i].name))
             table[used++] = options[i];
-    snprintf(synopsis, sizeof synopsis, "%s [OPTION ...]", mode->arguments);
+    snprintf(synopsis, sizeof synopsis, "%s [OPTION ...]",
+             mode->arguments ? mode->arguments : "[SCENE ...]");
     snprintf(name, sizeof name, "bench %s", mode->name);
     argv[0] = name;
     if (arguments_parse(

@@ -31,10 +31,10 @@ struct bench {
 struct bench_mode {
     const char *name;
     const char *help;      /* its first line stands in `bench --help`, all of it in its own */
-    const char *arguments; /* "[SCENE ...]" */
+    const char *arguments; /* NULL = "[SCENE ...]" */
     const char *options;   /* the names of those that it has, with spaces between */
-    /* What is compared unless --variant says otherwise, and the scenes where none is named; both end
-     * with NULL. */
+    /* What is compared unless --variant says otherwise, NULL = the defaults alone; and the scenes
+     * where none is named, NULL = the paper's. Both end with NULL. */
     const char *const *variants, *const *scenes;
     bool (*check)(struct bench *bench); /* arguments that are no scenes; NULL where they are */
     /* Each scene, with a subject for each variant at each point of --vary. */
@@ -49,8 +49,8 @@ extern const struct bench_mode bench_times, bench_sweep, bench_scaling, bench_bu
 /* The options of modes that use OpenGL. */
 #define BENCH_CONTEXT " csv context device gl-debug"
 
-/* paper and fast; none, the defaults alone; and the paper's scenes. */
-extern const char *const bench_variants[], *const bench_no_variants[], *const bench_scenes[];
+/* paper and fast. */
+extern const char *const bench_variants[];
 
 /* For check, where none is given. */
 void bench_add_argument(struct bench *bench, const char *argument);

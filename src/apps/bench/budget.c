@@ -20,10 +20,7 @@ const struct bench_mode bench_budget = {
     .name = "budget",
     .help = "the error of the frame, step by step on the way from the truth\n"
             "Each step changes one thing. Without SCENE: the paper's four scenes.",
-    .arguments = "[SCENE ...]",
     .options = "size set noise cache" BENCH_CONTEXT,
-    .variants = bench_no_variants,
-    .scenes = bench_scenes,
     .measure = measure,
     .tables = tables,
 };

@@ -83,12 +83,11 @@ static bool draw(const char *csv, const char *folder) {
     const char *place = getenv("TMPDIR");
     char *own = mem_printf("%s/manylight-XXXXXX", place && *place ? place : "/tmp");
     bool ok = (access(csv, R_OK) == 0 || error_set("cannot open %s", csv)) &&
-              (!strpbrk(own, "'\n") || error_set("%s: gnuplot takes no quote in a name", own));
-    if (ok && (mkdtemp(own) || error_set("cannot make folder %s: %s", own, strerror(errno)))) {
+              (!strpbrk(own, "'\n") || error_set("%s: gnuplot takes no quote in a name", own)) &&
+              (mkdtemp(own) || error_set("cannot make folder %s: %s", own, strerror(errno)));
+    if (ok) {
         ok = take_drawings(own, folder, run_gnuplot(csv, own));
         rmdir(own);
-    } else {
-        ok = false;
     }
     free(own);
     return ok;
@@ -114,6 +113,5 @@ const struct bench_mode bench_chart = {
     .arguments = "FILE.csv [FILE.csv ...]",
     .options = "output",
     .check = check,
-    .variants = bench_no_variants,
     .finish = finish,
 };

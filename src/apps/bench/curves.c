@@ -20,10 +20,7 @@ const struct bench_mode bench_curves = {
         "errors against M, K, N and the size of maps, as in the paper's Fig. 10\n"
         "N against the path-traced truth, the others against ray-traced visibility from the same\n"
         "VPLs. Without SCENE: the paper's four scenes.",
-    .arguments = "[SCENE ...]",
     .options = "size set noise cache" BENCH_CONTEXT,
-    .variants = bench_no_variants,
-    .scenes = bench_scenes,
     .measure = measure,
     .tables = tables,
 };

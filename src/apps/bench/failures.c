@@ -54,7 +54,6 @@ const struct bench_mode bench_failures = {
         "differences below. What is promised is at 160x120 and --noise .02. Without NAME: all.",
     .arguments = "[NAME ...]",
     .options = "size set noise cache output" BENCH_CONTEXT,
-    .variants = bench_no_variants,
     .check = check,
     .finish = finish,
 };

@@ -72,10 +72,8 @@ const struct bench_mode bench_scaling = {
     .help = "how the time of a frame grows with pixels, N, M and faces\n"
             "Slopes of log time over log size; faces over all scenes. Without SCENE: the paper's\n"
             "four scenes.",
-    .arguments = "[SCENE ...]",
     .options = "size variant set frames warm-up" BENCH_CONTEXT,
     .variants = bench_variants,
-    .scenes = bench_scenes,
     .measure = measure,
     .finish = finish,
 };

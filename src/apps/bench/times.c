@@ -118,10 +118,8 @@ const struct bench_mode bench_times = {
     .name = "times",
     .help = "time of a frame, pass by pass, as in the paper's Tables 1 and 2\n"
             "Without SCENE: the paper's four scenes, from the folder scenes.",
-    .arguments = "[SCENE ...]",
     .options = "size variant set frames warm-up" BENCH_CONTEXT,
     .variants = bench_variants,
-    .scenes = bench_scenes,
     .measure = measure,
     .finish = finish,
 };
