@@ -92,24 +92,25 @@ static const struct arguments arguments = {
 };
 
 /* Each frame of several needs files of its own. */
-static bool check_name(const char *name, const struct frames *frames, bool *is_float) {
+static bool check_name(const struct values *values, const char *name, int frame_count,
+                       bool *is_float) {
     bool numbered = frame_name_is_numbered(name);
     if (!image_format_is_float(name, is_float))
         return false;
-    if (!frames->numbers && numbered)
+    if (!values->frames && numbered)
         return error_set("%s: '#' stands for the number of a frame, and there is no --frames",
                          name);
-    if (frames->count > 1 && !numbered)
-        return error_set("%s: %d frames need #### in the file's name", name, frames->count);
+    if (frame_count > 1 && !numbered)
+        return error_set("%s: %d frames need #### in the file's name", name, frame_count);
     return true;
 }
 
-static bool check_outputs(const struct values *values, const struct frames *frames) {
+static bool check_outputs(const struct values *values, int frame_count) {
     bool is_float, any_float = false;
     if (values->outputs.count == 0)
         return error_set("no output: -o FILE");
     for (int i = 0; i < values->outputs.count; i++) {
-        if (!check_name(values->outputs.items[i], frames, &is_float))
+        if (!check_name(values, values->outputs.items[i], frame_count, &is_float))
             return false;
         any_float = any_float || is_float;
     }
@@ -206,13 +207,10 @@ static bool render_frames(const struct values *values, const struct frames *fram
 
 static bool render(const struct values *values, const struct frames *frames,
                    const struct renderer_desc *desc, struct stage *stage) {
-    static int only_frame[1] = {0};
-    const struct frames single = {only_frame, 1};
     struct renderer renderer;
     if (!renderer_init(&renderer, desc))
         return false;
-    bool ok = aov_check(&renderer, values->aov) &&
-              render_frames(values, frames->count ? frames : &single, &renderer, stage);
+    bool ok = aov_check(&renderer, values->aov) && render_frames(values, frames, &renderer, stage);
     if (ok && values->stats) {
         renderer_render(&renderer); /* the first frame also compiled */
         stats_print(&renderer);
@@ -227,7 +225,7 @@ static bool render_scene(const struct values *values, const struct frames *frame
                          struct renderer_desc *desc) {
     struct stage stage;
     struct context *context;
-    if (!each_output(values, NULL, frames->count ? frames->numbers[0] : 0, check_file) ||
+    if (!each_output(values, NULL, frames->numbers[0], check_file) ||
         !stage_init(&stage, &values->stage))
         return false;
     desc->scene = &stage.scene;
@@ -250,8 +248,9 @@ int app_render(int argc, char **argv) {
         return status;
     struct renderer_desc desc = {
         .width = values.size[0], .height = values.size[1], .timed = values.stats};
-    if ((values.frames && !frames_parse(&frames, values.frames)) ||
-        !check_outputs(&values, &frames) || !technique_values_resolve(&values.technique, &desc)) {
+    if (!frames_parse(&frames, values.frames ? values.frames : "0") ||
+        !check_outputs(&values, frames.count) ||
+        !technique_values_resolve(&values.technique, &desc)) {
         frames_free(&frames);
         return arguments_misuse(argv[0]);
     }

@@ -12,8 +12,8 @@ static double degrees(float radians) {
     return (double)glm_deg(radians);
 }
 
-static void print_vector(FILE *out, const float v[3]) {
-    fprintf(out, "(%.4g, %.4g, %.4g)", v[0] + 0.0, v[1] + 0.0, v[2] + 0.0); /* no "-0" */
+static void print_vector(FILE *out, const char *before, const float v[3]) {
+    fprintf(out, "%s(%.4g, %.4g, %.4g)", before, v[0] + 0.0, v[1] + 0.0, v[2] + 0.0); /* no "-0" */
 }
 
 /* Of the file, each mesh counted once. */
@@ -38,24 +38,21 @@ static void print_geometry(FILE *out, const struct geometry *geometry) {
     fprintf(out, "drawn      %u vertices, %u triangles (%u without alpha mask), batches %d\n",
             geometry->vertex_count, geometry_triangle_count(geometry),
             geometry->opaque_index_count / 3, geometry->batch_count);
-    fprintf(out, "bounds     ");
-    print_vector(out, geometry->bounds_min);
-    fprintf(out, " to ");
-    print_vector(out, geometry->bounds_max);
+    print_vector(out, "bounds     ", geometry->bounds_min);
+    print_vector(out, " to ", geometry->bounds_max);
     fprintf(out, " m, sphere of radius %.4g m\n", (double)geometry->radius);
 }
 
 /* A star marks what a texture multiplies. */
 static void print_material(FILE *out, const struct material *material, int n) {
     static const char *const stars[] = {"", "*"};
-    fprintf(out, "  %d  %-20s base colour ", n, material->name);
-    print_vector(out, material->base_color);
+    fprintf(out, "  %d  %-20s ", n, material->name);
+    print_vector(out, "base colour ", material->base_color);
     fprintf(out, "%s, metalness %.4g%s, roughness %.4g%s", stars[material->base_color_texture >= 0],
             (double)material->metalness, stars[material->metal_roughness_texture >= 0],
             (double)material->roughness, stars[material->metal_roughness_texture >= 0]);
     if (material->emission[0] > 0 || material->emission[1] > 0 || material->emission[2] > 0) {
-        fprintf(out, ", emission ");
-        print_vector(out, material->emission);
+        print_vector(out, ", emission ", material->emission);
         fprintf(out, "%s W/(sr m2)", stars[material->emission_texture >= 0]);
     }
     fprintf(out, "%s%s\n", material->alpha_mask ? ", alpha mask" : "",
@@ -78,17 +75,13 @@ static void print_light(FILE *out, const struct scene *scene, int n) {
     emitter_place(&light, scene, n, 0);
     const struct node *node = &scene->nodes[node_carrying(scene, NODE_LIGHT, n)];
     const struct scene_light *source = &scene->lights[node->light];
-    fprintf(out, "  %d  %-20s %s ", n, *node->name ? node->name : source->name, types[light.type]);
-    print_vector(out, light.intensity);
+    fprintf(out, "  %d  %-20s %s", n, *node->name ? node->name : source->name, types[light.type]);
+    print_vector(out, " ", light.intensity);
     fprintf(out, light.type == EMITTER_DIRECTIONAL ? " W/m2" : " W/sr");
-    if (light.type != EMITTER_DIRECTIONAL) {
-        fprintf(out, " at ");
-        print_vector(out, light.position);
-    }
-    if (light.type != EMITTER_POINT) {
-        fprintf(out, " towards ");
-        print_vector(out, light.direction);
-    }
+    if (light.type != EMITTER_DIRECTIONAL)
+        print_vector(out, " at ", light.position);
+    if (light.type != EMITTER_POINT)
+        print_vector(out, " towards ", light.direction);
     if (light.type == EMITTER_SPOT)
         fprintf(out, ", cone %.4g to %.4g degrees", degrees(acosf(light.cos_inner)),
                 degrees(acosf(light.cos_outer)));
@@ -107,10 +100,8 @@ static void print_camera(FILE *out, const struct scene *scene, int n) {
         fprintf(out, "%.4g m high", 2 * (double)camera.y_extent);
     else
         fprintf(out, "%.4g degrees high", degrees(camera.fov_y));
-    fprintf(out, ", at ");
-    print_vector(out, camera.eye);
-    fprintf(out, " towards ");
-    print_vector(out, camera.forward);
+    print_vector(out, ", at ", camera.eye);
+    print_vector(out, " towards ", camera.forward);
     fputc('\n', out);
 }
 

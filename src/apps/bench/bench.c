@@ -74,7 +74,7 @@ static bool measure_scene(struct bench *bench, const struct bench_mode *mode, co
     bench->stage = &stage;
     log_note("%s", stage.name);
     bool ok = bench_list(bench, mode->variants, NULL, &subjects) && mode->measure(bench, &subjects);
-    for (const struct table *table = mode->tables; ok && table && table->title; table++)
+    for (const struct table *table = mode->tables; ok && table->title; table++)
         results_print(stdout, &bench->results, first, table);
     free(subjects.items);
     stage_free(&stage);

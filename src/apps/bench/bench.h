@@ -28,6 +28,8 @@ struct bench {
     struct results results;  /* written to --csv at the end */
 };
 
+enum { BENCH_TABLES_MAX = 3 };
+
 struct bench_mode {
     const char *name;
     const char *help;      /* its first line stands in `bench --help`, all of it in its own */
@@ -39,7 +41,7 @@ struct bench_mode {
     bool (*check)(struct bench *bench); /* arguments that are no scenes; NULL where they are */
     /* Each scene, with a subject for each variant at each point of --vary. */
     bool (*measure)(struct bench *bench, const struct measure_list *subjects);
-    const struct table *tables;          /* printed after each scene; end with one of no title */
+    struct table tables[BENCH_TABLES_MAX + 1]; /* printed after each scene, up to one of no title */
     bool (*finish)(struct bench *bench); /* after the last scene; NULL = nothing is left to do */
 };
 

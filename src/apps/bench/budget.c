@@ -4,13 +4,6 @@
 #include "measure/accuracy.h"
 #include "measure/errors.h"
 
-static const struct table tables[] = {
-    {"each step alone, against the one before", {ERROR_COLUMNS(AGAINST_BEFORE)}},
-    {"against the truth", {ERROR_COLUMNS(AGAINST_TRUTH), {"its noise", "noise", NULL}}},
-    {"but for edges: against the truth through pixels' centres", {ERROR_COLUMNS(AGAINST_CENTERS)}},
-    {.title = NULL},
-};
-
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
     struct truth_desc truth = bench_truth(bench, TRUTH_PATH);
     return budget_measure(&bench->results, subjects->items, &truth);
@@ -22,5 +15,8 @@ const struct bench_mode bench_budget = {
             "Each step changes one thing. Without SCENE: the paper's four scenes.",
     .options = "size set noise cache" BENCH_CONTEXT,
     .measure = measure,
-    .tables = tables,
+    .tables = {{"each step alone, against the one before", {ERROR_COLUMNS(AGAINST_BEFORE)}},
+               {"against the truth", {ERROR_COLUMNS(AGAINST_TRUTH), {"its noise", "noise", NULL}}},
+               {"but for edges: against the truth through pixels' centres",
+                {ERROR_COLUMNS(AGAINST_CENTERS)}}},
 };

@@ -4,11 +4,6 @@
 #include "measure/accuracy.h"
 #include "measure/errors.h"
 
-static const struct table tables[] = {
-    {"errors along one setting", {ERROR_COLUMNS(NULL)}},
-    {.title = NULL},
-};
-
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
     struct truth_desc truth = bench_truth(bench, TRUTH_CENTERS);
     return curves_measure(&bench->results, subjects->items, &truth);
@@ -22,5 +17,5 @@ const struct bench_mode bench_curves = {
         "VPLs. Without SCENE: the paper's four scenes.",
     .options = "size set noise cache" BENCH_CONTEXT,
     .measure = measure,
-    .tables = tables,
+    .tables = {{"errors along one setting", {ERROR_COLUMNS(NULL)}}},
 };

@@ -3,11 +3,6 @@
 
 #include "measure/errors.h"
 
-static const struct table tables[] = {
-    {"times and errors", {{"ms", "clock", NULL}, ERROR_COLUMNS(NULL)}},
-    {.title = NULL},
-};
-
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
     return bench_time(bench, subjects, (enum truth_kind)bench->values.reference);
 }
@@ -20,5 +15,5 @@ const struct bench_mode bench_sweep = {
     .options = "vary size variant set frames warm-up reference noise cache" BENCH_CONTEXT,
     .variants = bench_variants,
     .measure = measure,
-    .tables = tables,
+    .tables = {{"times and errors", {{"ms", "clock", NULL}, ERROR_COLUMNS(NULL)}}},
 };

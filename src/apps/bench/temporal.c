@@ -16,22 +16,6 @@ static const char *const variants[] = {
 static const char *const scenes[] = {"scenes/moving-spot.glb", "scenes/metaballs.glb",
                                      "scenes/door.glb", NULL};
 
-static const struct table tables[] = {
-    {"change beyond the reference's over its mean; travel of VALs' centres over that of VPLs",
-     {{"flicker %", "flicker", NULL},
-      {"worst %", "worst-flicker", NULL},
-      {"at s", "worst-time", NULL},
-      {"VALs least", "least-vals", NULL},
-      {"most", "most-vals", NULL},
-      {"travel", "travel", NULL}}},
-    {"MiB",
-     {{"GL objects", "gl-objects", NULL},
-      {"of GL", "gpu-memory", NULL},
-      {"resident", "resident-memory", NULL},
-      {"ever most", "most-resident", NULL}}},
-    {.title = NULL},
-};
-
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
     struct clip_desc clip = {
         .stage = bench->stage,
@@ -53,5 +37,17 @@ const struct bench_mode bench_temporal = {
     .variants = variants,
     .scenes = scenes,
     .measure = measure,
-    .tables = tables,
+    .tables =
+        {{"change beyond the reference's over its mean; travel of VALs' centres over that of VPLs",
+          {{"flicker %", "flicker", NULL},
+           {"worst %", "worst-flicker", NULL},
+           {"at s", "worst-time", NULL},
+           {"VALs least", "least-vals", NULL},
+           {"most", "most-vals", NULL},
+           {"travel", "travel", NULL}}},
+         {"MiB",
+          {{"GL objects", "gl-objects", NULL},
+           {"of GL", "gpu-memory", NULL},
+           {"resident", "resident-memory", NULL},
+           {"ever most", "most-resident", NULL}}}},
 };
