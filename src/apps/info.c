@@ -103,7 +103,7 @@ int app_info(int argc, char **argv) {
     int count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, &scene, &count, &status))
         return status;
-    bool ok = (!scene || scene_summary_print(stdout, scene)) &&
-              ((scene && !values.gl) || print_gl(&values));
+    bool ok =
+        (!scene || scene_summary_print(scene)) && ((scene && !values.gl) || print_gl(&values));
     return ok ? STATUS_OK : arguments_fail(argv[0]);
 }

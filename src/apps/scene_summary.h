@@ -3,9 +3,8 @@
 #define APPS_SCENE_SUMMARY_H
 
 #include <stdbool.h>
-#include <stdio.h>
 
-/* Error: the scene cannot be loaded, or nothing in it can be drawn. */
-bool scene_summary_print(FILE *out, const char *path);
+/* On stdout. Error: the scene cannot be loaded, or nothing in it can be drawn. */
+bool scene_summary_print(const char *path);
 
 #endif

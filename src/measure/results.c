@@ -7,6 +7,7 @@
 
 #include "version.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -76,26 +77,22 @@ static bool same_heading(const struct subject *a, const struct subject *b) {
            a->desc.width == b->desc.width && a->desc.height == b->desc.height;
 }
 
-static void print_heading(FILE *out, const struct subject *subject, const struct table *table) {
-    fprintf(out, "%s: %s, %u faces, %dx%d\n  %-24s %-24s", table->title, subject->scene,
-            subject->faces, subject->desc.width, subject->desc.height, "variant", "");
+static void print_heading(const struct subject *subject, const struct table *table) {
+    printf("%s: %s, %u faces, %dx%d\n  %-24s %-24s", table->title, subject->scene, subject->faces,
+           subject->desc.width, subject->desc.height, "variant", "");
     for (int i = 0; table->columns[i].heading; i++)
-        fprintf(out, " %10s", table->columns[i].heading);
-    fprintf(out, "\n");
+        printf(" %10s", table->columns[i].heading);
+    printf("\n");
 }
 
-static void print_value(FILE *out, const struct result *row) {
+static void print_value(const struct result *row) {
     if (row)
-        fprintf(out, " %10.*f",
-                strcmp(row->unit, "1") == 0 ? 4
-                : *row->unit                ? 2
-                                            : 0,
-                row->figure.value);
+        printf(" %10.*f", strcmp(row->unit, "1") == 0 ? 4 : *row->unit ? 2 : 0, row->figure.value);
     else
-        fprintf(out, " %10s", "-");
+        printf(" %10s", "-");
 }
 
-void results_print(FILE *out, const struct results *results, int first, const struct table *table) {
+void results_print(const struct results *results, int first, const struct table *table) {
     const struct subject *last = NULL;
     for (int i = first; i < results->subject_count; i++) {
         const struct subject *subject = &results->subjects[i];
@@ -103,12 +100,12 @@ void results_print(FILE *out, const struct results *results, int first, const st
         if (!find_line(results, i, table, line))
             continue;
         if (!last || !same_heading(last, subject))
-            print_heading(out, subject, table);
+            print_heading(subject, table);
         last = subject;
-        fprintf(out, "  %-24s %-24s", subject->desc.variant, subject->desc.point);
+        printf("  %-24s %-24s", subject->desc.variant, subject->desc.point);
         for (int k = 0; table->columns[k].heading; k++)
-            print_value(out, line[k]);
-        fprintf(out, "\n");
+            print_value(line[k]);
+        printf("\n");
     }
 }
 
@@ -155,10 +152,10 @@ static char *machine_cells(bool software) {
     return cells.data;
 }
 
-void results_print_machine(FILE *out, bool software) {
+void results_print_machine(bool software) {
     char *cells = machine_cells(software);
-    fprintf(out, "%s\n%s%s\n", machine_heading + 1, cells + 1,
-            software ? " (passes timed with glFinish)" : "");
+    printf("%s\n%s%s\n", machine_heading + 1, cells + 1,
+           software ? " (passes timed with glFinish)" : "");
     free(cells);
 }
 

@@ -15,8 +15,6 @@
 #include "measure/measure.h"
 #include "metrics/summary.h"
 
-#include <stdio.h>
-
 struct result {
     int subject;
     char what[TIMER_PATH_SIZE]; /* "frame/gather", "clock", "relative-rmse" */
@@ -64,12 +62,12 @@ struct table {
     } columns[COLUMNS_MAX + 1]; /* up to the first of no heading */
 };
 
-/* A line for each subject from the first on that has any of the columns, below a heading for each
- * scene and size. */
-void results_print(FILE *out, const struct results *results, int first, const struct table *table);
+/* On stdout: a line for each subject from the first on that has any of the columns, below a heading
+ * for each scene and size. */
+void results_print(const struct results *results, int first, const struct table *table);
 
-/* One line: the cells that tell the machine, of the current context. */
-void results_print_machine(FILE *out, bool software);
+/* On stdout: the cells that tell the machine, of the current context. */
+void results_print_machine(bool software);
 
 /* Error: of the file. */
 bool results_write(const struct results *results, const char *mode, const char *path);

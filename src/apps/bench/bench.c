@@ -75,7 +75,7 @@ static bool measure_scene(struct bench *bench, const struct bench_mode *mode, co
     log_note("%s", stage.name);
     bool ok = bench_list(bench, mode->variants, NULL, &subjects) && mode->measure(bench, &subjects);
     for (const struct table *table = mode->tables; ok && table->title; table++)
-        results_print(stdout, &bench->results, first, table);
+        results_print(&bench->results, first, table);
     free(subjects.items);
     stage_free(&stage);
     return ok;
@@ -168,7 +168,7 @@ static bool run(struct bench *bench, const struct bench_mode *mode) {
     desc.debug = desc.debug || mode == &bench_failures; /* it counts messages */
     bool ok = !has_option(mode, "context") || (bench->context = context_create(&desc));
     if (bench->context)
-        results_print_machine(stdout, context_is_software(bench->context));
+        results_print_machine(context_is_software(bench->context));
     for (int i = 0; ok && mode->measure && i < bench->argument_count; i++)
         ok = measure_scene(bench, mode, bench->arguments[i]) && write_rows(bench, mode);
     ok = ok && (!mode->finish || mode->finish(bench));

@@ -38,7 +38,7 @@ static bool finish(struct bench *bench) {
         int first = results->subject_count;
         if (!failure_measure(results, failure_row_find(bench->arguments[i]), &desc))
             return false;
-        results_print(stdout, results, first, &table);
+        results_print(results, first, &table);
         fflush(stdout);
         for (int k = first; k < results->subject_count; k++)
             broken += results_value(results, k, "holds", NULL) == 0;

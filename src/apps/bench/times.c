@@ -43,7 +43,7 @@ static void print_rates(const struct results *results, int first) {
             snprintf(title, sizeof title, "Table 1, frame rates (paper: %.1f fps)",
                      paper_rates[i].fps);
     table.title = title;
-    results_print(stdout, results, first, &table);
+    results_print(results, first, &table);
 }
 
 /* Of a pass directly below the frame: which step of the paper's it belongs to; STEPS: to none, -1:
