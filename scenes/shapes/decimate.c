@@ -26,7 +26,8 @@ void decimate(struct surface *surface, uint32_t triangle_count) {
                                           .indices = surface->indices,
                                           .vertex_count = surface->vertex_count,
                                           .index_count = surface->index_count},
-                  &(struct simplify_desc){INFINITY, INFINITY, triangle_count}, moved_to);
+                  &(struct simplify_desc){.error = INFINITY, .triangle_count = triangle_count},
+                  moved_to);
     uint32_t *renamed = drop_vertices(surface, moved_to), corners = 0;
     for (uint32_t k = 0; k < surface->index_count; k += 3) {
         const uint32_t *corner = surface->indices + k;

@@ -128,8 +128,7 @@ void caster_init(struct caster *caster, const struct geometry *geometry,
     uint32_t *moved_to =
         desc->error > 0
             ? simplify_geometry(geometry,
-                                &(struct simplify_desc){.error = desc->error * geometry->radius,
-                                                        .max_edge = INFINITY})
+                                &(struct simplify_desc){.error = desc->error * geometry->radius})
             : NULL;
     struct caster_list all;
     list_all(&all, geometry, moved_to);

@@ -179,8 +179,7 @@ static bool may_move(const struct patch *patch, const uint32_t triangle[3], uint
     vec3 left;
     glm_vec3_sub(patch->position[from], p, left);
     return glm_vec3_dot(old, made) > cosine &&
-           glm_vec3_dot(left, made) >= -advance * patch->desc.error * glm_vec3_norm(made) &&
-           fmaxf(glm_vec3_distance(end, p), glm_vec3_distance(end, q)) <= patch->desc.max_edge;
+           glm_vec3_dot(left, made) >= -advance * patch->desc.error * glm_vec3_norm(made);
 }
 
 static bool all_may_move(const struct patch *patch, uint32_t from, uint32_t to) {

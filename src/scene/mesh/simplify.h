@@ -17,8 +17,7 @@
 #include "scene/mesh/geometry.h"
 
 struct simplify_desc {
-    float error;    /* how far surfaces may stray, root mean square; INFINITY = as they do */
-    float max_edge; /* no longer edges are made */
+    float error; /* how far surfaces may stray, root mean square; INFINITY = as they do */
     uint32_t triangle_count; /* no fewer triangles are left */
 };
 
