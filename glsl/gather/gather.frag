@@ -5,15 +5,15 @@
 #include "lib/gbuffer.glsl"
 #include "gather/near_field.glsl"
 #include "gather/receiver.glsl"
+#include "lib/vpl_rows.glsl"
 #include "visibility/visibility.glsl"
 #include "shared/gather.h"
-#include "shared/vpl.h"
 #if SHARE_VISIBILITY
 #include "gather/block.glsl"
 #endif
 
 layout(std140, binding = BLOCK_VPLS) uniform vpl_uniforms {
-    vpl vpls[VPLS_PER_BLOCK];
+    vec4 vpl_rows[VPLS_PER_BLOCK * VPL_ROWS];
 };
 
 // First VPL and count within the block; the tile's place in the pattern.
@@ -50,7 +50,8 @@ float geometry_term(vec3 to_vpl, vec3 normal, vpl light) {
 
 // Irradiance times pi from VPL i without visibility, and the map that knows its visibility.
 vec3 unshadowed(int i, surface s, out int map) {
-    vpl light = vpls[i];
+    int row = i * VPL_ROWS;
+    vpl light = vpl_of_rows(vpl_rows[row], vpl_rows[row + 1], vpl_rows[row + 2]);
 #if MAP_PER_VPL
     map = first_map + i;
 #else

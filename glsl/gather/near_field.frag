@@ -13,7 +13,7 @@
 #include "shared/vpl.h"
 
 layout(std140, binding = BLOCK_NEAR_SAMPLES) uniform sample_uniforms {
-    near_sample samples[NEAR_SAMPLES_MAX];
+    vec4 sample_rows[NEAR_SAMPLES_MAX];
 };
 layout(binding = UNIT_NEAR_LIGHT) uniform usampler2DArray near_lights[LIGHT_MAP_KINDS];
 
@@ -39,16 +39,16 @@ near_light near_fetch(light_view v, ivec2 texel) {
 // What reaches the receiver from where the light's view of that number has the point `ndc`, per unit of
 // ndc area and spread of the view.
 vec3 sample_light(surface receiver, light l, int index, vec2 ndc, float reach) {
-    light_view seen = lights.views[index];
+    light_view seen = light_view_at(index);
     view v = seen.view;
     vec3 ray = v.forward + ndc.x * v.right + ndc.y * v.up;
     // Solid angle per unit of ndc area, but for the view's own spread; an area does not depend on the ray.
     float stretch = inversesqrt(dot(ray, ray));
     float measure = v.orthographic ? 1.0 : stretch * stretch * stretch;
-#if CUBES
+#if MAP_KINDS & (1 << LIGHT_MAP_FACE)
     // The point may lie beyond the edge of a cube's face: another face has it.
     int other = light_view_index(l, ray);
-    seen = lights.views[other];
+    seen = light_view_at(other);
     v = seen.view;
     if (other != index) {
         vec4 clip = v.world_to_clip * vec4(l.position + ray, 1.0);
@@ -76,7 +76,7 @@ vec3 sample_light(surface receiver, light l, int index, vec2 ndc, float reach) {
 // Of one light.
 vec3 near_field(surface s, light l, vpl_share share) {
     int index = light_view_index(l, s.position - l.position);
-    light_view seen = lights.views[index];
+    light_view seen = light_view_at(index);
     view v = seen.view;
     vec4 clip = v.world_to_clip * vec4(s.position, 1.0);
     if (clip.w <= 0.0)
@@ -92,9 +92,10 @@ vec3 near_field(surface s, light l, vpl_share share) {
         return vec3(0.0);
     vec3 sum = vec3(0.0);
     for (int i = slot.x; i < slot.x + slot.y; i++) {
-        float r = least * exp(span * samples[i].log_radius);
+        near_sample place = near_sample(sample_rows[i].xy, sample_rows[i].z, 0.0);
+        float r = least * exp(span * place.log_radius);
         // Log-polar density: 1 / (2 pi r^2 span) per ndc area.
-        vec2 ndc = center + r * samples[i].direction * aspect;
+        vec2 ndc = center + r * place.direction * aspect;
         sum += sample_light(s, l, index, ndc, share.reach) * (r * r);
     }
     float spread = length(v.right) * length(v.up);
@@ -111,5 +112,5 @@ void main() {
     if (!s.present)
         return;
     for (int i = 0; i < LIGHTS; i++)
-        irradiance.rgb += near_field(s, lights.sources[i], vpl_shares.of[i]);
+        irradiance.rgb += near_field(s, light_at(i), vpl_share_at(i));
 }

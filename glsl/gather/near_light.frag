@@ -12,8 +12,8 @@ layout(location = TARGET_RESULT) out uvec4 packed_light;
 
 void main() {
     packed_light = uvec4(0u);
-    light_view v = lights.views[view_index];
-    light l = lights.sources[v.light];
+    light_view v = light_view_at(view_index);
+    light l = light_at(v.light);
     ivec2 texel = ivec2(gl_FragCoord.xy);
     surface s = rsm_surface(v, texel);
     if (!s.present)
@@ -23,7 +23,7 @@ void main() {
     vec3 direction = directional ? v.view.forward : normalize(from_light);
     float cosine = dot(s.normal, -direction);
     float distance2 = directional ? 1.0 : dot(from_light, from_light);
-    float area = vpl_shares.of[v.light].measure * distance2 / max(cosine, VPL_COSINE_MIN);
+    float area = vpl_share_at(v.light).measure * distance2 / max(cosine, VPL_COSINE_MIN);
     vec3 power = directional ? l.intensity : light_intensity(l, direction);
     power *= rsm_albedo(v, texel) * (cosine > 0.0 ? params.power_scale : 0.0);
     packed_light = near_light_pack(near_light(rsm_depth(v, texel), rsm_normal_code(v, texel), power,

@@ -35,9 +35,9 @@ vec3 show_layers(inspected at) {
     case INSPECT_DEPTH:
         return show_depth(camera, value.r);
     case INSPECT_SINGLE_DEPTH:
-        return show_depth(lights.views[at.layer].view, value.r);
+        return show_depth(light_view_at(at.layer).view, value.r);
     case INSPECT_FACE_DEPTH:
-        return show_depth(lights.views[lights.single_count + at.layer].view, value.r);
+        return show_depth(light_view_at(single_view_count + at.layer).view, value.r);
     case INSPECT_MAP_DEPTH:
         return in_map(at.place) ? vec3(1.0 - 0.9 * value.r) : NOTHING;
     case INSPECT_BASIS:

@@ -18,7 +18,7 @@ vec4 corner(map_view v, vec4 extremes, int i) {
 
 void main() {
     int k = gl_InstanceID, segment = gl_VertexID / 6, place = gl_VertexID % 6;
-    map_view v = views[k];
+    map_view v = map_view_at(k);
     vec4 extremes = texelFetch(val_extremes, ivec2(k, 0), 0);
     vec4 from = corner(v, extremes, segment), to = corner(v, extremes, (segment + 1) % 4);
     if (segment == 4) {

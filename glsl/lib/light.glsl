@@ -1,9 +1,36 @@
 #include "lib/view.glsl"
 #include "shared/light.h"
 
+// A light_block.
 layout(std140, binding = BLOCK_LIGHTS) uniform light_uniforms {
-    light_block lights;
+    vec4 light_rows[LIGHTS_MAX * LIGHT_ROWS];
+    vec4 light_view_rows[LIGHT_VIEWS_MAX * LIGHT_VIEW_ROWS];
+    int light_count, single_view_count, face_view_count;
 };
+
+light light_at(int i) {
+    int row = i * LIGHT_ROWS;
+    vec4 a = light_rows[row], b = light_rows[row + 1], c = light_rows[row + 2];
+    vec4 d = light_rows[row + 3], e = light_rows[row + 4], f = light_rows[row + 5];
+    return light(a.xyz, a.w, b.xyz, floatBitsToInt(b.w), c.xyz, floatBitsToInt(c.w), d.xyz, d.w, e.xyz,
+                 e.w, f.xyz, f.w, floatBitsToInt(light_rows[row + 6].x), 0, 0, 0);
+}
+
+// A program may say which kinds of maps the lights have, by its define MAP_KINDS: 1 << LIGHT_MAP_... of each.
+light_view light_view_at(int i) {
+    int row = i * LIGHT_VIEW_ROWS;
+    mat4 world_to_clip = mat4(light_view_rows[row], light_view_rows[row + 1], light_view_rows[row + 2],
+                              light_view_rows[row + 3]);
+    vec4 a = light_view_rows[row + 4], b = light_view_rows[row + 5], c = light_view_rows[row + 6];
+    vec4 d = light_view_rows[row + 7];
+    ivec4 e = floatBitsToInt(light_view_rows[row + 8]);
+#if defined(MAP_KINDS) && MAP_KINDS < 3
+    e.y = MAP_KINDS - 1; // the other kind's fetches fall away
+#endif
+    return light_view(view(world_to_clip, a.xyz, a.w, b.xyz, floatBitsToInt(b.w) != 0, c.xyz, 0.0, d.xyz,
+                           d.w),
+                      e.x, e.y, e.z, 0);
+}
 
 // The spot's falloff by KHR_lights_punctual.
 float light_cone(light l, float cos_angle) {

@@ -11,9 +11,9 @@ layout(location = TARGET_RESULT) out vec4 strongest_and_share;
 // Irradiance from VAL k where nothing is between: the form factor of a disk of its area, facing the
 // surface.
 float unshadowed(int k, surface s) {
-    vec3 to_val = views[k].center - s.position, flux = texelFetch(val_fluxes, ivec2(k, 0), 0).rgb;
-    float distance2 = dot(to_val, to_val), extent = views[k].extent;
-    float cosines = max(dot(s.normal, to_val), 0.0) * max(-dot(views[k].axis, to_val), 0.0);
+    vec3 to_val = map_view_at(k).center - s.position, flux = texelFetch(val_fluxes, ivec2(k, 0), 0).rgb;
+    float distance2 = dot(to_val, to_val), extent = map_view_at(k).extent;
+    float cosines = max(dot(s.normal, to_val), 0.0) * max(-dot(map_view_at(k).axis, to_val), 0.0);
     return dot(flux, vec3(1.0)) * cosines / max(distance2 * (distance2 + extent * extent / 3.14159265), 1e-30);
 }
 

@@ -39,18 +39,18 @@ vpl reflected(light l, vpl_share share, light_view view, ivec2 texel, vec3 direc
 void main() {
     int index = int(halton_and_light.z);
     vec2 halton = halton_and_light.xy;
-    light l = lights.sources[index];
+    light l = light_at(index);
     bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
     vec3 direction = l.direction;
     vec2 ndc = halton * 2.0 - 1.0;
-    light_view view = lights.views[l.first_view];
+    light_view view = light_view_at(l.first_view);
     if (!directional) {
         direction = sample_direction(l, halton);
-        view = lights.views[light_view_index(l, direction)];
+        view = light_view_at(light_view_index(l, direction));
         vec4 clip = view.view.world_to_clip * vec4(l.position + direction, 1.0);
         ndc = clip.xy / clip.w;
     }
     ivec2 size = rsm_size(view.kind);
     ivec2 texel = clamp(ivec2((ndc * 0.5 + 0.5) * vec2(size)), ivec2(0), size - 1);
-    vpl_output(reflected(l, vpl_shares.of[index], view, texel, direction));
+    vpl_output(reflected(l, vpl_share_at(index), view, texel, direction));
 }

@@ -21,7 +21,7 @@ out vec4 surface_color;
 
 void main() {
 #ifdef LIGHT_VIEW
-    gl_Position = lights.views[target_view()].view.world_to_clip * vec4(position, 1.0);
+    gl_Position = light_view_at(target_view()).view.world_to_clip * vec4(position, 1.0);
 #else
     gl_Position = camera.world_to_clip * vec4(position, 1.0);
     gl_Layer = gl_InstanceID;

@@ -18,6 +18,8 @@
 #define LIGHT_TYPE_POINT 1
 #define LIGHT_TYPE_DIRECTIONAL 2
 
+#define LIGHT_ROWS 7
+
 struct light {
     vec3 intensity; /* W/sr, of a directional light W/m2 */
     float measure;  /* what it shines into: solid angle, sr; of a directional light area, m2 */
@@ -34,7 +36,9 @@ struct light {
     int view_count;
     int unused0, unused1, unused2;
 };
-STD140_SIZE(light, 112)
+STD140_SIZE(light, 16 * LIGHT_ROWS)
+
+#define LIGHT_VIEW_ROWS 9
 
 struct light_view {
     STRUCT(view) view;
@@ -43,14 +47,15 @@ struct light_view {
     int layer; /* of its kind's maps */
     int unused;
 };
-STD140_SIZE(light_view, 144)
+STD140_SIZE(light_view, 16 * LIGHT_VIEW_ROWS)
 
+/* lib/light.glsl reads it. */
 struct light_block {
     STRUCT(light) sources[LIGHTS_MAX];
     STRUCT(light_view) views[LIGHT_VIEWS_MAX];
     int count, single_count, face_count;
     int unused;
 };
-STD140_SIZE(light_block, LIGHTS_MAX * 112 + LIGHT_VIEWS_MAX * 144 + 16)
+STD140_SIZE(light_block, 16 * (LIGHTS_MAX * LIGHT_ROWS + LIGHT_VIEWS_MAX * LIGHT_VIEW_ROWS + 1))
 
 #endif

@@ -5,6 +5,8 @@
 
 #include "shared/types.h"
 
+#define MAP_VIEW_ROWS 3
+
 struct map_view {
     vec3 center; /* metres */
     float z_far; /* the distance at which map depth is 1, metres */
@@ -13,7 +15,7 @@ struct map_view {
     vec3 tangent; /* unit, perpendicular to the axis */
     float near;   /* metres */
 };
-STD140_SIZE(map_view, 48)
+STD140_SIZE(map_view, 16 * MAP_VIEW_ROWS)
 
 /* Views per uniform block: 48 KiB. */
 #define MAP_VIEWS_MAX 1024

@@ -1,9 +1,11 @@
 /* A virtual point light [Dong 2009 §4]. Transform feedback writes it (lib/vpl_output.glsl); it is
- * read as a vertex (lib/vpl_input.glsl), as three texels (lib/vpl_texels.glsl) and in a block. */
+ * read as a vertex (lib/vpl_input.glsl), as texels (lib/vpl_texels.glsl) and in a block. */
 #ifndef SHARED_VPL_H
 #define SHARED_VPL_H
 
 #include "shared/types.h"
+
+#define VPL_ROWS 3
 
 struct vpl {
     vec3 position; /* metres */
@@ -13,7 +15,7 @@ struct vpl {
     vec3 flux;     /* reflected, W */
     float reach;   /* of its near field, in spacings of its light's VPLs; 0 for a sample that met nothing */
 };
-STD140_SIZE(vpl, 48)
+STD140_SIZE(vpl, 16 * VPL_ROWS)
 
 /* Where light grazes a surface, a VPL's area is that of this cosine. */
 #define VPL_COSINE_MIN 0.25

@@ -10,7 +10,7 @@ out vec2 surface_uv;
 #endif
 
 void main() {
-    map_view v = views[gl_InstanceID];
+    map_view v = map_view_at(gl_InstanceID);
     paraboloid_corner(v, gl_InstanceID, paraboloid_local(v, position));
 #ifdef MASKED
     surface_uv = uv;

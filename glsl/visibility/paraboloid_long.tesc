@@ -35,7 +35,7 @@ float angle_between(vec3 a, vec3 b) {
 bool is_left_out() {
     vec3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
     return max(corner[0].z, max(corner[1].z, corner[2].z)) <= params.clip_z ||
-           abs(dot(normal, corner[0])) < views[map[0]].near * length(normal);
+           abs(dot(normal, corner[0])) < map_view_at(map[0]).near * length(normal);
 }
 
 void main() {

@@ -29,7 +29,7 @@ vec3 corner_weights(vec3 t) {
 void main() {
     vec3 weights = corner_weights(gl_TessCoord);
     vec3 q = mat3(patch_corner[0], patch_corner[1], patch_corner[2]) * weights;
-    paraboloid_corner(views[patch_map], patch_map, q);
+    paraboloid_corner(map_view_at(patch_map), patch_map, q);
     plane = cross(patch_corner[1] - patch_corner[0], patch_corner[2] - patch_corner[0]);
 #ifdef MASKED
     surface_uv = mat3x2(patch_uv[0], patch_uv[1], patch_uv[2]) * weights;

@@ -12,7 +12,7 @@ out vec3 corner;
 out int map;
 
 void main() {
-    corner = paraboloid_local(views[gl_InstanceID], position);
+    corner = paraboloid_local(map_view_at(gl_InstanceID), position);
     map = gl_InstanceID;
 #ifdef MASKED
     corner_uv = uv;

@@ -4,5 +4,5 @@
 layout(location = ATTRIBUTE_POSITION) in vec3 position;
 
 void main() {
-    gl_Position = lights.views[target_view()].view.world_to_clip * vec4(position, 1.0);
+    gl_Position = light_view_at(target_view()).view.world_to_clip * vec4(position, 1.0);
 }

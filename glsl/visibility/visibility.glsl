@@ -15,8 +15,8 @@ float visibility(int map, vec3 position, vec3 normal) {
     return 1.0;
 #else
     receiver r;
-    if (!project(views[map], position, normal, r))
+    if (!project(map_view_at(map), position, normal, r))
         return 1.0;
-    return lit(map, r, views[map].extent * FILLED);
+    return lit(map, r, map_view_at(map).extent * FILLED);
 #endif
 }

@@ -20,7 +20,7 @@ float received(surface s, light l, vec3 direction, float distance2) {
         share *= l.direct_scale / distance2;
     if (l.type == LIGHT_TYPE_SPOT)
         share *= light_cone(l, dot(direction, l.direction));
-    return share > 0.0 ? share * arriving(s, lights.views[light_view_index(l, direction)]) : 0.0;
+    return share > 0.0 ? share * arriving(s, light_view_at(light_view_index(l, direction))) : 0.0;
 }
 
 void main() {
@@ -28,7 +28,7 @@ void main() {
     surface s = gbuffer_surface(ivec2(gl_FragCoord.xy));
     if (!s.present)
         return;
-    light l = lights.sources[light_index];
+    light l = light_at(light_index);
     vec3 to_light = l.position - s.position;
     float distance2 = dot(to_light, to_light);
     vec3 direction = l.type == LIGHT_TYPE_DIRECTIONAL ? l.direction : -to_light * inversesqrt(distance2);
