@@ -37,7 +37,7 @@ void main() {
     uvec4 center = texelFetch(taps, pixel, 0);
     vec3 position = tap_position(pixel, per_pixel, center), normal = blur_tap_normal(center);
     int radius = params.radius, rows = params.rows;
-    bool detail = blur_tap_detail(center);
+    bool detail = DETAIL != 0 && blur_tap_detail(center);
     int own = detail ? params.detail_radius : radius;
     ivec2 along = params.along, across = along.yx;
     vec4 sum = vec4(0.0);

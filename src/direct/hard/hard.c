@@ -113,7 +113,7 @@ static void render_lights(void *state, const struct frame *frame) {
     shadow_map_pass_render(&hard->shadow_map, frame);
 }
 
-/* Adds one light's. */
+/* Adds one light's; the first one's takes the place of what was there. */
 static void draw_light(const struct hard *hard, const struct frame *frame,
                        const struct gbuffer *gbuffer, int index) {
     const struct light *light = &frame->light_block->sources[index];
@@ -126,7 +126,7 @@ static void draw_light(const struct hard *hard, const struct frame *frame,
         .framebuffer = hard->target.framebuffer,
         .width = hard->target.light.desc.width,
         .height = hard->target.light.desc.height,
-        .blend = PASS_BLEND_ADD,
+        .blend = index > 0 ? PASS_BLEND_ADD : PASS_BLEND_OFF,
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
                      {UNIT_MAP_DEPTH, hard->shadow_map.maps[kind].id}},
@@ -139,10 +139,8 @@ static void draw_light(const struct hard *hard, const struct frame *frame,
 }
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
-    static const float zero[4] = {0};
     struct hard *hard = state;
     timer_begin(frame->timers, "direct");
-    framebuffer_clear_color(hard->target.framebuffer, TARGET_RESULT, zero);
     for (int i = 0; i < frame->light_block->count; i++)
         draw_light(hard, frame, gbuffer, i);
     timer_end(frame->timers);

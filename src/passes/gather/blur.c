@@ -5,11 +5,13 @@
 #include "shared/blur.h"
 
 static bool init_programs(struct blur_pass *pass) {
-    struct program_desc desc = {.vertex = "fullscreen.vert", .fragment = "gather/blur.frag"};
+    bool detail = pass->desc.detail_weight > 0;
+    struct program_desc desc = {.vertex = "fullscreen.vert",
+                                .fragment = "gather/blur.frag",
+                                .defines = detail ? "DETAIL 1" : "DETAIL 0"};
     struct program_desc half = desc, pack = desc;
-    half.defines = "PACK 1";
+    half.defines = detail ? "DETAIL 1;PACK 1" : "DETAIL 0;PACK 1";
     pack.fragment = "gather/blur_pack.frag";
-    pack.defines = pass->desc.detail_weight > 0 ? "DETAIL 1" : "DETAIL 0";
     return program_init(&pass->pack_program, &pack) && program_init(&pass->half_program, &half) &&
            program_init(&pass->program, &desc);
 }

@@ -29,14 +29,18 @@ static bool upload_samples(struct near_field_pass *pass) {
 }
 
 static bool init_programs(struct near_field_pass *pass) {
-    int lights = pass->desc.lights.lights, cubes = pass->desc.lights.views[LIGHT_MAP_FACE] > 0;
-    char *defines = mem_printf("LISTED 0;LIGHTS %d;CUBES %d", lights, cubes);
-    char *listed = mem_printf("LISTED 1;LIGHTS %d;CUBES %d", lights, cubes);
+    const struct light_layout *lights = &pass->desc.lights;
+    int kinds = (lights->views[LIGHT_MAP_SINGLE] > 0) << LIGHT_MAP_SINGLE |
+                (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
+    char *of_light = mem_printf("MAP_KINDS %d", kinds);
+    char *defines = mem_printf("LISTED 0;LIGHTS %d;%s", lights->lights, of_light);
+    char *listed = mem_printf("LISTED 1;LIGHTS %d;%s", lights->lights, of_light);
     bool ok =
         program_init(&pass->light_program,
                      &(struct program_desc){
                          .vertex = "gather/near_light.vert",
                          .fragment = "gather/near_light.frag",
+                         .defines = of_light,
                      }) &&
         program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
                                                             .fragment = "gather/near_field.frag",
@@ -46,6 +50,7 @@ static bool init_programs(struct near_field_pass *pass) {
                       &(struct program_desc){.vertex = "gather/listed.vert",
                                              .fragment = "gather/near_field.frag",
                                              .defines = listed}));
+    free(of_light);
     free(defines);
     free(listed);
     return ok;
