@@ -7,6 +7,7 @@
 #include "base/image.h"
 #include "base/file/image_file.h"
 #include "base/memory.h"
+#include "base/names.h"
 #include "base/option.h"
 #include "base/settings.h"
 #include "base/parallel.h"
@@ -331,7 +332,7 @@ static void test_settings(void **state) {
     for (struct setting setting = {0}; settings_next(&settings, &setting);)
         count++;
     assert_int_equal(count, 4);
-    check_ok("assign", settings_assign_all(&settings, "count=3, painter.width=4 maker-width=.25"));
+    check_ok("assign", settings_assign(&settings, "count=3, painter.width=4 maker-width=.25"));
     const struct maker *maker = settings_of(&settings, &maker_part);
     const struct painter *painter = settings_of(&settings, &painter_part);
     assert_true(maker->count == 3 && maker->width == .25F);
@@ -347,7 +348,8 @@ static void test_settings(void **state) {
         {"height=1", "no setting is called 'height'"},
         {"maker.bright=on", "no setting is called 'maker.bright'"},
         {"count", "'count' is not key=value"},
-        {"painter.width=10", "width: '10' is not a number"}};
+        {"painter.width=10", "width: '10' is not a number"},
+        {"count=3, width=1", "'width' may be"}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         assert_false(settings_assign(&settings, bad[i][0]));
         printf("    %s\n", error_get());
@@ -355,15 +357,34 @@ static void test_settings(void **state) {
     }
 }
 
+static void test_words_and_names(void **state) {
+    (void)state;
+    struct names names = {0};
+    int count = 0;
+    for (struct word word = {.at = " ,one, two=2,,three "}; word_next(&word); count++) {
+        char text[16];
+        snprintf(text, sizeof text, "%.*s", word.length, word.at);
+        names_add(&names, "; ", text);
+        assert_int_equal(word_is(&word, "two=2"), count == 1);
+        assert_false(word_is(&word, "thre") || word_is(&word, "threes"));
+    }
+    printf("    %s\n", names.text);
+    assert_string_equal(names.text, "one; two=2; three");
+    for (int i = 0; i < 1000; i++)
+        names_add(&names, ", ", "another");
+    assert_int_equal(strlen(names.text), sizeof names.text - 1);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_error_prefix),   cmocka_unit_test(test_halton),
-        cmocka_unit_test(test_added_channels), cmocka_unit_test(test_parallel_for),
-        cmocka_unit_test(test_layers),         cmocka_unit_test(test_exr_round_trip),
-        cmocka_unit_test(test_png_round_trip), cmocka_unit_test(test_file_refusals),
-        cmocka_unit_test(test_options),        cmocka_unit_test(test_foreign_names),
-        cmocka_unit_test(test_long_layers),    cmocka_unit_test(test_text),
-        cmocka_unit_test(test_whole_files),    cmocka_unit_test(test_settings),
+        cmocka_unit_test(test_error_prefix),    cmocka_unit_test(test_halton),
+        cmocka_unit_test(test_added_channels),  cmocka_unit_test(test_parallel_for),
+        cmocka_unit_test(test_layers),          cmocka_unit_test(test_exr_round_trip),
+        cmocka_unit_test(test_png_round_trip),  cmocka_unit_test(test_file_refusals),
+        cmocka_unit_test(test_options),         cmocka_unit_test(test_foreign_names),
+        cmocka_unit_test(test_long_layers),     cmocka_unit_test(test_text),
+        cmocka_unit_test(test_whole_files),     cmocka_unit_test(test_settings),
+        cmocka_unit_test(test_words_and_names),
     };
     return cmocka_run_group_tests_name("base", tests, NULL, NULL);
 }

@@ -315,7 +315,7 @@ static void test_refusals(void **state) {
         {"sweep --vary woof=1", "no setting is called 'woof'", 2},
         {"times scenes/cornell-box.glb --variant woof", "no variant is called 'woof'", 2},
         {"times scenes/cornell-box.glb --set vpls=4", "needs at least 64 VPLs", 2},
-        {"failures woof", "no failure is called 'woof' (there is: room", 2},
+        {"failures woof", "no failure is called 'woof' (there are room", 2},
         {"chart", "FILE.csv is missing", 2},
         {"times no-such-scene.glb", "cannot open no-such-scene.glb", 1},
         {"temporal scenes/cornell-box.glb", "cornell-box: nothing moves", 1},

@@ -24,7 +24,7 @@ struct fixture {
 };
 
 static void set(struct settings *settings, const char *assignments) {
-    check_ok(assignments, settings_assign_all(settings, assignments));
+    check_ok(assignments, settings_assign(settings, assignments));
 }
 
 static int set_up_scene(void **state, const char *path) {

@@ -233,7 +233,7 @@ static void test_kept(void **state) {
     static const char cheap[] =
         "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=128 interleave=4";
     renderer_settings_init(&desc.settings);
-    check_ok(cheap, settings_assign_all(&desc.settings, cheap));
+    check_ok(cheap, settings_assign(&desc.settings, cheap));
     check_ok("viewer", viewer_begin(&viewer, &desc));
     dl_iterate_phdr(keep_library, NULL);
     load("scenes/metaballs.glb");

@@ -1,6 +1,7 @@
 #include "base/settings.h"
 
 #include "base/error.h"
+#include "base/names.h"
 
 #include <assert.h>
 #include <stdio.h>
@@ -91,13 +92,14 @@ static bool is_full_name(const struct setting *setting, const char *text) {
 }
 
 static bool refuse_ambiguous(const struct settings *settings, const char *name) {
-    char names[256] = "";
-    size_t used = 0;
+    struct names names = {0};
+    char full[SETTING_NAME_SIZE];
     for (struct setting s = {0}; settings_next(settings, &s);)
-        if (strcmp(s.option->name, name) == 0 && used < sizeof names)
-            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s.%s",
-                                     used ? " and " : "", s.part->owner, s.option->name);
-    return error_set("'%s' may be %s", name, names);
+        if (strcmp(s.option->name, name) == 0) {
+            setting_name(&s, full);
+            names_add(&names, " and ", full);
+        }
+    return error_set("'%s' may be %s", name, names.text);
 }
 
 bool settings_find(const struct settings *settings, const char *name, struct setting *setting) {
@@ -145,24 +147,24 @@ double settings_number(const struct settings *settings, const char *name) {
 
 /* --- texts --- */
 
-static bool assign(struct settings *settings, const char *assignment, size_t length) {
-    const char *equals = memchr(assignment, '=', length);
-    char name[SETTING_NAME_SIZE], value[256];
+bool settings_assign_word(struct settings *settings, const struct word *word) {
+    const char *equals = memchr(word->at, '=', (size_t)word->length);
+    char assignment[256];
     struct setting setting;
     if (!equals)
-        return error_set("'%.*s' is not key=value", (int)length, assignment);
-    snprintf(name, sizeof name, "%.*s", (int)(equals - assignment), assignment);
-    snprintf(value, sizeof value, "%.*s", (int)(assignment + length - equals - 1), equals + 1);
-    return settings_find(settings, name, &setting) && setting_parse(&setting, settings, value);
+        return error_set("'%.*s' is not key=value", word->length, word->at);
+    if ((size_t)word->length >= sizeof assignment)
+        return error_set("'%.40s...' is too long", word->at);
+    snprintf(assignment, sizeof assignment, "%.*s", word->length, word->at);
+    char *value = assignment + (equals - word->at);
+    *value++ = '\0';
+    return settings_find(settings, assignment, &setting) &&
+           setting_parse(&setting, settings, value);
 }
 
-bool settings_assign(struct settings *settings, const char *assignment) {
-    return assign(settings, assignment, strlen(assignment));
-}
-
-bool settings_assign_all(struct settings *settings, const char *assignments) {
-    for (const char *at = assignments; *(at += strspn(at, " ,")); at += strcspn(at, " ,"))
-        if (!assign(settings, at, strcspn(at, " ,")))
+bool settings_assign(struct settings *settings, const char *assignments) {
+    for (struct word word = {.at = assignments}; word_next(&word);)
+        if (!settings_assign_word(settings, &word))
             return false;
     return true;
 }

@@ -8,6 +8,7 @@
 #define BASE_SETTINGS_H
 
 #include "base/option.h"
+#include "base/words.h"
 
 struct settings_part {
     const char *owner; /* "gather" */
@@ -72,11 +73,9 @@ bool setting_equal(const struct setting *setting, const struct settings *a,
  * know its part. */
 double settings_number(const struct settings *settings, const char *name);
 
-/* Parses "name=value". Error: of the name, or of the value. */
-bool settings_assign(struct settings *settings, const char *assignment);
-
-/* The same for each of several, with spaces or commas between. */
-bool settings_assign_all(struct settings *settings, const char *assignments);
+/* Parses "name=value", or several with spaces or commas between. Error: of a name, or of a value. */
+bool settings_assign(struct settings *settings, const char *assignments);
+bool settings_assign_word(struct settings *settings, const struct word *word);
 
 /* A line or two per setting of a part, under its title, for --help. */
 void settings_print_help(FILE *out, const struct settings_part *part);

@@ -1,7 +1,7 @@
 #include "base/error.h"
+#include "base/names.h"
 #include "direct/direct.h"
 
-#include <stdio.h>
 #include <string.h>
 
 /* A method is entered by its line here; those of tests come by MORE_METHODS. */
@@ -21,17 +21,14 @@ const struct direct_method *const direct_methods[] = {METHODS(ENTER) MORE_METHOD
 const struct direct_method *const direct_default = &hard_direct;
 
 const struct direct_method *direct_find(const char *name) {
-    char names[256] = "";
-    size_t used = 0;
+    struct names names = {0};
     if (!name)
         return direct_default;
     for (const struct direct_method *const *d = direct_methods; *d; d++) {
         if (strcmp((*d)->name, name) == 0)
             return *d;
-        if (used < sizeof names)
-            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "",
-                                     (*d)->name);
+        names_add(&names, ", ", (*d)->name);
     }
-    error_set("no direct light is called '%s' (there is %s)", name, names);
+    error_set("no direct light is called '%s' (there is %s)", name, names.text);
     return NULL;
 }

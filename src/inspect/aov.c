@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/names.h"
 #include "passes/gather/blur.h"
 #include "passes/lights/val_light.h"
 #include "renderer/layer_target.h"
@@ -138,14 +139,12 @@ static bool next_name(const char **names, char *name, size_t size) {
 
 static bool refuse(const struct renderer *renderer, const struct output_list *outputs,
                    const char *name) {
-    char names[512] = "";
-    size_t used = 0;
+    struct names names = {0};
     for (int i = 0; i < outputs->count; i++)
-        if (kind_of(&outputs->items[i]) && used < sizeof names)
-            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "",
-                                     outputs->items[i].name);
+        if (kind_of(&outputs->items[i]))
+            names_add(&names, ", ", outputs->items[i].name);
     return error_set("aov: technique '%s' has no layer '%s' to add (there are %s)",
-                     renderer->technique->name, name, used ? names : "none");
+                     renderer->technique->name, name, names.length ? names.text : "none");
 }
 
 bool aov_check(const struct renderer *renderer, const char *names) {

@@ -1,9 +1,8 @@
 #include "measure/failures.h"
 
 #include "base/error.h"
-#include "base/text.h"
+#include "base/names.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* Every pixel takes every VPL and looks its own visibility up: in a small picture interleaving,
@@ -63,15 +62,12 @@ const struct failure_row failure_rows[] = {
 };
 
 const struct failure_row *failure_row_find(const char *name) {
-    struct text names = {0};
+    struct names names = {0};
     for (const struct failure_row *row = failure_rows; row->name; row++) {
-        if (strcmp(row->name, name) == 0) {
-            free(names.data);
+        if (strcmp(row->name, name) == 0)
             return row;
-        }
-        text_print(&names, " %s", row->name);
+        names_add(&names, ", ", row->name);
     }
-    error_set("no failure is called '%s' (there is:%s)", name, names.data);
-    free(names.data);
+    error_set("no failure is called '%s' (there are %s)", name, names.text);
     return NULL;
 }

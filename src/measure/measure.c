@@ -27,14 +27,14 @@ _Static_assert(offsetof(struct measure_desc, height) ==
                "OPTION_SIZE writes both");
 
 /* What is no setting goes into the desc; what is one, to the end of the text. */
-static bool sort_out(struct measure_desc *desc, const char *word, struct text *settings) {
-    if (strncmp(word, "size=", 5) == 0)
-        return option_parse(&size_option, desc, word + 5);
-    if (strncmp(word, "technique=", 10) == 0)
-        return (desc->technique = technique_find(word + 10));
-    if (strncmp(word, "direct=", 7) == 0)
-        return (desc->direct = direct_find(word + 7));
-    text_print(settings, "%s ", word);
+static bool sort_out(struct measure_desc *desc, const char *assignment, struct text *settings) {
+    if (strncmp(assignment, "size=", 5) == 0)
+        return option_parse(&size_option, desc, assignment + 5);
+    if (strncmp(assignment, "technique=", 10) == 0)
+        return (desc->technique = technique_find(assignment + 10));
+    if (strncmp(assignment, "direct=", 7) == 0)
+        return (desc->direct = direct_find(assignment + 7));
+    text_print(settings, "%s ", assignment);
     return true;
 }
 
@@ -44,10 +44,10 @@ bool measure_assign_all(struct measure_desc *desc, const char *const *texts, int
     bool ok = true;
     text_append(&settings, "", 0);
     for (int i = 0; i < count; i++)
-        for (const char *at = texts[i]; ok && *(at += strspn(at, " ,")); at += strcspn(at, " ,")) {
-            char *word = mem_printf("%.*s", (int)strcspn(at, " ,"), at);
-            ok = sort_out(&changed, word, &settings);
-            free(word);
+        for (struct word word = {.at = texts[i]}; ok && word_next(&word);) {
+            char *assignment = mem_printf("%.*s", word.length, word.at);
+            ok = sort_out(&changed, assignment, &settings);
+            free(assignment);
         }
     const char *text = settings.data;
     ok = ok && renderer_settings_assign(&changed.settings, changed.technique, &text, 1);

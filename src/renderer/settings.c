@@ -1,6 +1,7 @@
 #include "renderer/settings.h"
 
 #include "base/error.h"
+#include "base/names.h"
 #include "direct/direct.h"
 #include "passes/picture/composite.h"
 
@@ -42,38 +43,32 @@ void renderer_settings_init(struct settings *settings) {
 static const char preset_key[] = "path=";
 
 static bool apply_preset(struct settings *settings, const struct technique *technique,
-                         const char *name, size_t length) {
-    char names[256] = "";
-    size_t used = 0;
+                         const struct word *name) {
+    struct names names = {0};
     for (const struct preset *p = technique->presets; p && p->name; p++) {
-        if (strlen(p->name) == length && strncmp(p->name, name, length) == 0)
-            return settings_assign_all(settings, p->settings);
-        if (used < sizeof names)
-            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "",
-                                     p->name);
+        if (word_is(name, p->name))
+            return settings_assign(settings, p->settings);
+        names_add(&names, ", ", p->name);
     }
-    return error_set("path: '%.*s' is not one of %s's: %s", (int)length, name, technique->name,
-                     used ? names : "it has none");
+    return error_set("path: '%.*s' is not one of %s's: %s", name->length, name->at, technique->name,
+                     names.length ? names.text : "it has none");
 }
 
-static bool assign(struct settings *settings, const struct technique *technique, const char *text,
-                   size_t length, bool presets) {
-    size_t key = sizeof preset_key - 1;
-    char assignment[256];
-    if (strncmp(text, preset_key, key) == 0)
-        return !presets || apply_preset(settings, technique, text + key, length - key);
-    if (length >= sizeof assignment)
-        return error_set("'%.40s...' is too long", text);
-    snprintf(assignment, sizeof assignment, "%.*s", (int)length, text);
-    return presets || settings_assign(settings, assignment);
+static bool assign(struct settings *settings, const struct technique *technique,
+                   const struct word *word, bool presets) {
+    int key = (int)strlen(preset_key);
+    if (strncmp(word->at, preset_key, (size_t)key) != 0)
+        return presets || settings_assign_word(settings, word);
+    struct word name = {word->at + key, word->length - key};
+    return !presets || apply_preset(settings, technique, &name);
 }
 
 bool renderer_settings_assign(struct settings *settings, const struct technique *technique,
                               const char *const *texts, int count) {
     for (int presets = 1; presets >= 0; presets--)
         for (int i = 0; i < count; i++)
-            for (const char *at = texts[i]; *(at += strspn(at, " ,")); at += strcspn(at, " ,"))
-                if (!assign(settings, technique, at, strcspn(at, " ,"), presets))
+            for (struct word word = {.at = texts[i]}; word_next(&word);)
+                if (!assign(settings, technique, &word, presets))
                     return false;
     return true;
 }

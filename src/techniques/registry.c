@@ -1,7 +1,7 @@
 #include "base/error.h"
+#include "base/names.h"
 #include "techniques/technique.h"
 
-#include <stdio.h>
 #include <string.h>
 
 /* A technique is entered by its line here; those of tests come by MORE_TECHNIQUES. */
@@ -29,17 +29,14 @@ bool technique_check(const struct technique *technique, const struct settings *s
 }
 
 const struct technique *technique_find(const char *name) {
-    char names[512] = "";
-    size_t used = 0;
+    struct names names = {0};
     if (!name)
         return technique_default;
     for (const struct technique *const *t = techniques; *t; t++) {
         if (strcmp((*t)->name, name) == 0)
             return *t;
-        if (used < sizeof names)
-            used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "",
-                                     (*t)->name);
+        names_add(&names, ", ", (*t)->name);
     }
-    error_set("no technique is called '%s' (there are %s)", name, names);
+    error_set("no technique is called '%s' (there are %s)", name, names.text);
     return NULL;
 }

@@ -211,7 +211,7 @@ static bool draw_presets(const struct technique *technique, struct settings *set
             ui_same_line();
         if (ui_button(p->name, p->help)) {
             renderer_settings_init(settings);
-            settings_assign_all(settings, p->settings);
+            settings_assign(settings, p->settings);
             changed = true;
         }
     }

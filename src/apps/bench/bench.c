@@ -115,9 +115,8 @@ static const struct option options[] = {
 enum { OPTIONS = sizeof options / sizeof *options };
 
 static bool has_option(const struct bench_mode *mode, const char *name) {
-    size_t length = strlen(name);
-    for (const char *at = mode->options; *(at += strspn(at, " ")); at += strcspn(at, " "))
-        if (strcspn(at, " ") == length && strncmp(at, name, length) == 0)
+    for (struct word word = {.at = mode->options}; word_next(&word);)
+        if (word_is(&word, name))
             return true;
     return false;
 }

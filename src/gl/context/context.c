@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "base/names.h"
 #include "gl/api.h"
 #include "gl/context/needs.h"
 #include "gl/context/platform.h"
@@ -91,21 +92,12 @@ static struct context *try_candidate(const struct candidate *candidate, bool deb
 
 /* --- candidates --- */
 
-/* Reasons of failure, one after another. */
-struct reasons {
-    char text[1536];
-    size_t used;
-};
-
-static void add_reason(struct reasons *reasons) {
-    if (reasons->used < sizeof reasons->text)
-        reasons->used +=
-            (size_t)snprintf(reasons->text + reasons->used, sizeof reasons->text - reasons->used,
-                             "%s%s", reasons->used ? "; " : "", error_get());
+static void add_reason(struct names *reasons) {
+    names_add(reasons, "; ", error_get());
 }
 
 static void list_candidates(struct candidate_list *list, enum context_kind kind,
-                            struct reasons *reasons) {
+                            struct names *reasons) {
     list->count = 0;
     if (kind != CONTEXT_OSMESA && !egl_platform.list(list))
         add_reason(reasons);
@@ -114,7 +106,7 @@ static void list_candidates(struct candidate_list *list, enum context_kind kind,
 }
 
 static struct context *try_all(const struct candidate_list *list, bool debug,
-                               struct reasons *reasons) {
+                               struct names *reasons) {
     for (int i = 0; i < list->count; i++) {
         struct context *context = try_candidate(&list->items[i], debug);
         if (context)
@@ -125,7 +117,7 @@ static struct context *try_all(const struct candidate_list *list, bool debug,
 }
 
 static struct context *try_device(const struct candidate_list *list, int number, bool debug,
-                                  struct reasons *reasons) {
+                                  struct names *reasons) {
     int count = 0;
     struct context *context = NULL;
     for (int i = 0; i < list->count; i++) {
@@ -142,7 +134,7 @@ static struct context *try_device(const struct candidate_list *list, int number,
 
 struct context *context_create(const struct context_desc *desc) {
     struct candidate_list list;
-    struct reasons reasons = {"", 0};
+    struct names reasons = {0};
     struct context *before = current;
     list_candidates(&list, desc->kind, &reasons);
     struct context *context = desc->device < 0
@@ -218,12 +210,12 @@ int context_message_count(const struct context *context) {
 
 void context_list_devices(char *text, size_t size) {
     struct candidate_list list;
-    struct reasons reasons = {"", 0};
+    struct names reasons = {0};
     list_candidates(&list, CONTEXT_AUTO, &reasons);
     size_t used = 0;
     text[0] = '\0';
     for (int i = 0; i < list.count && used < size; i++)
         used += (size_t)snprintf(text + used, size - used, "%s\n", list.items[i].name);
-    if (reasons.used && used < size)
+    if (reasons.length && used < size)
         snprintf(text + used, size - used, "%s\n", reasons.text);
 }
