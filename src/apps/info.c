@@ -1,7 +1,7 @@
 /* manylight info: what renders here, and what a scene holds. */
 #include "apps/apps.h"
 #include "apps/arguments.h"
-#include "apps/context_options.h"
+#include "apps/options.h"
 #include "apps/scene_summary.h"
 
 #include "gl/api.h"

@@ -2,8 +2,7 @@
  * visibility were exact. */
 #include "apps/apps.h"
 #include "apps/arguments.h"
-#include "apps/context_options.h"
-#include "apps/stage_options.h"
+#include "apps/options.h"
 #include "base/progress.h"
 #include "measure/stage.h"
 #include "measure/picture.h"
@@ -29,7 +28,6 @@ struct values {
     struct text_list settings;
     const char *output, *noise;
     int technique;
-    float time;
 };
 
 _Static_assert(offsetof(struct path_tracer_desc, height) ==
@@ -63,8 +61,6 @@ static const struct option options[] = {
     {"seed", 0, OPTION_INT, offsetof(struct values, tracer.seed), 0, 0, 2147483647,
      .help = "another seed, another noise"},
     STAGE_OPTIONS(struct values, stage),
-    {"time", 0, OPTION_FLOAT, offsetof(struct values, time), 0, 0, 1e6,
-     .help = "of the animation, seconds"},
     CONTEXT_OPTIONS(struct values, context),
     {NULL},
 };
@@ -172,7 +168,6 @@ int app_reference(int argc, char **argv) {
         return status;
     if (!check_values(&values) || !parse_settings(&values, &desc))
         return arguments_misuse(argv[0]);
-    values.stage.time = (double)values.time;
     if (!output_file_check(values.output) || !stage_init(&stage, &values.stage))
         return arguments_fail(argv[0]);
     bool ok = (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &image)

@@ -2,14 +2,12 @@
 #define _POSIX_C_SOURCE 200809L
 #include "apps/apps.h"
 #include "apps/arguments.h"
-#include "apps/context_options.h"
+#include "apps/options.h"
 #include "apps/frames.h"
 #include "apps/interrupt.h"
 #include "base/progress.h"
-#include "apps/stage_options.h"
 #include "measure/stage.h"
 #include "apps/stats.h"
-#include "apps/technique_options.h"
 
 #include "base/error.h"
 #include "base/file/image_file.h"
@@ -31,7 +29,7 @@ struct values {
     int size[2];
     int layer;
     const char *frames, *glsl, *aov;
-    float time, fps;
+    float fps;
     bool skip_existing, stats;
 };
 
@@ -49,10 +47,9 @@ static const struct option options[] = {
          "(the strongest VAL's colour), visibility (the share of the VALs' light that arrives),\n"
          "vpl (flux of VPLs)"},
     STAGE_OPTIONS(struct values, stage),
-    {"time", 0, OPTION_FLOAT, offsetof(struct values, time), 0, 0, 1e6,
-     .help = "of the animation, seconds; with --frames, of frame 0"},
     {"frames", 0, OPTION_TEXT, offsetof(struct values, frames), .value_name = "A..B|A,B,C",
-     .help = "a sequence; #### in the output's name becomes the frame's number"},
+     .help = "a sequence, whose frame 0 is at --time; #### in the output's name becomes the\n"
+             "frame's number"},
     {"fps", 0, OPTION_FLOAT, offsetof(struct values, fps), 25, .001, 1e6,
      .help = "frames per second"},
     {"skip-existing", 0, OPTION_FLAG, offsetof(struct values, skip_existing),
@@ -168,7 +165,7 @@ static bool is_there(const struct values *values, struct renderer *renderer, con
 
 static bool render_frame(const struct values *values, struct renderer *renderer,
                          struct stage *stage, int frame) {
-    double time = (double)values->time + frame / (double)values->fps;
+    double time = (double)values->stage.time + frame / (double)values->fps;
     if (!stage_pose(stage, time) || !renderer_update(renderer, &stage->emitters, &stage->camera))
         return false;
     renderer_render(renderer);
@@ -223,10 +220,11 @@ static bool render(const struct values *values, const struct frames *frames,
  * whatever the frames: so all of them come out of the same renderer. */
 static bool render_scene(const struct values *values, const struct frames *frames,
                          struct renderer_desc *desc) {
+    struct stage_desc at_0 = values->stage;
     struct stage stage;
     struct context *context;
-    if (!each_output(values, NULL, frames->numbers[0], check_file) ||
-        !stage_init(&stage, &values->stage))
+    at_0.time = 0;
+    if (!each_output(values, NULL, frames->numbers[0], check_file) || !stage_init(&stage, &at_0))
         return false;
     desc->scene = &stage.scene;
     desc->geometry = &stage.geometry;

@@ -1,8 +1,7 @@
 /* manylight view: the desktop viewer. */
 #include "apps/apps.h"
 #include "apps/arguments.h"
-#include "apps/stage_options.h"
-#include "apps/technique_options.h"
+#include "apps/options.h"
 
 #include "base/error.h"
 #include "base/file/image_file.h"
@@ -13,7 +12,6 @@ struct values {
     struct common_values common;
     struct technique_values technique;
     struct viewer_desc viewer;
-    float time;
 };
 
 _Static_assert(offsetof(struct viewer_desc, height) ==
@@ -25,8 +23,6 @@ static const struct option options[] = {
      .help = "of the picture, pixels"},
     TECHNIQUE_OPTIONS(struct values, technique),
     STAGE_OPTIONS(struct values, viewer),
-    {"time", 0, OPTION_FLOAT, offsetof(struct values, time), 0, 0, 1e6,
-     .help = "of the animation, seconds"},
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, viewer.layer), .choices = shown_layer_names,
      .help = "light to show"},
     {"reference", 0, OPTION_TEXT, offsetof(struct values, viewer.reference), .value_name = "FILE",
@@ -65,7 +61,6 @@ int app_view(int argc, char **argv) {
     struct viewer_desc *desc = &values.viewer;
     const char *screenshot = desc->screenshot;
     desc->scene = scene;
-    desc->time = (double)values.time;
     bool is_float;
     struct renderer_desc made = {0};
     bool ok = technique_values_resolve(&values.technique, &made);

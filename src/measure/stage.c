@@ -21,7 +21,7 @@ bool stage_init(struct stage *stage, const struct stage_desc *desc) {
     *stage = (struct stage){.camera_text = desc->camera, .light_text = desc->light};
     name_after(stage, desc->path);
     if (scene_open(&stage->scene, &stage->geometry, desc->path, desc->clip) &&
-        stage_pose(stage, desc->time))
+        stage_pose(stage, (double)desc->time))
         return true;
     stage_free(stage);
     return false;

@@ -12,7 +12,7 @@ struct stage_desc {
     const char *camera, *light; /* as scene/placing.h has it; NULL = the first, and all; must live
                                    on */
     const char *clip;           /* name or number; NULL = the first */
-    double time;                /* of the animation, seconds */
+    float time;                 /* of the animation, seconds */
 };
 
 struct stage {

@@ -135,7 +135,7 @@ static bool place_as_told(struct viewer *viewer) {
     struct document *document = &viewer->document;
     bool ok = !desc->clip || (scene_select_clip(&document->scene, desc->clip) &&
                               geometry_pose(&document->geometry, &document->scene, 0));
-    viewer_go_to(viewer, desc->time);
+    viewer_go_to(viewer, (double)desc->time);
     return place(viewer, desc->camera, desc->light) && ok;
 }
 

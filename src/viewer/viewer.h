@@ -28,7 +28,7 @@ struct viewer_desc {
     struct settings settings;
     const char *camera, *light; /* as scene/placing.h has it; NULL = the first, and all */
     const char *clip;           /* name or number; NULL = the first */
-    double time;                /* of the animation, seconds */
+    float time;                 /* of the animation, seconds */
     int layer;                  /* to show: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
     const char *reference;      /* a picture to compare with; NULL = none */
     const char *glsl;           /* folder of shaders; NULL = embedded */

@@ -3,7 +3,7 @@
 #define APPS_BENCH_BENCH_H
 
 #include "apps/arguments.h"
-#include "apps/context_options.h"
+#include "apps/options.h"
 #include "measure/results.h"
 #include "measure/truth.h"
 #include "measure/variants.h"

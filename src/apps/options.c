@@ -1,4 +1,4 @@
-#include "apps/technique_options.h"
+#include "apps/options.h"
 
 bool technique_values_resolve(const struct technique_values *values, struct renderer_desc *desc) {
     desc->technique = technique_find(values->technique);

@@ -1,0 +1,62 @@
+/* The options that several subcommands share, as rows for their tables.
+ *
+ *     struct values { struct common_values common; struct context_desc context; };
+ *
+ *     static const struct option options[] = {
+ *         CONTEXT_OPTIONS(struct values, context),
+ *         ...
+ *     struct context *context = context_create(&values->context);
+ */
+#ifndef APPS_OPTIONS_H
+#define APPS_OPTIONS_H
+
+#include "base/option.h"
+#include "gl/context/context.h"
+#include "renderer/renderer.h"
+
+_Static_assert(sizeof(enum context_kind) == sizeof(int), "OPTION_CHOICE writes an int");
+
+struct technique_values {
+    const char *technique, *direct;
+    struct text_list settings;
+};
+
+/* clang-format off */
+/* Where OpenGL comes from: the member is a struct context_desc. */
+#define CONTEXT_OPTIONS(type, member)                                                              \
+    {"context", 0, OPTION_CHOICE, offsetof(type, member.kind), .choices = context_kind_names,      \
+     .help = "where OpenGL comes from"},                                                           \
+    {"device", 0, OPTION_INT, offsetof(type, member.device), -1, -1, 999,                          \
+     .help = "EGL device (manylight info lists them); -1 = the first that works"},                 \
+    {"gl-debug", 0, OPTION_FLAG, offsetof(type, member.debug),                                     \
+     .help = "a debug context: OpenGL's messages go to stderr"}
+
+/* What of a scene is shown: the member has camera, light, clip and time, as a struct stage_desc. */
+#define STAGE_OPTIONS(type, member)                                                                \
+    {"camera", 0, OPTION_TEXT, offsetof(type, member.camera), .value_name = "NAME|N",              \
+     .help = "camera of the scene [the first], or changed: \"0 eye=0,1,3 forward=0,0,-1\""},       \
+    {"light", 0, OPTION_TEXT, offsetof(type, member.light), .value_name = "NAME|N,...",            \
+     .help = "lights of the scene that shine [all], or changed: \"lamp,2\",\n"                     \
+             "\"0 position=0,2,0 intensity=9,9,9; 1\""},                                           \
+    {"clip", 0, OPTION_TEXT, offsetof(type, member.clip), .value_name = "NAME|N",                  \
+     .help = "animation of the scene [the first]"},                                                \
+    {"time", 0, OPTION_FLOAT, offsetof(type, member.time), 0, 0, 1e6,                              \
+     .help = "of the animation, seconds"}
+
+/* How a picture is made: the member is a struct technique_values. */
+#define TECHNIQUE_OPTIONS(type, member)                                                            \
+    {"technique", 0, OPTION_TEXT, offsetof(type, member.technique), .value_name = "NAME",          \
+     .help = "how indirect light is made; --help lists them"},                                     \
+    {"direct", 0, OPTION_TEXT, offsetof(type, member.direct), .value_name = "NAME",                \
+     .help = "how direct light is made; --help lists them"},                                       \
+    {"set", 0, OPTION_LIST, offsetof(type, member.settings), .value_name = "KEY=VALUE",            \
+     .help = "a setting of the list below; repeatable"}
+/* clang-format on */
+
+/* Fills technique, direct and settings of the desc. Error: of a name or a value. */
+bool technique_values_resolve(const struct technique_values *values, struct renderer_desc *desc);
+
+/* The end of --help: techniques, direct methods, and the settings of those that are named. */
+void technique_values_print_help(FILE *out, const struct technique_values *values);
+
+#endif
