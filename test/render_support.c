@@ -113,7 +113,6 @@ struct renderer_desc desc_of(const struct stage *stage, const char *technique, c
         .geometry = &stage->geometry,
         .emitters = stage->emitters,
         .camera = stage->camera,
-        .software = true,
     };
     choose(&desc, technique, settings);
     return desc;

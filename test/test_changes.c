@@ -40,8 +40,7 @@ static int set_up_scene(void **state, const char *path) {
                                    .technique = technique_default,
                                    .scene = &fixture->scene,
                                    .geometry = &fixture->geometry,
-                                   .keep_lights = true,
-                                   .software = context_is_software(fixture->context)};
+                                   .keep_lights = true};
     renderer_settings_init(&desc->settings);
     set(&desc->settings, "vpls=128 vals=8 map-size=32 rsm-size=64 shadow-size=128");
     camera_place(&desc->camera, &fixture->scene, 0, 0);

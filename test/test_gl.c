@@ -47,7 +47,7 @@ static void check_context(const struct context_desc *desc, const char *descripti
     assert_non_null(strstr(context_description(context), description));
     const char *renderer = (const char *)gl.GetString(GL_RENDERER);
     printf("    %s: %s\n", context_description(context), renderer);
-    assert_int_equal(context_is_software(context), strstr(renderer, "llvmpipe") != NULL);
+    assert_int_equal(gl.software, strstr(renderer, "llvmpipe") != NULL);
 #define CHECK_FUNCTION(type, name) assert_non_null(gl.name);
     GL_FUNCTIONS(CHECK_FUNCTION)
 #undef CHECK_FUNCTION

@@ -48,7 +48,7 @@ static void test_slope(void **state) {
 
 /* The variants and points of a subject that is varied by one text or two. */
 static void check_grid(const char *first, const char *second, const char *expected) {
-    struct measure_desc desc = measure_default(NULL, 60, 40, true);
+    struct measure_desc desc = measure_default(NULL, 60, 40);
     struct measure_list list = {0};
     char joined[512] = "";
     check_ok("variant", variant_apply(&desc, "fast"));
@@ -81,7 +81,7 @@ static void test_grid_refusals(void **state) {
                                         "vals=x",  "vals=0", "vals=8..2",      "vals=2..",
                                         "vals=2,", "woof=1", "technique=woof", "visibility=a..b"};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        struct measure_desc desc = measure_default(NULL, 60, 40, true);
+        struct measure_desc desc = measure_default(NULL, 60, 40);
         struct measure_list list = {0};
         measure_list_add(&list, &desc);
         if (measure_vary(&list, wrong[i]))
@@ -93,7 +93,7 @@ static void test_grid_refusals(void **state) {
 
 static void test_subjects(void **state) {
     (void)state;
-    struct measure_desc desc = measure_default(NULL, 60, 40, true);
+    struct measure_desc desc = measure_default(NULL, 60, 40);
     check_ok("variant", variant_apply(&desc, "mine:technique=unshadowed,rsm-size=64"));
     check_ok("settings", measure_assign(&desc, "vals=4,visibility=hard vpls=128,size=30x20"));
     assert_string_equal(desc.technique->name, "unshadowed");
@@ -125,7 +125,7 @@ static void test_truth_names(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
-    struct measure_desc desc = measure_default(&stage, 16, 16, true);
+    struct measure_desc desc = measure_default(&stage, 16, 16);
     char *first = truth_path(&(struct truth_desc){TRUTH_PATH, "cache", .02}, &desc);
     check_other_file(&desc, first, "the same", false);
     check_ok("setting", measure_assign(&desc, "vals=3"));
@@ -233,7 +233,7 @@ static void test_flicker(void **state) {
     struct stage stage;
     struct results results = {0};
     open_stage(&stage, "scenes/moving-spot.glb");
-    struct measure_desc r = measure_default(&stage, 16, 16, true), fast = r;
+    struct measure_desc r = measure_default(&stage, 16, 16), fast = r;
     struct measure_list subjects = {0};
     check_ok("R", variant_apply(&r, truth_vpls));
     check_ok("fast", variant_apply(&fast, "fast"));

@@ -9,6 +9,7 @@
 #include "desktop.h"
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "gl/memory.h"
 #include "viewer/window/ui.h"
 #include "viewer/viewer.h"
@@ -22,7 +23,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 static int rounds = 4;
 static struct viewer viewer;
@@ -54,14 +54,8 @@ static struct holdings take_stock(void) {
     struct holdings holdings = {.gpu_bytes = gpu_memory_total()};
     for (int i = 0; i < 5; i++)
         holdings.objects[i] = count_objects(kinds[i]);
-    long pages = 0, ignored;
     malloc_trim(0);
-    FILE *file = fopen("/proc/self/statm", "r");
-    if (file && fscanf(file, "%ld %ld", &ignored, &pages) != 2)
-        pages = 0;
-    if (file)
-        fclose(file);
-    holdings.resident = (double)pages * (double)sysconf(_SC_PAGESIZE) / (1 << 20);
+    holdings.resident = mem_resident();
     return holdings;
 }
 

@@ -78,7 +78,6 @@ struct measurement {
 struct report {
     struct measurement measurements[METRIC_COUNT]; /* as in metrics[] */
     const struct metric *pictured;                 /* by --output */
-    bool as_values; /* --output has a float format: bare values, not false colours */
 };
 
 /* --metric: by name. */
@@ -127,7 +126,8 @@ static bool report_init(struct report *report, const struct values *values) {
     for (int i = 0; i < values->bounds.count; i++)
         if (!ask_bounded(report, values->bounds.items[i]))
             return error_prefix("max");
-    if (values->output && !image_format_is_float(values->output, &report->as_values))
+    bool is_float;
+    if (values->output && !image_format_is_float(values->output, &is_float))
         return false;
     if (values->output && report->pictured && report->pictured->higher_is_better)
         return error_set("%s has no picture; put another --metric first", report->pictured->name);
@@ -190,35 +190,19 @@ static void print_json(const struct report *report, const struct values *values,
     printf("}}\n");
 }
 
-static bool write_values(const char *path, const struct image *size, const float *map) {
-    struct image picture;
-    image_init(&picture, size->width, size->height, "Y");
-    memcpy(picture.pixels, map, (size_t)size->width * (size_t)size->height * sizeof *map);
-    bool ok = image_write(&picture, path);
-    image_free(&picture);
-    return ok;
-}
-
-static bool write_heat_map(const struct values *values, const struct metric *metric, double value,
-                           const struct image *size, const float *map) {
+static bool write_map(const struct values *values, const struct metric *metric, double value,
+                      const struct image *size, const float *map) {
+    size_t pixel_count = (size_t)size->width * (size_t)size->height;
+    float top = metric->range == RANGE_UNIT ? 1 : heat_map_fit_top(map, pixel_count);
     char title[64];
     snprintf(title, sizeof title, "%s %.4g", metric->name, value);
-    float top = values->top;
-    if (top == 0)
-        top = metric->range == RANGE_UNIT
-                  ? 1
-                  : heat_map_fit_top(map, (size_t)size->width * (size_t)size->height);
-    struct bitmap picture;
-    heat_map_draw(&(struct heat_map){.title = title,
-                                     .width = size->width,
-                                     .height = size->height,
-                                     .values = map,
-                                     .top = top,
-                                     .is_signed = metric->range == RANGE_SIGNED},
-                  &picture);
-    bool ok = bitmap_write(&picture, values->output);
-    bitmap_free(&picture);
-    return ok;
+    return heat_map_write(&(struct heat_map){.title = title,
+                                             .width = size->width,
+                                             .height = size->height,
+                                             .values = map,
+                                             .top = values->top > 0 ? values->top : top,
+                                             .is_signed = metric->range == RANGE_SIGNED},
+                          values->output);
 }
 
 static bool measure(struct report *report, const struct values *values,
@@ -235,9 +219,7 @@ static bool measure(struct report *report, const struct values *values,
             continue;
         m->value = metric_measure(&metrics[i], &comparison, map);
         if (values->output && report->pictured == &metrics[i])
-            ok = report->as_values
-                     ? write_values(values->output, &pictures->test, map)
-                     : write_heat_map(values, &metrics[i], m->value, &pictures->test, map);
+            ok = write_map(values, &metrics[i], m->value, &pictures->test, map);
     }
     free(map);
     return ok;

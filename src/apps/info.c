@@ -55,20 +55,6 @@ static void print_limits(void) {
     printf("  %-26s %d\n", "timestamp bits", bits);
 }
 
-static void print_extensions(void) {
-    static const char *const names[] = {
-        "GL_ARB_shader_viewport_layer_array",
-        "GL_AMD_vertex_shader_layer",
-        "GL_NV_viewport_array2",
-        "GL_EXT_texture_filter_anisotropic",
-        "GL_ARB_seamless_cubemap_per_texture",
-        "GL_ARB_bindless_texture",
-        "GL_ARB_parallel_shader_compile",
-    };
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        printf("  %-36s %s\n", names[i], gl_has_extension(&gl, names[i]) ? "yes" : "no");
-}
-
 static bool print_gl(const struct values *values) {
     char devices[4096];
     context_list_devices(devices, sizeof devices);
@@ -77,15 +63,13 @@ static bool print_gl(const struct values *values) {
     if (!context)
         return false;
     printf("context   %s, %s\n", context_description(context),
-           context_is_software(context) ? "software" : "hardware");
+           gl.software ? "software" : "hardware");
     printf("vendor    %s\n", (const char *)gl.GetString(GL_VENDOR));
     printf("renderer  %s\n", (const char *)gl.GetString(GL_RENDERER));
     printf("version   %s\n", (const char *)gl.GetString(GL_VERSION));
     printf("GLSL      %s\n", (const char *)gl.GetString(GL_SHADING_LANGUAGE_VERSION));
     printf("limits\n");
     print_limits();
-    printf("extensions\n");
-    print_extensions();
     context_free(context);
     return true;
 }

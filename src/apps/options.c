@@ -1,13 +1,14 @@
 #include "apps/options.h"
 
-bool technique_values_resolve(const struct technique_values *values, struct renderer_desc *desc) {
-    desc->technique = technique_find(values->technique);
-    desc->direct = direct_find(values->direct);
-    renderer_settings_init(&desc->settings);
-    return desc->technique && desc->direct &&
-           renderer_settings_assign(&desc->settings, desc->technique, values->settings.items,
+bool technique_values_resolve(const struct technique_values *values,
+                              const struct technique **technique,
+                              const struct direct_method **direct, struct settings *settings) {
+    renderer_settings_init(settings);
+    return (*technique = technique_find(values->technique)) &&
+           (*direct = direct_find(values->direct)) &&
+           renderer_settings_assign(settings, *technique, values->settings.items,
                                     values->settings.count) &&
-           technique_check(desc->technique, &desc->settings);
+           technique_check(*technique, settings);
 }
 
 void technique_values_print_help(FILE *out, const struct technique_values *values) {

@@ -53,8 +53,10 @@ struct technique_values {
      .help = "a setting of the list below; repeatable"}
 /* clang-format on */
 
-/* Fills technique, direct and settings of the desc. Error: of a name or a value. */
-bool technique_values_resolve(const struct technique_values *values, struct renderer_desc *desc);
+/* What they name, with all settings. Error: of a name or a value. */
+bool technique_values_resolve(const struct technique_values *values,
+                              const struct technique **technique,
+                              const struct direct_method **direct, struct settings *settings);
 
 /* The end of --help: techniques, direct methods, and the settings of those that are named. */
 void technique_values_print_help(FILE *out, const struct technique_values *values);

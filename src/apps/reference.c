@@ -11,7 +11,6 @@
 #include "base/file/image_file.h"
 #include "base/log.h"
 #include "base/file/output_file.h"
-#include "reference/path_tracer.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -115,14 +114,10 @@ static bool trace_paths(const struct values *values, const struct stage *stage,
     struct progress progress;
     struct path_tracer_progress reached;
     struct path_tracer_desc desc = values->tracer;
-    desc.scene = &stage->scene;
-    desc.geometry = &stage->geometry;
-    desc.camera = &stage->camera;
-    desc.emitters = stage->emitters;
     desc.progress = show;
     desc.user = &progress;
     progress_start(&progress);
-    bool ok = path_tracer_render(&desc, image, &reached);
+    bool ok = picture_trace_paths(stage, &desc, image, &reached);
     double seconds = progress_end(&progress);
     if (ok && reached.samples == 1)
         log_note("1 sample per pixel in %.1f s, which does not tell its noise", seconds);
@@ -140,7 +135,6 @@ static bool trace_vpls(const struct values *values, const struct stage *stage,
     if (!context)
         return false;
     desc->stage = stage;
-    desc->software = context_is_software(context);
     progress_start(&progress);
     bool ok = picture_trace(desc, &progress, image);
     double seconds = progress_end(&progress);
@@ -151,7 +145,7 @@ static bool trace_vpls(const struct values *values, const struct stage *stage,
 }
 
 static bool parse_settings(const struct values *values, struct measure_desc *desc) {
-    *desc = measure_default(NULL, values->tracer.width, values->tracer.height, false);
+    *desc = measure_default(NULL, values->tracer.width, values->tracer.height);
     if (values->technique == TECHNIQUE_PATH && values->settings.count)
         return error_set("--set is for --technique vpl-raytraced");
     return measure_assign_all(desc, values->settings.items, values->settings.count) &&

@@ -231,7 +231,6 @@ static bool render_scene(const struct values *values, const struct frames *frame
     desc->emitters = stage.emitters;
     desc->camera = stage.camera;
     context = context_create(&values->context);
-    desc->software = context && context_is_software(context);
     bool ok = context && render(values, frames, desc, &stage);
     context_free(context);
     stage_free(&stage);
@@ -248,7 +247,8 @@ int app_render(int argc, char **argv) {
         .width = values.size[0], .height = values.size[1], .timed = values.stats};
     if (!frames_parse(&frames, values.frames ? values.frames : "0") ||
         !check_outputs(&values, frames.count) ||
-        !technique_values_resolve(&values.technique, &desc)) {
+        !technique_values_resolve(&values.technique, &desc.technique, &desc.direct,
+                                  &desc.settings)) {
         frames_free(&frames);
         return arguments_misuse(argv[0]);
     }

@@ -4,18 +4,17 @@
 #include "measure/lights.h"
 
 #include <stdio.h>
+#include <string.h>
 
 static void print_times(struct timers *timers) {
     timers_flush(timers);
     double frame = timer_ms(timers, "frame");
     for (int i = 0; i < timers->count; i++) {
         const struct timer_result *result = &timers->results[i];
-        const char *name = result->path;
-        for (int depth = 0; depth < result->depth; depth++)
-            while (*name++ != '/')
-                ;
-        printf("  %*s%-*s %9.2f ms %5.1f %%\n", 2 * result->depth, "", 28 - 2 * result->depth, name,
-               result->ms, frame > 0 ? 100 * result->ms / frame : 0);
+        const char *slash = strrchr(result->path, '/');
+        printf("  %*s%-*s %9.2f ms %5.1f %%\n", 2 * result->depth, "", 28 - 2 * result->depth,
+               slash ? slash + 1 : result->path, result->ms,
+               frame > 0 ? 100 * result->ms / frame : 0);
     }
     if (timers->finish)
         printf("  (software OpenGL: each pass timed with glFinish and the clock)\n");

@@ -62,12 +62,9 @@ int app_view(int argc, char **argv) {
     const char *screenshot = desc->screenshot;
     desc->scene = scene;
     bool is_float;
-    struct renderer_desc made = {0};
-    bool ok = technique_values_resolve(&values.technique, &made);
-    desc->technique = made.technique;
-    desc->direct = made.direct;
-    desc->settings = made.settings;
-    if (!ok || (screenshot && !image_format_is_float(screenshot, &is_float)))
+    if (!technique_values_resolve(&values.technique, &desc->technique, &desc->direct,
+                                  &desc->settings) ||
+        (screenshot && !image_format_is_float(screenshot, &is_float)))
         return arguments_misuse(argv[0]);
     if ((desc->frames || screenshot) && !scene) {
         error_set("--frames and --screenshot need a scene");

@@ -49,6 +49,19 @@ bool mem_check(uint64_t bytes) {
                                        (double)bytes / gib, (double)there / gib);
 }
 
+static double status_mib(const char *word) {
+    uint64_t kib = number_in("/proc/self/status", word);
+    return kib == UINT64_MAX ? 0 : (double)kib / 1024;
+}
+
+double mem_resident(void) {
+    return status_mib("VmRSS:");
+}
+
+double mem_most_resident(void) {
+    return status_mib("VmHWM:");
+}
+
 static void *checked(void *pointer, size_t count, size_t size) {
     if (pointer)
         return pointer;

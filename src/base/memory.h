@@ -11,6 +11,10 @@
  * are wanted and how many there are; the caller puts in front what wants them. */
 bool mem_check(uint64_t bytes);
 
+/* What the process has in memory, now and at its most, MiB; 0 where the system does not tell. */
+double mem_resident(void);
+double mem_most_resident(void);
+
 /* count elements of size bytes each, zeroed; a valid pointer even for 0 bytes. */
 void *mem_alloc(size_t count, size_t size);
 

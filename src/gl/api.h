@@ -125,6 +125,7 @@ struct gl_api {
      * window, without a framebuffer, even where no attribute is read and nothing is rasterised. */
     GLuint empty_vertex_array, empty_framebuffer;
     struct program_cache *programs; /* gl/program.c */
+    bool software;                  /* it renders on the CPU: llvmpipe, softpipe, swrast */
 };
 
 /* Of the current context; all NULL while there is none. */

@@ -1,4 +1,3 @@
-#define _POSIX_C_SOURCE 200809L
 #include "measure/clip.h"
 
 #include "base/error.h"
@@ -11,9 +10,8 @@
 
 #include <cglm/cglm.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 /* What is told of each frame. */
 enum { FLICKER, VALS, VAL_TRAVEL, VPL_TRAVEL, FIGURES };
@@ -105,15 +103,7 @@ static void measure_travel(const struct track *track, double frame[FIGURES]) {
 /* What the process and OpenGL hold. */
 static void add_memory(struct run *run, const char *when) {
     struct measure_desc desc = run->clip->reference;
-    struct rusage usage = {.ru_maxrss = 0};
-    long pages = 0;
-    FILE *statm = fopen("/proc/self/statm", "r");
-    if (statm && fscanf(statm, "%*d %ld", &pages) != 1)
-        pages = 0;
-    if (statm)
-        fclose(statm);
-    double resident = (double)pages * (double)sysconf(_SC_PAGESIZE) / (1 << 20);
-    getrusage(RUSAGE_SELF, &usage);
+    double resident = mem_resident();
     snprintf(desc.variant, sizeof desc.variant, "memory");
     snprintf(desc.point, sizeof desc.point, "%s", when);
     results_begin(run->results, &desc);
@@ -121,8 +111,7 @@ static void add_memory(struct run *run, const char *when) {
     results_add(run->results, "gpu-memory", "", "MiB", (double)gpu_memory_total() / (1 << 20));
     results_add(run->results, "resident-memory", "", "MiB", resident);
     /* The kernel counts the two at different moments. */
-    results_add(run->results, "most-resident", "", "MiB",
-                fmax(resident, (double)usage.ru_maxrss / 1024));
+    results_add(run->results, "most-resident", "", "MiB", fmax(resident, mem_most_resident()));
 }
 
 /* --- a clip ----------------------------------------------------------------------------------- */

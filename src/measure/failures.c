@@ -61,19 +61,11 @@ static int count_non_finite(const struct image *image) {
 /* The largest error of a pixel. */
 static void add_worst(struct results *results, const struct comparison *comparison) {
     double worst = 0;
-    int at[2] = {0, 0};
     for (int y = 0; y < comparison->reference->height; y++)
-        for (int x = 0; x < comparison->reference->width; x++) {
-            double error = (double)absolute_error(comparison, x, y);
-            if (error <= worst)
-                continue;
-            worst = error;
-            at[0] = x, at[1] = y;
-        }
+        for (int x = 0; x < comparison->reference->width; x++)
+            worst = fmax(worst, (double)absolute_error(comparison, x, y));
     results_add(results, "worst", "", "%",
                 worst > 0 ? 100 * worst / image_mean(comparison->reference, (int[]){0, 1, 2}) : 0);
-    results_add(results, "worst-x", "", "", at[0]);
-    results_add(results, "worst-y", "", "", at[1]);
 }
 
 /* The row's settings count, whatever column and desc say. */
@@ -82,8 +74,7 @@ static bool prepare(const struct run *run, const char *column, struct measure_de
     const struct failure_row *row = run->row;
     const struct text_list *common = run->desc->settings;
     *subject = measure_default(&run->stage, row->width ? row->width : run->desc->width,
-                               row->height ? row->height : run->desc->height,
-                               context_is_software(run->desc->context));
+                               row->height ? row->height : run->desc->height);
     snprintf(subject->point, sizeof subject->point, "%s", row->name);
     return variant_apply(subject, column) && read_bound(subject, run->desc->small, bound) &&
            (!common || measure_assign_all(subject, common->items, common->count)) &&

@@ -42,9 +42,9 @@ struct failure_desc {
 };
 
 /* Adds a subject for each column, whose point is the row's name:
- *     what errors_add adds, worst (pixel: |v - r| over the reference's mean) in %, worst-x,
- *     worst-y, non-finite (values), messages (of OpenGL), rmse-bound, bias-bound, and holds: 1
- *     where it is finite, silent and within bounds
+ *     what errors_add adds, worst (pixel: |v - r| over the reference's mean) in %, non-finite
+ *     (values), messages (of OpenGL), rmse-bound, bias-bound, and holds: 1 where it is finite,
+ *     silent and within bounds
  * Errors over a black truth are infinite. Error: of the scene, the renderer or a file. */
 bool failure_measure(struct results *results, const struct failure_row *row,
                      const struct failure_desc *desc);

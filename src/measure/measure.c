@@ -7,14 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct measure_desc measure_default(const struct stage *stage, int width, int height,
-                                    bool software) {
+struct measure_desc measure_default(const struct stage *stage, int width, int height) {
     struct measure_desc desc = {.stage = stage,
                                 .width = width,
                                 .height = height,
                                 .technique = technique_default,
-                                .direct = direct_default,
-                                .software = software};
+                                .direct = direct_default};
     renderer_settings_init(&desc.settings);
     return desc;
 }
@@ -114,7 +112,6 @@ bool measure_start(struct renderer *renderer, const struct measure_desc *desc) {
                                                             .geometry = &desc->stage->geometry,
                                                             .emitters = desc->stage->emitters,
                                                             .camera = desc->stage->camera,
-                                                            .timed = true,
-                                                            .software = desc->software})) ||
+                                                            .timed = true})) ||
            blame(desc);
 }

@@ -16,14 +16,12 @@ struct measure_desc {
     const struct technique *technique;
     const struct direct_method *direct;
     struct settings settings;
-    bool software;                   /* of the current context */
     char variant[MEASURE_NAME_SIZE]; /* as results call it: "fast", "paper hard" */
     char point[MEASURE_NAME_SIZE];   /* its place in a series: "vals=8 terms=2"; or "" */
 };
 
 /* All defaults. stage NULL: assignments are only tried. */
-struct measure_desc measure_default(const struct stage *stage, int width, int height,
-                                    bool software);
+struct measure_desc measure_default(const struct stage *stage, int width, int height);
 
 /* Assigns "key=value", or several with spaces or commas between: "technique=NAME", "direct=NAME",
  * "size=WxH" or a setting; presets come first, wherever they stand. NULL is none. Error: of a name

@@ -67,3 +67,13 @@ bool picture_trace(const struct measure_desc *desc, struct progress *progress,
     lights_free(&lights);
     return ok;
 }
+
+bool picture_trace_paths(const struct stage *stage, const struct path_tracer_desc *desc,
+                         struct image *image, struct path_tracer_progress *reached) {
+    struct path_tracer_desc placed = *desc;
+    placed.scene = &stage->scene;
+    placed.geometry = &stage->geometry;
+    placed.camera = &stage->camera;
+    placed.emitters = stage->emitters;
+    return path_tracer_render(&placed, image, reached);
+}

@@ -1,10 +1,11 @@
-/* The picture of a subject, with all layers: by the renderer, or by rays from the VPLs that the
- * renderer made. */
+/* The picture of a subject, with all layers: by the renderer, by rays from the VPLs that the
+ * renderer made, or by paths. */
 #ifndef MEASURE_PICTURE_H
 #define MEASURE_PICTURE_H
 
 #include "measure/measure.h"
 #include "base/progress.h"
+#include "reference/path_tracer.h"
 
 /* One frame. Error: of the renderer. */
 bool picture_render(const struct measure_desc *desc, struct image *image);
@@ -14,5 +15,9 @@ bool picture_render(const struct measure_desc *desc, struct image *image);
  * as the near field is no sum over VPLs. progress NULL = none shown. Error: the technique has no
  * VPLs; of the renderer or the tracer. */
 bool picture_trace(const struct measure_desc *desc, struct progress *progress, struct image *image);
+
+/* As path_tracer_render, with scene, geometry, camera and lights of the stage. */
+bool picture_trace_paths(const struct stage *stage, const struct path_tracer_desc *desc,
+                         struct image *image, struct path_tracer_progress *reached);
 
 #endif

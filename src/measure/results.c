@@ -138,24 +138,24 @@ static const char machine_heading[] =
     ",gl_vendor,gl_renderer,gl_version,software,cpu,cores,commit,date";
 
 /* The cells below that heading; the caller frees them. */
-static char *machine_cells(bool software) {
+static char *machine_cells(void) {
     struct text cells = {0};
     char date[16];
     time_t now = time(NULL);
     add_cell(&cells, (const char *)gl.GetString(GL_VENDOR));
     add_cell(&cells, (const char *)gl.GetString(GL_RENDERER));
     add_cell(&cells, (const char *)gl.GetString(GL_VERSION));
-    add_cell(&cells, software ? "yes" : "no");
+    add_cell(&cells, gl.software ? "yes" : "no");
     add_cpu(&cells);
     strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
     text_print(&cells, ",%d,%s,%s", parallel_core_count(), MANYLIGHT_COMMIT, date);
     return cells.data;
 }
 
-void results_print_machine(bool software) {
-    char *cells = machine_cells(software);
+void results_print_machine(void) {
+    char *cells = machine_cells();
     printf("%s\n%s%s\n", machine_heading + 1, cells + 1,
-           software ? " (passes timed with glFinish)" : "");
+           gl.software ? " (passes timed with glFinish)" : "");
     free(cells);
 }
 
@@ -192,7 +192,7 @@ static void add_row(struct text *out, const struct results *results, const struc
 }
 
 bool results_write(const struct results *results, const char *mode, const char *path) {
-    char *machine = machine_cells(results->subject_count && results->subjects->desc.software);
+    char *machine = machine_cells();
     struct text out = {0};
     text_print(&out,
                "mode,scene,faces,width,height,technique,variant,point,settings,what,against,unit,"

@@ -67,7 +67,7 @@ struct table {
 void results_print(const struct results *results, int first, const struct table *table);
 
 /* On stdout: the cells that tell the machine, of the current context. */
-void results_print_machine(bool software);
+void results_print_machine(void);
 
 /* Error: of the file. */
 bool results_write(const struct results *results, const char *mode, const char *path);

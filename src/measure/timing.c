@@ -56,7 +56,7 @@ static double clocked_frames(struct renderer *renderer, int frames) {
 /* Frames between two looks at the clock: more on a GPU, where one would be too short. */
 static void take_sample(struct run *run, int at) {
     struct timers *timers = &run->renderer.timers;
-    int burst = run->desc->software ? 1 : 8;
+    int burst = gl.software ? 1 : 8;
     renderer_render(&run->renderer);
     timers_flush(timers);
     for (int i = 0; i < timers->count; i++)
@@ -104,9 +104,9 @@ static bool add_errors(struct results *results, struct run *run, const struct tr
 static bool measure_group(struct results *results, int first, struct run *runs,
                           const struct measure_desc *descs, int count,
                           const struct timing_desc *timing) {
-    bool software = descs->software, ok = true;
-    int frames = timing->frames ? timing->frames : software ? 5 : 100;
-    int warm_up = timing->warm_up ? timing->warm_up : software ? 1 : 10;
+    bool ok = true;
+    int frames = timing->frames ? timing->frames : gl.software ? 5 : 100;
+    int warm_up = timing->warm_up ? timing->warm_up : gl.software ? 1 : 10;
     for (int i = 0; i < count; i++) {
         if (!run_start(&runs[i], &descs[i], frames))
             return false;

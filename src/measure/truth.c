@@ -8,80 +8,28 @@
 #include "base/memory.h"
 #include "measure/picture.h"
 #include "measure/variants.h"
-#include "reference/path_tracer.h"
+#include "scene/hash.h"
 
 #include "sources.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 const char *const truth_names[] = {"none", "path", "centers", "vpls", NULL};
 
 const char truth_vpls[] = "R:technique=instant-radiosity,interleave=1,blur-radius=0";
 
-/* --- what a truth depends on ------------------------------------------------------------------ */
+/* --- where it is kept ------------------------------------------------------------------------- */
 
-/* FNV-1a, 64 bits. */
-static void hash(uint64_t *sum, const void *bytes, size_t size) {
-    for (const unsigned char *b = bytes; size; b++, size--)
-        *sum = (*sum ^ *b) * 0x100000001b3U;
-}
-
-static void hash_materials(uint64_t *sum, const struct scene *scene) {
-    for (int i = 0; i < scene->material_count; i++) {
-        const struct material *m = &scene->materials[i];
-        const size_t from = offsetof(struct material, base_color);
-        hash(sum, m->base_color, offsetof(struct material, alpha_mask) - from); /* no padding */
-        hash(sum, &m->alpha_mask, sizeof m->alpha_mask);
-        hash(sum, &m->alpha_cutoff, sizeof m->alpha_cutoff);
-        hash(sum, &m->double_sided, sizeof m->double_sided);
-    }
-    for (int i = 0; i < scene->texture_count; i++) {
-        const struct scene_texture *t = &scene->textures[i];
-        hash(sum, t->bitmap.rgba, 4 * (size_t)t->bitmap.width * (size_t)t->bitmap.height);
-        hash(sum, &t->linear, sizeof t->linear);
-        hash(sum, &t->wrap_u, sizeof t->wrap_u);
-        hash(sum, &t->wrap_v, sizeof t->wrap_v);
-        hash(sum, &t->nearest, sizeof t->nearest);
-    }
-}
-
-static void hash_geometry(uint64_t *sum, const struct geometry *g) {
-    size_t vertices = g->vertex_count;
-    hash(sum, g->position, vertices * sizeof *g->position);
-    hash(sum, g->normal, vertices * sizeof *g->normal);
-    hash(sum, g->uv, vertices * sizeof *g->uv);
-    hash(sum, g->color, vertices * sizeof *g->color);
-    hash(sum, g->indices, g->index_count * sizeof *g->indices);
-    for (int i = 0; i < g->batch_count; i++) {
-        hash(sum, &g->batches[i].material, sizeof g->batches[i].material);
-        hash(sum, &g->batches[i].index_count, sizeof g->batches[i].index_count);
-    }
-}
-
-static void hash_camera(uint64_t *sum, const struct camera *camera) {
-    hash(sum, &camera->orthographic, sizeof camera->orthographic);
-    hash(sum, camera->eye, sizeof *camera - offsetof(struct camera, eye));
-}
-
+/* Of all that the truth depends on; the renderer's own picture on all sources. */
 static uint64_t hash_of(const struct stage *stage, enum truth_kind kind) {
     static const char tracer[] = MANYLIGHT_TRACER, all[] = MANYLIGHT_SOURCES;
-    uint64_t sum = 0xcbf29ce484222325U;
-    hash_materials(&sum, &stage->scene);
-    hash_geometry(&sum, &stage->geometry);
-    hash_camera(&sum, &stage->camera);
-    hash(&sum, stage->emitters.items,
-         (size_t)stage->emitters.count * sizeof *stage->emitters.items);
-    if (kind == TRUTH_VPLS) /* the renderer's own picture */
-        hash(&sum, all, sizeof all);
-    else
-        hash(&sum, tracer, sizeof tracer);
+    uint64_t sum = scene_hash(&stage->scene, &stage->geometry, &stage->camera, &stage->emitters);
+    hash_bytes(&sum, kind == TRUTH_VPLS ? all : tracer,
+               kind == TRUTH_VPLS ? sizeof all : sizeof tracer);
     return sum;
 }
-
-/* --- where it is kept ------------------------------------------------------------------------- */
 
 /* $XDG_CACHE_HOME/manylight, or ~/.cache/manylight. */
 static char *default_folder(void) {
@@ -111,21 +59,17 @@ char *truth_path(const struct truth_desc *truth, const struct measure_desc *desc
 
 bool truth_trace(const struct truth_desc *truth, const struct measure_desc *desc,
                  struct image *image) {
-    return path_tracer_render(&(struct path_tracer_desc){.scene = &desc->stage->scene,
-                                                         .geometry = &desc->stage->geometry,
-                                                         .camera = &desc->stage->camera,
-                                                         .emitters = desc->stage->emitters,
-                                                         .width = desc->width,
-                                                         .height = desc->height,
-                                                         .bounces = 1,
-                                                         .noise = truth->noise,
-                                                         .centers = truth->kind == TRUTH_CENTERS},
-                              image, NULL);
+    return picture_trace_paths(desc->stage,
+                               &(struct path_tracer_desc){.width = desc->width,
+                                                          .height = desc->height,
+                                                          .bounces = 1,
+                                                          .noise = truth->noise,
+                                                          .centers = truth->kind == TRUTH_CENTERS},
+                               image, NULL);
 }
 
 static bool render_all_vpls(const struct measure_desc *desc, struct image *image) {
-    struct measure_desc all =
-        measure_default(desc->stage, desc->width, desc->height, desc->software);
+    struct measure_desc all = measure_default(desc->stage, desc->width, desc->height);
     return variant_apply(&all, truth_vpls) && picture_render(&all, image);
 }
 

@@ -1,5 +1,6 @@
 #include "metrics/heat_map.h"
 
+#include "base/file/image_file.h"
 #include "base/memory.h"
 #include "metrics/colour.h"
 #include "metrics/label.h"
@@ -119,4 +120,27 @@ void heat_map_draw(const struct heat_map *map, struct bitmap *picture) {
     init_picture(picture, width, map_height + LEGEND_HEIGHT * dot);
     draw_values(map, picture, zoom);
     draw_legend(map, picture, map_height, dot);
+}
+
+static bool write_values(const struct heat_map *map, const char *path) {
+    struct image picture;
+    image_init(&picture, map->width, map->height, "Y");
+    memcpy(picture.pixels, map->values,
+           (size_t)map->width * (size_t)map->height * sizeof *map->values);
+    bool ok = image_write(&picture, path);
+    image_free(&picture);
+    return ok;
+}
+
+bool heat_map_write(const struct heat_map *map, const char *path) {
+    bool is_float;
+    struct bitmap picture;
+    if (!image_format_is_float(path, &is_float))
+        return false;
+    if (is_float)
+        return write_values(map, path);
+    heat_map_draw(map, &picture);
+    bool ok = bitmap_write(&picture, path);
+    bitmap_free(&picture);
+    return ok;
 }

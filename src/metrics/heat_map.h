@@ -32,4 +32,8 @@ void heat_map_draw_values(const struct heat_map *map, struct bitmap *picture);
  * scale has room. */
 void heat_map_draw(const struct heat_map *map, struct bitmap *picture);
 
+/* Writes such a picture; to a format of floats (EXR ...) the bare values, as one channel. Error: of
+ * the file. */
+bool heat_map_write(const struct heat_map *map, const char *path);
+
 #endif

@@ -121,7 +121,7 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
         renderer->desc.direct = direct_default;
     if (desc->settings.part_count == 0)
         renderer_settings_init(&renderer->desc.settings);
-    timers_init(&renderer->timers, desc->timed, desc->software);
+    timers_init(&renderer->timers, desc->timed, gl.software);
     if (light_layout_of(&renderer->layout, &desc->emitters) &&
         scene_gpu_init(&renderer->scene, desc->scene, desc->geometry) &&
         init_parts(renderer, PART_ALL, 0) &&
@@ -223,7 +223,7 @@ static bool change_lights(struct renderer *renderer, const struct renderer_desc 
         renderer->lights_drawn &= !(parts & PART_LIGHTS);
         if (parts & PART_TECHNIQUE) { /* other passes, other timers */
             timers_free(&renderer->timers);
-            timers_init(&renderer->timers, desc->timed, desc->software);
+            timers_init(&renderer->timers, desc->timed, gl.software);
         }
     }
     free_parts(&fresh);

@@ -32,7 +32,6 @@ struct renderer_desc {
     bool keep_lights; /* frames in which only the camera moved use the lights' passes of the one
                          before: the same picture in less time */
     bool timed;       /* measure passes */
-    bool software;    /* of the context: how to measure them */
 };
 
 struct renderer {

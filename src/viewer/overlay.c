@@ -60,7 +60,7 @@ static void draw_statistics(struct viewer *viewer) {
     ui_value("size", "%d x %d%s", desc->width, desc->height,
              viewer->shown.moving ? " while moving" : "");
     ui_value("GPU memory", "%.0f MiB", (double)gpu_memory_total() / (1 << 20));
-    if (context_is_software(viewer->host.context))
+    if (gl.software)
         ui_text(UI_WARNING, "software OpenGL: no GPU is used");
     ui_area_end();
 }

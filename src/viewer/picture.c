@@ -76,7 +76,7 @@ static void choose_size(struct viewer *viewer, int *width, int *height) {
     if (viewer_is_scripted(viewer))
         return;
     if (pace->frame_count == 0) /* the first picture is to come soon */
-        shown->coarse = context_is_software(viewer->host.context);
+        shown->coarse = gl.software;
     if (pace->frame_count == 0 || !shown->moving)
         return;
     double scale = pace_scale(pace, (double)*width * *height, moving_ms);

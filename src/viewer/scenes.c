@@ -50,7 +50,6 @@ static bool init_renderer(struct viewer *viewer, struct renderer *renderer) {
         .emitters = viewer->placed.emitters,
         .keep_lights = true,
         .timed = true,
-        .software = context_is_software(viewer->host.context),
     };
     viewer_full_size(viewer, &desc.width, &desc.height);
     return renderer_init(renderer, &desc);

@@ -30,8 +30,7 @@ static const char *const paper_scenes[] = {"scenes/cornell-box.glb", "scenes/cor
 
 bool bench_prepare(const struct bench *bench, const char *variant, struct measure_desc *desc) {
     const struct bench_values *values = &bench->values;
-    *desc = measure_default(bench->stage, values->size[0], values->size[1],
-                            bench->context && context_is_software(bench->context));
+    *desc = measure_default(bench->stage, values->size[0], values->size[1]);
     return variant_apply(desc, variant) &&
            measure_assign_all(desc, values->settings.items, values->settings.count);
 }
@@ -167,7 +166,7 @@ static bool run(struct bench *bench, const struct bench_mode *mode) {
     desc.debug = desc.debug || mode == &bench_failures; /* it counts messages */
     bool ok = !has_option(mode, "context") || (bench->context = context_create(&desc));
     if (bench->context)
-        results_print_machine(context_is_software(bench->context));
+        results_print_machine();
     for (int i = 0; ok && mode->measure && i < bench->argument_count; i++)
         ok = measure_scene(bench, mode, bench->arguments[i]) && write_rows(bench, mode);
     ok = ok && (!mode->finish || mode->finish(bench));

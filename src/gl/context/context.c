@@ -19,7 +19,6 @@ struct context {
     struct native_context native; /* platform NULL: adopted, the window's owner binds it */
     struct gl_api api;
     char description[128];
-    bool software;
     int message_count;
 };
 
@@ -67,9 +66,9 @@ static bool load(struct context *context, void *(*getproc)(const char *name), bo
         return false;
     make_empty_objects(&context->api);
     context->api.programs = program_cache_create();
+    context->api.software = is_software((const char *)context->api.GetString(GL_RENDERER));
     gl = context->api;
     current = context;
-    context->software = is_software((const char *)gl.GetString(GL_RENDERER));
     if (debug)
         listen(context);
     return true;
@@ -198,10 +197,6 @@ void context_free(struct context *context) {
 
 const char *context_description(const struct context *context) {
     return context->description;
-}
-
-bool context_is_software(const struct context *context) {
-    return context->software;
 }
 
 int context_message_count(const struct context *context) {

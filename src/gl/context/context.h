@@ -45,9 +45,6 @@ struct context *context_adopt(void *(*getproc)(const char *name), bool debug);
  * "window". */
 const char *context_description(const struct context *context);
 
-/* Whether the GL implementation renders on the CPU (llvmpipe, softpipe, swrast). */
-bool context_is_software(const struct context *context);
-
 /* GL debug messages of severity above notification since the context was made. */
 int context_message_count(const struct context *context);
 

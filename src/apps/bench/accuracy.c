@@ -1,0 +1,39 @@
+/* manylight bench budget, curves: the error of the frame, step by step on the way from the truth, and
+ * against M, K, N and the size of maps. */
+#include "apps/bench/bench.h"
+
+#include "measure/accuracy.h"
+#include "measure/errors.h"
+
+static bool measure_budget(struct bench *bench, const struct measure_list *subjects) {
+    struct truth_desc truth = bench_truth(bench, TRUTH_PATH);
+    return budget_measure(&bench->results, subjects->items, &truth);
+}
+
+static bool measure_curves(struct bench *bench, const struct measure_list *subjects) {
+    struct truth_desc truth = bench_truth(bench, TRUTH_CENTERS);
+    return curves_measure(&bench->results, subjects->items, &truth);
+}
+
+const struct bench_mode bench_budget = {
+    .name = "budget",
+    .help = "the error of the frame, step by step on the way from the truth\n"
+            "Each step changes one thing. Without SCENE: the paper's four scenes.",
+    .options = "size set noise cache" BENCH_CONTEXT,
+    .measure = measure_budget,
+    .tables = {{"each step alone, against the one before", {ERROR_COLUMNS(AGAINST_BEFORE)}},
+               {"against the truth", {ERROR_COLUMNS(AGAINST_TRUTH), {"its noise", "noise", NULL}}},
+               {"but for edges: against the truth through pixels' centres",
+                {ERROR_COLUMNS(AGAINST_CENTERS)}}},
+};
+
+const struct bench_mode bench_curves = {
+    .name = "curves",
+    .help =
+        "errors against M, K, N and the size of maps, as in the paper's Fig. 10\n"
+        "N against the path-traced truth, the others against ray-traced visibility from the same\n"
+        "VPLs. Without SCENE: the paper's four scenes.",
+    .options = "size set noise cache" BENCH_CONTEXT,
+    .measure = measure_curves,
+    .tables = {{"errors along one setting", {ERROR_COLUMNS(NULL)}}},
+};

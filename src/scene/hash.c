@@ -1,0 +1,52 @@
+#include "scene/hash.h"
+
+#include <stddef.h>
+
+void hash_bytes(uint64_t *sum, const void *bytes, size_t size) {
+    for (const unsigned char *b = bytes; size; b++, size--)
+        *sum = (*sum ^ *b) * 0x100000001b3U;
+}
+
+static void hash_materials(uint64_t *sum, const struct scene *scene) {
+    for (int i = 0; i < scene->material_count; i++) {
+        const struct material *m = &scene->materials[i];
+        const size_t from = offsetof(struct material, base_color);
+        hash_bytes(sum, m->base_color,
+                   offsetof(struct material, alpha_mask) - from); /* no padding */
+        hash_bytes(sum, &m->alpha_mask, sizeof m->alpha_mask);
+        hash_bytes(sum, &m->alpha_cutoff, sizeof m->alpha_cutoff);
+        hash_bytes(sum, &m->double_sided, sizeof m->double_sided);
+    }
+    for (int i = 0; i < scene->texture_count; i++) {
+        const struct scene_texture *t = &scene->textures[i];
+        hash_bytes(sum, t->bitmap.rgba, 4 * (size_t)t->bitmap.width * (size_t)t->bitmap.height);
+        hash_bytes(sum, &t->linear, sizeof t->linear);
+        hash_bytes(sum, &t->wrap_u, sizeof t->wrap_u);
+        hash_bytes(sum, &t->wrap_v, sizeof t->wrap_v);
+        hash_bytes(sum, &t->nearest, sizeof t->nearest);
+    }
+}
+
+static void hash_geometry(uint64_t *sum, const struct geometry *g) {
+    size_t vertices = g->vertex_count;
+    hash_bytes(sum, g->position, vertices * sizeof *g->position);
+    hash_bytes(sum, g->normal, vertices * sizeof *g->normal);
+    hash_bytes(sum, g->uv, vertices * sizeof *g->uv);
+    hash_bytes(sum, g->color, vertices * sizeof *g->color);
+    hash_bytes(sum, g->indices, g->index_count * sizeof *g->indices);
+    for (int i = 0; i < g->batch_count; i++) {
+        hash_bytes(sum, &g->batches[i].material, sizeof g->batches[i].material);
+        hash_bytes(sum, &g->batches[i].index_count, sizeof g->batches[i].index_count);
+    }
+}
+
+uint64_t scene_hash(const struct scene *scene, const struct geometry *geometry,
+                    const struct camera *camera, const struct emitters *emitters) {
+    uint64_t sum = 0xcbf29ce484222325U;
+    hash_materials(&sum, scene);
+    hash_geometry(&sum, geometry);
+    hash_bytes(&sum, &camera->orthographic, sizeof camera->orthographic);
+    hash_bytes(&sum, camera->eye, sizeof *camera - offsetof(struct camera, eye));
+    hash_bytes(&sum, emitters->items, (size_t)emitters->count * sizeof *emitters->items);
+    return sum;
+}
