@@ -3,6 +3,7 @@
 #include "support.h"
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "gl/context/context.h"
 #include "gl/glsl.h"
 #include "gl/memory.h"
@@ -99,49 +100,52 @@ static void check_as_new(const char *what, struct renderer *renderer) {
     renderer_free(&fresh);
 }
 
+static void check_followed(const char *what, struct renderer *renderer,
+                           const struct renderer_desc *desc) {
+    check_ok(what, renderer_follow(renderer, desc));
+    check_as_new(what, renderer);
+}
+
 static void test_as_new(void **state) {
     struct fixture *fixture = need_context(state);
     struct renderer renderer;
     check_ok("init", renderer_init(&renderer, &fixture->desc));
     struct bitmap before = picture_of(&renderer);
 
-    struct settings settings = renderer.desc.settings;
+    struct renderer_desc desc = fixture->desc;
     for (const struct technique *const *t = techniques; *t; t++) {
-        check_ok("technique", renderer_configure(&renderer, *t, &settings));
-        check_as_new((*t)->name, &renderer);
+        desc.technique = *t;
+        check_followed((*t)->name, &renderer, &desc);
     }
-    set(&settings, "exposure=1");
-    check_ok("exposure", renderer_configure(&renderer, technique_default, &settings));
-    check_as_new("exposure", &renderer);
-    set(&settings, "caster-long=10 shadow-size=64 vals=4");
-    check_ok("settings", renderer_configure(&renderer, technique_default, &settings));
-    check_as_new("settings", &renderer);
-    check_ok("size", renderer_resize(&renderer, 33, 21));
-    check_as_new("size", &renderer);
+    desc.technique = technique_default;
+    set(&desc.settings, "exposure=1");
+    check_followed("exposure", &renderer, &desc);
+    set(&desc.settings, "caster-long=10 shadow-size=64 vals=4");
+    check_followed("settings", &renderer, &desc);
+    desc.width = 33, desc.height = 21;
+    check_followed("size", &renderer, &desc);
 
-    struct emitter light[2] = {renderer.desc.emitters.items[0], renderer.desc.emitters.items[0]};
+    struct emitter light[2] = {desc.emitters.items[0], desc.emitters.items[0]};
     light[0].type = EMITTER_POINT;
     light[0].position[1] -= .1F;
-    check_ok("a light of six views", renderer_set_lights(&renderer, &(struct emitters){light, 1}));
-    check_as_new("light", &renderer);
-    check_ok("a second light", renderer_set_lights(&renderer, &(struct emitters){light, 2}));
-    check_as_new("two lights", &renderer);
+    desc.emitters = (struct emitters){light, 1};
+    check_followed("a light of six views", &renderer, &desc);
+    desc.emitters.count = 2;
+    check_followed("a second light", &renderer, &desc);
     light[1].intensity[0] /= 8;
-    check_ok("a dimmer one", renderer_set_lights(&renderer, &(struct emitters){light, 2}));
-    check_as_new("other shares of VPLs", &renderer);
-    struct camera camera = renderer.desc.camera;
-    camera.eye[0] += .2F;
-    renderer_set_camera(&renderer, &camera);
-    check_as_new("camera", &renderer);
+    check_followed("a dimmer one: other shares of VPLs", &renderer, &desc);
+    desc.camera.eye[0] += .2F;
+    check_followed("camera", &renderer, &desc);
     check_ok("shaders", renderer_reload_shaders(&renderer));
     check_as_new("shaders", &renderer);
+    desc.technique = technique_baseline;
+    desc.width = 30;
+    desc.emitters.count = 1;
+    set(&desc.settings, "samples=1 caster-long=5");
+    check_followed("all at once", &renderer, &desc);
 
     /* And all the way back. */
-    check_ok("settings",
-             renderer_configure(&renderer, fixture->desc.technique, &fixture->desc.settings));
-    check_ok("light", renderer_set_lights(&renderer, &fixture->desc.emitters));
-    renderer_set_camera(&renderer, &fixture->desc.camera);
-    check_ok("size", renderer_resize(&renderer, WIDTH, HEIGHT));
+    check_ok("back", renderer_follow(&renderer, &fixture->desc));
     struct bitmap after = picture_of(&renderer);
     assert_true(same(&before, &after));
     bitmap_free(&before);
@@ -171,13 +175,28 @@ static void test_failures(void **state) {
     size_t bytes = gpu_memory_total();
     int objects = gpu_memory_object_count();
 
-    struct settings settings = renderer.desc.settings;
-    set(&settings, "vpls=1"); /* fewer than the pattern has places */
-    assert_false(renderer_configure(&renderer, technique_default, &settings));
+    struct renderer_desc desc = renderer.desc;
+    set(&desc.settings, "vpls=1"); /* fewer than the pattern has places */
+    assert_false(renderer_follow(&renderer, &desc));
     check_still_works(&renderer, &before);
 
-    assert_false(renderer_resize(&renderer, 1 << 20, 1));
+    desc = renderer.desc;
+    desc.width = 1 << 20;
+    assert_false(renderer_follow(&renderer, &desc));
     printf("    %s\n", error_get());
+    check_still_works(&renderer, &before);
+
+    /* Lights too many for the technique that comes with them. */
+    desc = renderer.desc;
+    desc.technique = technique_baseline;
+    desc.emitters = (struct emitters){mem_alloc(64, sizeof *desc.emitters.items), 64};
+    for (int i = 0; i < 64; i++) {
+        desc.emitters.items[i] = renderer.desc.emitters.items[0];
+        desc.emitters.items[i].type = EMITTER_POINT;
+    }
+    assert_false(renderer_follow(&renderer, &desc));
+    printf("    %s\n", error_get());
+    emitters_free(&desc.emitters);
     check_still_works(&renderer, &before);
 
     assert_int_equal(context_message_count(fixture->context), 0);
@@ -205,15 +224,15 @@ static void test_failures(void **state) {
 
 /* Through all techniques and back. */
 static void go_round(struct renderer *renderer, const struct renderer_desc *desc) {
-    struct settings settings = desc->settings;
+    struct renderer_desc wanted = *desc;
     int odd = 0;
     for (const struct technique *const *t = techniques; *t; t++, odd = !odd) {
-        set(&settings, odd ? "vals=8" : "vals=16");
-        check_ok("configure", renderer_configure(renderer, *t, &settings));
-        check_ok("resize", renderer_resize(renderer, WIDTH + odd, HEIGHT));
+        set(&wanted.settings, odd ? "vals=8" : "vals=16");
+        wanted.technique = *t;
+        wanted.width = WIDTH + odd;
+        check_ok("follow", renderer_follow(renderer, &wanted));
     }
-    check_ok("back", renderer_configure(renderer, desc->technique, &desc->settings));
-    check_ok("back", renderer_resize(renderer, WIDTH, HEIGHT));
+    check_ok("back", renderer_follow(renderer, desc));
 }
 
 /* What the pool of casters keeps is there after the first round. */
@@ -233,8 +252,10 @@ static void test_no_leak(void **state) {
     assert_int_equal(gpu_memory_total(), 0);
 }
 
-/* Renders; the light's passes are drawn or kept, and either way the picture is a new renderer's. */
-static void check_frame(const char *what, struct renderer *renderer, bool draws_lights) {
+/* Follows and renders; the light's passes are drawn or kept, and either way the picture is a new renderer's. */
+static void check_frame(const char *what, struct renderer *renderer,
+                        const struct renderer_desc *desc, bool draws_lights) {
+    check_ok(what, renderer_update(renderer) && renderer_follow(renderer, desc));
     renderer_render(renderer);
     static const char *const light_passes[] = {"frame/shadow map", "frame/rsm", "frame/vpls"};
     for (size_t i = 0; i < sizeof light_passes / sizeof *light_passes; i++) {
@@ -252,37 +273,29 @@ static void test_lights_are_kept(void **state) {
     struct renderer renderer;
     desc.timed = true;
     check_ok("init", renderer_init(&renderer, &desc));
-    check_frame("first", &renderer, true);
+    check_frame("first", &renderer, &desc, true);
 
-    struct camera camera = desc.camera;
     struct emitter light = desc.emitters.items[0];
-    const struct emitters lights = {&light, 1};
-    struct settings settings = desc.settings;
-    camera.eye[0] += .1F;
-    check_ok("camera", renderer_update(&renderer, &lights, &camera));
-    check_frame("camera", &renderer, false);
-    set(&settings, "exposure=1");
-    check_ok("exposure", renderer_configure(&renderer, technique_default, &settings));
-    check_frame("exposure", &renderer, false);
-    check_ok("size", renderer_resize(&renderer, 57, 31));
-    check_frame("size", &renderer, false);
+    desc.emitters = (struct emitters){&light, 1};
+    desc.camera.eye[0] += .1F;
+    check_frame("camera", &renderer, &desc, false);
+    set(&desc.settings, "exposure=1");
+    check_frame("exposure", &renderer, &desc, false);
+    desc.width = 57, desc.height = 31;
+    check_frame("size", &renderer, &desc, false);
     light.position[1] -= .1F;
-    check_ok("light", renderer_update(&renderer, &lights, &camera));
-    check_frame("light", &renderer, true);
-    set(&settings, "vals=4");
-    check_ok("settings", renderer_configure(&renderer, technique_default, &settings));
-    check_frame("settings", &renderer, true);
+    check_frame("light", &renderer, &desc, true);
+    set(&desc.settings, "vals=4");
+    check_frame("settings", &renderer, &desc, true);
     check_ok("pose", geometry_pose(&fixture->geometry, &fixture->scene, 1));
-    check_ok("pose", renderer_update(&renderer, &lights, &camera));
-    check_frame("geometry", &renderer, true);
-    check_ok("nothing", renderer_update(&renderer, &lights, &camera));
-    check_frame("nothing", &renderer, false);
+    check_frame("geometry", &renderer, &desc, true);
+    check_frame("nothing", &renderer, &desc, false);
     renderer_free(&renderer);
 
     desc.keep_lights = false; /* as a benchmark has it */
     check_ok("init", renderer_init(&renderer, &desc));
     renderer_render(&renderer);
-    check_frame("not kept", &renderer, true);
+    check_frame("not kept", &renderer, &desc, true);
     renderer_free(&renderer);
 }
 

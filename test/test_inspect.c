@@ -111,9 +111,9 @@ static void test_shaders_kept(void **state) {
     bool again = inspect_draw(&inspect, &renderer, &choice);
     glsl_set_folder(NULL);
     check_ok("again", again);
-    struct settings other = renderer.desc.settings;
-    check_ok("setting", settings_assign(&other, "vals=5"));
-    check_ok("change", renderer_configure(&renderer, renderer.technique, &other));
+    struct renderer_desc other = renderer.desc;
+    check_ok("setting", settings_assign(&other.settings, "vals=5"));
+    check_ok("change", renderer_follow(&renderer, &other));
     renderer_render(&renderer);
     glsl_set_folder("/nowhere");
     bool changed = inspect_draw(&inspect, &renderer, &choice);

@@ -163,7 +163,7 @@ static void test_misuse(void **state) {
 
 static void pose(struct stage *stage, struct renderer *renderer, double time) {
     check_ok("pose", stage_pose(stage, time));
-    check_ok("update", renderer_update(renderer, &stage->emitters, &stage->camera));
+    check_ok("update", stage_show(stage, renderer));
     renderer_render(renderer);
 }
 

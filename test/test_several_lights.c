@@ -249,11 +249,13 @@ static void test_too_many(void **state) {
     renderer_render(&renderer);
     for (int i = 0; i < 43; i++)
         lights[i] = stage.emitters.items[2];
-    assert_false(renderer_set_lights(&renderer, &(struct emitters){lights, 43}));
+    desc.emitters.count = 43;
+    assert_false(renderer_follow(&renderer, &desc));
     assert_string_equal(error_get(), "43 lights with 258 views: at most 64 with 256 shine at once; "
                                      "--light picks some");
     renderer_render(&renderer);
-    check_ok("42 points", renderer_set_lights(&renderer, &(struct emitters){lights, 42}));
+    desc.emitters.count = 42;
+    check_ok("42 points", renderer_follow(&renderer, &desc));
     renderer_render(&renderer);
     renderer_free(&renderer);
     assert_int_equal(gpu_memory_total(), 0);

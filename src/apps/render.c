@@ -166,7 +166,7 @@ static bool is_there(const struct values *values, struct renderer *renderer, con
 static bool render_frame(const struct values *values, struct renderer *renderer,
                          struct stage *stage, int frame) {
     double time = (double)values->stage.time + frame / (double)values->fps;
-    if (!stage_pose(stage, time) || !renderer_update(renderer, &stage->emitters, &stage->camera))
+    if (!stage_pose(stage, time) || !stage_show(stage, renderer))
         return false;
     renderer_render(renderer);
     return each_output(values, renderer, frame, write_output);

@@ -118,8 +118,7 @@ static void add_memory(struct run *run, const char *when) {
 
 /* Makes room for a frame, and renders it. */
 static bool render_frame(struct track *track) {
-    const struct stage *stage = track->desc->stage;
-    if (!renderer_update(&track->renderer, &stage->emitters, &stage->camera))
+    if (!stage_show(track->desc->stage, &track->renderer))
         return false;
     renderer_render(&track->renderer);
     lights_read(&track->lights, &track->renderer);

@@ -31,6 +31,13 @@ bool stage_pose(struct stage *stage, double time) {
     return geometry_pose(&stage->geometry, &stage->scene, time) && place(stage, time);
 }
 
+bool stage_show(const struct stage *stage, struct renderer *renderer) {
+    struct renderer_desc desc = renderer->desc;
+    desc.emitters = stage->emitters;
+    desc.camera = stage->camera;
+    return renderer_update(renderer) && renderer_follow(renderer, &desc);
+}
+
 void stage_free(struct stage *stage) {
     emitters_free(&stage->emitters);
     geometry_free(&stage->geometry);

@@ -3,6 +3,7 @@
 #ifndef MEASURE_STAGE_H
 #define MEASURE_STAGE_H
 
+#include "renderer/renderer.h"
 #include "scene/camera.h"
 #include "scene/mesh/geometry.h"
 #include "scene/emitter.h"
@@ -30,5 +31,9 @@ bool stage_init(struct stage *stage, const struct stage_desc *desc);
 /* Moves triangles, camera and lights to where they are at a time. Error: geometry_pose's. */
 bool stage_pose(struct stage *stage, double time);
 void stage_free(struct stage *stage);
+
+/* Whether the renderer, which is of this stage, now shows it as it is posed. Error: the renderer
+ * must then be freed. */
+bool stage_show(const struct stage *stage, struct renderer *renderer);
 
 #endif

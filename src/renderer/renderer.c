@@ -110,17 +110,21 @@ static void write_views(struct renderer *renderer) {
     buffer_write(&renderer->light_buffer, 0, sizeof *renderer->light_block, renderer->light_block);
 }
 
+static void set_defaults(struct renderer_desc *desc) {
+    if (!desc->technique)
+        desc->technique = technique_default;
+    if (!desc->direct)
+        desc->direct = direct_default;
+    if (desc->settings.part_count == 0)
+        renderer_settings_init(&desc->settings);
+}
+
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) {
     *renderer = (struct renderer){.desc = *desc,
                                   .casters = caster_pool_create(desc->geometry),
                                   .light_block = mem_alloc(1, sizeof *renderer->light_block)};
     renderer->desc.emitters = emitters_copy(&desc->emitters);
-    if (!desc->technique)
-        renderer->desc.technique = technique_default;
-    if (!desc->direct)
-        renderer->desc.direct = direct_default;
-    if (desc->settings.part_count == 0)
-        renderer_settings_init(&renderer->desc.settings);
+    set_defaults(&renderer->desc);
     timers_init(&renderer->timers, desc->timed, gl.software);
     if (light_layout_of(&renderer->layout, &desc->emitters) &&
         scene_gpu_init(&renderer->scene, desc->scene, desc->geometry) &&
@@ -208,10 +212,9 @@ static bool resize_kept(struct renderer *renderer, const struct renderer_desc *d
     return false;
 }
 
-/* The new parts are made beside the old ones, which go only when all are there. The desc's lights
- * have that layout. */
-static bool change_lights(struct renderer *renderer, const struct renderer_desc *desc,
-                          const struct light_layout *layout, unsigned parts) {
+/* The new parts are made beside the old ones, which go only when all are there. */
+static bool change(struct renderer *renderer, const struct renderer_desc *desc,
+                   const struct light_layout *layout, unsigned parts) {
     struct renderer fresh = {.desc = *desc, .casters = renderer->casters, .layout = *layout};
     bool ok = init_parts(&fresh, parts, renderer->composite.desc.contributes) &&
               resize_kept(renderer, desc, parts);
@@ -230,10 +233,6 @@ static bool change_lights(struct renderer *renderer, const struct renderer_desc 
     return ok;
 }
 
-static bool change(struct renderer *renderer, const struct renderer_desc *desc, unsigned parts) {
-    return change_lights(renderer, desc, &renderer->layout, parts);
-}
-
 bool renderer_makes_technique(const struct renderer *renderer, const struct technique *technique,
                               const struct settings *settings) {
     const struct renderer_desc *desc = &renderer->desc;
@@ -241,54 +240,39 @@ bool renderer_makes_technique(const struct renderer *renderer, const struct tech
            !renderer_settings_same(settings, &desc->settings, technique->parts);
 }
 
-bool renderer_configure(struct renderer *renderer, const struct technique *technique,
-                        const struct settings *settings) {
-    struct renderer_desc desc = renderer->desc;
-    const struct settings *old = &renderer->desc.settings;
-    const struct picture_settings *picture = settings_of(settings, &picture_part);
+static unsigned parts_between(const struct renderer *renderer, const struct renderer_desc *desc,
+                              const struct light_layout *layout) {
+    const struct renderer_desc *old = &renderer->desc;
+    const struct picture_settings *picture = settings_of(&desc->settings, &picture_part);
     unsigned parts = 0;
-    if (renderer_makes_technique(renderer, technique, settings))
+    if (renderer_makes_technique(renderer, desc->technique, &desc->settings))
         parts |= PART_TECHNIQUE | PART_COMPOSITE;
-    if (!renderer_settings_same(settings, old, desc.direct->parts))
+    if (desc->direct != old->direct ||
+        !renderer_settings_same(&desc->settings, &old->settings, desc->direct->parts))
         parts |= PART_DIRECT;
+    if (!light_layouts_same(layout, &renderer->layout))
+        parts |= PART_DIRECT | PART_TECHNIQUE | PART_COMPOSITE;
     if (picture->samples != picture_of(renderer)->samples)
         parts |= PART_ANTIALIAS;
-    desc.technique = technique;
-    desc.settings = *settings;
-    return change(renderer, &desc, parts);
+    if (desc->width != old->width || desc->height != old->height)
+        parts |= PART_SIZE;
+    return parts;
 }
 
-bool renderer_resize(struct renderer *renderer, int width, int height) {
-    struct renderer_desc desc = renderer->desc;
-    if (width == desc.width && height == desc.height)
-        return true;
-    desc.width = width;
-    desc.height = height;
-    return change(renderer, &desc, PART_SIZE);
-}
-
-bool renderer_set_lights(struct renderer *renderer, const struct emitters *emitters) {
-    struct renderer_desc desc = renderer->desc;
-    struct emitters old = desc.emitters;
+bool renderer_follow(struct renderer *renderer, const struct renderer_desc *wanted) {
+    struct renderer_desc desc = *wanted;
+    struct emitters old = renderer->desc.emitters;
     struct light_layout layout;
-    if (!light_layout_of(&layout, emitters))
+    if (!light_layout_of(&layout, &desc.emitters))
         return false;
-    bool same_layout = light_layouts_same(&layout, &renderer->layout);
-    bool same_lights = emitters_same(emitters, &old);
-    desc.emitters = emitters_copy(emitters);
-    if (!change_lights(renderer, &desc, &layout,
-                       same_layout ? 0 : PART_DIRECT | PART_TECHNIQUE | PART_COMPOSITE)) {
-        emitters_free(&desc.emitters);
-        return false;
-    }
-    renderer->lights_drawn &= same_lights;
-    emitters_free(&old);
-    return true;
-}
-
-void renderer_set_camera(struct renderer *renderer, const struct camera *camera) {
-    renderer->desc.camera = *camera;
-    write_views(renderer);
+    bool same_lights = emitters_same(&desc.emitters, &old);
+    desc.emitters = same_lights ? old : emitters_copy(&desc.emitters);
+    set_defaults(&desc);
+    bool ok = change(renderer, &desc, &layout, parts_between(renderer, &desc, &layout));
+    if (!same_lights)
+        emitters_free(ok ? &old : &desc.emitters);
+    renderer->lights_drawn &= same_lights || !ok;
+    return ok;
 }
 
 static bool update_technique(struct renderer *renderer) {
@@ -297,17 +281,15 @@ static bool update_technique(struct renderer *renderer) {
            technique->update(renderer->technique_state, renderer->desc.geometry);
 }
 
-bool renderer_update(struct renderer *renderer, const struct emitters *emitters,
-                     const struct camera *camera) {
-    renderer->desc.camera = *camera;
+bool renderer_update(struct renderer *renderer) {
     renderer->lights_drawn &= renderer->scene.pose == renderer->desc.geometry->pose_count;
+    write_views(renderer);
     return scene_gpu_update(&renderer->scene, renderer->desc.geometry) &&
-           caster_pool_update(renderer->casters) && update_technique(renderer) &&
-           renderer_set_lights(renderer, emitters);
+           caster_pool_update(renderer->casters) && update_technique(renderer);
 }
 
 bool renderer_reload_shaders(struct renderer *renderer) {
-    return change(renderer, &renderer->desc, PART_ALL);
+    return change(renderer, &renderer->desc, &renderer->layout, PART_ALL);
 }
 
 /* --- the frame --- */

@@ -58,25 +58,20 @@ struct renderer {
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc);
 void renderer_free(struct renderer *renderer);
 
-/* Changes between frames. What a change reaches is made anew, all else stays; when it fails the
+/* Changes between frames: to another technique, direct method, settings, size, lights and camera; all
+ * else as it is in renderer->desc. What a change reaches is made anew, all else stays; when it fails the
  * renderer is what it was. Errors are renderer_init's. */
-bool renderer_configure(struct renderer *renderer, const struct technique *technique,
-                        const struct settings *settings);
-bool renderer_resize(struct renderer *renderer, int width, int height);
-bool renderer_set_lights(struct renderer *renderer, const struct emitters *emitters);
-void renderer_set_camera(struct renderer *renderer, const struct camera *camera);
+bool renderer_follow(struct renderer *renderer, const struct renderer_desc *desc);
 bool renderer_reload_shaders(struct renderer *renderer);
 
-/* Whether renderer_configure would make the technique anew, and what it has of the geometry from the
+/* Whether renderer_follow would make the technique anew, and what it has of the geometry from the
  * pose that this has then. */
 bool renderer_makes_technique(const struct renderer *renderer, const struct technique *technique,
                               const struct settings *settings);
 
-/* After geometry_pose: uploads what has moved, and sees it from lights and a camera. For the same
- * bits whatever came before, begin with the geometry at time 0. Error: out of GPU memory; the
- * renderer must then be freed. */
-bool renderer_update(struct renderer *renderer, const struct emitters *emitters,
-                     const struct camera *camera);
+/* After geometry_pose: uploads what has moved. For the same bits whatever came before, begin with the
+ * geometry at time 0. Error: out of GPU memory; the renderer must then be freed. */
+bool renderer_update(struct renderer *renderer);
 
 /* Renders one frame into the composite's display texture. Timer "frame". */
 void renderer_render(struct renderer *renderer);

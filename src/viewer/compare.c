@@ -28,42 +28,35 @@ static bool give_up(struct compare *compare) {
     return error_prefix("the right picture");
 }
 
-static bool make_other(struct compare *compare, const struct renderer *renderer,
-                       const struct settings *settings) {
+bool compare_follow(struct compare *compare, const struct renderer *renderer, bool coarse) {
     struct renderer_desc desc = renderer->desc;
     desc.technique = compare->technique;
-    desc.settings = *settings;
+    desc.settings = compare->settings;
     desc.timed = false;
-    return compare->has_other = renderer_init(&compare->other, &desc);
-}
-
-bool compare_follow(struct compare *compare, const struct renderer *renderer, bool coarse) {
-    struct settings wanted = compare->settings;
     if (coarse)
-        renderer_settings_roughen(&wanted);
+        renderer_settings_roughen(&desc.settings);
     if (compare->mode != COMPARE_TECHNIQUE) {
         compare_forget(compare);
         return true;
     }
     if (!compare->has_other)
-        return make_other(compare, renderer, &wanted) || give_up(compare);
-    if (renderer_configure(&compare->other, compare->technique, &wanted))
+        compare->has_other = renderer_init(&compare->other, &desc);
+    if (!compare->has_other)
+        return give_up(compare);
+    if (renderer_follow(&compare->other, &desc))
         return true;
     compare->technique = compare->other.desc.technique;
     renderer_settings_copy_but_samples(&compare->settings, &compare->other.desc.settings);
     return error_prefix("the right picture");
 }
 
-bool compare_render(struct compare *compare, const struct renderer *renderer) {
-    const struct renderer_desc *desc = &renderer->desc;
-    struct renderer *other = &compare->other;
+bool compare_render(struct compare *compare) {
     compare->measured = false;
     if (compare->mode != COMPARE_TECHNIQUE)
         return true;
-    if (!renderer_resize(other, desc->width, desc->height) ||
-        !renderer_update(other, &desc->emitters, &desc->camera))
+    if (!renderer_update(&compare->other))
         return give_up(compare);
-    renderer_render(other);
+    renderer_render(&compare->other);
     return true;
 }
 

@@ -43,9 +43,9 @@ void compare_forget(struct compare *compare);
  * Error: they are what they were, or the comparison is off. */
 bool compare_follow(struct compare *compare, const struct renderer *renderer, bool coarse);
 
-/* Renders the other technique's picture of what the renderer has just rendered, after
+/* Renders the other technique's picture of the same, after
  * compare_follow. Error: the comparison is then off. */
-bool compare_render(struct compare *compare, const struct renderer *renderer);
+bool compare_render(struct compare *compare);
 
 /* Makes the right picture show that layer, LAYER_..., and says which it is; NULL = none. */
 const struct texture *compare_compose(struct compare *compare, const struct renderer *renderer,

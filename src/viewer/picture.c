@@ -20,30 +20,29 @@ void viewer_full_size(const struct viewer *viewer, int *width, int *height) {
 
 /* --- rendering --- */
 
-/* What is wanted of the renderer, where it differs from what it has. What it refuses goes back to
- * what it was. */
-static void follow_wishes(struct viewer *viewer) {
+/* What the renderer refuses goes back to what it was. */
+static void take_wishes_back(struct viewer *viewer) {
+    const struct renderer_desc *desc = &viewer->shown.renderer.desc;
+    viewer_tell_error(viewer);
+    viewer->wish.technique = desc->technique;
+    renderer_settings_copy_but_samples(&viewer->wish.settings, &desc->settings);
+    emitters_free(&viewer->placed.emitters);
+    viewer->placed.emitters = emitters_copy(&desc->emitters);
+}
+
+/* What is wanted of the renderer, where it differs from what it has. */
+static bool follow_wishes(struct viewer *viewer) {
     struct shown *shown = &viewer->shown;
-    struct renderer *renderer = &shown->renderer;
-    const struct technique *technique = renderer->desc.technique;
-    struct settings wanted = viewer->wish.settings;
+    struct renderer_desc desc = shown->renderer.desc;
+    desc.technique = viewer->wish.technique;
+    desc.settings = viewer->wish.settings;
+    desc.emitters = viewer->placed.emitters;
+    desc.camera = viewer->placed.orbit.camera;
     if (shown->coarse)
-        renderer_settings_roughen(&wanted);
-    if (!renderer_configure(renderer, viewer->wish.technique, &wanted)) {
-        viewer_tell_error(viewer);
-        viewer->wish.technique = technique;
-        renderer_settings_copy_but_samples(&viewer->wish.settings, &renderer->desc.settings);
-    }
-    if (technique != viewer->wish.technique)
+        renderer_settings_roughen(&desc.settings);
+    if (desc.technique != shown->renderer.desc.technique)
         pace_forget(&shown->pace);
-    if (!renderer_set_lights(renderer, &viewer->placed.emitters)) {
-        viewer_tell_error(viewer);
-        emitters_free(&viewer->placed.emitters);
-        viewer->placed.emitters = emitters_copy(&renderer->desc.emitters);
-    }
-    renderer_set_camera(renderer, &viewer->placed.orbit.camera);
-    if (!compare_follow(&shown->compare, renderer, shown->coarse))
-        viewer_tell_error(viewer);
+    return renderer_follow(&shown->renderer, &desc);
 }
 
 /* Whether a renderer is about to make its technique, and casters with it. */
@@ -60,9 +59,15 @@ static bool makes_technique(const struct viewer *viewer) {
 /* Casters are those of time 0, as a picture rendered offscreen has them. */
 static void follow_wishes_from_start(struct viewer *viewer) {
     struct document *document = &viewer->document;
+    struct shown *shown = &viewer->shown;
     bool away = viewer->placed.posed_time != 0 && makes_technique(viewer) &&
                 geometry_pose(&document->geometry, &document->scene, 0);
-    follow_wishes(viewer);
+    if (!follow_wishes(viewer)) {
+        take_wishes_back(viewer);
+        follow_wishes(viewer); /* the camera */
+    }
+    if (!compare_follow(&shown->compare, &shown->renderer, shown->coarse))
+        viewer_tell_error(viewer);
     if (away)
         geometry_pose(&document->geometry, &document->scene, viewer->placed.posed_time);
 }
@@ -95,16 +100,19 @@ static bool render(struct viewer *viewer) {
     bool resized = width != renderer->desc.width || height != renderer->desc.height;
     if (!shown->dirty && !resized && shown->coarse == was_coarse)
         return true;
-    follow_wishes_from_start(viewer);
     if (resized) {
-        if (!renderer_resize(renderer, width, height))
+        struct renderer_desc desc = renderer->desc;
+        desc.width = width;
+        desc.height = height;
+        if (!renderer_follow(renderer, &desc))
             viewer_tell_error(viewer);
         pace_forget(&shown->pace);
     }
-    if (!renderer_update(renderer, &viewer->placed.emitters, &viewer->placed.orbit.camera))
+    follow_wishes_from_start(viewer);
+    if (!renderer_update(renderer))
         return false;
     renderer_render(renderer);
-    if (!compare_render(&shown->compare, renderer))
+    if (!compare_render(&shown->compare))
         viewer_tell_error(viewer);
     pace_add(&shown->pace, &renderer->timers, (double)width * height, window_time());
     shown->dirty = false;
