@@ -72,6 +72,19 @@ int glb_add_material(struct glb *glb, const char *name, const float albedo[3],
     return index;
 }
 
+int glb_add_lamp(struct glb *glb, const char *name, const float radiance[3]) {
+    int index = next_element(&glb->materials, &glb->material_count);
+    float strength = glm_vec3_max((float *)radiance);
+    text_print(&glb->materials,
+               "{\"name\":\"%s\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,0.5,0.5,1],"
+               "\"metallicFactor\":0,\"roughnessFactor\":1},\"emissiveFactor\":[%.9g,%.9g,%.9g],"
+               "\"extensions\":{\"KHR_materials_emissive_strength\":{\"emissiveStrength\":%.9g}}}",
+               name, radiance[0] / strength, radiance[1] / strength, radiance[2] / strength,
+               strength);
+    glb->has_lamps = true;
+    return index;
+}
+
 static int add_view(struct glb *glb, const void *bytes, size_t size, int target) {
     int index = next_element(&glb->views, &glb->view_count);
     text_print(&glb->views, "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu",
@@ -349,9 +362,11 @@ static void append_motion(const struct glb *glb, struct text *json) {
 }
 
 static void compose_json(const struct glb *glb, struct text *json) {
-    text_print(json, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"manylight make_scenes\"},\n"
-                     "\"extensionsUsed\":[\"KHR_lights_punctual\"],\n"
-                     "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[");
+    text_print(json,
+               "{\"asset\":{\"version\":\"2.0\",\"generator\":\"manylight make_scenes\"},\n"
+               "\"extensionsUsed\":[\"KHR_lights_punctual\"%s],\n"
+               "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[",
+               glb->has_lamps ? ",\"KHR_materials_emissive_strength\"" : "");
     text_append(json, glb->lights.data, glb->lights.length);
     text_print(json, "]}},\n\"scene\":0,\"scenes\":[{\"name\":\"%s\",\"nodes\":[", glb->name);
     for (int i = 0, roots = 0; i < glb->node_count; i++)

@@ -21,6 +21,7 @@ struct glb {
     struct text binary;
     int node_count, mesh_count, material_count, accessor_count, view_count, camera_count,
         light_count, skin_count, channel_count, sampler_count;
+    bool has_lamps;
     struct glb_node {
         size_t begin; /* of its JSON in nodes */
         int parent;   /* -1 = a root */
@@ -35,6 +36,9 @@ enum glb_sides { GLB_SINGLE_SIDED, GLB_DOUBLE_SIDED };
 /* A diffuse material of linear albedo; returns its index. */
 int glb_add_material(struct glb *glb, const char *name, const float albedo[3],
                      enum glb_sides sides);
+
+/* A grey material that gives that radiance from its front, W/(sr m2): a flat rectangle of it is a light. */
+int glb_add_lamp(struct glb *glb, const char *name, const float radiance[3]);
 
 /* A node with a mesh of one material; returns its index. extras is a JSON object for the node, or
  * NULL. An empty surface is left out, and -1 is returned. */

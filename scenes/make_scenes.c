@@ -23,6 +23,7 @@ static const struct scene_maker {
     {"door", make_door},
     {"creatures", make_creatures},
     {"character", make_character},
+    {"table", make_table},
     {"failures/room", make_room},
     {"failures/table-legs", make_table_legs},
     {"failures/contact", make_contact},

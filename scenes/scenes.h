@@ -14,6 +14,7 @@ void make_moving_spot(struct glb *glb);
 void make_door(struct glb *glb);
 void make_creatures(struct glb *glb);
 void make_character(struct glb *glb);
+void make_table(struct glb *glb);
 
 /* scenes/boxes/failures.c */
 void make_room(struct glb *glb);

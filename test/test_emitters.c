@@ -82,6 +82,7 @@ static void test_texts(void **state) {
     check_picked(&scene, "2, red, 2", "0,2");
     check_picked(&scene, "lamp position=0,2,0 intensity=5,5,5; 1",
                  "1; 2 position=0,2,0 intensity=5,5,5");
+    check_picked(&scene, "lamp size=0.25,0; red size=2,1", "0 size=2,1; 2 size=0.25,0");
     check_picked(&scene, "red,blue intensity=1,2,3", "0 intensity=1,2,3; 1 intensity=1,2,3");
     check_picked(&scene, "intensity=7,7,7; lamp intensity=1,1,1",
                  "0 intensity=7,7,7; 1 intensity=7,7,7; 2 intensity=1,1,1");
@@ -99,6 +100,8 @@ static void test_text_refusals(void **state) {
         {"red intensity=1,2", "light: 'intensity=1,2' wants 3 numbers, as in intensity=0,1,0"},
         {"red colour=1", "light: 'colour=1' is not understood"},
         {",", "light: ',' names none"},
+        {"red size=1", "light: 'size=1' wants 2 numbers, as in size=1,0"},
+        {"red size=1,-1", "light: size=1,-1: less than none"},
     };
     struct scene scene;
     struct emitters emitters = {0};
@@ -286,12 +289,50 @@ static void test_dark_lights(void **state) {
     world_free(&world);
 }
 
+/* In a sphere of albedo 1/2 what one bounce gives is the flux alone, whatever shines from where: rho
+ * Phi / (4 pi R^2) as irradiance. Light rays start from all of the light, and weights fit. */
+static void test_sizes(void **state) {
+    (void)state;
+    static const struct {
+        const char *what;
+        enum emitter_type type;
+        float size[2];
+        double flux; /* of an intensity of pi */
+    } cases[] = {{"rectangle", EMITTER_AREA, {.8f, .5f}, GLM_PI * GLM_PI},
+                 {"disk", EMITTER_AREA, {.7f, 0}, GLM_PI * GLM_PI},
+                 {"sphere", EMITTER_POINT, {.6f, 0}, 4 * GLM_PI * GLM_PI},
+                 {"hemispherical spot with sides", EMITTER_SPOT, {.3f, .6f}, 2 * GLM_PI * GLM_PI}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct world world;
+        struct image image;
+        world_in_sphere(&world);
+        place_light(&world, cases[i].type, (vec3s){{.1f, .2f, 0}}, (vec3s){{.3f, -.5f, -1}},
+                    GLM_PIf);
+        emitter_aim(&world.light, world.light.direction);
+        memcpy(world.light.size, cases[i].size, sizeof world.light.size);
+        world.light.cos_outer = 0, world.light.cos_inner = .001f;
+        struct path_tracer_desc desc = describe(&world, SIZE, 256);
+        desc.bounces = 1;
+        double noise = render(&desc, &image).noise;
+        double expected = .5 * emitter_flux(&world.light, 1) / (4 * GLM_PI) / GLM_PI;
+        check_near(cases[i].what, emitter_flux(&world.light, 1), cases[i].flux,
+                   2e-3 * cases[i].flux);
+        check_near("indirect light, mean", mean_of(&image, CHANNEL_INDIRECT), expected,
+                   4e-3 * expected);
+        check_at_most("its spread over its noise",
+                      spread_about(&image, CHANNEL_INDIRECT, expected) / noise, 1.3);
+        image_free(&image);
+        world_free(&world);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_deal_counts), cmocka_unit_test(test_deal_runs),
         cmocka_unit_test(test_texts),       cmocka_unit_test(test_text_refusals),
         cmocka_unit_test(test_flux),        cmocka_unit_test(test_sum),
         cmocka_unit_test(test_split),       cmocka_unit_test(test_dark_lights),
+        cmocka_unit_test(test_sizes),
     };
     return cmocka_run_group_tests_name("emitters", tests, NULL, NULL);
 }

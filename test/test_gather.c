@@ -140,7 +140,7 @@ static void check_direct(struct bench *bench) {
             struct hit hit;
             if (!pixel_hit(bench, x, y, &hit))
                 continue;
-            vec3s expected = emission_direct(&emission, &bench->rays.scene, &hit);
+            vec3s expected = emission_direct(&emission, &bench->rays.scene, &hit, NULL, 0);
             count++;
             lit += expected.x > 0;
             wrong += !nearly(layer_at(&bench->layers, "direct.R", x, y), expected,

@@ -270,6 +270,36 @@ static const struct {
      "light 0: a cone from 0.5 to 0.25 radians",
      {.more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\","
               " \"spot\": {\"innerConeAngle\": 0.5, \"outerConeAngle\": 0.25}}]}},"}},
+    {"radius less than none",
+     "light 0 'bulb': extras: radius: it is no number from 0 to 5e+08",
+     {.more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"name\": \"bulb\","
+              " \"type\": \"point\", \"extras\": {\"radius\": -1}}]}},"}},
+    {"radius in words",
+     "light 0: extras: radius: it is no number from 0 to 5e+08",
+     {.more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\","
+              " \"spot\": {}, \"extras\": {\"radius\": \"wide\"}}]}},"}},
+    {"size with one side",
+     "light 0: extras: size: these are no two lengths",
+     {.more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\","
+              " \"spot\": {}, \"extras\": {\"size\": [1]}}]}},"}},
+    {"sun all around",
+     "light 0: extras: angle: it is no number from 0 to 3.14159",
+     {.more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\":"
+              " \"directional\", \"extras\": {\"angle\": 7}}]}},"}},
+    {"area light type",
+     "extensions: EXT_lights_area: area light 0: type: \"sphere\" is none of",
+     {.more = "\"extensions\": {\"EXT_lights_area\": {\"lights\": [{\"type\": \"sphere\"}]}},"}},
+    {"area light without area",
+     "area light 0 'panel': size: 0 by 0 m",
+     {.more = "\"extensions\": {\"EXT_lights_area\": {\"lights\": [{\"name\": \"panel\","
+              " \"type\": \"rect\", \"size\": 0}]}},"}},
+    {"negative area light",
+     "area light 0: intensity: it is negative or too large",
+     {.more = "\"extensions\": {\"EXT_lights_area\": {\"lights\": [{\"type\": \"disk\","
+              " \"intensity\": -5}]}},"}},
+    {"no such area light",
+     "node 0 'one': extensions: EXT_lights_area: light: 0, but there are 0",
+     {.nodes = NODE("\"extensions\": {\"EXT_lights_area\": {\"light\": 0}}")}},
     {"field of view",
      "camera 0: yfov: 3.5 radians",
      {.more = "\"cameras\": [{\"type\": \"perspective\", \"perspective\": {\"yfov\": 3.5,"

@@ -24,7 +24,7 @@ static struct vpl trace_vpl(const struct world *world, const struct emission *em
     vec2s sample = {
         {(float)radical_inverse(2, (uint32_t)i), (float)radical_inverse(3, (uint32_t)i)}};
     struct hit hit;
-    if (!emission_first_hit(emission, 0, rays, sample, &hit))
+    if (!emission_first_hit(emission, 0, rays, (vec2s){{0, 0}}, sample, &hit))
         return (struct vpl){.flux = {0}};
     const float *p = hit.position.raw, *n = hit.normal.raw;
     vec3s from = {{world->light.position[0], world->light.position[1], world->light.position[2]}};

@@ -12,8 +12,10 @@ light light_at(int i) {
     int row = i * LIGHT_ROWS;
     vec4 a = light_rows[row], b = light_rows[row + 1], c = light_rows[row + 2];
     vec4 d = light_rows[row + 3], e = light_rows[row + 4], f = light_rows[row + 5];
+    vec4 g = light_rows[row + 6];
+    ivec4 h = floatBitsToInt(g);
     return light(a.xyz, a.w, b.xyz, floatBitsToInt(b.w), c.xyz, floatBitsToInt(c.w), d.xyz, d.w, e.xyz,
-                 e.w, f.xyz, f.w, floatBitsToInt(light_rows[row + 6].x), 0, 0, 0);
+                 e.w, f.xyz, f.w, h.x, h.y, g.z, g.w, light_rows[row + 7].x, 0, 0, 0);
 }
 
 // A program may say which kinds of maps the lights have, by its define MAP_KINDS: 1 << LIGHT_MAP_... of each.
@@ -32,17 +34,19 @@ light_view light_view_at(int i) {
                       e.x, e.y, e.z, 0);
 }
 
-// The spot's falloff by KHR_lights_punctual.
+// A spot's falloff by KHR_lights_punctual; an area light's cosine.
 float light_cone(light l, float cos_angle) {
+    if (l.type == LIGHT_TYPE_AREA)
+        return max(cos_angle, 0.0);
     float span = max(0.001, l.cos_inner - l.cos_outer);
     float t = clamp((cos_angle - l.cos_outer) / span, 0.0, 1.0);
     return t * t;
 }
 
-// Intensity of a spot or point light in a unit direction, W/sr.
+// Intensity in a unit direction, W/sr; not of a directional light.
 vec3 light_intensity(light l, vec3 direction) {
-    float cone = l.type == LIGHT_TYPE_SPOT ? light_cone(l, dot(direction, l.direction)) : 1.0;
-    return l.intensity * cone;
+    bool even = l.type == LIGHT_TYPE_POINT;
+    return l.intensity * (even ? 1.0 : light_cone(l, dot(direction, l.direction)));
 }
 
 // Which view of the light sees in this direction: +x -x +y -y +z -z of six.

@@ -8,9 +8,9 @@ layout(location = ATTRIBUTE_VPL_POINT) in vec3 halton_and_light;
 
 const float PI = 3.14159265358979;
 
-// Uniform in the solid angle of the cone (of the sphere, where cos outer is -1).
+// Uniform in the solid angle of the cone (an area light's half space; the sphere, where cos outer is -1).
 vec3 sample_direction(light l, vec2 halton) {
-    float cos_outer = l.type == LIGHT_TYPE_SPOT ? l.cos_outer : -1.0;
+    float cos_outer = l.type == LIGHT_TYPE_SPOT ? l.cos_outer : l.type == LIGHT_TYPE_AREA ? 0.0 : -1.0;
     float z = mix(1.0, cos_outer, halton.x), azimuth = 2.0 * PI * halton.y;
     vec2 r = sqrt(max(0.0, 1.0 - z * z)) * vec2(cos(azimuth), sin(azimuth));
     return r.x * l.right + r.y * l.up + z * l.direction;

@@ -17,8 +17,15 @@
 #define LIGHT_TYPE_SPOT 0
 #define LIGHT_TYPE_POINT 1
 #define LIGHT_TYPE_DIRECTIONAL 2
+#define LIGHT_TYPE_AREA 3
 
-#define LIGHT_ROWS 7
+#define LIGHT_SHAPE_POINT 0
+#define LIGHT_SHAPE_RECTANGLE 1
+#define LIGHT_SHAPE_DISK 2
+#define LIGHT_SHAPE_SPHERE 3
+#define LIGHT_SHAPE_CAP 4
+
+#define LIGHT_ROWS 8
 
 struct light {
     vec3 intensity; /* W/sr, of a directional light W/m2 */
@@ -31,9 +38,12 @@ struct light {
     float cos_inner;
     vec3 up;
     float cos_outer;
-    vec3 radiance;      /* of a white surface, for an irradiance over intensity of 1 / direct_scale */
+    vec3 radiance; /* of a white surface, for an irradiance over intensity of 1 / direct_scale */
     float direct_scale; /* squared scene radius, m2: keeps numbers apart from the scene's units */
     int view_count;
+    int shape;           /* LIGHT_SHAPE_... */
+    float width, height; /* struct emitter's size */
+    float extent;        /* area of the shape, m2; of a cap solid angle, sr */
     int unused0, unused1, unused2;
 };
 STD140_SIZE(light, 16 * LIGHT_ROWS)

@@ -70,8 +70,26 @@ static void print_materials(const struct scene *scene) {
     printf("textures   %d (%.2f megatexels)\n", scene->texture_count, texels / 1e6);
 }
 
+static void print_size(const struct emitter *light) {
+    double across = (double)light->size[0];
+    switch (emitter_shape(light)) {
+    case EMITTER_IS_POINT:
+        break;
+    case EMITTER_IS_RECTANGLE:
+        printf(", %.4g x %.4g m", across, (double)light->size[1]);
+        break;
+    case EMITTER_IS_DISK:
+    case EMITTER_IS_SPHERE:
+        printf(", %.4g m across", across);
+        break;
+    case EMITTER_IS_CAP:
+        printf(", %.4g degrees across", degrees(light->size[0]));
+        break;
+    }
+}
+
 static void print_light(const struct scene *scene, int n) {
-    static const char *const types[] = {"spot", "point", "directional"};
+    static const char *const types[] = {"spot", "point", "directional", "area"};
     struct emitter light;
     emitter_place(&light, scene, n, 0);
     const struct node *node = &scene->nodes[node_carrying(scene, NODE_LIGHT, n)];
@@ -86,6 +104,7 @@ static void print_light(const struct scene *scene, int n) {
     if (light.type == EMITTER_SPOT)
         printf(", cone %.4g to %.4g degrees", degrees(acosf(light.cos_inner)),
                degrees(acosf(light.cos_outer)));
+    print_size(&light);
     if (isfinite(source->range))
         printf(", not cut off at its range of %.4g m", (double)source->range);
     putchar('\n');

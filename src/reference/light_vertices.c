@@ -23,9 +23,9 @@ static void trace(const struct work *work, uint32_t i) {
     struct light_vertex *vertex = &work->vertices[i];
     struct arrival arrival;
     struct hit hit;
-    vec2s sample = sampler_next(&sampler);
-    if (!emission_first_hit(work->emission, ray.taker, work->rays, sample, &hit) ||
-        !emission_reach(work->emission, ray.taker, &hit, &arrival))
+    vec2s sample = sampler_next(&sampler), place = sampler_next(&sampler);
+    if (!emission_first_hit(work->emission, ray.taker, work->rays, place, sample, &hit) ||
+        !emission_reach(work->emission, ray.taker, place, &hit, &arrival))
         return;
     vertex->radiance = emission_reflected(&hit, &arrival);
     vertex->position = hit.position;

@@ -57,11 +57,12 @@ static vec3s from_light_vertices(const struct ray_scene *rays, const struct hit 
 static vec3s from_cosine_ray(const struct ray_scene *rays, const struct emission *emission,
                              const struct hit *x, const struct hit *y, struct sampler *sampler) {
     float pick = emission->count > 1 ? sampler_next(sampler).x : 0;
+    vec2s sample = emission->has_sizes ? sampler_next(sampler) : (vec2s){{0, 0}};
     float p_cosine = cosine_density(x, y->position, y->geometric_normal), sum = 0, picked = 0;
     struct arrival arrival;
     vec3s light = glms_vec3_zero(), source = light;
     for (int n = 0; n < emission->count; n++) {
-        if (!emission_reach(emission, n, y, &arrival))
+        if (!emission_reach(emission, n, emission_place(emission, n, sample, y), y, &arrival))
             continue;
         vec3s given = glms_vec3_scale(emission_reflected(y, &arrival),
                                       weight(p_cosine, LIGHTS_PER_VERTEX * arrival.density));

@@ -52,6 +52,17 @@ static vec3s mean_of_paths(const struct tracer *tracer, const struct hit *hit, i
     return glms_vec3_scale(sum, 1 / (float)paths);
 }
 
+/* The indirect paths' samplers, at pairs that no path comes to. */
+static vec3s direct_light(const struct tracer *tracer, const struct hit *hit,
+                          const struct sampler *start) {
+    enum { FIRST_PAIR = 1 << 20 };
+    struct sampler samplers[PATHS_PER_SAMPLE];
+    for (uint32_t i = 0; i < PATHS_PER_SAMPLE; i++)
+        samplers[i] =
+            (struct sampler){start->seed, start->index * PATHS_PER_SAMPLE + i, FIRST_PAIR};
+    return emission_direct(&tracer->emission, &tracer->rays, hit, samplers, PATHS_PER_SAMPLE);
+}
+
 static int stream_of(uint32_t sample) {
     return (int)(sample % FILM_STREAMS);
 }
@@ -73,7 +84,7 @@ static bool take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
         .position = hit.position,
         .albedo = hit.albedo,
         .normal = hit.normal,
-        .direct = emission_direct(&tracer->emission, &tracer->rays, &hit),
+        .direct = direct_light(tracer, &hit, &sampler),
         .indirect = mean_of_paths(tracer, &hit, stream, &sampler),
     };
     return true;

@@ -63,13 +63,22 @@ static void write(float *layer, vec3s value) {
     memcpy(layer, value.raw, sizeof value.raw);
 }
 
+/* Places on lights with a size, the same for all pixels: without noise, with steps in penumbrae. */
+static vec3s direct_light(const struct summation *summation, const struct hit *x) {
+    enum { PLACES = 64 };
+    struct sampler samplers[PLACES];
+    for (uint32_t i = 0; i < PLACES; i++)
+        samplers[i] = (struct sampler){.index = i};
+    return emission_direct(&summation->emission, &summation->rays, x, samplers, PLACES);
+}
+
 static void render_pixel(const struct summation *summation, int px, int py) {
     struct hit hit;
     if (!primary_hit(&summation->primary, (float)px + 0.5f, (float)py + 0.5f, &hit))
         return;
     float *channels = image_at(summation->image, px, py);
     vec3s indirect = gather(summation, &hit);
-    vec3s direct = emission_direct(&summation->emission, &summation->rays, &hit);
+    vec3s direct = direct_light(summation, &hit);
     write(&channels[CHANNEL_BEAUTY], glms_vec3_mul(hit.albedo, glms_vec3_add(direct, indirect)));
     channels[CHANNEL_ALPHA] = 1;
     channels[CHANNEL_DEPTH] = primary_depth(&summation->primary, hit.position);

@@ -32,6 +32,31 @@ void emitters_free(struct emitters *emitters) {
     *emitters = (struct emitters){0};
 }
 
+/* Of a node's world, along its axes. */
+static void scales_of(const struct scene_light *source, const float world[16], float scales[2]) {
+    float along[3];
+    for (int axis = 0; axis < 3; axis++)
+        along[axis] = glm_vec3_norm((float *)&world[4 * axis]);
+    bool each = source->scaling == LIGHT_SCALED_EACH_WAY;
+    for (int axis = 0; axis < 2; axis++)
+        scales[axis] = source->scaling == LIGHT_NOT_SCALED ? 1
+                       : each                              ? along[axis]
+                                                           : glm_vec3_max(along);
+    /* A disk stays one, of the same area. */
+    if (each && source->size[1] == 0)
+        scales[0] = sqrtf(along[0] * along[1]);
+}
+
+static void set_size(struct emitter *emitter, const struct scene_light *source,
+                     const float world[16]) {
+    float scales[2];
+    scales_of(source, world, scales);
+    for (int axis = 0; axis < 2; axis++)
+        emitter->size[axis] = source->size[axis] * scales[axis];
+    if (source->type == EMITTER_AREA)
+        glm_vec3_scale(emitter->intensity, (float)emitter_extent(emitter), emitter->intensity);
+}
+
 void emitter_place(struct emitter *emitter, const struct scene *scene, int n, double time) {
     int node = node_carrying(scene, NODE_LIGHT, n);
     const struct scene_light *source = &scene->lights[scene->nodes[node].light];
@@ -43,6 +68,7 @@ void emitter_place(struct emitter *emitter, const struct scene *scene, int n, do
                                 .cos_outer = cosf(source->outer)};
     memcpy(emitter->intensity, source->intensity, sizeof emitter->intensity);
     memcpy(emitter->position, &world[12], sizeof emitter->position);
+    set_size(emitter, source, world);
     node_frame(world, emitter->right, emitter->up, emitter->direction);
 }
 
@@ -58,12 +84,107 @@ void emitter_aim(struct emitter *emitter, const float direction[3]) {
     glm_vec3_cross(right, forward, emitter->up);
 }
 
+/* --- shape ------------------------------------------------------------------------------------ */
+
+enum emitter_shape emitter_shape(const struct emitter *emitter) {
+    if (emitter->size[0] <= 0)
+        return EMITTER_IS_POINT;
+    if (emitter->type == EMITTER_DIRECTIONAL)
+        return EMITTER_IS_CAP;
+    if (emitter->type == EMITTER_POINT)
+        return EMITTER_IS_SPHERE;
+    return emitter->size[1] > 0 ? EMITTER_IS_RECTANGLE : EMITTER_IS_DISK;
+}
+
+double emitter_extent(const struct emitter *emitter) {
+    double across = (double)emitter->size[0];
+    switch (emitter_shape(emitter)) {
+    case EMITTER_IS_POINT:
+        break;
+    case EMITTER_IS_RECTANGLE:
+        return across * (double)emitter->size[1];
+    case EMITTER_IS_DISK:
+        return GLM_PI / 4 * across * across;
+    case EMITTER_IS_SPHERE:
+        return GLM_PI * across * across;
+    case EMITTER_IS_CAP:
+        return 2 * GLM_PI * (1 - cos(across / 2));
+    }
+    return 0;
+}
+
+/* Moves by so much along right, up and the direction. */
+static void add_offset(const struct emitter *emitter, const float offset[3], float to[3]) {
+    glm_vec3_muladds((float *)emitter->right, offset[0], to);
+    glm_vec3_muladds((float *)emitter->up, offset[1], to);
+    glm_vec3_muladds((float *)emitter->direction, offset[2], to);
+}
+
+/* The place's unit direction, even over the cap of the sphere that reaches from cos 1 to that. */
+static void direction_of(const float place[2], float cos_rim, float direction[3]) {
+    float height = place[0] * (1 - cos_rim), turn = 2 * GLM_PIf * place[1];
+    float across = sqrtf(fmaxf(0, height * (2 - height)));
+    glm_vec3_copy((vec3){across * cosf(turn), across * sinf(turn), 1 - height}, direction);
+}
+
+/* A bit of the sphere's surface: it has a quarter of the area that is seen. */
+static void cut_sphere(struct emitter *piece, const float place[2]) {
+    vec3 out, outwards = {0, 0, 0};
+    direction_of(place, -1, out);
+    add_offset(piece, out, outwards);
+    glm_vec3_muladds(outwards, piece->size[0] / 2, piece->position);
+    glm_vec3_scale(piece->intensity, 4, piece->intensity);
+    piece->type = EMITTER_AREA;
+    piece->cos_outer = 0;
+    emitter_aim(piece, outwards);
+}
+
+/* All pieces of a sun together cross an area that faces its middle. */
+static void cut_cap(struct emitter *piece, const float place[2]) {
+    vec3 out, direction = {0, 0, 0};
+    float cos_rim = cosf(piece->size[0] / 2);
+    direction_of(place, cos_rim, out);
+    add_offset(piece, out, direction);
+    glm_vec3_scale(piece->intensity, 2 / (1 + cos_rim), piece->intensity);
+    emitter_aim(piece, direction);
+}
+
+struct emitter emitter_piece(const struct emitter *emitter, const float place[2]) {
+    struct emitter piece = *emitter;
+    float radius = emitter->size[0] / 2 * sqrtf(place[0]), turn = 2 * GLM_PIf * place[1];
+    switch (emitter_shape(emitter)) {
+    case EMITTER_IS_POINT:
+        return piece;
+    case EMITTER_IS_RECTANGLE:
+        add_offset(
+            emitter,
+            (float[]){(place[0] - .5F) * emitter->size[0], (place[1] - .5F) * emitter->size[1], 0},
+            piece.position);
+        break;
+    case EMITTER_IS_DISK:
+        add_offset(emitter, (float[]){radius * cosf(turn), radius * sinf(turn), 0}, piece.position);
+        break;
+    case EMITTER_IS_SPHERE:
+        cut_sphere(&piece, place);
+        break;
+    case EMITTER_IS_CAP:
+        cut_cap(&piece, place);
+        break;
+    }
+    piece.size[0] = piece.size[1] = 0;
+    return piece;
+}
+
+/* --- radiometry ------------------------------------------------------------------------------- */
+
 /* In the cosine of the angle to the axis: how far it is from dark to full light. */
 static float falloff_width(const struct emitter *emitter) {
     return fmaxf(.001F, emitter->cos_inner - emitter->cos_outer);
 }
 
 float emitter_cone(const struct emitter *emitter, float cos_angle) {
+    if (emitter->type == EMITTER_AREA)
+        return fmaxf(cos_angle, 0);
     if (emitter->type != EMITTER_SPOT)
         return 1;
     float width = falloff_width(emitter);
@@ -77,6 +198,8 @@ double emitter_solid_angle(const struct emitter *emitter) {
         return 2 * GLM_PI * (1 - (double)emitter->cos_outer);
     case EMITTER_POINT:
         return 4 * GLM_PI;
+    case EMITTER_AREA:
+        return 2 * GLM_PI;
     case EMITTER_DIRECTIONAL:
         break;
     }
@@ -99,6 +222,8 @@ double emitter_flux(const struct emitter *emitter, float radius) {
         return mean * cone_integral(emitter);
     case EMITTER_POINT:
         return mean * 4 * GLM_PI;
+    case EMITTER_AREA:
+        return mean * GLM_PI;
     case EMITTER_DIRECTIONAL:
         break;
     }

@@ -1,7 +1,12 @@
 /* An emitter: a light of the scene placed in the world, and its radiometry.
  *
  * KHR_lights_punctual: candela is read as W/sr, lux as W/m2. A spot's cone falls off as
- * clamp((cos a - cos outer) / max(0.001, cos inner - cos outer), 0, 1)^2.
+ * clamp((cos a - cos outer) / max(0.001, cos inner - cos outer), 0, 1)^2. An area light has the same
+ * radiance in all directions on its front, so that its intensity falls off as the cosine.
+ *
+ * A light with a size is many without, spread evenly over its shape (emitter_piece): from far away
+ * all are as one in the middle. A sphere's and a rectangle's pieces are those of area lights and of
+ * spots; the sun's come from a cap of directions.
  */
 #ifndef SCENE_EMITTER_H
 #define SCENE_EMITTER_H
@@ -12,10 +17,20 @@ struct emitter {
     enum emitter_type type;
     int number;                 /* of the scene's light nodes, in node order */
     float intensity[3];         /* W/sr on the axis; W/m2 for a directional light */
+    float size[2];              /* along right and up, m; without the second the diameter of a disk,
+                                   of a point's sphere, or the angle across a directional light, rad */
     float position[3];          /* spot and point */
     float direction[3];         /* unit: where it shines */
     float right[3], up[3];      /* with -direction a right-handed orthonormal frame */
     float cos_inner, cos_outer; /* spot */
+};
+
+enum emitter_shape {
+    EMITTER_IS_POINT, /* a light without a size */
+    EMITTER_IS_RECTANGLE,
+    EMITTER_IS_DISK,
+    EMITTER_IS_SPHERE,
+    EMITTER_IS_CAP, /* of directions */
 };
 
 /* What shines at one time. */
@@ -41,11 +56,22 @@ int emitter_find(const struct scene *scene, const char *text);
 
 int emitter_node_count(const struct scene *scene);
 
-/* The spot's falloff in [0, 1] for the cosine of the angle to its axis; 1 for the other types. */
+enum emitter_shape emitter_shape(const struct emitter *emitter);
+
+/* Area of the shape, m2; of a cap solid angle, sr; 0 of a point. */
+double emitter_extent(const struct emitter *emitter);
+
+/* The light without a size that shines from one place of the shape as the whole one does: places are
+ * two numbers in [0, 1), even in the shape's area, and what pieces give is on average what the light
+ * gives. A point's is itself. */
+struct emitter emitter_piece(const struct emitter *emitter, const float place[2]);
+
+/* The falloff in [0, 1] for the cosine of the angle to the axis: a spot's cone, an area light's
+ * cosine; 1 for the other types. */
 float emitter_cone(const struct emitter *emitter, float cos_angle);
 
 /* Solid angle the light shines into, steradians: 2 pi (1 - cos outer) for a spot, 4 pi for a point,
- * 0 for a directional light. */
+ * 2 pi for an area light, 0 for a directional light. */
 double emitter_solid_angle(const struct emitter *emitter);
 
 /* Flux of the light, the mean of RGB, W: of a directional light, through the cross section of a

@@ -37,6 +37,7 @@ static const struct word emitter_words[] = {
     {"up", offsetof(struct emitter, up), 3},
     {"right", offsetof(struct emitter, right), 3},
     {"intensity", offsetof(struct emitter, intensity), 3},
+    {"size", offsetof(struct emitter, size), 2},
     {NULL, 0, 0},
 };
 
@@ -54,6 +55,7 @@ static bool parse_floats(const char *text, float *values, int count) {
 
 /* One "name=1,2,3"; sets its bit in given. */
 static bool parse_word(const struct word *words, void *target, const char *text, unsigned *given) {
+    static const char *const examples[] = {"1", "1,0", "0,1,0"};
     size_t length = strcspn(text, "=");
     for (int i = 0; words[i].name; i++)
         if (strlen(words[i].name) == length && strncmp(words[i].name, text, length) == 0) {
@@ -62,7 +64,7 @@ static bool parse_word(const struct word *words, void *target, const char *text,
             return parse_floats(text + length + 1, values, words[i].count) ||
                    error_set("'%s' wants %d number%s, as in %s=%s", text, words[i].count,
                              words[i].count > 1 ? "s" : "", words[i].name,
-                             words[i].count > 1 ? "0,1,0" : "1");
+                             examples[words[i].count - 1]);
         }
     return error_set("'%s' is not understood", text);
 }
@@ -153,6 +155,12 @@ static bool mark_emitters(const struct scene *scene, char *list, bool *marked) {
     return true;
 }
 
+static bool check_size(const struct emitter *changes) {
+    const float *size = changes->size;
+    return (size[0] >= 0 && size[1] >= 0) ||
+           error_set("size=%g,%g: less than none", (double)size[0], (double)size[1]);
+}
+
 /* Picks the lights of one part of the text, with its changes. */
 static bool pick_emitters(struct emitter *all, bool *picked, const struct scene *scene,
                           char *part) {
@@ -160,7 +168,8 @@ static bool pick_emitters(struct emitter *all, bool *picked, const struct scene 
     bool *marked = mem_alloc((size_t)count, sizeof *marked);
     struct emitter changes = {0};
     unsigned given;
-    bool ok = (parse_words(emitter_words, &changes, part, &given) || error_prefix("light")) &&
+    bool ok = ((parse_words(emitter_words, &changes, part, &given) && check_size(&changes)) ||
+               error_prefix("light")) &&
               mark_emitters(scene, part, marked);
     for (int n = 0; ok && n < count; n++) {
         if (!marked[n])

@@ -5,7 +5,8 @@
  *     "Lamp,2"   "Lamp position=0,2,0 intensity=5,5,5; 2"
  *
  * Cameras have eye, forward, up, right, fov (radians, vertical) and extent (orthographic: half the
- * height); lights have position, direction, up, right and intensity. Without right the frame is
+ * height); lights have position, direction, up, right, intensity and size (struct emitter's: "0.2,0"
+ * makes points spheres and spots disks of that diameter). Without right the frame is
  * made of the direction and of up; with it all are taken as they are, so that a text that was
  * written here gives the very same camera again.
  *
@@ -18,7 +19,7 @@
 #include "scene/camera.h"
 #include "scene/emitter.h"
 
-enum { PLACING_TEXT_SIZE = 320 };
+enum { PLACING_TEXT_SIZE = 384 };
 
 /* text NULL: the scene's first. n, unless NULL: which of the scene's it is, or is made from. Error:
  * no such one, or a word that is not understood. */

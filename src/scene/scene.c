@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/file/output_file.h"
 #include "scene/animation.h"
+#include "scene/emissive.h"
 #include "scene/gltf/gltf.h"
 #include "scene/node.h"
 #include "scene/mesh/primitive.h"
@@ -20,7 +21,10 @@ static bool check_worlds(const struct scene *scene) {
 
 bool scene_load(struct scene *scene, const char *path) {
     *scene = (struct scene){0};
-    if (gltf_load(scene, path) && check_worlds(scene))
+    bool ok = gltf_load(scene, path);
+    if (ok)
+        emissive_add_lights(scene);
+    if (ok && check_worlds(scene))
         return true;
     scene_free(scene);
     return false;

@@ -80,15 +80,26 @@ struct scene_texture {
     bool nearest; /* no filtering; else linear with MIP maps */
 };
 
-enum emitter_type { EMITTER_SPOT, EMITTER_POINT, EMITTER_DIRECTIONAL };
+enum emitter_type { EMITTER_SPOT, EMITTER_POINT, EMITTER_DIRECTIONAL, EMITTER_AREA };
 
-/* KHR_lights_punctual, in radiometric units. Shines along the node's -Z. */
+/* How a light's size follows the scale of its node. */
+enum light_scaling {
+    LIGHT_NOT_SCALED,
+    LIGHT_SCALED_ALIKE,    /* both ways, by the greatest scale of all [EXT_lights_area] */
+    LIGHT_SCALED_EACH_WAY, /* as the surface is */
+};
+
+/* KHR_lights_punctual, EXT_lights_area or an emissive surface, in radiometric units. Shines along
+ * the node's -Z. */
 struct scene_light {
     char name[SCENE_NAME_SIZE];
     enum emitter_type type;
-    float intensity[3]; /* colour x intensity: W/sr; W/m2 for a directional light */
+    float intensity[3]; /* colour x intensity: W/sr; W/m2 for a directional light, W/(sr m2) for an
+                           area light */
     float inner, outer; /* spot: half angles of the cone, radians */
-    float range; /* where the file lets it be cut off, m, which it is not; infinite: nowhere */
+    float range;   /* where the file lets it be cut off, m, which it is not; infinite: nowhere */
+    float size[2]; /* as struct emitter has it */
+    enum light_scaling scaling;
 };
 
 /* Looks along the node's -Z, +Y up. */

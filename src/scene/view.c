@@ -163,6 +163,10 @@ static struct light light_of(const struct emitter *emitter, const struct view *f
         .cos_outer = emitter->cos_outer,
         .direct_scale = directional ? 1 : geometry->radius * geometry->radius,
         .view_count = view_count(emitter),
+        .shape = (int)emitter_shape(emitter),
+        .width = emitter->size[0],
+        .height = emitter->size[1],
+        .extent = (float)emitter_extent(emitter),
     };
     for (int c = 0; c < 3; c++) {
         light.intensity[c] = emitter->intensity[c];

@@ -1,6 +1,6 @@
 // Direct light with a hard shadow map, of one light.
 #include "lib/gbuffer.glsl"
-#include "lib/light.glsl"
+#include "lib/unshadowed.glsl"
 #include "visibility/lookup.glsl"
 
 layout(location = LOCATION_LIGHT) uniform int light_index;
@@ -15,11 +15,7 @@ float arriving(surface s, light_view v) {
 
 // Irradiance per unit of intensity, times direct_scale.
 float received(surface s, light l, vec3 direction, float distance2) {
-    float share = max(dot(s.normal, -direction), 0.0);
-    if (l.type != LIGHT_TYPE_DIRECTIONAL)
-        share *= l.direct_scale / distance2;
-    if (l.type == LIGHT_TYPE_SPOT)
-        share *= light_cone(l, dot(direction, l.direction));
+    float share = unshadowed(l, s.position, s.normal, direction, distance2);
     return share > 0.0 ? share * arriving(s, light_view_at(light_view_index(l, direction))) : 0.0;
 }
 

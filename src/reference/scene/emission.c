@@ -1,5 +1,6 @@
 #include "reference/scene/emission.h"
 
+#include "reference/scene/rectangle.h"
 #include "reference/vector.h"
 #include "reference/warp.h"
 
@@ -29,11 +30,13 @@ void emission_init(struct emission *emission, const struct emitters *emitters,
         .center = vector_of(geometry->center),
         .radius = geometry->radius,
     };
-    for (int n = 0; n < emitters->count; n++)
+    for (int n = 0; n < emitters->count; n++) {
         emission->sources[n] = (struct source){
             .light = emitters->items[n],
             .solid_angle = (float)emitter_solid_angle(&emitters->items[n]),
         };
+        emission->has_sizes |= emitter_shape(&emitters->items[n]) != EMITTER_IS_POINT;
+    }
     deal_rays(emission, ray_count);
 }
 
@@ -47,64 +50,134 @@ static float cross_section(const struct emission *emission) {
     return GLM_PIf * emission->radius * emission->radius;
 }
 
-bool emission_reach(const struct emission *emission, int n, const struct hit *hit,
+static bool has_size(const struct emission *emission, int n) {
+    return emitter_shape(&emission->sources[n].light) != EMITTER_IS_POINT;
+}
+
+/* Light rays start from an area light by the cosine, which is in the strength, else evenly. */
+static float ray_density(const struct emitter *piece, const struct source *source, float strength,
+                         float distance) {
+    return piece->type == EMITTER_AREA ? strength * GLM_1_PIf
+                                       : 1 / (source->solid_angle * distance * distance);
+}
+
+/* One over the density of emission_place's places, to those that are even in area. solid_angle: of a
+ * unit of area at the place. */
+static float place_weight(const struct emitter *light, const struct hit *hit, float solid_angle) {
+    struct seen_rectangle seen;
+    enum emitter_shape shape = emitter_shape(light);
+    if (shape == EMITTER_IS_RECTANGLE && rectangle_see(&seen, light, hit->position))
+        return (float)(seen.solid_angle / (emitter_extent(light) * (double)solid_angle));
+    return shape == EMITTER_IS_SPHERE ? .5f : 1;
+}
+
+bool emission_reach(const struct emission *emission, int n, vec2s place, const struct hit *hit,
                     struct arrival *arrival) {
     const struct source *source = &emission->sources[n];
-    const struct emitter *light = &source->light;
-    vec3s to_light = glms_vec3_negate(vector_of(light->direction));
+    struct emitter light = emitter_piece(&source->light, place.raw);
+    vec3s to_light = glms_vec3_negate(vector_of(light.direction));
     float distance = 2 * emission->radius; /* beyond the bounds from every point within */
     float strength = 1;                    /* irradiance across the beam, for an intensity of 1 */
     float density;                         /* of light rays across the beam, 1/m2 */
-    if (light->type == EMITTER_DIRECTIONAL) {
+    float weight = 1;                      /* of the place */
+    if (light.type == EMITTER_DIRECTIONAL) {
         density = 1 / cross_section(emission);
     } else {
-        vec3s path = glms_vec3_sub(vector_of(light->position), hit->position);
+        vec3s path = glms_vec3_sub(vector_of(light.position), hit->position);
         float cos_axis;
         distance = glms_vec3_norm(path);
         if (distance == 0)
             return false;
         cos_axis = glms_vec3_dot(path, to_light) / distance;
         to_light = glms_vec3_scale(path, 1 / distance);
-        strength = emitter_cone(light, cos_axis) / (distance * distance);
-        density = 1 / (source->solid_angle * distance * distance);
+        strength = emitter_cone(&light, cos_axis) / (distance * distance);
+        density = ray_density(&light, source, strength, distance);
+        if (emission->has_sizes && cos_axis > 0)
+            weight = place_weight(&source->light, hit, cos_axis / (distance * distance));
     }
     float cos_shading = glms_vec3_dot(hit->normal, to_light);
     float cos_geometric = glms_vec3_dot(hit->geometric_normal, to_light);
     if (strength <= 0 || cos_shading <= 0 || cos_geometric <= 0)
         return false;
     arrival->at = glms_vec3_add(hit->position, glms_vec3_scale(to_light, distance));
-    arrival->irradiance = glms_vec3_scale(vector_of(light->intensity), strength * cos_shading);
-    arrival->density = density * cos_geometric * source->share;
+    arrival->irradiance =
+        glms_vec3_scale(vector_of(light.intensity), weight * strength * cos_shading);
+    arrival->density = weight * density * cos_geometric * source->share;
     return true;
+}
+
+/* Of a sphere, of a place and the one across, that which faces the surface. */
+static vec2s facing_place(const struct emitter *light, vec2s place, const struct hit *hit) {
+    struct emitter piece = emitter_piece(light, place.raw);
+    vec3s to_hit = glms_vec3_sub(hit->position, vector_of(piece.position));
+    if (glms_vec3_dot(to_hit, vector_of(piece.direction)) >= 0)
+        return place;
+    float turned = place.y + .5f;
+    return (vec2s){{1 - place.x, turned < 1 ? turned : turned - 1}};
+}
+
+vec2s emission_place(const struct emission *emission, int n, vec2s sample, const struct hit *hit) {
+    const struct emitter *light = &emission->sources[n].light;
+    enum emitter_shape shape = emitter_shape(light);
+    struct seen_rectangle seen;
+    if (shape == EMITTER_IS_SPHERE)
+        return facing_place(light, sample, hit);
+    if (shape == EMITTER_IS_RECTANGLE && rectangle_see(&seen, light, hit->position))
+        return rectangle_place(&seen, sample);
+    return sample;
 }
 
 vec3s emission_reflected(const struct hit *hit, const struct arrival *arrival) {
     return glms_vec3_scale(glms_vec3_mul(hit->albedo, arrival->irradiance), GLM_1_PIf);
 }
 
-vec3s emission_direct(const struct emission *emission, const struct ray_scene *rays,
-                      const struct hit *hit) {
+static vec3s direct_from(const struct emission *emission, int n, const struct ray_scene *rays,
+                         const struct hit *hit, vec2s sample) {
     struct arrival arrival;
-    vec3s from = ray_scene_departure(rays, hit), sum = glms_vec3_zero();
-    for (int n = 0; n < emission->count; n++)
-        if (emission_reach(emission, n, hit, &arrival) && ray_scene_visible(rays, from, arrival.at))
-            sum = glms_vec3_add(sum, arrival.irradiance);
+    vec2s place = emission_place(emission, n, sample, hit);
+    return emission_reach(emission, n, place, hit, &arrival) &&
+                   ray_scene_visible(rays, ray_scene_departure(rays, hit), arrival.at)
+               ? arrival.irradiance
+               : glms_vec3_zero();
+}
+
+vec3s emission_direct(const struct emission *emission, const struct ray_scene *rays,
+                      const struct hit *hit, const struct sampler *samplers, int count) {
+    vec3s sum = glms_vec3_zero(), light;
+    for (int n = 0; n < emission->count; n++) {
+        if (!has_size(emission, n)) {
+            light = direct_from(emission, n, rays, hit, (vec2s){{0, 0}});
+        } else {
+            light = glms_vec3_zero();
+            for (int i = 0; i < count; i++) {
+                struct sampler sampler = samplers[i];
+                sampler.pair += (uint32_t)n;
+                light = glms_vec3_add(light,
+                                      direct_from(emission, n, rays, hit, sampler_next(&sampler)));
+            }
+            light = glms_vec3_scale(light, 1 / (float)count);
+        }
+        sum = glms_vec3_add(sum, light);
+    }
     return glms_vec3_scale(sum, GLM_1_PIf);
 }
 
 bool emission_first_hit(const struct emission *emission, int n, const struct ray_scene *rays,
-                        vec2s sample, struct hit *hit) {
-    const struct emitter *light = &emission->sources[n].light;
-    vec3s axis = vector_of(light->direction), origin, direction;
-    if (light->type == EMITTER_DIRECTIONAL) {
+                        vec2s place, vec2s sample, struct hit *hit) {
+    struct emitter light = emitter_piece(&emission->sources[n].light, place.raw);
+    vec3s axis = vector_of(light.direction), origin, direction;
+    if (light.type == EMITTER_DIRECTIONAL) {
         vec3s offset = glms_vec3_sub(warp_to_disc(sample, axis), glms_vec3_scale(axis, 2));
         origin = glms_vec3_add(emission->center, glms_vec3_scale(offset, emission->radius));
         direction = axis;
     } else {
-        direction = warp_to_cone(sample, axis, light->type == EMITTER_SPOT ? light->cos_outer : -1);
+        direction =
+            light.type == EMITTER_AREA
+                ? warp_to_cosine(sample, axis)
+                : warp_to_cone(sample, axis, light.type == EMITTER_SPOT ? light.cos_outer : -1);
         /* Shadow rays end this far before the light. */
         origin =
-            glms_vec3_add(vector_of(light->position), glms_vec3_scale(direction, rays->clearance));
+            glms_vec3_add(vector_of(light.position), glms_vec3_scale(direction, rays->clearance));
     }
     return ray_scene_hit(rays, origin, direction, hit);
 }

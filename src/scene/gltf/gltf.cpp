@@ -41,8 +41,9 @@ bool copy_numbers(const std::vector<double> &from, float *to, const char *what) 
 namespace {
 
 /* Every extension that changes what we read. */
-const char *const known_extensions[] = {"KHR_lights_punctual", "KHR_materials_emissive_strength",
-                                        "KHR_texture_transform", "KHR_mesh_quantization"};
+const char *const known_extensions[] = {"KHR_lights_punctual", "EXT_lights_area",
+                                        "KHR_materials_emissive_strength", "KHR_texture_transform",
+                                        "KHR_mesh_quantization"};
 
 bool is_known(const std::string &extension) {
     for (const char *known : known_extensions)

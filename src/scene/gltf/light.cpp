@@ -1,12 +1,51 @@
-/* KHR_lights_punctual, and cameras. */
+/* KHR_lights_punctual, EXT_lights_area, and cameras. */
 #include "scene/gltf/model.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gltf {
 namespace {
 
 const float half_pi = 1.5707964F;
+const float size_max = 1e9F; /* metres */
+
+/* A length or an angle of our own extras; what is not there stays as it is. */
+bool read_size(const tinygltf::Value &extras, const char *key, float most, float &to) {
+    if (!extras.Has(key))
+        return true;
+    const tinygltf::Value &value = extras.Get(key);
+    to = value.IsNumber() ? float(value.GetNumberAsDouble()) : NAN;
+    return (to >= 0 && to <= most) ||
+           error_set("extras: %s: it is no number from 0 to %g", key, double(most));
+}
+
+/* {"size": [width, height]} of a spot. */
+bool read_sides(const tinygltf::Value &extras, float to[2]) {
+    if (!extras.Has("size"))
+        return true;
+    const tinygltf::Value &sides = extras.Get("size");
+    bool good = sides.IsArray() && sides.ArrayLen() == 2;
+    for (int i = 0; good && i < 2; i++) {
+        good = sides.Get(i).IsNumber();
+        to[i] = good ? float(sides.Get(i).GetNumberAsDouble()) : 0;
+        good = to[i] > 0 && to[i] <= size_max;
+    }
+    return good || error_set("extras: size: these are no two lengths");
+}
+
+/* Sizes that punctual lights have in their extras: "radius" of a point or a spot, "size" of a spot,
+ * "angle" across a directional light. */
+bool load_size(const tinygltf::Value &extras, struct scene_light &to) {
+    if (!extras.IsObject())
+        return true;
+    if (to.type == EMITTER_DIRECTIONAL)
+        return read_size(extras, "angle", 2 * half_pi, to.size[0]);
+    if (!read_size(extras, "radius", size_max / 2, to.size[0]))
+        return false;
+    to.size[0] *= 2;
+    return to.type == EMITTER_POINT || read_sides(extras, to.size);
+}
 
 bool load_light(const tinygltf::Light &from, struct scene_light &to) {
     copy_name(to.name, from.name);
@@ -27,7 +66,37 @@ bool load_light(const tinygltf::Light &from, struct scene_light &to) {
     if (to.type == EMITTER_SPOT &&
         !(to.inner >= 0 && to.inner <= to.outer && to.outer > 0 && to.outer <= half_pi))
         return error_set("a cone from %g to %g radians", to.inner, to.outer);
-    return true;
+    return load_size(from.extras, to);
+}
+
+double number_or(const tinygltf::Value &object, const char *key, double otherwise) {
+    return object.Has(key) ? object.Get(key).GetNumberAsDouble() : otherwise;
+}
+
+/* Nits are read as W/(sr m2). */
+bool load_area_light(const tinygltf::Value &from, struct scene_light &to) {
+    double size = number_or(from, "size", 1), aspect = 1;
+    if (from.Has("name"))
+        copy_name(to.name, from.Get("name").Get<std::string>());
+    to.type = EMITTER_AREA;
+    to.outer = half_pi;
+    to.range = INFINITY;
+    to.scaling = LIGHT_SCALED_ALIKE;
+    for (size_t c = 0; c < 3; c++) {
+        double color = from.Has("color") ? from.Get("color").Get(int(c)).GetNumberAsDouble() : 1;
+        to.intensity[c] = float(color * number_or(from, "intensity", 1000));
+        if (!(to.intensity[c] >= 0) || !std::isfinite(to.intensity[c]))
+            return error_set("intensity: it is negative or too large");
+    }
+    if (from.Has("rect"))
+        aspect = number_or(from.Get("rect"), "aspect", 1);
+    bool rectangle = from.Get("type").Get<std::string>() == "rect";
+    to.size[0] = float(rectangle ? size * aspect : size);
+    to.size[1] = rectangle ? float(size) : 0;
+    double least = rectangle ? std::min(to.size[0], to.size[1]) : to.size[0];
+    return (least > 0 && std::max(to.size[0], to.size[1]) <= size_max) ||
+           error_set("size: %g by %g m", double(to.size[0]),
+                     double(rectangle ? to.size[1] : to.size[0]));
 }
 
 bool load_perspective(const tinygltf::PerspectiveCamera &from, struct scene_camera &to) {
@@ -52,12 +121,20 @@ bool load_camera(const tinygltf::Camera &from, struct scene_camera &to) {
 
 bool load_lights(Loader &loader) {
     const auto &from = loader.model.lights;
+    const auto area = loader.model.extensions.find("EXT_lights_area");
     struct scene *scene = loader.scene;
-    scene->lights = allocate<struct scene_light>(from.size());
-    scene->light_count = int(from.size());
+    size_t areas =
+        area == loader.model.extensions.end() ? 0 : area->second.Get("lights").ArrayLen();
+    scene->lights = allocate<struct scene_light>(from.size() + areas);
+    scene->light_count = int(from.size() + areas);
     for (size_t i = 0; i < from.size(); i++)
         if (!load_light(from[i], scene->lights[i]))
             return error_prefix("%s", label("light", i, from[i].name).c_str());
+    for (size_t i = 0; i < areas; i++) {
+        struct scene_light &to = scene->lights[from.size() + i];
+        if (!load_area_light(area->second.Get("lights").Get(int(i)), to))
+            return error_prefix("%s", label("area light", i, to.name).c_str());
+    }
     return true;
 }
 

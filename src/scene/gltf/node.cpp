@@ -86,17 +86,24 @@ bool load_transform(const tinygltf::Node &from, struct node &to) {
     return true;
 }
 
-/* The light that KHR_lights_punctual puts on the node. */
-int node_light(const tinygltf::Node &node) {
-    auto found = node.extensions.find("KHR_lights_punctual");
+/* The light that an extension puts on the node, or -1. */
+int node_light(const tinygltf::Node &node, const char *extension) {
+    auto found = node.extensions.find(extension);
     return found == node.extensions.end() ? -1 : found->second.Get("light").GetNumberAsInt();
 }
 
-bool load_node(const tinygltf::Node &from, struct node &to) {
+/* Of a node with one of each kind, which shine alike, the area light. */
+void load_node_light(const Model &model, const tinygltf::Node &from, struct node &to) {
+    int area = node_light(from, "EXT_lights_area");
+    to.light =
+        area >= 0 ? int(model.lights.size()) + area : node_light(from, "KHR_lights_punctual");
+}
+
+bool load_node(const Model &model, const tinygltf::Node &from, struct node &to) {
     copy_name(to.name, from.name);
     to.mesh = from.mesh;
     to.camera = from.camera;
-    to.light = node_light(from);
+    load_node_light(model, from, to);
     to.skin = from.skin;
     to.metaballs = -1;
     return load_transform(from, to);
@@ -157,7 +164,8 @@ bool load_nodes(Loader &loader) {
     scene->metaballs = allocate<struct metaballs>(order.size());
     for (int i : order) {
         struct node &node = scene->nodes[scene->node_count];
-        if (!load_node(model.nodes[i], node) || !load_node_weights(model.nodes[i], *scene, node) ||
+        if (!load_node(model, model.nodes[i], node) ||
+            !load_node_weights(model.nodes[i], *scene, node) ||
             !load_metaballs(model.nodes[i], *scene, node))
             return error_prefix("%s", label("node", i, model.nodes[i].name).c_str());
         node.parent = parents[i] >= 0 ? place[parents[i]] : -1;

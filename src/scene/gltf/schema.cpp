@@ -215,10 +215,14 @@ const Field animation[] = {
 
 const char *const lights = "/extensions/KHR_lights_punctual/lights";
 
+const char *const area_lights = "/extensions/EXT_lights_area/lights";
+
 const Field node_light[] = {{"light", Required, Kind::Index, lights}, end};
+const Field node_area_light[] = {{"light", Required, Kind::Index, area_lights}, end};
 
 const Field node_extensions[] = {
     {"KHR_lights_punctual", Optional, Kind::Object, nullptr, node_light},
+    {"EXT_lights_area", Optional, Kind::Object, nullptr, node_area_light},
     end,
 };
 
@@ -261,8 +265,23 @@ const Field light[] = {
 
 const Field punctual[] = {{"lights", Required, Kind::Objects, "light", light}, end};
 
+const Field rect[] = {{"aspect", Optional, Kind::Number}, end};
+
+const Field area_light[] = {
+    {"name", Optional, Kind::Text},
+    {"type", Required, Kind::Choice, " rect disk"},
+    {"color", Optional, Kind::Numbers, nullptr, nullptr, 3},
+    {"intensity", Optional, Kind::Number},
+    {"size", Optional, Kind::Number},
+    {"rect", Optional, Kind::Object, nullptr, rect},
+    end,
+};
+
+const Field area[] = {{"lights", Required, Kind::Objects, "area light", area_light}, end};
+
 const Field file_extensions[] = {
     {"KHR_lights_punctual", Optional, Kind::Object, nullptr, punctual},
+    {"EXT_lights_area", Optional, Kind::Object, nullptr, area},
     end,
 };
 
