@@ -1,4 +1,5 @@
-// One layer as linear floats, for files and measurements. Normal and depth are the pixel's centre's.
+// One layer as linear floats, for files and measurements, or weighted for a sum over passes. Normal and
+// depth are the pixel's centre's.
 #include "picture/layer.glsl"
 
 layout(location = TARGET_RESULT) out vec4 value;
@@ -21,4 +22,6 @@ void main() {
         value.rgb = shown == LAYER_NORMAL
                         ? octahedral_decode(texelFetch(gbuffer_normals, ivec3(pixel, 0), 0).rg)
                         : vec3(view_linear_depth(camera, depth));
+    if (params.weight > 0.0)
+        value *= params.weight * vec4(layer_weight(shown, 1.0, s.coverage, s.albedo), 1.0);
 }

@@ -1,5 +1,6 @@
 // The layers of a picture, from the buffers of the frame.
 #include "lib/gbuffer.glsl"
+#include "picture/layer_weight.glsl"
 #include "picture/picks.glsl"
 #include "shared/composite.h"
 
@@ -16,9 +17,6 @@ layout(binding = UNIT_RADIANCE) uniform sampler2D radiances;
 layout(binding = UNIT_IN_SCATTER) uniform sampler2D in_scatters;
 layout(binding = UNIT_TRANSMITTANCE) uniform sampler2D transmittances;
 #endif
-
-// Takes the place of the albedo where it is zero, so that the light on a black surface is told.
-const float LEAST_WEIGHT = 1e-6;
 
 // What the pixel sees, the mean over its samples. Light is irradiance over pi, the radiance of a
 // white surface; weighted by the albedo, so that albedo (direct + indirect) = radiance at edges too.

@@ -11,7 +11,8 @@ struct composite_params {
     float scale;    /* radiance per stored radiance */
     float exposure; /* factor */
     BOOL filmic;    /* tone map; else values are clamped */
-    float unused0, unused1;
+    float weight; /* of the pass, where its layer is added to a sum; of a sum; 0: a layer as it is */
+    float unused;
 };
 PASS_BLOCK(composite_params, 32)
 
@@ -21,5 +22,6 @@ PASS_BLOCK(composite_params, 32)
 #define LAYER_ALBEDO 3
 #define LAYER_NORMAL 4
 #define LAYER_DEPTH 5
+#define LAYERS 6
 
 #endif

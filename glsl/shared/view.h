@@ -16,7 +16,7 @@ struct view {
     BOOL orthographic;
     vec3 up; /* from the axis to the top edge */
     float unused;
-    vec3 forward; /* unit */
+    vec3 forward; /* to the middle of the picture, at z = 1 */
     float far;    /* where depth is 1 if linear, metres: 1 m but for an orthographic view */
 };
 STD140_SIZE(view, 128)

@@ -23,6 +23,8 @@ struct frame {
     struct light_layout layout;            /* of the lights' maps */
     float bounds_min[3], bounds_max[3];    /* of the scene, metres */
     float radius;                          /* of its bounding sphere, metres */
+    int pass; /* of those whose mean the picture is: others lights and samples in each; 0: the first, or
+                 the only one */
     float irradiance_scale; /* stored irradiance = W/m2 times this: a power of two that
                                            keeps half floats in range at every scale of scene and light */
 };

@@ -1,4 +1,4 @@
-/* Pictures of the last frame, read back from the GPU. */
+/* The picture, read back from the GPU. */
 #include "renderer/renderer.h"
 
 #include "base/memory.h"
@@ -26,11 +26,16 @@ static void read_layers(struct renderer *renderer, struct image *image,
     struct frame frame = renderer_frame(renderer);
     frame.timers = &untimed;
     struct composite_inputs inputs = renderer_composite_inputs(renderer);
+    const struct refining *refining = &renderer->refining;
     int channel = 0;
     for (int i = 0; i < LAYER_ROWS; i++) {
         int count = (int)strlen(layer_rows[i].channels);
-        composite_pass_render_layer(&renderer->composite, &frame, &inputs, layer_rows[i].layer,
-                                    target->framebuffer);
+        if (refining->count > 0)
+            mean_pass_render_layer(&refining->mean, &frame, refining->weight, layer_rows[i].layer,
+                                   target->framebuffer);
+        else
+            composite_pass_render_layer(&renderer->composite, &frame, &inputs, layer_rows[i].layer,
+                                        target->framebuffer);
         layer_target_read(target, 0, count, image, channel);
         channel += count;
     }

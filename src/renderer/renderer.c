@@ -1,33 +1,12 @@
 #include "renderer/renderer.h"
 
+#include "base/halton.h"
 #include "base/memory.h"
-#include "shared/composite.h"
+#include "renderer/views.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-const char *const shown_layer_names[] = {
-    [LAYER_BEAUTY] = "full", [LAYER_DIRECT] = "direct", [LAYER_INDIRECT] = "indirect", NULL};
-
-/* Near the irradiance that the light could make across the scene. A narrow cone lights little, and
- * less than its intensity says. */
-static float typical_irradiance(const struct emitter *light, float radius) {
-    float brightest = fmaxf(light->intensity[0], fmaxf(light->intensity[1], light->intensity[2]));
-    float share = light->type == EMITTER_SPOT
-                      ? emitter_cone(light, 1) * fminf((float)emitter_solid_angle(light), 1)
-                      : 1;
-    return light->type == EMITTER_DIRECTIONAL ? brightest : brightest * share / (radius * radius);
-}
-
-/* A power of two near what all lights could make, inverted: exact to multiply by, and keeps half
- * floats in range whatever the units. */
-static float irradiance_scale(const struct renderer_desc *desc) {
-    float typical = 0;
-    for (int i = 0; i < desc->emitters.count; i++)
-        typical += typical_irradiance(&desc->emitters.items[i], desc->geometry->radius);
-    return typical > 0 && isfinite(typical) ? exp2f(-roundf(log2f(typical))) : 1;
-}
 
 /* What is made together, and anew when what it depends on changes. */
 enum part {
@@ -37,8 +16,10 @@ enum part {
     PART_TECHNIQUE = 8,  /* the same */
     PART_ANTIALIAS = 16, /* size, samples */
     PART_COMPOSITE = 32, /* size, what the technique contributes */
-    PART_ALL = 63,
-    PART_SIZE = PART_GBUFFER | PART_ANTIALIAS | PART_COMPOSITE,
+    PART_MEAN = 64,      /* size, whether progressive */
+    PART_REFINER = 128,  /* as technique; whether progressive */
+    PART_ALL = 255,
+    PART_SIZE = PART_GBUFFER | PART_ANTIALIAS | PART_COMPOSITE | PART_MEAN,
     PART_LIGHTS = PART_DIRECT | PART_TECHNIQUE, /* what render_lights draws with */
 };
 
@@ -64,19 +45,46 @@ static bool init_direct(struct renderer *renderer) {
                                                            });
 }
 
+static bool make_technique(const struct renderer *renderer, const struct technique *technique,
+                           const struct settings *settings, void **state) {
+    const struct renderer_desc *desc = &renderer->desc;
+    return technique_check(technique, settings) &&
+           technique->init(state, &(struct technique_desc){
+                                      .settings = settings,
+                                      .scene = desc->scene,
+                                      .geometry = desc->geometry,
+                                      .casters = renderer->casters,
+                                      .width = desc->width,
+                                      .height = desc->height,
+                                      .lights = &renderer->layout,
+                                  });
+}
+
 static bool init_technique(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     renderer->technique = desc->technique;
-    return technique_check(desc->technique, &desc->settings) &&
-           renderer->technique->init(&renderer->technique_state, &(struct technique_desc){
-                                                                     .settings = &desc->settings,
-                                                                     .scene = desc->scene,
-                                                                     .geometry = desc->geometry,
-                                                                     .casters = renderer->casters,
-                                                                     .width = desc->width,
-                                                                     .height = desc->height,
-                                                                     .lights = &renderer->layout,
-                                                                 });
+    return make_technique(renderer, desc->technique, &desc->settings, &renderer->technique_state);
+}
+
+static bool init_mean(struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    struct refining *refining = &renderer->refining;
+    return !desc->progressive ||
+           (mean_pass_init(&refining->mean, &(struct mean_desc){desc->width, desc->height}) &&
+            antialias_pass_init(&refining->centers,
+                                &(struct antialias_desc){desc->width, desc->height, 1}));
+}
+
+static bool init_refiner(struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    const struct refinement *refinement = desc->technique->refinement;
+    struct refining *refining = &renderer->refining;
+    if (!desc->progressive || !refinement)
+        return true;
+    struct settings settings = desc->settings;
+    refining->technique = technique_find(refinement->technique);
+    return refining->technique && settings_assign_all(&settings, refinement->settings) &&
+           make_technique(renderer, refining->technique, &settings, &refining->state);
 }
 
 /* For the technique that is there, or else for another's contribution. */
@@ -98,13 +106,24 @@ static bool init_parts(struct renderer *renderer, unsigned parts, unsigned contr
            (!(parts & PART_DIRECT) || init_direct(renderer)) &&
            (!(parts & PART_ANTIALIAS) || init_antialias(renderer)) &&
            (!(parts & PART_TECHNIQUE) || init_technique(renderer)) &&
-           (!(parts & PART_COMPOSITE) || init_composite(renderer, contributes));
+           (!(parts & PART_COMPOSITE) || init_composite(renderer, contributes)) &&
+           (!(parts & PART_MEAN) || init_mean(renderer)) &&
+           (!(parts & PART_REFINER) || init_refiner(renderer));
 }
 
-static void write_views(struct renderer *renderer) {
+/* Where in its pixel a pass looks, from -1/2 to 1/2: the first in the middle. */
+static float place_in_pixel(uint32_t base, int pass) {
+    return (float)(fmod(radical_inverse(base, (uint32_t)pass) + .5, 1) - .5);
+}
+
+void renderer_write_views(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
+    const float place[2] = {2 * place_in_pixel(2, renderer->pass) / (float)desc->width,
+                            2 * place_in_pixel(3, renderer->pass) / (float)desc->height};
     view_of_camera(&renderer->camera_view, &desc->camera, desc->geometry,
                    (float)desc->width / (float)desc->height);
+    if (renderer->pass > 0)
+        view_shift(&renderer->camera_view, place);
     views_of_emitters(renderer->light_block, &desc->emitters, desc->geometry);
     buffer_write(&renderer->view_buffer, 0, sizeof renderer->camera_view, &renderer->camera_view);
     buffer_write(&renderer->light_buffer, 0, sizeof *renderer->light_block, renderer->light_block);
@@ -131,11 +150,21 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
         init_parts(renderer, PART_ALL, 0) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
         buffer_init(&renderer->light_buffer, "lights", sizeof *renderer->light_block, NULL)) {
-        write_views(renderer);
+        renderer_write_views(renderer);
         return true;
     }
     renderer_free(renderer);
     return false;
+}
+
+static void free_mean(struct refining *refining) {
+    mean_pass_free(&refining->mean);
+    antialias_pass_free(&refining->centers);
+}
+
+static void free_refiner(struct refining *refining) {
+    if (refining->technique)
+        refining->technique->free(refining->state);
 }
 
 static void free_parts(struct renderer *renderer) {
@@ -147,6 +176,8 @@ static void free_parts(struct renderer *renderer) {
         renderer->technique->free(renderer->technique_state);
     if (renderer->direct)
         renderer->direct->free(renderer->direct_state);
+    free_mean(&renderer->refining);
+    free_refiner(&renderer->refining);
 }
 
 void renderer_free(struct renderer *renderer) {
@@ -191,24 +222,43 @@ static void swap_parts(struct renderer *a, struct renderer *b, unsigned parts) {
         SWAP(technique);
         SWAP(technique_state);
     }
+    if (parts & PART_MEAN) {
+        SWAP(refining.mean);
+        SWAP(refining.centers);
+    }
+    if (parts & PART_REFINER) {
+        SWAP(refining.technique);
+        SWAP(refining.state);
+    }
 }
 
-/* What stays takes another size as it is: its lights do not depend on it. Where the second of two
- * cannot, the first goes back. */
+/* Those of them that there are and that keep their place, until one cannot: returned are those that
+ * could. */
+static unsigned resize_parts(struct renderer *renderer, unsigned parts, int width, int height) {
+    struct refining *refining = &renderer->refining;
+    if ((parts & PART_DIRECT) && !renderer->direct->resize(renderer->direct_state, width, height))
+        return 0;
+    if ((parts & PART_TECHNIQUE) &&
+        !renderer->technique->resize(renderer->technique_state, width, height))
+        return parts & PART_DIRECT;
+    if ((parts & PART_REFINER) && refining->technique &&
+        !refining->technique->resize(refining->state, width, height))
+        return parts & (PART_DIRECT | PART_TECHNIQUE);
+    return parts;
+}
+
+/* What stays takes another size as it is: its lights do not depend on it. Where one of several cannot,
+ * those before it go back. */
 static bool resize_kept(struct renderer *renderer, const struct renderer_desc *desc,
                         unsigned parts) {
     const struct renderer_desc *old = &renderer->desc;
-    bool keeps_direct = !(parts & PART_DIRECT), keeps_technique = !(parts & PART_TECHNIQUE);
+    unsigned kept = (PART_DIRECT | PART_TECHNIQUE | PART_REFINER) & ~parts;
     if (desc->width == old->width && desc->height == old->height)
         return true;
-    if (keeps_direct &&
-        !renderer->direct->resize(renderer->direct_state, desc->width, desc->height))
-        return false;
-    if (!keeps_technique ||
-        renderer->technique->resize(renderer->technique_state, desc->width, desc->height))
+    unsigned resized = resize_parts(renderer, kept, desc->width, desc->height);
+    if (resized == kept)
         return true;
-    if (keeps_direct)
-        renderer->direct->resize(renderer->direct_state, old->width, old->height);
+    resize_parts(renderer, resized, old->width, old->height);
     return false;
 }
 
@@ -222,7 +272,7 @@ static bool change(struct renderer *renderer, const struct renderer_desc *desc,
         swap_parts(renderer, &fresh, parts);
         renderer->desc = *desc;
         renderer->layout = *layout;
-        write_views(renderer);
+        renderer_write_views(renderer);
         renderer->lights_drawn &= !(parts & PART_LIGHTS);
         if (parts & PART_TECHNIQUE) { /* other passes, other timers */
             timers_free(&renderer->timers);
@@ -246,16 +296,18 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
     const struct picture_settings *picture = settings_of(&desc->settings, &picture_part);
     unsigned parts = 0;
     if (renderer_makes_technique(renderer, desc->technique, &desc->settings))
-        parts |= PART_TECHNIQUE | PART_COMPOSITE;
+        parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER;
     if (desc->direct != old->direct ||
         !renderer_settings_same(&desc->settings, &old->settings, desc->direct->parts))
         parts |= PART_DIRECT;
     if (!light_layouts_same(layout, &renderer->layout))
-        parts |= PART_DIRECT | PART_TECHNIQUE | PART_COMPOSITE;
+        parts |= PART_LIGHTS | PART_COMPOSITE | PART_REFINER;
     if (picture->samples != picture_of(renderer)->samples)
         parts |= PART_ANTIALIAS;
     if (desc->width != old->width || desc->height != old->height)
         parts |= PART_SIZE;
+    if (desc->progressive != old->progressive)
+        parts |= PART_MEAN | PART_REFINER;
     return parts;
 }
 
@@ -268,117 +320,41 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     bool same_lights = emitters_same(&desc.emitters, &old);
     desc.emitters = same_lights ? old : emitters_copy(&desc.emitters);
     set_defaults(&desc);
-    bool ok = change(renderer, &desc, &layout, parts_between(renderer, &desc, &layout));
+    unsigned parts = parts_between(renderer, &desc, &layout);
+    bool same_picture =
+        parts == 0 && same_lights && cameras_same(&desc.camera, &renderer->desc.camera);
+    bool ok = change(renderer, &desc, &layout, parts);
     if (!same_lights)
         emitters_free(ok ? &old : &desc.emitters);
     renderer->lights_drawn &= same_lights || !ok;
+    if (ok && !same_picture)
+        renderer->refining.count = 0;
     return ok;
 }
 
-static bool update_technique(struct renderer *renderer) {
-    const struct technique *technique = renderer->technique;
-    return renderer->lights_drawn || !technique->update ||
-           technique->update(renderer->technique_state, renderer->desc.geometry);
+static bool update_state(const struct renderer *renderer, const struct technique *technique,
+                         void *state) {
+    return !technique || !technique->update || technique->update(state, renderer->desc.geometry);
+}
+
+static bool update_techniques(struct renderer *renderer) {
+    const struct refining *refining = &renderer->refining;
+    return renderer->lights_drawn ||
+           (update_state(renderer, renderer->technique, renderer->technique_state) &&
+            update_state(renderer, refining->technique, refining->state));
 }
 
 bool renderer_update(struct renderer *renderer) {
-    renderer->lights_drawn &= renderer->scene.pose == renderer->desc.geometry->pose_count;
-    write_views(renderer);
+    bool posed = renderer->scene.pose != renderer->desc.geometry->pose_count;
+    renderer->lights_drawn &= !posed;
+    if (posed)
+        renderer->refining.count = 0;
+    renderer_write_views(renderer);
     return scene_gpu_update(&renderer->scene, renderer->desc.geometry) &&
-           caster_pool_update(renderer->casters) && update_technique(renderer);
+           caster_pool_update(renderer->casters) && update_techniques(renderer);
 }
 
 bool renderer_reload_shaders(struct renderer *renderer) {
+    renderer->refining.count = 0;
     return change(renderer, &renderer->desc, &renderer->layout, PART_ALL);
-}
-
-/* --- the frame --- */
-
-struct frame renderer_frame(struct renderer *renderer) {
-    const struct renderer_desc *desc = &renderer->desc;
-    struct frame frame = {
-        .timers = &renderer->timers,
-        .view = &renderer->view_buffer,
-        .lights = &renderer->light_buffer,
-        .scene = &renderer->scene,
-        .emitters = &desc->emitters,
-        .light_block = renderer->light_block,
-        .layout = renderer->layout,
-        .radius = desc->geometry->radius,
-        .irradiance_scale = irradiance_scale(desc),
-    };
-    memcpy(frame.bounds_min, desc->geometry->bounds_min, sizeof frame.bounds_min);
-    memcpy(frame.bounds_max, desc->geometry->bounds_max, sizeof frame.bounds_max);
-    return frame;
-}
-
-struct composite_inputs renderer_composite_inputs(const struct renderer *renderer) {
-    return (struct composite_inputs){
-        .gbuffer = &renderer->gbuffer,
-        .direct = renderer->direct->light(renderer->direct_state),
-        .contribution = renderer_contribution(renderer),
-        .picks = &renderer->antialias.picks,
-        .samples = renderer->antialias.samples,
-        .exposure = renderer_exposure(renderer),
-        .tone_map = (enum tone_map)picture_of(renderer)->tone_map,
-        .layer = LAYER_BEAUTY,
-    };
-}
-
-static void render_lights(struct renderer *renderer, const struct frame *frame) {
-    if (renderer->lights_drawn && renderer->desc.keep_lights)
-        return;
-    if (renderer->direct->render_lights)
-        renderer->direct->render_lights(renderer->direct_state, frame);
-    if (renderer->technique->render_lights)
-        renderer->technique->render_lights(renderer->technique_state, frame);
-    renderer->lights_drawn = true;
-}
-
-void renderer_render(struct renderer *renderer) {
-    struct frame frame = renderer_frame(renderer);
-    struct composite_inputs inputs = renderer_composite_inputs(renderer);
-    timer_begin(&renderer->timers, "frame");
-    render_lights(renderer, &frame);
-    geometry_pass_render_camera(&renderer->geometry, &frame, &renderer->gbuffer);
-    renderer->direct->render_view(renderer->direct_state, &frame, &renderer->gbuffer);
-    renderer->technique->render_view(renderer->technique_state, &frame, &renderer->gbuffer);
-    antialias_pass_render(&renderer->antialias, &frame, &renderer->gbuffer);
-    composite_pass_render(&renderer->composite, &frame, &inputs);
-    timer_end(&renderer->timers);
-}
-
-void renderer_compose(struct renderer *renderer, int layer) {
-    struct timers untimed = {0};
-    struct frame frame = renderer_frame(renderer);
-    frame.timers = &untimed;
-    struct composite_inputs inputs = renderer_composite_inputs(renderer);
-    inputs.layer = layer;
-    composite_pass_render(&renderer->composite, &frame, &inputs);
-}
-
-struct contribution renderer_contribution(const struct renderer *renderer) {
-    return renderer->technique->contribution(renderer->technique_state);
-}
-
-float renderer_exposure(const struct renderer *renderer) {
-    return picture_of(renderer)->exposure;
-}
-
-void renderer_outputs(const struct renderer *renderer, struct output_list *outputs) {
-    const struct irradiance *irradiance = renderer_contribution(renderer).irradiance;
-    const struct output rows[] = {
-        {"normal", "G-buffer: world normals as colours", OUTPUT_NORMAL, &renderer->gbuffer.normal},
-        {"albedo", "G-buffer: the surfaces' own colours", OUTPUT_ALBEDO, &renderer->gbuffer.albedo},
-        {"depth", "G-buffer: near is bright", OUTPUT_DEPTH, &renderer->gbuffer.depth},
-    };
-    *outputs = (struct output_list){0};
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
-        output_add(outputs, &rows[i]);
-    if (renderer->technique->outputs)
-        renderer->technique->outputs(renderer->technique_state, outputs);
-    if (irradiance)
-        output_add(outputs,
-                   &(struct output){"irradiance", "after the blur, before the surfaces' colours",
-                                    OUTPUT_IRRADIANCE, irradiance});
 }

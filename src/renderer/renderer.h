@@ -11,6 +11,7 @@
 #include "direct/direct.h"
 #include "passes/picture/composite.h"
 #include "passes/picture/geometry.h"
+#include "passes/picture/mean.h"
 #include "renderer/settings.h"
 #include "scene/gpu/caster_pool.h"
 #include "scene/view.h"
@@ -31,6 +32,7 @@ struct renderer_desc {
     struct camera camera;
     bool keep_lights; /* frames in which only the camera moved use the lights' passes of the one
                          before: the same picture in less time */
+    bool progressive; /* ready for renderer_add_pass */
     bool timed;       /* measure passes */
 };
 
@@ -48,6 +50,16 @@ struct renderer {
     const struct direct_method *direct;
     void *direct_state;
     bool lights_drawn; /* what depends on no camera is that of desc */
+    int pass;          /* that the last frame was: 0 = the first, or the only one */
+    /* The mean of passes, where desc.progressive. */
+    struct refining {
+        const struct technique *technique; /* of passes after the first; NULL: the renderer's own */
+        void *state;
+        struct antialias_pass centers; /* of their pixels: samples come by the passes */
+        struct mean_pass mean;
+        int first, count; /* passes in the mean; 0: none */
+        double weight;    /* of them */
+    } refining;
     struct light_layout layout;
     struct view camera_view;
     struct light_block *light_block;
@@ -58,7 +70,7 @@ struct renderer {
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc);
 void renderer_free(struct renderer *renderer);
 
-/* Changes between frames: to another technique, direct method, settings, size, lights and camera; all
+/* Changes between frames: to another technique, direct method, settings, size, lights, camera, or progressive; all
  * else as it is in renderer->desc. What a change reaches is made anew, all else stays; when it fails the
  * renderer is what it was. Errors are renderer_init's. */
 bool renderer_follow(struct renderer *renderer, const struct renderer_desc *desc);
@@ -76,11 +88,21 @@ bool renderer_update(struct renderer *renderer);
 /* Renders one frame into the composite's display texture. Timer "frame". */
 void renderer_render(struct renderer *renderer);
 
+/* Renders the next pass of a picture that converges, where desc.progressive, and shows the mean. What
+ * is read and composed is then the mean's, until a frame is rendered or anything that it shows changes:
+ * then the next pass is number `first`. Passes depend on their number alone: means of some, weighted,
+ * make the mean of all. Timer "frame". */
+void renderer_add_pass(struct renderer *renderer, int first);
+
+/* Passes in the mean that is shown; 0: it is a frame. Of their weights, the sum. */
+int renderer_pass_count(const struct renderer *renderer);
+double renderer_pass_weight(const struct renderer *renderer);
+
 /* Composes the last frame's picture anew: LAYER_BEAUTY, LAYER_DIRECT or LAYER_INDIRECT, with the
  * present exposure and tone map. */
 void renderer_compose(struct renderer *renderer, int layer);
 
-/* The last frame's layers, row 0 at the top: R G B A, Z, direct.*, indirect.*, albedo.*, normal.*.
+/* The picture's layers, row 0 at the top: R G B A, Z, direct.*, indirect.*, albedo.*, normal.*.
  * Error: out of GPU memory. */
 bool renderer_read_layers(struct renderer *renderer, struct image *image);
 

@@ -9,6 +9,14 @@ int camera_node_count(const struct scene *scene) {
     return node_count_carrying(scene, NODE_CAMERA);
 }
 
+bool cameras_same(const struct camera *a, const struct camera *b) {
+    return a->orthographic == b->orthographic && a->fov_y == b->fov_y &&
+           a->y_extent == b->y_extent && memcmp(a->eye, b->eye, sizeof a->eye) == 0 &&
+           memcmp(a->right, b->right, sizeof a->right) == 0 &&
+           memcmp(a->up, b->up, sizeof a->up) == 0 &&
+           memcmp(a->forward, b->forward, sizeof a->forward) == 0;
+}
+
 int camera_find(const struct scene *scene, const char *text) {
     return node_find_carrying(scene, NODE_CAMERA, text);
 }

@@ -20,6 +20,8 @@ void camera_place(struct camera *camera, const struct scene *scene, int n, doubl
 void camera_look(struct camera *camera, const float eye[3], const float forward[3],
                  const float up[3]);
 
+bool cameras_same(const struct camera *a, const struct camera *b);
+
 int camera_find(const struct scene *scene, const char *text);
 int camera_node_count(const struct scene *scene);
 

@@ -62,6 +62,16 @@ void view_of_camera(struct view *view, const struct camera *camera, const struct
     set_matrix(view);
 }
 
+/* Of a perspective view the frustum leans, and forward with it; an orthographic one moves. */
+void view_shift(struct view *view, const float ndc[2]) {
+    float *moved = view->orthographic ? view->origin : view->forward;
+    for (int i = 0; i < 3; i++)
+        moved[i] += ndc[0] * view->right[i] + ndc[1] * view->up[i];
+    for (int column = 0; column < 4; column++)
+        for (int axis = 0; axis < 2; axis++)
+            view->world_to_clip[column][axis] -= ndc[axis] * view->world_to_clip[column][3];
+}
+
 /* --- lights --- */
 
 static int view_count(const struct emitter *light) {

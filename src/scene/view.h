@@ -11,6 +11,10 @@
 void view_of_camera(struct view *view, const struct camera *camera, const struct geometry *geometry,
                     float aspect);
 
+/* Moves the picture so that what lay at that point of it, ndc in [-1, 1], lies in its middle: for places
+ * within a pixel. */
+void view_shift(struct view *view, const float ndc[2]);
+
 /* What the maps of lights must be made for. Lights that move or change keep it. */
 struct light_layout {
     int lights;

@@ -122,7 +122,8 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
     const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
     *lights = (struct many_lights){0};
     if (init_rsm(lights, desc->lights, own->rsm_size) && geometry_pass_init(&lights->geometry) &&
-        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach}) &&
+        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach,
+                                                       gather->near_shrink}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) &&
         init_gather(lights, desc, visibility) && init_near_field(lights, desc) &&
         init_blur(lights, desc))

@@ -35,7 +35,7 @@ struct lookup_settings {
 
 struct gather_settings {
     int interleave, clamp; /* enum gather_clamp */
-    float clamp_value, near_reach;
+    float clamp_value, near_reach, near_shrink;
     int near_samples;
     int detail; /* n of pixels with few like neighbours; 0: as all others */
     float detail_share;
@@ -63,6 +63,15 @@ extern const struct settings_part lights_part, map_part, lookup_part, gather_par
     "gather.clamp=disk gather.detail=0 caster.error=0 blur.separable=off lookup.bias=2 "           \
     "blur.cosine=.8 "                                                                              \
     "picture.samples=1"
+
+/* Passes after the first: few VPLs, each with a map of all triangles that each pixel looks up itself,
+ * nothing interleaved or blurred. The sum over many passes is unbiased, but for the near field within
+ * a reach that shrinks, and for what a map's texels and depth bias cannot show. */
+#define MANY_LIGHTS_REFINED                                                                        \
+    "lights.vpls=64 lights.rsm-size=1024 gather.interleave=1 gather.clamp=near "                   \
+    "gather.near-reach=4 gather.near-samples=64 blur.radius=0"
+
+extern const struct refinement many_lights_refinement;
 
 /* --- passes --- */
 

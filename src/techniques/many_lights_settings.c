@@ -54,6 +54,8 @@ static const struct option gather_table[] = {
      .help = "the bound for clamp=value, times the squared scene radius"},
     {"near-reach", 0, OPTION_FLOAT, ROW(gather, near_reach), 5, .1, 100,
      .help = "clamp=near: reach of the near field, in spacings of VPLs"},
+    {"near-shrink", 0, OPTION_FLOAT, ROW(gather, near_shrink), .33, 0, 1,
+     .help = "clamp=near: the reach falls as the number of the pass to this power"},
     {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 1024, 1, 1024,
      .help = "clamp=near: samples of the near field that n x n pixels share out"},
     {"detail", 0, OPTION_INT, ROW(gather, detail), 0, 0, 8,
@@ -97,3 +99,9 @@ PART(lookup, "looking a map up");
 PART(gather, "gathering light");
 PART(blur, "blurring it");
 PART(caster, "casters in the maps");
+
+const struct refinement many_lights_refinement = {
+    .technique = "instant-radiosity",
+    .settings = MANY_LIGHTS_REFINED " map.size=512 map.near-clip=.002",
+    .first_weight = 2,
+};

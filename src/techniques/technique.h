@@ -24,10 +24,19 @@ struct preset {
     const char *settings; /* "clustered.visibility=cssm blur.cosine=.8" */
 };
 
+/* How the passes after the first are made, so that their mean loses what the first approximates: by
+ * another technique, or the same, with settings of its own. It contributes the same kinds of light. */
+struct refinement {
+    const char *technique;
+    const char *settings; /* as a preset's; all others are as they are set */
+    float first_weight;   /* of the first pass in the mean: as many others are as true */
+};
+
 struct technique {
     const char *name, *help;
     const struct settings_part *const *parts; /* what it has to set; null-terminated */
     const struct preset *presets;             /* ends with a row of no name; NULL = none */
+    const struct refinement *refinement;      /* NULL: all passes are made as the first */
     /* What the ranges of single settings cannot say; NULL = nothing. Error: for the user. */
     bool (*check)(const struct settings *settings);
     /* Allocates and compiles all there is. Error: of the first pass that fails. */

@@ -16,16 +16,22 @@ static int share_of_samples(const struct near_field_desc *desc, int n) {
     return share > 0 ? share : 1;
 }
 
-static bool upload_samples(struct near_field_pass *pass) {
+/* A pass of many goes on where the one before ended. */
+static void write_samples(struct near_field_pass *pass, int frame_pass) {
     struct near_sample samples[NEAR_SAMPLES_MAX];
+    if (pass->sampled && pass->sampled_pass == frame_pass)
+        return;
+    pass->sampled = true;
+    pass->sampled_pass = frame_pass;
+    uint32_t first = (uint32_t)frame_pass * (uint32_t)pass->desc.samples;
     for (uint32_t i = 0; i < NEAR_SAMPLES_MAX; i++) {
-        double turn = 2 * acos(-1) * radical_inverse(3, i);
+        double turn = 2 * acos(-1) * radical_inverse(3, first + i);
         samples[i] = (struct near_sample){
             .direction = {(float)cos(turn), (float)sin(turn)},
-            .log_radius = (float)radical_inverse(2, i),
+            .log_radius = (float)radical_inverse(2, first + i),
         };
     }
-    return buffer_init(&pass->samples, "near field samples", sizeof samples, samples);
+    buffer_write(&pass->samples, 0, sizeof samples, samples);
 }
 
 static bool init_programs(struct near_field_pass *pass) {
@@ -73,7 +79,9 @@ static bool init_lights(struct near_field_pass *pass, int kind) {
 bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_desc *desc) {
     *pass = (struct near_field_pass){.desc = *desc};
     bool ok =
-        init_programs(pass) && upload_samples(pass) &&
+        init_programs(pass) &&
+        buffer_init(&pass->samples, "near field samples",
+                    NEAR_SAMPLES_MAX * sizeof(struct near_sample), NULL) &&
         buffer_init(&pass->params, "near field parameters", sizeof(struct near_field_params), NULL);
     for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++)
         ok = init_lights(pass, kind);
@@ -105,7 +113,7 @@ static void write_params(const struct near_field_pass *pass, const struct frame 
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
 
-void near_field_pass_render_lights(const struct near_field_pass *pass, const struct frame *frame,
+void near_field_pass_render_lights(struct near_field_pass *pass, const struct frame *frame,
                                    const struct gbuffer rsm[LIGHT_MAP_KINDS],
                                    const struct buffer *shares) {
     struct pass_state state = {
@@ -116,6 +124,7 @@ void near_field_pass_render_lights(const struct near_field_pass *pass, const str
                    {BLOCK_PASS, &pass->params}},
     };
     rsm_add(&state, rsm);
+    write_samples(pass, frame->pass);
     write_params(pass, frame, (struct interleaving){.n = 1});
     timer_begin(frame->timers, "near light");
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)

@@ -27,13 +27,15 @@ struct near_field_pass {
                                                glsl/gather/near_light.glsl */
     GLuint lights_framebuffers[LIGHT_MAP_KINDS];
     struct buffer samples, params;
+    bool sampled; /* the samples are there, and those of that pass */
+    int sampled_pass;
 };
 
 bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_desc *desc);
 void near_field_pass_free(struct near_field_pass *pass);
 
 /* What the reflective shadow map says, made ready; shares are passes/vpl.h's. Timer "near light". */
-void near_field_pass_render_lights(const struct near_field_pass *pass, const struct frame *frame,
+void near_field_pass_render_lights(struct near_field_pass *pass, const struct frame *frame,
                                    const struct gbuffer rsm[LIGHT_MAP_KINDS],
                                    const struct buffer *shares);
 

@@ -52,15 +52,16 @@ static double shift(int seed, int light, int axis) {
     return by_seed + radical_inverse(axis ? 13 : 11, (uint32_t)light);
 }
 
-static void deal_points(struct vpl_pass *pass) {
+static void deal_points(struct vpl_pass *pass, int frame_pass) {
     int count = pass->desc.count;
     struct dealt *dealt = mem_alloc((size_t)count, sizeof *dealt);
     deal(pass->fluxes, pass->light_count, dealt, count, pass->counts);
     for (int i = 0; i < count; i++) {
         int light = dealt[i].taker;
+        uint32_t number = (uint32_t)(frame_pass * pass->counts[light] + dealt[i].number);
         pass->points[i].light = (float)light;
         for (int axis = 0; axis < 2; axis++) {
-            double point = radical_inverse(axis ? 3 : 2, (uint32_t)dealt[i].number);
+            double point = radical_inverse(axis ? 3 : 2, number);
             pass->points[i].halton[axis] =
                 (float)fmod(point + shift(pass->desc.seed, light, axis), 1);
         }
@@ -75,11 +76,13 @@ static void follow_fluxes(struct vpl_pass *pass, const struct frame *frame) {
     double fluxes[LIGHTS_MAX] = {0};
     for (int i = 0; i < emitters->count; i++)
         fluxes[i] = emitter_flux(&emitters->items[i], frame->radius);
-    if (pass->light_count == emitters->count && memcmp(fluxes, pass->fluxes, sizeof fluxes) == 0)
+    if (pass->light_count == emitters->count && pass->dealt_pass == frame->pass &&
+        memcmp(fluxes, pass->fluxes, sizeof fluxes) == 0)
         return;
     pass->light_count = emitters->count;
+    pass->dealt_pass = frame->pass;
     memcpy(pass->fluxes, fluxes, sizeof fluxes);
-    deal_points(pass);
+    deal_points(pass, frame->pass);
 }
 
 /* As far as is asked for, but no farther from its point in the light's view than 45 degrees, where
@@ -91,13 +94,14 @@ static float near_reach(const struct light *light, float measure, float asked) {
 
 static void write_shares(const struct vpl_pass *pass, const struct frame *frame) {
     struct vpl_share_block shares = {0};
+    float reach = pass->desc.reach * powf((float)(frame->pass + 1), -pass->desc.shrink);
     for (int i = 0; i < pass->light_count; i++) {
         const struct light *light = &frame->light_block->sources[i];
         if (pass->counts[i] == 0)
             continue;
         float measure = light->measure / (float)pass->counts[i];
-        shares.of[i] = (struct vpl_share){.measure = measure,
-                                          .reach = near_reach(light, measure, pass->desc.reach)};
+        shares.of[i] =
+            (struct vpl_share){.measure = measure, .reach = near_reach(light, measure, reach)};
     }
     buffer_write(&pass->shares, 0, sizeof shares, &shares);
 }

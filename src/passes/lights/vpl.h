@@ -7,7 +7,8 @@
  *
  * Of several lights each has n of the N by its share of the flux, at least one, and points of its
  * own. The 16 VPLs of an interleave slot are contiguous, and hold all lights by their shares:
- * aligned runs of the sequences are stratified.
+ * aligned runs of the sequences are stratified. Each pass goes on in the sequences where the one before
+ * ended.
  */
 #ifndef PASSES_VPL_H
 #define PASSES_VPL_H
@@ -15,9 +16,10 @@
 #include "passes/frame.h"
 
 struct vpl_desc {
-    int count;   /* N */
-    int seed;    /* 0 = Halton's points as they are; else shifted on the torus */
-    float reach; /* of the near field that is asked for, in spacings of VPLs */
+    int count;    /* N */
+    int seed;     /* 0 = Halton's points as they are; else shifted on the torus */
+    float reach;  /* of the near field that is asked for, in spacings of VPLs */
+    float shrink; /* of the reach over the passes: it falls as their number to this power */
 };
 
 struct vpl_pass {
@@ -25,6 +27,7 @@ struct vpl_pass {
     GLuint program, vertices;
     struct vpl_point *points;      /* as the buffer has them */
     int light_count;               /* of the lights that they were dealt to; 0 = none yet */
+    int dealt_pass;                /* which they were dealt for */
     double fluxes[LIGHTS_MAX];     /* of them */
     int counts[LIGHTS_MAX];        /* n of each */
     struct buffer samples, shares; /* the points; struct vpl_share_block, for BLOCK_VPL_SHARES */

@@ -67,7 +67,7 @@ static void add_contribution(struct pass_state *state, const struct contribution
 
 static void draw(const struct composite_pass *pass, const struct frame *frame,
                  const struct composite_inputs *inputs, int layer, GLuint program,
-                 GLuint framebuffer) {
+                 GLuint framebuffer, float weight) {
     struct composite_params params = {
         .samples = inputs->samples,
         .indirect = 1 / ((float)GLM_PI * frame->irradiance_scale),
@@ -75,6 +75,7 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
         .filmic = inputs->tone_map == TONE_MAP_FILMIC,
         .layer = layer,
         .scale = 1 / frame->irradiance_scale,
+        .weight = weight,
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
     struct pass_state state = {
@@ -83,6 +84,7 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
         .framebuffer = framebuffer,
         .width = pass->desc.width,
         .height = pass->desc.height,
+        .blend = weight > 0 ? PASS_BLEND_ADD : PASS_BLEND_OFF,
         .textures = {{UNIT_GBUFFER_DEPTH, inputs->gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, inputs->gbuffer->normal.id},
                      {UNIT_GBUFFER_ALBEDO, inputs->gbuffer->albedo.id},
@@ -98,11 +100,17 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
 
 void composite_pass_render(const struct composite_pass *pass, const struct frame *frame,
                            const struct composite_inputs *inputs) {
-    draw(pass, frame, inputs, inputs->layer, pass->display_program, pass->framebuffer);
+    draw(pass, frame, inputs, inputs->layer, pass->display_program, pass->framebuffer, 0);
 }
 
 void composite_pass_render_layer(const struct composite_pass *pass, const struct frame *frame,
                                  const struct composite_inputs *inputs, int layer,
                                  GLuint framebuffer) {
-    draw(pass, frame, inputs, layer, pass->layer_program, framebuffer);
+    draw(pass, frame, inputs, layer, pass->layer_program, framebuffer, 0);
+}
+
+void composite_pass_add_layer(const struct composite_pass *pass, const struct frame *frame,
+                              const struct composite_inputs *inputs, int layer, float weight,
+                              GLuint framebuffer) {
+    draw(pass, frame, inputs, layer, pass->layer_program, framebuffer, weight);
 }

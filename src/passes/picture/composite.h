@@ -51,4 +51,9 @@ void composite_pass_render_layer(const struct composite_pass *pass, const struct
                                  const struct composite_inputs *inputs, int layer,
                                  GLuint framebuffer);
 
+/* Adds it, weighted as passes/picture/mean.h has it, to a sum over passes. */
+void composite_pass_add_layer(const struct composite_pass *pass, const struct frame *frame,
+                              const struct composite_inputs *inputs, int layer, float weight,
+                              GLuint framebuffer);
+
 #endif

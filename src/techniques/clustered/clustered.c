@@ -268,6 +268,7 @@ const struct technique clustered_technique = {
     .help = "soft shadow maps of clusters of VPLs",
     .parts = parts,
     .presets = presets,
+    .refinement = &many_lights_refinement,
     .check = many_lights_check,
     .init = init,
     .free = free_state,

@@ -113,6 +113,7 @@ const struct technique instant_radiosity_technique = {
     .help = "a hard shadow map per VPL",
     .parts = parts,
     .presets = presets,
+    .refinement = &many_lights_refinement,
     .check = many_lights_check,
     .init = init,
     .free = free_state,

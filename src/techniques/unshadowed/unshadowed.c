@@ -46,12 +46,16 @@ static const struct settings_part *const parts[] = {&lights_part, &gather_part, 
 static const struct preset presets[] = {
     MANY_LIGHTS_FAST, {"paper", "gather and blur as published", MANY_LIGHTS_AS_PUBLISHED}, {NULL}};
 
+/* Towards the unshadowed sum. */
+static const struct refinement refinement = {"unshadowed", MANY_LIGHTS_REFINED, 2};
+
 extern const struct technique unshadowed_technique;
 const struct technique unshadowed_technique = {
     .name = "unshadowed",
     .help = "all VPLs, no visibility",
     .parts = parts,
     .presets = presets,
+    .refinement = &refinement,
     .check = many_lights_check,
     .init = init,
     .free = free_state,

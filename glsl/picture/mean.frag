@@ -1,0 +1,25 @@
+// A layer of the mean of several passes, from sums of layers that were weighted when they were added
+// (picture/layer.frag): as linear floats, or for a display.
+#include "picture/layer_weight.glsl"
+#include "shared/composite.h"
+#ifdef DISPLAY
+#include "picture/display.glsl"
+#endif
+
+layout(binding = UNIT_LAYER_SUMS) uniform sampler2D sums[LAYERS];
+
+layout(location = TARGET_RESULT) out vec4 value;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float coverage = texelFetch(sums[LAYER_BEAUTY], pixel, 0).a;
+    vec3 albedo = texelFetch(sums[LAYER_ALBEDO], pixel, 0).rgb;
+    vec3 weight = layer_weight(params.layer, params.weight, coverage, albedo);
+    bool seen = coverage > 0.0 || params.layer == LAYER_BEAUTY; // a medium is seen before nothing
+    vec3 mean = seen ? texelFetch(sums[params.layer], pixel, 0).rgb / weight : vec3(0.0);
+#ifdef DISPLAY
+    value = vec4(display(mean, params.exposure, params.filmic), 1.0);
+#else
+    value = vec4(mean, coverage / params.weight);
+#endif
+}

@@ -1,0 +1,82 @@
+#include "passes/picture/mean.h"
+
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+
+#include <math.h>
+
+static bool init_sums(struct mean_pass *pass) {
+    bool ok = true;
+    for (int i = 0; ok && i < LAYERS; i++)
+        ok = texture_init(&pass->sums[i], &(struct texture_desc){.label = "sum of passes",
+                                                                 .format = GL_RGBA32F,
+                                                                 .width = pass->desc.width,
+                                                                 .height = pass->desc.height}) &&
+             framebuffer_init(
+                 &pass->framebuffers[i],
+                 &(struct framebuffer_desc){.label = "sum of passes", .colors = {&pass->sums[i]}});
+    return ok;
+}
+
+bool mean_pass_init(struct mean_pass *pass, const struct mean_desc *desc) {
+    *pass = (struct mean_pass){.desc = *desc};
+    struct program_desc program = {.vertex = "fullscreen.vert", .fragment = "picture/mean.frag"};
+    struct program_desc display = program;
+    display.defines = "DISPLAY";
+    if (program_init(&pass->layer_program, &program) &&
+        program_init(&pass->display_program, &display) && init_sums(pass) &&
+        buffer_init(&pass->params, "mean parameters", sizeof(struct composite_params), NULL))
+        return true;
+    mean_pass_free(pass);
+    return false;
+}
+
+void mean_pass_free(struct mean_pass *pass) {
+    program_free(&pass->layer_program);
+    program_free(&pass->display_program);
+    for (int i = 0; i < LAYERS; i++) {
+        framebuffer_free(&pass->framebuffers[i]);
+        texture_free(&pass->sums[i]);
+    }
+    buffer_free(&pass->params);
+    *pass = (struct mean_pass){0};
+}
+
+void mean_pass_clear(const struct mean_pass *pass) {
+    static const float zero[4] = {0};
+    for (int i = 0; i < LAYERS; i++)
+        framebuffer_clear_color(pass->framebuffers[i], TARGET_RESULT, zero);
+}
+
+static void draw(const struct mean_pass *pass, const struct frame *frame, GLuint program,
+                 const struct composite_params *params, GLuint framebuffer) {
+    struct pass_state state = {
+        .name = "composite",
+        .program = program,
+        .framebuffer = framebuffer,
+        .width = pass->desc.width,
+        .height = pass->desc.height,
+        .blocks = {{BLOCK_PASS, &pass->params}},
+    };
+    for (GLuint i = 0; i < LAYERS; i++)
+        pass_add_texture(&state, UNIT_LAYER_SUMS + i, pass->sums[i].id);
+    buffer_write(&pass->params, 0, sizeof *params, params);
+    pass_begin(frame->timers, &state);
+    pass_draw_fullscreen(1);
+    pass_end(frame->timers);
+}
+
+void mean_pass_render_display(const struct mean_pass *pass, const struct frame *frame,
+                              double weight, int layer, float exposure, bool filmic,
+                              GLuint framebuffer) {
+    struct composite_params params = {
+        .layer = layer, .weight = (float)weight, .exposure = exp2f(exposure), .filmic = filmic};
+    draw(pass, frame, pass->display_program, &params, framebuffer);
+}
+
+void mean_pass_render_layer(const struct mean_pass *pass, const struct frame *frame, double weight,
+                            int layer, GLuint framebuffer) {
+    struct composite_params params = {.layer = layer, .weight = (float)weight};
+    draw(pass, frame, pass->layer_program, &params, framebuffer);
+}

@@ -1,0 +1,214 @@
+/* One frame after another, and the mean of passes. */
+#include "renderer/renderer.h"
+
+#include "renderer/views.h"
+#include "shared/composite.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+const char *const shown_layer_names[] = {
+    [LAYER_BEAUTY] = "full", [LAYER_DIRECT] = "direct", [LAYER_INDIRECT] = "indirect", NULL};
+
+/* Near the irradiance that the light could make across the scene. A narrow cone lights little, and
+ * less than its intensity says. */
+static float typical_irradiance(const struct emitter *light, float radius) {
+    float brightest = fmaxf(light->intensity[0], fmaxf(light->intensity[1], light->intensity[2]));
+    float share = light->type == EMITTER_SPOT
+                      ? emitter_cone(light, 1) * fminf((float)emitter_solid_angle(light), 1)
+                      : 1;
+    return light->type == EMITTER_DIRECTIONAL ? brightest : brightest * share / (radius * radius);
+}
+
+/* A power of two near what all lights could make, inverted: exact to multiply by, and keeps half
+ * floats in range whatever the units. */
+static float irradiance_scale(const struct renderer_desc *desc) {
+    float typical = 0;
+    for (int i = 0; i < desc->emitters.count; i++)
+        typical += typical_irradiance(&desc->emitters.items[i], desc->geometry->radius);
+    return typical > 0 && isfinite(typical) ? exp2f(-roundf(log2f(typical))) : 1;
+}
+
+static const struct picture_settings *picture_of(const struct renderer *renderer) {
+    return settings_of(&renderer->desc.settings, &picture_part);
+}
+
+struct frame renderer_frame(struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    struct frame frame = {
+        .timers = &renderer->timers,
+        .view = &renderer->view_buffer,
+        .lights = &renderer->light_buffer,
+        .scene = &renderer->scene,
+        .emitters = &desc->emitters,
+        .light_block = renderer->light_block,
+        .layout = renderer->layout,
+        .radius = desc->geometry->radius,
+        .pass = renderer->pass,
+        .irradiance_scale = irradiance_scale(desc),
+    };
+    memcpy(frame.bounds_min, desc->geometry->bounds_min, sizeof frame.bounds_min);
+    memcpy(frame.bounds_max, desc->geometry->bounds_max, sizeof frame.bounds_max);
+    return frame;
+}
+
+/* Whether the last frame was the refiner's. */
+static bool is_refined(const struct renderer *renderer) {
+    return renderer->pass > 0 && renderer->refining.technique;
+}
+
+/* What the last frame's indirect light is. */
+static struct contribution last_contribution(const struct renderer *renderer) {
+    const struct refining *refining = &renderer->refining;
+    return is_refined(renderer) ? refining->technique->contribution(refining->state)
+                                : renderer_contribution(renderer);
+}
+
+struct composite_inputs renderer_composite_inputs(const struct renderer *renderer) {
+    const struct antialias_pass *antialias =
+        renderer->pass > 0 ? &renderer->refining.centers : &renderer->antialias;
+    return (struct composite_inputs){
+        .gbuffer = &renderer->gbuffer,
+        .direct = renderer->direct->light(renderer->direct_state),
+        .contribution = last_contribution(renderer),
+        .picks = &antialias->picks,
+        .samples = antialias->samples,
+        .exposure = renderer_exposure(renderer),
+        .tone_map = (enum tone_map)picture_of(renderer)->tone_map,
+        .layer = LAYER_BEAUTY,
+    };
+}
+
+/* Direct light and the first pass's are kept; all other passes have lights of their own. */
+static void render_lights(struct renderer *renderer, const struct frame *frame) {
+    const struct refining *refining = &renderer->refining;
+    bool keeps = renderer->lights_drawn && renderer->desc.keep_lights;
+    const struct technique *technique =
+        is_refined(renderer) ? refining->technique : renderer->technique;
+    void *state = is_refined(renderer) ? refining->state : renderer->technique_state;
+    if (!keeps && renderer->direct->render_lights)
+        renderer->direct->render_lights(renderer->direct_state, frame);
+    if ((!keeps || renderer->pass > 0) && technique->render_lights)
+        technique->render_lights(state, frame);
+    renderer->lights_drawn = renderer->pass == 0 || (keeps && is_refined(renderer));
+}
+
+/* All but what makes a picture of it. */
+static void render_frame(struct renderer *renderer, const struct frame *frame) {
+    const struct refining *refining = &renderer->refining;
+    render_lights(renderer, frame);
+    geometry_pass_render_camera(&renderer->geometry, frame, &renderer->gbuffer);
+    renderer->direct->render_view(renderer->direct_state, frame, &renderer->gbuffer);
+    if (is_refined(renderer))
+        refining->technique->render_view(refining->state, frame, &renderer->gbuffer);
+    else
+        renderer->technique->render_view(renderer->technique_state, frame, &renderer->gbuffer);
+    if (renderer->pass == 0)
+        antialias_pass_render(&renderer->antialias, frame, &renderer->gbuffer);
+}
+
+static void begin_pass(struct renderer *renderer, int pass) {
+    if (renderer->pass == pass)
+        return;
+    renderer->pass = pass;
+    renderer_write_views(renderer);
+}
+
+void renderer_render(struct renderer *renderer) {
+    begin_pass(renderer, 0);
+    renderer->refining.count = 0;
+    struct frame frame = renderer_frame(renderer);
+    struct composite_inputs inputs = renderer_composite_inputs(renderer);
+    timer_begin(&renderer->timers, "frame");
+    render_frame(renderer, &frame);
+    composite_pass_render(&renderer->composite, &frame, &inputs);
+    timer_end(&renderer->timers);
+}
+
+static void show_mean(struct renderer *renderer, const struct frame *frame, int layer) {
+    const struct refining *refining = &renderer->refining;
+    mean_pass_render_display(
+        &refining->mean, frame, refining->weight, layer, renderer_exposure(renderer),
+        picture_of(renderer)->tone_map == TONE_MAP_FILMIC, renderer->composite.framebuffer);
+}
+
+/* Of a pass in the mean. */
+static float pass_weight(const struct renderer *renderer) {
+    const struct refinement *refinement = renderer->technique->refinement;
+    return renderer->pass == 0 && refinement ? refinement->first_weight : 1;
+}
+
+static void add_to_mean(struct renderer *renderer, const struct frame *frame) {
+    struct refining *refining = &renderer->refining;
+    struct composite_inputs inputs = renderer_composite_inputs(renderer);
+    float weight = pass_weight(renderer);
+    for (int layer = 0; layer < LAYERS; layer++)
+        composite_pass_add_layer(&renderer->composite, frame, &inputs, layer, weight,
+                                 refining->mean.framebuffers[layer]);
+    refining->count++;
+    refining->weight += (double)weight;
+}
+
+void renderer_add_pass(struct renderer *renderer, int first) {
+    struct refining *refining = &renderer->refining;
+    assert(renderer->desc.progressive);
+    if (refining->count == 0) {
+        mean_pass_clear(&refining->mean);
+        refining->first = first;
+        refining->weight = 0;
+    }
+    begin_pass(renderer, refining->first + refining->count);
+    struct frame frame = renderer_frame(renderer);
+    timer_begin(&renderer->timers, "frame");
+    render_frame(renderer, &frame);
+    add_to_mean(renderer, &frame);
+    show_mean(renderer, &frame, LAYER_BEAUTY);
+    timer_end(&renderer->timers);
+}
+
+int renderer_pass_count(const struct renderer *renderer) {
+    return renderer->refining.count;
+}
+
+double renderer_pass_weight(const struct renderer *renderer) {
+    return renderer->refining.weight;
+}
+
+void renderer_compose(struct renderer *renderer, int layer) {
+    struct timers untimed = {0};
+    struct frame frame = renderer_frame(renderer);
+    frame.timers = &untimed;
+    struct composite_inputs inputs = renderer_composite_inputs(renderer);
+    inputs.layer = layer;
+    if (renderer->refining.count > 0)
+        show_mean(renderer, &frame, layer);
+    else
+        composite_pass_render(&renderer->composite, &frame, &inputs);
+}
+
+struct contribution renderer_contribution(const struct renderer *renderer) {
+    return renderer->technique->contribution(renderer->technique_state);
+}
+
+float renderer_exposure(const struct renderer *renderer) {
+    return picture_of(renderer)->exposure;
+}
+
+void renderer_outputs(const struct renderer *renderer, struct output_list *outputs) {
+    const struct irradiance *irradiance = renderer_contribution(renderer).irradiance;
+    const struct output rows[] = {
+        {"normal", "G-buffer: world normals as colours", OUTPUT_NORMAL, &renderer->gbuffer.normal},
+        {"albedo", "G-buffer: the surfaces' own colours", OUTPUT_ALBEDO, &renderer->gbuffer.albedo},
+        {"depth", "G-buffer: near is bright", OUTPUT_DEPTH, &renderer->gbuffer.depth},
+    };
+    *outputs = (struct output_list){0};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        output_add(outputs, &rows[i]);
+    if (renderer->technique->outputs)
+        renderer->technique->outputs(renderer->technique_state, outputs);
+    if (irradiance)
+        output_add(outputs,
+                   &(struct output){"irradiance", "after the blur, before the surfaces' colours",
+                                    OUTPUT_IRRADIANCE, irradiance});
+}

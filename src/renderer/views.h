@@ -1,0 +1,10 @@
+/* Between the renderer's own files. */
+#ifndef RENDERER_VIEWS_H
+#define RENDERER_VIEWS_H
+
+#include "renderer/renderer.h"
+
+/* The buffers of views, by what the desc says and for the pass at hand. */
+void renderer_write_views(struct renderer *renderer);
+
+#endif
