@@ -15,6 +15,7 @@ static const struct subcommand {
     const char *name, *help;
     int (*run)(int argc, char **argv);
 } subcommands[] = {
+    {"average", "one picture of several that are means of other passes", app_average},
     {"bench", "times of the passes, speed against accuracy", app_bench},
     {"compare", "error metrics between two pictures", app_compare},
     {"info", "what renders here, and what a scene holds", app_info},

@@ -3,6 +3,7 @@
 #ifndef APPS_APPS_H
 #define APPS_APPS_H
 
+int app_average(int argc, char **argv);
 int app_bench(int argc, char **argv);
 int app_compare(int argc, char **argv);
 int app_reference(int argc, char **argv);

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/text.h"
 
 #include <ctype.h>
 #include <stdlib.h>
@@ -53,6 +54,34 @@ bool frames_parse(struct frames *frames, const char *text) {
 void frames_free(struct frames *frames) {
     free(frames->numbers);
     *frames = (struct frames){0};
+}
+
+static int ascending(const void *a, const void *b) {
+    const int *x = a, *y = b;
+    return (*x > *y) - (*x < *y);
+}
+
+bool frames_sort(struct frames *frames, int *twice) {
+    qsort(frames->numbers, (size_t)frames->count, sizeof *frames->numbers, ascending);
+    for (int i = 1; i < frames->count; i++)
+        if (frames->numbers[i] == frames->numbers[i - 1]) {
+            *twice = frames->numbers[i];
+            return false;
+        }
+    return true;
+}
+
+char *frames_text(const struct frames *frames) {
+    struct text text = {0};
+    for (int first = 0, next; first < frames->count; first = next) {
+        next = first + 1;
+        while (next < frames->count && frames->numbers[next] == frames->numbers[next - 1] + 1)
+            next++;
+        text_print(&text, "%s%d", first ? "," : "", frames->numbers[first]);
+        if (next - first > 1)
+            text_print(&text, "..%d", frames->numbers[next - 1]);
+    }
+    return text.data;
 }
 
 bool frame_name_is_numbered(const char *name) {

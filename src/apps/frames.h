@@ -13,6 +13,11 @@ struct frames {
 bool frames_parse(struct frames *frames, const char *text);
 void frames_free(struct frames *frames);
 
+/* Puts the numbers in order, and back into text that frames_parse reads; free() frees. False where one
+ * is there twice, which is told. */
+bool frames_sort(struct frames *frames, int *twice);
+char *frames_text(const struct frames *frames);
+
 /* Whether the name has a place for the frame's number: a run of '#'. */
 bool frame_name_is_numbered(const char *name);
 

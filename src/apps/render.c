@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/file/image_file.h"
 #include "base/log.h"
+#include "base/memory.h"
 #include "base/file/output_file.h"
 #include "gl/glsl.h"
 #include "inspect/aov.h"
@@ -29,6 +30,7 @@ struct values {
     int size[2];
     int layer;
     const char *frames, *glsl, *aov;
+    int passes, first_pass;
     float fps;
     bool skip_existing, stats;
 };
@@ -52,6 +54,13 @@ static const struct option options[] = {
              "frame's number"},
     {"fps", 0, OPTION_FLOAT, offsetof(struct values, fps), 25, .001, 1e6,
      .help = "frames per second"},
+    {"passes", 0, OPTION_INT, offsetof(struct values, passes), 1, 1, 1000000,
+     .help =
+         "the mean of so many passes, each with lights and places in the pixels of its own: it\n"
+         "goes on converging"},
+    {"first-pass", 0, OPTION_INT, offsetof(struct values, first_pass), 0, 0, 1000000,
+     .help = "the number of the first of them: passes split between processes, as EXR, and put\n"
+             "together by manylight average, make the same mean"},
     {"skip-existing", 0, OPTION_FLAG, offsetof(struct values, skip_existing),
      .help = "leave out frames whose outputs are all there and whole: each is opened, decoded to\n"
              "its last pixel and ends as its format does"},
@@ -102,8 +111,14 @@ static bool check_name(const struct values *values, const char *name, int frame_
     return true;
 }
 
+static bool has_mean(const struct values *values) {
+    return values->passes > 1 || values->first_pass > 0;
+}
+
 static bool check_outputs(const struct values *values, int frame_count) {
     bool is_float, any_float = false;
+    if (values->aov && has_mean(values))
+        return error_set("aov: outputs of a technique are of one pass, and not of a mean");
     if (values->outputs.count == 0)
         return error_set("no output: -o FILE");
     for (int i = 0; i < values->outputs.count; i++) {
@@ -133,14 +148,25 @@ static bool check_file(const struct values *values, struct renderer *renderer, c
     return output_file_check(path);
 }
 
+static bool read_image(const struct values *values, struct renderer *renderer,
+                       struct image *image) {
+    if (!renderer_read_layers(renderer, image) || !aov_append(renderer, values->aov, image))
+        return false;
+    if (has_mean(values)) {
+        image->passes =
+            mem_printf("%d..%d", values->first_pass, values->first_pass + values->passes - 1);
+        image->weight = renderer_pass_weight(renderer);
+    }
+    return true;
+}
+
 static bool write_output(const struct values *values, struct renderer *renderer, const char *path) {
     bool is_float, ok;
     if (!image_format_is_float(path, &is_float) || !scene_check_output(renderer->desc.scene, path))
         return false;
     if (is_float) {
         struct image image = {0};
-        ok = renderer_read_layers(renderer, &image) && aov_append(renderer, values->aov, &image) &&
-             image_write(&image, path);
+        ok = read_image(values, renderer, &image) && image_write(&image, path);
         image_free(&image);
     } else {
         struct bitmap bitmap;
@@ -168,7 +194,10 @@ static bool render_frame(const struct values *values, struct renderer *renderer,
     double time = (double)values->stage.time + frame / (double)values->fps;
     if (!stage_pose(stage, time) || !stage_show(stage, renderer))
         return false;
-    renderer_render(renderer);
+    for (int i = 0; has_mean(values) && i < values->passes; i++)
+        renderer_add_pass(renderer, values->first_pass + i);
+    if (!has_mean(values))
+        renderer_render(renderer);
     return each_output(values, renderer, frame, write_output);
 }
 
@@ -244,7 +273,11 @@ int app_render(int argc, char **argv) {
     if (!arguments_parse(&arguments, &values, argc, argv, &values.stage.path, &count, &status))
         return status;
     struct renderer_desc desc = {
-        .width = values.size[0], .height = values.size[1], .timed = values.stats};
+        .width = values.size[0],
+        .height = values.size[1],
+        .progressive = has_mean(&values),
+        .timed = values.stats,
+    };
     if (!frames_parse(&frames, values.frames ? values.frames : "0") ||
         !check_outputs(&values, frames.count) ||
         !technique_values_resolve(&values.technique, &desc.technique, &desc.direct,

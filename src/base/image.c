@@ -67,6 +67,7 @@ void image_free(struct image *image) {
         free(image->names[i]);
     free(image->names);
     free(image->pixels);
+    free(image->passes);
     *image = (struct image){0};
 }
 

@@ -13,6 +13,8 @@ struct image {
     char **names;  /* channel_count of them */
     float *pixels; /* height x width x channel_count */
     bool encoded;  /* sRGB over [0, 1], as integer formats store it; false = linear */
+    char *passes;  /* of which it is the mean: "0..7,16"; NULL = not told */
+    double weight; /* of them together */
 };
 
 /* An 8-bit RGBA picture, row 0 at the top: glTF textures, display-referred pictures. */

@@ -150,15 +150,15 @@ static void add_to_mean(struct renderer *renderer, const struct frame *frame) {
     refining->weight += (double)weight;
 }
 
-void renderer_add_pass(struct renderer *renderer, int first) {
+void renderer_add_pass(struct renderer *renderer, int pass) {
     struct refining *refining = &renderer->refining;
     assert(renderer->desc.progressive);
-    if (refining->count == 0) {
+    if (refining->count == 0 || pass != renderer->pass + 1) {
         mean_pass_clear(&refining->mean);
-        refining->first = first;
+        refining->count = 0;
         refining->weight = 0;
     }
-    begin_pass(renderer, refining->first + refining->count);
+    begin_pass(renderer, pass);
     struct frame frame = renderer_frame(renderer);
     timer_begin(&renderer->timers, "frame");
     render_frame(renderer, &frame);

@@ -83,7 +83,7 @@ static bool init_refiner(struct renderer *renderer) {
         return true;
     struct settings settings = desc->settings;
     refining->technique = technique_find(refinement->technique);
-    return refining->technique && settings_assign_all(&settings, refinement->settings) &&
+    return refining->technique && settings_assign(&settings, refinement->settings) &&
            make_technique(renderer, refining->technique, &settings, &refining->state);
 }
 

@@ -57,8 +57,8 @@ struct renderer {
         void *state;
         struct antialias_pass centers; /* of their pixels: samples come by the passes */
         struct mean_pass mean;
-        int first, count; /* passes in the mean; 0: none */
-        double weight;    /* of them */
+        int count;     /* of passes in the mean; 0: none */
+        double weight; /* of them */
     } refining;
     struct light_layout layout;
     struct view camera_view;
@@ -88,11 +88,11 @@ bool renderer_update(struct renderer *renderer);
 /* Renders one frame into the composite's display texture. Timer "frame". */
 void renderer_render(struct renderer *renderer);
 
-/* Renders the next pass of a picture that converges, where desc.progressive, and shows the mean. What
- * is read and composed is then the mean's, until a frame is rendered or anything that it shows changes:
- * then the next pass is number `first`. Passes depend on their number alone: means of some, weighted,
- * make the mean of all. Timer "frame". */
-void renderer_add_pass(struct renderer *renderer, int first);
+/* Renders a pass of a picture that converges, where desc.progressive, adds it to the mean and shows
+ * that. What is read and composed is then the mean's, until a frame is rendered, anything that it shows
+ * changes, or a pass comes that is not the next: a mean begins anew. Passes depend on their number
+ * alone, 0 is the frame: means of some, weighted, make the mean of all. Timer "frame". */
+void renderer_add_pass(struct renderer *renderer, int pass);
 
 /* Passes in the mean that is shown; 0: it is a frame. Of their weights, the sum. */
 int renderer_pass_count(const struct renderer *renderer);

@@ -23,6 +23,9 @@ namespace {
 /* Beyond this a file is refused rather than read: 2^28 pixels is 16384 x 16384. */
 const imagesize_t max_pixels = imagesize_t(1) << 28;
 
+/* Of an EXR that is a mean of passes. */
+const char passes_attribute[] = "manylight:passes", weight_attribute[] = "manylight:weight";
+
 bool fail(const char *path, const std::string &reason) {
     std::string line = reason.empty() ? "cannot be read" : reason.substr(0, reason.find('\n'));
     return error_set("%s: %s", path, line.c_str());
@@ -177,6 +180,9 @@ extern "C" bool image_read(struct image *image, const char *path) try {
         pointers.push_back(name.c_str());
     image_init_named(image, spec.width, spec.height, pointers.data(), spec.nchannels);
     image->encoded = !spec.format.is_floating_point();
+    const std::string passes = spec.get_string_attribute(passes_attribute);
+    image->passes = passes.empty() ? NULL : mem_strdup(passes.c_str());
+    image->weight = spec.get_float_attribute(weight_attribute);
     bool good = in->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, image->pixels);
     std::string reason = in->geterror(); /* of a cut JPEG, though it is read */
     if (good && reason.empty())
@@ -219,7 +225,12 @@ extern "C" bool image_write(const struct image *image, const char *path) try {
         spec.attribute("compression", "zip");
         spec.attribute("DateTime", ""); /* else it is now, and no two files are alike */
         for (const std::string &name : spec.channelnames)
-            spec.channelformats.push_back(is_colour(name) ? TypeDesc::HALF : TypeDesc::FLOAT);
+            spec.channelformats.push_back(is_colour(name) && !image->passes ? TypeDesc::HALF
+                                                                            : TypeDesc::FLOAT);
+        if (image->passes) {
+            spec.attribute(passes_attribute, image->passes);
+            spec.attribute(weight_attribute, float(image->weight));
+        }
     }
     spec.alpha_channel = image_find_channel(image, "A");
     spec.z_channel = image_find_channel(image, "Z");
