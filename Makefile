@@ -194,12 +194,12 @@ SMALL_SCENES := $(filter-out $(LARGE_SCENES) %/sponza.glb,$(BENCH_SCENES))
 NOISE_OF_SMALL := --noise .02
 NOISE_OF_LARGE := --noise .06
 
-# Speed against accuracy: a grid of the method, and what it competes with. Of the two Cornell boxes
+# Speed against accuracy: a grid of the method, the denoised tracer, and what else it competes with. Of the two Cornell boxes
 # ours. Large scenes take seconds a frame, and a map per VPL takes most: fewer rounds do.
 CHART_RUN = ./manylight bench sweep --reference path --cache $(REFERENCE_CACHE) --size 400x400
 CHART_SMALL := $(filter-out ../%/cornell-box.glb,$(SMALL_SCENES)) $(NOISE_OF_SMALL) --frames 3
 CHART_LARGE := $(LARGE_SCENES) $(NOISE_OF_LARGE)
-CHART_GRID := --variant paper --variant fast --vary M=2,8,30,120
+CHART_GRID := --variant paper --variant fast --vary M=2,8,30,120 --tracer
 CHART_RIVALS := --variant unshadowed --variant instant-radiosity
 SWEEP := $(BENCH_RESULTS)/sweep.csv
 
@@ -220,7 +220,7 @@ chart: all
 
 # Where the error of a frame comes from, and how it falls with M, K, N and the size of maps.
 BUDGET_SIZE := 400x400
-BUDGET_RUN = ./manylight bench budget --size $(BUDGET_SIZE) --cache $(REFERENCE_CACHE)
+BUDGET_RUN = ./manylight bench budget --tracer --size $(BUDGET_SIZE) --cache $(REFERENCE_CACHE)
 CURVES_SIZE := 200x200
 
 accuracy: all

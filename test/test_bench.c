@@ -107,16 +107,20 @@ static void test_sweep_and_cache(void **state) {
     assert_int_equal(run_command(remove, output, sizeof output), 0);
     snprintf(arguments, sizeof arguments,
              "sweep scenes/cornell-box.glb --size 24x16 --frames 1 --set map-size=32 "
-             "--vary M=2,8 --vary visibility=cssm,hard --variant fast --reference path --noise .1 "
+             "--vary M=2,8 --vary visibility=cssm,hard --variant fast --tracer --noise .1 "
              "--cache %s --csv %s",
              cache, csv);
     check_runs(arguments);
     check_says("making reference");
     check_says("  fast hard                vals=8 ");
+    check_says("  tracer, denoised         spp=16 ");
+    check_says("by rRMSE");
     check_runs(arguments);
     assert_null(strstr(output, "making reference"));
     char *text = read_text(csv);
     check_csv(text);
+    assert_non_null(strstr(text, "24,16,,\"tracer, denoised\",spp=1,,cpu,,ms,"));
+    assert_non_null(strstr(text, ",rival-at-rmse,,x,"));
     assert_non_null(strstr(text, ",fast hard,vals=8,clustered.vals=8 clustered.visibility=hard "
                                  "map.size=32,relative-rmse,path,%,"));
     free(text);

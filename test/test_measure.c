@@ -4,7 +4,8 @@
 
 #include "base/error.h"
 #include "measure/clip.h"
-#include "measure/lights.h"
+#include "inspect/lights.h"
+#include "measure/rival.h"
 #include "measure/truth.h"
 #include "measure/variants.h"
 #include "inspect/aov.h"
@@ -42,6 +43,16 @@ static void test_slope(void **state) {
     check_near("slope of a cube", log_slope(x, cube, 3), 3, 1e-9);
     check_near("slope of a constant", log_slope(x, constant, 3), 0, 1e-9);
     check_near("slope of a point", log_slope(x, cube, 1), 0, 0);
+
+    /* y = 8 / sqrt x, then back up. */
+    const double at[] = {1, 4, 64, 256}, error[] = {8, 4, 1, 4};
+    check_near("on a power law", log_interpolate(at, error, 4, 2), 16, 1e-9);
+    check_near("at its first point", log_interpolate(at, error, 4, 8), 1, 0);
+    check_near("at one of two", log_interpolate(at, error, 4, 4), 4, 0);
+    check_near("upwards", log_interpolate(at + 2, error + 2, 2, 2), 128, 1e-9);
+    assert_true(isnan(log_interpolate(at, error, 4, 8.1)));
+    assert_true(isnan(log_interpolate(at, error, 4, .9)));
+    assert_true(isnan(log_interpolate(at, error, 0, 8)));
 }
 
 /* --- grids ------------------------------------------------------------------------------------ */
@@ -206,6 +217,40 @@ static void test_without_vpls(void **state) {
     stage_free(&stage);
 }
 
+/* --- the rival -------------------------------------------------------------------------------- */
+
+static void add_subject(struct results *results, struct measure_desc *desc, int width, double cpu,
+                        double error, double flip) {
+    desc->width = width;
+    results_begin(results, desc);
+    results_add(results, "cpu", "", "ms", cpu);
+    results_add(results, "relative-rmse", "path", "%", error);
+    results_add(results, "ldr-flip", "path", "1", flip);
+}
+
+/* Of its scene and size alone: the rival needs 16 ms for an error of 2, and errs by a FLIP of .5 at the
+ * most. */
+static void test_rival(void **state) {
+    (void)state;
+    struct stage stage;
+    struct results results = {0};
+    open_stage(&stage, "scenes/cornell-box.glb");
+    struct measure_desc desc = measure_default(&stage, 16, 16), rival = desc;
+    rival.technique = NULL;
+    add_subject(&results, &rival, 8, 1, 2, .6);
+    add_subject(&results, &rival, 16, 1, 8, .5);
+    add_subject(&results, &rival, 16, 64, 1, .1);
+    add_subject(&results, &desc, 16, 4, 2, .6);
+    rival_add_ratios(&results);
+    check_near("at equal RMSE", results_value(&results, 3, "rival-at-rmse", NULL), 4, 1e-9);
+    assert_true(isnan(results_value(&results, 3, "rival-at-flip", NULL)));
+    add_subject(&results, &desc, 32, 4, 2, .6);
+    rival_add_ratios(&results);
+    assert_null(results_find(&results, 4, "rival-at-rmse", NULL));
+    results_free(&results);
+    stage_free(&stage);
+}
+
 /* --- clips ------------------------------------------------------------------------------------ */
 
 static int subject_of(const struct results *results, const char *variant, const char *point) {
@@ -274,6 +319,7 @@ int main(void) {
     const struct CMUnitTest rendering[] = {
         cmocka_unit_test(test_lights),
         cmocka_unit_test(test_without_vpls),
+        cmocka_unit_test(test_rival),
         cmocka_unit_test(test_flicker),
     };
     return cmocka_run_group_tests_name("measure", tests, NULL, NULL) +

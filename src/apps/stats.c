@@ -1,7 +1,7 @@
 #include "apps/stats.h"
 
 #include "gl/memory.h"
-#include "measure/lights.h"
+#include "inspect/lights.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/names.h"
+#include "inspect/lights.h"
 #include "passes/gather/blur.h"
 #include "passes/lights/val_light.h"
 #include "renderer/layer_target.h"
@@ -90,21 +91,22 @@ static bool project(const struct renderer *renderer, const float position[3], in
 
 /* VPLs behind what the pixel shows are left out. */
 static bool fill_flux(const struct fill *fill, const void *source) {
-    const struct vpl_buffer *buffer = source;
-    size_t bytes = (size_t)buffer->count * sizeof(struct vpl);
-    struct vpl *vpls = mem_alloc(bytes, 1);
-    buffer_read(&buffer->buffer, 0, bytes, vpls);
+    (void)source;
+    struct lights lights;
+    if (!lights_read(&lights, fill->renderer))
+        return false;
     int z = image_find_channel(fill->image, "Z");
-    for (int i = 0; i < buffer->count; i++) {
+    for (int i = 0; i < lights.vpl_count; i++) {
+        struct vpl *vpl = &lights.vpls[i];
         int pixel[2];
         float depth;
-        if (vpls[i].reach <= 0 || !project(fill->renderer, vpls[i].position, pixel, &depth))
+        if (vpl->reach <= 0 || !project(fill->renderer, vpl->position, pixel, &depth))
             continue;
         float *channels = image_at(fill->image, pixel[0], pixel[1]);
         if (fabsf(depth - channels[z]) < .01f * fill->renderer->desc.geometry->radius)
-            glm_vec3_add(channels + fill->channel, vpls[i].flux, channels + fill->channel);
+            glm_vec3_add(channels + fill->channel, vpl->flux, channels + fill->channel);
     }
-    free(vpls);
+    lights_free(&lights);
     return true;
 }
 

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
+#include "inspect/lights.h"
 #include "shared/probe.h"
 #include "shared/vpl.h"
 
@@ -119,20 +120,18 @@ static int brightest_first(const void *a, const void *b) {
     return (x->share < y->share) - (x->share > y->share);
 }
 
-static void sum_vals(struct pick *pick, const struct vpl_buffer *buffer, int count,
-                     const float *lit) {
-    int vpl_count = buffer->count;
-    struct vpl *vpls = mem_alloc((size_t)vpl_count, sizeof *vpls);
+static void sum_vals(struct pick *pick, const struct lights *lights, const float *lit) {
+    int count = lights->val_count;
     struct pick_val *vals = mem_alloc((size_t)count, sizeof *vals);
-    buffer_read(&buffer->buffer, 0, (size_t)vpl_count * sizeof *vpls, vpls);
     float total = 0;
     for (int k = 0; k < count; k++)
         vals[k] = (struct pick_val){.val = k, .visibility = lit[k]};
-    for (int i = 0; i < vpl_count; i++) {
-        if (vpls[i].reach <= 0)
+    for (int i = 0; i < lights->vpl_count; i++) {
+        const struct vpl *vpl = &lights->vpls[i];
+        if (vpl->reach <= 0)
             continue;
-        struct pick_val *val = &vals[(int)vpls[i].val];
-        float brought = irradiance_from(&vpls[i], pick) * val->visibility;
+        struct pick_val *val = &vals[(int)vpl->val];
+        float brought = irradiance_from(vpl, pick) * val->visibility;
         val->vpl_count++;
         val->share += brought;
         total += brought;
@@ -143,13 +142,13 @@ static void sum_vals(struct pick *pick, const struct vpl_buffer *buffer, int cou
         pick->vals[k].share /= total;
         pick->val_count = k + 1;
     }
-    free(vpls);
     free(vals);
 }
 
 bool probe_pick(struct probe *probe, struct renderer *renderer, float x, float y,
                 struct pick *pick) {
     struct output_list outputs;
+    struct lights lights;
     renderer_outputs(renderer, &outputs);
     const struct val_output *vals = output_vals(&outputs);
     *pick = (struct pick){0};
@@ -157,30 +156,25 @@ bool probe_pick(struct probe *probe, struct renderer *renderer, float x, float y
         return false;
     if (!pick->present || !vals)
         return true;
-    if (!fit(probe, vals))
+    if (!fit(probe, vals) || !lights_read(&lights, renderer))
         return false;
-    int count = vals->maps.views->count;
-    float *lit = mem_alloc((size_t)count, sizeof *lit);
+    float *lit = mem_alloc((size_t)lights.val_count, sizeof *lit);
     read_visibility(probe, pick, vals, lit);
-    sum_vals(pick, output_vpls(&outputs), count, lit);
+    sum_vals(pick, &lights, lit);
     free(lit);
+    lights_free(&lights);
     return true;
 }
 
 int probe_nearest_val(struct renderer *renderer, float x, float y) {
-    struct output_list outputs;
-    renderer_outputs(renderer, &outputs);
-    const struct val_output *vals = output_vals(&outputs);
-    if (!vals)
-        return -1;
-    int count = vals->maps.views->count, nearest = -1;
+    struct lights lights;
+    int nearest = -1;
     float aspect = (float)renderer->desc.width / (float)renderer->desc.height, least = .05F;
-    float(*centers)[4] = mem_alloc((size_t)count, sizeof *centers);
-    gl.GetTextureImage(vals->positions->id, 0, GL_RGBA, GL_FLOAT, count * (GLsizei)sizeof *centers,
-                       centers);
-    for (int k = 0; k < count; k++) {
+    lights_read(&lights, renderer);
+    for (int k = 0; k < lights.val_count; k++) {
+        const float *center = lights.centers[k];
         float at[2];
-        if (centers[k][3] <= 0 || !camera_project(&renderer->desc.camera, centers[k], aspect, at))
+        if (center[3] <= 0 || !camera_project(&renderer->desc.camera, center, aspect, at))
             continue;
         float away = hypotf((at[0] - x) * aspect, at[1] - y);
         if (away < least) {
@@ -188,6 +182,6 @@ int probe_nearest_val(struct renderer *renderer, float x, float y) {
             nearest = k;
         }
     }
-    free(centers);
+    lights_free(&lights);
     return nearest;
 }

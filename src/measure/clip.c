@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "gl/memory.h"
-#include "measure/lights.h"
+#include "inspect/lights.h"
 #include "base/progress.h"
 #include "scene/animation.h"
 #include "shared/vpl.h"

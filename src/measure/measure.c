@@ -87,7 +87,7 @@ char *measure_settings(const struct measure_desc *desc) {
 
 double measure_setting(const struct measure_desc *desc, const char *name) {
     struct setting setting;
-    if (!settings_find(&desc->settings, name, &setting))
+    if (!desc->technique || !settings_find(&desc->settings, name, &setting))
         return 0;
     for (const struct settings_part *const *p = desc->technique->parts; *p; p++)
         if (*p == setting.part)

@@ -13,7 +13,7 @@ enum { MEASURE_NAME_SIZE = 128 };
 struct measure_desc {
     const struct stage *stage; /* must live on */
     int width, height;
-    const struct technique *technique;
+    const struct technique *technique; /* NULL: a picture by none, such as a traced one */
     const struct direct_method *direct;
     struct settings settings;
     char variant[MEASURE_NAME_SIZE]; /* as results call it: "fast", "paper hard" */

@@ -1,6 +1,6 @@
 #include "measure/picture.h"
 
-#include "measure/lights.h"
+#include "inspect/lights.h"
 #include "techniques/many_lights.h"
 #include "reference/vpl_sum.h"
 

@@ -7,6 +7,7 @@
 
 #include "version.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -72,7 +73,7 @@ static bool find_line(const struct results *results, int subject, const struct t
     return any;
 }
 
-static bool same_heading(const struct subject *a, const struct subject *b) {
+bool subject_is_beside(const struct subject *a, const struct subject *b) {
     return strcmp(a->scene, b->scene) == 0 && a->faces == b->faces &&
            a->desc.width == b->desc.width && a->desc.height == b->desc.height;
 }
@@ -86,7 +87,9 @@ static void print_heading(const struct subject *subject, const struct table *tab
 }
 
 static void print_value(const struct result *row) {
-    if (row)
+    if (row && isnan(row->figure.value))
+        printf(" %10s", "beyond");
+    else if (row)
         printf(" %10.*f", strcmp(row->unit, "1") == 0 ? 4 : *row->unit ? 2 : 0, row->figure.value);
     else
         printf(" %10s", "-");
@@ -99,7 +102,7 @@ void results_print(const struct results *results, int first, const struct table 
         const struct result *line[COLUMNS_MAX];
         if (!find_line(results, i, table, line))
             continue;
-        if (!last || !same_heading(last, subject))
+        if (!last || !subject_is_beside(last, subject))
             print_heading(subject, table);
         last = subject;
         printf("  %-24s %-24s", subject->desc.variant, subject->desc.point);
@@ -164,7 +167,7 @@ static void add_subject(struct text *line, const struct subject *subject) {
     char *settings = measure_settings(desc);
     add_cell(line, subject->scene);
     text_print(line, ",%u,%d,%d", subject->faces, desc->width, desc->height);
-    add_cell(line, desc->technique->name);
+    add_cell(line, desc->technique ? desc->technique->name : "");
     add_cell(line, desc->variant);
     add_cell(line, desc->point);
     add_cell(line, settings);

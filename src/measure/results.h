@@ -29,6 +29,9 @@ struct subject {
     unsigned faces;
 };
 
+/* Whether both are of one scene, in one size. */
+bool subject_is_beside(const struct subject *a, const struct subject *b);
+
 /* Zeroed: none. */
 struct results {
     struct subject *subjects;
@@ -53,7 +56,7 @@ const struct result *results_find(const struct results *results, int subject, co
 double results_value(const struct results *results, int subject, const char *what,
                      const char *against);
 
-enum { COLUMNS_MAX = 8 };
+enum { COLUMNS_MAX = 8 }; /* NaN is shown as "beyond", of a curve */
 
 struct table {
     const char *title;

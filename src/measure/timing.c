@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "gl/memory.h"
 #include "measure/errors.h"
+#include "measure/rival.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,11 +18,11 @@ struct run {
     const struct measure_desc *desc;
     struct renderer renderer;
     double gpu_memory; /* MiB */
-    float *samples;    /* a row of frames for each timer, and for the clock */
+    float *samples;    /* a row of frames for each timer, the clock, and the CPU */
     int frames;
 };
 
-enum { CLOCK = TIMERS_MAX, ROWS };
+enum { CLOCK = TIMERS_MAX, CPU, ROWS };
 
 static float *row_of(const struct run *run, int row) {
     return run->samples + (size_t)row * (size_t)run->frames;
@@ -41,16 +42,17 @@ static void run_free(struct run *run) {
     free(run->samples);
 }
 
-static double clocked_frames(struct renderer *renderer, int frames) {
+/* Milliseconds a frame, by the clock and of the CPU. */
+static void clock_frames(struct renderer *renderer, int frames, float *clock, float *cpu) {
     renderer->timers.enabled = false;
     gl.Finish();
-    double start = clock_ms();
+    double start = clock_ms(), cpu_start = clock_cpu_ms();
     for (int i = 0; i < frames; i++)
         renderer_render(renderer);
     gl.Finish();
-    double ms = (clock_ms() - start) / frames;
+    *clock = (float)((clock_ms() - start) / frames);
+    *cpu = (float)((clock_cpu_ms() - cpu_start) / frames);
     renderer->timers.enabled = true;
-    return ms;
 }
 
 /* Frames between two looks at the clock: more on a GPU, where one would be too short. */
@@ -61,7 +63,7 @@ static void take_sample(struct run *run, int at) {
     timers_flush(timers);
     for (int i = 0; i < timers->count; i++)
         row_of(run, i)[at] = (float)timers->results[i].ms;
-    row_of(run, CLOCK)[at] = (float)clocked_frames(&run->renderer, burst);
+    clock_frames(&run->renderer, burst, &row_of(run, CLOCK)[at], &row_of(run, CPU)[at]);
 }
 
 /* Timers that tell another story than the clock are not to be believed: drivers lie. */
@@ -76,6 +78,7 @@ static void check_clock(const struct run *run, double frame, double clock) {
 static void add_times(struct results *results, struct run *run, int first) {
     const struct timers *timers = &run->renderer.timers;
     struct summary clock = summary_of(row_of(run, CLOCK), run->frames);
+    struct summary cpu = summary_of(row_of(run, CPU), run->frames);
     results_begin(results, run->desc);
     for (int i = 0; i < timers->count; i++) {
         struct summary pass = summary_of(row_of(run, i), run->frames);
@@ -84,6 +87,7 @@ static void add_times(struct results *results, struct run *run, int first) {
             check_clock(run, pass.value, clock.value);
     }
     results_add_summary(results, "clock", "", "ms", &clock);
+    results_add_summary(results, "cpu", "", "ms", &cpu);
     results_add(results, "fps", "", "1/s", 1e3 / clock.value);
     results_add(results, "of-first", "", "1",
                 clock.value / results_value(results, first, "clock", NULL));
@@ -98,6 +102,7 @@ static bool add_errors(struct results *results, struct run *run, const struct tr
          errors_add(results, &frame, &reference, truth_names[truth->kind]));
     image_free(&frame);
     image_free(&reference);
+    rival_add_ratios(results);
     return ok;
 }
 
@@ -111,7 +116,7 @@ static bool measure_group(struct results *results, int first, struct run *runs,
         if (!run_start(&runs[i], &descs[i], frames))
             return false;
         for (int frame = 0; frame < warm_up; frame++)
-            clocked_frames(&runs[i].renderer, 1);
+            renderer_render(&runs[i].renderer);
     }
     for (int round = 0; round < frames; round++)
         for (int i = 0; i < count; i++)

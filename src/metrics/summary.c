@@ -28,3 +28,12 @@ double log_slope(const double *x, const double *y, int count) {
     }
     return xx > 0 ? xy / xx : 0;
 }
+
+double log_interpolate(const double *x, const double *y, int count, double at) {
+    for (int i = 0; i < count; i++)
+        if (y[i] == at)
+            return x[i];
+        else if (i > 0 && (y[i - 1] < at) != (y[i] < at))
+            return x[i - 1] * pow(x[i] / x[i - 1], log(at / y[i - 1]) / log(y[i] / y[i - 1]));
+    return NAN;
+}

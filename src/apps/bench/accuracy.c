@@ -4,10 +4,13 @@
 
 #include "measure/accuracy.h"
 #include "measure/errors.h"
+#include "measure/rival.h"
 
 static bool measure_budget(struct bench *bench, const struct measure_list *subjects) {
     struct truth_desc truth = bench_truth(bench, TRUTH_PATH);
-    return budget_measure(&bench->results, subjects->items, &truth);
+    return budget_measure(&bench->results, subjects->items, &truth) &&
+           (!bench->values.tracer ||
+            rival_measure(&bench->results, subjects->items, &truth, AGAINST_TRUTH));
 }
 
 static bool measure_curves(struct bench *bench, const struct measure_list *subjects) {
@@ -19,7 +22,7 @@ const struct bench_mode bench_budget = {
     .name = "budget",
     .help = "the error of the frame, step by step on the way from the truth\n"
             "Each step changes one thing. Without SCENE: the paper's four scenes.",
-    .options = "size set noise cache" BENCH_CONTEXT,
+    .options = "size set tracer noise cache" BENCH_CONTEXT,
     .measure = measure_budget,
     .tables = {{"each step alone, against the one before", {ERROR_COLUMNS(AGAINST_BEFORE)}},
                {"against the truth", {ERROR_COLUMNS(AGAINST_TRUTH), {"its noise", "noise", NULL}}},

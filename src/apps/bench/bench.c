@@ -101,6 +101,11 @@ static const struct option options[] = {
     {"reference", 0, OPTION_CHOICE, VALUE(reference), .choices = truth_names,
      .help = "what holds the truth: one bounce path-traced (centers: through pixels' centres),\n"
              "or all VPLs with a map each, as for a clip where there is none"},
+    {"tracer", 0, OPTION_FLAG, VALUE(tracer),
+     .help =
+         "also the denoised path tracer at 1 to 16 samples a pixel, against --reference path\n"
+         "where none is named; of a sweep on software OpenGL, how much more of the CPU it takes\n"
+         "to err as each variant (beyond: none of these counts errs so much, or so little)"},
     {"noise", 0, OPTION_FLOAT, VALUE(noise), .01, 1e-4, 1,
      .help = "of a path-traced reference: standard error over mean"},
     {"cache", 0, OPTION_TEXT, VALUE(cache), .value_name = "DIR",

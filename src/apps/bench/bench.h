@@ -16,6 +16,7 @@ struct bench_values {
     const char *csv, *cache, *output;
     int size[2], frames, warm_up, reference;
     float noise;
+    bool tracer;
 };
 
 /* A run of a mode. */

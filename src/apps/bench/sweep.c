@@ -2,9 +2,17 @@
 #include "apps/bench/bench.h"
 
 #include "measure/errors.h"
+#include "measure/rival.h"
 
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
-    return bench_time(bench, subjects, (enum truth_kind)bench->values.reference);
+    enum truth_kind kind = (enum truth_kind)bench->values.reference;
+    if (!bench->values.tracer)
+        return bench_time(bench, subjects, kind);
+    if (kind == TRUTH_NONE)
+        kind = TRUTH_PATH;
+    struct truth_desc truth = bench_truth(bench, kind);
+    return rival_measure(&bench->results, subjects->items, &truth, truth_names[kind]) &&
+           bench_time(bench, subjects, kind);
 }
 
 const struct bench_mode bench_sweep = {
@@ -12,8 +20,11 @@ const struct bench_mode bench_sweep = {
     .help = "times and errors over a grid of settings\n"
             "Each variant at each point of the grid, its errors against the reference, if any.\n"
             "Without SCENE: the paper's four scenes, from the folder scenes.",
-    .options = "vary size variant set frames warm-up reference noise cache" BENCH_CONTEXT,
+    .options = "vary size variant set frames warm-up reference tracer noise cache" BENCH_CONTEXT,
     .variants = bench_variants,
     .measure = measure,
-    .tables = {{"times and errors", {{"ms", "clock", NULL}, ERROR_COLUMNS(NULL)}}},
+    .tables = {{"times and errors",
+                {{"ms", "clock", NULL}, {"CPU ms", "cpu", NULL}, ERROR_COLUMNS(NULL)}},
+               {"CPU time of the denoised tracer over a technique's, where both err alike",
+                {{"by rRMSE", "rival-at-rmse", NULL}, {"by FLIP", "rival-at-flip", NULL}}}},
 };

@@ -1,6 +1,6 @@
 /* The virtual lights of a renderer's last frame, read back. */
-#ifndef MEASURE_LIGHTS_H
-#define MEASURE_LIGHTS_H
+#ifndef INSPECT_LIGHTS_H
+#define INSPECT_LIGHTS_H
 
 #include "renderer/renderer.h"
 

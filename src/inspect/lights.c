@@ -1,4 +1,4 @@
-#include "measure/lights.h"
+#include "inspect/lights.h"
 
 #include "base/error.h"
 #include "base/memory.h"

@@ -1,0 +1,73 @@
+#include "measure/rival.h"
+
+#include "base/clock.h"
+#include "base/log.h"
+#include "measure/errors.h"
+#include "measure/picture.h"
+
+#include <stdio.h>
+
+/* Samples a pixel: from the fewest there are to where a technique's second is far behind. */
+static const int sample_counts[] = {1, 2, 4, 8, 16};
+
+enum { COUNTS = sizeof sample_counts / sizeof *sample_counts };
+
+static bool trace(struct results *results, struct measure_desc *desc, int samples,
+                  const struct truth_desc *truth, const char *against,
+                  const struct image *reference) {
+    struct image image;
+    struct path_tracer_desc tracer = {.width = desc->width,
+                                      .height = desc->height,
+                                      .bounces = 1,
+                                      .samples = samples,
+                                      .centers = truth->kind == TRUTH_CENTERS,
+                                      .denoise = true};
+    snprintf(desc->point, sizeof desc->point, "spp=%d", samples);
+    log_note("%s: %s %s", desc->stage->name, desc->variant, desc->point);
+    double clock = clock_ms(), cpu = clock_cpu_ms();
+    if (!picture_trace_paths(desc->stage, &tracer, &image, NULL))
+        return false;
+    results_begin(results, desc);
+    results_add(results, "clock", "", "ms", clock_ms() - clock);
+    results_add(results, "cpu", "", "ms", clock_cpu_ms() - cpu);
+    bool ok = errors_add(results, &image, reference, against);
+    image_free(&image);
+    return ok;
+}
+
+bool rival_measure(struct results *results, const struct measure_desc *desc,
+                   const struct truth_desc *truth, const char *against) {
+    struct measure_desc rival = measure_default(desc->stage, desc->width, desc->height);
+    struct image reference;
+    bool ok = truth_get(truth, &rival, &reference);
+    rival.technique = NULL;
+    snprintf(rival.variant, sizeof rival.variant, "tracer, denoised");
+    for (int i = 0; ok && i < COUNTS; i++)
+        ok = trace(results, &rival, sample_counts[i], truth, against, &reference);
+    image_free(&reference);
+    return ok;
+}
+
+static void add_ratio(struct results *results, const char *name, const char *error) {
+    int own = results->subject_count - 1, count = 0;
+    const struct result *has = results_find(results, own, error, NULL);
+    double cpu[COUNTS], errors[COUNTS];
+    for (int i = 0; i < own && count < COUNTS; i++) {
+        const struct subject *rival = &results->subjects[i];
+        if (rival->desc.technique || !subject_is_beside(rival, &results->subjects[own]))
+            continue;
+        cpu[count] = results_value(results, i, "cpu", NULL);
+        errors[count++] = results_value(results, i, error, NULL);
+    }
+    if (count > 0 && has)
+        results_add(results, name, "", "x",
+                    log_interpolate(cpu, errors, count, has->figure.value) /
+                        results_value(results, own, "cpu", NULL));
+}
+
+void rival_add_ratios(struct results *results) {
+    if (!gl.software)
+        return;
+    add_ratio(results, "rival-at-rmse", "relative-rmse");
+    add_ratio(results, "rival-at-flip", "ldr-flip");
+}
