@@ -21,6 +21,7 @@ struct frame {
     const struct emitters *emitters;
     const struct light_block *light_block; /* of the emitters: what the buffer holds */
     struct light_layout layout;            /* of the lights' maps */
+    const struct geometry *geometry;       /* for views of other lights */
     float bounds_min[3], bounds_max[3];    /* of the scene, metres */
     float radius;                          /* of its bounding sphere, metres */
     int pass; /* of those whose mean the picture is: others lights and samples in each; 0: the first, or

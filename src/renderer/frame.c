@@ -44,6 +44,7 @@ struct frame renderer_frame(struct renderer *renderer) {
         .emitters = &desc->emitters,
         .light_block = renderer->light_block,
         .layout = renderer->layout,
+        .geometry = desc->geometry,
         .radius = desc->geometry->radius,
         .pass = renderer->pass,
         .irradiance_scale = irradiance_scale(desc),

@@ -1,0 +1,128 @@
+/* Direct light of lights with a size, each as many without, spread over its shape: what all softer
+ * methods are measured by. */
+#include "base/halton.h"
+#include "base/memory.h"
+#include "direct/direct.h"
+#include "passes/visibility/direct_light.h"
+#include "passes/visibility/shadow_map.h"
+#include "shared/lookup.h"
+
+#include <cglm/cglm.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+struct samples_settings {
+    int count, map_size;
+    float bias;
+};
+
+static const struct option table[] = {
+    {"count", 0, OPTION_INT, offsetof(struct samples_settings, count), 64, 1, 4096,
+     .help = "points of each light, one shadow map after another"},
+    {"map-size", 0, OPTION_INT, offsetof(struct samples_settings, map_size), 1024, 16, 16384,
+     .help = "shadow map of a point, texels a side"},
+    {"bias", 0, OPTION_FLOAT, offsetof(struct samples_settings, bias), 1.5, 0, 100,
+     .help = "receiver offset along its normal, in shadow texels"},
+    {NULL},
+};
+
+static const struct settings_part own_part = {"samples", "direct light by points of lights", table,
+                                              sizeof(struct samples_settings)};
+
+struct samples {
+    struct shadow_map_pass shadow_map;
+    struct direct_light_pass direct_light;
+    struct light_block *block; /* of one point of each light */
+    struct buffer lights;      /* the same, for BLOCK_LIGHTS */
+    struct emitters points;
+    int count;
+};
+
+static void free_state(void *state) {
+    struct samples *samples = state;
+    if (samples) {
+        shadow_map_pass_free(&samples->shadow_map);
+        direct_light_pass_free(&samples->direct_light);
+        buffer_free(&samples->lights);
+        emitters_free(&samples->points);
+        free(samples->block);
+    }
+    free(samples);
+}
+
+static bool init(void **state, const struct direct_desc *desc) {
+    const struct samples_settings *own = settings_of(desc->settings, &own_part);
+    struct samples *samples = *state = mem_alloc(1, sizeof *samples);
+    char *defines = mem_printf("FILTER %d;", FILTER_PCF);
+    samples->count = own->count;
+    samples->block = mem_alloc(1, sizeof *samples->block);
+    samples->points.items = mem_alloc(LIGHTS_MAX, sizeof *samples->points.items);
+    bool ok = shadow_map_pass_init(&samples->shadow_map,
+                                   &(struct shadow_map_desc){own->map_size, *desc->lights}) &&
+              direct_light_pass_init(&samples->direct_light,
+                                     &(struct direct_light_desc){
+                                         .width = desc->width,
+                                         .height = desc->height,
+                                         .map_size = own->map_size,
+                                         .bias = own->bias,
+                                         .fragment = "visibility/direct_point.frag",
+                                         .defines = defines,
+                                     }) &&
+              buffer_init(&samples->lights, "points of lights", sizeof *samples->block, NULL);
+    free(defines);
+    return ok;
+}
+
+static bool resize(void *state, int width, int height) {
+    struct samples *samples = state;
+    return direct_light_pass_resize(&samples->direct_light, width, height);
+}
+
+/* The i-th point of each light, with its share of the light. */
+static void take_points(struct samples *samples, const struct frame *frame, int i) {
+    float place[2] = {((float)i + .5F) / (float)samples->count,
+                      (float)radical_inverse(2, (uint32_t)i)};
+    samples->points.count = frame->emitters->count;
+    for (int n = 0; n < samples->points.count; n++) {
+        struct emitter *point = &samples->points.items[n];
+        *point = emitter_piece(&frame->emitters->items[n], place);
+        glm_vec3_scale(point->intensity, 1 / (float)samples->count, point->intensity);
+    }
+    views_of_emitters(samples->block, &samples->points, frame->geometry);
+    buffer_write(&samples->lights, 0, sizeof *samples->block, samples->block);
+}
+
+static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
+    struct samples *samples = state;
+    struct frame of_points = *frame;
+    of_points.lights = &samples->lights;
+    of_points.light_block = samples->block;
+    of_points.emitters = &samples->points;
+    for (int i = 0; i < samples->count; i++) {
+        take_points(samples, frame, i);
+        shadow_map_pass_render(&samples->shadow_map, &of_points);
+        direct_light_pass_render(&samples->direct_light, &of_points, gbuffer,
+                                 samples->shadow_map.maps,
+                                 i > 0 ? DIRECT_LIGHT_ADDS : DIRECT_LIGHT_ANEW);
+    }
+}
+
+static const struct texture *light(const void *state) {
+    const struct samples *samples = state;
+    return &samples->direct_light.target.light;
+}
+
+static const struct settings_part *const parts[] = {&own_part, NULL};
+
+extern const struct direct_method samples_direct;
+const struct direct_method samples_direct = {
+    .name = "samples",
+    .help = "shadow maps of many points of each light: the truth, slowly",
+    .parts = parts,
+    .init = init,
+    .free = free_state,
+    .resize = resize,
+    .render_view = render_view,
+    .light = light,
+};

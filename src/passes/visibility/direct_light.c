@@ -1,0 +1,109 @@
+#include "passes/visibility/direct_light.h"
+
+#include "base/memory.h"
+#include "gl/framebuffer.h"
+#include "gl/program.h"
+#include "shared/lookup.h"
+
+#include <stdlib.h>
+
+static bool init_target(struct direct_light_target *target, int width, int height) {
+    *target = (struct direct_light_target){0};
+    return texture_init(&target->light, &(struct texture_desc){.label = "direct",
+                                                               .format = GL_RGBA32F,
+                                                               .width = width,
+                                                               .height = height}) &&
+           framebuffer_init(
+               &target->framebuffer,
+               &(struct framebuffer_desc){.label = "direct", .colors = {&target->light}});
+}
+
+static void free_target(struct direct_light_target *target) {
+    framebuffer_free(&target->framebuffer);
+    texture_free(&target->light);
+}
+
+static bool init_program(GLuint *program, const struct direct_light_desc *desc, int projection) {
+    char *defines = mem_printf("%sPROJECTION %d", desc->defines, projection);
+    bool ok = program_init(program, &(struct program_desc){.vertex = "fullscreen.vert",
+                                                           .fragment = desc->fragment,
+                                                           .defines = defines});
+    free(defines);
+    return ok;
+}
+
+static bool init_lookups(struct direct_light_pass *pass, const struct direct_light_desc *desc) {
+    bool ok = true;
+    for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++) {
+        struct lookup_params params = {.bias = desc->bias,
+                                       .map_bias = desc->map_bias,
+                                       .map_size = (float)light_map_size(kind, desc->map_size)};
+        ok = ok && buffer_init(&pass->lookups[kind], "direct lookup", sizeof params, &params);
+    }
+    return ok;
+}
+
+bool direct_light_pass_init(struct direct_light_pass *pass, const struct direct_light_desc *desc) {
+    *pass = (struct direct_light_pass){0};
+    bool ok = init_program(&pass->perspective_program, desc, PROJECTION_PERSPECTIVE) &&
+              init_program(&pass->orthographic_program, desc, PROJECTION_ORTHOGRAPHIC) &&
+              init_target(&pass->target, desc->width, desc->height) && init_lookups(pass, desc);
+    if (!ok)
+        direct_light_pass_free(pass);
+    return ok;
+}
+
+void direct_light_pass_free(struct direct_light_pass *pass) {
+    program_free(&pass->perspective_program);
+    program_free(&pass->orthographic_program);
+    free_target(&pass->target);
+    for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
+        buffer_free(&pass->lookups[kind]);
+    *pass = (struct direct_light_pass){0};
+}
+
+bool direct_light_pass_resize(struct direct_light_pass *pass, int width, int height) {
+    struct direct_light_target target;
+    if (!init_target(&target, width, height)) {
+        free_target(&target);
+        return false;
+    }
+    free_target(&pass->target);
+    pass->target = target;
+    return true;
+}
+
+static void draw_light(const struct direct_light_pass *pass, const struct frame *frame,
+                       const struct gbuffer *gbuffer, const struct texture maps[LIGHT_MAP_KINDS],
+                       int index, bool adds) {
+    const struct light *light = &frame->light_block->sources[index];
+    int kind = frame->light_block->views[light->first_view].kind;
+    bool directional = light->type == LIGHT_TYPE_DIRECTIONAL;
+    GLuint program = directional ? pass->orthographic_program : pass->perspective_program;
+    pass_set_state(&(struct pass_state){
+        .name = "direct",
+        .program = program,
+        .framebuffer = pass->target.framebuffer,
+        .width = pass->target.light.desc.width,
+        .height = pass->target.light.desc.height,
+        .blend = adds ? PASS_BLEND_ADD : PASS_BLEND_OFF,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                     {UNIT_MAP_DEPTH, maps[kind].id}},
+        .blocks = {{BLOCK_VIEW, frame->view},
+                   {BLOCK_LIGHTS, frame->lights},
+                   {BLOCK_LOOKUP, &pass->lookups[kind]}},
+    });
+    gl.ProgramUniform1i(program, LOCATION_LIGHT, index);
+    pass_draw_fullscreen(1);
+}
+
+void direct_light_pass_render(const struct direct_light_pass *pass, const struct frame *frame,
+                              const struct gbuffer *gbuffer,
+                              const struct texture maps[LIGHT_MAP_KINDS],
+                              enum direct_light_start start) {
+    timer_begin(frame->timers, "direct");
+    for (int i = 0; i < frame->light_block->count; i++)
+        draw_light(pass, frame, gbuffer, maps, i, i > 0 || start == DIRECT_LIGHT_ADDS);
+    timer_end(frame->timers);
+}

@@ -1,0 +1,149 @@
+/* Soft shadows of direct light: each method on a plate between a light and a floor, all parallel, where the
+ * share of the light that is seen has a closed form; and on a table, beside the path tracer. */
+#include "render_support.h"
+
+#include "gltf_parts.h"
+
+#include "direct/direct.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { SIZE = 96 };
+
+static const double light_height = 1.5, plate_height = .5;
+
+/* A light of that shape above a plate from low to high, in the file's JSON. */
+struct stand {
+    const char *what, *light;
+    double width, height; /* height 0: a disk */
+    double low[2], high[2];
+};
+
+/* The share of a side that a plate leaves out of sight: of the light's interval, what the plate's two edges
+ * take as the receiver projects them there. */
+static double overlap(double x, double low, double high, double side) {
+    double toward = plate_height / light_height; /* of the way from the floor to the light */
+    double from = (low - x * (1 - toward)) / toward, to = (high - x * (1 - toward)) / toward;
+    return fmax(fmin(to, side / 2) - fmax(from, -side / 2), 0) / side;
+}
+
+/* The share of a disk beyond its middle by s radii. */
+static double segment(double s) {
+    s = fmax(fmin(s, 1), -1);
+    return .5 - (s * sqrt(1 - s * s) + asin(s)) / acos(-1);
+}
+
+/* Of a disk only the first edge is near. */
+static double seen_share(const struct stand *stand, const float p[3]) {
+    double x = (double)p[0], y = (double)p[1];
+    if (stand->height > 0)
+        return 1 - overlap(x, stand->low[0], stand->high[0], stand->width) *
+                       overlap(y, stand->low[1], stand->high[1], stand->height);
+    double toward = plate_height / light_height;
+    double edge = (stand->low[0] - x * (1 - toward)) / toward;
+    return 1 - segment(edge / (stand->width / 2));
+}
+
+static void open_stand(struct stage *stage, const struct stand *stand, bool plate) {
+    char nodes[2048];
+    char more[1024];
+    snprintf(more, sizeof more,
+             "\"extensionsUsed\": [\"EXT_lights_area\"], \"cameras\": [{\"type\": \"perspective\","
+             " \"perspective\": {\"yfov\": 2.1, \"znear\": 0.01}}], \"extensions\":"
+             " {\"EXT_lights_area\": {\"lights\": [%s]}},",
+             stand->light);
+    snprintf(
+        nodes, sizeof nodes,
+        "[{\"mesh\": 0, \"scale\": [4, 4, 1], \"translation\": [-2, -2, 0]},"
+        " {\"camera\": 0, \"translation\": [0, 0, 0.45]},"
+        " {\"extensions\": {\"EXT_lights_area\": {\"light\": 0}}, \"translation\": [0, 0, %g]},"
+        " {\"mesh\": 0, \"scale\": [%g, %g, 1], \"translation\": [%g, %g, %g]}]",
+        light_height, stand->high[0] - stand->low[0], stand->high[1] - stand->low[1], stand->low[0],
+        stand->low[1], plate ? plate_height : 9);
+    const char *path = write_parts("stand.glb", &(struct gltf_parts){.nodes = nodes, .more = more});
+    open_stage(stage, path);
+}
+
+static struct image render_method(const struct stage *stage, const char *method,
+                                  const char *settings, struct renderer *renderer) {
+    struct image layers;
+    struct renderer_desc desc = desc_of(stage, "unshadowed", settings, SIZE, SIZE);
+    desc.direct = direct_find(method);
+    open_renderer(renderer, &desc);
+    check_ok("layers", renderer_read_layers(renderer, &layers));
+    return layers;
+}
+
+/* RMS over the floor of the share that is seen, less what it should be. */
+static double stand_error(const struct stand *stand, const char *method, const char *settings) {
+    struct stage stage, bare;
+    struct renderer renderer, bare_renderer;
+    double squares = 0, worst = 0;
+    open_stand(&stage, stand, true);
+    open_stand(&bare, stand, false);
+    struct image shaded = render_method(&stage, method, settings, &renderer);
+    struct image lit = render_method(&bare, method, settings, &bare_renderer);
+    int direct = image_find_channel(&shaded, "direct.R");
+    for (int y = 0; y < SIZE; y++)
+        for (int x = 0; x < SIZE; x++) {
+            float place[3];
+            pixel_position(&renderer, &shaded, x, y, place);
+            double share =
+                (double)image_at(&shaded, x, y)[direct] / (double)image_at(&lit, x, y)[direct];
+            double error = share - seen_share(stand, place);
+            squares += error * error;
+            worst = fmax(worst, fabs(error));
+        }
+    renderer_free(&renderer);
+    renderer_free(&bare_renderer);
+    image_free(&shaded);
+    image_free(&lit);
+    stage_free(&stage);
+    stage_free(&bare);
+    printf("    %-10s %-28s RMS %.4f, worst %.3f\n", method, stand->what, sqrt(squares) / SIZE,
+           worst);
+    return sqrt(squares) / SIZE;
+}
+
+#define RECTANGLE(size, aspect)                                                                    \
+    "{\"type\": \"rect\", \"intensity\": 50, \"size\": " size ", \"rect\": {\"aspect\": " aspect   \
+    "}}"
+
+static const struct stand stands[] = {
+    {"square", RECTANGLE("0.3", "1"), .3, .3, {-.3, -.3}, {.3, .3}},
+    {"square, larger than the plate", RECTANGLE("0.8", "1"), .8, .8, {-.1, -.1}, {.1, .1}},
+    {"strip", RECTANGLE("0.1", "5"), .5, .1, {-.3, -.3}, {.3, .3}},
+    {"disk",
+     "{\"type\": \"disk\", \"intensity\": 50, \"size\": 0.4}",
+     .4,
+     0,
+     {0, -1.5},
+     {1.5, 1.5}},
+};
+
+/* What each method may be wrong by, and with what it is asked. Most of it is the receiver's bias, which
+ * moves shadows: twice the map, and it is half. */
+static const struct {
+    const char *method, *settings;
+    double bounds[4];
+} rows[] = {
+    {"samples", "samples.count=64 samples.map-size=1024", {.02, .012, .022, .007}},
+};
+
+static void test_stands(void **state) {
+    (void)state;
+    for (size_t r = 0; r < sizeof rows / sizeof *rows; r++)
+        for (size_t s = 0; s < sizeof stands / sizeof *stands; s++)
+            check_at_most(stands[s].what, stand_error(&stands[s], rows[r].method, rows[r].settings),
+                          rows[r].bounds[s]);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_stands),
+    };
+    return cmocka_run_group_tests_name("soft shadows", tests, open_group_context,
+                                       close_group_context);
+}
