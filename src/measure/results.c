@@ -87,8 +87,9 @@ static void print_heading(const struct subject *subject, const struct table *tab
 }
 
 static void print_value(const struct result *row) {
-    if (row && isnan(row->figure.value))
-        printf(" %10s", "beyond");
+    bool of_curve = row && strcmp(row->unit, "x") == 0;
+    if (of_curve && (row->figure.value == 0 || isinf(row->figure.value)))
+        printf(" %10s", row->figure.value > 0 ? "> curve" : "< curve");
     else if (row)
         printf(" %10.*f", strcmp(row->unit, "1") == 0 ? 4 : *row->unit ? 2 : 0, row->figure.value);
     else

@@ -56,7 +56,8 @@ const struct result *results_find(const struct results *results, int subject, co
 double results_value(const struct results *results, int subject, const char *what,
                      const char *against);
 
-enum { COLUMNS_MAX = 8 }; /* NaN is shown as "beyond", of a curve */
+/* Of the unit "x", places on a curve, 0 and infinity are shown as beyond its ends. */
+enum { COLUMNS_MAX = 8 };
 
 struct table {
     const char *title;

@@ -15,8 +15,8 @@ bool rival_measure(struct results *results, const struct measure_desc *desc,
 
 /* Adds to the last subject, where it has errors and the rival was measured on its scene in its size:
  * "rival-at-rmse" and "rival-at-flip", the rival's CPU time for the same relative RMSE of the
- * indirect layer, and for the same FLIP of the picture, over its own. NaN: no count of samples errs so
- * much, or so little. Not on a GPU: its time is not the CPU's. */
+ * indirect layer, and for the same FLIP of the picture, over its own; 0 where the fewest samples err
+ * less, infinity where the most err more. Not on a GPU: its time is not the CPU's. */
 void rival_add_ratios(struct results *results);
 
 #endif

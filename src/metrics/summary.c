@@ -30,10 +30,10 @@ double log_slope(const double *x, const double *y, int count) {
 }
 
 double log_interpolate(const double *x, const double *y, int count, double at) {
-    for (int i = 0; i < count; i++)
-        if (y[i] == at)
-            return x[i];
-        else if (i > 0 && (y[i - 1] < at) != (y[i] < at))
+    if (count > 0 && at >= y[0])
+        return at > y[0] ? 0 : x[0];
+    for (int i = 1; i < count; i++)
+        if (at >= y[i])
             return x[i - 1] * pow(x[i] / x[i - 1], log(at / y[i - 1]) / log(y[i] / y[i - 1]));
-    return NAN;
+    return INFINITY;
 }

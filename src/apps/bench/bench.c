@@ -105,7 +105,7 @@ static const struct option options[] = {
      .help =
          "also the denoised path tracer at 1 to 16 samples a pixel, against --reference path\n"
          "where none is named; of a sweep on software OpenGL, how much more of the CPU it takes\n"
-         "to err as each variant (beyond: none of these counts errs so much, or so little)"},
+         "to err as each variant (< curve: less than for 1 sample; > curve: more than for 16)"},
     {"noise", 0, OPTION_FLOAT, VALUE(noise), .01, 1e-4, 1,
      .help = "of a path-traced reference: standard error over mean"},
     {"cache", 0, OPTION_TEXT, VALUE(cache), .value_name = "DIR",
