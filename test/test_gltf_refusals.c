@@ -118,7 +118,7 @@ static const struct {
      {.accessors = POSITIONS("\"bufferView\": 0, \"componentType\": 5126, \"count\":"
                              " 1844674407370955161, \"type\": \"VEC3\"")}},
     {"count without bytes",
-     "primitive 0: POSITION: there are more than 128 million",
+     "primitive 0: POSITION: accessor 0: more than 128 million",
      {.accessors = POSITIONS("\"componentType\": 5126, \"count\": 1844674407370955161, \"type\":"
                              " \"VEC3\"")}},
     {"count 0",

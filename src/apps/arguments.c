@@ -12,6 +12,10 @@ static const struct option common_options[] = {
     {"quiet", 'q', OPTION_FLAG, offsetof(struct common_values, quiet),
      .help = "no notes, no progress"},
     {"verbose", 'v', OPTION_FLAG, offsetof(struct common_values, verbose), .help = "more notes"},
+    {"max-memory", 0, OPTION_FLOAT, offsetof(struct common_values, max_memory), 0, 0, 1e6,
+     .value_name = "GIB",
+     .help = "the most memory it may take; 0 = what is free, but for a scene 2 GiB and\n"
+             "64 times the size of its files"},
     {NULL},
 };
 
@@ -47,11 +51,14 @@ static void print_help(const struct arguments *arguments, const struct option *t
         arguments->print_more(stdout, values);
 }
 
-static void set_log_level(const struct common_values *common) {
+static bool apply(const struct common_values *common) {
     if (common->quiet)
         log_set_level(LOG_QUIET);
     else if (common->verbose)
         log_set_level(LOG_VERBOSE);
+    return common->max_memory == 0 ||
+           mem_limit((uint64_t)((double)common->max_memory * (1 << 30))) ||
+           error_prefix("--max-memory");
 }
 
 bool arguments_parse(const struct arguments *arguments, void *values, int argc, char **argv,
@@ -72,8 +79,9 @@ bool arguments_parse(const struct arguments *arguments, void *values, int argc, 
     } else if (*positional_count < arguments->min_positional) {
         error_set("arguments are missing: %s", arguments->synopsis);
         *status = arguments_misuse(argv[0]);
+    } else if (!apply(values)) {
+        *status = arguments_fail(argv[0]);
     } else {
-        set_log_level(values);
         go_on = true;
     }
     free(table);

@@ -26,6 +26,7 @@ enum status { STATUS_OK, STATUS_FAILED, STATUS_USAGE };
 /* The first member of each subcommand's struct of values. */
 struct common_values {
     bool help, quiet, verbose;
+    float max_memory; /* GiB; 0 = no limit of its own */
 };
 
 struct arguments {

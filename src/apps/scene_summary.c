@@ -125,15 +125,21 @@ static void print_camera(const struct scene *scene, int n) {
     putchar('\n');
 }
 
+/* The first hundred: each is looked for among all nodes. */
+static void print_each(const char *noun, const struct scene *scene, int count,
+                       void (*print)(const struct scene *scene, int n)) {
+    const int most = 100;
+    printf("%-10s %d\n", noun, count);
+    for (int n = 0; n < count && n < most; n++)
+        print(scene, n);
+    if (count > most)
+        printf("  ... and %d more\n", count - most);
+}
+
 /* Counted as --light and --camera count them: by node. */
 static void print_placed(const struct scene *scene) {
-    int lights = emitter_node_count(scene), cameras = camera_node_count(scene);
-    printf("lights     %d\n", lights);
-    for (int n = 0; n < lights; n++)
-        print_light(scene, n);
-    printf("cameras    %d\n", cameras);
-    for (int n = 0; n < cameras; n++)
-        print_camera(scene, n);
+    print_each("lights", scene, emitter_node_count(scene), print_light);
+    print_each("cameras", scene, camera_node_count(scene), print_camera);
 }
 
 static void print_clips(const struct scene *scene) {

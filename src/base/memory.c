@@ -11,6 +11,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+static const double gib = 1 << 30;
+
 /* The number behind the word in a file of /proc or /sys; "" = the first. UINT64_MAX where there is
  * none. */
 static uint64_t number_in(const char *path, const char *word) {
@@ -30,21 +32,41 @@ static uint64_t least(uint64_t a, uint64_t b) {
     return a < b ? a : b;
 }
 
-/* Of ulimit -v, less what is mapped. */
-static uint64_t left_of_limit(void) {
+/* Of `ulimit -v` or `-d`, less what is mapped or of that kind: the words in /proc/self/status. */
+static uint64_t left_of_limit(int resource, const char *used) {
     struct rlimit limit;
-    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+    if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
         return UINT64_MAX;
-    uint64_t mapped = number_in("/proc/self/statm", "") * (uint64_t)sysconf(_SC_PAGESIZE);
-    return mapped < limit.rlim_cur ? limit.rlim_cur - mapped : 0;
+    uint64_t kib = number_in("/proc/self/status", used), bytes = kib == UINT64_MAX ? 0 : kib * 1024;
+    return bytes < limit.rlim_cur ? limit.rlim_cur - bytes : 0;
 }
 
-bool mem_check(uint64_t bytes) {
-    static const double gib = 1 << 30;
+bool mem_limit(uint64_t bytes) {
+    struct rlimit limit;
+    getrlimit(RLIMIT_DATA, &limit);
+    limit.rlim_cur = bytes;
+    uint64_t held = number_in("/proc/self/status", "VmData:");
+    if (held != UINT64_MAX && held * 1024 > bytes)
+        return error_set("%.2f GiB of memory are in use already", (double)held * 1024 / gib);
+    return setrlimit(RLIMIT_DATA, &limit) == 0 ||
+           error_set("%.2f GiB of memory are more than the system grants", (double)bytes / gib);
+}
+
+bool mem_is_limited(void) {
+    struct rlimit limit;
+    return getrlimit(RLIMIT_DATA, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
+uint64_t mem_free_bytes(void) {
     uint64_t free_kib = number_in("/proc/meminfo", "MemAvailable:");
     uint64_t there = free_kib == UINT64_MAX ? free_kib : free_kib * 1024;
     there = least(there, number_in("/sys/fs/cgroup/memory.max", ""));
-    there = least(there, left_of_limit());
+    return least(there,
+                 least(left_of_limit(RLIMIT_AS, "VmSize:"), left_of_limit(RLIMIT_DATA, "VmData:")));
+}
+
+bool mem_check(uint64_t bytes) {
+    uint64_t there = mem_free_bytes();
     return bytes <= there || error_set("%.2f GiB of memory are wanted, and %.2f GiB are free",
                                        (double)bytes / gib, (double)there / gib);
 }
@@ -66,7 +88,7 @@ static void *checked(void *pointer, size_t count, size_t size) {
     if (pointer)
         return pointer;
     fprintf(stderr, "manylight: out of memory (%zu x %zu bytes)\n", count, size);
-    abort();
+    _exit(1); /* other threads may be at work, so nothing is torn down */
 }
 
 void *mem_alloc(size_t count, size_t size) {

@@ -1,5 +1,6 @@
-/* CPU memory. Running out of it aborts with a message, so callers need no check; what the world asks
- * for, such as a picture's size in a file, passes mem_check first. free() frees. */
+/* CPU memory. Running out of it ends the program with a message and status 1, so callers need no
+ * check; what the world asks for, such as a picture's size in a file, passes mem_check first. free()
+ * frees. */
 #ifndef BASE_MEMORY_H
 #define BASE_MEMORY_H
 
@@ -7,8 +8,17 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Whether so many bytes are free, by the machine and by the limits of this process. Error: how many
- * are wanted and how many there are; the caller puts in front what wants them. */
+/* Lets this process hold no more than so many bytes of its own (RLIMIT_DATA). Error: it may not
+ * have them, or has more already. */
+bool mem_limit(uint64_t bytes);
+
+/* Whether there is such a limit. */
+bool mem_is_limited(void);
+
+/* How many bytes are free, by the machine and by the limits of this process. */
+uint64_t mem_free_bytes(void);
+
+/* Whether so many bytes are free. Error: how many are wanted and how many there are; the caller puts in front what wants them. */
 bool mem_check(uint64_t bytes);
 
 /* What the process has in memory, now and at its most, MiB; 0 where the system does not tell. */

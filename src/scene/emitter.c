@@ -57,11 +57,8 @@ static void set_size(struct emitter *emitter, const struct scene_light *source,
         glm_vec3_scale(emitter->intensity, (float)emitter_extent(emitter), emitter->intensity);
 }
 
-void emitter_place(struct emitter *emitter, const struct scene *scene, int n, double time) {
-    int node = node_carrying(scene, NODE_LIGHT, n);
-    const struct scene_light *source = &scene->lights[scene->nodes[node].light];
-    float world[16];
-    node_world(scene, node, time, world);
+static void place(struct emitter *emitter, const struct scene_light *source, int n,
+                  const float world[16]) {
     *emitter = (struct emitter){.type = source->type,
                                 .number = n,
                                 .cos_inner = cosf(source->inner),
@@ -70,6 +67,27 @@ void emitter_place(struct emitter *emitter, const struct scene *scene, int n, do
     memcpy(emitter->position, &world[12], sizeof emitter->position);
     set_size(emitter, source, world);
     node_frame(world, emitter->right, emitter->up, emitter->direction);
+}
+
+void emitter_place(struct emitter *emitter, const struct scene *scene, int n, double time) {
+    int node = node_carrying(scene, NODE_LIGHT, n);
+    float world[16];
+    node_world(scene, node, time, world);
+    place(emitter, &scene->lights[scene->nodes[node].light], n, world);
+}
+
+struct emitters emitters_place(const struct scene *scene, double time) {
+    float(*worlds)[16] = mem_alloc((size_t)scene->node_count, sizeof *worlds);
+    struct emitters all = {mem_alloc((size_t)emitter_node_count(scene), sizeof *all.items), 0};
+    scene_node_worlds(scene, time, worlds);
+    for (int i = 0; i < scene->node_count; i++)
+        if (scene->nodes[i].light >= 0) {
+            place(&all.items[all.count], &scene->lights[scene->nodes[i].light], all.count,
+                  worlds[i]);
+            all.count++;
+        }
+    free(worlds);
+    return all;
 }
 
 void emitter_aim(struct emitter *emitter, const float direction[3]) {

@@ -48,6 +48,9 @@ void emitters_free(struct emitters *emitters);
 /* Places the light of the scene's n-th light node (in node order). Asserts that there is one. */
 void emitter_place(struct emitter *emitter, const struct scene *scene, int n, double time);
 
+/* All lights of the scene: the nodes are walked once. */
+struct emitters emitters_place(const struct scene *scene, double time);
+
 /* Turns the light: its frame is made of the direction, which need not be unit. */
 void emitter_aim(struct emitter *emitter, const float direction[3]);
 

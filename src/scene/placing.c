@@ -142,9 +142,9 @@ bool camera_from_text(struct camera *camera, const struct scene *scene, const ch
 }
 
 /* Marks the lights of a list of names and numbers: all where it is empty. */
-static bool mark_emitters(const struct scene *scene, char *list, bool *marked) {
+static bool mark_emitters(const struct scene *scene, char *list, bool *marked, int count) {
     char *next = NULL;
-    for (int n = 0; !*list && n < emitter_node_count(scene); n++)
+    for (int n = 0; !*list && n < count; n++)
         marked[n] = true;
     for (char *name = strtok_r(list, ",", &next); name; name = strtok_r(NULL, ",", &next)) {
         int n = emitter_find(scene, name + strspn(name, " "));
@@ -170,7 +170,7 @@ static bool pick_emitters(struct emitter *all, bool *picked, const struct scene 
     unsigned given;
     bool ok = ((parse_words(emitter_words, &changes, part, &given) && check_size(&changes)) ||
                error_prefix("light")) &&
-              mark_emitters(scene, part, marked);
+              mark_emitters(scene, part, marked, count);
     for (int n = 0; ok && n < count; n++) {
         if (!marked[n])
             continue;
@@ -196,11 +196,10 @@ static bool pick_all_parts(struct emitter *all, bool *picked, const struct scene
 
 bool emitters_from_text(struct emitters *emitters, const struct scene *scene, const char *text,
                         double time) {
-    int count = emitter_node_count(scene), kept = 0;
-    struct emitter *all = mem_alloc((size_t)count, sizeof *all);
+    struct emitters placed = emitters_place(scene, time);
+    struct emitter *all = placed.items;
+    int count = placed.count, kept = 0;
     bool *picked = mem_alloc((size_t)count, sizeof *picked);
-    for (int n = 0; n < count; n++)
-        emitter_place(&all[n], scene, n, time);
     bool ok = pick_all_parts(all, picked, scene, text);
     for (int n = 0; ok && n < count; n++)
         if (picked[n])

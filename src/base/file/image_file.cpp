@@ -264,26 +264,39 @@ extern "C" bool image_format_is_float(const char *path, bool *is_float) try {
     return fail(path, error.what());
 }
 
-extern "C" bool bitmap_decode(struct bitmap *bitmap, const void *bytes, size_t size) try {
-    *bitmap = {};
-    /* The format is told by its content; the name only has to have no known extension. */
-    Filesystem::IOMemReader reader(const_cast<void *>(bytes), size);
-    static const char *const formats[] = {"png", "jpeg", "webp", "bmp", "tga"};
-    std::unique_ptr<ImageInput> in;
-    ImageSpec spec;
-    for (const char *format : formats) {
-        in = ImageInput::create(format);
+/* A picture in memory: the format is told by its content; the name only has to have no known
+ * extension. */
+static std::unique_ptr<ImageInput> open_texture(Filesystem::IOMemReader &reader, ImageSpec &spec) {
+    for (const char *format : {"png", "jpeg", "webp", "bmp", "tga"}) {
+        std::unique_ptr<ImageInput> in = ImageInput::create(format);
         if (in && in->set_ioproxy(&reader)) {
             reader.seek(0);
             if (in->open("texture", spec))
-                break;
+                return check_size(spec, "picture") ? std::move(in) : nullptr;
             in->geterror();
         }
-        in.reset();
     }
+    error_set("not a picture of a known format");
+    return nullptr;
+}
+
+extern "C" bool bitmap_measure(const void *bytes, size_t size, uint64_t *memory) try {
+    Filesystem::IOMemReader reader(const_cast<void *>(bytes), size);
+    ImageSpec spec;
+    if (!open_texture(reader, spec))
+        return false;
+    *memory = spec.image_pixels() * 28 / 3; /* RGBA8, and RGBA8 with MIP maps */
+    return true;
+} catch (const std::exception &error) {
+    return error_set("%s", error.what());
+}
+
+extern "C" bool bitmap_decode(struct bitmap *bitmap, const void *bytes, size_t size) try {
+    *bitmap = {};
+    Filesystem::IOMemReader reader(const_cast<void *>(bytes), size);
+    ImageSpec spec;
+    std::unique_ptr<ImageInput> in = open_texture(reader, spec);
     if (!in)
-        return error_set("not a picture of a known format");
-    if (!check_size(spec, "picture"))
         return false;
     if (!mem_check(spec.image_pixels() * (spec.nchannels + 4)))
         return error_prefix("a picture of %dx%d", spec.width, spec.height);

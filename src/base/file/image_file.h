@@ -2,6 +2,8 @@
 #ifndef BASE_FILE_IMAGE_FILE_H
 #define BASE_FILE_IMAGE_FILE_H
 
+#include <stdint.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -29,6 +31,10 @@ bool image_is_whole(const char *path);
 /* Whether the extension names a format that stores floats (EXR, PFM, HDR, ...). An error where the
  * extension is missing or unknown; call it before long work. */
 bool image_format_is_float(const char *path, bool *is_float);
+
+/* The memory that bitmap_decode takes for the picture, and what draws with it: its texels, and as many
+ * with their MIP maps. */
+bool bitmap_measure(const void *bytes, size_t size, uint64_t *memory);
 
 /* Decodes a PNG, JPEG, ... held in memory. Grey becomes RGB, missing alpha 255. */
 bool bitmap_decode(struct bitmap *bitmap, const void *bytes, size_t size);

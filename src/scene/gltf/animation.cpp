@@ -42,8 +42,6 @@ bool check_rotations(const struct channel &channel) {
 bool load_values(Loader &loader, int index, struct channel &to) {
     size_t keys = size_t(to.key_count) * (to.interpolation == INTERPOLATION_CUBIC ? 3 : 1);
     bool weights = to.path == CHANNEL_WEIGHTS;
-    if (weights && size_t(to.width) > max_elements / keys)
-        return error_set("there are too many weights");
     size_t elements = weights ? keys * size_t(to.width) : keys;
     if (!load_elements(loader, index, weights ? 1 : to.width, elements, &to.values))
         return false;

@@ -70,27 +70,39 @@ bool resolve_accessor(const Model &model, int index, struct accessor &out) {
         if (!locate(model, {a.bufferView, a.byteOffset, a.count, element, out.stride}, &out.bytes))
             return error_prefix("accessor %d", index);
     }
+    if (a.count > max_elements)
+        return error_set("accessor %d: more than %zu million elements", index, max_elements >> 20);
     return !a.sparse.isSparse || resolve_sparse(model, a, out) ||
            error_prefix("accessor %d: sparse", index);
 }
 
-bool spend(Loader &loader, size_t count) {
-    if (count > loader.budget)
-        return error_set("there are more than %zu million vertices, indices and the like",
-                         max_elements >> 20);
-    loader.budget -= count;
+void allow_memory(Loader &loader, uint64_t file_size) {
+    if (!mem_is_limited())
+        loader.memory += memory_of_file * file_size;
+}
+
+bool spend(Loader &loader, uint64_t count, size_t size) {
+    static const double mib = 1 << 20;
+    if (count > loader.memory / size)
+        return error_set(
+            "%.1f MiB of memory are wanted, and %.1f MiB are left of what the scene may "
+            "take (--max-memory)",
+            double(count) * double(size) / mib, double(loader.memory) / mib);
+    loader.memory -= count * size;
     return true;
 }
 
 bool load_elements(Loader &loader, int index, int width, size_t count, float **out) {
     struct accessor accessor;
-    if (!resolve_accessor(loader.model, index, accessor) || !spend(loader, accessor.count))
+    if (!resolve_accessor(loader.model, index, accessor))
         return false;
     if (accessor.components != width && !(width == 4 && accessor.components == 3))
         return error_set("accessor %d has %d numbers an element, not %d", index,
                          accessor.components, width);
     if (accessor.count != count)
         return error_set("%zu elements, not %zu", accessor.count, count);
+    if (!spend(loader, count, size_t(width) * sizeof **out))
+        return false;
     *out = allocate<float>(count * size_t(width));
     std::fill_n(*out, count * size_t(width), 1.F);
     return accessor_read_floats(&accessor, width, *out);

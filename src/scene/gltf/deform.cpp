@@ -58,7 +58,7 @@ bool load_skin(Loader &loader, const tinygltf::Skin &from, struct skin &to) {
     copy_name(to.name, from.name);
     if (from.joints.empty())
         return error_set("it has no joints");
-    if (!spend(loader, from.joints.size()))
+    if (!spend(loader, from.joints.size(), sizeof *to.joints + sizeof *to.inverse_bind))
         return false;
     to.joint_count = int(from.joints.size());
     to.joints = allocate<int>(from.joints.size());
@@ -128,7 +128,7 @@ bool load_targets(Loader &loader, const tinygltf::Primitive &from, int count,
     if (count == 0)
         return true;
     size_t vertices = size_t(to.vertex_count);
-    if (!spend(loader, from.targets.size()))
+    if (!spend(loader, from.targets.size(), sizeof *to.targets))
         return false;
     to.targets = allocate<struct morph_target>(from.targets.size());
     for (int i = 0; i < count; i++) {

@@ -7,17 +7,24 @@
 namespace gltf {
 namespace {
 
-bool decode_image(const Loader &loader, const tinygltf::Image &image, struct bitmap &bitmap) {
+bool decode(Loader &loader, const void *bytes, size_t size, struct bitmap &bitmap) {
+    uint64_t memory;
+    return bitmap_measure(bytes, size, &memory) && spend(loader, memory, 1) &&
+           bitmap_decode(&bitmap, bytes, size);
+}
+
+bool decode_image(Loader &loader, const tinygltf::Image &image, struct bitmap &bitmap) {
     if (image.bufferView >= 0)
-        return bitmap_decode(&bitmap, view_bytes(loader.model, image.bufferView),
-                             loader.model.bufferViews[image.bufferView].byteLength);
+        return decode(loader, view_bytes(loader.model, image.bufferView),
+                      loader.model.bufferViews[image.bufferView].byteLength, bitmap);
     if (!image.image.empty())
-        return bitmap_decode(&bitmap, image.image.data(), image.image.size());
+        return decode(loader, image.image.data(), image.image.size(), bitmap);
     OwnedBytes file;
     std::string name = decode_uri(image.uri);
     if (!file_read_named(&file, loader.folder.c_str(), name.c_str()))
         return false;
-    return bitmap_decode(&bitmap, file.data, file.size) || error_prefix("%s", name.c_str());
+    allow_memory(loader, file.size);
+    return decode(loader, file.data, file.size, bitmap) || error_prefix("%s", name.c_str());
 }
 
 enum texture_wrap wrap_mode(int gl) {

@@ -26,7 +26,7 @@ bool load_indices(Loader &loader, int index, struct primitive &to) {
     struct accessor accessor = {};
     accessor.count = size_t(to.vertex_count);
     if ((index >= 0 && !resolve_accessor(loader.model, index, accessor)) ||
-        !spend(loader, accessor.count))
+        !spend(loader, accessor.count, sizeof *to.indices))
         return error_prefix("indices");
     int type = accessor.component_type;
     if (index >= 0 &&
@@ -85,7 +85,10 @@ bool load_primitive(Loader &loader, const tinygltf::Primitive &from, int target_
         primitive_repair_normals(&to);
         return true;
     }
-    if (!spend(loader, size_t(to.index_count)))
+    size_t vertex = sizeof *to.position + sizeof *to.normal + sizeof *to.uv + sizeof *to.color;
+    size_t moved =
+        size_t(target_count) * (sizeof *to.targets->position + sizeof *to.targets->normal);
+    if (!spend(loader, uint64_t(to.index_count), vertex + moved))
         return false;
     primitive_flatten(&to, target_count);
     return true;

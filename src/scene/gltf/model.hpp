@@ -52,8 +52,14 @@ struct OwnedBytes : file_bytes {
     }
 };
 
-/* So many vertices and indices take about 4 GiB. */
+/* Of an accessor: numbers of vertices and indices, three for a triangle of a strip, are ints. */
 const size_t max_elements = size_t(1) << 27;
+
+/* What a scene may take where --max-memory does not say: a small file can name any number of
+ * elements, share them among many users, and hold pictures that are thousands of times smaller
+ * packed. */
+const uint64_t least_memory = uint64_t(2) << 30;
+const uint64_t memory_of_file = 64; /* times its size */
 
 struct Loader {
     struct scene *scene;
@@ -63,7 +69,7 @@ struct Loader {
     std::vector<UvSource> uv_sources;     /* one per material, of all its textures */
     std::vector<TextureKey> texture_keys; /* one per texture */
     std::vector<int> node_places;         /* each node's index in the scene, or -1 */
-    size_t budget = max_elements;         /* vertices, indices and keys that there may still be */
+    uint64_t memory = 0;                  /* bytes that the scene may still take */
 };
 
 /* schema.cpp: whether the JSON is what the standard demands, given the size of the BIN chunk.
@@ -78,9 +84,12 @@ std::string decode_uri(const std::string &uri);
 const unsigned char *view_bytes(const Model &model, int view);
 bool resolve_accessor(const Model &model, int index, struct accessor &out);
 
-/* Takes from what one file may hold altogether: users of an accessor that share it, and accessors
- * without bytes, would let a small file fill any memory. */
-bool spend(Loader &loader, size_t count);
+/* Takes so many bytes of what the scene may have, before they are allocated. Error: how many are
+ * wanted, and how many are left. */
+bool spend(Loader &loader, uint64_t count, size_t size);
+
+/* Lets it have more, for one more file of so many bytes. */
+void allow_memory(Loader &loader, uint64_t file_size);
 
 /* Reads an accessor that holds `count` elements, each of `width` floats, into a new array. Where
  * width is 4, there may be 3; the fourth is 1 then. */

@@ -26,6 +26,7 @@ bool read_for_tinygltf(std::vector<unsigned char> *bytes, std::string *, const s
         return false;
     }
     bytes->assign(file.data, file.data + file.size);
+    allow_memory(*loader, file.size);
     return true;
 }
 
@@ -52,6 +53,9 @@ bool parse(Loader &loader, const char *path) {
         return false;
     if (bytes.size == 0)
         return error_set("%s: the file is empty", path);
+    /* Of a limit, a part is left to what is done with the scene. */
+    loader.memory = mem_is_limited() ? mem_free_bytes() / 4 * 3 : least_memory;
+    allow_memory(loader, bytes.size);
     const char *text = reinterpret_cast<char *>(bytes.data);
     struct glb_chunks chunks = {text, bytes.size, 0};
     bool binary = glb_is(&bytes);

@@ -299,11 +299,18 @@ static void add_border(struct patch *patch, uint32_t a, uint32_t b, vec3 normal)
     add_plane(&patch->quadrics[b], upright, patch->position[a], border_weight * length);
 }
 
-static int count_triangles(const struct patch *patch, uint32_t a, uint32_t b) {
+static uint32_t count_around(const struct patch *patch, uint32_t vertex) {
+    return patch->first[vertex + 1] - patch->first[vertex];
+}
+
+/* Whether one triangle alone has the edge. Of the ends, that with fewer triangles is asked: a fan may
+ * have any number around its centre. */
+static bool is_border(const struct patch *patch, uint32_t a, uint32_t b) {
+    uint32_t few = count_around(patch, a) < count_around(patch, b) ? a : b, other = a ^ b ^ few;
     int count = 0;
-    for (uint32_t i = patch->first[a]; i < patch->first[a + 1]; i++)
-        count += has_corner(patch->triangles[patch->around[i]], b);
-    return count;
+    for (uint32_t i = patch->first[few]; i < patch->first[few + 1] && count < 2; i++)
+        count += has_corner(patch->triangles[patch->around[i]], other);
+    return count == 1;
 }
 
 /* Planes count by the root of their area, as lengths do, so that small things on large ones count.
@@ -318,7 +325,7 @@ static void make_quadrics(struct patch *patch) {
         glm_vec3_normalize(normal);
         for (int c = 0; c < 3; c++) {
             add_plane(&patch->quadrics[corner[c]], normal, patch->position[corner[0]], sqrt(area));
-            if (count_triangles(patch, corner[c], corner[(c + 1) % 3]) == 1)
+            if (is_border(patch, corner[c], corner[(c + 1) % 3]))
                 add_border(patch, corner[c], corner[(c + 1) % 3], normal);
         }
     }
