@@ -1,0 +1,98 @@
+/* A picture is the same, bit by bit, whatever renders it in software: with any number of threads, any width of
+ * vectors, with and without AVX2, and again. Only processors before AVX differ, by how they round halves. */
+#include "support.h"
+
+#include "base/file/file.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static char output[4096];
+
+/* The bytes of the scene's picture, rendered or traced, with these variables of the environment. */
+static struct file_bytes picture(const char *arguments, const char *environment) {
+    char command[1024];
+    struct file_bytes bytes;
+    snprintf(command, sizeof command, "%s %s %s -o %s --size 64x64 -q", environment, binary_path(),
+             arguments, scratch("bits.exr"));
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+    check_ok("picture", file_read(&bytes, scratch("bits.exr")));
+    return bytes;
+}
+
+/* What a driver's variables do is known of llvmpipe. */
+static void skip_without_llvmpipe(void) {
+    char command[512];
+    snprintf(command, sizeof command, "%s info --gl", binary_path());
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+    if (!strstr(output, "llvmpipe"))
+        skip();
+}
+
+static void check_same(const char *arguments, const char *const *environments, int count) {
+    struct file_bytes expected = picture(arguments, "");
+    for (int i = 0; i < count; i++) {
+        struct file_bytes bytes = picture(arguments, environments[i]);
+        size_t differing = bytes.size != expected.size;
+        for (size_t k = 0; k < bytes.size && k < expected.size; k++)
+            differing += bytes.data[k] != expected.data[k];
+        printf("    %-36s %-32s %zu of %zu bytes differ\n", arguments, environments[i], differing,
+               expected.size);
+        assert_int_equal(differing, 0);
+        free(bytes.data);
+    }
+    free(expected.data);
+}
+
+static void test_rendered(void **state) {
+    (void)state;
+    static const char *const scenes[] = {"cornell-box", "character"};
+    static const char *const environments[] = {
+        "",
+        "LP_NUM_THREADS=0",
+        "LP_NUM_THREADS=1",
+        "LP_NATIVE_VECTOR_WIDTH=128",
+        "GALLIUM_OVERRIDE_CPU_CAPS=avx",
+    };
+    skip_without_llvmpipe();
+    for (int i = 0; i < 2; i++) {
+        char arguments[256];
+        snprintf(arguments, sizeof arguments, "render scenes/%s.glb", scenes[i]);
+        check_same(arguments, environments, sizeof environments / sizeof *environments);
+    }
+}
+
+/* The path tracer: each thread takes other pixels each time. */
+static void test_traced(void **state) {
+    (void)state;
+    static const char *const environments[] = {"", "taskset -c 0"};
+    check_same("reference scenes/metaballs.glb --spp 2", environments, 2);
+}
+
+static void test_without_avx(void **state) {
+    (void)state;
+    char command[1024];
+    double error = NAN;
+    skip_without_llvmpipe();
+    struct file_bytes bytes = picture("render scenes/cornell-box.glb", "");
+    free(bytes.data);
+    rename(scratch("bits.exr"), scratch("bits-avx.exr"));
+    bytes = picture("render scenes/cornell-box.glb", "GALLIUM_OVERRIDE_CPU_CAPS=sse4.1");
+    free(bytes.data);
+    snprintf(command, sizeof command, "%s compare %s %s -l indirect -m relative-rmse",
+             binary_path(), scratch("bits.exr"), scratch("bits-avx.exr"));
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+    assert_int_equal(sscanf(output, "relative-rmse %lf", &error), 1);
+    check_at_most("relative RMSE without AVX", error, .01); /* measured: .0035 */
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_rendered),
+        cmocka_unit_test(test_traced),
+        cmocka_unit_test(test_without_avx),
+    };
+    return cmocka_run_group_tests_name("same bits", tests, NULL, NULL);
+}
