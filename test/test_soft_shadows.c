@@ -5,6 +5,10 @@
 #include "gltf_parts.h"
 
 #include "direct/direct.h"
+#include "reference/path_tracer.h"
+#include "reference/scene/emission.h"
+
+#include <cglm/cglm.h>
 
 #include <math.h>
 #include <stdio.h>
@@ -130,6 +134,7 @@ static const struct {
     double bounds[4];
 } rows[] = {
     {"samples", "samples.count=64 samples.map-size=1024", {.02, .012, .022, .007}},
+    {"pcss", "pcss.map-size=1024", {.02, .02, .02, .015}},
 };
 
 static void test_stands(void **state) {
@@ -140,9 +145,87 @@ static void test_stands(void **state) {
                           rows[r].bounds[s]);
 }
 
+/* --- a table ---------------------------------------------------------------------------------- */
+
+/* Irradiance over pi of the only light where nothing hides it. */
+static double unhidden(const struct emission *emission, const struct hit *hit) {
+    enum { SIDE = 8 };
+    double sum = 0;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        struct arrival arrival;
+        vec2s sample = {{((float)(i % SIDE) + .5F) / SIDE, ((float)(i / SIDE) + .5F) / SIDE}};
+        vec2s place = emission_place(emission, 0, sample, hit);
+        if (emission_reach(emission, 0, place, hit, &arrival))
+            sum += (double)arrival.irradiance.x;
+    }
+    return sum / (SIDE * SIDE) / GLM_PI;
+}
+
+/* The brightest surface has about 1, irradiance over pi: where the light barely comes over the horizon a
+ * share of it means nothing. */
+static const double dim = .03;
+
+/* RMS of the share that is seen over all surfaces that the light could reach, less the truth's. */
+static double share_error(const struct stage *stage, const char *method, const char *settings,
+                          const struct image *truth) {
+    struct renderer renderer;
+    struct emission emission;
+    struct image layers = render_method(stage, method, settings, &renderer);
+    double squares = 0, count = 0;
+    int normal = image_find_channel(&layers, "normal.X"); /* Y and Z follow */
+    int direct = image_find_channel(&layers, "direct.R");
+    int true_direct = image_find_channel(truth, "direct.R");
+    emission_init(&emission, &stage->emitters, &stage->geometry, 0);
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        int x = i % SIZE, y = i / SIZE;
+        const float *at = image_at(&layers, x, y);
+        struct hit hit;
+        for (int c = 0; c < 3; c++)
+            hit.normal.raw[c] = hit.geometric_normal.raw[c] = at[normal + c];
+        pixel_position(&renderer, &layers, x, y, hit.position.raw);
+        double most = glms_vec3_norm(hit.normal) > .5F ? unhidden(&emission, &hit) : 0;
+        if (most < dim)
+            continue;
+        squares += pow((double)(at[direct] - image_at(truth, x, y)[true_direct]) / most, 2);
+        count++;
+    }
+    emission_free(&emission);
+    renderer_free(&renderer);
+    image_free(&layers);
+    return sqrt(squares / count);
+}
+
+static void test_table(void **state) {
+    (void)state;
+    static const struct {
+        const char *method;
+        double least, most;
+    } methods[] = {{"hard", .08, .3}, {"pcss", 0, .03}, {"samples", 0, .02}};
+    struct stage stage;
+    struct image truth;
+    open_stage(&stage, "scenes/table.glb");
+    check_ok("truth", path_tracer_render(&(struct path_tracer_desc){.scene = &stage.scene,
+                                                                    .geometry = &stage.geometry,
+                                                                    .camera = &stage.camera,
+                                                                    .emitters = stage.emitters,
+                                                                    .width = SIZE,
+                                                                    .height = SIZE,
+                                                                    .samples = 64,
+                                                                    .centers = true},
+                                         &truth, NULL));
+    for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
+        double error = share_error(&stage, methods[i].method, "", &truth);
+        check_at_most(methods[i].method, error, methods[i].most);
+        check_at_most("which is no less than", methods[i].least, error);
+    }
+    image_free(&truth);
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_stands),
+        cmocka_unit_test(test_table),
     };
     return cmocka_run_group_tests_name("soft shadows", tests, open_group_context,
                                        close_group_context);

@@ -1,0 +1,101 @@
+/* Direct light with percentage-closer soft shadows [Fernando 2005]. */
+#include "base/memory.h"
+#include "direct/direct.h"
+#include "passes/visibility/direct_light.h"
+#include "passes/visibility/shadow_map.h"
+
+#include <stdlib.h>
+
+struct pcss_settings {
+    int map_size, taps, search_taps;
+    float bias, map_bias, nearest;
+};
+
+static const struct option table[] = {
+    {"map-size", 0, OPTION_INT, offsetof(struct pcss_settings, map_size), 2048, 16, 16384,
+     .help = "shadow map of a light, texels a side"},
+    {"taps", 0, OPTION_INT, offsetof(struct pcss_settings, taps), 48, 1, 1024,
+     .help = "points of a light that each pixel asks for"},
+    {"search-taps", 0, OPTION_INT, offsetof(struct pcss_settings, search_taps), 48, 1, 1024,
+     .help = "texels that it looks at to find what hides the light"},
+    {"nearest", 0, OPTION_FLOAT, offsetof(struct pcss_settings, nearest), .2, .01, .99,
+     .help = "where the search ends, of the receiver's distance from the light"},
+    {"bias", 0, OPTION_FLOAT, offsetof(struct pcss_settings, bias), 1.5, 0, 100,
+     .help = "receiver offset along its normal, in shadow texels"},
+    {"map-bias", 0, OPTION_FLOAT, offsetof(struct pcss_settings, map_bias), 1e-3, 0, .5,
+     .help = "receiver offset towards the light, of its distance"},
+    {NULL},
+};
+
+static const struct settings_part own_part = {"pcss", "direct light with soft shadows", table,
+                                              sizeof(struct pcss_settings)};
+
+struct pcss {
+    struct shadow_map_pass shadow_map;
+    struct direct_light_pass direct_light;
+};
+
+static void free_state(void *state) {
+    struct pcss *pcss = state;
+    if (pcss) {
+        shadow_map_pass_free(&pcss->shadow_map);
+        direct_light_pass_free(&pcss->direct_light);
+    }
+    free(pcss);
+}
+
+static bool init(void **state, const struct direct_desc *desc) {
+    const struct pcss_settings *own = settings_of(desc->settings, &own_part);
+    struct pcss *pcss = *state = mem_alloc(1, sizeof *pcss);
+    char *defines = mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;NEAREST %.6f;", own->taps,
+                               own->search_taps, (double)own->nearest);
+    bool ok = shadow_map_pass_init(&pcss->shadow_map,
+                                   &(struct shadow_map_desc){own->map_size, *desc->lights}) &&
+              direct_light_pass_init(&pcss->direct_light, &(struct direct_light_desc){
+                                                              .width = desc->width,
+                                                              .height = desc->height,
+                                                              .map_size = own->map_size,
+                                                              .bias = own->bias,
+                                                              .map_bias = own->map_bias,
+                                                              .fragment = "direct/pcss/pcss.frag",
+                                                              .defines = defines,
+                                                          });
+    free(defines);
+    return ok;
+}
+
+static bool resize(void *state, int width, int height) {
+    struct pcss *pcss = state;
+    return direct_light_pass_resize(&pcss->direct_light, width, height);
+}
+
+static void render_lights(void *state, const struct frame *frame) {
+    struct pcss *pcss = state;
+    shadow_map_pass_render(&pcss->shadow_map, frame);
+}
+
+static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
+    struct pcss *pcss = state;
+    direct_light_pass_render(&pcss->direct_light, frame, gbuffer, pcss->shadow_map.maps,
+                             DIRECT_LIGHT_ANEW);
+}
+
+static const struct texture *light(const void *state) {
+    const struct pcss *pcss = state;
+    return &pcss->direct_light.target.light;
+}
+
+static const struct settings_part *const parts[] = {&own_part, NULL};
+
+extern const struct direct_method pcss_direct;
+const struct direct_method pcss_direct = {
+    .name = "pcss",
+    .help = "a shadow map for each light, soft shadows by its size",
+    .parts = parts,
+    .init = init,
+    .free = free_state,
+    .resize = resize,
+    .render_lights = render_lights,
+    .render_view = render_view,
+    .light = light,
+};
