@@ -165,15 +165,6 @@ static bool write_mean(struct mean *mean, const char *path) {
     return image_write(image, path);
 }
 
-static bool check_output(const char *output, const char *const *paths, int count) {
-    const char *extension = strrchr(output, '.');
-    bool ok = (extension && strcmp(extension, ".exr") == 0) ||
-              error_set("%s: only EXR files (.exr) hold all layers", output);
-    for (int i = 0; ok && i < count; i++)
-        ok = output_file_is_not(output, paths[i]);
-    return ok && output_file_check(output);
-}
-
 int app_average(int argc, char **argv) {
     struct values values;
     const char *paths[PICTURES_MAX];
@@ -185,7 +176,8 @@ int app_average(int argc, char **argv) {
         return arguments_misuse(argv[0]);
     }
     struct mean mean = {0};
-    bool ok = check_output(values.output, paths, count);
+    bool ok =
+        image_name_holds_layers(values.output) && output_file_check(values.output, paths, count);
     for (int i = 0; ok && i < count; i++)
         ok = add_file(&mean, paths[i]);
     ok = ok && write_mean(&mean, values.output);

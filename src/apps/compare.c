@@ -238,15 +238,10 @@ static int check_bounds(const struct report *report, const char *name) {
     return status;
 }
 
-static bool check_output(const char *output, const struct pictures *pictures) {
-    return !output ||
-           (output_file_check(output) && output_file_is_not(output, pictures->test_path) &&
-            output_file_is_not(output, pictures->reference_path));
-}
-
 static int compare(const struct values *values, struct report *report, struct pictures *pictures,
                    const char *name) {
-    if (!check_output(values->output, pictures) ||
+    const char *const inputs[] = {pictures->test_path, pictures->reference_path};
+    if ((values->output && !output_file_check(values->output, inputs, 2)) ||
         !pictures_read(pictures, values->layer ? values->layer : "beauty"))
         return arguments_fail(name);
     int kind = pictures->any_encoded ? METRIC_LDR : METRIC_HDR;

@@ -90,9 +90,8 @@ static bool parse_noise(const char *text, double *noise) {
 static bool check_values(struct values *values) {
     if (!values->output)
         return error_set("-o FILE.exr is missing");
-    const char *extension = strrchr(values->output, '.');
-    if (!extension || strcmp(extension, ".exr") != 0)
-        return error_set("%s: only EXR files (.exr) hold all layers", values->output);
+    if (!image_name_holds_layers(values->output))
+        return false;
     if (values->noise && values->tracer.samples > 0)
         return error_set("--spp and --noise exclude each other");
     if (values->technique != TECHNIQUE_PATH && values->tracer.denoise)
@@ -162,7 +161,7 @@ int app_reference(int argc, char **argv) {
         return status;
     if (!check_values(&values) || !parse_settings(&values, &desc))
         return arguments_misuse(argv[0]);
-    if (!output_file_check(values.output) || !stage_init(&stage, &values.stage))
+    if (!output_file_check(values.output, NULL, 0) || !stage_init(&stage, &values.stage))
         return arguments_fail(argv[0]);
     bool ok = (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &image)
                                                   : trace_vpls(&values, &stage, &desc, &image)) &&

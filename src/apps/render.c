@@ -145,7 +145,7 @@ static bool each_output(const struct values *values, struct renderer *renderer, 
 
 static bool check_file(const struct values *values, struct renderer *renderer, const char *path) {
     (void)values, (void)renderer;
-    return output_file_check(path);
+    return output_file_check(path, NULL, 0);
 }
 
 static bool read_image(const struct values *values, struct renderer *renderer,

@@ -70,8 +70,7 @@ int app_view(int argc, char **argv) {
         error_set("--frames and --screenshot need a scene");
         return arguments_misuse(argv[0]);
     }
-    if (screenshot && (!output_file_check(screenshot) || !output_file_is_not(screenshot, scene) ||
-                       (desc->reference && !output_file_is_not(screenshot, desc->reference))))
+    if (screenshot && !output_file_check(screenshot, (const char *[]){scene, desc->reference}, 2))
         return arguments_fail(argv[0]);
     return viewer_run(desc) ? STATUS_OK : arguments_fail(argv[0]);
 }

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* The right picture right of the split, as glsl/viewer/screen.frag has it. */
+/* The right picture right of the split, as glsl/inspect/screen.frag has it. */
 static void paste_right(struct bitmap *shown, const struct screen_pictures *pictures) {
     struct bitmap right;
     texture_read_bitmap(pictures->right, &right);

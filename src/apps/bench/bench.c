@@ -149,15 +149,6 @@ static bool check(struct bench *bench, const struct bench_mode *mode) {
                               : bench->argument_count || pick_scenes(bench, mode->scenes));
 }
 
-/* What would be told after hours of measuring only. */
-static bool check_output(const struct bench *bench) {
-    const char *csv = bench->values.csv;
-    bool ok = !csv || output_file_check(csv);
-    for (int i = 0; csv && ok && i < bench->argument_count; i++)
-        ok = output_file_is_not(csv, bench->arguments[i]);
-    return ok;
-}
-
 /* All rows so far: who stops a long run keeps those of the scenes before. */
 static bool write_rows(const struct bench *bench, const struct bench_mode *mode) {
     return !bench->values.csv || !bench->results.row_count ||
@@ -165,7 +156,8 @@ static bool write_rows(const struct bench *bench, const struct bench_mode *mode)
 }
 
 static bool run(struct bench *bench, const struct bench_mode *mode) {
-    if (!check_output(bench))
+    const char *csv = bench->values.csv; /* what would be told after hours of measuring only */
+    if (csv && !output_file_check(csv, bench->arguments, bench->argument_count))
         return false;
     struct context_desc desc = bench->values.context;
     desc.debug = desc.debug || mode == &bench_failures; /* it counts messages */

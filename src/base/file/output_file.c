@@ -33,7 +33,14 @@ static bool check_folder(const char *path) {
     return ok;
 }
 
-bool output_file_check(const char *path) {
+bool output_file_is_not(const char *path, const char *input) {
+    struct stat output, other;
+    bool same = stat(path, &output) == 0 && stat(input, &other) == 0 && S_ISREG(output.st_mode) &&
+                output.st_dev == other.st_dev && output.st_ino == other.st_ino;
+    return !same || error_set("cannot write %s: it is the input %s", path, input);
+}
+
+static bool is_writable(const char *path) {
     struct stat status;
     if (!*path)
         return error_set("cannot write a file without a name");
@@ -47,11 +54,11 @@ bool output_file_check(const char *path) {
     return (exists && !S_ISREG(status.st_mode)) || check_folder(path);
 }
 
-bool output_file_is_not(const char *path, const char *input) {
-    struct stat output, other;
-    bool same = stat(path, &output) == 0 && stat(input, &other) == 0 && S_ISREG(output.st_mode) &&
-                output.st_dev == other.st_dev && output.st_ino == other.st_ino;
-    return !same || error_set("cannot write %s: it is the input %s", path, input);
+bool output_file_check(const char *path, const char *const *inputs, int count) {
+    bool ok = is_writable(path);
+    for (int i = 0; ok && i < count; i++)
+        ok = !inputs[i] || output_file_is_not(path, inputs[i]);
+    return ok;
 }
 
 /* --- bytes ------------------------------------------------------------------------------------ */
@@ -222,7 +229,7 @@ static bool is_special(const char *path) {
 }
 
 bool output_file_write(const char *path, const void *bytes, size_t size) {
-    if (!output_file_check(path))
+    if (!is_writable(path))
         return false;
     /* What a link leads to is replaced, not the link. */
     char *target = realpath(path, NULL);

@@ -13,11 +13,12 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* Whether a file can be written there; call it before long work. Error: names the path and the
- * reason: a folder, a folder that is missing or read-only, a name too long. */
-bool output_file_check(const char *path);
+/* Whether a file can be written there, and is none of the inputs (NULL is no file), which would be
+ * lost; call it before long work. Error: names the path and the reason: a folder, a folder that is
+ * missing or read-only, a name too long, an input. */
+bool output_file_check(const char *path, const char *const *inputs, int count);
 
-/* An error where the two are one file, which would be lost. */
+/* An error where the two are one file. */
 bool output_file_is_not(const char *path, const char *input);
 
 /* Replaces what is there. A device or a pipe is written to as it is. Error: names the path. */
