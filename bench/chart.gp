@@ -2,8 +2,8 @@
 #
 #     gnuplot -e "csv='FILE.csv'; folder='DIR'" bench/chart.gp
 #
-# A sweep against a reference: DIR/SCENE, time against error. Curves: DIR/SCENE-SETTING. A clip:
-# DIR/SCENE-flicker and DIR/SCENE-vals-in-use. Each as .svg and .png; of two scenes of one name the
+# A sweep against a reference: DIR/SCENE, time against error. Curves: DIR/SCENE-SETTING. Passes:
+# DIR/SCENE-passes. A clip: DIR/SCENE-flicker and DIR/SCENE-vals-in-use. Each as .svg and .png; of two scenes of one name the
 # second tells its faces too. `manylight bench chart` runs this script.
 
 set datafile separator comma
@@ -46,20 +46,23 @@ error(what) = what eq "relative-rmse" || what eq "gradient"
 chart_of(mode, what) = \
     mode eq "sweep" && what eq "relative-rmse" && strlen(strcol("frame_ms")) ? "time" : \
     mode eq "curves" && error(what) ? key(strcol("point")) : \
+    mode eq "passes" && (what eq "error" || what eq "relative-mae") ? "passes" : \
     mode ne "temporal" || strcol("point") eq "time=0" ? "" : \
     what eq "frame-flicker" ? "flicker" : what eq "vals" ? "vals in use" : ""
 on(scene, chart) = place_of("scene", "faces") eq scene && \
     chart_of(strcol("mode"), strcol("what")) eq chart
 x(chart) = chart eq "time" ? column("frame_ms") : number(strcol("point"))
 y(chart) = is("what", "gradient") ? 100 * column("value") : column("value")
-series(mode, what) = mode ne "curves" ? strcol("variant") : \
+series(mode, what) = \
+    mode eq "passes" ? strcol("variant") . (what eq "error" ? ", RMSE" : ", mean of the magnitude") : \
+    mode ne "curves" ? strcol("variant") : \
     strcol("variant") . (what eq "gradient" ? ", gradient" : ", RMSE")
 
 # --- what stands at its sides ---------------------------------------------------------------------
 
 is_clip(chart) = chart eq "flicker" || chart eq "vals in use"
 x_label(chart) = chart eq "time" ? "time of a frame, ms" : is_clip(chart) ? "time, s" : \
-    chart eq "vals" ? "VALs, M" : chart eq "vpls" ? "VPLs, N" : \
+    chart eq "passes" ? "passes, K" : chart eq "vals" ? "VALs, M" : chart eq "vpls" ? "VPLs, N" : \
     chart eq "terms" ? "terms of the Fourier series, K" : \
     chart eq "map-size" ? "paraboloid map, texels a side" : chart
 y_label(chart) = chart eq "time" ? "relative RMSE of indirect light, %" : \

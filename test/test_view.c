@@ -131,6 +131,20 @@ static void test_open(void **state) {
     check_same("another scene", "scenes/sphere.glb --set vals=9 --technique unshadowed");
 }
 
+/* At rest it goes on to the mean of some passes; another picture begins with a frame. */
+static void test_passes(void **state) {
+    (void)state;
+    need_viewer();
+    end_viewer();
+    start_viewer(SCENE, "--passes 4");
+    pause_ms(4000);
+    check_same("four passes at rest", SCENE " --passes 4");
+    open_by_panel("scenes/sphere.glb");
+    wait_for_scene("sphere.glb");
+    pause_ms(4000);
+    check_same("four passes of another scene", "scenes/sphere.glb --passes 4");
+}
+
 static void test_end(void **state) {
     (void)state;
     need_viewer();
@@ -160,8 +174,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_first_picture), cmocka_unit_test(test_wipe),
         cmocka_unit_test(test_panel),         cmocka_unit_test(test_orbit),
-        cmocka_unit_test(test_open),          cmocka_unit_test(test_end),
-        cmocka_unit_test(test_script),
+        cmocka_unit_test(test_open),          cmocka_unit_test(test_passes),
+        cmocka_unit_test(test_end),           cmocka_unit_test(test_script),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

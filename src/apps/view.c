@@ -25,6 +25,9 @@ static const struct option options[] = {
     STAGE_OPTIONS(struct values, viewer),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, viewer.layer), .choices = shown_layer_names,
      .help = "light to show"},
+    {"passes", 0, OPTION_INT, offsetof(struct values, viewer.passes), 0, 0, 1000000,
+     .help = "at rest the picture becomes the mean of so many, as manylight render --passes makes\n"
+             "it; 1 = it stays a frame; 0 = 1024, on software OpenGL 1"},
     {"reference", 0, OPTION_TEXT, offsetof(struct values, viewer.reference), .value_name = "FILE",
      .help = "picture of the same view to compare with"},
     {"frames", 0, OPTION_INT, offsetof(struct values, viewer.frames), 0, 0, 1e9,

@@ -59,6 +59,9 @@ static void draw_statistics(struct viewer *viewer) {
         ui_value("VALs", "%d", vals->maps.views->count);
     ui_value("size", "%d x %d%s", desc->width, desc->height,
              viewer->shown.moving ? " while moving" : "");
+    int passes = renderer_pass_count(&viewer->shown.renderer);
+    if (passes > 0)
+        ui_value("passes", "%d of %d", passes, viewer_passes(viewer));
     ui_value("GPU memory", "%.0f MiB", (double)gpu_memory_total() / (1 << 20));
     if (gl.software)
         ui_text(UI_WARNING, "software OpenGL: no GPU is used");

@@ -38,6 +38,8 @@ static bool follow_wishes(struct viewer *viewer) {
     desc.settings = viewer->wish.settings;
     desc.emitters = viewer->placed.emitters;
     desc.camera = viewer->placed.orbit.camera;
+    /* While a setting is dragged, passes are not made anew at each step. */
+    desc.progressive &= !renderer_makes_technique(&shown->renderer, desc.technique, &desc.settings);
     if (shown->coarse)
         renderer_settings_roughen(&desc.settings);
     if (desc.technique != shown->renderer.desc.technique)
@@ -121,6 +123,54 @@ static bool render(struct viewer *viewer) {
     return true;
 }
 
+/* --- at rest --- */
+
+int viewer_passes(const struct viewer *viewer) {
+    int asked = viewer->desc.passes, usual = gl.software ? 1 : PASSES_AT_REST;
+    return asked > 0 ? asked : usual;
+}
+
+/* Outputs and comparisons are of a frame. */
+bool viewer_is_refining(const struct viewer *viewer) {
+    const struct shown *shown = &viewer->shown;
+    int passes = viewer_passes(viewer);
+    return viewer->has_scene && !viewer_is_scripted(viewer) && !shown->dirty && !shown->moving &&
+           !shown->coarse && !viewer->wish.play.on && shown->compare.mode == COMPARE_OFF &&
+           !shown->choice.output && passes > 1 && renderer_pass_count(&shown->renderer) < passes;
+}
+
+/* Casters of passes, too, are those of time 0. Error: the renderer must be freed. */
+static bool make_progressive(struct viewer *viewer) {
+    struct document *document = &viewer->document;
+    struct renderer *renderer = &viewer->shown.renderer;
+    struct renderer_desc desc = renderer->desc;
+    bool away =
+        viewer->placed.posed_time != 0 && geometry_pose(&document->geometry, &document->scene, 0);
+    desc.progressive = true;
+    if (!renderer_follow(renderer, &desc)) {
+        viewer_tell_error(viewer);
+        viewer->desc.passes = 1;
+    }
+    if (away)
+        geometry_pose(&document->geometry, &document->scene, viewer->placed.posed_time);
+    return renderer_update(renderer);
+}
+
+/* One more pass. Error: the renderer must be freed. */
+static bool refine(struct viewer *viewer) {
+    struct shown *shown = &viewer->shown;
+    struct renderer *renderer = &shown->renderer;
+    if (!viewer_is_refining(viewer))
+        return true;
+    if (!renderer->desc.progressive && !make_progressive(viewer))
+        return false;
+    if (!renderer->desc.progressive)
+        return true;
+    renderer_add_pass(renderer, renderer_pass_count(renderer));
+    shown->recompose = true;
+    return true;
+}
+
 /* --- composing --- */
 
 static bool prepare_choice(struct viewer *viewer) {
@@ -186,7 +236,7 @@ static void follow_pick(struct viewer *viewer) {
 }
 
 bool viewer_update_picture(struct viewer *viewer) {
-    if (!render(viewer))
+    if (!render(viewer) || !refine(viewer))
         return false;
     compose(viewer);
     measure(viewer, false);

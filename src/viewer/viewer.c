@@ -55,7 +55,7 @@ static double waiting_time(const struct viewer *viewer) {
     if (viewer->host.input->width == 0)
         return .1; /* minimised */
     bool busy = viewer->shown.dirty || viewer->shown.recompose || viewer->shown.moving ||
-                viewer->wish.play.on || viewer_is_scripted(viewer);
+                viewer->wish.play.on || viewer_is_scripted(viewer) || viewer_is_refining(viewer);
     return busy ? 0 : .05;
 }
 

@@ -20,6 +20,8 @@
 #include "viewer/session.h"
 #include "viewer/window/window.h"
 
+enum { PASSES_AT_REST = 1024 };
+
 struct viewer_desc {
     const char *scene; /* NULL: none yet */
     int width, height; /* of the picture */
@@ -33,7 +35,9 @@ struct viewer_desc {
     const char *reference;      /* a picture to compare with; NULL = none */
     const char *glsl;           /* folder of shaders; NULL = embedded */
     bool debug;
-    int frames;             /* render so many and end; 0 = until closed */
+    int frames; /* render so many and end; 0 = until closed */
+    int passes; /* whose mean a picture at rest becomes; 0 = PASSES_AT_REST, but 1, which is none, on software OpenGL, where a
+                   pass may take seconds */
     const char *screenshot; /* written at the end; NULL = none */
 };
 
@@ -148,6 +152,10 @@ void viewer_full_size(const struct viewer *viewer, int *width, int *height);
 
 /* Renders and composes what has changed. Error: the scene cannot be drawn any more. */
 bool viewer_update_picture(struct viewer *viewer);
+
+/* How many passes a picture at rest is the mean of in the end; whether it is not yet. */
+int viewer_passes(const struct viewer *viewer);
+bool viewer_is_refining(const struct viewer *viewer);
 
 /* Reads the shaders again, from the folder of --glsl. */
 void viewer_reload_shaders(struct viewer *viewer);

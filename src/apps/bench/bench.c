@@ -13,8 +13,8 @@
 #include <unistd.h>
 
 static const struct bench_mode *const modes[] = {
-    &bench_times,  &bench_sweep,    &bench_scaling,  &bench_budget,
-    &bench_curves, &bench_temporal, &bench_failures, &bench_chart,
+    &bench_times,  &bench_sweep,    &bench_scaling,  &bench_budget, &bench_curves,
+    &bench_passes, &bench_temporal, &bench_failures, &bench_chart,
 };
 
 enum { MODES = sizeof modes / sizeof *modes };
@@ -98,6 +98,8 @@ static const struct option options[] = {
      .help = "measured of each, 0 = 5 on software OpenGL, else 100; or of a clip, 0 = 50"},
     {"warm-up", 0, OPTION_INT, VALUE(warm_up), 0, 0, 100000,
      .help = "frames before; 0 = 1 on software OpenGL, else 10"},
+    {"passes", 0, OPTION_INT, VALUE(passes), 256, 1, 65536,
+     .help = "as many, and each power of two"},
     {"reference", 0, OPTION_CHOICE, VALUE(reference), .choices = truth_names,
      .help = "what holds the truth: one bounce path-traced (centers: through pixels' centres),\n"
              "or all VPLs with a map each, as for a clip where there is none"},

@@ -107,9 +107,11 @@ static bool finish(struct bench *bench) {
 const struct bench_mode bench_chart = {
     .name = "chart",
     .help =
-        "draws the CSV files of sweep, curves and temporal, with gnuplot\n"
+        "draws the CSV files of sweep, curves, passes and temporal, with gnuplot\n"
         "Each scene as SVG and PNG: of a sweep with a reference time against error and the Pareto\n"
-        "front, of curves errors against each setting, of a clip flicker and VALs in use.",
+        "front, of curves errors against each setting, of passes errors against their number, of "
+        "a\n"
+        "clip flicker and VALs in use.",
     .arguments = "FILE.csv [FILE.csv ...]",
     .options = "output",
     .check = check,

@@ -1,0 +1,24 @@
+/* manylight bench passes: how the mean of passes converges. */
+#include "apps/bench/bench.h"
+
+#include "measure/errors.h"
+#include "measure/passes.h"
+
+static bool measure(struct bench *bench, const struct measure_list *subjects) {
+    struct truth_desc truth = bench_truth(bench, TRUTH_PATH);
+    bool ok = true;
+    for (int i = 0; ok && i < subjects->count; i++)
+        ok = passes_measure(&bench->results, &subjects->items[i], &truth, bench->values.passes);
+    return ok;
+}
+
+const struct bench_mode bench_passes = {
+    .name = "passes",
+    .help =
+        "the error of the mean of 1, 2, 4 ... passes, as render --passes makes it\n"
+        "Against the path-traced truth, whose noise is taken off, as squares, in the last column.\n"
+        "Without SCENE: the paper's four scenes.",
+    .options = "size set variant noise cache passes" BENCH_CONTEXT,
+    .measure = measure,
+    .tables = {{"the mean of passes", {ERROR_COLUMNS(NULL), {"without noise %", "error", NULL}}}},
+};

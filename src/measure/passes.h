@@ -1,0 +1,14 @@
+/* How the mean of passes converges. */
+#ifndef MEASURE_PASSES_H
+#define MEASURE_PASSES_H
+
+#include "measure/results.h"
+#include "measure/truth.h"
+
+/* Adds a subject for each power of two up to `count` passes, whose point is "passes=K", with the errors
+ * of the mean of K; "noise", the truth's; and "error", the relative RMSE of the indirect layer without
+ * that noise, as squares. desc: what is drawn. Error: of the truth or the renderer. */
+bool passes_measure(struct results *results, const struct measure_desc *desc,
+                    const struct truth_desc *truth, int count);
+
+#endif
