@@ -40,6 +40,7 @@ static const struct scene_maker {
     {"failures/black", make_black},
     {"failures/white", make_white},
     {"failures/giant-triangle", make_giant_triangle},
+    {"failures/plain", make_plain},
     {"failures/tiny-triangles", make_tiny_triangles},
     {"failures/millimetre", make_millimetre},
     {"failures/kilometre", make_kilometre},

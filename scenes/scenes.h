@@ -33,6 +33,7 @@ void make_corner(struct glb *glb);
 void make_black(struct glb *glb);
 void make_white(struct glb *glb);
 void make_giant_triangle(struct glb *glb);
+void make_plain(struct glb *glb);
 void make_tiny_triangles(struct glb *glb);
 void make_millimetre(struct glb *glb);
 void make_kilometre(struct glb *glb);

@@ -270,10 +270,11 @@ static void test_simplified(void **state) {
     make_ball(&ball);
     /* The poles' rows have triangles without area. */
     uint32_t before = BALL_INDICES / 3 - 2 * COLUMNS, last = before;
-    static const float errors[] = {.001F, .0025F, .008F};
+    static const float errors[] = {.001F, .0025F, .008F}; /* metres */
+    float size = sqrtf(4 * GLM_PIf);
     for (int i = 0; i < 3; i++) {
         struct caster caster;
-        caster_init(&caster, &ball, &(struct caster_desc){.error = errors[i]});
+        caster_init(&caster, &ball, &(struct caster_desc){.error = errors[i] / size});
         check_near("open edges", count_open_edges(ball.position, &caster), 0, 0);
         check_at_most("depth", deepest(ball.position, &caster), 3 * errors[i] + .0025);
         check_at_most("triangles", caster.list[CASTER_SHORT].index_count / 3, .9 * last);

@@ -20,7 +20,7 @@ struct frame_of_vals {
     struct renderer renderer;
     const struct val_output *vals;
     int vpl_count, val_count, iterations;
-    double by_place, by_normal; /* weights of the clustering */
+    double by_place, by_normal; /* weights of the clustering, of a distance in metres and a turn */
     struct vpl *vpls;
     struct map_view *views;
     float (*positions)[4], (*normals)[4], (*fluxes)[4]; /* of the VALs */
@@ -33,6 +33,27 @@ static float (*read_row(const struct texture *texture, int count))[4] {
     return row;
 }
 
+static bool emits(const struct vpl *vpl) {
+    return vpl->reach > 0;
+}
+
+/* The geometric mean of the distances of VPLs from the first ones. */
+static double spread(const struct frame_of_vals *frame) {
+    double sum = 0, count = 0;
+    for (int i = 0; i < frame->vpl_count; i++)
+        for (int j = 0; j < frame->vpl_count && j < 256; j++) {
+            const struct vpl *a = &frame->vpls[i], *b = &frame->vpls[j];
+            if (!emits(a) || !emits(b))
+                continue;
+            double apart = (double)a->area;
+            for (int c = 0; c < 3; c++)
+                apart += pow((double)a->position[c] - (double)b->position[c], 2);
+            sum += log(apart) / 2;
+            count++;
+        }
+    return exp(sum / fmax(count, 1));
+}
+
 static void open_vals(struct frame_of_vals *frame, const char *scene, const char *settings) {
     open_stage(&frame->stage, scene);
     struct renderer_desc desc = desc_of(&frame->stage, "clustered", settings, 32, 32);
@@ -43,9 +64,9 @@ static void open_vals(struct frame_of_vals *frame, const char *scene, const char
     frame->vpl_count = (int)settings_number(&desc.settings, "vpls");
     frame->val_count = (int)settings_number(&desc.settings, "vals");
     frame->iterations = (int)settings_number(&desc.settings, "iterations");
-    frame->by_place = settings_number(&desc.settings, "weight-position");
-    frame->by_normal = settings_number(&desc.settings, "weight-normal");
     frame->vpls = read_vpls(&frame->renderer);
+    frame->by_place = settings_number(&desc.settings, "weight-position") / spread(frame);
+    frame->by_normal = settings_number(&desc.settings, "weight-normal") / GLM_PI;
     frame->views = mem_alloc((size_t)frame->val_count, sizeof *frame->views);
     buffer_read(&frame->vals->maps.views->buffer, 0,
                 (size_t)frame->val_count * sizeof *frame->views, frame->views);
@@ -64,10 +85,6 @@ static void close_vals(struct frame_of_vals *frame) {
     free(frame->fluxes);
 }
 
-static bool emits(const struct vpl *vpl) {
-    return vpl->reach > 0;
-}
-
 /* --- k-means ---------------------------------------------------------------------------------- */
 
 struct means {
@@ -82,8 +99,7 @@ static double criterion(const struct frame_of_vals *frame, const struct vpl *vpl
         cosine += (double)vpl->normal[c] * means->normal[k][c];
     }
     double angle = acos(fmax(-1, fmin(1, cosine)));
-    return frame->by_place * sqrt(apart) / (double)frame->stage.geometry.radius +
-           frame->by_normal * angle / GLM_PI;
+    return frame->by_place * sqrt(apart) + frame->by_normal * angle;
 }
 
 /* The nearest, and how much farther the second nearest is. */

@@ -11,6 +11,7 @@
 #include <string.h>
 
 static const char small[] = "vpls=256 vals=16 map-size=64 rsm-size=128 shadow-size=256";
+static const char plain_settings[] = "vpls=1024 map-size=128 rsm-size=256";
 static const char *const shadowing[] = {"clustered", "instant-radiosity"};
 
 /* --- far from the origin ---------------------------------------------------------------------- */
@@ -120,11 +121,45 @@ static void test_closed_door(void **state) {
         check_at_most("light behind a closed door", leak(shadowing[i], "vpls=512"), .01);
 }
 
+/* --- a plain around a room -------------------------------------------------------------------- */
+
+static struct node *find_node(struct scene *scene, const char *name) {
+    for (int i = 0; i < scene->node_count; i++)
+        if (strcmp(scene->nodes[i].name, name) == 0)
+            return &scene->nodes[i];
+    fail_msg("no node is called %s", name);
+    return NULL;
+}
+
+/* What no light reaches changes nothing, however large it is: neither what lies near a light's
+ * centre, nor clusters, casters, blocks and the blur's reach. */
+static void test_plain(void **state) {
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        struct stage stage;
+        open_stage(&stage, "scenes/failures/plain.glb");
+        double large = (double)stage.geometry.radius;
+        struct image with = render_stage(&stage, shadowing[i], plain_settings, 96);
+        find_node(&stage.scene, "plain")->mesh = -1;
+        pose_stage(&stage);
+        struct image without = render_stage(&stage, shadowing[i], plain_settings, 96);
+        printf("    %s: radius %.4g m, without the plain %.4g m\n", shadowing[i], large,
+               (double)stage.geometry.radius);
+        assert_true(large > 30 * (double)stage.geometry.radius);
+        check_at_most("a plain around a room, relative RMSE",
+                      relative_rmse(&with, &without, "indirect"), .01);
+        image_free(&with);
+        image_free(&without);
+        stage_free(&stage);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_far),
         cmocka_unit_test(test_scales),
         cmocka_unit_test(test_closed_door),
+        cmocka_unit_test(test_plain),
     };
     return cmocka_run_group_tests_name("stability", tests, open_group_context, close_group_context);
 }

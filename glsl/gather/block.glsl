@@ -17,7 +17,7 @@ bool nearest_block(surface s, ivec2 pixel, out ivec2 nearest) {
     ivec2 picture = gbuffer_size(), blocks = textureSize(block_visibilities, 0).xy;
     int size = params.block;
     ivec2 base = (pixel + size / 2) / size - 1;
-    float least = 1e30;
+    float least = 1e30, plane_apart = params.block_apart * view_height(camera, gbuffer_depth(pixel));
     nearest = ivec2(0);
     for (int i = 0; i < 4; i++) {
         ivec2 block = clamp(base + ivec2(i & 1, i >> 1), ivec2(0), blocks - 1);
@@ -25,7 +25,7 @@ bool nearest_block(surface s, ivec2 pixel, out ivec2 nearest) {
         vec3 apart = c.position - s.position;
         float distance2 = dot(apart, apart);
         bool alike = c.present && dot(c.normal, s.normal) > BLOCK_COSINE &&
-                     abs(dot(apart, s.normal)) < params.block_apart;
+                     abs(dot(apart, s.normal)) < plane_apart;
         if (alike && distance2 < least) {
             least = distance2;
             nearest = block;

@@ -36,6 +36,7 @@ void main() {
     vec2 per_pixel = 2.0 / vec2(size);
     uvec4 center = texelFetch(taps, pixel, 0);
     vec3 position = tap_position(pixel, per_pixel, center), normal = blur_tap_normal(center);
+    float reach = params.distance * view_height(camera, blur_tap_depth(center));
     int radius = params.radius, rows = params.rows;
     bool detail = DETAIL != 0 && blur_tap_detail(center);
     int own = detail ? params.detail_radius : radius;
@@ -48,7 +49,7 @@ void main() {
                 continue;
             uvec4 tap = texelFetch(taps, at, 0);
             vec3 apart = tap_position(at, per_pixel, tap) - position;
-            if (blur_tap_depth(tap) > 0.0 && dot(apart, apart) < params.distance2 &&
+            if (blur_tap_depth(tap) > 0.0 && dot(apart, apart) < reach * reach &&
                 dot(blur_tap_normal(tap), normal) > params.cosine) {
                 float weight = window(abs(i), own) * (rows > 0 ? window(abs(j), own) : 1.0);
                 weight *= detail && blur_tap_detail(tap) ? params.detail_weight : 1.0;

@@ -14,15 +14,16 @@ layout(std430, binding = STORAGE_LIST_COUNTS) buffer list_counts {
 // Of the window's middle, its corners and the middles of its sides those on the same surface, the pixel itself
 // too. At a straight edge they are six.
 float like_neighbours(surface s, ivec2 pixel, ivec2 size) {
-    float like = 0.0;
+    float like = 0.0, height = view_height(camera, gbuffer_depth(pixel));
+    float reach = params.distance * height;
     for (int j = -params.radius; j <= params.radius; j += params.radius)
         for (int i = -params.radius; i <= params.radius; i += params.radius) {
             ivec2 at = clamp(pixel + ivec2(i, j), ivec2(0), size - 1);
             surface c = gbuffer_surface(at);
             vec3 apart = c.position - s.position;
-            bool alike = c.present && dot(apart, apart) < params.distance2 &&
+            bool alike = c.present && dot(apart, apart) < reach * reach &&
                          dot(c.normal, s.normal) > params.cosine &&
-                         abs(dot(apart, s.normal)) < params.apart;
+                         abs(dot(apart, s.normal)) < params.apart * height;
             like += alike ? 1.0 : 0.0;
         }
     return like;

@@ -12,3 +12,8 @@ vec3 view_position(view v, vec2 ndc, float depth) {
     float spread = v.orthographic ? 1.0 : z;
     return v.origin + z * v.forward + spread * aside;
 }
+
+// How much the picture shows from its bottom to its top at that depth, metres.
+float view_height(view v, float depth) {
+    return 2.0 * length(v.up) * (v.orthographic ? 1.0 : view_linear_depth(v, depth));
+}

@@ -14,12 +14,12 @@ layout(binding = UNIT_VAL_EXTREMES) uniform sampler2D val_extremes;
 // spacing: of the VPLs there, metres.
 vec3 on_surface(int k, vec3 center, vec3 mean, out float spacing) {
     vec3 foot = center;
-    float least = 1e30;
+    float least = 1e30, weight_position = position_weight();
     spacing = 0.0;
     for (int i = 0; i < params.vpl_count; i++) {
         vpl v = vpl_at(i);
         bool lights = int(v.val) == k && v.reach > 0.0;
-        float d = val_distance(v.position, v.normal, center, mean);
+        float d = val_distance(weight_position, v.position, v.normal, center, mean);
         if (lights && d < least) {
             least = d;
             foot = center + v.normal * max(dot(v.position - center, v.normal), 0.0);
@@ -38,8 +38,8 @@ void main() {
     vec2 sides = max(extremes.xy + extremes.zw, vec2(0.0));
     float z_far = farthest_corner(center, params.bounds_min, params.bounds_max);
     float extent = sqrt(sides.x * sides.y);
-    // What the VAL itself spans may be left out, but no more, however large the scene is.
-    float near = min(params.near_clip, max(extent, spacing));
+    // What the VPLs themselves span may be left out, but no more.
+    float near = min(params.near_clip * vpl_spread(), spacing);
     map_view_output(map_view(center, z_far / params.depth_range, normal, extent,
                              perpendicular(normal), near));
 }

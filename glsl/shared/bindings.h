@@ -60,7 +60,8 @@
 #define UNIT_LISTED_PIXELS 39
 #define UNIT_LIST_TEXELS 40
 #define UNIT_DETAIL_IRRADIANCE 41
-#define UNIT_LAYER_SUMS 42 /* LAYERS of them: shared/composite.h */
+#define UNIT_VPL_SPREAD 42
+#define UNIT_LAYER_SUMS 43 /* LAYERS of them: shared/composite.h */
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0

@@ -9,7 +9,7 @@ struct blur_params {
     ivec2 along;                  /* one pixel */
     int radius;                   /* taps to each side along */
     int rows;                     /* of such taps to each side across */
-    float distance2;              /* alpha^2, m2 */
+    float distance;               /* alpha, over the picture's height at the pixel's depth */
     float cosine;                 /* beta */
     int detail_radius;            /* of pixels with few like neighbours */
     float detail_weight;          /* of their estimates: as many more lights have they */

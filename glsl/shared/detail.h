@@ -6,9 +6,9 @@
 
 struct detail_params {
     STRUCT(interleaving) pattern; /* of the lists */
-    float distance2;              /* alpha^2 of the blur, m2 */
+    float distance;               /* alpha of the blur, over the picture's height at the pixel's depth */
     float cosine;                 /* beta */
-    float apart;                  /* metres: neighbours farther off the pixel's plane are unlike */
+    float apart;                  /* likewise: neighbours farther off the pixel's plane are unlike */
     float fewest;                 /* like neighbours of a smooth pixel */
     int radius;                   /* of the window, pixels */
     int unused0, unused1, unused2;

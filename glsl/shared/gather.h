@@ -8,7 +8,7 @@ struct gather_params {
     STRUCT(interleaving) pattern;
     float scale;       /* of the stored irradiance */
     float clamp_at;    /* 1/m2 */
-    float block_apart; /* metres: farther from a block's plane, a pixel looks itself up */
+    float block_apart; /* over the picture's height: farther off a block's plane, a pixel looks itself up */
     int block;         /* pixels a side of a block that shares its visibility */
 };
 PASS_BLOCK(gather_params, 32)

@@ -8,11 +8,11 @@ struct paraboloid_params {
     vec3 bounds_min;   /* metres */
     float depth_range; /* map depth of the farthest point of the scene */
     vec3 bounds_max;
-    float near_clip; /* metres */
-    float clip_z;    /* where a map begins, metres above its plane */
+    float near_clip; /* over the spread of VPLs */
     float map_size;  /* texels */
     float pieces;    /* of a long edge, per radian that it spans at the rim of the map */
     float long_edge; /* shorter ones stay whole, metres */
+    float unused;
 };
 PASS_BLOCK(paraboloid_params, 48)
 

@@ -21,3 +21,9 @@ vec3 paraboloid_direction(vec2 p) {
     float p2 = dot(p, p);
     return vec3(2.0 * p, 1.0 - p2) / (1.0 + p2);
 }
+
+// How far a local place lies above where a map begins. The plane of the light itself is not a caster, and
+// normals are known to a ten thousandth: so much of the distance is left out.
+float paraboloid_above(vec3 q) {
+    return q.z - 5e-4 * length(q);
+}

@@ -9,7 +9,7 @@ out float gl_ClipDistance[2];
 // q: in the frame of view v, whose map is the layer.
 void paraboloid_corner(map_view v, int layer, vec3 q) {
     float r = length(q);
-    gl_ClipDistance[0] = q.z - params.clip_z;
+    gl_ClipDistance[0] = paraboloid_above(q);
     // Geometry around the centre would hide all the rest [Dong 2009 Fig. 7].
     gl_ClipDistance[1] = r - v.near;
     // Behind the plane the projection runs off to infinity; what is there is clipped away. The farther off

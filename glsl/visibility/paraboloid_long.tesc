@@ -2,6 +2,7 @@
 // rasteriser draws pieces of them straight. The decision looks at an edge's two ends alone: triangles that
 // share it divide it alike, and no crack opens.
 #include "visibility/map_views.glsl"
+#include "visibility/paraboloid.glsl"
 #include "shared/paraboloid.h"
 
 layout(vertices = 3) out;
@@ -34,8 +35,8 @@ float angle_between(vec3 a, vec3 b) {
 // what is left out as too near: seen edge-on, a texel of it is many depths, and it would shadow itself.
 bool is_left_out() {
     vec3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
-    return max(corner[0].z, max(corner[1].z, corner[2].z)) <= params.clip_z ||
-           abs(dot(normal, corner[0])) < map_view_at(map[0]).near * length(normal);
+    float highest = max(paraboloid_above(corner[0]), max(paraboloid_above(corner[1]), paraboloid_above(corner[2])));
+    return highest <= 0.0 || abs(dot(normal, corner[0])) < map_view_at(map[0]).near * length(normal);
 }
 
 void main() {

@@ -269,6 +269,24 @@ void make_giant_triangle(struct glb *glb) {
     place_usual_spot(&set);
 }
 
+/* A table and shelves on a floor that is lit from above, in a room that stands on a plain of 222 m. */
+void make_plain(struct glb *glb) {
+    struct set set = open_room(glb);
+    place_quad(&set, "plain", WHITE,
+               (const float[4][3]){
+                   {-111, -0.1f, 111}, {111, -0.1f, 111}, {111, -0.1f, -111}, {-111, -0.1f, -111}});
+    place_spot(&set, (const float[]){0.0f, 2.7f, 0.2f}, (const float[]){0.0f, -1.0f, -0.15f}, 30.0);
+    place_box(&set, "table", (const float[]){-0.9f, 0.35f, -0.6f},
+              (const float[]){0.5f, 0.4f, 0.3f});
+    for (int shelf = 0; shelf < 4; shelf++) {
+        float y = 0.3f * (float)shelf;
+        place_box(&set, "shelf", (const float[]){-1.9f, y + 0.1f, -1.5f},
+                  (const float[]){-1.3f, y + 0.14f, 1.0f});
+    }
+    place_box(&set, "cupboard", (const float[]){0.8f, 0.0f, -1.3f},
+              (const float[]){1.2f, 0.6f, 0.6f});
+}
+
 static void hilly(const void *context, float u, float v, float point[3]) {
     (void)context;
     point[0] = -1.2f + 2.4f * u;

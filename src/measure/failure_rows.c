@@ -47,6 +47,7 @@ const struct failure_row failure_rows[] = {
     {"black", .scene = OWN("black")},
     {"white", .scene = OWN("white")},
     {"giant-triangle", .scene = OWN("giant-triangle")},
+    {"plain", .scene = OWN("plain")},
     {"tiny-triangles", .scene = OWN("tiny-triangles")},
     /* Scale. */
     {"millimetre", .scene = OWN("millimetre")},

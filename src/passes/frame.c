@@ -67,12 +67,24 @@ static void add_attribute(const struct vpl_buffer *vpls, GLuint location, size_t
         &(struct vertex_attribute){&vpls->buffer, 4, GL_FLOAT, sizeof(struct vpl), offset});
 }
 
+static bool init_spread(struct vpl_buffer *vpls) {
+    return texture_init(&vpls->spread, &(struct texture_desc){.label = "spread of VPLs",
+                                                              .format = GL_RGBA32F,
+                                                              .width = 1,
+                                                              .height = 1}) &&
+           framebuffer_init(
+               &vpls->spread_framebuffer,
+               &(struct framebuffer_desc){.label = "spread of VPLs", .colors = {&vpls->spread}});
+}
+
 bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {
     *vpls = (struct vpl_buffer){.count = count};
     /* A uniform block may begin at any VPL and then reaches a whole block further. */
     size_t size = ((size_t)count + VPLS_PER_BLOCK) * sizeof(struct vpl);
-    if (!buffer_init(&vpls->buffer, label, size, NULL))
+    if (!buffer_init(&vpls->buffer, label, size, NULL) || !init_spread(vpls)) {
+        vpl_buffer_free(vpls);
         return false;
+    }
     gl.CreateVertexArrays(1, &vpls->vertices);
     add_attribute(vpls, ATTRIBUTE_VPL_POSITION, offsetof(struct vpl, position));
     add_attribute(vpls, ATTRIBUTE_VPL_NORMAL, offsetof(struct vpl, normal));
@@ -81,6 +93,8 @@ bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {
 }
 
 void vpl_buffer_free(struct vpl_buffer *vpls) {
+    framebuffer_free(&vpls->spread_framebuffer);
+    texture_free(&vpls->spread);
     vertex_array_free(&vpls->vertices);
     buffer_free(&vpls->buffer);
     *vpls = (struct vpl_buffer){0};

@@ -43,11 +43,14 @@ struct gbuffer {
     int width, height, layers;
 };
 
-/* N virtual point lights: struct vpl (shared/vpl.h), padded for whole uniform blocks. */
+/* N virtual point lights: struct vpl (shared/vpl.h), padded for whole uniform blocks; and how far
+ * they are apart: the scale of what is lit. */
 struct vpl_buffer {
     struct buffer buffer;
     GLuint vertices; /* vertex array: position 0, normal 1, flux 2 */
     int count;
+    struct texture spread; /* a pixel, RGBA32F: lib/vpl_spread.glsl */
+    GLuint spread_framebuffer;
 };
 
 /* Up to MAP_VIEWS_MAX paraboloid views (shared/map_view.h). */

@@ -13,8 +13,9 @@
 
 /* --- settings ---
  *
- * Defaults are the paper's where it gives them [Dong 2009 §5-7]. Lengths are fractions of the
- * scene's radius or extent, so that no setting depends on the scene's units. */
+ * Defaults are the paper's where it gives them [Dong 2009 §5-7]. Lengths are fractions
+ * of the spread of the VPLs, of the picture's height at a pixel's depth, or of the root of the
+ * surfaces' area: neither units nor a plain around a room change what a setting means. */
 
 struct lights_settings {
     int vpls; /* N */

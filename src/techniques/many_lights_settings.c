@@ -15,9 +15,10 @@ static const struct option lights_table[] = {
 
 static const struct option map_table[] = {
     {"size", 0, OPTION_INT, ROW(map, size), 256, 16, 4096, .help = "paraboloid map, texels a side"},
-    {"near-clip", 0, OPTION_FLOAT, ROW(map, near_clip), .01, 0, 1,
-     .help = "casters nearer to a light's centre are ignored, over the scene's radius; at most\n"
-             "the light's extent"},
+    {"near-clip", 0, OPTION_FLOAT, ROW(map, near_clip), .025, 0, 1,
+     .help =
+         "casters nearer to a light's centre are ignored, over the spread of the VPLs; at most\n"
+         "their spacing there"},
     {NULL},
 };
 
@@ -73,15 +74,16 @@ static const struct option blur_table[] = {
     {"separable", 0, OPTION_FLAG, ROW(blur, separable), 1,
      .help = "along x, then y, not over the whole square at once"},
     {"distance", 0, OPTION_FLOAT, ROW(blur, distance), .1, 0, 10,
-     .help = "within this distance, over the scene's extent, alpha"},
+     .help = "within this distance, over the picture's height at the pixel's depth, alpha"},
     {"cosine", 0, OPTION_FLOAT, ROW(blur, cosine), .98, -1, 1,
      .help = "within this cosine of the normals, beta"},
     {NULL},
 };
 
 static const struct option caster_table[] = {
-    {"error", 0, OPTION_FLOAT, ROW(caster, error), .0015, 0, 1,
-     .help = "casters in VALs' maps may stray so far, over the scene's radius; 0 = not at all"},
+    {"error", 0, OPTION_FLOAT, ROW(caster, error), .00055, 0, 1,
+     .help = "casters in VALs' maps may stray so far, over the root of the surfaces' area;\n"
+             "0 = not at all"},
     {"bend", 0, OPTION_FLOAT, ROW(caster, bend), .25, .01, 1000,
      .help = "edges of long casters may stray so far from their bent image, in texels of the map"},
     {"long", 0, OPTION_INT, ROW(caster, long_count), 500, 0, 10000000,

@@ -45,16 +45,14 @@ void blur_pass_free(struct blur_pass *pass) {
     *pass = (struct blur_pass){0};
 }
 
-static void write_params(const struct blur_pass *pass, const struct frame *frame,
-                         const struct irradiance *source) {
-    float distance = pass->desc.distance * 2 * frame->radius;
+static void write_params(const struct blur_pass *pass, const struct irradiance *source) {
     for (int axis = 0; axis < 2; axis++) {
         struct blur_params params = {
             .pattern = irradiance_pattern(source),
             .along = {axis == 0, axis == 1},
             .radius = pass->desc.radius,
             .rows = pass->desc.square ? pass->desc.radius : 0,
-            .distance2 = distance * distance,
+            .distance = pass->desc.distance,
             .cosine = pass->desc.cosine,
             .detail_radius = pass->desc.detail_radius,
             .detail_weight = (float)pass->desc.detail_weight,
@@ -101,7 +99,7 @@ static void blur(const struct blur_pass *pass, const struct frame *frame, GLuint
 void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
                       const struct gbuffer *gbuffer, const struct blur_inputs *inputs) {
     timer_begin(frame->timers, "blur");
-    write_params(pass, frame, inputs->source);
+    write_params(pass, inputs->source);
     pack(pass, gbuffer, inputs);
     if (pass->desc.square) {
         blur(pass, frame, pass->program, &pass->taps, &pass->blurred, 0);

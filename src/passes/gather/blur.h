@@ -13,7 +13,7 @@
 struct blur_desc {
     int width, height;
     int radius;                       /* taps to each side; 0 only puts the tiles in order */
-    float distance;                   /* alpha, over the extent (twice the radius) of the scene */
+    float distance;                   /* alpha, over the picture's height at the pixel's depth */
     float cosine;                     /* beta */
     int detail_radius, detail_weight; /* of listed pixels: a smaller radius, and how many times the
                                          others' count their estimates; 0: there are none */

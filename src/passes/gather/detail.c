@@ -43,19 +43,18 @@ void detail_pass_free(struct detail_pass *pass) {
     *pass = (struct detail_pass){0};
 }
 
-/* A neighbour this far off the pixel's plane, over the scene's radius, is another surface. */
-static const float plane_apart = 0.01f;
+/* A neighbour this far off the pixel's plane, over the picture's height there, is another surface. */
+static const float plane_apart = 0.008f;
 
-static void write_params(const struct detail_pass *pass, const struct frame *frame) {
+static void write_params(const struct detail_pass *pass) {
     const struct detail_desc *desc = &pass->desc;
     static const GLuint none[PIXEL_LISTS_MAX] = {0};
-    float distance = desc->distance * 2 * frame->radius;
     struct detail_params params = {
         .pattern = {.tile = {pass->lists.tile_width, pass->lists.tile_height},
                     .n = desc->interleave},
-        .distance2 = distance * distance,
+        .distance = desc->distance,
         .cosine = desc->cosine,
-        .apart = plane_apart * frame->radius,
+        .apart = plane_apart,
         .fewest = desc->share * 9, /* the window is sampled in nine places */
         .radius = desc->radius,
     };
@@ -65,7 +64,7 @@ static void write_params(const struct detail_pass *pass, const struct frame *fra
 
 void detail_pass_render(const struct detail_pass *pass, const struct frame *frame,
                         const struct gbuffer *gbuffer) {
-    write_params(pass, frame);
+    write_params(pass);
     pass_begin(frame->timers,
                &(struct pass_state){
                    .name = "detail",

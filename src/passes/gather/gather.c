@@ -53,8 +53,8 @@ void gather_pass_clear(const struct gather_pass *pass) {
     framebuffer_clear_color(pass->irradiance.framebuffer, TARGET_RESULT, zero);
 }
 
-/* A pixel this far off a block's plane, over the scene's radius, looks itself up. */
-static const float block_apart = 0.01f;
+/* A pixel this far off a block's plane, over the picture's height there, looks itself up. */
+static const float block_apart = 0.008f;
 
 static void write_params(const struct gather_pass *pass, const struct frame *frame,
                          const struct gather_inputs *inputs) {
@@ -64,7 +64,7 @@ static void write_params(const struct gather_pass *pass, const struct frame *fra
         .scale = frame->irradiance_scale,
         .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
         .block = desc->share ? inputs->blocks->block : 1,
-        .block_apart = block_apart * frame->radius,
+        .block_apart = block_apart,
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
 }

@@ -98,12 +98,12 @@ void cluster_pass_free(struct cluster_pass *pass) {
 static void write_params(const struct cluster_pass *pass, const struct frame *frame) {
     const struct cluster_desc *desc = &pass->desc;
     struct cluster_params params = {
-        .weight_position = desc->weight_position / frame->radius,
+        .weight_position = desc->weight_position,
         .weight_normal = desc->weight_normal / (float)GLM_PI,
         .val_count = desc->val_count,
         .vpl_count = desc->vpl_count,
         .depth_range = desc->depth_range,
-        .near_clip = desc->near_clip * frame->radius,
+        .near_clip = desc->near_clip,
         .reseed = desc->start == CLUSTER_START_RESEED,
     };
     memcpy(params.bounds_min, frame->bounds_min, sizeof frame->bounds_min);
@@ -122,7 +122,8 @@ static struct pass_state row_state(const struct cluster_pass *pass, GLuint progr
         .height = 1,
         .textures = {{UNIT_VPLS, pass->vpl_texture},
                      {UNIT_VAL_POSITION, centers->position.id},
-                     {UNIT_VAL_NORMAL, centers->normal.id}},
+                     {UNIT_VAL_NORMAL, centers->normal.id},
+                     {UNIT_VPL_SPREAD, pass->vpl_spread}},
         .blocks = {{BLOCK_PASS, &pass->params}},
     };
 }
@@ -176,6 +177,7 @@ const struct val_targets *cluster_pass_centers(const struct cluster_pass *pass) 
 /* k-means; afterwards pass->last is where the means are. */
 static void find_centers(struct cluster_pass *pass, const struct vpl_buffer *vpls) {
     gl.TextureBuffer(pass->vpl_texture, GL_RGBA32F, vpls->buffer.id);
+    pass->vpl_spread = vpls->spread.id;
     if (pass->desc.start == CLUSTER_START_SEEDS || !pass->started)
         seed(pass);
     pass->started = true;

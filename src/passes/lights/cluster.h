@@ -4,7 +4,7 @@
  * scatters the VPL to that VAL's pixel with additive blending; a second draw divides by the count.
  * The start is VPL k N / M, the same each frame, so that VALs move smoothly when the light does
  * (§5.2). A last pass writes C(i); MAX blending finds the bounding rectangles. The papers leave the
- * scale of the criterion open: distances are taken over the scene's radius and angles over pi. VPLs
+ * scale of the criterion open: distances are taken over the spread of the VPLs and angles over pi. VPLs
  * without flux take no part.
  */
 #ifndef PASSES_CLUSTER_H
@@ -23,7 +23,7 @@ struct cluster_desc {
     enum cluster_start start;
     int iterations;
     float weight_position, weight_normal; /* w_x, w_alpha */
-    float near_clip;                      /* of the VALs' maps, over the scene's radius */
+    float near_clip;                      /* of the VALs' maps, over the spread of VPLs */
     float depth_range;                    /* of the VALs' maps */
 };
 
@@ -43,6 +43,7 @@ struct cluster_pass {
     struct texture extremes;
     GLuint extremes_framebuffer;
     GLuint vpl_texture;     /* buffer texture over the VPLs that come in */
+    GLuint vpl_spread;      /* theirs */
     struct vpl_buffer vpls; /* the VPLs with C(i) */
     struct map_views views; /* one a VAL */
     struct buffer params;

@@ -3,6 +3,7 @@
 #include "base/deal.h"
 #include "base/halton.h"
 #include "base/memory.h"
+#include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "gl/vertex_array.h"
@@ -19,12 +20,26 @@ struct vpl_point {
     float light; /* a whole number */
 };
 
+/* How many VPLs all others are measured from: as many as say what all would. */
+enum { PARTNERS_MAX = 256 };
+
+static bool init_programs(struct vpl_pass *pass) {
+    int count = pass->desc.count < PARTNERS_MAX ? pass->desc.count : PARTNERS_MAX;
+    char *defines = mem_printf("PARTNERS %d", count);
+    bool ok = program_init(&pass->program, &(struct program_desc){.vertex = "lights/vpl.vert"}) &&
+              program_init(&pass->spread_program,
+                           &(struct program_desc){.vertex = "lights/vpl_spread.vert",
+                                                  .fragment = "lights/vpl_spread.frag",
+                                                  .defines = defines});
+    free(defines);
+    return ok;
+}
+
 bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc) {
     *pass = (struct vpl_pass){.desc = *desc};
     size_t size = (size_t)desc->count * sizeof *pass->points;
     pass->points = mem_alloc((size_t)desc->count, sizeof *pass->points);
-    if (!program_init(&pass->program, &(struct program_desc){.vertex = "lights/vpl.vert"}) ||
-        !buffer_init(&pass->samples, "Halton points", size, NULL) ||
+    if (!init_programs(pass) || !buffer_init(&pass->samples, "Halton points", size, NULL) ||
         !buffer_init(&pass->shares, "shares of VPLs", sizeof(struct vpl_share_block), NULL)) {
         vpl_pass_free(pass);
         return false;
@@ -38,6 +53,7 @@ bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc) {
 
 void vpl_pass_free(struct vpl_pass *pass) {
     program_free(&pass->program);
+    program_free(&pass->spread_program);
     vertex_array_free(&pass->vertices);
     buffer_free(&pass->samples);
     buffer_free(&pass->shares);
@@ -106,6 +122,22 @@ static void write_shares(const struct vpl_pass *pass, const struct frame *frame)
     buffer_write(&pass->shares, 0, sizeof shares, &shares);
 }
 
+static void measure_spread(const struct vpl_pass *pass, const struct vpl_buffer *vpls) {
+    static const float none[4] = {0};
+    framebuffer_clear_color(vpls->spread_framebuffer, TARGET_RESULT, none);
+    pass_set_state(&(struct pass_state){
+        .name = "vpls",
+        .program = pass->spread_program,
+        .framebuffer = vpls->spread_framebuffer,
+        .vertex_array = vpls->vertices,
+        .width = 1,
+        .height = 1,
+        .blend = PASS_BLEND_ADD,
+        .blocks = {{BLOCK_VPLS, &vpls->buffer, 0, VPLS_PER_BLOCK * sizeof(struct vpl)}},
+    });
+    pass_draw(GL_POINTS, vpls->count, 1);
+}
+
 void vpl_pass_render(struct vpl_pass *pass, const struct frame *frame,
                      const struct gbuffer rsm[LIGHT_MAP_KINDS], const struct vpl_buffer *vpls) {
     follow_fluxes(pass, frame);
@@ -119,5 +151,6 @@ void vpl_pass_render(struct vpl_pass *pass, const struct frame *frame,
     rsm_add(&state, rsm);
     pass_begin(frame->timers, &state);
     pass_feedback(vpls->buffer.id, 0, pass->desc.count);
+    measure_spread(pass, vpls);
     pass_end(frame->timers);
 }

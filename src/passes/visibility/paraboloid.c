@@ -9,10 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-/* The plane of the light itself is not a caster: the map begins this far above it, over the radius.
- */
-static const float clip_fraction = 1e-4f;
-
 static bool init_programs(GLuint programs[2], const char *defines, const char *long_defines) {
     return program_init(&programs[CASTER_SHORT],
                         &(struct program_desc){.vertex = "visibility/paraboloid.vert",
@@ -73,8 +69,7 @@ void paraboloid_pass_free(struct paraboloid_pass *pass) {
 static void write_params(const struct paraboloid_pass *pass, const struct frame *frame) {
     struct paraboloid_params params = {
         .depth_range = pass->desc.depth_range,
-        .near_clip = pass->desc.near_clip * frame->radius,
-        .clip_z = clip_fraction * frame->radius,
+        .near_clip = pass->desc.near_clip,
         .map_size = (float)pass->maps.size,
         .pieces = sqrtf((float)pass->maps.size / (16 * pass->desc.bend)),
         .long_edge = pass->caster->caster.long_edge,
@@ -92,6 +87,7 @@ void paraboloid_pass_view_vpls(struct paraboloid_pass *pass, const struct frame 
         .name = "depth maps",
         .program = pass->views_program,
         .vertex_array = vpls->vertices,
+        .textures = {{UNIT_VPL_SPREAD, vpls->spread.id}},
         .blocks = {{BLOCK_PASS, &pass->params}},
     });
     pass_feedback(pass->views.buffer.id, first, count);

@@ -12,7 +12,7 @@ struct paraboloid_desc {
     float bend; /* how far edges of long casters may stray from their true place, texels */
     int size, count;
     float depth_range;
-    float near_clip; /* over the scene's radius; for views made here from VPLs */
+    float near_clip; /* over the spread of VPLs; for views made here from them */
 };
 
 struct paraboloid_pass {

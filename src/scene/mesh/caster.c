@@ -8,6 +8,50 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* --- scale ------------------------------------------------------------------------------------ */
+
+/* No triangle counts for more than this part of all surfaces. */
+enum { LARGEST_PART = 10 };
+
+static double triangle_area(const struct geometry *geometry, const uint32_t corner[3]) {
+    vec3 edges[2], across;
+    for (int e = 0; e < 2; e++)
+        glm_vec3_sub(geometry->position[corner[e + 1]], geometry->position[corner[0]], edges[e]);
+    glm_vec3_cross(edges[0], edges[1], across);
+    return (double)glm_vec3_norm(across) / 2;
+}
+
+/* Largest first. */
+static void keep_largest(double largest[LARGEST_PART], double area) {
+    for (int i = 0; i < LARGEST_PART; i++)
+        if (area > largest[i]) {
+            double smaller = largest[i];
+            largest[i] = area;
+            area = smaller;
+        }
+}
+
+/* The root of the area of all that keeps its shape. A plain of a few triangles around a room is
+ * hardly a part of it: where m triangles are too large, the rest is all but m parts. */
+static float surface_size(const struct geometry *geometry) {
+    double rest = 0, largest[LARGEST_PART] = {0};
+    for (int p = 0; p < geometry->part_count; p++) {
+        const struct geometry_part *part = &geometry->parts[p];
+        for (uint32_t k = 0; k < part->index_count && part->rigid; k += 3) {
+            double area = triangle_area(geometry, geometry->indices + part->first_index + k);
+            keep_largest(largest, area);
+            rest += area;
+        }
+    }
+    for (int m = 0; m < LARGEST_PART; m++) {
+        double all = rest * LARGEST_PART / (LARGEST_PART - m);
+        if (largest[m] * LARGEST_PART <= all)
+            return (float)sqrt(all);
+        rest -= largest[m];
+    }
+    return 0;
+}
+
 /* --- what is long ----------------------------------------------------------------------------- */
 
 /* The same bits for triangles that share the edge. */
@@ -127,8 +171,8 @@ void caster_init(struct caster *caster, const struct geometry *geometry,
     };
     uint32_t *moved_to =
         desc->error > 0
-            ? simplify_geometry(geometry,
-                                &(struct simplify_desc){.error = desc->error * geometry->radius})
+            ? simplify_geometry(
+                  geometry, &(struct simplify_desc){.error = desc->error * surface_size(geometry)})
             : NULL;
     struct caster_list all;
     list_all(&all, geometry, moved_to);

@@ -30,8 +30,8 @@ struct caster {
 enum caster_length { CASTER_SHORT, CASTER_LONG };
 
 struct caster_desc {
-    float error;    /* how far rigid opaque parts may stray (scene/mesh/simplify.h), over the
-                    geometry's radius; 0 = not at all */
+    float error;    /* how far rigid opaque parts may stray (scene/mesh/simplify.h), over the root
+                    of the area of all; 0 = not at all */
     int long_count; /* no more triangles are long: those with the longest edges. Of dynamic batches
                        none is. */
 };

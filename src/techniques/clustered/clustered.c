@@ -32,7 +32,7 @@ static const struct option table[] = {
     {"start", 0, OPTION_CHOICE, ROW(start), 0, .choices = start_names,
      .help = "where k-means begins: the same seeds each frame, the last frame's centres, or those "
              "with empty\nclusters seeded again; frames then depend on the ones before"},
-    {"weight-position", 0, OPTION_FLOAT, ROW(weight_position), .7, 0, 1000,
+    {"weight-position", 0, OPTION_FLOAT, ROW(weight_position), .25, 0, 1000,
      .help = "clustering weight of distance, w_x"},
     {"weight-normal", 0, OPTION_FLOAT, ROW(weight_normal), .3, 0, 1000,
      .help = "clustering weight of the angle between normals, w_alpha"},
