@@ -133,8 +133,8 @@ static const struct {
     const char *method, *settings;
     double bounds[4];
 } rows[] = {
-    {"samples", "samples.count=64 samples.map-size=1024", {.02, .012, .022, .007}},
-    {"pcss", "pcss.map-size=1024", {.02, .02, .02, .015}},
+    {"samples", "points=64 shadow-size=1024", {.02, .012, .022, .007}},
+    {"pcss", "shadow-size=1024", {.02, .02, .02, .015}},
 };
 
 static void test_stands(void **state) {

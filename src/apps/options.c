@@ -4,8 +4,9 @@ bool technique_values_resolve(const struct technique_values *values,
                               const struct technique **technique,
                               const struct direct_method **direct, struct settings *settings) {
     renderer_settings_init(settings);
+    *direct = NULL;
     return (*technique = technique_find(values->technique)) &&
-           (*direct = direct_find(values->direct)) &&
+           (!values->direct || (*direct = direct_find(values->direct))) &&
            renderer_settings_assign(settings, *technique, values->settings.items,
                                     values->settings.count) &&
            technique_check(*technique, settings);
@@ -17,9 +18,8 @@ void technique_values_print_help(FILE *out, const struct technique_values *value
     for (const struct technique *const *t = techniques; *t; t++)
         fprintf(out, "  %-26s %s%s\n", (*t)->name, (*t)->help,
                 *t == technique_default ? " [default]" : "");
-    fprintf(out, "\ndirect light:\n");
+    fprintf(out, "\ndirect light [default: hard, or pcss where a light has a size]:\n");
     for (const struct direct_method *const *d = direct_methods; *d; d++)
-        fprintf(out, "  %-26s %s%s\n", (*d)->name, (*d)->help,
-                *d == direct_default ? " [default]" : "");
+        fprintf(out, "  %-26s %s\n", (*d)->name, (*d)->help);
     renderer_settings_print_help(out, named ? named : technique_default);
 }

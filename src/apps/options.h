@@ -53,7 +53,7 @@ struct technique_values {
      .help = "a setting of the list below; repeatable"}
 /* clang-format on */
 
-/* What they name, with all settings. Error: of a name or a value. */
+/* What they name, with all settings; direct is NULL where none is named. Error: of a name or a value. */
 bool technique_values_resolve(const struct technique_values *values,
                               const struct technique **technique,
                               const struct direct_method **direct, struct settings *settings);

@@ -32,10 +32,10 @@ struct direct_method {
 /* All there are; their order means nothing. Null-terminated. */
 extern const struct direct_method *const direct_methods[];
 
-/* What is used where none is named. */
-extern const struct direct_method *const direct_default;
+/* What is used where none is named: hard shadows, or soft ones where a light has a size. */
+const struct direct_method *direct_for(const struct emitters *emitters);
 
-/* The method of that name; NULL is the default's. Error, and NULL: names those there are. */
+/* The method of that name. Error, and NULL: names those there are. */
 const struct direct_method *direct_find(const char *name);
 
 #endif

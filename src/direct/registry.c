@@ -18,12 +18,15 @@ MORE_METHODS(DECLARE)
 #define ENTER(name) &name##_direct,
 const struct direct_method *const direct_methods[] = {METHODS(ENTER) MORE_METHODS(ENTER) NULL};
 
-const struct direct_method *const direct_default = &hard_direct;
+const struct direct_method *direct_for(const struct emitters *emitters) {
+    for (int i = 0; i < emitters->count; i++)
+        if (emitter_shape(&emitters->items[i]) != EMITTER_IS_POINT)
+            return &pcss_direct;
+    return &hard_direct;
+}
 
 const struct direct_method *direct_find(const char *name) {
     struct names names = {0};
-    if (!name)
-        return direct_default;
     for (const struct direct_method *const *d = direct_methods; *d; d++) {
         if (strcmp((*d)->name, name) == 0)
             return *d;

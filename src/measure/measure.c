@@ -8,11 +8,8 @@
 #include <string.h>
 
 struct measure_desc measure_default(const struct stage *stage, int width, int height) {
-    struct measure_desc desc = {.stage = stage,
-                                .width = width,
-                                .height = height,
-                                .technique = technique_default,
-                                .direct = direct_default};
+    struct measure_desc desc = {
+        .stage = stage, .width = width, .height = height, .technique = technique_default};
     renderer_settings_init(&desc.settings);
     return desc;
 }

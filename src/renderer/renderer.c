@@ -133,7 +133,7 @@ static void set_defaults(struct renderer_desc *desc) {
     if (!desc->technique)
         desc->technique = technique_default;
     if (!desc->direct)
-        desc->direct = direct_default;
+        desc->direct = direct_for(&desc->emitters);
     if (desc->settings.part_count == 0)
         renderer_settings_init(&desc->settings);
 }

@@ -24,7 +24,7 @@ extern const char *const shown_layer_names[];
 struct renderer_desc {
     int width, height;                  /* required */
     const struct technique *technique;  /* technique_default */
-    const struct direct_method *direct; /* direct_default */
+    const struct direct_method *direct; /* direct_for the emitters */
     struct settings settings;           /* renderer_settings_init */
     const struct scene *scene;          /* must outlive the renderer, as must the geometry */
     const struct geometry *geometry;

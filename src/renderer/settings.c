@@ -101,6 +101,25 @@ static void print_parts(FILE *out, const struct settings_part *const *parts) {
         settings_print_help(out, *parts);
 }
 
+static bool has_part(const struct direct_method *method, const struct settings_part *part) {
+    const struct settings_part *const *p = method->parts;
+    while (*p && *p != part)
+        p++;
+    return *p;
+}
+
+/* Those that methods share with the first of them. */
+static void print_direct_parts(FILE *out) {
+    for (const struct direct_method *const *d = direct_methods; *d; d++)
+        for (const struct settings_part *const *p = (*d)->parts; *p; p++) {
+            const struct direct_method *const *first = direct_methods;
+            while (!has_part(*first, *p))
+                first++;
+            if (first == d)
+                settings_print_help(out, *p);
+        }
+}
+
 void renderer_settings_print_help(FILE *out, const struct technique *technique) {
     fprintf(out,
             "\nsettings of %s, for --set; the last name does where it is the only one, and a dash\n"
@@ -111,7 +130,6 @@ void renderer_settings_print_help(FILE *out, const struct technique *technique) 
     for (const struct preset *p = technique->presets; p && p->name; p++)
         fprintf(out, "  path=%-21s %s\n", p->name, p->help);
     print_parts(out, technique->parts);
-    for (const struct direct_method *const *d = direct_methods; *d; d++)
-        print_parts(out, (*d)->parts);
+    print_direct_parts(out);
     settings_print_help(out, &picture_part);
 }

@@ -4,27 +4,12 @@
  * texels, so that the shadow's edge is a texel wide and not stepped. */
 #include "base/memory.h"
 #include "direct/direct.h"
+#include "direct/shadow.h"
 #include "passes/visibility/direct_light.h"
 #include "passes/visibility/shadow_map.h"
 #include "shared/lookup.h"
 
 #include <stdlib.h>
-
-struct hard_settings {
-    int shadow_size;
-    float shadow_bias;
-};
-
-static const struct option table[] = {
-    {"shadow-size", 0, OPTION_INT, offsetof(struct hard_settings, shadow_size), 2048, 16, 16384,
-     .help = "shadow map of a light, texels a side"},
-    {"shadow-bias", 0, OPTION_FLOAT, offsetof(struct hard_settings, shadow_bias), 1.5, 0, 100,
-     .help = "receiver offset along its normal, in shadow texels"},
-    {NULL},
-};
-
-static const struct settings_part own_part = {"hard", "direct light with hard shadows", table,
-                                              sizeof(struct hard_settings)};
 
 struct hard {
     struct shadow_map_pass shadow_map;
@@ -41,17 +26,17 @@ static void free_state(void *state) {
 }
 
 static bool init(void **state, const struct direct_desc *desc) {
-    const struct hard_settings *own = settings_of(desc->settings, &own_part);
+    const struct shadow_settings *shadow = settings_of(desc->settings, &shadow_part);
     struct hard *hard = *state = mem_alloc(1, sizeof *hard);
     char *defines = mem_printf("FILTER %d;", FILTER_PCF);
     bool ok =
         shadow_map_pass_init(&hard->shadow_map,
-                             &(struct shadow_map_desc){own->shadow_size, *desc->lights}) &&
+                             &(struct shadow_map_desc){shadow->size, *desc->lights}) &&
         direct_light_pass_init(&hard->direct_light, &(struct direct_light_desc){
                                                         .width = desc->width,
                                                         .height = desc->height,
-                                                        .map_size = own->shadow_size,
-                                                        .bias = own->shadow_bias,
+                                                        .map_size = shadow->size,
+                                                        .bias = shadow->bias,
                                                         .fragment = "visibility/direct_point.frag",
                                                         .defines = defines,
                                                     });
@@ -80,7 +65,7 @@ static const struct texture *light(const void *state) {
     return &hard->direct_light.target.light;
 }
 
-static const struct settings_part *const parts[] = {&own_part, NULL};
+static const struct settings_part *const parts[] = {&shadow_part, NULL};
 
 extern const struct direct_method hard_direct;
 const struct direct_method hard_direct = {

@@ -1,28 +1,25 @@
 /* Direct light with percentage-closer soft shadows [Fernando 2005]. */
 #include "base/memory.h"
 #include "direct/direct.h"
+#include "direct/shadow.h"
 #include "passes/visibility/direct_light.h"
 #include "passes/visibility/shadow_map.h"
 
 #include <stdlib.h>
 
 struct pcss_settings {
-    int map_size, taps, search_taps;
-    float bias, map_bias, nearest;
+    int light_taps, search_taps;
+    float nearest, plane_bias;
 };
 
 static const struct option table[] = {
-    {"map-size", 0, OPTION_INT, offsetof(struct pcss_settings, map_size), 2048, 16, 16384,
-     .help = "shadow map of a light, texels a side"},
-    {"taps", 0, OPTION_INT, offsetof(struct pcss_settings, taps), 48, 1, 1024,
+    {"light-taps", 0, OPTION_INT, offsetof(struct pcss_settings, light_taps), 48, 1, 1024,
      .help = "points of a light that each pixel asks for"},
     {"search-taps", 0, OPTION_INT, offsetof(struct pcss_settings, search_taps), 48, 1, 1024,
      .help = "texels that it looks at to find what hides the light"},
     {"nearest", 0, OPTION_FLOAT, offsetof(struct pcss_settings, nearest), .2, .01, .99,
      .help = "where the search ends, of the receiver's distance from the light"},
-    {"bias", 0, OPTION_FLOAT, offsetof(struct pcss_settings, bias), 1.5, 0, 100,
-     .help = "receiver offset along its normal, in shadow texels"},
-    {"map-bias", 0, OPTION_FLOAT, offsetof(struct pcss_settings, map_bias), 1e-3, 0, .5,
+    {"plane-bias", 0, OPTION_FLOAT, offsetof(struct pcss_settings, plane_bias), 1e-3, 0, .5,
      .help = "receiver offset towards the light, of its distance"},
     {NULL},
 };
@@ -46,17 +43,18 @@ static void free_state(void *state) {
 
 static bool init(void **state, const struct direct_desc *desc) {
     const struct pcss_settings *own = settings_of(desc->settings, &own_part);
+    const struct shadow_settings *shadow = settings_of(desc->settings, &shadow_part);
     struct pcss *pcss = *state = mem_alloc(1, sizeof *pcss);
-    char *defines = mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;NEAREST %.6f;", own->taps,
+    char *defines = mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;NEAREST %.6f;", own->light_taps,
                                own->search_taps, (double)own->nearest);
     bool ok = shadow_map_pass_init(&pcss->shadow_map,
-                                   &(struct shadow_map_desc){own->map_size, *desc->lights}) &&
+                                   &(struct shadow_map_desc){shadow->size, *desc->lights}) &&
               direct_light_pass_init(&pcss->direct_light, &(struct direct_light_desc){
                                                               .width = desc->width,
                                                               .height = desc->height,
-                                                              .map_size = own->map_size,
-                                                              .bias = own->bias,
-                                                              .map_bias = own->map_bias,
+                                                              .map_size = shadow->size,
+                                                              .bias = shadow->bias,
+                                                              .map_bias = own->plane_bias,
                                                               .fragment = "direct/pcss/pcss.frag",
                                                               .defines = defines,
                                                           });
@@ -85,7 +83,7 @@ static const struct texture *light(const void *state) {
     return &pcss->direct_light.target.light;
 }
 
-static const struct settings_part *const parts[] = {&own_part, NULL};
+static const struct settings_part *const parts[] = {&own_part, &shadow_part, NULL};
 
 extern const struct direct_method pcss_direct;
 const struct direct_method pcss_direct = {

@@ -3,6 +3,7 @@
 #include "base/halton.h"
 #include "base/memory.h"
 #include "direct/direct.h"
+#include "direct/shadow.h"
 #include "passes/visibility/direct_light.h"
 #include "passes/visibility/shadow_map.h"
 #include "shared/lookup.h"
@@ -13,17 +14,12 @@
 #include <string.h>
 
 struct samples_settings {
-    int count, map_size;
-    float bias;
+    int points;
 };
 
 static const struct option table[] = {
-    {"count", 0, OPTION_INT, offsetof(struct samples_settings, count), 64, 1, 4096,
-     .help = "points of each light, one shadow map after another"},
-    {"map-size", 0, OPTION_INT, offsetof(struct samples_settings, map_size), 1024, 16, 16384,
-     .help = "shadow map of a point, texels a side"},
-    {"bias", 0, OPTION_FLOAT, offsetof(struct samples_settings, bias), 1.5, 0, 100,
-     .help = "receiver offset along its normal, in shadow texels"},
+    {"points", 0, OPTION_INT, offsetof(struct samples_settings, points), 64, 1, 4096,
+     .help = "of each light, one shadow map after another"},
     {NULL},
 };
 
@@ -53,19 +49,20 @@ static void free_state(void *state) {
 
 static bool init(void **state, const struct direct_desc *desc) {
     const struct samples_settings *own = settings_of(desc->settings, &own_part);
+    const struct shadow_settings *shadow = settings_of(desc->settings, &shadow_part);
     struct samples *samples = *state = mem_alloc(1, sizeof *samples);
     char *defines = mem_printf("FILTER %d;", FILTER_PCF);
-    samples->count = own->count;
+    samples->count = own->points;
     samples->block = mem_alloc(1, sizeof *samples->block);
     samples->points.items = mem_alloc(LIGHTS_MAX, sizeof *samples->points.items);
     bool ok = shadow_map_pass_init(&samples->shadow_map,
-                                   &(struct shadow_map_desc){own->map_size, *desc->lights}) &&
+                                   &(struct shadow_map_desc){shadow->size, *desc->lights}) &&
               direct_light_pass_init(&samples->direct_light,
                                      &(struct direct_light_desc){
                                          .width = desc->width,
                                          .height = desc->height,
-                                         .map_size = own->map_size,
-                                         .bias = own->bias,
+                                         .map_size = shadow->size,
+                                         .bias = shadow->bias,
                                          .fragment = "visibility/direct_point.frag",
                                          .defines = defines,
                                      }) &&
@@ -113,7 +110,7 @@ static const struct texture *light(const void *state) {
     return &samples->direct_light.target.light;
 }
 
-static const struct settings_part *const parts[] = {&own_part, NULL};
+static const struct settings_part *const parts[] = {&own_part, &shadow_part, NULL};
 
 extern const struct direct_method samples_direct;
 const struct direct_method samples_direct = {
