@@ -41,7 +41,7 @@ bool rival_measure(struct results *results, const struct measure_desc *desc,
     struct image reference;
     bool ok = truth_get(truth, &rival, &reference);
     rival.technique = NULL;
-    snprintf(rival.variant, sizeof rival.variant, "tracer, denoised");
+    snprintf(rival.variant, sizeof rival.variant, "denoised tracer");
     for (int i = 0; ok && i < COUNTS; i++)
         ok = trace(results, &rival, sample_counts[i], truth, against, &reference);
     image_free(&reference);

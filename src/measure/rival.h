@@ -7,7 +7,7 @@
 #include "measure/results.h"
 #include "measure/truth.h"
 
-/* Adds a subject without technique, "tracer, denoised", in the desc's size for each of a few counts of
+/* Adds a subject without technique, "denoised tracer", in the desc's size for each of a few counts of
  * samples, whose point is "spp=4": "clock" and "cpu", from building the tree to the denoised picture,
  * and errors against the truth, which results call `against`. Error: of the tracer or the truth. */
 bool rival_measure(struct results *results, const struct measure_desc *desc,
