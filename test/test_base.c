@@ -237,9 +237,9 @@ static void test_options(void **state) {
         option_format(o, &values, again, sizeof again);
         assert_string_equal(text, again);
     }
-    static const char *const bad[] = {"count=11",  "count=",      "count=7x",
-                                      "scale=nan", "colour=blue", "size=4x",
-                                      "size=0x4",  "scale=1e99",  "flag=maybe"};
+    static const char *const bad[] = {"count=11",    "count=",  "count=7x",   "scale=nan",
+                                      "colour=blue", "size=4x", "size=0x4",   "scale=1e99",
+                                      "flag=maybe",  "scale=%", "scale=300%", "scale=1%%"};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         char name[16];
         snprintf(name, sizeof name, "%.*s", (int)strcspn(bad[i], "="), bad[i]);
@@ -248,6 +248,8 @@ static void test_options(void **state) {
         assert_false(option_parse(option, &values, bad[i] + strcspn(bad[i], "=") + 1));
         printf("    %s\n", error_get());
     }
+    check_ok("per cent", option_parse(option_find(table, "scale"), &values, "150%"));
+    assert_true(values.scale == 1.5F);
 }
 
 static void test_text(void **state) {

@@ -30,7 +30,7 @@ static void test_usage(void **state) {
         {"", "arguments are missing", 2},
         {"scenes/sphere.glb", "-o FILE.exr is missing", 2},
         {"scenes/sphere.glb -o x.png", "x.png: only EXR", 2},
-        {"scenes/sphere.glb -o x.exr --noise 0%", "'0%'", 2},
+        {"scenes/sphere.glb -o x.exr --noise -1%", "'-1%' is not a number from 0 to 1", 2},
         {"scenes/sphere.glb -o x.exr --noise 1% --spp 4", "exclude each other", 2},
         {"scenes/sphere.glb -o x.exr --technique vpl-raytraced --denoise", "--denoise is for", 2},
         {"no-such.glb -o x.exr", "no-such.glb", 1},

@@ -25,13 +25,12 @@ struct values {
     struct stage_desc stage;
     struct path_tracer_desc tracer;
     struct text_list settings;
-    const char *output, *noise;
+    const char *output;
+    float noise;
     int technique;
 };
 
-_Static_assert(offsetof(struct path_tracer_desc, height) ==
-                   offsetof(struct path_tracer_desc, width) + sizeof(int),
-               "OPTION_SIZE writes both");
+OPTION_ASSERT_SIZE(struct path_tracer_desc, width, height);
 
 static const struct option options[] = {
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE.exr",
@@ -50,8 +49,8 @@ static const struct option options[] = {
      .help = "samples per pixel; 0 = by --noise"},
     {"paths", 0, OPTION_INT, offsetof(struct values, tracer.paths), 0, 0, 1024,
      .help = "of indirect light from each sample; 0 = 1 below 16 samples per pixel, else 4"},
-    {"noise", 0, OPTION_TEXT, offsetof(struct values, noise), .value_name = "X%",
-     .help = "samples until the indirect light's standard error (RMS over mean) is below [1%]"},
+    {"noise", 0, OPTION_FLOAT, offsetof(struct values, noise), 0, 0, 1, .value_name = "X%",
+     .help = "samples until the indirect light's standard error (RMS over mean) is below; 0 = 1%"},
     {"centers", 0, OPTION_FLAG, offsetof(struct values, tracer.centers),
      .help = "through pixels' centres alone, as a rasteriser has them: edges are not smooth"},
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
@@ -75,28 +74,17 @@ static const struct arguments arguments = {
     .max_positional = 1,
 };
 
-/* "1%" or "0.01". */
-static bool parse_noise(const char *text, double *noise) {
-    char *end;
-    *noise = strtod(text, &end);
-    if (strcmp(end, "%") == 0)
-        *noise /= 100;
-    else if (*end)
-        *noise = 0;
-    return (*noise >= 1e-6 && *noise <= 1) ||
-           error_set("noise: '%s' is not a share from 0.0001%% to 100%%", text);
-}
-
 static bool check_values(struct values *values) {
     if (!values->output)
         return error_set("-o FILE.exr is missing");
     if (!image_name_holds_layers(values->output))
         return false;
-    if (values->noise && values->tracer.samples > 0)
+    if (values->noise > 0 && values->tracer.samples > 0)
         return error_set("--spp and --noise exclude each other");
     if (values->technique != TECHNIQUE_PATH && values->tracer.denoise)
         return error_set("--denoise is for --technique path");
-    return !values->noise || parse_noise(values->noise, &values->tracer.noise);
+    values->tracer.noise = (double)values->noise;
+    return true;
 }
 
 static bool show(void *user, const struct path_tracer_progress *progress) {

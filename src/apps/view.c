@@ -14,9 +14,7 @@ struct values {
     struct viewer_desc viewer;
 };
 
-_Static_assert(offsetof(struct viewer_desc, height) ==
-                   offsetof(struct viewer_desc, width) + sizeof(int),
-               "OPTION_SIZE writes both");
+OPTION_ASSERT_SIZE(struct viewer_desc, width, height);
 
 static const struct option options[] = {
     {"size", 0, OPTION_SIZE, offsetof(struct values, viewer.width), 800, 16, 16384,

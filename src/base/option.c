@@ -92,6 +92,10 @@ static bool parse_int(const char **text, const struct option *option, int *value
 static bool parse_float(const char *text, const struct option *option, float *value) {
     char *end;
     double number = strtod(text, &end);
+    if (end > text && strcmp(end, "%") == 0) {
+        number /= 100;
+        end++;
+    }
     if (end == text || *end || !isfinite(number) || number < option->minimum ||
         number > option->maximum)
         return false;

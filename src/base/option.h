@@ -13,12 +13,17 @@
 enum option_type {
     OPTION_FLAG,   /* bool; on the command line without a value; "on"/"off" as text */
     OPTION_INT,    /* int */
-    OPTION_FLOAT,  /* float */
+    OPTION_FLOAT,  /* float; "1%" is .01 */
     OPTION_CHOICE, /* int, an index into choices */
     OPTION_TEXT,   /* const char *, not owned; NULL by default */
     OPTION_LIST,   /* struct text_list: may be given several times */
     OPTION_SIZE,   /* int[2]: WxH, each within the range */
 };
+
+/* Of a struct whose width and height one such row writes. */
+#define OPTION_ASSERT_SIZE(type, width, height)                                                    \
+    _Static_assert(offsetof(type, height) == offsetof(type, width) + sizeof(int),                  \
+                   "OPTION_SIZE writes both")
 
 enum { TEXT_LIST_MAX = 64 };
 

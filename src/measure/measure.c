@@ -17,9 +17,7 @@ struct measure_desc measure_default(const struct stage *stage, int width, int he
 static const struct option size_option = {
     "size", 0, OPTION_SIZE, offsetof(struct measure_desc, width), 800, 1, 16384, .help = ""};
 
-_Static_assert(offsetof(struct measure_desc, height) ==
-                   offsetof(struct measure_desc, width) + sizeof(int),
-               "OPTION_SIZE writes both");
+OPTION_ASSERT_SIZE(struct measure_desc, width, height);
 
 /* What is no setting goes into the desc; what is one, to the end of the text. */
 static bool sort_out(struct measure_desc *desc, const char *assignment, struct text *settings) {

@@ -108,7 +108,7 @@ static const struct option options[] = {
          "also the denoised path tracer at 1 to 16 samples a pixel, against --reference path\n"
          "where none is named; of a sweep on software OpenGL, how much more of the CPU it takes\n"
          "to err as each variant (< curve: less than for 1 sample; > curve: more than for 16)"},
-    {"noise", 0, OPTION_FLOAT, VALUE(noise), .01, 1e-4, 1,
+    {"noise", 0, OPTION_FLOAT, VALUE(noise), .01, 1e-4, 1, .value_name = "X%",
      .help = "of a path-traced reference: standard error over mean"},
     {"cache", 0, OPTION_TEXT, VALUE(cache), .value_name = "DIR",
      .help = "where references are kept [$XDG_CACHE_HOME/manylight]"},
