@@ -5,16 +5,12 @@
 #include "lib/gbuffer.glsl"
 #include "gather/near_field.glsl"
 #include "gather/receiver.glsl"
-#include "lib/vpl_rows.glsl"
+#include "lib/vpl_block.glsl"
 #include "visibility/visibility.glsl"
 #include "shared/gather.h"
 #if SHARE_VISIBILITY
 #include "gather/block.glsl"
 #endif
-
-layout(std140, binding = BLOCK_VPLS) uniform vpl_uniforms {
-    vec4 vpl_rows[VPLS_PER_BLOCK * VPL_ROWS];
-};
 
 // First VPL and count within the block; the tile's place in the pattern.
 layout(location = LOCATION_SLOT) uniform ivec4 slot;
@@ -50,8 +46,7 @@ float geometry_term(vec3 to_vpl, vec3 normal, vpl light) {
 
 // Irradiance times pi from VPL i without visibility, and the map that knows its visibility.
 vec3 unshadowed(int i, surface s, out int map) {
-    int row = i * VPL_ROWS;
-    vpl light = vpl_of_rows(vpl_rows[row], vpl_rows[row + 1], vpl_rows[row + 2]);
+    vpl light = vpl_in_block(i);
 #if MAP_PER_VPL
     map = first_map + i;
 #else

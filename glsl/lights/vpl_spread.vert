@@ -1,10 +1,7 @@
 // Each VPL adds up how far it is from others, and all land on one pixel. PARTNERS: how many others, which lie as
 // all do: Halton's first points.
+#include "lib/vpl_block.glsl"
 #include "lib/vpl_input.glsl"
-
-layout(std140, binding = BLOCK_VPLS) uniform vpl_uniforms {
-    vpl vpls[VPLS_PER_BLOCK];
-};
 
 flat out vec2 pairs; // sum of the logarithms of their distances, and how many
 
@@ -12,10 +9,11 @@ void main() {
     vpl v = vpl_input();
     pairs = vec2(0.0);
     for (int i = 0; i < PARTNERS; i++) {
-        vec3 apart = vpls[i].position - v.position;
+        vpl other = vpl_in_block(i);
+        vec3 apart = other.position - v.position;
         // None is nearer, nor the VPL to itself, than the patch that it stands for is wide.
         float distance2 = dot(apart, apart) + v.area;
-        pairs += vpls[i].reach > 0.0 ? vec2(0.5 * log2(distance2), 1.0) : vec2(0.0);
+        pairs += other.reach > 0.0 ? vec2(0.5 * log2(distance2), 1.0) : vec2(0.0);
     }
     gl_Position = v.reach > 0.0 ? vec4(0.0, 0.0, 0.0, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
 }

@@ -1,5 +1,6 @@
 /* A virtual point light [Dong 2009 §4]. Transform feedback writes it (lib/vpl_output.glsl); it is
- * read as a vertex (lib/vpl_input.glsl), as texels (lib/vpl_texels.glsl) and in a block. */
+ * read as a vertex (lib/vpl_input.glsl), as texels (lib/vpl_texels.glsl) and in a block
+ * (lib/vpl_block.glsl). */
 #ifndef SHARED_VPL_H
 #define SHARED_VPL_H
 
