@@ -120,6 +120,16 @@ bool image_is_whole(const char *path) {
     return ok;
 }
 
+bool bitmap_measure(const void *bytes, size_t size, uint64_t *memory) {
+    int width, height, channels;
+    if (size > INT_MAX)
+        return error_set("picture: too large");
+    if (!stbi_info_from_memory(bytes, (int)size, &width, &height, &channels))
+        return error_set("not a picture of a known format: %s", stbi_failure_reason());
+    *memory = (uint64_t)width * (uint64_t)height * 28 / 3; /* RGBA8, and RGBA8 with MIP maps */
+    return true;
+}
+
 bool bitmap_decode(struct bitmap *bitmap, const void *bytes, size_t size) {
     int channels;
     *bitmap = (struct bitmap){0};
