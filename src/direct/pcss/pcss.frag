@@ -108,20 +108,21 @@ bool hides(shape s, place x, texel found, float t) {
     return s.is_round ? dot(inside, inside) <= 1.0 : max(inside.x, inside.y) <= 1.0;
 }
 
+// How far along a way from the light the surface of a texel that is blocked lies; 0 where no way does.
+float hidden_at(shape s, place x, texel found) {
+    float t = dot(x.position - found.surface, s.front) / x.distance;
+    return t > 0.0 && hides(s, x, found, t) ? t : 0.0;
+}
+
 // The mean t of what hides the light; 0 where nothing does.
 float blocker(light l, shape s, place x, float reach) {
     float sum = 0.0, count = 0.0;
     for (int i = 0; i < SEARCH_TAPS; i++) {
         float t = reach * (float(i) + 0.5) / float(SEARCH_TAPS);
-        vec2 p = shape_point(s, i);
-        texel found = texel_at(l, on_way(s, x, p, t));
-        if (!is_blocked(x, found))
-            continue;
-        t = dot(x.position - found.surface, s.front) / x.distance;
-        if (t > 0.0 && hides(s, x, found, t)) {
-            sum += t;
-            count += 1.0;
-        }
+        texel found = texel_at(l, on_way(s, x, shape_point(s, i), t));
+        t = is_blocked(x, found) ? hidden_at(s, x, found) : 0.0;
+        sum += t;
+        count += t > 0.0 ? 1.0 : 0.0;
     }
     return count > 0.0 ? sum / count : 0.0;
 }
@@ -148,8 +149,14 @@ float arriving(surface at, light l, vec3 direction) {
     int taps = t > 0.0 ? FILTER_TAPS : 0;
     float width = texel_width * (IS_SUN ? 1.0 : 1.0 - t);
     vec2 widen = max(vec2(1.0), KERNEL_MIN * width / (max(t, 1e-6) * vec2(length(s.right), length(s.up))));
-    float blocked = 0.0;
-    for (int i = 0; i < taps; i++)
-        blocked += is_blocked(x, texel_at(l, on_way(s, x, shape_point(s, i) * widen, t))) ? 1.0 : 0.0;
-    return taps > 0 ? 1.0 - blocked / float(FILTER_TAPS) : 1.0;
+    // What is in front and yet hides nothing, as a thing close to the light, tells nothing of what is behind it.
+    float blocked = 0.0, free = 0.0;
+    for (int i = 0; i < taps; i++) {
+        texel found = texel_at(l, on_way(s, x, shape_point(s, i) * widen, t));
+        if (!is_blocked(x, found))
+            free += 1.0;
+        else if (hidden_at(s, x, found) > 0.0)
+            blocked += 1.0;
+    }
+    return taps == 0 ? 1.0 : free / max(free + blocked, 1.0);
 }
