@@ -7,6 +7,7 @@
 #include "direct/direct.h"
 #include "reference/path_tracer.h"
 #include "reference/scene/emission.h"
+#include "scene/placing.h"
 
 #include <cglm/cglm.h>
 
@@ -222,10 +223,87 @@ static void test_table(void **state) {
     stage_free(&stage);
 }
 
+/* --- extremes --------------------------------------------------------------------------------- */
+
+static struct image render_lights(struct stage *stage, const char *light, const char *method) {
+    struct renderer renderer;
+    check_ok(light, emitters_from_text(&stage->emitters, &stage->scene, light, 0));
+    struct image layers =
+        render_method(stage, method, "points=4 shadow-size=256 vpls=64 vals=4", &renderer);
+    renderer_free(&renderer);
+    return layers;
+}
+
+/* Lights larger than all, next to nothing, touching a table and a wall, in a sphere larger than the room:
+ * whatever the picture, it is one. */
+static void test_extremes(void **state) {
+    (void)state;
+    static const char *const lights[] = {"size=50,50",      "size=1e9,0",
+                                         "size=1e-6,1e-6",  "size=0,0",
+                                         "size=1e-6,3",     "position=0,0.76,0",
+                                         "position=0,1,-2", "position=0,1,-1.9999 direction=0,0,-1",
+                                         "direction=0,1,0"};
+    static const char *const methods[] = {"hard", "pcss", "samples"};
+    struct stage stage;
+    open_stage(&stage, "scenes/table.glb");
+    for (size_t i = 0; i < sizeof lights / sizeof *lights; i++) {
+        struct image truth;
+        for (size_t m = 0; m < sizeof methods / sizeof *methods; m++) {
+            struct image layers = render_lights(&stage, lights[i], methods[m]);
+            check_finite(lights[i], &layers);
+            image_free(&layers);
+        }
+        check_ok("truth", path_tracer_render(&(struct path_tracer_desc){.scene = &stage.scene,
+                                                                        .geometry = &stage.geometry,
+                                                                        .camera = &stage.camera,
+                                                                        .emitters = stage.emitters,
+                                                                        .width = 16,
+                                                                        .height = 16,
+                                                                        .bounces = 1,
+                                                                        .samples = 4},
+                                             &truth, NULL));
+        check_finite(lights[i], &truth);
+        image_free(&truth);
+    }
+    stage_free(&stage);
+}
+
+/* A light that is next to nothing has hard shadows, and one in two halves is the one. */
+static void test_limits(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/table.glb");
+    struct image hard = render_lights(&stage, "size=0,0", "hard");
+    struct image small = render_lights(&stage, "size=1e-5,1e-5", "pcss");
+    check_at_most("small light beside a hard shadow", relative_rmse(&small, &hard, "direct"), .1);
+    struct image whole = render_lights(&stage, "size=0.8,0.4", "pcss");
+    struct renderer renderer;
+    struct emitter halves[2];
+    for (int i = 0; i < 2; i++) {
+        halves[i] = stage.emitters.items[0];
+        halves[i].size[0] /= 2;
+        glm_vec3_muladds(halves[i].right, i ? .2F : -.2F, halves[i].position);
+        glm_vec3_scale(halves[i].intensity, .5F, halves[i].intensity);
+    }
+    struct emitters before = stage.emitters;
+    stage.emitters = (struct emitters){halves, 2};
+    struct image sum = render_method(&stage, "pcss", "shadow-size=256", &renderer);
+    stage.emitters = before;
+    renderer_free(&renderer);
+    check_at_most("halves beside the whole", relative_rmse(&sum, &whole, "direct"), .06);
+    image_free(&hard);
+    image_free(&small);
+    image_free(&whole);
+    image_free(&sum);
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_stands),
         cmocka_unit_test(test_table),
+        cmocka_unit_test(test_extremes),
+        cmocka_unit_test(test_limits),
     };
     return cmocka_run_group_tests_name("soft shadows", tests, open_group_context,
                                        close_group_context);

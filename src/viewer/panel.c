@@ -110,6 +110,20 @@ static void draw_brightness(struct viewer *viewer) {
     viewer_touch_light(viewer);
 }
 
+static void draw_size(struct viewer *viewer) {
+    struct emitter *light = viewer_light(viewer);
+    bool sun = light->type == EMITTER_DIRECTIONAL;
+    float most = sun ? 1 : viewer->document.geometry.radius;
+    struct ui_row across = {.name = sun ? "angle" : "size",
+                            .help = sun ? "across, radians" : "across, metres; 0: a point"},
+                  up = {.name = "height", .help = "metres; 0: round"};
+    bool changed = ui_float(&across, &light->size[0], 0, most);
+    if (!sun && light->type != EMITTER_POINT && light->size[0] > 0)
+        changed |= ui_float(&up, &light->size[1], 0, most) != UI_NOTHING;
+    if (changed)
+        viewer_touch_light(viewer);
+}
+
 /* Which of those that shine. */
 static void draw_light_choice(struct viewer *viewer) {
     const struct scene *scene = &viewer->document.scene;
@@ -147,6 +161,7 @@ static void draw_light(struct viewer *viewer) {
     }
     if (moved)
         viewer_touch_light(viewer);
+    draw_size(viewer);
     draw_brightness(viewer);
 }
 

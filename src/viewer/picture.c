@@ -35,6 +35,7 @@ static bool follow_wishes(struct viewer *viewer) {
     struct shown *shown = &viewer->shown;
     struct renderer_desc desc = shown->renderer.desc;
     desc.technique = viewer->wish.technique;
+    desc.direct = viewer->desc.direct; /* NULL: by the lights' sizes, which may change */
     desc.settings = viewer->wish.settings;
     desc.emitters = viewer->placed.emitters;
     desc.camera = viewer->placed.orbit.camera;
