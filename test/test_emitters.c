@@ -326,13 +326,40 @@ static void test_sizes(void **state) {
     }
 }
 
+/* Where nothing but the direct light of a lamp has noise, that is what is told. */
+static void test_direct_noise(void **state) {
+    (void)state;
+    struct world world;
+    struct image truth, quick;
+    start_corner(&world);
+    place_light(&world, EMITTER_AREA, (vec3s){{.6f, 1.2f, .4f}}, (vec3s){{0, -1, 0}}, 1);
+    emitter_aim(&world.light, world.light.direction);
+    world.light.size[0] = world.light.size[1] = .5f;
+    struct path_tracer_desc desc = describe(&world, SIZE, 4096);
+    desc.seed = 7;
+    double least = render(&desc, &truth).noise;
+    desc.seed = 0;
+    desc.samples = 16;
+    double told = render(&desc, &quick).noise, squares = 0;
+    for (int i = 0; i < SIZE * SIZE; i++)
+        squares += pow((double)(image_at(&quick, i % SIZE, i / SIZE)[CHANNEL_DIRECT] -
+                                image_at(&truth, i % SIZE, i / SIZE)[CHANNEL_DIRECT]),
+                       2);
+    double error = sqrt(squares) / SIZE / mean_of(&truth, CHANNEL_DIRECT);
+    check_at_most("noise of many samples", least, told / 4);
+    check_near("noise told, over the error", told / error, 1, .3);
+    image_free(&truth);
+    image_free(&quick);
+    world_free(&world);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_deal_counts), cmocka_unit_test(test_deal_runs),
         cmocka_unit_test(test_texts),       cmocka_unit_test(test_text_refusals),
         cmocka_unit_test(test_flux),        cmocka_unit_test(test_sum),
         cmocka_unit_test(test_split),       cmocka_unit_test(test_dark_lights),
-        cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_sizes),       cmocka_unit_test(test_direct_noise),
     };
     return cmocka_run_group_tests_name("emitters", tests, NULL, NULL);
 }

@@ -50,7 +50,9 @@ static const struct option options[] = {
     {"paths", 0, OPTION_INT, offsetof(struct values, tracer.paths), 0, 0, 1024,
      .help = "of indirect light from each sample; 0 = 1 below 16 samples per pixel, else 4"},
     {"noise", 0, OPTION_FLOAT, offsetof(struct values, noise), 0, 0, 1, .value_name = "X%",
-     .help = "samples until the indirect light's standard error (RMS over mean) is below; 0 = 1%"},
+     .help = "samples until the standard error (RMS over mean) of indirect light, and of the "
+             "direct light\n"
+             "of lights with a size, is below; 0 = 1%"},
     {"centers", 0, OPTION_FLAG, offsetof(struct values, tracer.centers),
      .help = "through pixels' centres alone, as a rasteriser has them: edges are not smooth"},
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
@@ -109,9 +111,8 @@ static bool trace_paths(const struct values *values, const struct stage *stage,
     if (ok && reached.samples == 1)
         log_note("1 sample per pixel in %.1f s, which does not tell its noise", seconds);
     else if (ok)
-        log_note("%d samples per pixel in %.1f s, noise of the indirect light %.2f %%%s",
-                 reached.samples, seconds, 100 * reached.noise,
-                 desc.denoise ? " before the filter" : "");
+        log_note("%d samples per pixel in %.1f s, noise %.2f %%%s", reached.samples, seconds,
+                 100 * reached.noise, desc.denoise ? " before the filter" : "");
     return ok;
 }
 

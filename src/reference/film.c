@@ -23,6 +23,7 @@ void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_samp
     add(pixel->direct, glms_vec3_mul(weight, sample->direct).raw);
     add(pixel->streams[stream].weight, weight.raw);
     add(pixel->streams[stream].indirect, glms_vec3_mul(weight, sample->indirect).raw);
+    pixel->streams[stream].direct += glms_vec3_dot(weight, sample->direct);
 }
 
 void film_pixel_merge(struct film_pixel *pixel, const struct film_pixel *other) {
@@ -35,6 +36,7 @@ void film_pixel_merge(struct film_pixel *pixel, const struct film_pixel *other) 
     for (int s = 0; s < FILM_STREAMS; s++) {
         add(pixel->streams[s].weight, other->streams[s].weight);
         add(pixel->streams[s].indirect, other->streams[s].indirect);
+        pixel->streams[s].direct += other->streams[s].direct;
     }
 }
 
@@ -69,6 +71,27 @@ struct film_estimate film_pixel_estimate(const struct film_pixel *pixel) {
             estimate.variance[c] = square_sum * used / (used - 1) / (weight * weight);
     }
     return estimate;
+}
+
+struct film_direct_estimate film_pixel_estimate_direct(const struct film_pixel *pixel) {
+    const struct film_stream *streams = pixel->streams;
+    double weight = 0, sum = 0, square_sum = 0;
+    int used = used_streams(pixel);
+    for (int s = 0; s < FILM_STREAMS; s++) {
+        sum += (double)streams[s].direct;
+        for (int c = 0; c < 3; c++)
+            weight += (double)streams[s].weight[c];
+    }
+    if (used == 0)
+        return (struct film_direct_estimate){0};
+    for (int s = 0; s < FILM_STREAMS; s++) {
+        double own = 0;
+        for (int c = 0; c < 3; c++)
+            own += (double)streams[s].weight[c];
+        square_sum += pow((double)streams[s].direct - sum / weight * own, 2);
+    }
+    double variance = used > 1 ? square_sum * used / (used - 1) / (weight * weight) : 0;
+    return (struct film_direct_estimate){sum / weight, variance};
 }
 
 void film_pixel_develop(const struct film_pixel *pixel, int samples, float *channels) {

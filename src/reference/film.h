@@ -27,6 +27,7 @@ struct film_pixel {
     float beauty[3], direct[3]; /* times the albedo */
     struct film_stream {
         float weight[3], indirect[3]; /* the albedo, the light times it */
+        float direct;                 /* the light times it, the sum over RGB */
     } streams[FILM_STREAMS];
 };
 
@@ -36,6 +37,12 @@ struct film_estimate {
 };
 
 void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_sample *sample);
+
+/* Of the direct light, the mean of RGB, and the variance of that. */
+struct film_direct_estimate {
+    double mean, variance;
+};
+struct film_direct_estimate film_pixel_estimate_direct(const struct film_pixel *pixel);
 
 /* Adds the sums of one to another. */
 void film_pixel_merge(struct film_pixel *pixel, const struct film_pixel *other);

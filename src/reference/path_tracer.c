@@ -149,13 +149,26 @@ static double estimate_noise(const struct tracer *tracer) {
     return mean_sum > 0 ? sqrt(variance_sum / values) / (mean_sum / values) : 0;
 }
 
+/* The same of the direct light, which has noise where a light has a size. */
+static double estimate_direct_noise(const struct tracer *tracer) {
+    size_t pixel_count = (size_t)tracer->desc.width * (size_t)tracer->desc.height;
+    double mean_sum = 0, variance_sum = 0;
+    for (size_t i = 0; tracer->emission.has_sizes && i < pixel_count; i++) {
+        struct film_direct_estimate estimate = film_pixel_estimate_direct(&tracer->pixels[i]);
+        double alpha = (double)tracer->pixels[i].coverage / tracer->done;
+        mean_sum += alpha * estimate.mean;
+        variance_sum += alpha * alpha * estimate.variance;
+    }
+    return mean_sum > 0 ? sqrt(variance_sum * (double)pixel_count) / mean_sum : 0;
+}
+
 static bool render_pass(struct tracer *tracer, uint32_t end) {
     const struct path_tracer_desc *desc = &tracer->desc;
     tracer->end = end;
     if (!rows_render(&(struct rows){desc->height, desc->threads, add_pass_to_row, report, tracer}))
         return false;
     tracer->done = end;
-    tracer->noise = estimate_noise(tracer);
+    tracer->noise = fmax(estimate_noise(tracer), estimate_direct_noise(tracer));
     return true;
 }
 

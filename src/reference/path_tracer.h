@@ -7,7 +7,7 @@
  * is unbiased, and its noise is estimated from independent streams of samples. The light rays' hits
  * are traced once and shared by all pixels (reference/light_vertices.h). Of several lights each has
  * its own two ways, weighted apart. A light with a size ends each path at another place of it, and
- * its direct light has noise, which is not in the estimate.
+ * its direct light has noise too: the greater of the two counts.
  *
  * Vertices carry shading normals without any terminator correction. A surface passes light only
  * between directions on one side of its triangle.
@@ -36,7 +36,8 @@ struct path_tracer_desc {
     int bounces;              /* 0 = direct light only */
     int samples;              /* per pixel; 0 = until noise is reached */
     int paths;    /* of indirect light from each sample; default 1 below 16 samples, else 4 */
-    double noise; /* standard error of the indirect layer, RMS over its mean; default 0.01 */
+    double noise; /* standard error of the indirect layer, RMS over its mean, and of direct light of
+                     lights with a size; default 0.01 */
     uint32_t seed;
     bool centers; /* through pixels' centres, as a rasteriser has them; else all over pixels */
     bool denoise; /* the indirect layer (reference/denoise.h), after the noise is told */
