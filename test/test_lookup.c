@@ -8,6 +8,7 @@
 #include "gl/program.h"
 #include "shared/lookup.h"
 #include "shared/map_view.h"
+#include "shared/series_range.h"
 #include "shared/view.h"
 
 #include <cglm/cglm.h>
@@ -22,6 +23,8 @@ enum { SIZE = 64, LEVELS = 7, POINTS = 4000, TERMS = 4, TAPS = 16, SEARCH = TAPS
 static const double extent = .3, unit = 5, near = .01; /* metres; of the orthographic: radians */
 static const double half = .8; /* of the map at 1 m, or of the orthographic one */
 static const double bias = .5, map_bias = .01, shift = .03, gain = 2;
+static const double nearest = .2, farthest = .5, knee = .2; /* the range of the series, map depth */
+static const double series_edge = .61 / (2 * TERMS);
 
 static const char *const projection_names[] = {"paraboloid", "perspective", "orthographic"};
 static const char *const filter_names[] = {"none", "hard", "cssm", "pcss", "pcf"};
@@ -32,6 +35,7 @@ struct answer {
 
 struct lookups {
     int projection, filter;
+    double plate;          /* map depth; 0: none */
     vec3s origin, axes[3]; /* right, up, forward */
     vec4 points[POINTS][2];
     double depths[SIZE][SIZE]; /* linear, over the unit; 2 where nothing is */
@@ -147,6 +151,15 @@ static double width_of(int projection, const struct c_receiver *r, double angle)
     return hypot(uv[1][0] - uv[0][0], uv[1][1] - uv[0][1]);
 }
 
+/* How much farther the plane gets for a step to the side at 1 m, or an angle of one. */
+static double slope_of(int projection, const struct c_receiver *r) {
+    double along = -dot(r->normal, r->point), tilt = hypot(r->normal[0], r->normal[1]);
+    if (projection == PROJECTION_PARABOLOID)
+        return tan(acos(fmin(fmax(along / r->distance, .1), 1)));
+    return tilt /
+           fmax(projection == PROJECTION_PERSPECTIVE ? along / r->point[2] : -r->normal[2], .1);
+}
+
 static double light_of(int projection, const struct c_receiver *r) {
     double cosine = r->point[2] / sqrt(dot(r->point, r->point));
     return projection == PROJECTION_ORTHOGRAPHIC  ? extent
@@ -215,16 +228,34 @@ static double filter_pcss(const struct lookups *lookups, const struct c_receiver
     return lit / TAPS;
 }
 
-/* What a basis says of the linear depth z: cos or sin of c_k z, times z or not. */
-static double basis_of(double z, int k, bool sine, bool times_z) {
-    double angle = acos(-1) * (2 * k + 1) * z;
-    return (sine ? sin(angle) : cos(angle)) * (times_z ? z : 1);
+/* The argument of the series that an open map's range makes of a depth: 0 at the nearest caster, two
+ * steps less than half the period at the farthest; and back. */
+static double argument_of(double z) {
+    double beyond = fmax(z - nearest, 0), range = farthest - nearest;
+    return (1 - 4 * series_edge) * beyond / (beyond + knee) * (range + knee) / range;
+}
+
+static double depth_of(double argument) {
+    double range = farthest - nearest;
+    double share = argument / (1 - 4 * series_edge) * range / (range + knee);
+    return nearest + knee * share / (1 - share);
+}
+
+/* Of a texel: where nothing is, one step less. */
+static double texel_argument(double z) {
+    return z > 1 ? 1 - 2 * series_edge : argument_of(z);
+}
+
+/* What a basis says of the argument a: cos or sin of c_k a, times a or not. */
+static double basis_of(double a, int k, bool sine, bool times_a) {
+    double angle = acos(-1) * (2 * k + 1) * a;
+    return (sine ? sin(angle) : cos(angle)) * (times_a ? a : 1);
 }
 
 /* The mean over the texels of a basis, bilinear between texels of a level that are means of squares
- * of the map. k < 0: z itself. */
+ * of the map. k < 0: the argument itself. */
 static double level_of(const struct lookups *lookups, const double uv[2], int level, int k,
-                       bool sine, bool times_z) {
+                       bool sine, bool times_a) {
     int size = SIZE >> level, side = 1 << level;
     double x = uv[0] * size - .5, y = uv[1] * size - .5, sum = 0;
     for (int i = 0; i < 4; i++) {
@@ -233,9 +264,9 @@ static double level_of(const struct lookups *lookups, const double uv[2], int le
         column = column < 0 ? 0 : column < size ? column : size - 1;
         row = row < 0 ? 0 : row < size ? row : size - 1;
         for (int t = 0; t < side * side; t++) {
-            double z =
-                fmin(lookups->depths[row * side + t / side][column * side + t % side], 7. / 8);
-            mean += (k < 0 ? z : basis_of(z, k, sine, times_z)) / (side * side);
+            double a =
+                texel_argument(lookups->depths[row * side + t / side][column * side + t % side]);
+            mean += (k < 0 ? a : basis_of(a, k, sine, times_a)) / (side * side);
         }
         sum += weight * mean;
     }
@@ -243,23 +274,23 @@ static double level_of(const struct lookups *lookups, const double uv[2], int le
 }
 
 static double filtered(const struct lookups *lookups, const double uv[2], double lod, int k,
-                       bool sine, bool times_z) {
+                       bool sine, bool times_a) {
     lod = fmin(lod, LEVELS - 1);
     int level = (int)lod < LEVELS - 2 ? (int)lod : LEVELS - 2;
     double part = lod - level;
-    return (1 - part) * level_of(lookups, uv, level, k, sine, times_z) +
-           part * level_of(lookups, uv, level + 1, k, sine, times_z);
+    return (1 - part) * level_of(lookups, uv, level, k, sine, times_a) +
+           part * level_of(lookups, uv, level + 1, k, sine, times_a);
 }
 
-/* The blocked fraction [Dong 2009 §4.1], or with z the sum of blockers' depths. */
-static double series(const struct lookups *lookups, const double uv[2], double d, double lod,
-                     bool times_z) {
-    double sum = times_z ? .5 * filtered(lookups, uv, lod, -1, false, false) : .5;
+/* The blocked fraction [Dong 2009 §4.1], or with a the sum of blockers' arguments. */
+static double series(const struct lookups *lookups, const double uv[2], double b, double lod,
+                     bool times_a) {
+    double sum = times_a ? .5 * filtered(lookups, uv, lod, -1, false, false) : .5;
     for (int k = 0; k < TERMS; k++) {
         double c = acos(-1) * (2 * k + 1);
         sum += 2 / c *
-               (sin(c * d) * filtered(lookups, uv, lod, k, false, times_z) -
-                cos(c * d) * filtered(lookups, uv, lod, k, true, times_z));
+               (sin(c * b) * filtered(lookups, uv, lod, k, false, times_a) -
+                cos(c * b) * filtered(lookups, uv, lod, k, true, times_a));
     }
     return sum;
 }
@@ -269,27 +300,34 @@ static double lod_of(const struct lookups *lookups, const struct c_receiver *r, 
     return fmax(0, log2(SIZE * width) - 1);
 }
 
+static double receiver_of_series(double d) {
+    return fmin(fmax(argument_of(d) - shift, -series_edge), argument_of(farthest) + series_edge);
+}
+
 static double filter_cssm(const struct lookups *lookups, const struct c_receiver *r) {
-    double d = r->distance / unit, shifted = d - shift;
+    double d = r->distance / unit, b = receiver_of_series(d);
     double lod = lod_of(lookups, r, light_of(lookups->projection, r));
-    double blocked = series(lookups, r->uv, shifted, lod, false);
+    double blocked = series(lookups, r->uv, b, lod, false);
     if (blocked < .02)
         return 1;
-    double z = series(lookups, r->uv, shifted, lod, true) / blocked;
-    z = fmax(fmin(z, shifted), 1e-3);
-    double angle = penumbra_of(lookups->projection, r->distance, z * unit);
-    blocked = series(lookups, r->uv, shifted, lod_of(lookups, r, atan(angle)), false);
+    double z = series(lookups, r->uv, b, lod, true) / blocked;
+    z = fmin(fmax(depth_of(fmax(z, 0)), 1e-3 * d), d);
+    double angle = atan(penumbra_of(lookups->projection, r->distance, z * unit));
+    b = receiver_of_series(d * (1 - fmin(angle / 8 * slope_of(lookups->projection, r), .5)));
+    blocked = series(lookups, r->uv, b, lod_of(lookups, r, angle), false);
     return fmax(fmin(.5 - (blocked - .5) * gain, 1), 0);
 }
 
 /* --- the map ---------------------------------------------------------------------------------- */
 
-/* A tilted blocker with a wavy edge before nothing. */
+/* A tilted blocker with a wavy edge before nothing; or a plate as wide as the map. */
 static void make_depths(struct lookups *lookups) {
     for (int y = 0; y < SIZE; y++)
         for (int x = 0; x < SIZE; x++) {
             double edge = SIZE / 2 + 6 * sin(y * .2);
-            lookups->depths[y][x] = x < edge ? .25 + .1 * y / SIZE : 2;
+            lookups->depths[y][x] = lookups->plate > 0 ? lookups->plate
+                                    : x < edge         ? .25 + .1 * y / SIZE
+                                                       : 2;
         }
 }
 
@@ -325,16 +363,16 @@ static void open_map(struct lookups *lookups) {
     open_texture(&lookups->map, GL_R32F, 1, GL_RED, texels);
 }
 
-/* cos, sin as (b + 1) / 2, z cos, z sin, z. */
+/* cos, sin as (b + 1) / 2, a cos, a sin, a. */
 static void open_bases(struct lookups *lookups) {
     float(*texels)[4] = mem_alloc(SIZE * SIZE, sizeof *texels);
     float plain[SIZE * SIZE];
     for (int b = 0; b < 4; b++) {
         for (int i = 0; i < SIZE * SIZE; i++) {
-            double z = fmin(lookups->depths[i / SIZE][i % SIZE], 7. / 8);
-            plain[i] = (float)z;
+            double a = texel_argument(lookups->depths[i / SIZE][i % SIZE]);
+            plain[i] = (float)a;
             for (int k = 0; k < TERMS; k++) {
-                double value = basis_of(z, k, b % 2, b >= 2);
+                double value = basis_of(a, k, b % 2, b >= 2);
                 texels[i][k] = (float)(b < 2 ? value / 2 + .5 : value);
             }
         }
@@ -423,39 +461,48 @@ static void run(struct lookups *lookups) {
                                    .map_bias = (float)map_bias,
                                    .shift = (float)shift,
                                    .gain = (float)gain};
+    struct series_range range = {
+        (float)nearest, (float)farthest, (float)knee,
+        (float)(argument_of(farthest) / (farthest - nearest) * (farthest - nearest + knee))};
     struct timers untimed = {0};
-    struct buffer view, block, points, answers;
+    struct buffer view, block, ranges, points, answers;
     GLuint program = open_program(lookups);
     open_view(lookups, &view);
     check_ok("params", buffer_init(&block, "lookup", sizeof params, &params));
+    check_ok("ranges", buffer_init(&ranges, "ranges", SERIES_RANGES_MAX * sizeof range, NULL));
+    buffer_write(&ranges, 0, sizeof range, &range);
     check_ok("points", buffer_init(&points, "points", sizeof lookups->points, lookups->points));
     check_ok("answers", buffer_init(&answers, "answers", POINTS * sizeof *lookups->answers, NULL));
-    pass_begin(&untimed, &(struct pass_state){
-                             .name = "lookups",
-                             .program = program,
-                             .textures = {{UNIT_MAP_DEPTH, lookups->map.id},
-                                          {UNIT_BASIS_COS, lookups->bases[0].id},
-                                          {UNIT_BASIS_SIN, lookups->bases[1].id},
-                                          {UNIT_BASIS_Z_COS, lookups->bases[2].id},
-                                          {UNIT_BASIS_Z_SIN, lookups->bases[3].id},
-                                          {UNIT_BASIS_Z, lookups->bases[4].id}},
-                             .blocks = {{BLOCK_PASS, &view}, {BLOCK_LOOKUP, &block}},
-                             .storages = {{0, &points}, {1, &answers}},
-                         });
+    pass_begin(
+        &untimed,
+        &(struct pass_state){
+            .name = "lookups",
+            .program = program,
+            .textures = {{UNIT_MAP_DEPTH, lookups->map.id},
+                         {UNIT_BASIS_COS, lookups->bases[0].id},
+                         {UNIT_BASIS_SIN, lookups->bases[1].id},
+                         {UNIT_BASIS_Z_COS, lookups->bases[2].id},
+                         {UNIT_BASIS_Z_SIN, lookups->bases[3].id},
+                         {UNIT_BASIS_Z, lookups->bases[4].id}},
+            .blocks = {{BLOCK_PASS, &view}, {BLOCK_LOOKUP, &block}, {BLOCK_SERIES_RANGES, &ranges}},
+            .storages = {{0, &points}, {1, &answers}},
+        });
     pass_dispatch((POINTS + 63) / 64, 1, 1);
     pass_end(&untimed);
     buffer_read(&answers, 0, POINTS * sizeof *lookups->answers, lookups->answers);
     buffer_free(&view);
     buffer_free(&block);
+    buffer_free(&ranges);
     buffer_free(&points);
     buffer_free(&answers);
     program_free(&program);
 }
 
-static struct lookups *open_lookups(int projection, int filter) {
+static struct lookups *open_lookups(int projection, int filter, double plate) {
     struct lookups *lookups = mem_alloc(1, sizeof *lookups);
     lookups->projection = projection;
     lookups->filter = filter;
+    lookups->plate = plate;
     lookups->origin = (vec3s){{.3f, 2, -.7f}};
     lookups->axes[2] = glms_vec3_normalize((vec3s){{.2f, -1, .4f}});
     lookups->axes[0] = glms_vec3_normalize(glms_vec3_cross(lookups->axes[2], (vec3s){{0, 0, 1}}));
@@ -490,7 +537,7 @@ static double map_depth_of(int projection, double stored) {
 }
 
 static void check_projection(int projection) {
-    struct lookups *lookups = open_lookups(projection, FILTER_NONE);
+    struct lookups *lookups = open_lookups(projection, FILTER_NONE, 0);
     double uv = 0, depth = 0, plane = 0, texel = 0, light = 0, penumbra = 0, width = 0;
     int wrong = 0;
     for (int i = 0; i < POINTS; i++) {
@@ -539,7 +586,7 @@ static void test_orthographic(void **state) {
 static void check_filter(int filter, double (*expected)(const struct lookups *lookups,
                                                         const struct c_receiver *r)) {
     for (int projection = 0; projection < 3; projection++) {
-        struct lookups *lookups = open_lookups(projection, filter);
+        struct lookups *lookups = open_lookups(projection, filter, 0);
         int wrong = 0, between = 0;
         double sum = 0;
         for (int i = 0; i < POINTS; i++) {
@@ -577,6 +624,40 @@ static void test_cssm(void **state) {
     check_filter(FILTER_CSSM, filter_cssm);
 }
 
+/* A plate as wide as the map: whatever the filter, the answer is that of the step itself, the sum of K sines of what
+ * lies between receiver and plate. All before the plate is lit, all that is more than the step behind it is dark, as
+ * far off as it may be: also behind the farthest caster, where the series, unclamped, would begin again. */
+static void test_step(void **state) {
+    (void)state;
+    const double plate = nearest, dark_from = .52 / (2 * TERMS);
+    struct lookups *lookups = open_lookups(PROJECTION_PARABOLOID, FILTER_CSSM, plate);
+    double worst = 0, least_before = 1, most_behind = 0, farthest_behind = 0;
+    for (int i = 0; i < POINTS; i++) {
+        struct c_receiver r = receiver_of(lookups, lookups->points[i]);
+        double d = r.distance / unit, z = fmin(d, plate);
+        double angle = atan(penumbra_of(PROJECTION_PARABOLOID, d * unit, z * unit));
+        double tilt = 1 - fmin(angle / 8 * slope_of(PROJECTION_PARABOLOID, &r), .5);
+        double t = argument_of(d * tilt) - argument_of(plate), blocked = .5;
+        double share = lookups->answers[i].share;
+        for (int k = 0; k < TERMS; k++)
+            blocked += 2 * sin(acos(-1) * (2 * k + 1) * (t - shift)) / (acos(-1) * (2 * k + 1));
+        if (d <= farthest)
+            worst = fmax(worst, off(share, fmax(fmin(.5 - (blocked - .5) * gain, 1), 0)));
+        if (d <= plate)
+            least_before = fmin(least_before, share);
+        if (t > dark_from) {
+            most_behind = fmax(most_behind, share);
+            farthest_behind = fmax(farthest_behind, d);
+        }
+    }
+    check_at_most("difference from the sum of sines", worst, .01);
+    check_at_most("the least light before the plate, from 1", 1 - least_before, .05);
+    check_at_most("light more than a step behind it", most_behind, .001);
+    check_at_most("the farthest caster, over the farthest receiver", farthest / farthest_behind,
+                  .7);
+    close_lookups(lookups);
+}
+
 static int open_tests(void **state) {
     glsl_set_folder("glsl"); /* the test's own shader lies beside the test */
     return open_group_context(state);
@@ -592,7 +673,7 @@ int main(void) {
         cmocka_unit_test(test_paraboloid),   cmocka_unit_test(test_perspective),
         cmocka_unit_test(test_orthographic), cmocka_unit_test(test_hard),
         cmocka_unit_test(test_pcf),          cmocka_unit_test(test_pcss),
-        cmocka_unit_test(test_cssm),
+        cmocka_unit_test(test_cssm),         cmocka_unit_test(test_step),
     };
     return cmocka_run_group_tests_name("lookup", tests, open_tests, close_tests);
 }

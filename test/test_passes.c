@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "shared/map_view.h"
+#include "shared/series_range.h"
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>
@@ -271,10 +272,9 @@ static void test_views(void **state) {
         frames =
             fmax(frames, fabs((double)glm_vec3_dot((float *)view->axis, (float *)view->tangent)));
         frames = fmax(frames, fabs((double)glm_vec3_norm((float *)view->tangent) - 1));
-        double range = (double)frame.vals->maps.depth->depth_range;
-        ranges = fmax(ranges, fabs((double)view->z_far * range /
-                                       farthest_corner(&frame.stage.geometry, view->center) -
-                                   1));
+        ranges = fmax(
+            ranges,
+            fabs((double)view->z_far / farthest_corner(&frame.stage.geometry, view->center) - 1));
     }
     double radius = (double)frame.stage.geometry.radius;
     check_at_most("extents, over the radius", extents / radius, 1e-5);
@@ -340,7 +340,7 @@ static void compare_map(const struct frame_of_vals *frame, const struct rays *ra
                 continue;
             /* What is nearer than the near clip is not there. */
             vec3s from = glms_vec3_muladds(direction, near, to_vec3s(view->center));
-            float depth = maps->depth_range;
+            float depth = 1;
             if (ray_scene_hit(&rays->scene, from, direction, &hit))
                 depth = glms_vec3_distance(hit.position, to_vec3s(view->center)) / view->z_far;
             (*count)++;
@@ -383,17 +383,76 @@ static void test_depth_maps(void **state) {
 
 /* --- bases ------------------------------------------------------------------------------------ */
 
+/* What a map's depths are, and what they make of one. */
+struct fitted {
+    double nearest, farthest, knee; /* the knee beyond the nearest, twice as far as the mean */
+    double step, end;               /* of the argument: from 0 to 1, and of the farthest */
+};
+
+static struct fitted fit(const struct frame_of_vals *frame, int k) {
+    const struct depth_maps *maps = frame->vals->maps.depth;
+    float *depths = read_layer(&maps->depth, 0, k, GL_DEPTH_COMPONENT);
+    double nearest = 1, farthest = 0, sum = 0;
+    int count = 0;
+    for (int i = 0; i < maps->size * maps->size; i++) {
+        double z = (double)depths[i];
+        if (z == 1) /* nothing */
+            continue;
+        nearest = fmin(nearest, z);
+        farthest = fmax(farthest, z);
+        sum += z;
+        count++;
+    }
+    free(depths);
+    double step = 1.22 / (2 * frame->vals->maps.bases->terms);
+    bool open = count < GLM_PI / 8 * maps->size * maps->size; /* half of the disc */
+    return (struct fitted){nearest, farthest, 2 * (sum / count - nearest), step,
+                           1 - (open ? 2 : 1) * step};
+}
+
+/* Where nothing is, one step before the end of half the period. */
+static double argument(const struct fitted *fitted, double z) {
+    if (z == 1)
+        return 1 - fitted->step;
+    double range = fitted->farthest - fitted->nearest, beyond = z - fitted->nearest;
+    return fitted->end * beyond / (beyond + fitted->knee) * (range + fitted->knee) / range;
+}
+
+static void test_ranges(void **state) {
+    (void)state;
+    struct frame_of_vals frame;
+    open_vals(&frame, "scenes/cornell-animal.glb",
+              "vpls=256 vals=8 interleave=1 map-size=64 visibility=cssm");
+    const struct basis_maps *maps = frame.vals->maps.bases;
+    struct series_range ranges[8];
+    buffer_read(&maps->ranges, 0, sizeof ranges, ranges);
+    double bounds = 0, knees = 0, ends = 0;
+    for (int k = 0; k < frame.val_count; k++) {
+        struct fitted own = fit(&frame, k);
+        bounds = fmax(bounds, fabs((double)ranges[k].nearest - own.nearest));
+        bounds = fmax(bounds, fabs((double)ranges[k].farthest - own.farthest));
+        knees = fmax(knees, fabs((double)ranges[k].knee - own.knee));
+        double beyond = own.farthest - own.nearest;
+        ends = fmax(ends, fabs((double)ranges[k].scale * beyond / (beyond + own.knee) - own.end));
+    }
+    check_at_most("nearest and farthest, map depth", bounds, 0);
+    check_at_most("knee, map depth", knees, 1e-6);
+    check_at_most("the farthest's argument", ends, 1e-5);
+    close_vals(&frame);
+}
+
 /* The largest difference of a basis from a function of the depth, over one map and group. */
 static double basis_error(const struct frame_of_vals *frame, const struct texture *texture, int k,
-                          int group, double (*basis)(double c, double z), bool coded) {
+                          int group, double (*basis)(double c, double a), bool coded) {
     const struct basis_maps *maps = frame->vals->maps.bases;
+    struct fitted fitted = fit(frame, k);
     float *depths = read_layer(&frame->vals->maps.depth->depth, 0, k, GL_DEPTH_COMPONENT);
     float *texels = read_layer(texture, 0, group * maps->count + k, GL_RGBA);
     double worst = 0;
     for (int i = 0; i < maps->size * maps->size; i++)
         for (int term = 4 * group; term < 4 * group + 4 && term < maps->terms; term++) {
             double value = (double)texels[4 * i + term - 4 * group];
-            double expected = basis(GLM_PI * (2 * term + 1), (double)depths[i]);
+            double expected = basis(GLM_PI * (2 * term + 1), argument(&fitted, (double)depths[i]));
             worst = fmax(worst, fabs((coded ? 2 * value - 1 : value) - expected));
         }
     free(depths);
@@ -401,17 +460,17 @@ static double basis_error(const struct frame_of_vals *frame, const struct textur
     return worst;
 }
 
-static double basis_cos(double c, double z) {
-    return cos(c * z);
+static double basis_cos(double c, double a) {
+    return cos(c * a);
 }
-static double basis_sin(double c, double z) {
-    return sin(c * z);
+static double basis_sin(double c, double a) {
+    return sin(c * a);
 }
-static double basis_z_cos(double c, double z) {
-    return z * cos(c * z);
+static double basis_z_cos(double c, double a) {
+    return a * cos(c * a);
 }
-static double basis_z_sin(double c, double z) {
-    return z * sin(c * z);
+static double basis_z_sin(double c, double a) {
+    return a * sin(c * a);
 }
 
 /* A level's texels are means of four of the level above. */
@@ -465,6 +524,7 @@ int main(void) {
         cmocka_unit_test(test_views),
         cmocka_unit_test(test_views_from_outside),
         cmocka_unit_test(test_depth_maps),
+        cmocka_unit_test(test_ranges),
         cmocka_unit_test(test_bases),
     };
     return cmocka_run_group_tests_name("passes", tests, open_group_context, close_group_context);

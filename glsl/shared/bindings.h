@@ -14,9 +14,11 @@
 #define BLOCK_NEAR_SAMPLES 7
 #define BLOCK_VPL_SHARES 8
 #define BLOCK_LIST_COUNTS 9
+#define BLOCK_SERIES_RANGES 10
 
 /* Storages and images, which shaders write. GL promises 8 each to compute shaders. */
 #define STORAGE_LIST_COUNTS 0
+#define STORAGE_SERIES_RANGES 1
 #define IMAGE_LISTED_PIXELS 0
 #define IMAGE_LIST_TEXELS 1
 

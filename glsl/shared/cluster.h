@@ -9,12 +9,10 @@ struct cluster_params {
     float weight_normal;   /* w_alpha over pi, 1/rad */
     int val_count, vpl_count;
     vec3 bounds_min; /* metres */
-    float depth_range; /* map depth of the farthest point of the scene */
-    vec3 bounds_max;
     float near_clip; /* over the spread of VPLs */
+    vec3 bounds_max;
     BOOL reseed; /* empty clusters begin again */
-    int unused0, unused1, unused2;
 };
-PASS_BLOCK(cluster_params, 64)
+PASS_BLOCK(cluster_params, 48)
 
 #endif

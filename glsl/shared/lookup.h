@@ -19,7 +19,7 @@ struct lookup_params {
     float bias;     /* of the point along its normal, texels of the map */
     float map_size; /* texels */
     float map_bias; /* of the point's distance, where it is compared with a texel, of the distance */
-    float shift;    /* FILTER_CSSM: of the receiver depth, map depth */
+    float shift;    /* FILTER_CSSM: of the receiver, in the argument of the series */
     float gain;     /* of the blocked fraction about one half */
     float sharpen_a, sharpen_b;
     float unused;

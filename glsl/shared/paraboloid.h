@@ -5,14 +5,13 @@
 #include "shared/types.h"
 
 struct paraboloid_params {
-    vec3 bounds_min;   /* metres */
-    float depth_range; /* map depth of the farthest point of the scene */
-    vec3 bounds_max;
+    vec3 bounds_min; /* metres */
     float near_clip; /* over the spread of VPLs */
+    vec3 bounds_max;
     float map_size;  /* texels */
     float pieces;    /* of a long edge, per radian that it spans at the rim of the map */
     float long_edge; /* shorter ones stay whole, metres */
-    float unused;
+    float unused0, unused1;
 };
 PASS_BLOCK(paraboloid_params, 48)
 

@@ -4,6 +4,7 @@
 //     receiver                              a point as the map sees it
 //     bool project(v, position, normal, r)  false where the view v does not look
 //     float receiver_distance(r, texel)     where the receiver's plane is met through a texel
+//     float receiver_slope(r)               how much farther the receiver's plane gets over an angle, of its distance
 //     float extent_in_units(r, extent)      the light's extent, in units of r.unit
 //     float map_depth(r, stored)            linear depth of a texel's value, in units of r.unit
 //     float light_angle(r, extent, d)       the light's extent, seen from the receiver

@@ -32,6 +32,10 @@ float receiver_distance(receiver r, ivec2 texel) {
     return clamp(plane, r.distance * 0.5, r.distance) * (1.0 - lookup.map_bias);
 }
 
+float receiver_slope(receiver r) {
+    return length(r.normal.xy) / max(-r.normal.z, 0.1);
+}
+
 float extent_in_units(receiver r, float extent) {
     return extent; // an angle
 }

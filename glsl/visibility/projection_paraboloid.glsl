@@ -36,6 +36,11 @@ float receiver_distance(receiver r, ivec2 texel) {
     return clamp(plane, r.distance * 0.5, r.distance) * (1.0 - lookup.map_bias - bend);
 }
 
+float receiver_slope(receiver r) {
+    float facing = clamp(-dot(r.normal, r.direction), 0.1, 1.0);
+    return sqrt(1.0 - facing * facing) / facing;
+}
+
 float extent_in_units(receiver r, float extent) {
     return extent / r.unit;
 }

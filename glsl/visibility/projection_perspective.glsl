@@ -33,6 +33,11 @@ float receiver_distance(receiver r, ivec2 texel) {
     return clamp(plane, r.distance * 0.5, r.distance) * (1.0 - lookup.map_bias);
 }
 
+float receiver_slope(receiver r) {
+    float facing = max(-dot(r.normal, r.point) / r.distance, 0.1);
+    return length(r.normal.xy) / facing;
+}
+
 float extent_in_units(receiver r, float extent) {
     return extent / r.unit;
 }

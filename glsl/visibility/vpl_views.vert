@@ -12,6 +12,6 @@ void main() {
     vpl v = vpl_input();
     float z_far = farthest_corner(v.position, params.bounds_min, params.bounds_max);
     float near = min(2.0 * params.near_clip * vpl_spread(), sqrt(v.area));
-    map_view_output(map_view(v.position, z_far / params.depth_range, v.normal, 0.0,
+    map_view_output(map_view(v.position, z_far, v.normal, 0.0,
                              perpendicular(v.normal), near));
 }

@@ -59,20 +59,19 @@ struct map_views {
     int count;
 };
 
-/* Map depth |q| / z_far of the nearest caster; depth_range where there is none. D16, one layer a
- * view. */
+/* Map depth |q| / z_far of the nearest caster; 1 where there is none. D16, one layer a view. */
 struct depth_maps {
     struct texture depth;
     int size, count;
-    float depth_range; /* map depth of the farthest point of the scene, at most 1 */
 };
 
 /* Fourier bases of the depth maps with MIP maps; layer g x count + k is group g (four terms) of map
- * k. */
+ * k, whose depths its range makes the argument of (visibility/series.glsl). */
 struct basis_maps {
     struct texture cos, sin;     /* RGBA8, (b + 1) / 2 */
     struct texture z_cos, z_sin; /* RGBA16F */
     struct texture z;            /* R16F, one layer a map */
+    struct buffer ranges;        /* struct series_range, one a map */
     int size, count, groups, terms;
 };
 

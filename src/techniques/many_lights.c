@@ -239,11 +239,6 @@ float many_lights_caster_bend(const struct settings *settings) {
     return own->bend;
 }
 
-float many_lights_depth_range(const struct settings *settings) {
-    const struct lookup_settings *lookup = settings_of(settings, &lookup_part);
-    return 1 - 1 / (2 * (float)lookup->terms);
-}
-
 struct contribution many_lights_contribution(const struct many_lights *lights) {
     return (struct contribution){.irradiance = &lights->blur.blurred};
 }

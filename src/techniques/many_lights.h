@@ -120,10 +120,6 @@ float many_lights_caster_bend(const struct settings *settings);
 /* RSM and VPLs, into lights->vpls. */
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame);
 
-/* The share of map depth that the scene may take, so that the series, of period 2, stays clear of
- * the falls at |t| = 1: 1 - 1 / (2 K). */
-float many_lights_depth_range(const struct settings *settings);
-
 /* The gather: begins at zero, and then adds VPLs in as many calls as the technique likes. */
 void many_lights_begin(const struct many_lights *lights, const struct frame *frame,
                        const struct gbuffer *gbuffer);

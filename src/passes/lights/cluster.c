@@ -102,7 +102,6 @@ static void write_params(const struct cluster_pass *pass, const struct frame *fr
         .weight_normal = desc->weight_normal / (float)GLM_PI,
         .val_count = desc->val_count,
         .vpl_count = desc->vpl_count,
-        .depth_range = desc->depth_range,
         .near_clip = desc->near_clip,
         .reseed = desc->start == CLUSTER_START_RESEED,
     };

@@ -24,7 +24,6 @@ struct cluster_desc {
     int iterations;
     float weight_position, weight_normal; /* w_x, w_alpha */
     float near_clip;                      /* of the VALs' maps, over the spread of VPLs */
-    float depth_range;                    /* of the VALs' maps */
 };
 
 /* M x 1 RGBA32F: position and count, normal, flux (W). */

@@ -1,9 +1,13 @@
 #include "passes/visibility/basis.h"
 
+#include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/basis.h"
+#include "shared/series_range.h"
+
+#include <stdlib.h>
 
 static bool init_map(struct texture *texture, const char *label, GLenum format, int layers,
                      const struct basis_maps *maps) {
@@ -25,7 +29,9 @@ static bool init_maps(struct basis_maps *maps) {
            init_map(&maps->sin, "basis", GL_RGBA8, layers, maps) &&
            init_map(&maps->z_cos, "basis z", GL_RGBA16F, layers, maps) &&
            init_map(&maps->z_sin, "basis z", GL_RGBA16F, layers, maps) &&
-           init_map(&maps->z, "basis z", GL_R16F, maps->count, maps);
+           init_map(&maps->z, "basis z", GL_R16F, maps->count, maps) &&
+           buffer_init(&maps->ranges, "series ranges",
+                       SERIES_RANGES_MAX * sizeof(struct series_range), NULL);
 }
 
 static bool init_params(struct basis_pass *pass) {
@@ -35,6 +41,19 @@ static bool init_params(struct basis_pass *pass) {
             return false;
     }
     return true;
+}
+
+static bool init_programs(struct basis_pass *pass) {
+    char *defines = mem_printf("BASIS_TERMS %d", pass->maps.terms);
+    bool ok =
+        program_init(&pass->range_program,
+                     &(struct program_desc){.compute = "visibility/series_range.comp",
+                                            .defines = defines}) &&
+        program_init(&pass->program, &(struct program_desc){.vertex = "layers.vert",
+                                                            .fragment = "visibility/basis.frag",
+                                                            .defines = defines});
+    free(defines);
+    return ok;
 }
 
 bool basis_pass_init(struct basis_pass *pass, const struct basis_desc *desc) {
@@ -49,9 +68,8 @@ bool basis_pass_init(struct basis_pass *pass, const struct basis_desc *desc) {
     first.colors[TARGET_BASIS_Z_COS] = more.colors[TARGET_BASIS_Z_COS] = &maps->z_cos;
     first.colors[TARGET_BASIS_Z_SIN] = more.colors[TARGET_BASIS_Z_SIN] = &maps->z_sin;
     first.colors[TARGET_BASIS_Z] = &maps->z;
-    if (program_init(&pass->program, &(struct program_desc){.vertex = "layers.vert",
-                                                            .fragment = "visibility/basis.frag"}) &&
-        init_maps(maps) && framebuffer_init(&pass->first_framebuffer, &first) &&
+    if (init_programs(pass) && init_maps(maps) &&
+        framebuffer_init(&pass->first_framebuffer, &first) &&
         framebuffer_init(&pass->more_framebuffer, &more) && init_params(pass))
         return true;
     basis_pass_free(pass);
@@ -59,6 +77,7 @@ bool basis_pass_init(struct basis_pass *pass, const struct basis_desc *desc) {
 }
 
 void basis_pass_free(struct basis_pass *pass) {
+    program_free(&pass->range_program);
     program_free(&pass->program);
     framebuffer_free(&pass->first_framebuffer);
     framebuffer_free(&pass->more_framebuffer);
@@ -67,6 +86,7 @@ void basis_pass_free(struct basis_pass *pass) {
     texture_free(&pass->maps.z_cos);
     texture_free(&pass->maps.z_sin);
     texture_free(&pass->maps.z);
+    buffer_free(&pass->maps.ranges);
     for (int i = 0; i < 4; i++)
         buffer_free(&pass->params[i]);
     *pass = (struct basis_pass){0};
@@ -83,6 +103,20 @@ static void build_mips(const struct basis_pass *pass, const struct frame *frame)
     timer_end(frame->timers);
 }
 
+static void find_ranges(const struct basis_pass *pass, const struct frame *frame,
+                        const struct depth_maps *depth) {
+    pass_begin(frame->timers, &(struct pass_state){
+                                  .name = "range",
+                                  .program = pass->range_program,
+                                  .textures = {{UNIT_MAP_DEPTH, depth->depth.id}},
+                                  .storages = {{STORAGE_SERIES_RANGES, &pass->maps.ranges}},
+                              });
+    pass_dispatch(pass->maps.count, 1, 1);
+    /* Later passes read the ranges as uniforms. */
+    gl.MemoryBarrier(GL_UNIFORM_BARRIER_BIT);
+    pass_end(frame->timers);
+}
+
 void basis_pass_render(const struct basis_pass *pass, const struct frame *frame,
                        const struct depth_maps *depth) {
     struct pass_state state = {
@@ -92,8 +126,9 @@ void basis_pass_render(const struct basis_pass *pass, const struct frame *frame,
         .width = pass->maps.size,
         .height = pass->maps.size,
         .textures = {{UNIT_MAP_DEPTH, depth->depth.id}},
-        .blocks = {{BLOCK_PASS, &pass->params[0]}},
+        .blocks = {{BLOCK_PASS, &pass->params[0]}, {BLOCK_SERIES_RANGES, &pass->maps.ranges}},
     };
+    find_ranges(pass, frame, depth);
     pass_begin(frame->timers, &state);
     for (int group = 0; group < pass->maps.groups; group++) {
         if (group > 0) {

@@ -11,7 +11,7 @@ struct basis_desc {
 };
 
 struct basis_pass {
-    GLuint program;
+    GLuint range_program, program;
     GLuint first_framebuffer; /* all five targets */
     GLuint more_framebuffer;  /* further groups of terms: without z, which has a layer a map only */
     struct basis_maps maps;
@@ -21,7 +21,7 @@ struct basis_pass {
 bool basis_pass_init(struct basis_pass *pass, const struct basis_desc *desc);
 void basis_pass_free(struct basis_pass *pass);
 
-/* From depth to pass->maps. Timers "basis", "mips". */
+/* From depth to pass->maps. Timers "range", "basis", "mips". */
 void basis_pass_render(const struct basis_pass *pass, const struct frame *frame,
                        const struct depth_maps *depth);
 

@@ -25,7 +25,7 @@ static bool init_programs(GLuint programs[2], const char *defines, const char *l
 bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_desc *desc) {
     *pass = (struct paraboloid_pass){
         .desc = *desc,
-        .maps = {.size = desc->size, .count = desc->count, .depth_range = desc->depth_range},
+        .maps = {.size = desc->size, .count = desc->count},
     };
     if (caster_pool_acquire(desc->casters, &pass->caster, &desc->caster) &&
         init_programs(pass->opaque_programs, NULL, "LONG") &&
@@ -68,7 +68,6 @@ void paraboloid_pass_free(struct paraboloid_pass *pass) {
 
 static void write_params(const struct paraboloid_pass *pass, const struct frame *frame) {
     struct paraboloid_params params = {
-        .depth_range = pass->desc.depth_range,
         .near_clip = pass->desc.near_clip,
         .map_size = (float)pass->maps.size,
         .pieces = sqrtf((float)pass->maps.size / (16 * pass->desc.bend)),
@@ -120,7 +119,7 @@ void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct fra
     };
     write_params(pass, frame);
     pass_begin(frame->timers, &state);
-    framebuffer_clear_depth(pass->framebuffer, pass->maps.depth_range);
+    framebuffer_clear_depth(pass->framebuffer, 1);
     for (int l = 0; l < 2; l++)
         draw_casters(pass, &state, (enum caster_length)l, frame->scene, views->count);
     pass_end(frame->timers);

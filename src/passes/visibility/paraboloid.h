@@ -11,7 +11,6 @@ struct paraboloid_desc {
     struct caster_desc caster;   /* which of them the maps show */
     float bend; /* how far edges of long casters may stray from their true place, texels */
     int size, count;
-    float depth_range;
     float near_clip; /* over the spread of VPLs; for views made here from them */
 };
 

@@ -23,6 +23,7 @@ static void add_maps(struct pass_state *state, const struct visibility_desc *des
         pass_add_texture(state, UNIT_MAP_DEPTH, inputs->depth->depth.id);
         return;
     }
+    pass_add_block(state, BLOCK_SERIES_RANGES, &inputs->bases->ranges);
     pass_add_texture(state, UNIT_BASIS_COS, inputs->bases->cos.id);
     pass_add_texture(state, UNIT_BASIS_SIN, inputs->bases->sin.id);
     pass_add_texture(state, UNIT_BASIS_Z_COS, inputs->bases->z_cos.id);

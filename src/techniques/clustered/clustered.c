@@ -73,17 +73,15 @@ static bool init_cluster(struct clustered *technique, const struct settings *set
     const struct clustered_settings *own = settings_of(settings, &own_part);
     const struct lights_settings *lights = settings_of(settings, &lights_part);
     const struct map_settings *map = settings_of(settings, &map_part);
-    return cluster_pass_init(&technique->cluster,
-                             &(struct cluster_desc){
-                                 .vpl_count = lights->vpls,
-                                 .val_count = own->vals,
-                                 .start = (enum cluster_start)own->start,
-                                 .iterations = own->iterations,
-                                 .weight_position = own->weight_position,
-                                 .weight_normal = own->weight_normal,
-                                 .near_clip = map->near_clip,
-                                 .depth_range = many_lights_depth_range(settings),
-                             });
+    return cluster_pass_init(&technique->cluster, &(struct cluster_desc){
+                                                      .vpl_count = lights->vpls,
+                                                      .val_count = own->vals,
+                                                      .start = (enum cluster_start)own->start,
+                                                      .iterations = own->iterations,
+                                                      .weight_position = own->weight_position,
+                                                      .weight_normal = own->weight_normal,
+                                                      .near_clip = map->near_clip,
+                                                  });
 }
 
 static bool init_maps(struct clustered *technique, const struct technique_desc *desc) {
@@ -98,7 +96,6 @@ static bool init_maps(struct clustered *technique, const struct technique_desc *
                                     .bend = many_lights_caster_bend(desc->settings),
                                     .size = map->size,
                                     .count = own->vals,
-                                    .depth_range = many_lights_depth_range(settings),
                                 }) &&
            (!technique->convolve || basis_pass_init(&technique->basis, &(struct basis_desc){
                                                                            .size = map->size,

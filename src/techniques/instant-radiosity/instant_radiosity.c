@@ -53,7 +53,6 @@ static bool init(void **state, const struct technique_desc *desc) {
                                     .bend = many_lights_caster_bend(desc->settings),
                                     .size = map->size,
                                     .count = batch,
-                                    .depth_range = 1,
                                     .near_clip = map->near_clip,
                                 });
 }
