@@ -106,12 +106,12 @@ static void test_ranges(void **state) {
 /* A preset goes before what is set beside it, whatever their order. */
 static void test_preset_first(void **state) {
     (void)state;
-    static const char *const orders[][2] = {{"path=paper", "bias=0"}, {"bias=0", "path=paper"}};
+    static const char *const orders[][2] = {{"path=paper", "cosine=0"}, {"cosine=0", "path=paper"}};
     for (int i = 0; i < 2; i++) {
         struct settings settings;
         renderer_settings_init(&settings);
         check_ok("assign", renderer_settings_assign(&settings, technique_default, orders[i], 2));
-        assert_true(settings_number(&settings, "lookup.bias") == 0);
+        assert_true(settings_number(&settings, "blur.cosine") == 0);
         assert_true(settings_number(&settings, "clustered.visibility-block") == 0);
     }
 }

@@ -73,7 +73,7 @@ static const struct step curves[] = {
     {"PCSS", PCSS, OF_MAPS, 1U << RAYS, false},
     {"hard", HARD, OF_MAPS, 1U << RAYS, false},
     {"the frame", MAP_PER_VAL "path=fast,samples=1", OF_VPLS, 1U << CENTERS, false},
-    {"the paper's frame", MAP_PER_VAL "path=paper", OF_VPLS, 1U << CENTERS, false},
+    {"the paper's frame", MAP_PER_VAL "path=paper,samples=1", OF_VPLS, 1U << CENTERS, false},
     {"all VPLs by rays", HARD, OF_VPLS, 1U << CENTERS, true},
     {.name = NULL},
 };

@@ -60,10 +60,7 @@ extern const struct settings_part lights_part, map_part, lookup_part, gather_par
 #define MANY_LIGHTS_FAST                                                                           \
     { "fast", "the defaults", "" }
 
-#define MANY_LIGHTS_AS_PUBLISHED                                                                   \
-    "gather.clamp=disk gather.detail=0 caster.error=0 blur.separable=off lookup.bias=2 "           \
-    "blur.cosine=.8 "                                                                              \
-    "picture.samples=1"
+#define MANY_LIGHTS_AS_PUBLISHED "gather.detail=0 caster.error=0 blur.separable=off blur.cosine=.8"
 
 /* Passes after the first: few VPLs, each with a map of all triangles that each pixel looks up itself,
  * nothing interleaved or blurred. The sum over many passes is unbiased, but for the near field within
