@@ -10,7 +10,7 @@
 #include "gl/program.h"
 #include "reference/scene/emission.h"
 #include "scene/emissive.h"
-#include "scene/placing.h"
+#include "shared/vpl.h"
 
 #include <cglm/cglm.h>
 #include <math.h>
@@ -192,6 +192,30 @@ static void test_pieces(void **state) {
         double slant = light->type == EMITTER_DIRECTIONAL ? 2 / (1 + cos(.2)) : 1;
         check_near("flux of all pieces", flux, slant * emitter_flux(light, 1), 1e-5 * flux);
         check_near("their middle, aside", hypot(hypot(aside[0], aside[1]), aside[2]), 0, 1e-6);
+    }
+}
+
+/* In a sphere of albedo 1/2 VPLs have half of the flux, whatever shines: rho pi L A of an area light. */
+static void test_vpl_flux(void **state) {
+    (void)state;
+    const struct emitter lights[] = {face(.5F, .25F), face(.3F, 0), lamp(EMITTER_POINT, 2, .2F, 0)};
+    for (size_t i = 0; i < sizeof lights / sizeof *lights; i++) {
+        struct stage stage;
+        struct renderer renderer;
+        open_stage(&stage, "scenes/sphere.glb");
+        stage.emitters.items[0] = lights[i];
+        glm_vec3_copy((vec3){.1F, .2F, -.1F}, stage.emitters.items[0].position);
+        struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=4096", 16, 16);
+        open_renderer(&renderer, &desc);
+        struct vpl *vpls = read_vpls(&renderer);
+        double sum = 0;
+        for (int v = 0; v < 4096; v++)
+            sum += (double)vpls[v].flux[0];
+        double expected = .5 * emitter_flux(&stage.emitters.items[0], 1);
+        check_near("flux of all VPLs", sum, expected, .01 * expected);
+        free(vpls);
+        renderer_free(&renderer);
+        stage_free(&stage);
     }
 }
 
@@ -384,10 +408,10 @@ static void test_shapes(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_traced), cmocka_unit_test(test_shaded),
-        cmocka_unit_test(test_pieces), cmocka_unit_test(test_extension),
-        cmocka_unit_test(test_extras), cmocka_unit_test(test_emissive_quad),
-        cmocka_unit_test(test_shapes),
+        cmocka_unit_test(test_traced),        cmocka_unit_test(test_shaded),
+        cmocka_unit_test(test_pieces),        cmocka_unit_test(test_extension),
+        cmocka_unit_test(test_vpl_flux),      cmocka_unit_test(test_extras),
+        cmocka_unit_test(test_emissive_quad), cmocka_unit_test(test_shapes),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }
