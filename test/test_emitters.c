@@ -89,6 +89,21 @@ static void test_texts(void **state) {
     scene_free(&scene);
 }
 
+/* All area lights by one word, which without any is a name like others. */
+static void test_emitters_text(void **state) {
+    (void)state;
+    struct scene scene;
+    struct emitters emitters = {0};
+    check_ok("scene", scene_load(&scene, "scenes/table.glb"));
+    check_picked(&scene, "emitters", "0");
+    check_picked(&scene, "emitters size=2,1", "0 size=2,1");
+    scene_free(&scene);
+    check_ok("scene", scene_load(&scene, "scenes/three-lights.glb"));
+    assert_false(emitters_from_text(&emitters, &scene, "emitters", 0));
+    assert_string_equal(error_get(), "no light 'emitters' (there is: 0=red 1=blue 2=lamp)");
+    scene_free(&scene);
+}
+
 static void test_text_refusals(void **state) {
     (void)state;
     static const struct {
@@ -355,11 +370,12 @@ static void test_direct_noise(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_deal_counts), cmocka_unit_test(test_deal_runs),
-        cmocka_unit_test(test_texts),       cmocka_unit_test(test_text_refusals),
-        cmocka_unit_test(test_flux),        cmocka_unit_test(test_sum),
-        cmocka_unit_test(test_split),       cmocka_unit_test(test_dark_lights),
-        cmocka_unit_test(test_sizes),       cmocka_unit_test(test_direct_noise),
+        cmocka_unit_test(test_deal_counts),   cmocka_unit_test(test_deal_runs),
+        cmocka_unit_test(test_texts),         cmocka_unit_test(test_text_refusals),
+        cmocka_unit_test(test_emitters_text), cmocka_unit_test(test_flux),
+        cmocka_unit_test(test_sum),           cmocka_unit_test(test_split),
+        cmocka_unit_test(test_dark_lights),   cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_direct_noise),
     };
     return cmocka_run_group_tests_name("emitters", tests, NULL, NULL);
 }

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "scene/node.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -141,13 +142,28 @@ bool camera_from_text(struct camera *camera, const struct scene *scene, const ch
     return ok;
 }
 
+/* Marks all area lights; false where there is none. */
+static bool mark_area_lights(const struct scene *scene, bool *marked) {
+    bool found = false;
+    for (int n = 0; n < emitter_node_count(scene); n++) {
+        int node = node_carrying(scene, NODE_LIGHT, n);
+        bool is_area = scene->lights[scene->nodes[node].light].type == EMITTER_AREA;
+        marked[n] |= is_area;
+        found |= is_area;
+    }
+    return found;
+}
+
 /* Marks the lights of a list of names and numbers: all where it is empty. */
 static bool mark_emitters(const struct scene *scene, char *list, bool *marked, int count) {
     char *next = NULL;
     for (int n = 0; !*list && n < count; n++)
         marked[n] = true;
     for (char *name = strtok_r(list, ",", &next); name; name = strtok_r(NULL, ",", &next)) {
-        int n = emitter_find(scene, name + strspn(name, " "));
+        name += strspn(name, " ");
+        if (strcmp(name, "emitters") == 0 && mark_area_lights(scene, marked))
+            continue;
+        int n = emitter_find(scene, name);
         if (n < 0)
             return false;
         marked[n] = true;

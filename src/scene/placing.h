@@ -6,12 +6,13 @@
  *
  * Cameras have eye, forward, up, right, fov (radians, vertical) and extent (orthographic: half the
  * height); lights have position, direction, up, right, intensity and size (struct emitter's: "0.2,0"
- * makes points spheres and spots disks of that diameter). Without right the frame is
- * made of the direction and of up; with it all are taken as they are, so that a text that was
- * written here gives the very same camera again.
+ * makes points spheres and spots disks of that diameter). Without right the frame is made of the
+ * direction and of up; with it all are taken as they are, so that a text that was written here gives
+ * the very same camera again.
  *
  * Commas part the names of lights, semicolons lights with changes from others; a light whose name
- * has either goes by its number. Changes without a name are of all lights.
+ * has either goes by its number. Changes without a name are of all lights. "emitters" stands for all
+ * area lights, where there are any.
  */
 #ifndef SCENE_PLACING_H
 #define SCENE_PLACING_H
