@@ -25,7 +25,12 @@ const float INVERSE_PI = 0.31830988618;
 
 // cos_i cos_x / d^2, bounded as the setting says: near a VPL the point light is no longer the patch
 // that it stands for.
-float geometry_term(vec3 to_vpl, vec3 normal, vpl light) {
+//
+// The near field counts as unoccluded, within the VPL's reach: with TAKE_BACK `back` is what of it is wrong
+// where the VPL does not arrive, but for what lies within a smaller reach, which bounds it. The mean over VPLs
+// is then biased by the smaller reach alone, while the larger one bounds the light of VPLs that arrive.
+float geometry_term(vec3 to_vpl, vec3 normal, vpl light, out float back) {
+    back = 0.0;
     float distance2 = dot(to_vpl, to_vpl);
     float cosines = max(dot(normal, to_vpl), 0.0) * max(-dot(light.normal, to_vpl), 0.0);
     if (cosines <= 0.0)
@@ -40,19 +45,26 @@ float geometry_term(vec3 to_vpl, vec3 normal, vpl light) {
 #else
     // The near field comes from the reflective shadow map.
     float far = 1.0 - near_share(distance2, light.area, light.reach);
+#if TAKE_BACK
+    float bounded = 1.0 - near_share(distance2, light.area, light.reach * params.unoccluded);
+    back = cosines * max(bounded - far, 0.0) / (distance2 * distance2);
+#endif
     return cosines * far / (distance2 * distance2);
 #endif
 }
 
-// Irradiance times pi from VPL i without visibility, and the map that knows its visibility.
-vec3 unshadowed(int i, surface s, out int map) {
+// Irradiance times pi from VPL i where it arrives, what it takes back where it does not, and the map that knows.
+vec3 unshadowed(int i, surface s, out int map, out vec3 back) {
     vpl light = vpl_in_block(i);
 #if MAP_PER_VPL
     map = first_map + i;
 #else
     map = int(light.val);
 #endif
-    return light.flux * geometry_term(light.position - s.position, s.normal, light);
+    float share;
+    vec3 light_there = light.flux * geometry_term(light.position - s.position, s.normal, light, share);
+    back = light.flux * share;
+    return light_there;
 }
 
 void main() {
@@ -63,13 +75,13 @@ void main() {
     surface s = gbuffer_surface(pixel);
     if (!s.present)
         return;
-    vec3 sum = vec3(0.0);
+    vec3 sum = vec3(0.0), back;
     int last = slot.x + slot.y, map;
 #if SHARE_VISIBILITY
     ivec2 block;
     if (nearest_block(s, pixel, block)) {
         for (int i = slot.x; i < last; i++) {
-            vec3 light = unshadowed(i, s, map);
+            vec3 light = unshadowed(i, s, map, back);
             sum += light * texelFetch(block_visibilities, ivec3(block, map), 0).r;
         }
         last = slot.x;
@@ -78,8 +90,12 @@ void main() {
     // A loop of its own: a software rasteriser leaves a loop that no pixel is in, but executes both
     // sides of a branch.
     for (int i = slot.x; i < last; i++) {
-        vec3 light = unshadowed(i, s, map);
+        vec3 light = unshadowed(i, s, map, back);
+#if TAKE_BACK
+        sum += mix(-back, light, visibility(map, s.position, s.normal));
+#else
         sum += light * visibility(map, s.position, s.normal);
+#endif
     }
     irradiance = vec4(sum * (INVERSE_PI * weight * params.scale), 1.0);
 }

@@ -10,7 +10,9 @@ struct gather_params {
     float clamp_at;    /* 1/m2 */
     float block_apart; /* over the picture's height: farther off a block's plane, a pixel looks itself up */
     int block;         /* pixels a side of a block that shares its visibility */
+    float unoccluded;  /* of its reach, within which a blocked VPL takes nothing back */
+    int unused0, unused1, unused2;
 };
-PASS_BLOCK(gather_params, 32)
+PASS_BLOCK(gather_params, 48)
 
 #endif

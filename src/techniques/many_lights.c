@@ -61,6 +61,7 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
         .visibility = many_lights_lookup(desc->settings, visibility->lookup, visibility->map_count),
         .clamp = (enum gather_clamp)own->clamp,
         .clamp_value = own->clamp_value,
+        .take_back = own->take_back,
     };
     /* Where all pixels gather as much, or none is blurred, none needs more. */
     lights->has_detail =
@@ -86,7 +87,9 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
     int radius = blur_radius(desc->settings);
     int n = lights->gather.desc.interleave;
     int detail = lights->has_detail ? lights->detail_gather.desc.interleave : 0;
-    return blur_pass_init(&lights->blur,
+    lights->has_blur = n > 1 || radius > 0;
+    return !lights->has_blur ||
+           blur_pass_init(&lights->blur,
                           &(struct blur_desc){
                               .width = desc->width,
                               .height = desc->height,
@@ -122,8 +125,7 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
     const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
     *lights = (struct many_lights){0};
     if (init_rsm(lights, desc->lights, own->rsm_size) && geometry_pass_init(&lights->geometry) &&
-        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach,
-                                                       gather->near_shrink}) &&
+        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) &&
         init_gather(lights, desc, visibility) && init_near_field(lights, desc) &&
         init_blur(lights, desc))
@@ -153,7 +155,8 @@ static bool init_sized(struct many_lights *fresh, const struct many_lights *old,
     struct blur_desc blur = old->blur.desc;
     gather.width = detail_gather.width = detail.width = blur.width = width;
     gather.height = detail_gather.height = detail.height = blur.height = height;
-    return gather_pass_init(&fresh->gather, &gather) && blur_pass_init(&fresh->blur, &blur) &&
+    return gather_pass_init(&fresh->gather, &gather) &&
+           (!old->has_blur || blur_pass_init(&fresh->blur, &blur)) &&
            (!old->has_detail || (detail_pass_init(&fresh->detail, &detail) &&
                                  gather_pass_init(&fresh->detail_gather, &detail_gather)));
 }
@@ -221,6 +224,8 @@ void many_lights_finish(const struct many_lights *lights, const struct frame *fr
                         const struct gbuffer *gbuffer) {
     if (lights->has_near_field)
         add_near_field(lights, frame, gbuffer);
+    if (!lights->has_blur)
+        return;
     struct blur_inputs inputs = {.source = &lights->gather.irradiance};
     if (lights->has_detail) {
         inputs.lists = &lights->detail.lists;
@@ -240,7 +245,8 @@ float many_lights_caster_bend(const struct settings *settings) {
 }
 
 struct contribution many_lights_contribution(const struct many_lights *lights) {
-    return (struct contribution){.irradiance = &lights->blur.blurred};
+    return (struct contribution){.irradiance = lights->has_blur ? &lights->blur.blurred
+                                                                : &lights->gather.irradiance};
 }
 
 /* Those of faces have names of their own where there are both kinds. */

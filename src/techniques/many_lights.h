@@ -36,7 +36,7 @@ struct lookup_settings {
 
 struct gather_settings {
     int interleave, clamp; /* enum gather_clamp */
-    float clamp_value, near_reach, near_shrink;
+    float clamp_value, near_reach, take_back;
     int near_samples;
     int detail; /* n of pixels with few like neighbours; 0: as all others */
     float detail_share;
@@ -63,11 +63,11 @@ extern const struct settings_part lights_part, map_part, lookup_part, gather_par
 #define MANY_LIGHTS_AS_PUBLISHED "gather.detail=0 caster.error=0 blur.separable=off blur.cosine=.8"
 
 /* Passes after the first: few VPLs, each with a map of all triangles that each pixel looks up itself,
- * nothing interleaved or blurred. The sum over many passes is unbiased, but for the near field within
- * a reach that shrinks, and for what a map's texels and depth bias cannot show. */
+ * nothing interleaved or blurred. The mean of many passes is unbiased, but for near light that counts as
+ * unoccluded within a distance that shrinks, and for what a map's texels and depth bias cannot show. */
 #define MANY_LIGHTS_REFINED                                                                        \
     "lights.vpls=64 lights.rsm-size=1024 gather.interleave=1 gather.clamp=near "                   \
-    "gather.near-reach=4 gather.near-samples=64 blur.radius=0"
+    "gather.near-reach=4 gather.take-back=.5 gather.near-samples=64 blur.radius=0"
 
 extern const struct refinement many_lights_refinement;
 
@@ -84,6 +84,7 @@ struct many_lights {
     bool has_detail; /* pixels with few like neighbours gather more */
     struct detail_pass detail;
     struct gather_pass detail_gather;
+    bool has_blur; /* what is gathered in tiles is put in order by it, too; else it is the result */
     struct blur_pass blur;
 };
 

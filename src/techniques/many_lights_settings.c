@@ -55,8 +55,11 @@ static const struct option gather_table[] = {
      .help = "the bound for clamp=value, times the squared scene radius"},
     {"near-reach", 0, OPTION_FLOAT, ROW(gather, near_reach), 5, .1, 100,
      .help = "clamp=near: reach of the near field, in spacings of VPLs"},
-    {"near-shrink", 0, OPTION_FLOAT, ROW(gather, near_shrink), .33, 0, 1,
-     .help = "clamp=near: the reach falls as the number of the pass to this power"},
+    {"take-back", 0, OPTION_FLOAT, ROW(gather, take_back), 0, 0, 1,
+     .help =
+         "clamp=near: VPLs that do not arrive take the near field back, which counts as\n"
+         "unoccluded, but within a share of its reach that falls as the passes' number to this\n"
+         "power; 0 = they do not"},
     {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 1024, 1, 1024,
      .help = "clamp=near: samples of the near field that n x n pixels share out"},
     {"detail", 0, OPTION_INT, ROW(gather, detail), 0, 0, 8,

@@ -8,6 +8,7 @@
 #include "shared/lookup.h"
 #include "shared/vpl.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* Uniform ranges begin at multiples of 256 bytes, which are 16 VPLs. */
@@ -16,8 +17,9 @@ enum { VPL_ALIGNMENT = 16 };
 static bool init_program(struct gather_pass *pass) {
     const struct gather_desc *desc = &pass->desc;
     char *lookup = visibility_defines(&desc->visibility);
-    char *defines = mem_printf("%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d;LISTED %d", lookup,
-                               desc->clamp, desc->map_per_vpl, desc->share, desc->listed);
+    char *defines =
+        mem_printf("%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d;LISTED %d;TAKE_BACK %d", lookup,
+                   desc->clamp, desc->map_per_vpl, desc->share, desc->listed, desc->take_back > 0);
     bool ok = program_init(
         &pass->program,
         &(struct program_desc){.vertex = desc->listed ? "gather/listed.vert" : "fullscreen.vert",
@@ -65,6 +67,7 @@ static void write_params(const struct gather_pass *pass, const struct frame *fra
         .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
         .block = desc->share ? inputs->blocks->block : 1,
         .block_apart = block_apart,
+        .unoccluded = powf((float)(frame->pass + 1), -desc->take_back),
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
 }

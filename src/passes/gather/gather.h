@@ -24,6 +24,9 @@ struct gather_desc {
     struct visibility_desc visibility;
     enum gather_clamp clamp;
     float clamp_value; /* of the bounded geometry term, times the squared scene radius */
+    float
+        take_back; /* > 0, of GATHER_CLAMP_NEAR with a map per VPL: blocked VPLs take the near field back,
+                          but within a share of its reach that falls as the number of the pass to this power */
 };
 
 struct gather_pass {

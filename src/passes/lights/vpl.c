@@ -110,14 +110,13 @@ static float near_reach(const struct light *light, float measure, float asked) {
 
 static void write_shares(const struct vpl_pass *pass, const struct frame *frame) {
     struct vpl_share_block shares = {0};
-    float reach = pass->desc.reach * powf((float)(frame->pass + 1), -pass->desc.shrink);
     for (int i = 0; i < pass->light_count; i++) {
         const struct light *light = &frame->light_block->sources[i];
         if (pass->counts[i] == 0)
             continue;
         float measure = light->measure / (float)pass->counts[i];
-        shares.of[i] =
-            (struct vpl_share){.measure = measure, .reach = near_reach(light, measure, reach)};
+        shares.of[i] = (struct vpl_share){.measure = measure,
+                                          .reach = near_reach(light, measure, pass->desc.reach)};
     }
     buffer_write(&pass->shares, 0, sizeof shares, &shares);
 }

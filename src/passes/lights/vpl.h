@@ -16,10 +16,9 @@
 #include "passes/frame.h"
 
 struct vpl_desc {
-    int count;    /* N */
-    int seed;     /* 0 = Halton's points as they are; else shifted on the torus */
-    float reach;  /* of the near field that is asked for, in spacings of VPLs */
-    float shrink; /* of the reach over the passes: it falls as their number to this power */
+    int count;   /* N */
+    int seed;    /* 0 = Halton's points as they are; else shifted on the torus */
+    float reach; /* of the near field that is asked for, in spacings of VPLs */
 };
 
 struct vpl_pass {
