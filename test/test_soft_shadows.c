@@ -223,6 +223,46 @@ static void test_table(void **state) {
     stage_free(&stage);
 }
 
+/* --- other lights ------------------------------------------------------------------------------ */
+
+/* A sphere, a disk of spots and a sun over the table, beside points of them. The cone of the spots is taken
+ * from their middle, which is some of their error. */
+static void test_types(void **state) {
+    (void)state;
+    static const struct {
+        const char *what;
+        enum emitter_type type;
+        float size[2], direction[3];
+        double hard, most; /* errors of direct light, relative RMSE */
+    } lights[] = {{"sphere", EMITTER_POINT, {.4F, 0}, {0, -1, 0}, .12, .06},
+                  {"disk of spots", EMITTER_SPOT, {.4F, 0}, {0, -1, 0}, .12, .09},
+                  {"sun", EMITTER_DIRECTIONAL, {.15F, 0}, {.3F, -1, .2F}, .12, .08}};
+    struct stage stage;
+    open_stage(&stage, "scenes/table.glb");
+    struct emitter *light = &stage.emitters.items[0];
+    for (size_t i = 0; i < sizeof lights / sizeof *lights; i++) {
+        struct renderer renderers[3];
+        struct image layers[3];
+        static const char *const methods[] = {"samples", "pcss", "hard"};
+        light->type = lights[i].type;
+        light->cos_outer = .5F, light->cos_inner = .6F;
+        light->position[1] = 1.9F; /* below the lamp, which would hide half of a sphere */
+        memcpy(light->size, lights[i].size, sizeof light->size);
+        emitter_aim(light, lights[i].direction);
+        for (int m = 0; m < 3; m++) {
+            layers[m] = render_method(&stage, methods[m], "shadow-size=1024", &renderers[m]);
+            renderer_free(&renderers[m]);
+        }
+        printf("  %s\n", lights[i].what);
+        check_at_most("pcss", relative_rmse(&layers[1], &layers[0], "direct"), lights[i].most);
+        check_at_most("hard is no better than", lights[i].hard,
+                      relative_rmse(&layers[2], &layers[0], "direct"));
+        for (int m = 0; m < 3; m++)
+            image_free(&layers[m]);
+    }
+    stage_free(&stage);
+}
+
 /* --- extremes --------------------------------------------------------------------------------- */
 
 static struct image render_lights(struct stage *stage, const char *light, const char *method) {
@@ -300,9 +340,8 @@ static void test_limits(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stands),
-        cmocka_unit_test(test_table),
-        cmocka_unit_test(test_extremes),
+        cmocka_unit_test(test_stands), cmocka_unit_test(test_table),
+        cmocka_unit_test(test_types),  cmocka_unit_test(test_extremes),
         cmocka_unit_test(test_limits),
     };
     return cmocka_run_group_tests_name("soft shadows", tests, open_group_context,

@@ -22,7 +22,6 @@ struct shape {
     vec3 right, up; // half sides, or the radius both ways; of a sun tangents
     vec3 front;     // unit
     bool is_round;
-    float size;     // of the half sides the lesser
 };
 
 struct place {
@@ -31,7 +30,7 @@ struct place {
     float distance; // along the shape's front; of a sun 1, which t is over
 };
 
-// A texel of the light's maps: where its surface is, and where the texel's line meets the receiver's plane.
+// A texel of the light's maps: the surface that it shows, on the line from the light through its middle.
 struct texel {
     bool is_empty;
     vec3 surface, line; // line: unit, from the light
@@ -50,7 +49,7 @@ shape shape_of(light l, vec3 position) {
         right = normalize(abs(front.y) < 0.9 ? cross(front, vec3(0.0, 1.0, 0.0)) : cross(front, vec3(1.0, 0.0, 0.0)));
         up = cross(right, front);
     }
-    return shape(right * sides.x, up * sides.y, front, l.shape != LIGHT_SHAPE_RECTANGLE, min(sides.x, sides.y));
+    return shape(right * sides.x, up * sides.y, front, l.shape != LIGHT_SHAPE_RECTANGLE);
 }
 
 // Point i of n in the shape, in units of its half sides: a sequence whose every part is even.
