@@ -187,7 +187,7 @@ struct lamp {
     int node, material;
     bool back;
     const struct flat_shape *shape;
-    double power; /* in the units of the mesh */
+    double power; /* over pi, the sum of RGB, W */
 };
 
 /* The most powerful of all, in node order. */
@@ -226,13 +226,27 @@ static void keep_lamp(struct lamps *lamps, const struct lamp *lamp) {
     lamps->items[lamps->kept - 1] = *lamp;
 }
 
+/* Of the shape's area as the world has it, m2; of a disk, of the square around it. */
+static double world_area(const struct flat_shape *shape, const float world[16]) {
+    double right[3] = {0}, up[3] = {0}, across[3];
+    float height = shape->size[1] > 0 ? shape->size[1] : shape->size[0];
+    for (int axis = 0; axis < 3; axis++)
+        for (int c = 0; c < 3; c++) {
+            right[c] += (double)world[4 * axis + c] * (double)(shape->right[axis] * shape->size[0]);
+            up[c] += (double)world[4 * axis + c] * (double)(shape->up[axis] * height);
+        }
+    cross(right, up, across);
+    return norm(across);
+}
+
 static void keep_sides(struct lamps *lamps, const struct scene *scene, int node,
-                       const struct primitive *primitive, const struct flat_shape *shape) {
+                       const struct primitive *primitive, const struct flat_shape *shape,
+                       const float world[16]) {
     const struct material *material = &scene->materials[primitive->material];
     struct lamp lamp = {.node = node, .material = primitive->material, .shape = shape};
-    float height = shape->size[1] > 0 ? shape->size[1] : shape->size[0];
+    double area = world_area(shape, world) * (shape->size[1] > 0 ? 1 : GLM_PI / 4);
     for (int c = 0; c < 3; c++)
-        lamp.power += (double)material->emission[c] * (double)shape->size[0] * (double)height;
+        lamp.power += (double)material->emission[c] * area;
     keep_lamp(lamps, &lamp);
     lamp.back = true;
     if (material->double_sided)
@@ -266,13 +280,16 @@ static struct flat_shape *find_shapes(const struct scene *scene, int *first, str
 
 static void find_lamps(struct lamps *lamps, const struct scene *scene,
                        const struct flat_shape *shapes, const int *first) {
+    float(*worlds)[16] = mem_alloc((size_t)scene->node_count, sizeof *worlds);
+    scene_node_worlds(scene, 0, worlds);
     for (int n = 0; n < scene->node_count; n++) {
         int mesh = scene->nodes[n].metaballs < 0 ? scene->nodes[n].mesh : -1;
         for (int p = 0; mesh >= 0 && p < scene->meshes[mesh].primitive_count; p++)
             if (shapes[first[mesh] + p].size[0] > 0)
                 keep_sides(lamps, scene, n, &scene->meshes[mesh].primitives[p],
-                           &shapes[first[mesh] + p]);
+                           &shapes[first[mesh] + p], worlds[n]);
     }
+    free(worlds);
 }
 
 /* A light shines along its node's -Z, and lies a little above the surface, which would hide it. */
