@@ -1,0 +1,72 @@
+/* The published path, path=paper: what it may be blamed for, and what not. */
+#include "render_support.h"
+
+#include "measure/errors.h"
+#include "measure/picture.h"
+#include "measure/truth.h"
+
+#include <stdio.h>
+
+enum { SIZE = 100 };
+
+static double error_of(struct measure_desc desc, const char *settings, const struct image *truth) {
+    struct image image = {0};
+    struct results results = {0};
+    check_ok(settings, measure_assign(&desc, settings) && picture_render(&desc, &image));
+    results_begin(&results, &desc);
+    check_ok("errors", errors_add(&results, &image, truth, ""));
+    double error = results_value(&results, 0, "relative-rmse", "");
+    results_free(&results);
+    image_free(&image);
+    return error;
+}
+
+/* Whatever its terms, maps and clusters leave out, wrong shadows are to cost less than none; as much
+ * where nothing is hidden, as in the sphere. (What a door hides is all there is: test_stability.) */
+static void test_loses_to_no_visibility_nowhere(void **state) {
+    (void)state;
+    static const char *const scenes[] = {"cornell-box",  "cornell-animal", "metaballs", "atrium",
+                                         "three-lights", "moving-spot",    "table",     "creatures",
+                                         "character",    "sphere"};
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        char path[64];
+        struct stage stage;
+        struct image truth = {0};
+        snprintf(path, sizeof path, "scenes/%s.glb", scenes[i]);
+        open_stage(&stage, path);
+        struct measure_desc desc = measure_default(&stage, SIZE, SIZE);
+        check_ok(scenes[i], truth_get(&(struct truth_desc){TRUTH_PATH, scratch("references"), .08},
+                                      &desc, &truth));
+        double none = error_of(desc, "technique=unshadowed", &truth);
+        double paper = error_of(desc, "technique=clustered,path=paper", &truth);
+        printf("  %s: unshadowed %.2f %%, path=paper %.2f %%\n", scenes[i], none, paper);
+        check_at_most("over unshadowed", paper / none, 1.01);
+        image_free(&truth);
+        stage_free(&stage);
+    }
+}
+
+/* No length is absolute: what maps resolve grows with what they see. */
+static void test_ten_times_as_large(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-animal.glb");
+    const char *settings = "path=paper vpls=256 map-size=128";
+    struct image small = render_stage(&stage, "clustered", settings, SIZE);
+    scale_scene(&stage.scene, 10);
+    pose_stage(&stage);
+    struct image large = render_stage(&stage, "clustered", settings, SIZE);
+    check_at_most("ten times as large, relative RMSE", relative_rmse(&large, &small, "indirect"),
+                  .005);
+    image_free(&small);
+    image_free(&large);
+    stage_free(&stage);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_loses_to_no_visibility_nowhere),
+        cmocka_unit_test(test_ten_times_as_large),
+    };
+    return cmocka_run_group_tests_name("published", tests, open_group_context, close_group_context);
+}
