@@ -11,7 +11,8 @@ struct paraboloid_params {
     float map_size;  /* texels */
     float pieces;    /* of a long edge, per radian that it spans at the rim of the map */
     float long_edge; /* shorter ones stay whole, metres */
-    float unused0, unused1;
+    float set_back;  /* of casters, metres: simplified ones may have come forward */
+    float unused;
 };
 PASS_BLOCK(paraboloid_params, 48)
 

@@ -40,5 +40,5 @@ void main() {
     float r = dot(normal, local) / facing;
     if (!(r > range.x && direction.z > 0.0))
         discard;
-    gl_FragDepth = r / range.y;
+    gl_FragDepth = (r + params.set_back) / range.y;
 }

@@ -9,6 +9,10 @@
 #include <math.h>
 #include <string.h>
 
+/* Simplified casters come before what they stand for by up to their error, and would shadow it: maps
+ * have them farther off by this much of the error. */
+static const float set_back = .5F;
+
 static bool init_programs(GLuint programs[2], const char *defines, const char *long_defines) {
     return program_init(&programs[CASTER_SHORT],
                         &(struct program_desc){.vertex = "visibility/paraboloid.vert",
@@ -72,6 +76,7 @@ static void write_params(const struct paraboloid_pass *pass, const struct frame 
         .map_size = (float)pass->maps.size,
         .pieces = sqrtf((float)pass->maps.size / (16 * pass->desc.bend)),
         .long_edge = pass->caster->caster.long_edge,
+        .set_back = set_back * pass->caster->caster.error,
     };
     memcpy(params.bounds_min, frame->bounds_min, sizeof frame->bounds_min);
     memcpy(params.bounds_max, frame->bounds_max, sizeof frame->bounds_max);

@@ -168,11 +168,11 @@ void caster_init(struct caster *caster, const struct geometry *geometry,
     *caster = (struct caster){
         .vertex_count = geometry->vertex_count,
         .batch_count = geometry->batch_count,
+        .error = desc->error * surface_size(geometry),
     };
     uint32_t *moved_to =
         desc->error > 0
-            ? simplify_geometry(
-                  geometry, &(struct simplify_desc){.error = desc->error * surface_size(geometry)})
+            ? simplify_geometry(geometry, &(struct simplify_desc){.error = caster->error})
             : NULL;
     struct caster_list all;
     list_all(&all, geometry, moved_to);

@@ -22,6 +22,7 @@ struct caster_list {
 
 struct caster {
     struct caster_list list[2]; /* at caster_length */
+    float error;                /* how far it may stray, metres */
     float long_edge;            /* each long triangle has a longer one, and no other has, metres */
     uint32_t vertex_count;
     int batch_count;

@@ -17,8 +17,9 @@ static const float border_weight = 10;
 static const float least_cosine = 0.4F;
 
 /* Casters may fall back behind what they stand for, but in one collapse come before the vertex that
- * it takes away by no more than this much of the error. */
-static const float advance = 0.3F;
+ * it takes away by no more than this much of the error: maps set them back as much. A face that is
+ * seen from inside, or from both sides, has fewer triangles the more this is. */
+static const float advance = 0.5F;
 
 /* Of collapses that cost alike, short edges go first, which keeps triangles round. */
 static const float length_weight = 0.01F;

@@ -8,8 +8,8 @@
  * not touch. A surface falls back behind the finer one rather than before it, where receivers would
  * lie in its shadow. What is closed stays closed, and no triangle turns over in a step.
  *
- * meshoptimizer knows no side: with as many triangles a horse's caster comes forward by up to 1.1
- * errors, not 0.35. It also locks all borders or none, and leaves twice the triangles of Sponza.
+ * meshoptimizer knows no side: with as many triangles a horse's caster came forward by three times
+ * as much. It also locks all borders or none, and leaves twice the triangles of Sponza.
  */
 #ifndef SCENE_MESH_SIMPLIFY_H
 #define SCENE_MESH_SIMPLIFY_H
