@@ -74,6 +74,10 @@ void view_shift(struct view *view, const float ndc[2]) {
 
 /* --- lights --- */
 
+_Static_assert((int)EMITTER_DIRECTIONAL == LIGHT_TYPE_DIRECTIONAL &&
+                   (int)EMITTER_AREA == LIGHT_TYPE_AREA && (int)EMITTER_IS_CAP == LIGHT_SHAPE_CAP,
+               "shaders know types and shapes by the same numbers");
+
 static int view_count(const struct emitter *light) {
     bool narrow = light->type == EMITTER_SPOT && light->cos_outer >= 0.5f;
     return light->type == EMITTER_DIRECTIONAL || narrow ? 1 : 6;
