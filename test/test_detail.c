@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIZE = 64, RADIUS = 4, LISTS = 4 };
+enum { SIZE = 64, RADIUS = 2, BLUR = 4, LISTS = 4 };
 
 /* A frame, and the lists of a G-buffer. */
 struct detail_bench {
@@ -50,7 +50,7 @@ static void close_bench(struct detail_bench *bench) {
 }
 
 /* A plane before the camera: on the left of one normal, on the right in stripes as wide as the
- * window's radius, of one and another. */
+ * neighbours are away, of one and another. */
 static void make_stripes(struct gbuffer *gbuffer) {
     check_ok("G-buffer", gbuffer_init(gbuffer, "stripes", SIZE, SIZE, 1));
     static float depths[SIZE * SIZE], normals[SIZE * SIZE][2];
@@ -70,7 +70,7 @@ static void test_lists(void **state) {
     (void)state;
     struct detail_bench bench;
     struct gbuffer gbuffer;
-    open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .66f);
+    open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .5f);
     make_stripes(&gbuffer);
     list_pixels(&bench, &gbuffer);
     int smooth_listed = 0, stripes_left = 0, listed = 0, misplaced = 0, counted = 0;
@@ -111,7 +111,7 @@ static void test_blur_conserves(void **state) {
     struct detail_bench bench;
     struct gbuffer gbuffer;
     struct irradiance source, detail;
-    open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .66f);
+    open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .5f);
     make_stripes(&gbuffer);
     list_pixels(&bench, &gbuffer);
     fill(&source, 8, .75f);
@@ -120,7 +120,7 @@ static void test_blur_conserves(void **state) {
         struct blur_pass blur;
         check_ok("blur", blur_pass_init(&blur, &(struct blur_desc){.width = SIZE,
                                                                    .height = SIZE,
-                                                                   .radius = RADIUS,
+                                                                   .radius = BLUR,
                                                                    .distance = .1f,
                                                                    .cosine = .98f,
                                                                    .detail_radius = 2,

@@ -67,6 +67,14 @@ static void test_val_per_vpl(void **state) {
     check_at_most("M = N, hard", error_of(256, "visibility=hard visibility-block=0"), 1e-3);
 }
 
+/* A ray asks for each VPL's own place where a hard lookup knows the centre of its VAL. */
+static void test_rays(void **state) {
+    (void)state;
+    double ray = error_of(4, "visibility=ray visibility-block=0"),
+           hard = error_of(4, "visibility=hard visibility-block=0");
+    check_at_most("rays over hard lookups, M = 4", ray / hard, .75);
+}
+
 /* Soft shadows hide that there are few of them: fewer bands than hard ones [Dong 2009 §7]. */
 static void test_banding(void **state) {
     (void)state;
@@ -89,8 +97,9 @@ static void test_banding(void **state) {
  * one of 32 at 800. */
 static void test_blocks(void **state) {
     (void)state;
-    double wide = error_of(30, "visibility-block=8"), narrow = error_of(30, "visibility-block=3"),
-           none = error_of(30, "visibility-block=0");
+    double wide = error_of(30, "visibility=pcss visibility-block=8"),
+           narrow = error_of(30, "visibility=pcss visibility-block=3"),
+           none = error_of(30, "visibility=pcss visibility-block=0");
     check_at_most("blocks of 8", wide, .04);
     check_at_most("blocks of 3 over blocks of 8", narrow / wide, 1);
     check_at_most("no blocks over blocks of 3", none / narrow, 1);
@@ -171,9 +180,10 @@ static void test_flat_blocker(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_convergence), cmocka_unit_test(test_val_per_vpl),
-        cmocka_unit_test(test_banding),     cmocka_unit_test(test_blocks),
-        cmocka_unit_test(test_terms),       cmocka_unit_test(test_flat_blocker),
+        cmocka_unit_test(test_convergence),  cmocka_unit_test(test_val_per_vpl),
+        cmocka_unit_test(test_rays),         cmocka_unit_test(test_banding),
+        cmocka_unit_test(test_blocks),       cmocka_unit_test(test_terms),
+        cmocka_unit_test(test_flat_blocker),
     };
     return cmocka_run_group_tests_name("visibility", tests, open_truth, close_truth);
 }

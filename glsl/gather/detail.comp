@@ -11,22 +11,20 @@ layout(std430, binding = STORAGE_LIST_COUNTS) buffer list_counts {
     uint counts[PIXEL_LISTS_MAX];
 };
 
-// Of the window's middle, its corners and the middles of its sides those on the same surface, the pixel itself
-// too. At a straight edge they are six.
-float like_neighbours(surface s, ivec2 pixel, ivec2 size) {
+// Whether fewer than params.fewest of the four pixels diagonally around it lie on the same surface: beside a
+// straight edge they are two.
+bool has_few_like(surface s, ivec2 pixel, ivec2 size) {
     float like = 0.0, height = view_height(camera, gbuffer_depth(pixel));
     float reach = params.distance * height;
-    for (int j = -params.radius; j <= params.radius; j += params.radius)
-        for (int i = -params.radius; i <= params.radius; i += params.radius) {
-            ivec2 at = clamp(pixel + ivec2(i, j), ivec2(0), size - 1);
-            surface c = gbuffer_surface(at);
-            vec3 apart = c.position - s.position;
-            bool alike = c.present && dot(apart, apart) < reach * reach &&
-                         dot(c.normal, s.normal) > params.cosine &&
-                         abs(dot(apart, s.normal)) < params.apart * height;
-            like += alike ? 1.0 : 0.0;
-        }
-    return like;
+    for (int i = 0; i < 4 && like < params.fewest; i++) {
+        ivec2 away = params.radius * (ivec2(i & 1, i >> 1) * 2 - 1);
+        surface c = gbuffer_surface(clamp(pixel + away, ivec2(0), size - 1));
+        vec3 apart = c.position - s.position;
+        bool alike = c.present && dot(apart, apart) < reach * reach && dot(c.normal, s.normal) > params.cosine &&
+                     abs(dot(apart, s.normal)) < params.apart * height;
+        like += alike ? 1.0 : 0.0;
+    }
+    return like < params.fewest;
 }
 
 void main() {
@@ -35,7 +33,7 @@ void main() {
         return;
     surface s = gbuffer_surface(pixel);
     uint code = 0u;
-    if (s.present && like_neighbours(s, pixel, size) < params.fewest) {
+    if (s.present && has_few_like(s, pixel, size)) {
         ivec2 place = pixel % params.pattern.n, tile = params.pattern.tile;
         int at = int(atomicAdd(counts[place.y * params.pattern.n + place.x], 1u));
         ivec2 texel = place * tile + ivec2(at % tile.x, at / tile.x);

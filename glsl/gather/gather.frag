@@ -53,14 +53,17 @@ float geometry_term(vec3 to_vpl, vec3 normal, vpl light, out float back) {
 #endif
 }
 
-// Irradiance times pi from VPL i where it arrives, what it takes back where it does not, and the map that knows.
-vec3 unshadowed(int i, surface s, out int map, out vec3 back) {
-    vpl light = vpl_in_block(i);
+// The map that knows the VPL's visibility.
+int map_of(int i, vpl light) {
 #if MAP_PER_VPL
-    map = first_map + i;
+    return first_map + i;
 #else
-    map = int(light.val);
+    return int(light.val);
 #endif
+}
+
+// Irradiance times pi from a VPL where it arrives, and what it takes back where it does not.
+vec3 unshadowed(vpl light, surface s, out vec3 back) {
     float share;
     vec3 light_there = light.flux * geometry_term(light.position - s.position, s.normal, light, share);
     back = light.flux * share;
@@ -76,25 +79,30 @@ void main() {
     if (!s.present)
         return;
     vec3 sum = vec3(0.0), back;
-    int last = slot.x + slot.y, map;
+    int last = slot.x + slot.y;
 #if SHARE_VISIBILITY
     ivec2 block;
     if (nearest_block(s, pixel, block)) {
         for (int i = slot.x; i < last; i++) {
-            vec3 light = unshadowed(i, s, map, back);
-            sum += light * texelFetch(block_visibilities, ivec3(block, map), 0).r;
+            vpl light = vpl_in_block(i);
+            ivec3 texel = ivec3(block, map_of(i, light));
+            sum += unshadowed(light, s, back) * texelFetch(block_visibilities, texel, 0).r;
         }
         last = slot.x;
     }
 #endif
-    // A loop of its own: a software rasteriser leaves a loop that no pixel is in, but executes both
+    // Loops and no branches: a software rasteriser leaves a loop that no pixel is in, but executes both
     // sides of a branch.
     for (int i = slot.x; i < last; i++) {
-        vec3 light = unshadowed(i, s, map, back);
+        vpl light = vpl_in_block(i);
+        vec3 arriving = unshadowed(light, s, back);
+        float visible = 1.0;
+        for (int lit = arriving + back != vec3(0.0) ? 1 : 0; lit > 0; lit--)
+            visible = visibility_from(map_of(i, light), s.position, s.normal, light.position);
 #if TAKE_BACK
-        sum += mix(-back, light, visibility(map, s.position, s.normal));
+        sum += mix(-back, arriving, visible);
 #else
-        sum += light * visibility(map, s.position, s.normal);
+        sum += arriving * visible;
 #endif
     }
     irradiance = vec4(sum * (INVERSE_PI * weight * params.scale), 1.0);

@@ -10,7 +10,7 @@ struct detail_params {
     float cosine;                 /* beta */
     float apart;                  /* likewise: neighbours farther off the pixel's plane are unlike */
     float fewest;                 /* like neighbours of a smooth pixel */
-    int radius;                   /* of the window, pixels */
+    int radius;                   /* of the neighbours that are asked, pixels along x and y */
     int unused0, unused1, unused2;
 };
 PASS_BLOCK(detail_params, 48)

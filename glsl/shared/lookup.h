@@ -14,6 +14,7 @@
 #define FILTER_CSSM 2 /* convolution soft shadow maps */
 #define FILTER_PCSS 3 /* percentage-closer soft shadows */
 #define FILTER_PCF 4  /* the four nearest texels, weighted */
+#define FILTER_RAY 5  /* the texels along the ray to a VPL */
 
 struct lookup_params {
     float bias;     /* of the point along its normal, texels of the map */

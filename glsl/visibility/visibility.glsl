@@ -3,6 +3,10 @@
 #include "visibility/lookup.glsl"
 #include "visibility/map_views.glsl"
 
+#if FILTER == FILTER_RAY
+#include "visibility/ray.glsl"
+#else
+
 // A cluster fills its bounding rectangle thinly towards the rim: over its side, the least error of taps.
 #if FILTER == FILTER_PCSS
 const float FILLED = 0.7;
@@ -20,3 +24,9 @@ float visibility(int map, vec3 position, vec3 normal) {
     return lit(map, r, map_view_at(map).extent * FILLED);
 #endif
 }
+
+// Of one VPL among those of the map: what all of them have.
+float visibility_from(int map, vec3 position, vec3 normal, vec3 light) {
+    return visibility(map, position, normal);
+}
+#endif

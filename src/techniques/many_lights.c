@@ -28,7 +28,9 @@ static int blur_radius(const struct settings *settings) {
     return blur->radius < 0 ? gather->interleave / 2 : blur->radius;
 }
 
-/* What is listed looks itself up: a block of pixels does not speak for it. */
+/* Half the blur's radius away: farther off an edge it finds enough on one side.
+ *
+ * What is listed looks itself up: a block of pixels does not speak for it. */
 static bool init_detail(struct many_lights *lights, const struct technique_desc *desc) {
     const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
     const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
@@ -36,17 +38,18 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     gather_desc.interleave = gather->detail;
     gather_desc.listed = true;
     gather_desc.share = false;
-    return !lights->has_detail || (detail_pass_init(&lights->detail,
-                                                    &(struct detail_desc){
-                                                        .width = desc->width,
-                                                        .height = desc->height,
-                                                        .interleave = gather->detail,
-                                                        .radius = blur_radius(desc->settings),
-                                                        .distance = blur->distance,
-                                                        .cosine = blur->cosine,
-                                                        .share = gather->detail_share,
-                                                    }) &&
-                                   gather_pass_init(&lights->detail_gather, &gather_desc));
+    return !lights->has_detail ||
+           (detail_pass_init(&lights->detail,
+                             &(struct detail_desc){
+                                 .width = desc->width,
+                                 .height = desc->height,
+                                 .interleave = gather->detail,
+                                 .radius = (blur_radius(desc->settings) + 1) / 2,
+                                 .distance = blur->distance,
+                                 .cosine = blur->cosine,
+                                 .share = gather->detail_share,
+                             }) &&
+            gather_pass_init(&lights->detail_gather, &gather_desc));
 }
 
 static bool init_gather(struct many_lights *lights, const struct technique_desc *desc,

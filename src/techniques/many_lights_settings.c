@@ -62,12 +62,14 @@ static const struct option gather_table[] = {
          "power; 0 = they do not"},
     {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 1024, 1, 1024,
      .help = "clamp=near: samples of the near field that n x n pixels share out"},
-    {"detail", 0, OPTION_INT, ROW(gather, detail), 0, 0, 8,
+    {"detail", 0, OPTION_INT, ROW(gather, detail), 4, 0, 8,
      .help =
          "n, less than interleave, of pixels that the blur finds few neighbours for: they take\n"
          "more VPLs each, their own lookups and a smaller blur; 0 = as all others"},
-    {"detail-share", 0, OPTION_FLOAT, ROW(gather, detail_share), .66, 0, 1,
-     .help = "such are pixels with fewer like neighbours than this share"},
+    {"detail-share", 0, OPTION_FLOAT, ROW(gather, detail_share), .75, 0, 1,
+     .help =
+         "such are pixels of whose four neighbours, half the blur's radius away, fewer than this\n"
+         "share lie on the same surface; .5 leaves out straight edges"},
     {NULL},
 };
 

@@ -55,7 +55,7 @@ static void write_params(const struct detail_pass *pass) {
         .distance = desc->distance,
         .cosine = desc->cosine,
         .apart = plane_apart,
-        .fewest = desc->share * 9, /* the window is sampled in nine places */
+        .fewest = desc->share * 4,
         .radius = desc->radius,
     };
     buffer_write(&pass->params, 0, sizeof params, &params);

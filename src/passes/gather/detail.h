@@ -12,7 +12,7 @@
 struct detail_desc {
     int width, height;
     int interleave; /* n of the lists' pattern, at most 8 */
-    int radius;     /* of the window where neighbours are sought: the blur's */
+    int radius;     /* of the four neighbours that are asked, pixels along x and y */
     float distance; /* as in struct blur_desc */
     float cosine;
     float share; /* of like neighbours, below which a pixel is listed */

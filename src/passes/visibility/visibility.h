@@ -11,6 +11,7 @@ enum visibility_lookup {
     VISIBILITY_LOOKUP_HARD = FILTER_HARD,
     VISIBILITY_LOOKUP_CSSM = FILTER_CSSM,
     VISIBILITY_LOOKUP_PCSS = FILTER_PCSS,
+    VISIBILITY_LOOKUP_RAY = FILTER_RAY, /* to the VPL itself, through its VAL's map */
 };
 
 struct visibility_desc {
@@ -28,7 +29,7 @@ struct visibility_desc {
 /* What a lookup reads. */
 struct visibility_inputs {
     const struct map_views *views;
-    const struct depth_maps *depth; /* ..._HARD, ..._PCSS */
+    const struct depth_maps *depth; /* ..._HARD, ..._PCSS, ..._RAY */
     const struct basis_maps *bases; /* ..._CSSM */
 };
 

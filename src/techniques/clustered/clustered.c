@@ -10,7 +10,7 @@
 
 #include <stdlib.h>
 
-enum visibility_kind { VISIBILITY_CSSM, VISIBILITY_HARD, VISIBILITY_PCSS };
+enum visibility_kind { VISIBILITY_CSSM, VISIBILITY_HARD, VISIBILITY_PCSS, VISIBILITY_RAY };
 
 struct clustered_settings {
     int vals; /* M */
@@ -24,7 +24,7 @@ struct clustered_settings {
 #define ROW(name) offsetof(struct clustered_settings, name)
 
 static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
-static const char *const visibility_names[] = {"cssm", "hard", "pcss", NULL};
+static const char *const visibility_names[] = {"cssm", "hard", "pcss", "ray", NULL};
 
 static const struct option table[] = {
     {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024, .help = "virtual area lights (clusters), M"},
@@ -36,8 +36,10 @@ static const struct option table[] = {
      .help = "clustering weight of distance, w_x"},
     {"weight-normal", 0, OPTION_FLOAT, ROW(weight_normal), .3, 0, 1000,
      .help = "clustering weight of the angle between normals, w_alpha"},
-    {"visibility", 0, OPTION_CHOICE, ROW(visibility), VISIBILITY_PCSS, .choices = visibility_names,
-     .help = "lookup in a VAL's map: soft by convolution, hard, or percentage-closer soft"},
+    {"visibility", 0, OPTION_CHOICE, ROW(visibility), VISIBILITY_RAY, .choices = visibility_names,
+     .help = "lookup in a VAL's map: soft by convolution, hard, percentage-closer soft, or along "
+             "the ray\n"
+             "to each VPL, where blocks of pixels take percentage-closer soft"},
     {"visibility-block", 0, OPTION_INT, ROW(visibility_block), 7, 0, 64,
      .help = "pixels a side of a block that shares its visibility; 0 = each looks itself up;\n"
              "blocks that are no multiple of interleave blur better"},
@@ -54,6 +56,7 @@ struct clustered {
     struct basis_pass basis;
     struct block_visibility_pass blocks;
     bool convolve, share;
+    struct visibility_desc val_visibility; /* of a VAL as a whole */
     struct val_output vals;
 };
 
@@ -104,18 +107,15 @@ static bool init_maps(struct clustered *technique, const struct technique_desc *
                                                                        }));
 }
 
-static bool init_blocks(struct clustered *technique, const struct technique_desc *desc,
-                        enum visibility_lookup lookup) {
+static bool init_blocks(struct clustered *technique, const struct technique_desc *desc) {
     const struct clustered_settings *own = settings_of(desc->settings, &own_part);
-    return !technique->share ||
-           block_visibility_pass_init(
-               &technique->blocks,
-               &(struct block_visibility_desc){
-                   .width = desc->width,
-                   .height = desc->height,
-                   .block = own->visibility_block,
-                   .visibility = many_lights_lookup(desc->settings, lookup, own->vals),
-               });
+    return !technique->share || block_visibility_pass_init(
+                                    &technique->blocks, &(struct block_visibility_desc){
+                                                            .width = desc->width,
+                                                            .height = desc->height,
+                                                            .block = own->visibility_block,
+                                                            .visibility = technique->val_visibility,
+                                                        });
 }
 
 /* Where the last means are changes from frame to frame. */
@@ -129,8 +129,7 @@ static void find_centers(struct clustered *technique) {
 static void describe_vals(struct clustered *technique) {
     technique->vals = (struct val_output){
         .extremes = &technique->cluster.extremes,
-        .visibility = technique->share ? &technique->blocks.desc.visibility
-                                       : &technique->lights.gather.desc.visibility,
+        .visibility = &technique->val_visibility,
         .maps = {.views = &technique->cluster.views,
                  .depth = &technique->paraboloid.maps,
                  .bases = technique->convolve ? &technique->basis.maps : NULL},
@@ -147,18 +146,20 @@ static bool init(void **state, const struct technique_desc *desc) {
         [VISIBILITY_CSSM] = VISIBILITY_LOOKUP_CSSM,
         [VISIBILITY_HARD] = VISIBILITY_LOOKUP_HARD,
         [VISIBILITY_PCSS] = VISIBILITY_LOOKUP_PCSS,
+        [VISIBILITY_RAY] = VISIBILITY_LOOKUP_RAY,
     };
-    enum visibility_lookup lookup = lookups[own->visibility];
-    /* A pixel on its own, at a silhouette, needs no soft shadow: its VPLs' maps all differ. */
-    bool own_hard = technique->share && lookup == VISIBILITY_LOOKUP_PCSS;
+    /* A ray ends at a VPL: a VAL as a whole has none. */
+    enum visibility_lookup lookup = lookups[own->visibility],
+                           val_lookup =
+                               lookup == VISIBILITY_LOOKUP_RAY ? VISIBILITY_LOOKUP_PCSS : lookup;
+    technique->val_visibility = many_lights_lookup(desc->settings, val_lookup, own->vals);
     describe_vals(technique);
     return many_lights_init(&technique->lights, desc,
-                            &(struct many_lights_visibility){
-                                .lookup = own_hard ? VISIBILITY_LOOKUP_HARD : lookup,
-                                .map_count = own->vals,
-                                .share = technique->share}) &&
+                            &(struct many_lights_visibility){.lookup = lookup,
+                                                             .map_count = own->vals,
+                                                             .share = technique->share}) &&
            init_cluster(technique, desc->settings) && init_maps(technique, desc) &&
-           init_blocks(technique, desc, lookup);
+           init_blocks(technique, desc);
 }
 
 static bool resize(void *state, int width, int height) {
@@ -256,7 +257,7 @@ static const struct preset presets[] = {
     {"paper", "as published: convolution soft shadow maps at each pixel and VPL",
      "clustered.visibility=cssm clustered.visibility-block=0 " MANY_LIGHTS_AS_PUBLISHED},
     {"fine", "for scenes of many small things: more maps, and lights where detail is",
-     "clustered.vals=60 gather.detail=4 gather.detail-share=1"},
+     "clustered.vals=60 gather.detail=2"},
     {NULL}};
 
 extern const struct technique clustered_technique;
