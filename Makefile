@@ -1,4 +1,4 @@
-# manylight: make demo | test | asan | lint | bench | chart | accuracy | stability | portable | deps | install | clean
+# manylight: make demo | test | asan | lint | bench | chart | accuracy | convergence | stability | portable | deps | install | clean
 #
 # A plain `make` only builds ./manylight. `make demo` and `make test` first install what is missing.
 
@@ -54,7 +54,7 @@ GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
-.PHONY: all demo test tests asan lint bench chart accuracy stability portable deps install clean FORCE
+.PHONY: all demo test tests asan lint bench chart accuracy convergence stability portable deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -230,6 +230,15 @@ accuracy: all
 	./manylight bench curves $(filter-out %/atrium.glb,$(OWN_SCENES)) --size $(CURVES_SIZE) \
 	    $(NOISE_OF_SMALL) --cache $(REFERENCE_CACHE) --csv $(BENCH_RESULTS)/curves.csv
 	./manylight bench chart $(BENCH_RESULTS)/curves.csv -o $(BENCH_PLOTS)
+
+# How the mean of passes converges: minutes of the boxes, hours of the large scenes.
+CONVERGENCE_RUN = ./manylight bench passes --size 200x200 --cache $(REFERENCE_CACHE) $(BENCH_OPTIONS)
+
+convergence: all
+	@mkdir -p $(BENCH_RESULTS)
+	$(CONVERGENCE_RUN) scenes/cornell-box.glb scenes/metaballs.glb --noise .005 --csv $(BENCH_RESULTS)/passes.csv
+	$(CONVERGENCE_RUN) $(LARGE_SCENES) --noise .03 --csv $(BENCH_RESULTS)/passes-large.csv
+	./manylight bench chart $(BENCH_RESULTS)/passes.csv $(BENCH_RESULTS)/passes-large.csv -o $(BENCH_PLOTS)
 
 # --- stability ------------------------------------------------------------------------------------
 

@@ -54,7 +54,8 @@ on(scene, chart) = place_of("scene", "faces") eq scene && \
 x(chart) = chart eq "time" ? column("frame_ms") : number(strcol("point"))
 y(chart) = is("what", "gradient") ? 100 * column("value") : column("value")
 series(mode, what) = \
-    mode eq "passes" ? strcol("variant") . (what eq "error" ? ", RMSE" : ", mean of the magnitude") : \
+    mode eq "passes" ? (strlen(strcol("variant")) ? strcol("variant") . ", " : "") . \
+        (what eq "error" ? "RMSE" : "mean of the magnitude") : \
     mode ne "curves" ? strcol("variant") : \
     strcol("variant") . (what eq "gradient" ? ", gradient" : ", RMSE")
 
