@@ -61,7 +61,7 @@ static void test_convergence(void **state) {
     check_at_most("M = 30 over no visibility", m30 / none, .2);
 }
 
-/* A VAL per VPL, of all casters and looked up as hard as the truth is: nothing is left. */
+/* A VAL per VPL, of all casters and looked up as hard as the truth is: what is left is the maps' bias. */
 static void test_val_per_vpl(void **state) {
     (void)state;
     check_at_most("M = N, hard", error_of(256, "visibility=hard visibility-block=0 caster-error=0"),
