@@ -97,7 +97,11 @@ float point_irradiance(light l, vec3 normal, vec3 direction, float distance2) {
     return share;
 }
 
+// POINTS_ONLY: no light has a size. A software rasteriser would run all of it all the same.
 float unshadowed(light l, vec3 position, vec3 normal, vec3 direction, float distance2) {
+#ifdef POINTS_ONLY
+    return point_irradiance(l, normal, direction, distance2);
+#endif
     float wide = max(l.width, l.height), away = sqrt(distance2);
     if (l.shape == LIGHT_SHAPE_CAP)
         return sphere_cosine(dot(normal, -direction), sin(0.5 * l.width));

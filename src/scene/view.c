@@ -88,6 +88,7 @@ bool light_layout_of(struct light_layout *layout, const struct emitters *emitter
     for (int i = 0; i < emitters->count; i++) {
         int views = view_count(&emitters->items[i]);
         layout->views[views > 1 ? LIGHT_MAP_FACE : LIGHT_MAP_SINGLE] += views;
+        layout->sized |= emitter_shape(&emitters->items[i]) != EMITTER_IS_POINT;
     }
     int views = layout->views[LIGHT_MAP_SINGLE] + layout->views[LIGHT_MAP_FACE];
     return (layout->lights <= LIGHTS_MAX && views <= LIGHT_VIEWS_MAX) ||
@@ -97,7 +98,8 @@ bool light_layout_of(struct light_layout *layout, const struct emitters *emitter
 }
 
 bool light_layouts_same(const struct light_layout *a, const struct light_layout *b) {
-    return a->lights == b->lights && memcmp(a->views, b->views, sizeof a->views) == 0;
+    return a->lights == b->lights && a->sized == b->sized &&
+           memcmp(a->views, b->views, sizeof a->views) == 0;
 }
 
 int light_map_size(int kind, int size) {

@@ -15,10 +15,12 @@ void view_of_camera(struct view *view, const struct camera *camera, const struct
  * within a pixel. */
 void view_shift(struct view *view, const float ndc[2]);
 
-/* What the maps of lights must be made for. Lights that move or change keep it. */
+/* What the maps of lights and the programs that use them must be made for. Lights that move or change
+ * keep it, but for one that gets a size. */
 struct light_layout {
     int lights;
     int views[LIGHT_MAP_KINDS];
+    bool sized; /* one of them has a size */
 };
 
 /* Error: more lights or views than there is room for. */

@@ -28,7 +28,8 @@ static void free_state(void *state) {
 static bool init(void **state, const struct direct_desc *desc) {
     const struct shadow_settings *shadow = settings_of(desc->settings, &shadow_part);
     struct hard *hard = *state = mem_alloc(1, sizeof *hard);
-    char *defines = mem_printf("FILTER %d;", FILTER_PCF);
+    char *defines =
+        mem_printf("FILTER %d;%s", FILTER_PCF, desc->lights->sized ? "" : "POINTS_ONLY;");
     bool ok =
         shadow_map_pass_init(&hard->shadow_map,
                              &(struct shadow_map_desc){shadow->size, *desc->lights}) &&
