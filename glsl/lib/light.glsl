@@ -8,7 +8,11 @@ layout(std140, binding = BLOCK_LIGHTS) uniform light_uniforms {
     int light_count, single_view_count, face_view_count;
 };
 
+// A program may say how many lights there are, by its define LIGHTS.
 light light_at(int i) {
+#if defined(LIGHTS) && LIGHTS == 1
+    i = 0; // known beforehand
+#endif
     int row = i * LIGHT_ROWS;
     vec4 a = light_rows[row], b = light_rows[row + 1], c = light_rows[row + 2];
     vec4 d = light_rows[row + 3], e = light_rows[row + 4], f = light_rows[row + 5];
@@ -51,6 +55,9 @@ vec3 light_intensity(light l, vec3 direction) {
 
 // Which view of the light sees in this direction: +x -x +y -y +z -z of six.
 int light_view_index(light l, vec3 direction) {
+#if defined(LIGHTS) && LIGHTS == 1 && defined(MAP_KINDS) && MAP_KINDS == 1
+    return 0;
+#endif
     if (l.view_count < 2)
         return l.first_view;
     vec3 a = abs(direction);

@@ -38,9 +38,9 @@ static bool init_programs(struct near_field_pass *pass) {
     const struct light_layout *lights = &pass->desc.lights;
     int kinds = (lights->views[LIGHT_MAP_SINGLE] > 0) << LIGHT_MAP_SINGLE |
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
-    char *of_light = mem_printf("MAP_KINDS %d", kinds);
-    char *defines = mem_printf("LISTED 0;LIGHTS %d;%s", lights->lights, of_light);
-    char *listed = mem_printf("LISTED 1;LIGHTS %d;%s", lights->lights, of_light);
+    char *of_light = mem_printf("LIGHTS %d;MAP_KINDS %d", lights->lights, kinds);
+    char *defines = mem_printf("LISTED 0;%s", of_light);
+    char *listed = mem_printf("LISTED 1;%s", of_light);
     bool ok =
         program_init(&pass->light_program,
                      &(struct program_desc){
