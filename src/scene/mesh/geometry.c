@@ -66,16 +66,20 @@ static bool is_scaled(const struct scene *scene, int node) {
     return false;
 }
 
-static void list_node_parts(struct geometry *geometry, const struct scene *scene, int node,
-                            bool dynamic) {
+static int count_node_parts(const struct scene *scene, int node, bool dynamic) {
     int mesh = scene->nodes[node].mesh;
     if (mesh < 0 || dynamic != (scene->nodes[node].metaballs >= 0))
+        return 0;
+    return dynamic ? 1 : scene->meshes[mesh].primitive_count;
+}
+
+static void list_node_parts(struct geometry *geometry, const struct scene *scene, int node,
+                            bool dynamic) {
+    int mesh = scene->nodes[node].mesh, count = count_node_parts(scene, node, dynamic);
+    if (count == 0)
         return;
-    int count = dynamic ? 1 : scene->meshes[mesh].primitive_count;
     bool rigid = !dynamic && scene->nodes[node].skin < 0 && scene->meshes[mesh].target_count == 0 &&
                  !is_scaled(scene, node);
-    geometry->parts = mem_resize(geometry->parts, (size_t)(geometry->part_count + count),
-                                 sizeof *geometry->parts);
     for (int p = 0; p < count; p++)
         geometry->parts[geometry->part_count++] = (struct geometry_part){
             .node = node, .primitive = p, .dynamic = dynamic, .rigid = rigid};
@@ -83,6 +87,11 @@ static void list_node_parts(struct geometry *geometry, const struct scene *scene
 
 /* Dynamic parts come last, so that the others' vertices stay where they are when one grows. */
 static void list_parts(struct geometry *geometry, const struct scene *scene) {
+    size_t count = 0;
+    for (int node = 0; node < scene->node_count; node++)
+        count +=
+            (size_t)(count_node_parts(scene, node, false) + count_node_parts(scene, node, true));
+    geometry->parts = mem_alloc(count, sizeof *geometry->parts);
     for (int dynamic = 0; dynamic < 2; dynamic++)
         for (int node = 0; node < scene->node_count; node++)
             list_node_parts(geometry, scene, node, dynamic);
