@@ -1,6 +1,6 @@
 #include "direct/shadow.h"
 
-#include <stddef.h>
+#include <stdlib.h>
 
 static const struct option table[] = {
     {"shadow-size", 0, OPTION_INT, offsetof(struct shadow_settings, size), 2048, 16, 16384,
@@ -12,3 +12,47 @@ static const struct option table[] = {
 
 const struct settings_part shadow_part = {"direct", "shadow maps of direct light", table,
                                           sizeof(struct shadow_settings)};
+
+bool shadow_begin(struct shadow *shadow, const struct direct_desc *desc,
+                  const struct direct_light_desc *program) {
+    const struct shadow_settings *own = settings_of(desc->settings, &shadow_part);
+    struct direct_light_desc light = *program;
+    light.width = desc->width;
+    light.height = desc->height;
+    light.map_size = own->size;
+    light.bias = own->bias;
+    return shadow_map_pass_init(&shadow->maps,
+                                &(struct shadow_map_desc){own->size, *desc->lights}) &&
+           direct_light_pass_init(&shadow->light, &light);
+}
+
+void shadow_end(struct shadow *shadow) {
+    shadow_map_pass_free(&shadow->maps);
+    direct_light_pass_free(&shadow->light);
+}
+
+void shadow_free(void *state) {
+    if (state)
+        shadow_end(state);
+    free(state);
+}
+
+bool shadow_resize(void *state, int width, int height) {
+    struct shadow *shadow = state;
+    return direct_light_pass_resize(&shadow->light, width, height);
+}
+
+void shadow_render_lights(void *state, const struct frame *frame) {
+    struct shadow *shadow = state;
+    shadow_map_pass_render(&shadow->maps, frame);
+}
+
+void shadow_render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
+    struct shadow *shadow = state;
+    direct_light_pass_render(&shadow->light, frame, gbuffer, shadow->maps.maps, DIRECT_LIGHT_ANEW);
+}
+
+const struct texture *shadow_light(const void *state) {
+    const struct shadow *shadow = state;
+    return &shadow->light.target.light;
+}

@@ -2,10 +2,7 @@
  * methods are measured by. */
 #include "base/halton.h"
 #include "base/memory.h"
-#include "direct/direct.h"
 #include "direct/shadow.h"
-#include "passes/visibility/direct_light.h"
-#include "passes/visibility/shadow_map.h"
 #include "shared/lookup.h"
 
 #include <cglm/cglm.h>
@@ -27,8 +24,7 @@ static const struct settings_part own_part = {"samples", "direct light by points
                                               sizeof(struct samples_settings)};
 
 struct samples {
-    struct shadow_map_pass shadow_map;
-    struct direct_light_pass direct_light;
+    struct shadow shadow;
     struct light_block *block; /* of one point of each light */
     struct buffer lights;      /* the same, for BLOCK_LIGHTS */
     struct emitters points;
@@ -38,8 +34,7 @@ struct samples {
 static void free_state(void *state) {
     struct samples *samples = state;
     if (samples) {
-        shadow_map_pass_free(&samples->shadow_map);
-        direct_light_pass_free(&samples->direct_light);
+        shadow_end(&samples->shadow);
         buffer_free(&samples->lights);
         emitters_free(&samples->points);
         free(samples->block);
@@ -49,31 +44,17 @@ static void free_state(void *state) {
 
 static bool init(void **state, const struct direct_desc *desc) {
     const struct samples_settings *own = settings_of(desc->settings, &own_part);
-    const struct shadow_settings *shadow = settings_of(desc->settings, &shadow_part);
     struct samples *samples = *state = mem_alloc(1, sizeof *samples);
     char *defines = mem_printf("FILTER %d;", FILTER_PCF);
     samples->count = own->points;
     samples->block = mem_alloc(1, sizeof *samples->block);
     samples->points.items = mem_alloc(LIGHTS_MAX, sizeof *samples->points.items);
-    bool ok = shadow_map_pass_init(&samples->shadow_map,
-                                   &(struct shadow_map_desc){shadow->size, *desc->lights}) &&
-              direct_light_pass_init(&samples->direct_light,
-                                     &(struct direct_light_desc){
-                                         .width = desc->width,
-                                         .height = desc->height,
-                                         .map_size = shadow->size,
-                                         .bias = shadow->bias,
-                                         .fragment = "visibility/direct_point.frag",
-                                         .defines = defines,
-                                     }) &&
+    bool ok = shadow_begin(&samples->shadow, desc,
+                           &(struct direct_light_desc){.fragment = "visibility/direct_point.frag",
+                                                       .defines = defines}) &&
               buffer_init(&samples->lights, "points of lights", sizeof *samples->block, NULL);
     free(defines);
     return ok;
-}
-
-static bool resize(void *state, int width, int height) {
-    struct samples *samples = state;
-    return direct_light_pass_resize(&samples->direct_light, width, height);
 }
 
 /* The i-th point of each light, with its share of the light. */
@@ -98,16 +79,11 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     of_points.emitters = &samples->points;
     for (int i = 0; i < samples->count; i++) {
         take_points(samples, frame, i);
-        shadow_map_pass_render(&samples->shadow_map, &of_points);
-        direct_light_pass_render(&samples->direct_light, &of_points, gbuffer,
-                                 samples->shadow_map.maps,
+        shadow_render_lights(samples, &of_points);
+        direct_light_pass_render(&samples->shadow.light, &of_points, gbuffer,
+                                 samples->shadow.maps.maps,
                                  i > 0 ? DIRECT_LIGHT_ADDS : DIRECT_LIGHT_ANEW);
     }
-}
-
-static const struct texture *light(const void *state) {
-    const struct samples *samples = state;
-    return &samples->direct_light.target.light;
 }
 
 static const struct settings_part *const parts[] = {&own_part, &shadow_part, NULL};
@@ -119,7 +95,7 @@ const struct direct_method samples_direct = {
     .parts = parts,
     .init = init,
     .free = free_state,
-    .resize = resize,
+    .resize = shadow_resize,
     .render_view = render_view,
-    .light = light,
+    .light = shadow_light,
 };
