@@ -167,7 +167,7 @@ static inline struct path_tracer_desc describe(struct world *world, int size, in
     return (struct path_tracer_desc){.scene = &world->scene,
                                      .geometry = &world->geometry,
                                      .camera = &world->camera,
-                                     .emitters = {&world->light, 1},
+                                     .emitters = {.items = &world->light, .count = 1},
                                      .width = size,
                                      .height = size,
                                      .samples = samples};

@@ -109,7 +109,7 @@ static double traced(const struct answer *answer) {
                       .geometric_normal = to_vec3s(answer->normal)};
     struct arrival arrival;
     double sum = 0;
-    emission_init(&emission, &(struct emitters){&light, 1}, &geometry, 0);
+    emission_init(&emission, &(struct emitters){.items = &light, .count = 1}, &geometry, 0);
     for (int i = 0; i < SIDE * SIDE; i++) {
         vec2s sample = {{((float)(i % SIDE) + .5F) / SIDE, ((float)(i / SIDE) + .5F) / SIDE}};
         vec2s place = emission_place(&emission, 0, sample, &hit);
@@ -146,7 +146,7 @@ static void test_shaded(void **state) {
         glm_vec3_copy(answers[i].position, points[i][0]);
         glm_vec3_copy(answers[i].normal, points[i][1]);
     }
-    views_of_emitters(&block, &(struct emitters){lights, ANSWERS}, &geometry);
+    views_of_emitters(&block, &(struct emitters){.items = lights, .count = ANSWERS}, &geometry);
     check_ok("program",
              program_init(&program, &(struct program_desc){.compute = "../test/unshadowed.comp"}));
     check_ok("lights", buffer_init(&light_buffer, "lights", sizeof block, &block));

@@ -128,7 +128,7 @@ static void test_as_new(void **state) {
     struct emitter light[2] = {desc.emitters.items[0], desc.emitters.items[0]};
     light[0].type = EMITTER_POINT;
     light[0].position[1] -= .1F;
-    desc.emitters = (struct emitters){light, 1};
+    desc.emitters = (struct emitters){.items = light, .count = 1};
     check_followed("a light of six views", &renderer, &desc);
     desc.emitters.count = 2;
     check_followed("a second light", &renderer, &desc);
@@ -189,7 +189,8 @@ static void test_failures(void **state) {
     /* Lights too many for the technique that comes with them. */
     desc = renderer.desc;
     desc.technique = technique_baseline;
-    desc.emitters = (struct emitters){mem_alloc(64, sizeof *desc.emitters.items), 64};
+    desc.emitters =
+        (struct emitters){.items = mem_alloc(64, sizeof *desc.emitters.items), .count = 64};
     for (int i = 0; i < 64; i++) {
         desc.emitters.items[i] = renderer.desc.emitters.items[0];
         desc.emitters.items[i].type = EMITTER_POINT;
@@ -276,7 +277,7 @@ static void test_lights_are_kept(void **state) {
     check_frame("first", &renderer, &desc, true);
 
     struct emitter light = desc.emitters.items[0];
-    desc.emitters = (struct emitters){&light, 1};
+    desc.emitters = (struct emitters){.items = &light, .count = 1};
     desc.camera.eye[0] += .1F;
     check_frame("camera", &renderer, &desc, false);
     set(&desc.settings, "exposure=1");

@@ -198,7 +198,7 @@ enum { SIZE = 16 };
 static struct image trace(struct world *world, struct emitter *lights, int count) {
     struct image image;
     struct path_tracer_desc desc = describe(world, SIZE, 1024);
-    desc.emitters = (struct emitters){lights, count};
+    desc.emitters = (struct emitters){.items = lights, .count = count};
     desc.bounces = 2;
     render(&desc, &image);
     return image;

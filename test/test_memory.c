@@ -68,7 +68,7 @@ static void test_refusals(void **state) {
         {"2500000", "info @/huge-mesh.gltf",
          "60000000 vertices and 60000000 indices: 2.91 GiB of memory are wanted, and "},
         {"8000000", "reference scenes/cornell-box.glb --size 16384x16384 --spp 4 -o none.exr",
-         "a reference of 16384x16384: 64.00 GiB of memory are wanted, and "},
+         "a reference of 16384x16384: 70.00 GiB of memory are wanted, and "},
     };
     write_pictures();
     write_scenes();

@@ -21,7 +21,7 @@ static const char *const three_lights = "scenes/three-lights.glb";
 static struct image render_with(const struct stage *stage, struct emitter *lights, int count,
                                 const char *technique, const char *settings) {
     struct renderer_desc desc = desc_of(stage, technique, settings, SIZE, SIZE);
-    desc.emitters = (struct emitters){lights, count};
+    desc.emitters = (struct emitters){.items = lights, .count = count};
     return render_layers(&desc);
 }
 
@@ -42,7 +42,7 @@ static void test_layout(void **state) {
     for (int i = 0; i < 6; i++)
         lights[i] = stage.emitters.items[kinds[i]];
     struct light_layout layout;
-    struct emitters emitters = {lights, 6};
+    struct emitters emitters = {.items = lights, .count = 6};
     check_ok("layout", light_layout_of(&layout, &emitters));
     views_of_emitters(&block, &emitters, &stage.geometry);
     assert_int_equal(layout.views[LIGHT_MAP_SINGLE], 3);
@@ -241,7 +241,7 @@ static void test_too_many(void **state) {
         desc_of(&stage, "unshadowed", "vpls=128 interleave=2 rsm-size=16 shadow-size=16", 8, 8);
     for (int i = 0; i <= LIGHTS_MAX; i++)
         lights[i] = stage.emitters.items[0];
-    desc.emitters = (struct emitters){lights, LIGHTS_MAX + 1};
+    desc.emitters = (struct emitters){.items = lights, .count = LIGHTS_MAX + 1};
     assert_false(renderer_init(&renderer, &desc));
     assert_string_equal(error_get(), "65 lights with 65 views: at most 64 with 256 shine at once; "
                                      "--light picks some");

@@ -326,7 +326,7 @@ static void test_limits(void **state) {
         glm_vec3_scale(halves[i].intensity, .5F, halves[i].intensity);
     }
     struct emitters before = stage.emitters;
-    stage.emitters = (struct emitters){halves, 2};
+    stage.emitters = (struct emitters){.items = halves, .count = 2};
     struct image sum = render_method(&stage, "pcss", "shadow-size=256", &renderer);
     stage.emitters = before;
     renderer_free(&renderer);

@@ -11,7 +11,7 @@ static struct vpl_sum_desc sum_desc(struct world *world, const struct vpl *vpls,
     return (struct vpl_sum_desc){.scene = &world->scene,
                                  .geometry = &world->geometry,
                                  .camera = &world->camera,
-                                 .emitters = {&world->light, 1},
+                                 .emitters = {.items = &world->light, .count = 1},
                                  .vpls = vpls,
                                  .vpl_count = count,
                                  .width = size,
@@ -47,7 +47,8 @@ static struct vpl *trace_vpls(struct world *world, int count) {
     hit_table_init(&table, &world->scene, &world->geometry);
     check_ok("rays", ray_scene_init(&rays, &table));
     struct emission emission;
-    emission_init(&emission, &(struct emitters){&world->light, 1}, &world->geometry, 0);
+    emission_init(&emission, &(struct emitters){.items = &world->light, .count = 1},
+                  &world->geometry, 0);
     for (int i = 0; i < count; i++)
         vpls[i] = trace_vpl(world, &emission, &rays, i, count);
     emission_free(&emission);

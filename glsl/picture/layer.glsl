@@ -18,6 +18,19 @@ layout(binding = UNIT_IN_SCATTER) uniform sampler2D in_scatters;
 layout(binding = UNIT_TRANSMITTANCE) uniform sampler2D transmittances;
 #endif
 
+#ifdef HAS_SKY
+#include "picture/sky.glsl"
+#endif
+
+// What lies behind all surfaces.
+vec3 background(ivec2 pixel) {
+#ifdef HAS_SKY
+    return params.sky_strength > 0.0 ? sky_radiance(pixel) : vec3(0.0);
+#else
+    return vec3(0.0);
+#endif
+}
+
 // What the pixel sees, the mean over its samples. Light is irradiance over pi, the radiance of a
 // white surface; weighted by the albedo, so that albedo (direct + indirect) = radiance at edges too.
 struct seen {
@@ -36,6 +49,8 @@ vec3 through_medium(vec3 radiance, ivec2 texel) {
 }
 
 vec3 radiance_of(vec3 albedo, vec3 received, ivec2 texel) {
+    if (gbuffer_depth(texel) == 0.0)
+        return through_medium(background(texel), texel);
     vec3 radiance = albedo * received;
 #ifdef HAS_RADIANCE
     radiance += params.scale * texelFetch(radiances, texel, 0).rgb;
@@ -52,7 +67,7 @@ seen seen_from(ivec2 pixel) {
     for (int i = 0; i < count; i++) {
         uint pick = pick_of(picks, i);
         if (pick == PICK_NOTHING) {
-            sum.radiance += through_medium(vec3(0.0), pixel);
+            sum.radiance += through_medium(background(pixel), pixel);
             continue;
         }
         ivec2 texel = clamp(pixel + pick_offset(pick), ivec2(0), last);

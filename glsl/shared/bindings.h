@@ -64,6 +64,7 @@
 #define UNIT_DETAIL_IRRADIANCE 41
 #define UNIT_VPL_SPREAD 42
 #define UNIT_LAYER_SUMS 43 /* LAYERS of them: shared/composite.h */
+#define UNIT_SKY 49
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0

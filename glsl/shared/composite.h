@@ -11,10 +11,13 @@ struct composite_params {
     float scale;    /* radiance per stored radiance */
     float exposure; /* factor */
     BOOL filmic;    /* tone map; else values are clamped */
-    float weight; /* of the pass, where its layer is added to a sum; of a sum; 0: a layer as it is */
-    float unused;
+    float
+        weight; /* of the pass, where its layer is added to a sum; of a sum; 0: a layer as it is */
+    float sky_strength; /* factor of its texels; 0: it is not seen */
+    float sky_turn;     /* radians */
+    float unused0, unused1, unused2;
 };
-PASS_BLOCK(composite_params, 32)
+PASS_BLOCK(composite_params, 48)
 
 #define LAYER_BEAUTY 0
 #define LAYER_DIRECT 1

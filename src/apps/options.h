@@ -31,13 +31,20 @@ struct technique_values {
     {"gl-debug", 0, OPTION_FLAG, offsetof(type, member.debug),                                     \
      .help = "a debug context: OpenGL's messages go to stderr"}
 
-/* What of a scene is shown: the member has camera, light, clip and time, as a struct stage_desc. */
+/* What of a scene is shown: the member has camera, light, environment, clip and time, as a struct
+ * stage_desc. */
 #define STAGE_OPTIONS(type, member)                                                                \
     {"camera", 0, OPTION_TEXT, offsetof(type, member.camera), .value_name = "NAME|N",              \
      .help = "camera of the scene [the first], or changed: \"0 eye=0,1,3 forward=0,0,-1\""},       \
     {"light", 0, OPTION_TEXT, offsetof(type, member.light), .value_name = "NAME|N,...",            \
      .help = "lights of the scene that shine [all], or changed: \"lamp,2\",\n"                     \
-             "\"0 position=0,2,0 intensity=9,9,9; 1\""},                                           \
+             "\"0 position=0,2,0 intensity=9,9,9; 1\"; emitters: all area lights; sky"},            \
+    {"environment", 0, OPTION_TEXT, offsetof(type, member.environment.path), .value_name = "FILE", \
+     .help = "a sky in place of the scene's own: a panorama, .hdr or .exr, in W/(sr m2)"},         \
+    {"environment-turn", 0, OPTION_FLOAT, offsetof(type, member.environment.turn), 0, -360, 360,   \
+     .help = "of it about +Y, degrees: from +Z towards +X"},                                       \
+    {"environment-strength", 0, OPTION_FLOAT, offsetof(type, member.environment.strength), 1,      \
+     1e-9, 1e9, .help = "factor of its radiance"},                                                 \
     {"clip", 0, OPTION_TEXT, offsetof(type, member.clip), .value_name = "NAME|N",                  \
      .help = "animation of the scene [the first]"},                                                \
     {"time", 0, OPTION_FLOAT, offsetof(type, member.time), 0, 0, 1e6,                              \

@@ -67,10 +67,11 @@ static const struct option options[] = {
 
 static const struct arguments arguments = {
     .synopsis = "SCENE -o FILE.exr [OPTION ...]",
-    .summary = "Traces the scene on all cores. The layers are those of render: beauty, Z,\n"
-               "direct, indirect (irradiance / pi, without albedo), albedo, normal; and\n"
-               "standard_error, that of the indirect layer, where it is path-traced: 0 for a\n"
-               "single sample, which does not tell.",
+    .summary =
+        "Traces the scene on all cores. The layers are those of render: beauty, Z,\n"
+        "direct, indirect (irradiance / pi, without albedo), albedo, normal; and\n"
+        "where it is path-traced standard_error, that of the indirect layer, 0 for a single\n"
+        "sample, which does not tell; and emitted, what sky and lamps themselves show.",
     .options = options,
     .min_positional = 1,
     .max_positional = 1,

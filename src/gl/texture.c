@@ -33,6 +33,8 @@ static size_t texel_bytes(GLenum format) {
     case GL_RG32F:
     case GL_RG32UI:
         return 8;
+    case GL_RGB32F:
+        return 12;
     case GL_RGBA32F:
     case GL_RGBA32UI:
         return 16;

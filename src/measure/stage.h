@@ -5,6 +5,7 @@
 
 #include "renderer/renderer.h"
 #include "scene/camera.h"
+#include "scene/environment.h"
 #include "scene/mesh/geometry.h"
 #include "scene/emitter.h"
 
@@ -13,7 +14,8 @@ struct stage_desc {
     const char *camera, *light; /* as scene/placing.h has it; NULL = the first, and all; must live
                                    on */
     const char *clip;           /* name or number; NULL = the first */
-    float time;                 /* of the animation, seconds */
+    struct environment_desc environment;
+    float time; /* of the animation, seconds */
 };
 
 struct stage {

@@ -3,23 +3,27 @@
 #define REFERENCE_CHANNELS_H
 
 /* Those of every picture, and what the path tracer has besides: the standard error of the indirect
- * layer. Its square is the variance, which half floats could not hold. */
+ * layer, whose square, the variance, half floats could not hold; and what emits light itself. */
 #define CHANNELS_COMMON                                                                            \
     "R G B A Z direct.R direct.G direct.B indirect.R indirect.G indirect.B "                       \
     "albedo.R albedo.G albedo.B normal.X normal.Y normal.Z"
 #define CHANNELS_OF_PATH_TRACER                                                                    \
-    CHANNELS_COMMON " standard_error.R standard_error.G standard_error.B"
+    CHANNELS_COMMON " standard_error.R standard_error.G standard_error.B "                         \
+                    "emitted.R emitted.G emitted.B"
 
-/* The first channel of each layer. All are zero where nothing is seen. */
+/* The first channel of each layer. Beauty and what is emitted alone are not zero where no surface is seen. */
 enum film_channel {
-    CHANNEL_BEAUTY = 0,   /* radiance, W/(sr m2): albedo x (direct + indirect) */
-    CHANNEL_ALPHA = 3,    /* the share of the pixel that shows a surface */
-    CHANNEL_DEPTH = 4,    /* along the view axis at the pixel's centre, m */
-    CHANNEL_DIRECT = 5,   /* irradiance over pi, W/(sr m2): the albedo is not in it */
+    CHANNEL_BEAUTY = 0, /* radiance, W/(sr m2): albedo x (direct + indirect), and what is emitted */
+    CHANNEL_ALPHA = 3,  /* the share of the pixel that shows a surface */
+    CHANNEL_DEPTH = 4,  /* along the view axis at the pixel's centre, m */
+    CHANNEL_DIRECT = 5, /* irradiance over pi, W/(sr m2): the albedo is not in it */
     CHANNEL_INDIRECT = 8, /* the same */
     CHANNEL_ALBEDO = 11,  /* in [0, 1] */
     CHANNEL_NORMAL = 14,  /* world, unit, towards the camera's side */
-    CHANNEL_STANDARD_ERROR = 17,
+    CHANNEL_COMMON_END = 17,
+    CHANNEL_STANDARD_ERROR = CHANNEL_COMMON_END,
+    CHANNEL_EMITTED = 20, /* radiance, W/(sr m2): of the sky, too */
+    CHANNEL_END = 23,
 };
 
 #endif

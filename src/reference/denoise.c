@@ -68,7 +68,8 @@ static void write_light(const struct atrous_pixel *light, float *channels) {
     for (int c = 0; c < 3; c++) {
         channels[CHANNEL_INDIRECT + c] = light->light.raw[c];
         channels[CHANNEL_BEAUTY + c] =
-            channels[CHANNEL_ALBEDO + c] * (channels[CHANNEL_DIRECT + c] + light->light.raw[c]);
+            channels[CHANNEL_ALBEDO + c] * (channels[CHANNEL_DIRECT + c] + light->light.raw[c]) +
+            channels[CHANNEL_EMITTED + c];
     }
 }
 

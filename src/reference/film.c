@@ -19,11 +19,17 @@ void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_samp
     add(pixel->position, sample->position.raw);
     add(pixel->albedo, sample->albedo.raw);
     add(pixel->normal, sample->normal.raw);
-    add(pixel->beauty, glms_vec3_mul(sample->albedo, light).raw);
+    add(pixel->beauty, glms_vec3_add(glms_vec3_mul(sample->albedo, light), sample->emitted).raw);
+    add(pixel->emitted, sample->emitted.raw);
     add(pixel->direct, glms_vec3_mul(weight, sample->direct).raw);
     add(pixel->streams[stream].weight, weight.raw);
     add(pixel->streams[stream].indirect, glms_vec3_mul(weight, sample->indirect).raw);
     pixel->streams[stream].direct += glms_vec3_dot(weight, sample->direct);
+}
+
+void film_pixel_add_background(struct film_pixel *pixel, vec3s radiance) {
+    add(pixel->beauty, radiance.raw);
+    add(pixel->emitted, radiance.raw);
 }
 
 void film_pixel_merge(struct film_pixel *pixel, const struct film_pixel *other) {
@@ -32,6 +38,7 @@ void film_pixel_merge(struct film_pixel *pixel, const struct film_pixel *other) 
     add(pixel->albedo, other->albedo);
     add(pixel->normal, other->normal);
     add(pixel->beauty, other->beauty);
+    add(pixel->emitted, other->emitted);
     add(pixel->direct, other->direct);
     for (int s = 0; s < FILM_STREAMS; s++) {
         add(pixel->streams[s].weight, other->streams[s].weight);
@@ -100,6 +107,7 @@ void film_pixel_develop(const struct film_pixel *pixel, int samples, float *chan
     for (int c = 0; c < 3; c++) {
         float weight = (float)total_weight(pixel, c);
         channels[CHANNEL_BEAUTY + c] = pixel->beauty[c] / (float)samples;
+        channels[CHANNEL_EMITTED + c] = pixel->emitted[c] / (float)samples;
         channels[CHANNEL_DIRECT + c] = weight > 0 ? pixel->direct[c] / weight : 0;
         channels[CHANNEL_INDIRECT + c] = (float)estimate.mean[c];
         channels[CHANNEL_ALBEDO + c] = pixel->albedo[c] / (float)samples;

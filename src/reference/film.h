@@ -19,12 +19,14 @@ enum { FILM_STREAMS = 4 };
 struct film_sample {
     vec3s position, albedo, normal;
     vec3s direct, indirect; /* irradiance over pi */
+    vec3s emitted;          /* radiance */
 };
 
 /* Sums over samples; all zero = none. */
 struct film_pixel {
     float coverage, position[3], albedo[3], normal[3];
     float beauty[3], direct[3]; /* times the albedo */
+    float emitted[3];
     struct film_stream {
         float weight[3], indirect[3]; /* the albedo, the light times it */
         float direct;                 /* the light times it, the sum over RGB */
@@ -37,6 +39,9 @@ struct film_estimate {
 };
 
 void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_sample *sample);
+
+/* A sample that sees no surface. */
+void film_pixel_add_background(struct film_pixel *pixel, vec3s radiance);
 
 /* Of the direct light, the mean of RGB, and the variance of that. */
 struct film_direct_estimate {

@@ -1,6 +1,7 @@
 #include "reference/path_tracer.h"
 
 #include "reference/denoise.h"
+#include "scene/environment.h"
 #include "reference/film.h"
 #include "reference/channels.h"
 #include "reference/path.h"
@@ -67,9 +68,18 @@ static int stream_of(uint32_t sample) {
     return (int)(sample % FILM_STREAMS);
 }
 
-/* What a pixel's i-th sample sees; false where that is nothing. */
-static bool take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
-                        struct film_sample *sample) {
+/* Where no surface is seen. */
+static vec3s background(const struct tracer *tracer, float x, float y) {
+    const struct environment *sky = tracer->desc.emitters.sky;
+    vec3s radiance = glms_vec3_zero();
+    if (sky)
+        environment_radiance(sky, primary_direction(&tracer->primary, x, y).raw, radiance.raw);
+    return radiance;
+}
+
+/* Adds what a pixel's i-th sample sees. */
+static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
+                        struct film_pixel *pixel) {
     const struct path_tracer_desc *desc = &tracer->desc;
     uint32_t pixel_number = (uint32_t)py * (uint32_t)desc->width + (uint32_t)px;
     uint32_t pixel_seed = sampler_hash(desc->seed, pixel_number);
@@ -77,26 +87,27 @@ static bool take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
     struct sampler sampler = {.seed = sampler_hash(pixel_seed, (uint32_t)stream),
                               .index = i / FILM_STREAMS};
     vec2s jitter = sampler_next(&sampler), at = desc->centers ? (vec2s){{0.5f, 0.5f}} : jitter;
+    float x = (float)px + at.x, y = (float)py + at.y;
     struct hit hit;
-    if (!primary_hit(&tracer->primary, (float)px + at.x, (float)py + at.y, &hit))
-        return false;
-    *sample = (struct film_sample){
+    if (!primary_hit(&tracer->primary, x, y, &hit)) {
+        film_pixel_add_background(pixel, background(tracer, x, y));
+        return;
+    }
+    struct film_sample sample = {
         .position = hit.position,
         .albedo = hit.albedo,
         .normal = hit.normal,
         .direct = direct_light(tracer, &hit, &sampler),
         .indirect = mean_of_paths(tracer, &hit, stream, &sampler),
     };
-    return true;
+    film_pixel_add(pixel, stream, &sample);
 }
 
 /* Sums of a pass are made apart, so that a long render loses no digits. */
 static void add_pass(const struct tracer *tracer, int px, int py) {
     struct film_pixel sums = {0};
-    struct film_sample sample;
     for (uint32_t i = tracer->done; i < tracer->end; i++)
-        if (take_sample(tracer, px, py, i, &sample))
-            film_pixel_add(&sums, stream_of(i), &sample);
+        take_sample(tracer, px, py, i, &sums);
     film_pixel_merge(pixel_at(tracer, px, py), &sums);
 }
 
@@ -212,8 +223,8 @@ static bool develop(struct tracer *tracer) {
 
 static struct path_tracer_desc resolve(const struct path_tracer_desc *desc) {
     struct path_tracer_desc resolved = *desc;
-    assert(desc->scene && desc->geometry && desc->camera && desc->emitters.count &&
-           desc->bounces >= 0);
+    assert(desc->scene && desc->geometry && desc->camera &&
+           (desc->emitters.count || desc->emitters.sky) && desc->bounces >= 0);
     if (resolved.width == 0)
         resolved.width = 800;
     if (resolved.height == 0)
@@ -253,7 +264,7 @@ static bool render(struct tracer *tracer, const struct hit_table *table) {
 /* Beside the picture each pixel has its sums. */
 static bool check_memory(const struct path_tracer_desc *desc) {
     uint64_t pixels = (uint64_t)desc->width * (uint64_t)desc->height;
-    uint64_t of_pixel = sizeof(struct film_pixel) + sizeof(float) * (CHANNEL_STANDARD_ERROR + 3);
+    uint64_t of_pixel = sizeof(struct film_pixel) + sizeof(float) * CHANNEL_END;
     return mem_check(pixels * of_pixel) ||
            error_prefix("a reference of %dx%d", desc->width, desc->height);
 }

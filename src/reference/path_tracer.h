@@ -31,7 +31,7 @@ struct path_tracer_desc {
     const struct scene *scene; /* its materials and textures */
     const struct geometry *geometry;
     const struct camera *camera;
-    struct emitters emitters; /* one at least */
+    struct emitters emitters; /* one at least, or the sky */
     int width, height;        /* default 800 */
     int bounces;              /* 0 = direct light only */
     int samples;              /* per pixel; 0 = until noise is reached */

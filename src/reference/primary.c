@@ -4,10 +4,22 @@
 
 #include <math.h>
 
+static void find_ray(const struct primary_rays *primary, float x, float y, vec3s *origin,
+                     vec3s *direction) {
+    float width = (float)primary->width, height = (float)primary->height;
+    camera_ray(primary->camera, x / width, y / height, width / height, origin->raw, direction->raw);
+}
+
+vec3s primary_direction(const struct primary_rays *primary, float x, float y) {
+    vec3s origin, direction;
+    find_ray(primary, x, y, &origin, &direction);
+    return direction;
+}
+
 bool primary_hit(const struct primary_rays *primary, float x, float y, struct hit *hit) {
-    float width = (float)primary->width, height = (float)primary->height, origin[3], direction[3];
-    camera_ray(primary->camera, x / width, y / height, width / height, origin, direction);
-    return ray_scene_camera_hit(primary->rays, vector_of(origin), vector_of(direction), hit);
+    vec3s origin, direction;
+    find_ray(primary, x, y, &origin, &direction);
+    return ray_scene_camera_hit(primary->rays, origin, direction, hit);
 }
 
 float primary_depth(const struct primary_rays *primary, vec3s position) {

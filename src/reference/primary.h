@@ -11,7 +11,10 @@ struct primary_rays {
     int width, height; /* pixels */
 };
 
-/* The surface at a point in pixels from the top left corner; false where there is none. */
+/* Where the ray leads through a point in pixels from the top left corner: unit. */
+vec3s primary_direction(const struct primary_rays *primary, float x, float y);
+
+/* The surface at a point; false where there is none. */
 bool primary_hit(const struct primary_rays *primary, float x, float y, struct hit *hit);
 
 /* Along the view axis, metres. */

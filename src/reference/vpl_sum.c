@@ -121,7 +121,7 @@ bool vpl_sum_render(const struct vpl_sum_desc *desc, struct image *image) {
         (struct primary_rays){&summation.rays, desc->camera, desc->width, desc->height};
     emission_init(&summation.emission, &desc->emitters, desc->geometry, 0);
     hit_table_init(&table, desc->scene, desc->geometry);
-    bool ok = image_fits(desc->width, desc->height, CHANNEL_STANDARD_ERROR) &&
+    bool ok = image_fits(desc->width, desc->height, CHANNEL_COMMON_END) &&
               ray_scene_init(&summation.rays, &table);
     if (ok) {
         image_init(image, desc->width, desc->height, CHANNELS_COMMON);

@@ -73,6 +73,7 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
         .gbuffer = &renderer->gbuffer,
         .direct = renderer->direct->light(renderer->direct_state),
         .contribution = last_contribution(renderer),
+        .sky = renderer->desc.emitters.sky,
         .picks = &antialias->picks,
         .samples = antialias->samples,
         .exposure = renderer_exposure(renderer),

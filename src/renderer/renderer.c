@@ -95,7 +95,10 @@ static bool init_composite(struct renderer *renderer, unsigned contributes) {
         contributes = composite_kinds(&contribution);
     }
     return composite_pass_init(&renderer->composite,
-                               &(struct composite_desc){desc->width, desc->height, contributes});
+                               &(struct composite_desc){.width = desc->width,
+                                                        .height = desc->height,
+                                                        .contributes = contributes,
+                                                        .has_sky = desc->scene->environment});
 }
 
 static bool init_parts(struct renderer *renderer, unsigned parts, unsigned contributes) {

@@ -17,13 +17,13 @@ int emitter_find(const struct scene *scene, const char *text) {
 
 struct emitters emitters_copy(const struct emitters *emitters) {
     size_t count = (size_t)emitters->count;
-    struct emitters copy = {mem_alloc(count, sizeof *copy.items), emitters->count};
+    struct emitters copy = {mem_alloc(count, sizeof *copy.items), emitters->count, emitters->sky};
     memcpy(copy.items, emitters->items, count * sizeof *copy.items);
     return copy;
 }
 
 bool emitters_same(const struct emitters *a, const struct emitters *b) {
-    return a->count == b->count &&
+    return a->count == b->count && a->sky == b->sky &&
            memcmp(a->items, b->items, (size_t)a->count * sizeof *a->items) == 0;
 }
 
@@ -78,7 +78,8 @@ void emitter_place(struct emitter *emitter, const struct scene *scene, int n, do
 
 struct emitters emitters_place(const struct scene *scene, double time) {
     float(*worlds)[16] = mem_alloc((size_t)scene->node_count, sizeof *worlds);
-    struct emitters all = {mem_alloc((size_t)emitter_node_count(scene), sizeof *all.items), 0};
+    struct emitters all = {mem_alloc((size_t)emitter_node_count(scene), sizeof *all.items), 0,
+                           scene->environment};
     scene_node_worlds(scene, time, worlds);
     for (int i = 0; i < scene->node_count; i++)
         if (scene->nodes[i].light >= 0) {

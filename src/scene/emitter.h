@@ -37,6 +37,7 @@ enum emitter_shape {
 struct emitters {
     struct emitter *items;
     int count;
+    const struct environment *sky; /* the scene's, where it shines; else NULL */
 };
 
 struct emitters emitters_copy(const struct emitters *emitters);
@@ -48,7 +49,7 @@ void emitters_free(struct emitters *emitters);
 /* Places the light of the scene's n-th light node (in node order). Asserts that there is one. */
 void emitter_place(struct emitter *emitter, const struct scene *scene, int n, double time);
 
-/* All lights of the scene: the nodes are walked once. */
+/* All lights of the scene, and its sky: the nodes are walked once. */
 struct emitters emitters_place(const struct scene *scene, double time);
 
 /* Turns the light: its frame is made of the direction, which need not be unit. */

@@ -50,7 +50,8 @@ static int add_spot(struct scene *scene) {
 
 void framing_add(struct framing *framing, struct scene *scene) {
     framing->camera = node_count_carrying(scene, NODE_CAMERA) ? -1 : add_camera(scene);
-    framing->light = node_count_carrying(scene, NODE_LIGHT) ? -1 : add_spot(scene);
+    bool has_light = node_count_carrying(scene, NODE_LIGHT) || scene->environment;
+    framing->light = has_light ? -1 : add_spot(scene);
 }
 
 /* --- places ----------------------------------------------------------------------------------- */

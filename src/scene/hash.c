@@ -1,5 +1,7 @@
 #include "scene/hash.h"
 
+#include "scene/environment.h"
+
 #include <stddef.h>
 
 void hash_bytes(uint64_t *sum, const void *bytes, size_t size) {
@@ -40,6 +42,13 @@ static void hash_geometry(uint64_t *sum, const struct geometry *g) {
     }
 }
 
+static void hash_environment(uint64_t *sum, const struct environment *sky) {
+    size_t texels = (size_t)sky->width * (size_t)sky->height;
+    hash_bytes(sum, sky->texels, texels * sizeof *sky->texels);
+    hash_bytes(sum, &sky->turn, sizeof sky->turn);
+    hash_bytes(sum, &sky->strength, sizeof sky->strength);
+}
+
 uint64_t scene_hash(const struct scene *scene, const struct geometry *geometry,
                     const struct camera *camera, const struct emitters *emitters) {
     uint64_t sum = 0xcbf29ce484222325U;
@@ -48,5 +57,7 @@ uint64_t scene_hash(const struct scene *scene, const struct geometry *geometry,
     hash_bytes(&sum, &camera->orthographic, sizeof camera->orthographic);
     hash_bytes(&sum, camera->eye, sizeof *camera - offsetof(struct camera, eye));
     hash_bytes(&sum, emitters->items, (size_t)emitters->count * sizeof *emitters->items);
+    if (emitters->sky)
+        hash_environment(&sum, emitters->sky);
     return sum;
 }

@@ -18,11 +18,15 @@ static bool lay_out(struct scene *scene, struct geometry *geometry) {
     return true;
 }
 
+static bool change(struct scene *scene, const struct scene_open_desc *desc) {
+    return !desc || ((!desc->clip || scene_select_clip(scene, desc->clip)) &&
+                     environment_follow(&scene->environment, &desc->environment));
+}
+
 bool scene_open(struct scene *scene, struct geometry *geometry, const char *path,
-                const char *clip) {
+                const struct scene_open_desc *desc) {
     *geometry = (struct geometry){0};
-    if (scene_load(scene, path) && (!clip || scene_select_clip(scene, clip)) &&
-        lay_out(scene, geometry))
+    if (scene_load(scene, path) && change(scene, desc) && lay_out(scene, geometry))
         return true;
     scene_free(scene);
     return false;

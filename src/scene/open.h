@@ -2,12 +2,19 @@
 #ifndef SCENE_OPEN_H
 #define SCENE_OPEN_H
 
+#include "scene/environment.h"
 #include "scene/mesh/geometry.h"
 
-/* Loads the file, lets a clip play (name or number; NULL = the first), lays out the triangles of time
+struct scene_open_desc {
+    const char *clip; /* that plays: name or number; NULL = the first */
+    struct environment_desc environment;
+};
+
+/* Loads the file, changes of it what desc says, unless that is NULL, lays out the triangles of time
  * 0, moves all to the origin where it lies far out (scene/recentre.h) and gives it the camera and the
  * light that it lacks (scene/framing.h). Triangles are laid out once, of scenes far out twice. Error:
  * names file, object and reason; both are then zeroed. */
-bool scene_open(struct scene *scene, struct geometry *geometry, const char *path, const char *clip);
+bool scene_open(struct scene *scene, struct geometry *geometry, const char *path,
+                const struct scene_open_desc *desc);
 
 #endif

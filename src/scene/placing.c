@@ -154,15 +154,20 @@ static bool mark_area_lights(const struct scene *scene, bool *marked) {
     return found;
 }
 
-/* Marks the lights of a list of names and numbers: all where it is empty. */
+/* Marks the lights of a list of names and numbers: all where it is empty. The last mark is the sky's. */
 static bool mark_emitters(const struct scene *scene, char *list, bool *marked, int count) {
     char *next = NULL;
     for (int n = 0; !*list && n < count; n++)
         marked[n] = true;
+    marked[count] = !*list && scene->environment;
     for (char *name = strtok_r(list, ",", &next); name; name = strtok_r(NULL, ",", &next)) {
         name += strspn(name, " ");
         if (strcmp(name, "emitters") == 0 && mark_area_lights(scene, marked))
             continue;
+        if (strcmp(name, "sky") == 0 && scene->environment) {
+            marked[count] = true;
+            continue;
+        }
         int n = emitter_find(scene, name);
         if (n < 0)
             return false;
@@ -181,7 +186,7 @@ static bool check_size(const struct emitter *changes) {
 static bool pick_emitters(struct emitter *all, bool *picked, const struct scene *scene,
                           char *part) {
     int count = emitter_node_count(scene);
-    bool *marked = mem_alloc((size_t)count, sizeof *marked);
+    bool *marked = mem_alloc((size_t)count + 1, sizeof *marked);
     struct emitter changes = {0};
     unsigned given;
     bool ok = ((parse_words(emitter_words, &changes, part, &given) && check_size(&changes)) ||
@@ -195,6 +200,7 @@ static bool pick_emitters(struct emitter *all, bool *picked, const struct scene 
         if ((given & 2U) && !(given & 1U << FRAME_RIGHT))
             emitter_aim(&all[n], all[n].direction);
     }
+    picked[count] |= ok && marked[count];
     free(marked);
     return ok;
 }
@@ -215,20 +221,21 @@ bool emitters_from_text(struct emitters *emitters, const struct scene *scene, co
     struct emitters placed = emitters_place(scene, time);
     struct emitter *all = placed.items;
     int count = placed.count, kept = 0;
-    bool *picked = mem_alloc((size_t)count, sizeof *picked);
+    bool *picked = mem_alloc((size_t)count + 1, sizeof *picked);
     bool ok = pick_all_parts(all, picked, scene, text);
     for (int n = 0; ok && n < count; n++)
         if (picked[n])
             all[kept++] = all[n];
+    bool has_sky = picked[count];
     free(picked);
-    if (ok && kept == 0)
+    if (ok && kept == 0 && !has_sky)
         ok = error_set("light: '%s' names none", text);
     if (!ok) {
         free(all);
         return false;
     }
     emitters_free(emitters);
-    *emitters = (struct emitters){all, kept};
+    *emitters = (struct emitters){all, kept, has_sky ? placed.sky : NULL};
     return true;
 }
 
@@ -252,5 +259,7 @@ char *emitters_to_text(const struct emitters *emitters, const struct scene *scen
                    changes);
         separator = *changes ? "; " : ",";
     }
+    if (emitters->sky)
+        text_print(&text, "%ssky", separator);
     return text.data;
 }

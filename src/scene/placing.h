@@ -12,7 +12,7 @@
  *
  * Commas part the names of lights, semicolons lights with changes from others; a light whose name
  * has either goes by its number. Changes without a name are of all lights. "emitters" stands for all
- * area lights, where there are any.
+ * area lights, "sky" for the environment, which has no changes, where there are any.
  */
 #ifndef SCENE_PLACING_H
 #define SCENE_PLACING_H

@@ -5,6 +5,7 @@
 #include "base/file/output_file.h"
 #include "scene/animation.h"
 #include "scene/emissive.h"
+#include "scene/environment.h"
 #include "scene/gltf/gltf.h"
 #include "scene/node.h"
 #include "scene/mesh/primitive.h"
@@ -31,7 +32,9 @@ bool scene_load(struct scene *scene, const char *path) {
 }
 
 bool scene_check_output(const struct scene *scene, const char *path) {
-    bool ok = output_file_is_not(path, scene->path);
+    const struct environment *environment = scene->environment;
+    bool ok = output_file_is_not(path, scene->path) &&
+              (!environment || output_file_is_not(path, environment->path));
     for (int i = 0; ok && i < scene->file_count; i++)
         ok = output_file_is_not(path, scene->files[i]);
     return ok;
@@ -57,6 +60,7 @@ void scene_free(struct scene *scene) {
     for (int i = 0; i < scene->file_count; i++)
         free(scene->files[i]);
     free(scene->files);
+    environment_free(scene->environment);
     free(scene->path);
     free(scene->skins);
     free(scene->metaballs);

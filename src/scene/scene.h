@@ -158,6 +158,7 @@ struct scene {
     int node_count, mesh_count, material_count, texture_count, light_count, camera_count;
     char **files; /* beside path: the buffers and pictures that it names */
     int skin_count, metaballs_count, clip_count, file_count;
+    struct environment *environment; /* scene/environment.h; NULL = none */
     int clip; /* the one that plays, where there are any; the first after loading */
 };
 

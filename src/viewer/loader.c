@@ -17,14 +17,16 @@ void document_free(struct document *document) {
 static void *load(void *context) {
     struct loader *loader = context;
     struct document *document = &loader->document;
-    bool ok = scene_open(&document->scene, &document->geometry, loader->path, NULL);
+    const struct scene_open_desc desc = {.environment = loader->environment};
+    bool ok = scene_open(&document->scene, &document->geometry, loader->path, &desc);
     if (!ok)
         snprintf(loader->message, sizeof loader->message, "%s", error_get());
     atomic_store(&loader->state, ok ? LOADER_DONE : LOADER_FAILED);
     return NULL;
 }
 
-void loader_start(struct loader *loader, const char *path) {
+void loader_start(struct loader *loader, const char *path,
+                  const struct environment_desc *environment) {
     if (atomic_load(&loader->state) != LOADER_IDLE) {
         free(loader->next);
         loader->next = mem_strdup(path);
@@ -32,6 +34,7 @@ void loader_start(struct loader *loader, const char *path) {
     }
     free(loader->path);
     loader->path = mem_strdup(path);
+    loader->environment = environment ? *environment : (struct environment_desc){0};
     atomic_store(&loader->state, LOADER_BUSY);
     if (pthread_create(&loader->thread, NULL, load, loader) != 0) {
         log_warning("%s: no thread can be started to load it", path);
@@ -53,7 +56,7 @@ enum loader_state loader_poll(struct loader *loader, struct document *document) 
     if (loader->next) {
         char *next = loader->next;
         loader->next = NULL;
-        loader_start(loader, next);
+        loader_start(loader, next, NULL);
         free(next);
     }
     return state;

@@ -2,6 +2,7 @@
 #ifndef VIEWER_LOADER_H
 #define VIEWER_LOADER_H
 
+#include "scene/environment.h"
 #include "scene/mesh/geometry.h"
 
 #include <pthread.h>
@@ -22,13 +23,16 @@ struct loader {
     pthread_t thread;
     atomic_int state; /* enum loader_state */
     char *path;
+    struct environment_desc environment;
     char *next; /* asked for meanwhile */
     struct document document;
     char message[512];
 };
 
-/* While another one is being loaded, this one is next; of several the last. */
-void loader_start(struct loader *loader, const char *path);
+/* While another one is being loaded, this one is next; of several the last. environment, unless NULL:
+ * whose path must live on. */
+void loader_start(struct loader *loader, const char *path,
+                  const struct environment_desc *environment);
 
 /* LOADER_DONE: *document is the caller's. LOADER_FAILED: error_get tells. Both are told once. */
 enum loader_state loader_poll(struct loader *loader, struct document *document);

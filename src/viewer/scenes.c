@@ -109,7 +109,7 @@ static bool place(struct viewer *viewer, const char *camera_text, const char *li
 /* --- opening --- */
 
 void viewer_open(struct viewer *viewer, const char *path) {
-    loader_start(&viewer->loader, path);
+    loader_start(&viewer->loader, path, &viewer->desc.environment);
 }
 
 static void set_title(struct viewer *viewer) {
@@ -172,6 +172,7 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     viewer->shown.left = viewer->shown.right = NULL;
     /* They meant the first scene. */
     viewer->desc.camera = viewer->desc.light = viewer->desc.clip = NULL;
+    viewer->desc.environment = (struct environment_desc){0};
     viewer->desc.time = 0;
     pace_forget(&viewer->shown.pace);
     set_title(viewer);
@@ -198,6 +199,7 @@ struct session viewer_session(const struct viewer *viewer) {
     const struct scene *scene = &viewer->document.scene;
     struct session session = {
         .scene = scene->path,
+        .environment = scene->environment,
         .technique = viewer->wish.technique,
         .settings = viewer->wish.settings,
         .layer = viewer->shown.layer,

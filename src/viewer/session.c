@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/file/output_file.h"
 #include "renderer/renderer.h"
+#include "scene/environment.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -62,6 +63,14 @@ static void append_quoted(char **text, const char *option, const char *word) {
     free(quoted);
 }
 
+static void append_environment(char **text, const struct environment *environment) {
+    append_quoted(text, "--environment", environment->path);
+    if (environment->turn != 0)
+        append(text, mem_printf(" --environment-turn %.9g", (double)environment->turn));
+    if (environment->strength != 1)
+        append(text, mem_printf(" --environment-strength %.9g", (double)environment->strength));
+}
+
 char *session_command(const struct session *session) {
     char *text = mem_strdup("manylight render"), value[64];
     append_quoted(&text, "", session->scene);
@@ -83,6 +92,8 @@ char *session_command(const struct session *session) {
     }
     append_quoted(&text, "--camera", session->camera);
     append_quoted(&text, "--light", session->lights);
+    if (session->environment)
+        append_environment(&text, session->environment);
     append(&text, mem_strdup(" -o picture.png"));
     return text;
 }

@@ -9,7 +9,8 @@
 #include <stdbool.h>
 
 struct session {
-    const char *scene; /* path */
+    const char *scene;                     /* path */
+    const struct environment *environment; /* the scene's */
     int width, height;
     const struct technique *technique;
     struct settings settings;

@@ -11,6 +11,7 @@
 #include "inspect/probe.h"
 #include "inspect/screen.h"
 #include "renderer/renderer.h"
+#include "scene/environment.h"
 #include "viewer/compare.h"
 #include "viewer/light_tool.h"
 #include "viewer/loader.h"
@@ -30,10 +31,11 @@ struct viewer_desc {
     struct settings settings;
     const char *camera, *light; /* as scene/placing.h has it; NULL = the first, and all */
     const char *clip;           /* name or number; NULL = the first */
-    float time;                 /* of the animation, seconds */
-    int layer;                  /* to show: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
-    const char *reference;      /* a picture to compare with; NULL = none */
-    const char *glsl;           /* folder of shaders; NULL = embedded */
+    struct environment_desc environment;
+    float time;            /* of the animation, seconds */
+    int layer;             /* to show: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
+    const char *reference; /* a picture to compare with; NULL = none */
+    const char *glsl;      /* folder of shaders; NULL = embedded */
     bool debug;
     int frames; /* render so many and end; 0 = until closed */
     int passes; /* whose mean a picture at rest becomes; 0 = PASSES_AT_REST, but 1, which is none, on software OpenGL, where a

@@ -3,6 +3,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "scene/environment.h"
 #include "shared/composite.h"
 
 #include <cglm/util.h>
@@ -19,8 +20,9 @@ unsigned composite_kinds(const struct contribution *contribution) {
 static bool init_programs(struct composite_pass *pass) {
     unsigned has = pass->desc.contributes;
     char defines[64];
-    snprintf(defines, sizeof defines, "%s%s%s", has & HAS_IRRADIANCE ? "HAS_IRRADIANCE;" : "",
-             has & HAS_RADIANCE ? "HAS_RADIANCE;" : "", has & HAS_MEDIUM ? "HAS_MEDIUM;" : "");
+    snprintf(defines, sizeof defines, "%s%s%s%s", has & HAS_IRRADIANCE ? "HAS_IRRADIANCE;" : "",
+             has & HAS_RADIANCE ? "HAS_RADIANCE;" : "", has & HAS_MEDIUM ? "HAS_MEDIUM;" : "",
+             pass->desc.has_sky ? "HAS_SKY;" : "");
     struct program_desc desc = {
         .vertex = "fullscreen.vert", .fragment = "picture/composite.frag", .defines = defines};
     if (!program_init(&pass->display_program, &desc))
@@ -76,6 +78,8 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
         .layer = layer,
         .scale = 1 / frame->irradiance_scale,
         .weight = weight,
+        .sky_strength = inputs->sky ? inputs->sky->strength : 0,
+        .sky_turn = inputs->sky ? glm_rad(inputs->sky->turn) : 0,
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
     struct pass_state state = {
@@ -92,6 +96,8 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
                      {UNIT_SAMPLE_PICKS, inputs->picks->id}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
+    if (pass->desc.has_sky)
+        pass_add_texture(&state, UNIT_SKY, frame->scene->sky.id);
     add_contribution(&state, &inputs->contribution);
     pass_begin(frame->timers, &state);
     pass_draw_fullscreen(1);

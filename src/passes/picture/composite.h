@@ -10,9 +10,12 @@ enum tone_map { TONE_MAP_CLAMP, TONE_MAP_FILMIC };
 /* What a technique contributes: bits. */
 enum { HAS_IRRADIANCE = 1, HAS_RADIANCE = 2, HAS_MEDIUM = 4 };
 
+struct environment;
+
 struct composite_desc {
     int width, height;
     unsigned contributes; /* HAS_..., as composite_kinds tells */
+    bool has_sky;         /* the scene has an environment */
 };
 
 struct composite_pass {
@@ -28,6 +31,7 @@ struct composite_inputs {
     const struct gbuffer *gbuffer;
     const struct texture *direct; /* direct/direct.h */
     struct contribution contribution;
+    const struct environment *sky; /* where it is seen; NULL: nothing is, behind all surfaces */
     const struct texture *picks;
     int samples;
     float exposure; /* EV */

@@ -33,11 +33,12 @@ static const char *shown(char text[80], const char *name) {
     return text;
 }
 
-bool file_read_named(struct file_bytes *bytes, const char *folder, const char *name) {
-    *bytes = (struct file_bytes){0};
+char *file_find_named(const char *folder, const char *name) {
     char text[80];
-    if (!leads_down(name))
-        return error_set("'%s' is not a path inside the file's folder", shown(text, name));
+    if (!leads_down(name)) {
+        error_set("'%s' is not a path inside the file's folder", shown(text, name));
+        return NULL;
+    }
     char *path = mem_printf("%s%s", folder, name);
     char *root = realpath(*folder ? folder : ".", NULL), *real = realpath(path, NULL);
     bool good = false;
@@ -47,10 +48,19 @@ bool file_read_named(struct file_bytes *bytes, const char *folder, const char *n
     else if (strncmp(root, real, length) != 0 || (length > 1 && real[length] != '/'))
         error_set("'%s' is a link out of the file's folder", shown(text, name));
     else
-        good = file_read(bytes, path);
-    free(path);
+        good = true;
+    if (!good)
+        free(path);
     free(root);
     free(real);
+    return good ? path : NULL;
+}
+
+bool file_read_named(struct file_bytes *bytes, const char *folder, const char *name) {
+    *bytes = (struct file_bytes){0};
+    char *path = file_find_named(folder, name);
+    bool good = path && file_read(bytes, path);
+    free(path);
     return good;
 }
 

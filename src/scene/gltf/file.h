@@ -7,8 +7,12 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Reads a file that a glTF names by a relative path. folder is "" or ends in a slash. A name that
- * leads out of the folder is refused, be it by ".." or by a symbolic link. */
+/* The path of a file that a glTF names by a relative path; free() frees. folder is "" or ends in a slash.
+ * A name that leads out of the folder is refused, be it by ".." or by a symbolic link: NULL and an
+ * error. */
+char *file_find_named(const char *folder, const char *name);
+
+/* Reads such a file. */
 bool file_read_named(struct file_bytes *bytes, const char *folder, const char *name);
 
 /* Whether the bytes begin like a .glb. */

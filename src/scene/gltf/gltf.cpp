@@ -102,7 +102,7 @@ extern "C" bool gltf_load(struct scene *scene, const char *path) try {
     return (check_version(loader.model.asset) && check_extensions(loader.model, path) &&
             load_materials(loader) && load_meshes(loader) && load_lights(loader) &&
             load_cameras(loader) && load_nodes(loader) && load_skins(loader) &&
-            load_clips(loader)) ||
+            load_clips(loader) && load_environment(loader)) ||
            error_prefix("%s", path);
 } catch (const std::exception &error) {
     /* A JSON library begins with its own name in brackets. */

@@ -110,6 +110,7 @@ bool load_cameras(Loader &loader);
 bool load_nodes(Loader &loader);
 bool load_skins(Loader &loader);
 bool load_clips(Loader &loader);
+bool load_environment(Loader &loader);
 
 /* The text for names and messages: cut between UTF-8 characters, and without control characters,
  * which could upset a terminal. */

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "gl/pass.h"
 #include "gl/vertex_array.h"
+#include "scene/environment.h"
 #include "shared/bindings.h"
 #include "shared/material.h"
 
@@ -86,6 +87,19 @@ static bool upload_textures(struct scene_gpu *gpu, const struct scene *scene) {
     return true;
 }
 
+static bool upload_sky(struct scene_gpu *gpu, const struct environment *sky) {
+    if (!sky)
+        return true;
+    if (!texture_init(&gpu->sky, &(struct texture_desc){.label = "sky",
+                                                        .format = GL_RGB32F,
+                                                        .width = sky->width,
+                                                        .height = sky->height}))
+        return false;
+    gl.TextureSubImage2D(gpu->sky.id, 0, 0, 0, sky->width, sky->height, GL_RGB, GL_FLOAT,
+                         sky->texels);
+    return true;
+}
+
 static void make_vertex_array(struct scene_gpu *gpu) {
     gl.CreateVertexArrays(1, &gpu->shaded_vertices);
     vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_POSITION,
@@ -136,7 +150,8 @@ static void free_geometry(struct scene_gpu *gpu) {
 bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
                     const struct geometry *geometry) {
     *gpu = (struct scene_gpu){.scene = scene};
-    if (init_geometry(gpu, geometry) && upload_materials(gpu, scene) && upload_textures(gpu, scene))
+    if (init_geometry(gpu, geometry) && upload_materials(gpu, scene) &&
+        upload_textures(gpu, scene) && upload_sky(gpu, scene->environment))
         return true;
     scene_gpu_free(gpu);
     return false;
@@ -148,6 +163,7 @@ void scene_gpu_free(struct scene_gpu *gpu) {
     for (int i = 0; i < gpu->texture_count; i++)
         texture_free(&gpu->textures[i]);
     free(gpu->textures);
+    texture_free(&gpu->sky);
     free(gpu->normal_room);
     *gpu = (struct scene_gpu){0};
 }

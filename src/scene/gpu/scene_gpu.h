@@ -11,6 +11,7 @@ struct scene_gpu {
     struct buffer positions, normals, uvs, colors, indices, materials;
     struct texture *textures;
     int texture_count;
+    struct texture sky;        /* RGB32F, the texels of the scene's environment; or none */
     GLuint shaded_vertices;    /* vertex array of all four */
     const struct scene *scene; /* must outlive this */
     struct geometry_batch *batches;
