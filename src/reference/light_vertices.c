@@ -30,6 +30,7 @@ static void trace(const struct work *work, uint32_t i) {
     vertex->radiance = emission_reflected(&hit, &arrival);
     vertex->position = hit.position;
     vertex->normal = hit.geometric_normal;
+    vertex->cosine = arrival.cosine;
     if (glms_vec3_norm2(vertex->radiance) > 0)
         vertex->density = arrival.density;
 }
@@ -43,6 +44,7 @@ struct light_vertex *light_vertices_trace(const struct emission *emission,
                                           const struct ray_scene *rays, uint32_t seed,
                                           int threads) {
     struct work work = {emission, rays, seed, mem_alloc(LIGHT_VERTEX_COUNT, sizeof *work.vertices)};
-    parallel_for(LIGHT_VERTEX_COUNT / CHUNK, threads, trace_chunk, &work);
+    if (emission->count > 0)
+        parallel_for(LIGHT_VERTEX_COUNT / CHUNK, threads, trace_chunk, &work);
     return work.vertices;
 }

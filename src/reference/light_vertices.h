@@ -19,6 +19,7 @@ struct light_vertex {
     vec3s position, normal; /* geometric, on the light's side */
     vec3s radiance;         /* reflected, W/(sr m2) */
     float density;          /* of light rays there, 1/m2; 0 where none is reflected */
+    float cosine;           /* struct arrival's */
 };
 
 /* Traces the emission's LIGHT_VERTEX_COUNT rays on some threads (0 = all cores); free() frees. */

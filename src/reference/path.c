@@ -7,11 +7,13 @@
 /* Light vertices for each cosine ray: they cost a shadow ray only, and one packet has them all. */
 enum { LIGHTS_PER_VERTEX = 4 };
 
-/* The power heuristic with exponent 2 [Veach 1997, §9.2.4]: of the weights tried, the best on
- * scenes where light bounces off small patches. */
-static float weight(float density, float other_density) {
-    float ratio = other_density / density; /* the densities' squares could overflow */
-    return 1 / (1 + ratio * ratio);
+/* Of a light vertex among the ways to it: the cosine at x finds it, and then the light is picked, or found
+ * by the cosine, too. The power heuristic with exponent 2 [Veach 1997, §9.2.4]: of the weights tried,
+ * the best on scenes where light bounces off small patches. */
+static float vertex_weight(const struct light_vertex *vertex, float density, float p_cosine) {
+    float picked = p_cosine / density; /* the densities' squares could overflow */
+    float found = picked * vertex->cosine;
+    return 1 / (1 + picked * picked + found * found);
 }
 
 /* The density, per area at a point y of that geometric normal, with which sampling the cosine at x
@@ -45,7 +47,7 @@ static vec3s from_light_vertices(const struct ray_scene *rays, const struct hit 
             continue;
         /* The geometry term over pi, cos(x) cos(y) / (pi d^2), equals p_cosine. */
         float p_light = LIGHTS_PER_VERTEX * run[i]->density;
-        float share = p_cosine[i] / p_light * weight(p_light, p_cosine[i]);
+        float share = p_cosine[i] / p_light * vertex_weight(run[i], p_light, p_cosine[i]);
         sum = glms_vec3_muladds(run[i]->radiance, share, sum);
     }
     return sum;
@@ -64,8 +66,9 @@ static vec3s from_cosine_ray(const struct ray_scene *rays, const struct emission
     for (int n = 0; n < emission->count; n++) {
         if (!emission_reach(emission, n, emission_place(emission, n, sample, y), y, &arrival))
             continue;
+        float p_light = LIGHTS_PER_VERTEX * arrival.density / p_cosine;
         vec3s given = glms_vec3_scale(emission_reflected(y, &arrival),
-                                      weight(p_cosine, LIGHTS_PER_VERTEX * arrival.density));
+                                      emission_picked_weight(&arrival, p_light));
         float bright = glms_vec3_max(given);
         sum += bright;
         if (pick * sum < bright) {
@@ -80,30 +83,63 @@ static vec3s from_cosine_ray(const struct ray_scene *rays, const struct emission
     return glms_vec3_scale(light, sum / picked);
 }
 
-/* The next vertex; false where the path ends: it leaves the scene, runs into its own surface, or
- * meets a black back. */
-static bool extend(const struct ray_scene *rays, const struct hit *x, vec2s sample, struct hit *y) {
-    vec3s direction = warp_to_cosine(sample, x->normal);
-    return glms_vec3_dot(direction, x->geometric_normal) > 0 &&
-           ray_scene_hit(rays, ray_scene_departure(rays, x), direction, y) &&
-           glms_vec3_norm2(y->albedo) > 0;
+/* A ray by the cosine. */
+struct step {
+    vec3s direction;
+    bool leaves; /* it does not run into its own surface */
+    bool hits;   /* something, at `end` */
+    struct hit end;
+};
+
+static struct step take_step(const struct ray_scene *rays, const struct hit *from, vec2s sample) {
+    struct step step = {.direction = warp_to_cosine(sample, from->normal)};
+    step.leaves = glms_vec3_dot(step.direction, from->geometric_normal) > 0;
+    step.hits = step.leaves &&
+                ray_scene_hit(rays, ray_scene_departure(rays, from), step.direction, &step.end);
+    return step;
+}
+
+/* By way of the y that the cosine at x found, where the next step came to a light. */
+static vec3s from_found_light(const struct emission *emission, const struct hit *x,
+                              const struct hit *y, const struct step *next) {
+    struct arrival arrival;
+    if (!next->leaves ||
+        !emission_found(emission, y, next->direction, next->hits ? &next->end : NULL, &arrival))
+        return glms_vec3_zero();
+    float p_cosine = cosine_density(x, y->position, y->geometric_normal);
+    float p_light = LIGHTS_PER_VERTEX * arrival.density / p_cosine;
+    float share = emission_found_weight(&arrival, p_light) / arrival.cosine;
+    return glms_vec3_scale(emission_reflected(y, &arrival), share);
+}
+
+/* Whether there is a next vertex: the path did not leave the scene or run into its own surface, nor
+ * met a black back. */
+static bool goes_on(const struct step *step) {
+    return step->hits && glms_vec3_norm2(step->end.albedo) > 0;
 }
 
 vec3s path_indirect(const struct path_scene *scene, const struct light_vertex *lights,
                     const struct hit *first, struct sampler *sampler) {
     const struct ray_scene *rays = scene->rays;
+    const struct emission *emission = scene->emission;
     vec3s sum = glms_vec3_zero(), throughput = glms_vec3_one();
-    struct hit x = *first, y;
+    struct hit x = *first;
+    struct step step, next;
     for (int bounce = 0; bounce < scene->bounces; bounce++) {
         vec3s light = from_light_vertices(rays, &x, lights, sampler);
-        bool goes_on = extend(rays, &x, sampler_next(sampler), &y);
-        if (goes_on)
-            light = glms_vec3_add(light, from_cosine_ray(rays, scene->emission, &x, &y, sampler));
+        step = bounce && emission->has_found ? next : take_step(rays, &x, sampler_next(sampler));
+        bool ends = !goes_on(&step);
+        if (!ends)
+            light = glms_vec3_add(light, from_cosine_ray(rays, emission, &x, &step.end, sampler));
+        if (!ends && emission->has_found) {
+            next = take_step(rays, &step.end, sampler_next(sampler));
+            light = glms_vec3_add(light, from_found_light(emission, &x, &step.end, &next));
+        }
         sum = glms_vec3_add(sum, glms_vec3_mul(throughput, light));
-        if (!goes_on)
+        if (ends)
             break;
-        throughput = glms_vec3_mul(throughput, y.albedo);
-        x = y;
+        throughput = glms_vec3_mul(throughput, step.end.albedo);
+        x = step.end;
     }
     return sum;
 }

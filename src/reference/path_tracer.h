@@ -1,4 +1,5 @@
-/* Ground truth: a path tracer for diffuse scenes under spots, points, directional and area lights.
+/* Ground truth: a path tracer for diffuse scenes under spots, points, directional and area lights, and a
+ * sky.
  *
  * A path of b bounces runs camera -> x0 -> x1 ... -> xb -> light. All vertices but the last are
  * found by sampling the cosine; the last one both so and by the first hits of light rays, weighted
@@ -7,7 +8,8 @@
  * is unbiased, and its noise is estimated from independent streams of samples. The light rays' hits
  * are traced once and shared by all pixels (reference/light_vertices.h). Of several lights each has
  * its own two ways, weighted apart. A light with a size ends each path at another place of it, and
- * its direct light has noise too: the greater of the two counts.
+ * its direct light has noise too: the greater of the two counts. To the sky there is a way more, by
+ * the cosine at the path's last vertex, weighted with the others.
  *
  * Vertices carry shading normals without any terminator correction. A surface passes light only
  * between directions on one side of its triangle.

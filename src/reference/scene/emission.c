@@ -9,12 +9,22 @@
 #include <math.h>
 #include <stdlib.h>
 
+static float cross_section(const struct emission *emission) {
+    return GLM_PIf * emission->radius * emission->radius;
+}
+
+static double flux_of(const struct emission *emission, int n) {
+    const struct source *source = &emission->sources[n];
+    return source->kind == SOURCE_SKY ? emission->sky.power / 3 * (double)cross_section(emission)
+                                      : emitter_flux(&source->light, emission->radius);
+}
+
 static void deal_rays(struct emission *emission, int count) {
     double *fluxes = mem_alloc((size_t)emission->count, sizeof *fluxes);
     int *counts = mem_alloc((size_t)emission->count, sizeof *counts);
     emission->rays = mem_alloc((size_t)count, sizeof *emission->rays);
     for (int n = 0; n < emission->count; n++)
-        fluxes[n] = emitter_flux(&emission->sources[n].light, emission->radius);
+        fluxes[n] = flux_of(emission, n);
     deal(fluxes, emission->count, emission->rays, count, counts);
     for (int n = 0; n < emission->count && count > 0; n++)
         emission->sources[n].share = (float)counts[n] / (float)count;
@@ -25,7 +35,7 @@ static void deal_rays(struct emission *emission, int count) {
 void emission_init(struct emission *emission, const struct emitters *emitters,
                    const struct geometry *geometry, int ray_count) {
     *emission = (struct emission){
-        .sources = mem_alloc((size_t)emitters->count, sizeof *emission->sources),
+        .sources = mem_alloc((size_t)emitters->count + 1, sizeof *emission->sources),
         .count = emitters->count,
         .center = vector_of(geometry->center),
         .radius = geometry->radius,
@@ -37,21 +47,34 @@ void emission_init(struct emission *emission, const struct emitters *emitters,
         };
         emission->has_sizes |= emitter_shape(&emitters->items[n]) != EMITTER_IS_POINT;
     }
-    deal_rays(emission, ray_count);
+    if (emitters->sky && sky_init(&emission->sky, emitters->sky)) {
+        emission->sources[emission->count++].kind = SOURCE_SKY;
+        emission->has_sizes = emission->has_found = true;
+    }
+    if (emission->count > 0)
+        deal_rays(emission, ray_count);
 }
 
 void emission_free(struct emission *emission) {
     free(emission->sources);
     free(emission->rays);
+    sky_free(&emission->sky);
     *emission = (struct emission){0};
 }
 
-static float cross_section(const struct emission *emission) {
-    return GLM_PIf * emission->radius * emission->radius;
+static bool has_size(const struct emission *emission, int n) {
+    const struct source *source = &emission->sources[n];
+    return source->kind != SOURCE_LIGHT || emitter_shape(&source->light) != EMITTER_IS_POINT;
 }
 
-static bool has_size(const struct emission *emission, int n) {
-    return emitter_shape(&emission->sources[n].light) != EMITTER_IS_POINT;
+/* The light without a size that shines from one place as the whole source does on average; density: with
+ * which rays by the cosine might come there, of a sky 1/sr; else 0. */
+static struct emitter piece_of(const struct emission *emission, int n, vec2s place,
+                               double *density) {
+    const struct source *source = &emission->sources[n];
+    *density = 0;
+    return source->kind == SOURCE_SKY ? sky_piece(&emission->sky, place.raw, density)
+                                      : emitter_piece(&source->light, place.raw);
 }
 
 /* Light rays start from an area light by the cosine, which is in the strength, else evenly. */
@@ -74,7 +97,8 @@ static float place_weight(const struct emitter *light, const struct hit *hit, fl
 bool emission_reach(const struct emission *emission, int n, vec2s place, const struct hit *hit,
                     struct arrival *arrival) {
     const struct source *source = &emission->sources[n];
-    struct emitter light = emitter_piece(&source->light, place.raw);
+    double found; /* density with which rays by the cosine come there, over the cosine and pi */
+    struct emitter light = piece_of(emission, n, place, &found);
     vec3s to_light = glms_vec3_negate(vector_of(light.direction));
     float distance = 2 * emission->radius; /* beyond the bounds from every point within */
     float strength = 1;                    /* irradiance across the beam, for an intensity of 1 */
@@ -92,7 +116,7 @@ bool emission_reach(const struct emission *emission, int n, vec2s place, const s
         to_light = glms_vec3_scale(path, 1 / distance);
         strength = emitter_cone(&light, cos_axis) / (distance * distance);
         density = ray_density(&light, source, strength, distance);
-        if (emission->has_sizes && cos_axis > 0)
+        if (has_size(emission, n) && cos_axis > 0)
             weight = place_weight(&source->light, hit, cos_axis / (distance * distance));
     }
     float cos_shading = glms_vec3_dot(hit->normal, to_light);
@@ -103,7 +127,39 @@ bool emission_reach(const struct emission *emission, int n, vec2s place, const s
     arrival->irradiance =
         glms_vec3_scale(vector_of(light.intensity), weight * strength * cos_shading);
     arrival->density = weight * density * cos_geometric * source->share;
+    arrival->cosine = found > 0 ? cos_shading * GLM_1_PIf / (float)found : 0;
     return true;
+}
+
+/* --- rays that come to a light ---------------------------------------------------------------- */
+
+bool emission_found(const struct emission *emission, const struct hit *hit, vec3s direction,
+                    const struct hit *end, struct arrival *arrival) {
+    const struct source *source = &emission->sources[emission->count - 1];
+    float cosine = glms_vec3_dot(hit->normal, direction), radiance[3];
+    float cos_geometric = glms_vec3_dot(hit->geometric_normal, direction);
+    if (end || !emission->has_found || cosine <= 0 || cos_geometric <= 0)
+        return false;
+    float density = (float)sky_density(&emission->sky, direction.raw);
+    if (density <= 0)
+        return false;
+    environment_radiance(emission->sky.environment, direction.raw, radiance);
+    *arrival = (struct arrival){
+        .irradiance = glms_vec3_scale(vector_of(radiance), cosine / density),
+        .density = cos_geometric / cross_section(emission) * source->share,
+        .cosine = cosine * GLM_1_PIf / density,
+    };
+    return true;
+}
+
+float emission_picked_weight(const struct arrival *arrival, float other_density) {
+    return 1 / (1 + arrival->cosine * arrival->cosine + other_density * other_density);
+}
+
+/* Ratios may be large, and their squares infinite. */
+float emission_found_weight(const struct arrival *arrival, float other_density) {
+    float picked = 1 / arrival->cosine, other = other_density / arrival->cosine;
+    return 1 / (1 + picked * picked + other * other);
 }
 
 /* Of a sphere, of a place and the one across, that which faces the surface. */
@@ -117,6 +173,8 @@ static vec2s facing_place(const struct emitter *light, vec2s place, const struct
 }
 
 vec2s emission_place(const struct emission *emission, int n, vec2s sample, const struct hit *hit) {
+    if (emission->sources[n].kind != SOURCE_LIGHT)
+        return sample;
     const struct emitter *light = &emission->sources[n].light;
     enum emitter_shape shape = emitter_shape(light);
     struct seen_rectangle seen;
@@ -135,28 +193,50 @@ static vec3s direct_from(const struct emission *emission, int n, const struct ra
                          const struct hit *hit, vec2s sample) {
     struct arrival arrival;
     vec2s place = emission_place(emission, n, sample, hit);
-    return emission_reach(emission, n, place, hit, &arrival) &&
-                   ray_scene_visible(rays, ray_scene_departure(rays, hit), arrival.at)
-               ? arrival.irradiance
-               : glms_vec3_zero();
+    if (!emission_reach(emission, n, place, hit, &arrival) ||
+        !ray_scene_visible(rays, ray_scene_departure(rays, hit), arrival.at))
+        return glms_vec3_zero();
+    return glms_vec3_scale(arrival.irradiance, emission_picked_weight(&arrival, 0));
+}
+
+/* Of a light by a ray that may come to one. */
+static vec3s direct_by_cosine(const struct emission *emission, const struct ray_scene *rays,
+                              const struct hit *hit, vec2s sample) {
+    vec3s direction = warp_to_cosine(sample, hit->normal);
+    struct arrival arrival;
+    struct hit end;
+    if (glms_vec3_dot(direction, hit->geometric_normal) <= 0)
+        return glms_vec3_zero();
+    bool ends = ray_scene_hit(rays, ray_scene_departure(rays, hit), direction, &end);
+    if (!emission_found(emission, hit, direction, ends ? &end : NULL, &arrival))
+        return glms_vec3_zero();
+    return glms_vec3_scale(arrival.irradiance, emission_found_weight(&arrival, 0) / arrival.cosine);
+}
+
+/* The mean over samplers; n = the count of sources: by the cosine. */
+static vec3s direct_of_many(const struct emission *emission, int n, const struct ray_scene *rays,
+                            const struct hit *hit, const struct sampler *samplers, int count) {
+    vec3s sum = glms_vec3_zero(), light;
+    for (int i = 0; i < count; i++) {
+        struct sampler sampler = samplers[i];
+        sampler.pair += (uint32_t)n;
+        vec2s sample = sampler_next(&sampler);
+        light = n < emission->count ? direct_from(emission, n, rays, hit, sample)
+                                    : direct_by_cosine(emission, rays, hit, sample);
+        sum = glms_vec3_add(sum, light);
+    }
+    return glms_vec3_scale(sum, 1 / (float)count);
 }
 
 vec3s emission_direct(const struct emission *emission, const struct ray_scene *rays,
                       const struct hit *hit, const struct sampler *samplers, int count) {
+    int ways = emission->has_found ? emission->count + 1 : emission->count;
     vec3s sum = glms_vec3_zero(), light;
-    for (int n = 0; n < emission->count; n++) {
-        if (!has_size(emission, n)) {
+    for (int n = 0; n < ways; n++) {
+        if (n < emission->count && !has_size(emission, n))
             light = direct_from(emission, n, rays, hit, (vec2s){{0, 0}});
-        } else {
-            light = glms_vec3_zero();
-            for (int i = 0; i < count; i++) {
-                struct sampler sampler = samplers[i];
-                sampler.pair += (uint32_t)n;
-                light = glms_vec3_add(light,
-                                      direct_from(emission, n, rays, hit, sampler_next(&sampler)));
-            }
-            light = glms_vec3_scale(light, 1 / (float)count);
-        }
+        else
+            light = direct_of_many(emission, n, rays, hit, samplers, count);
         sum = glms_vec3_add(sum, light);
     }
     return glms_vec3_scale(sum, GLM_1_PIf);
@@ -164,7 +244,8 @@ vec3s emission_direct(const struct emission *emission, const struct ray_scene *r
 
 bool emission_first_hit(const struct emission *emission, int n, const struct ray_scene *rays,
                         vec2s place, vec2s sample, struct hit *hit) {
-    struct emitter light = emitter_piece(&emission->sources[n].light, place.raw);
+    double found;
+    struct emitter light = piece_of(emission, n, place, &found);
     vec3s axis = vector_of(light.direction), origin, direction;
     if (light.type == EMITTER_DIRECTIONAL) {
         vec3s offset = glms_vec3_sub(warp_to_disc(sample, axis), glms_vec3_scale(axis, 2));

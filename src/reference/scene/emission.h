@@ -5,18 +5,24 @@
 #include "base/deal.h"
 #include "reference/sampler.h"
 #include "reference/scene/ray_scene.h"
+#include "reference/scene/sky.h"
 #include "scene/emitter.h"
 
+enum source_kind { SOURCE_LIGHT, SOURCE_SKY };
+
 struct source {
-    struct emitter light;
-    float solid_angle; /* spot and point: of the cone, sr */
-    float share;       /* of all light rays: those that start from it */
+    enum source_kind kind;
+    struct emitter light; /* SOURCE_LIGHT */
+    float solid_angle;    /* spot and point: of the cone, sr */
+    float share;          /* of all light rays: those that start from it */
 };
 
 struct emission {
     struct source *sources;
     int count;
+    struct sky sky;     /* of the last source, where that is one */
     bool has_sizes;     /* some light has a size: places on lights are to be drawn */
+    bool has_found;     /* rays may come to one by chance: emission_found */
     struct dealt *rays; /* from which light each light ray starts: as many as it has flux */
     vec3s center;       /* of the scene's bounding sphere */
     float radius;       /* the same sphere's, m */
@@ -30,9 +36,12 @@ struct arrival {
     vec3s at;         /* a point towards the light beyond which nothing can block */
     vec3s irradiance; /* by the shading normal, W/m2 */
     float density;    /* of light rays on the surface, 1/m2 */
+    float
+        cosine; /* the density with which a ray by the surface's cosine comes to the place, over that
+                         of emission_place; 0 where none can */
 };
 
-/* With so many light rays, or none. */
+/* With so many light rays, or none. A black sky is no source. */
 void emission_init(struct emission *emission, const struct emitters *emitters,
                    const struct geometry *geometry, int ray_count);
 
@@ -40,7 +49,7 @@ void emission_init(struct emission *emission, const struct emitters *emitters,
 void emission_free(struct emission *emission);
 
 /* A place of the n-th light picked for this surface: of a rectangle by solid angle, of a sphere on the
- * side that it sees. */
+ * side that it sees, of a sky by radiance. */
 vec2s emission_place(const struct emission *emission, int n, vec2s sample, const struct hit *hit);
 
 /* The n-th light alone, from that place. False where it cannot arrive: outside the cone, or from
@@ -48,12 +57,23 @@ vec2s emission_place(const struct emission *emission, int n, vec2s sample, const
 bool emission_reach(const struct emission *emission, int n, vec2s place, const struct hit *hit,
                     struct arrival *arrival);
 
+/* What arrives from where a ray came to that left the surface in that direction: `end`, or, where that is
+ * NULL, out of the scene. False where nothing shines there that emission_place picks too. */
+bool emission_found(const struct emission *emission, const struct hit *hit, vec3s direction,
+                    const struct hit *end, struct arrival *arrival);
+
+/* The weight of such a ray among ways to the same place whose densities are these, over
+ * emission_place's; and of a pick of emission_place's. The power heuristic with exponent 2 [Veach 1997,
+ * §9.2.4]. */
+float emission_found_weight(const struct arrival *arrival, float other_density);
+float emission_picked_weight(const struct arrival *arrival, float other_density);
+
 /* The radiance that the surface reflects of what arrives. */
 vec3s emission_reflected(const struct hit *hit, const struct arrival *arrival);
 
 /* What a Lambertian surface of albedo 1 would reflect of all lights: irradiance over pi,
  * W/(sr m2). Traces the shadow rays: one for a light without a size, and for others as many as
- * there are samplers. */
+ * there are samplers; and as many by the cosine where those may come to a light. */
 vec3s emission_direct(const struct emission *emission, const struct ray_scene *rays,
                       const struct hit *hit, const struct sampler *samplers, int count);
 
