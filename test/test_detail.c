@@ -187,12 +187,46 @@ static void test_listed_sums(void **state) {
     close_bench(&bench);
 }
 
+/* Of VPLs that go together one asks for the visibility of all: each pixel has noise, their mean is that of
+ * pixels whose VPLs each ask. */
+static void test_one_asks_for_all(void **state) {
+    (void)state;
+    struct detail_bench bench;
+    open_bench(&bench, "scenes/cornell-animal.glb", "interleave=8 detail=1 detail-share=1", 1);
+    list_pixels(&bench, &bench.renderer.gbuffer);
+    struct image each = render_stage(&bench.stage, "clustered",
+                                     "interleave=1 blur-radius=0 visibility-block=0", SIZE);
+    struct image together =
+        render_stage(&bench.stage, "clustered", "interleave=8 detail=1 detail-share=1", SIZE);
+    int red = image_find_channel(&each, "indirect.R"), differ = 0, listed = 0;
+    double sum_each = 0, sum_together = 0;
+    for (int y = 0; y < SIZE; y++)
+        for (int x = 0; x < SIZE; x++) {
+            if (!bench.texels[(SIZE - 1 - y) * SIZE + x])
+                continue;
+            double a = (double)image_at(&each, x, y)[red],
+                   b = (double)image_at(&together, x, y)[red];
+            listed++;
+            differ += fabs(a - b) > .002 * a;
+            sum_each += a;
+            sum_together += b;
+        }
+    printf("    listed %d, of which with noise %d\n", listed, differ);
+    assert_true(listed > 100 && differ > 50);
+    check_near("their mean, over that of pixels whose VPLs each ask", sum_together / sum_each, 1,
+               .005);
+    image_free(&each);
+    image_free(&together);
+    close_bench(&bench);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_lists),
         cmocka_unit_test(test_blur_conserves),
         cmocka_unit_test(test_all_smooth),
         cmocka_unit_test(test_listed_sums),
+        cmocka_unit_test(test_one_asks_for_all),
     };
     return cmocka_run_group_tests_name("detail", tests, open_group_context, close_group_context);
 }

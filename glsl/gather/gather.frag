@@ -70,14 +70,46 @@ vec3 unshadowed(vpl light, surface s, out vec3 back) {
     return light_there;
 }
 
-void main() {
-    irradiance = vec4(0.0);
-    ivec2 pixel;
-    if (!receiver_pixel(params.pattern, slot.zw, pixel))
-        return;
-    surface s = gbuffer_surface(pixel);
-    if (!s.present)
-        return;
+#if RECEIVERS == RECEIVERS_LISTED
+// VPLs of which one asks for all: most of the time goes there.
+const int TOGETHER = 8;
+
+// Irradiance times pi of the VPLs first .. last. One of them, taken by its light, asks for the visibility of
+// all: on average each counts as if it had asked, but for its hue.
+vec3 light_together(surface s, int first, int last, inout float random) {
+    vec3 arriving = vec3(0.0), back = vec3(0.0), place = vec3(0.0);
+    float strength = 0.0, map = 0.0;
+    for (int i = first; i < last; i++) {
+        vpl light = vpl_in_block(i);
+        vec3 own_back, own = unshadowed(light, s, own_back);
+        float own_strength = dot(own + own_back, vec3(1.0));
+        arriving += own;
+        back += own_back;
+        strength += own_strength;
+        // One number for all: within the part that it fell into it is as random as before.
+        float share = own_strength / max(strength, 1e-30);
+        bool taken = random < share;
+        random = (taken ? random : random - share) / max(taken ? share : 1.0 - share, 1e-6);
+        place = taken ? light.position : place;
+        map = taken ? float(map_of(i, light)) : map;
+    }
+    float visible = 1.0;
+    for (int lit = strength > 0.0 ? 1 : 0; lit > 0; lit--)
+        visible = visibility_from(int(map), s.position, s.normal, place);
+    return mix(-back, arriving, visible);
+}
+
+vec3 light_of_slot(surface s, ivec2 pixel) {
+    vec3 sum = vec3(0.0);
+    // A lattice: pixels side by side have numbers far apart.
+    float random = fract(dot(vec2(pixel), vec2(0.7548776662, 0.5698402910)));
+    int last = slot.x + slot.y;
+    for (int i = slot.x; i < last; i += TOGETHER)
+        sum += light_together(s, i, min(i + TOGETHER, last), random);
+    return sum;
+}
+#else
+vec3 light_of_slot(surface s, ivec2 pixel) {
     vec3 sum = vec3(0.0), back;
     int last = slot.x + slot.y;
 #if SHARE_VISIBILITY
@@ -105,5 +137,17 @@ void main() {
         sum += arriving * visible;
 #endif
     }
-    irradiance = vec4(sum * (INVERSE_PI * weight * params.scale), 1.0);
+    return sum;
+}
+#endif
+
+void main() {
+    irradiance = vec4(0.0);
+    ivec2 pixel;
+    if (!receiver_pixel(params.pattern, slot.zw, pixel))
+        return;
+    surface s = gbuffer_surface(pixel);
+    if (!s.present)
+        return;
+    irradiance = vec4(light_of_slot(s, pixel) * (INVERSE_PI * weight * params.scale), 1.0);
 }

@@ -1,8 +1,8 @@
-// The pixel that a texel of a tile gathers for: of all pixels the one at its place in the pattern, or the
-// one that a list has there.
+// The pixel that a texel of a tile gathers for: of all pixels the one at its place in the pattern, but not those
+// that lists have, or the one that a list has there.
 #include "lib/interleaving.glsl"
 
-#if LISTED
+#if RECEIVERS == RECEIVERS_LISTED
 layout(binding = UNIT_LISTED_PIXELS) uniform usampler2D listed_pixels;
 
 flat in int listed; // pixels of this tile's list
@@ -15,8 +15,16 @@ bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
     return within.y * pattern.tile.x + within.x < listed;
 }
 #else
+#if RECEIVERS == RECEIVERS_OTHERS
+layout(binding = UNIT_LIST_TEXELS) uniform usampler2D list_texels;
+#endif
+
 bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
     pixel = interleaved_pixel(pattern, ivec2(gl_FragCoord.xy), place);
+#if RECEIVERS == RECEIVERS_OTHERS
+    return texelFetch(list_texels, pixel, 0).r == 0u;
+#else
     return true;
+#endif
 }
 #endif

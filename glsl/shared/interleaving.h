@@ -15,4 +15,9 @@ STD140_SIZE(interleaving, 16)
 /* Lists of pixels, one a place of the pattern: at most 8 x 8. */
 #define PIXEL_LISTS_MAX 64
 
+/* Of a draw of a tile, RECEIVERS: all pixels of its place in the pattern, those of a list, or all but those. */
+#define RECEIVERS_ALL 0
+#define RECEIVERS_LISTED 1
+#define RECEIVERS_OTHERS 2
+
 #endif

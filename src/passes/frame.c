@@ -137,7 +137,11 @@ void irradiance_free(struct irradiance *irradiance) {
     *irradiance = (struct irradiance){0};
 }
 
-void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists) {
+void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, int receivers) {
+    if (receivers == RECEIVERS_OTHERS)
+        pass_add_texture(state, UNIT_LIST_TEXELS, lists->texels.id);
+    if (receivers != RECEIVERS_LISTED)
+        return;
     pass_add_texture(state, UNIT_LISTED_PIXELS, lists->pixels.id);
     pass_add_block(state, BLOCK_LIST_COUNTS, &lists->counts);
 }

@@ -130,9 +130,9 @@ bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum fo
                      int height, int interleave);
 void irradiance_free(struct irradiance *irradiance);
 
-/* What a pass over listed pixels binds, for gather/receiver.glsl; and one place's draw, after
- * LOCATION_SLOT is set. */
-void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists);
+/* What a pass over such RECEIVERS_ binds, for gather/receiver.glsl; lists are not read for all. And the draw
+ * of one place of lists, after LOCATION_SLOT is set. */
+void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, int receivers);
 void pixel_lists_draw(const struct pixel_lists *lists, GLuint program);
 
 /* For shaders. */

@@ -36,7 +36,7 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
     struct gather_desc gather_desc = lights->gather.desc;
     gather_desc.interleave = gather->detail;
-    gather_desc.listed = true;
+    gather_desc.receivers = RECEIVERS_LISTED;
     gather_desc.share = false;
     return !lights->has_detail ||
            (detail_pass_init(&lights->detail,
@@ -69,6 +69,7 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
     /* Where all pixels gather as much, or none is blurred, none needs more. */
     lights->has_detail =
         own->detail > 0 && own->detail < own->interleave && blur_radius(desc->settings) > 0;
+    gather_desc.receivers = lights->has_detail ? RECEIVERS_OTHERS : RECEIVERS_ALL;
     return gather_pass_init(&lights->gather, &gather_desc) && init_detail(lights, desc);
 }
 
@@ -203,23 +204,23 @@ void many_lights_begin(const struct many_lights *lights, const struct frame *fra
 
 void many_lights_gather(const struct many_lights *lights, const struct frame *frame,
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
-    gather_pass_render(&lights->gather, frame, gbuffer, inputs);
-    if (!lights->has_detail)
-        return;
-    struct gather_inputs listed = *inputs;
-    listed.lists = &lights->detail.lists;
-    gather_pass_render(&lights->detail_gather, frame, gbuffer, &listed);
+    struct gather_inputs with_lists = *inputs;
+    with_lists.lists = &lights->detail.lists;
+    gather_pass_render(&lights->gather, frame, gbuffer, &with_lists);
+    if (lights->has_detail)
+        gather_pass_render(&lights->detail_gather, frame, gbuffer, &with_lists);
 }
 
 static void add_near_field(const struct many_lights *lights, const struct frame *frame,
                            const struct gbuffer *gbuffer) {
     struct near_field_inputs inputs = {.shares = &lights->vpl.shares,
-                                       .irradiance = &lights->gather.irradiance};
+                                       .irradiance = &lights->gather.irradiance,
+                                       .lists = &lights->detail.lists};
     near_field_pass_render(&lights->near_field, frame, gbuffer, &inputs);
     if (!lights->has_detail)
         return;
     inputs.irradiance = &lights->detail_gather.irradiance;
-    inputs.lists = &lights->detail.lists;
+    inputs.of_lists = true;
     near_field_pass_render(&lights->near_field, frame, gbuffer, &inputs);
 }
 

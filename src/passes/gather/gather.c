@@ -17,14 +17,15 @@ enum { VPL_ALIGNMENT = 16 };
 static bool init_program(struct gather_pass *pass) {
     const struct gather_desc *desc = &pass->desc;
     char *lookup = visibility_defines(&desc->visibility);
-    char *defines =
-        mem_printf("%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d;LISTED %d;TAKE_BACK %d", lookup,
-                   desc->clamp, desc->map_per_vpl, desc->share, desc->listed, desc->take_back > 0);
-    bool ok = program_init(
-        &pass->program,
-        &(struct program_desc){.vertex = desc->listed ? "gather/listed.vert" : "fullscreen.vert",
-                               .fragment = "gather/gather.frag",
-                               .defines = defines});
+    char *defines = mem_printf(
+        "%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d;RECEIVERS %d;TAKE_BACK %d", lookup,
+        desc->clamp, desc->map_per_vpl, desc->share, desc->receivers, desc->take_back > 0);
+    bool ok = program_init(&pass->program,
+                           &(struct program_desc){.vertex = desc->receivers == RECEIVERS_LISTED
+                                                                ? "gather/listed.vert"
+                                                                : "fullscreen.vert",
+                                                  .fragment = "gather/gather.frag",
+                                                  .defines = defines});
     free(lookup);
     free(defines);
     return ok;
@@ -87,7 +88,7 @@ static void draw_run(const struct gather_pass *pass, const struct gather_inputs 
         });
         gl.ProgramUniform4i(pass->program, LOCATION_SLOT, at - block, end - at, slot % n, slot / n);
         gl.ProgramUniform1i(pass->program, LOCATION_FIRST_MAP, block - inputs->first);
-        if (pass->desc.listed)
+        if (pass->desc.receivers == RECEIVERS_LISTED)
             pixel_lists_draw(inputs->lists, pass->program);
         else
             pass_draw_fullscreen(1);
@@ -117,7 +118,7 @@ static void draw_slot(const struct gather_pass *pass, const struct gather_inputs
 void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
     struct pass_state state = {
-        .name = pass->desc.listed ? "gather of detail" : "gather",
+        .name = pass->desc.receivers == RECEIVERS_LISTED ? "gather of detail" : "gather",
         .program = pass->program,
         .framebuffer = pass->irradiance.framebuffer,
         .width = pass->irradiance.texture.desc.width,
@@ -129,8 +130,7 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
     };
     if (pass->desc.share)
         pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, inputs->blocks->texture.id);
-    if (pass->desc.listed)
-        pixel_lists_add(&state, inputs->lists);
+    pixel_lists_add(&state, inputs->lists, pass->desc.receivers);
     visibility_add(&state, &pass->desc.visibility, &pass->lookup_params, &inputs->visibility);
     write_params(pass, frame, inputs);
     pass_begin(frame->timers, &state);

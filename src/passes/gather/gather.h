@@ -20,7 +20,7 @@ struct gather_desc {
     int interleave;   /* n; 1 = all VPLs at each pixel */
     bool map_per_vpl; /* map i - first of the draw belongs to VPL i; else map C(i) */
     bool share;       /* visibility comes by blocks */
-    bool listed;      /* only pixels of lists, whose pattern is interleave */
+    int receivers;    /* RECEIVERS_LISTED: pixels of lists, whose pattern is interleave */
     struct visibility_desc visibility;
     enum gather_clamp clamp;
     float clamp_value; /* of the bounded geometry term, times the squared scene radius */
@@ -48,7 +48,7 @@ struct gather_inputs {
     int first, count;                        /* of the VPLs; all of them where count is 0 */
     struct visibility_inputs visibility;     /* unless VISIBILITY_LOOKUP_NONE */
     const struct block_visibilities *blocks; /* where desc.share */
-    const struct pixel_lists *lists;         /* where desc.listed */
+    const struct pixel_lists *lists;         /* unless desc.receivers is RECEIVERS_ALL */
 };
 
 /* Adds the VPLs' light to pass->irradiance. Timer "gather", or "gather of detail". */

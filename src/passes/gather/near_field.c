@@ -39,8 +39,9 @@ static bool init_programs(struct near_field_pass *pass) {
     int kinds = (lights->views[LIGHT_MAP_SINGLE] > 0) << LIGHT_MAP_SINGLE |
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
     char *of_light = mem_printf("LIGHTS %d;MAP_KINDS %d", lights->lights, kinds);
-    char *defines = mem_printf("LISTED 0;%s", of_light);
-    char *listed = mem_printf("LISTED 1;%s", of_light);
+    char *defines = mem_printf("RECEIVERS %d;%s",
+                               pass->desc.listed ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
+    char *listed = mem_printf("RECEIVERS %d;%s", RECEIVERS_LISTED, of_light);
     bool ok =
         program_init(&pass->light_program,
                      &(struct program_desc){
@@ -148,7 +149,7 @@ static void draw_slot(const struct near_field_pass *pass, GLuint program,
                   irradiance->tile_width, irradiance->tile_height);
     gl.ProgramUniform4i(program, LOCATION_SLOT, slot % patterns * samples, samples, slot % n,
                         slot / n);
-    if (inputs->lists)
+    if (inputs->of_lists)
         pixel_lists_draw(inputs->lists, program);
     else
         pass_draw_fullscreen(1);
@@ -158,8 +159,8 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
                             const struct gbuffer *gbuffer, const struct near_field_inputs *inputs) {
     const struct irradiance *irradiance = inputs->irradiance;
     struct pass_state state = {
-        .name = inputs->lists ? "near field of detail" : "near field",
-        .program = inputs->lists ? pass->listed_program : pass->program,
+        .name = inputs->of_lists ? "near field of detail" : "near field",
+        .program = inputs->of_lists ? pass->listed_program : pass->program,
         .framebuffer = irradiance->framebuffer,
         .width = irradiance->texture.desc.width,
         .height = irradiance->texture.desc.height,
@@ -175,8 +176,10 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
     for (GLuint kind = 0; kind < LIGHT_MAP_KINDS; kind++) /* as rsm_add */
         pass_add_texture(&state, UNIT_NEAR_LIGHT + kind,
                          pass->lights[pass->lights[kind].id ? kind : !kind].id);
-    if (inputs->lists)
-        pixel_lists_add(&state, inputs->lists);
+    pixel_lists_add(&state, inputs->lists,
+                    inputs->of_lists    ? RECEIVERS_LISTED
+                    : pass->desc.listed ? RECEIVERS_OTHERS
+                                        : RECEIVERS_ALL);
     write_params(pass, frame, irradiance_pattern(irradiance));
     pass_begin(frame->timers, &state);
     for (int slot = 0; slot < irradiance->interleave * irradiance->interleave; slot++)

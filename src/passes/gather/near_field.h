@@ -15,7 +15,7 @@
 
 struct near_field_desc {
     int samples;  /* that the n x n pixels of a pattern share out */
-    bool listed;  /* pixels of lists come too */
+    bool listed;  /* pixels of lists come by themselves, and not with all others */
     int rsm_size; /* as lights' settings have it */
     struct light_layout lights;
 };
@@ -42,7 +42,8 @@ void near_field_pass_render_lights(struct near_field_pass *pass, const struct fr
 struct near_field_inputs {
     const struct buffer *shares;         /* passes/vpl.h's */
     const struct irradiance *irradiance; /* to be added to */
-    const struct pixel_lists *lists;     /* NULL, or its tiles are these lists' */
+    const struct pixel_lists *lists;     /* where desc.listed */
+    bool of_lists; /* the tiles are these lists', not those of all other pixels */
 };
 
 /* Adds to inputs->irradiance. Timer "near field", or "near field of detail". */
