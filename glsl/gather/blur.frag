@@ -13,14 +13,14 @@ layout(location = TARGET_RESULT) out uvec4 packed_tap;
 layout(location = TARGET_RESULT) out vec4 blurred;
 #endif
 
-vec3 tap_position(ivec2 pixel, vec2 per_pixel, uvec4 tap) {
-    return view_position(camera, (vec2(pixel) + 0.5) * per_pixel - 1.0, blur_tap_depth(tap));
+// In the camera's own axes, metres.
+vec3 tap_position(vec2 aside, float depth) {
+    return vec3(aside * (camera.orthographic ? 1.0 : depth), depth);
 }
 
 void write(uvec4 center, vec3 irradiance) {
 #ifdef PACK
-    packed_tap = blur_tap_pack(
-        blur_tap(blur_tap_depth(center), unpackUnorm2x16(center.y), irradiance, blur_tap_detail(center)));
+    packed_tap = blur_tap_pack(blur_tap(blur_tap_depth(center), center.y, irradiance, blur_tap_detail(center)));
 #else
     blurred = vec4(irradiance, blur_tap_depth(center) > 0.0 ? 1.0 : 0.0);
 #endif
@@ -33,28 +33,32 @@ float window(int away, int radius) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy), size = textureSize(taps, 0);
-    vec2 per_pixel = 2.0 / vec2(size);
+    // A pixel's place in the picture's plane, a metre away.
+    vec2 extent = vec2(length(camera.right), length(camera.up)), per_pixel = 2.0 / vec2(size) * extent;
     uvec4 center = texelFetch(taps, pixel, 0);
-    vec3 position = tap_position(pixel, per_pixel, center), normal = blur_tap_normal(center);
-    float reach = params.distance * view_height(camera, blur_tap_depth(center));
+    float depth = blur_tap_depth(center);
+    vec3 position = tap_position((vec2(pixel) + 0.5) * per_pixel - extent, depth), normal = blur_tap_normal(center);
+    normal /= dot(normal, normal); // rounded, it still is like itself
+    float reach = params.distance * 2.0 * extent.y * (camera.orthographic ? 1.0 : depth);
     int radius = params.radius, rows = params.rows;
     bool detail = DETAIL != 0 && blur_tap_detail(center);
     int own = detail ? params.detail_radius : radius;
     ivec2 along = params.along, across = along.yx;
     vec4 sum = vec4(0.0);
+    // No branches: a software rasteriser executes both sides, and keeps books of which pixel is where.
     for (int j = -rows; j <= rows; j++)
         for (int i = -radius; i <= radius; i++) {
             ivec2 at = pixel + i * along + j * across;
-            if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size)))
-                continue;
-            uvec4 tap = texelFetch(taps, at, 0);
-            vec3 apart = tap_position(at, per_pixel, tap) - position;
-            if (blur_tap_depth(tap) > 0.0 && dot(apart, apart) < reach * reach &&
-                dot(blur_tap_normal(tap), normal) > params.cosine) {
-                float weight = window(abs(i), own) * (rows > 0 ? window(abs(j), own) : 1.0);
-                weight *= detail && blur_tap_detail(tap) ? params.detail_weight : 1.0;
-                sum += weight * vec4(blur_tap_irradiance(tap), 1.0);
-            }
+            ivec2 inside = clamp(at, ivec2(0), size - 1);
+            uvec4 tap = texelFetch(taps, inside, 0);
+            float tap_depth = blur_tap_depth(tap);
+            vec3 apart = tap_position((vec2(at) + 0.5) * per_pixel - extent, tap_depth) - position;
+            bool alike = at == inside && tap_depth > 0.0 && dot(apart, apart) < reach * reach &&
+                dot(blur_tap_normal(tap), normal) > params.cosine;
+            float weight = window(abs(i), own) * (rows > 0 ? window(abs(j), own) : 1.0);
+            weight *= detail && blur_tap_detail(tap) ? params.detail_weight : 1.0;
+            weight = alike ? weight : 0.0;
+            sum += weight * vec4(blur_tap_irradiance(tap), 1.0);
         }
-    write(center, blur_tap_depth(center) > 0.0 ? sum.rgb / max(sum.a, 0.25) : vec3(0.0));
+    write(center, depth > 0.0 ? sum.rgb / max(sum.a, 0.25) : vec3(0.0));
 }

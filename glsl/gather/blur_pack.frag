@@ -1,4 +1,4 @@
-// Puts the interleaved tiles back into picture order, and each pixel's place, normal and light together.
+// Puts the interleaved tiles back into picture order, and each pixel's depth, normal and light together.
 #include "gather/blur_tap.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/interleaving.glsl"
@@ -14,7 +14,8 @@ layout(location = TARGET_RESULT) out uvec4 packed_tap;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec2 normal_code = texelFetch(gbuffer_normals, ivec3(pixel, 0), 0).rg;
+    vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, ivec3(pixel, 0), 0).rg);
+    float depth = gbuffer_depth(pixel);
     vec3 irradiance = texelFetch(source, interleaved_texel(params.pattern, pixel), 0).rgb;
     bool detail = false;
 #if DETAIL
@@ -23,5 +24,6 @@ void main() {
     if (detail)
         irradiance = texelFetch(detail_irradiance, ivec2((texel & 0xffffu) - 1u, texel >> 16), 0).rgb;
 #endif
-    packed_tap = blur_tap_pack(blur_tap(gbuffer_depth(pixel), normal_code, irradiance, detail));
+    packed_tap = blur_tap_pack(blur_tap(depth > 0.0 ? view_linear_depth(camera, depth) : 0.0,
+                                        blur_tap_normal_code(normal), irradiance, detail));
 }

@@ -1,11 +1,10 @@
-// All that a tap of the blur reads, in one texel of 128 bits: a software rasteriser pays for each fetch.
-#include "lib/octahedral.glsl"
-
+// All that a tap of the blur reads, in one texel of 128 bits: a software rasteriser pays for each fetch, and for what
+// it takes to unpack it.
 struct blur_tap {
-    float depth; // reversed, as in the G-buffer; 0 where nothing is
-    vec2 normal_code;
+    float depth;  // along the view's axis, metres; 0 where nothing is
+    uint normal;  // blur_tap_normal_code
     vec3 irradiance;
-    bool detail; // of many lights, and blurred little
+    bool detail;  // of many lights, and blurred little
 };
 
 // 21 bits of each float: all of its exponent, 13 of its fraction. The bit that is left is `detail`.
@@ -13,16 +12,22 @@ const uint DETAIL_BIT = 0x200000u;
 
 uvec4 blur_tap_pack(blur_tap tap) {
     uvec3 rgb = floatBitsToUint(max(tap.irradiance, 0.0)) + 512u >> 10;
-    return uvec4(floatBitsToUint(tap.depth), packUnorm2x16(tap.normal_code),
-                 rgb.r << 11 | rgb.g >> 10, rgb.g << 22 | (tap.detail ? DETAIL_BIT : 0u) | rgb.b);
+    return uvec4(floatBitsToUint(tap.depth), tap.normal, rgb.r << 11 | rgb.g >> 10,
+                 rgb.g << 22 | (tap.detail ? DETAIL_BIT : 0u) | rgb.b);
 }
 
 float blur_tap_depth(uvec4 tap) {
     return uintBitsToFloat(tap.x);
 }
 
+// Ten bits each, as no more than their angle is asked for.
+uint blur_tap_normal_code(vec3 normal) {
+    uvec3 code = uvec3(normal * 511.0 + 512.5);
+    return code.x | code.y << 10 | code.z << 20;
+}
+
 vec3 blur_tap_normal(uvec4 tap) {
-    return octahedral_decode(unpackUnorm2x16(tap.y));
+    return vec3(ivec3(tap.yyy >> uvec3(0u, 10u, 20u) & 0x3ffu) - 512) / 511.0;
 }
 
 bool blur_tap_detail(uvec4 tap) {

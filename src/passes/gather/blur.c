@@ -61,8 +61,8 @@ static void write_params(const struct blur_pass *pass, const struct irradiance *
     }
 }
 
-static void pack(const struct blur_pass *pass, const struct gbuffer *gbuffer,
-                 const struct blur_inputs *inputs) {
+static void pack(const struct blur_pass *pass, const struct frame *frame,
+                 const struct gbuffer *gbuffer, const struct blur_inputs *inputs) {
     struct pass_state state = {
         .name = "blur",
         .program = pass->pack_program,
@@ -72,7 +72,7 @@ static void pack(const struct blur_pass *pass, const struct gbuffer *gbuffer,
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
                      {UNIT_IRRADIANCE, inputs->source->texture.id}},
-        .blocks = {{BLOCK_PASS, &pass->params[0]}},
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params[0]}},
     };
     if (inputs->lists) {
         pass_add_texture(&state, UNIT_LIST_TEXELS, inputs->lists->texels.id);
@@ -100,7 +100,7 @@ void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
                       const struct gbuffer *gbuffer, const struct blur_inputs *inputs) {
     timer_begin(frame->timers, "blur");
     write_params(pass, inputs->source);
-    pack(pass, gbuffer, inputs);
+    pack(pass, frame, gbuffer, inputs);
     if (pass->desc.square) {
         blur(pass, frame, pass->program, &pass->taps, &pass->blurred, 0);
     } else {
