@@ -1,4 +1,4 @@
-# manylight: make demo | test | asan | lint | bench | chart | accuracy | convergence | stability | portable | deps | install | clean
+# manylight: make demo | test | asan | fuzz | lint | bench | chart | accuracy | convergence | stability | portable | deps | install | clean
 #
 # A plain `make` only builds ./manylight. `make demo` and `make test` first install what is missing.
 
@@ -54,7 +54,7 @@ GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
-.PHONY: all demo test tests asan lint bench chart accuracy convergence stability portable deps install clean FORCE
+.PHONY: all demo test tests asan fuzz fuzzers lint bench chart accuracy convergence stability portable deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -154,7 +154,21 @@ TEST_SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out test/test_%.c,$(sort $(
 
 $(BUILD)/test/%: $(BUILD)/test/%.o $(TEST_SUPPORT) $(LIBRARY)
 	$(say) LINK $@
-	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS) -lcmocka -lX11
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(LIBRARY) $(LIBS) -lcmocka -lX11
+
+# What is fed to the fuzzers and kept, read again.
+FUZZ_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/driver.c,$(sort $(wildcard test/fuzz/*.c))))
+$(BUILD)/test/test_seeds: $(FUZZ_OBJECTS)
+$(BUILD)/test/fuzz/%.o $(BUILD)/test/test_seeds.o: INCLUDES += -Itest
+
+# What makes calls of the program fail, for test_faults.
+FAULTS := $(BUILD)/test/faults.so
+$(BUILD)/test/test_faults: | $(FAULTS)
+
+$(FAULTS): test/faults/faults.cpp
+	@mkdir -p $(@D)
+	$(say) CXX $@
+	$(Q)$(CXX) -std=c++17 -O1 $(WARNINGS) -fPIC -shared -o $@ $<
 
 # The program with a technique and a direct method more, which only tests have: what a newcomer to the
 # house adds is a folder and a line of a registry, here told by a macro.
@@ -302,6 +316,30 @@ asan: deps
 	    LSAN_OPTIONS=suppressions=$(CURDIR)/test/leaks-of-others:print_suppressions=0 \
 	    $(MAKE) --no-print-directory tests BUILD=build/asan BINARY=build/asan/manylight-asan \
 	    CFLAGS="-O1 -g $(SANITIZE)" LDFLAGS="$(SANITIZE)"
+
+# Made-up files and texts for so many seconds each, with clang's libFuzzer; what it finds is left in
+# build/fuzz.
+SECONDS := 60
+FUZZ := scene picture text
+FUZZERS := $(FUZZ:%=$(BUILD)/fuzz_%)
+FUZZ_FLAGS := -O1 -g $(SANITIZE) -fsanitize=fuzzer-no-link -Wno-missing-field-initializers
+
+fuzz: deps
+	@test/install-packages clang
+	@$(MAKE) --no-print-directory fuzzers BUILD=build/fuzz CC=clang CXX=clang++ \
+	    CFLAGS="$(FUZZ_FLAGS)" LDFLAGS="$(SANITIZE)"
+
+fuzzers: $(FUZZERS)
+	@$(foreach name,$(FUZZ),test/fuzz/run $(BUILD)/fuzz_$(name) test/fuzz/seeds/$(name) $(SECONDS) &&) true
+
+$(FUZZERS): $(BUILD)/fuzz_%: $(BUILD)/test/fuzz/driver_%.o $(FUZZ_OBJECTS) $(LIBRARY)
+	$(say) LINK $@
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -fsanitize=fuzzer -o $@ $^ $(LIBS)
+
+$(FUZZ:%=$(BUILD)/test/fuzz/driver_%.o): $(BUILD)/test/fuzz/driver_%.o: test/fuzz/driver.c
+	@mkdir -p $(@D)
+	$(say) CC $@
+	$(Q)$(CC) $(C_FLAGS) -DFUZZ=fuzz_$* -MMD -MP -c -o $@ $<
 
 lint:
 	@test/lint

@@ -62,7 +62,8 @@ static bool parse_word(const struct word *words, void *target, const char *text,
         if (strlen(words[i].name) == length && strncmp(words[i].name, text, length) == 0) {
             float *values = (float *)(void *)((char *)target + words[i].offset);
             *given |= 1U << i;
-            return parse_floats(text + length + 1, values, words[i].count) ||
+            return (text[length] == '=' &&
+                    parse_floats(text + length + 1, values, words[i].count)) ||
                    error_set("'%s' wants %d number%s, as in %s=%s", text, words[i].count,
                              words[i].count > 1 ? "s" : "", words[i].name,
                              examples[words[i].count - 1]);

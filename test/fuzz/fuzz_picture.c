@@ -1,0 +1,47 @@
+#define _DEFAULT_SOURCE
+#include "fuzz/fuzz.h"
+
+#include "base/file/image_file.h"
+#include "metrics/layer.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+/* OpenImageIO goes by the name first. */
+static const char *const formats[] = {"exr", "png", "hdr", "pfm", "jpg", "tif"};
+enum { FORMAT_COUNT = sizeof formats / sizeof formats[0] };
+
+static void read_texture(const uint8_t *bytes, size_t size) {
+    struct bitmap bitmap;
+    uint64_t memory;
+    if (!bitmap_measure(bytes, size, &memory) || memory > 1 << 26 ||
+        !bitmap_decode(&bitmap, bytes, size))
+        return;
+    bitmap_free(&bitmap);
+}
+
+static void read_picture(const char *path) {
+    struct image layer;
+    bool was_encoded;
+    image_is_whole(path);
+    if (layer_read(&layer, path, "", &was_encoded))
+        image_free(&layer);
+}
+
+void fuzz_picture(const uint8_t *bytes, size_t size) {
+    if (size == 0)
+        return;
+    int format = bytes[0] % (FORMAT_COUNT + 1);
+    if (format == FORMAT_COUNT) {
+        read_texture(bytes + 1, size - 1);
+        return;
+    }
+    char path[64];
+    snprintf(path, sizeof path, "/tmp/manylight-fuzz-%d.%s", (int)getpid(), formats[format]);
+    unlink(path);
+    if (symlink(fuzz_file(bytes + 1, size - 1), path) != 0)
+        abort();
+    read_picture(path);
+    unlink(path);
+}

@@ -1,0 +1,62 @@
+/* The files and texts that fuzzing starts from and those in which it has found something: each is taken
+ * or refused again, under whatever sanitizer the tests run. */
+#define _DEFAULT_SOURCE
+#include "support.h"
+
+#include "base/error.h"
+#include "base/file/file.h"
+#include "fuzz/fuzz.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* Whole, and cut to half. */
+static void feed(void (*fuzz)(const uint8_t *, size_t), const char *path) {
+    struct file_bytes bytes;
+    check_ok(path, file_read(&bytes, path));
+    for (size_t parts = 1; parts <= 2; parts++) {
+        error_set("no refusal");
+        fuzz(bytes.data, bytes.size / parts);
+        printf("    1/%zu %-40s %s\n", parts, path, error_get());
+    }
+    free(bytes.data);
+}
+
+static void feed_folder(void (*fuzz)(const uint8_t *, size_t), const char *folder) {
+    struct dirent **entries;
+    int count = scandir(folder, &entries, NULL, alphasort), fed = 0;
+    for (int i = 0; i < count; i++) {
+        char path[512];
+        snprintf(path, sizeof path, "%s/%s", folder, entries[i]->d_name);
+        if (entries[i]->d_name[0] != '.')
+            feed(fuzz, path), fed++;
+        free(entries[i]);
+    }
+    free(entries);
+    assert_true(fed > 0);
+}
+
+static void test_scenes(void **state) {
+    (void)state;
+    feed_folder(fuzz_scene, "test/fuzz/seeds/scene");
+}
+
+static void test_pictures(void **state) {
+    (void)state;
+    feed_folder(fuzz_picture, "test/fuzz/seeds/picture");
+}
+
+static void test_texts(void **state) {
+    (void)state;
+    feed_folder(fuzz_text, "test/fuzz/seeds/text");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_texts),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
