@@ -246,7 +246,7 @@ void output_text_init(struct output_text *text) {
     text->stream = open_memstream(&text->data, &text->size);
     if (!text->stream) {
         fprintf(stderr, "manylight: out of memory\n");
-        abort();
+        _exit(1); /* as base/memory.h does */
     }
 }
 
