@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "gl/memory.h"
+#include "reference/channels.h"
 #include "scene/node.h"
 #include "scene/placing.h"
 #include "shared/vpl.h"
@@ -231,6 +232,16 @@ double gradient_error(const struct image *test, const struct image *reference, c
             }
         }
     return sqrt(sum / count) / layer_mean(reference, layer);
+}
+
+struct image common_layers(const struct image *traced) {
+    struct image image;
+    image_init(&image, traced->width, traced->height, CHANNELS_COMMON);
+    for (int y = 0; y < traced->height; y++)
+        for (int x = 0; x < traced->width; x++)
+            memcpy(image_at(&image, x, y), image_at(traced, x, y),
+                   (size_t)image.channel_count * sizeof(float));
+    return image;
 }
 
 void check_finite(const char *what, const struct image *image) {

@@ -77,6 +77,9 @@ double gradient_error(const struct image *test, const struct image *reference, c
 /* The mean of a layer's channels over the pixels that see something. */
 double layer_mean(const struct image *image, const char *layer);
 
+/* Of a picture of the path tracer the layers that a frame has too. */
+struct image common_layers(const struct image *traced);
+
 /* Fails where a value of any channel is NaN or infinite. */
 void check_finite(const char *what, const struct image *image);
 

@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "gl/memory.h"
-#include "reference/channels.h"
 #include "reference/path_tracer.h"
 #include "scene/view.h"
 
@@ -174,16 +173,6 @@ static void test_split(void **state) {
 
 /* --- truth ------------------------------------------------------------------------------------ */
 
-/* The channels that the renderer has too. */
-static struct image without_errors(const struct image *traced) {
-    struct image image;
-    image_init(&image, traced->width, traced->height, CHANNELS_COMMON);
-    for (int i = 0; i < SIZE * SIZE; i++)
-        memcpy(image_at(&image, i % SIZE, i / SIZE), image_at(traced, i % SIZE, i / SIZE),
-               (size_t)image.channel_count * sizeof(float));
-    return image;
-}
-
 /* Against the path tracer, by the pixels' centres: both have all three lights. In so small a picture
  * the Cornell box under one spot is 17 and 9 % off. */
 static void test_truth(void **state) {
@@ -201,7 +190,7 @@ static void test_truth(void **state) {
                                                                     .samples = 256,
                                                                     .centers = true},
                                          &traced, NULL));
-    struct image truth = without_errors(&traced);
+    struct image truth = common_layers(&traced);
     static const struct {
         const char *technique, *settings;
         double direct, mean, indirect;

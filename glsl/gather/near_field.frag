@@ -18,6 +18,9 @@ layout(std140, binding = BLOCK_NEAR_SAMPLES) uniform sample_uniforms {
 layout(binding = UNIT_NEAR_LIGHT) uniform usampler2DArray near_lights[LIGHT_MAP_KINDS];
 
 layout(location = LOCATION_SLOT) uniform ivec4 slot; // first sample, count, the tile's place in the pattern
+// The lights that this tile takes, and each one's weight: of a group of many one stands for all.
+layout(location = LOCATION_PICK_COUNT) uniform int pick_count;
+layout(location = LOCATION_PICKS) uniform vec2 picks[LIGHTS];
 
 layout(location = TARGET_RESULT) out vec4 irradiance;
 
@@ -111,6 +114,8 @@ void main() {
     surface s = gbuffer_surface(pixel);
     if (!s.present)
         return;
-    for (int i = 0; i < LIGHTS; i++)
-        irradiance.rgb += near_field(s, light_at(i), vpl_share_at(i));
+    for (int i = 0; i < pick_count; i++) {
+        int index = int(picks[i].x);
+        irradiance.rgb += picks[i].y * near_field(s, light_at(index), vpl_share_at(index));
+    }
 }

@@ -99,5 +99,7 @@
 #define LOCATION_FIRST_VIEW 4
 #define LOCATION_LIGHT 5
 #define LOCATION_TILE 6
+#define LOCATION_PICK_COUNT 7
+#define LOCATION_PICKS 8 /* LIGHTS_MAX of them (shared/light.h) */
 
 #endif

@@ -76,6 +76,7 @@
     X(PFNGLPROGRAMUNIFORM1IPROC, ProgramUniform1i)                                                 \
     X(PFNGLPROGRAMUNIFORM4IPROC, ProgramUniform4i)                                                 \
     X(PFNGLPROGRAMUNIFORM1FPROC, ProgramUniform1f)                                                 \
+    X(PFNGLPROGRAMUNIFORM2FVPROC, ProgramUniform2fv)                                               \
     /* Draws and dispatches. */                                                                    \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                                                             \
     X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)                                           \

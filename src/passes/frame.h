@@ -10,17 +10,21 @@
 #include "gl/texture.h"
 #include "gl/timer.h"
 #include "scene/gpu/scene_gpu.h"
+#include "scene/starts.h"
 #include "scene/view.h"
 #include "shared/interleaving.h"
 
 /* What every pass of one frame may use. */
 struct frame {
     struct timers *timers;
-    const struct buffer *view, *lights; /* for BLOCK_VIEW, BLOCK_LIGHTS */
+    const struct buffer *view; /* for BLOCK_VIEW */
+    /* For direct light those that shine, for a technique those that reflected light starts from: */
+    const struct buffer *lights; /* for BLOCK_LIGHTS */
     const struct scene_gpu *scene;
     const struct emitters *emitters;
     const struct light_block *light_block; /* of the emitters: what the buffer holds */
     struct light_layout layout;            /* of the lights' maps */
+    const struct light_group *groups;      /* layout.groups of them; NULL for direct light */
     const struct geometry *geometry;       /* for views of other lights */
     float bounds_min[3], bounds_max[3];    /* of the scene, metres */
     float radius;                          /* of its bounding sphere, metres */

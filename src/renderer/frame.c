@@ -39,11 +39,12 @@ struct frame renderer_frame(struct renderer *renderer) {
     struct frame frame = {
         .timers = &renderer->timers,
         .view = &renderer->view_buffer,
-        .lights = &renderer->light_buffer,
+        .lights = &renderer->start_buffer,
         .scene = &renderer->scene,
-        .emitters = &desc->emitters,
-        .light_block = renderer->light_block,
-        .layout = renderer->layout,
+        .emitters = &renderer->start_emitters,
+        .light_block = renderer->start_block,
+        .layout = renderer->plan.start_layout,
+        .groups = renderer->starts.groups,
         .geometry = desc->geometry,
         .radius = desc->geometry->radius,
         .pass = renderer->pass,
@@ -52,6 +53,17 @@ struct frame renderer_frame(struct renderer *renderer) {
     memcpy(frame.bounds_min, desc->geometry->bounds_min, sizeof frame.bounds_min);
     memcpy(frame.bounds_max, desc->geometry->bounds_max, sizeof frame.bounds_max);
     return frame;
+}
+
+/* The same frame for direct light. */
+static struct frame frame_of_direct(const struct renderer *renderer, const struct frame *frame) {
+    struct frame direct = *frame;
+    direct.lights = &renderer->light_buffer;
+    direct.emitters = &renderer->desc.emitters;
+    direct.light_block = renderer->light_block;
+    direct.layout = renderer->plan.layout;
+    direct.groups = NULL;
+    return direct;
 }
 
 /* Whether the last frame was the refiner's. */
@@ -89,8 +101,10 @@ static void render_lights(struct renderer *renderer, const struct frame *frame) 
     const struct technique *technique =
         is_refined(renderer) ? refining->technique : renderer->technique;
     void *state = is_refined(renderer) ? refining->state : renderer->technique_state;
-    if (!keeps && renderer->direct->render_lights)
-        renderer->direct->render_lights(renderer->direct_state, frame);
+    if (!keeps && renderer->direct->render_lights) {
+        struct frame direct = frame_of_direct(renderer, frame);
+        renderer->direct->render_lights(renderer->direct_state, &direct);
+    }
     if ((!keeps || renderer->pass > 0) && technique->render_lights)
         technique->render_lights(state, frame);
     renderer->lights_drawn = renderer->pass == 0 || (keeps && is_refined(renderer));
@@ -99,9 +113,10 @@ static void render_lights(struct renderer *renderer, const struct frame *frame) 
 /* All but what makes a picture of it. */
 static void render_frame(struct renderer *renderer, const struct frame *frame) {
     const struct refining *refining = &renderer->refining;
+    struct frame direct = frame_of_direct(renderer, frame);
     render_lights(renderer, frame);
     geometry_pass_render_camera(&renderer->geometry, frame, &renderer->gbuffer);
-    renderer->direct->render_view(renderer->direct_state, frame, &renderer->gbuffer);
+    renderer->direct->render_view(renderer->direct_state, &direct, &renderer->gbuffer);
     if (is_refined(renderer))
         refining->technique->render_view(refining->state, frame, &renderer->gbuffer);
     else

@@ -41,7 +41,7 @@ static bool init_direct(struct renderer *renderer) {
                                                                .settings = &desc->settings,
                                                                .width = desc->width,
                                                                .height = desc->height,
-                                                               .lights = &renderer->layout,
+                                                               .lights = &renderer->plan.layout,
                                                            });
 }
 
@@ -56,7 +56,7 @@ static bool make_technique(const struct renderer *renderer, const struct techniq
                                       .casters = renderer->casters,
                                       .width = desc->width,
                                       .height = desc->height,
-                                      .lights = &renderer->layout,
+                                      .lights = &renderer->plan.start_layout,
                                   });
 }
 
@@ -119,6 +119,12 @@ static float place_in_pixel(uint32_t base, int pass) {
     return (float)(fmod(radical_inverse(base, (uint32_t)pass) + .5, 1) - .5);
 }
 
+static void place_starts(struct renderer *renderer) {
+    light_starts_place(&renderer->starts, &renderer->desc.emitters, &renderer->plan.starts,
+                       renderer->pass);
+    renderer->start_emitters = light_starts_emitters(&renderer->starts);
+}
+
 void renderer_write_views(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     const float place[2] = {2 * place_in_pixel(2, renderer->pass) / (float)desc->width,
@@ -128,8 +134,11 @@ void renderer_write_views(struct renderer *renderer) {
     if (renderer->pass > 0)
         view_shift(&renderer->camera_view, place);
     views_of_emitters(renderer->light_block, &desc->emitters, desc->geometry);
+    place_starts(renderer);
+    views_of_emitters(renderer->start_block, &renderer->start_emitters, desc->geometry);
     buffer_write(&renderer->view_buffer, 0, sizeof renderer->camera_view, &renderer->camera_view);
     buffer_write(&renderer->light_buffer, 0, sizeof *renderer->light_block, renderer->light_block);
+    buffer_write(&renderer->start_buffer, 0, sizeof *renderer->start_block, renderer->start_block);
 }
 
 static void set_defaults(struct renderer_desc *desc) {
@@ -141,18 +150,32 @@ static void set_defaults(struct renderer_desc *desc) {
         renderer_settings_init(&desc->settings);
 }
 
+/* Error: more lights than there is room for. */
+static bool plan_lights(struct light_plan *plan, const struct renderer_desc *desc) {
+    const struct start_settings *own = settings_of(&desc->settings, &start_part);
+    struct light_starts starts;
+    if (!light_layout_of(&plan->layout, &desc->emitters))
+        return false;
+    plan->starts = (struct starts_desc){own->places, own->wide, desc->geometry->radius};
+    light_starts_place(&starts, &desc->emitters, &plan->starts, 0);
+    plan->start_layout = light_starts_layout(&starts);
+    return true;
+}
+
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) {
     *renderer = (struct renderer){.desc = *desc,
                                   .casters = caster_pool_create(desc->geometry),
-                                  .light_block = mem_alloc(1, sizeof *renderer->light_block)};
+                                  .light_block = mem_alloc(1, sizeof *renderer->light_block),
+                                  .start_block = mem_alloc(1, sizeof *renderer->start_block)};
     renderer->desc.emitters = emitters_copy(&desc->emitters);
     set_defaults(&renderer->desc);
     timers_init(&renderer->timers, desc->timed, gl.software);
-    if (light_layout_of(&renderer->layout, &desc->emitters) &&
+    if (plan_lights(&renderer->plan, &renderer->desc) &&
         scene_gpu_init(&renderer->scene, desc->scene, desc->geometry) &&
         init_parts(renderer, PART_ALL, 0) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
-        buffer_init(&renderer->light_buffer, "lights", sizeof *renderer->light_block, NULL)) {
+        buffer_init(&renderer->light_buffer, "lights", sizeof *renderer->light_block, NULL) &&
+        buffer_init(&renderer->start_buffer, "starts", sizeof *renderer->start_block, NULL)) {
         renderer_write_views(renderer);
         return true;
     }
@@ -190,7 +213,9 @@ void renderer_free(struct renderer *renderer) {
     caster_pool_free(renderer->casters);
     buffer_free(&renderer->view_buffer);
     buffer_free(&renderer->light_buffer);
+    buffer_free(&renderer->start_buffer);
     free(renderer->light_block);
+    free(renderer->start_block);
     emitters_free(&renderer->desc.emitters);
     *renderer = (struct renderer){0};
 }
@@ -267,14 +292,14 @@ static bool resize_kept(struct renderer *renderer, const struct renderer_desc *d
 
 /* The new parts are made beside the old ones, which go only when all are there. */
 static bool change(struct renderer *renderer, const struct renderer_desc *desc,
-                   const struct light_layout *layout, unsigned parts) {
-    struct renderer fresh = {.desc = *desc, .casters = renderer->casters, .layout = *layout};
+                   const struct light_plan *plan, unsigned parts) {
+    struct renderer fresh = {.desc = *desc, .casters = renderer->casters, .plan = *plan};
     bool ok = init_parts(&fresh, parts, renderer->composite.desc.contributes) &&
               resize_kept(renderer, desc, parts);
     if (ok) {
         swap_parts(renderer, &fresh, parts);
         renderer->desc = *desc;
-        renderer->layout = *layout;
+        renderer->plan = *plan;
         renderer_write_views(renderer);
         renderer->lights_drawn &= !(parts & PART_LIGHTS);
         if (parts & PART_TECHNIQUE) { /* other passes, other timers */
@@ -294,7 +319,7 @@ bool renderer_makes_technique(const struct renderer *renderer, const struct tech
 }
 
 static unsigned parts_between(const struct renderer *renderer, const struct renderer_desc *desc,
-                              const struct light_layout *layout) {
+                              const struct light_plan *plan) {
     const struct renderer_desc *old = &renderer->desc;
     const struct picture_settings *picture = settings_of(&desc->settings, &picture_part);
     unsigned parts = 0;
@@ -303,8 +328,10 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
     if (desc->direct != old->direct ||
         !renderer_settings_same(&desc->settings, &old->settings, desc->direct->parts))
         parts |= PART_DIRECT;
-    if (!light_layouts_same(layout, &renderer->layout))
-        parts |= PART_LIGHTS | PART_COMPOSITE | PART_REFINER;
+    if (!light_layouts_same(&plan->layout, &renderer->plan.layout))
+        parts |= PART_DIRECT;
+    if (!light_layouts_same(&plan->start_layout, &renderer->plan.start_layout))
+        parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER;
     if (picture->samples != picture_of(renderer)->samples)
         parts |= PART_ANTIALIAS;
     if (desc->width != old->width || desc->height != old->height)
@@ -317,16 +344,16 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
 bool renderer_follow(struct renderer *renderer, const struct renderer_desc *wanted) {
     struct renderer_desc desc = *wanted;
     struct emitters old = renderer->desc.emitters;
-    struct light_layout layout;
-    if (!light_layout_of(&layout, &desc.emitters))
+    struct light_plan plan;
+    set_defaults(&desc);
+    if (!plan_lights(&plan, &desc))
         return false;
     bool same_lights = emitters_same(&desc.emitters, &old);
     desc.emitters = same_lights ? old : emitters_copy(&desc.emitters);
-    set_defaults(&desc);
-    unsigned parts = parts_between(renderer, &desc, &layout);
+    unsigned parts = parts_between(renderer, &desc, &plan);
     bool same_picture =
         parts == 0 && same_lights && cameras_same(&desc.camera, &renderer->desc.camera);
-    bool ok = change(renderer, &desc, &layout, parts);
+    bool ok = change(renderer, &desc, &plan, parts);
     if (!same_lights)
         emitters_free(ok ? &old : &desc.emitters);
     renderer->lights_drawn &= same_lights || !ok;
@@ -359,5 +386,5 @@ bool renderer_update(struct renderer *renderer) {
 
 bool renderer_reload_shaders(struct renderer *renderer) {
     renderer->refining.count = 0;
-    return change(renderer, &renderer->desc, &renderer->layout, PART_ALL);
+    return change(renderer, &renderer->desc, &renderer->plan, PART_ALL);
 }

@@ -14,7 +14,7 @@
 #include "passes/picture/mean.h"
 #include "renderer/settings.h"
 #include "scene/gpu/caster_pool.h"
-#include "scene/view.h"
+#include "scene/starts.h"
 #include "techniques/technique.h"
 
 /* What a picture can show, by LAYER_BEAUTY, LAYER_DIRECT and LAYER_INDIRECT; null-terminated. */
@@ -34,6 +34,12 @@ struct renderer_desc {
                          before: the same picture in less time */
     bool progressive; /* ready for renderer_add_pass */
     bool timed;       /* measure passes */
+};
+
+/* What maps and programs are made for. */
+struct light_plan {
+    struct light_layout layout, start_layout;
+    struct starts_desc starts;
 };
 
 struct renderer {
@@ -60,10 +66,14 @@ struct renderer {
         int count;     /* of passes in the mean; 0: none */
         double weight; /* of them */
     } refining;
-    struct light_layout layout;
     struct view camera_view;
-    struct light_block *light_block;
-    struct buffer view_buffer, light_buffer;
+    struct buffer view_buffer;
+    struct light_plan plan;
+    /* What shines, for direct light; and what techniques are given for it. */
+    struct light_block *light_block, *start_block;
+    struct buffer light_buffer, start_buffer;
+    struct light_starts starts;
+    struct emitters start_emitters; /* of the starts: nothing to be freed */
 };
 
 /* Error: driver, shader, size, memory, or more lights than there is room for. */
@@ -112,7 +122,7 @@ bool renderer_read_pixel(struct renderer *renderer, int x, int y, struct image *
 /* The last frame as the display shows it, row 0 at the top. */
 void renderer_read_display(const struct renderer *renderer, struct bitmap *bitmap);
 
-/* For reading back: what the passes of the last frame were given. */
+/* For reading back: what the technique's passes of the last frame were given. */
 struct frame renderer_frame(struct renderer *renderer);
 struct composite_inputs renderer_composite_inputs(const struct renderer *renderer);
 

@@ -24,6 +24,17 @@ static const struct option table[] = {
 const struct settings_part picture_part = {"picture", "picture", table,
                                            sizeof(struct picture_settings)};
 
+static const struct option start_table[] = {
+    {"places", 0, OPTION_INT, offsetof(struct start_settings, places), 4, 1, LIGHTS_MAX,
+     .help = "of wide lights, from which their reflected light starts, all together"},
+    {"wide", 0, OPTION_FLOAT, offsetof(struct start_settings, wide), .3, 0, 100,
+     .help = "wide are lights of this width over the scene's radius; of a sun, radians"},
+    {NULL},
+};
+
+const struct settings_part start_part = {"start", "where reflected light starts", start_table,
+                                         sizeof(struct start_settings)};
+
 static void add_parts(struct settings *settings, const struct settings_part *const *parts) {
     for (; *parts; parts++)
         settings_add(settings, *parts);
@@ -35,6 +46,7 @@ void renderer_settings_init(struct settings *settings) {
         add_parts(settings, (*t)->parts);
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         add_parts(settings, (*d)->parts);
+    settings_add(settings, &start_part);
     settings_add(settings, &picture_part);
 }
 
@@ -131,5 +143,6 @@ void renderer_settings_print_help(FILE *out, const struct technique *technique) 
         fprintf(out, "  path=%-21s %s\n", p->name, p->help);
     print_parts(out, technique->parts);
     print_direct_parts(out);
+    settings_print_help(out, &start_part);
     settings_print_help(out, &picture_part);
 }

@@ -12,7 +12,12 @@ struct picture_settings {
     int tone_map;   /* enum tone_map */
 };
 
-extern const struct settings_part picture_part;
+struct start_settings {
+    int places; /* of wide lights, where reflected light starts */
+    float wide; /* over the scene's radius */
+};
+
+extern const struct settings_part picture_part, start_part;
 
 /* Every part with its defaults. */
 void renderer_settings_init(struct settings *settings);

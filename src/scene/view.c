@@ -83,22 +83,33 @@ static int view_count(const struct emitter *light) {
     return light->type == EMITTER_DIRECTIONAL || narrow ? 1 : 6;
 }
 
-bool light_layout_of(struct light_layout *layout, const struct emitters *emitters) {
-    *layout = (struct light_layout){.lights = emitters->count};
+void light_layout_count(struct light_layout *layout, const struct emitters *emitters) {
+    *layout = (struct light_layout){.lights = emitters->count, .groups = emitters->count};
     for (int i = 0; i < emitters->count; i++) {
         int views = view_count(&emitters->items[i]);
         layout->views[views > 1 ? LIGHT_MAP_FACE : LIGHT_MAP_SINGLE] += views;
         layout->sized |= emitter_shape(&emitters->items[i]) != EMITTER_IS_POINT;
     }
-    int views = layout->views[LIGHT_MAP_SINGLE] + layout->views[LIGHT_MAP_FACE];
-    return (layout->lights <= LIGHTS_MAX && views <= LIGHT_VIEWS_MAX) ||
+}
+
+static int all_views(const struct light_layout *layout) {
+    return layout->views[LIGHT_MAP_SINGLE] + layout->views[LIGHT_MAP_FACE];
+}
+
+bool light_layout_fits(const struct light_layout *layout) {
+    return layout->lights <= LIGHTS_MAX && all_views(layout) <= LIGHT_VIEWS_MAX;
+}
+
+bool light_layout_of(struct light_layout *layout, const struct emitters *emitters) {
+    light_layout_count(layout, emitters);
+    return light_layout_fits(layout) ||
            error_set(
                "%d lights with %d views: at most %d with %d shine at once; --light picks some",
-               layout->lights, views, LIGHTS_MAX, LIGHT_VIEWS_MAX);
+               layout->lights, all_views(layout), LIGHTS_MAX, LIGHT_VIEWS_MAX);
 }
 
 bool light_layouts_same(const struct light_layout *a, const struct light_layout *b) {
-    return a->lights == b->lights && a->sized == b->sized &&
+    return a->lights == b->lights && a->groups == b->groups && a->sized == b->sized &&
            memcmp(a->views, b->views, sizeof a->views) == 0;
 }
 

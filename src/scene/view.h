@@ -19,9 +19,14 @@ void view_shift(struct view *view, const float ndc[2]);
  * keep it, but for one that gets a size. */
 struct light_layout {
     int lights;
+    int groups; /* of lights that are pieces of one (scene/starts.h) */
     int views[LIGHT_MAP_KINDS];
     bool sized; /* one of them has a size */
 };
+
+/* Of however many; and whether there is room for them. */
+void light_layout_count(struct light_layout *layout, const struct emitters *emitters);
+bool light_layout_fits(const struct light_layout *layout);
 
 /* Error: more lights or views than there is room for. */
 bool light_layout_of(struct light_layout *layout, const struct emitters *emitters);

@@ -1,5 +1,6 @@
 #include "passes/gather/near_field.h"
 
+#include "base/deal.h"
 #include "base/halton.h"
 #include "base/memory.h"
 #include "gl/framebuffer.h"
@@ -9,6 +10,8 @@
 
 #include <math.h>
 #include <stdlib.h>
+
+enum { SLOTS_MAX = 16 * 16 }; /* of a pattern */
 
 /* Of each of n x n pixels. */
 static int share_of_samples(const struct near_field_desc *desc, int n) {
@@ -79,6 +82,7 @@ static bool init_lights(struct near_field_pass *pass, int kind) {
 
 bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_desc *desc) {
     *pass = (struct near_field_pass){.desc = *desc};
+    pass->picks = mem_alloc((size_t)(SLOTS_MAX * desc->lights.lights), sizeof *pass->picks);
     bool ok =
         init_programs(pass) &&
         buffer_init(&pass->samples, "near field samples",
@@ -101,6 +105,7 @@ void near_field_pass_free(struct near_field_pass *pass) {
     }
     buffer_free(&pass->samples);
     buffer_free(&pass->params);
+    free(pass->picks);
     *pass = (struct near_field_pass){0};
 }
 
@@ -139,9 +144,31 @@ void near_field_pass_render_lights(struct near_field_pass *pass, const struct fr
     timer_end(frame->timers);
 }
 
+/* The lights of one group, for all slots: one each by their flux, or all where there are fewer slots.
+ * Follow those that are picked already; returned is how many there are. */
+static int pick_lights(const struct near_field_pass *pass, const struct frame *frame,
+                       struct light_group group, int slots, int picked) {
+    double fluxes[LIGHTS_MAX];
+    struct dealt dealt[SLOTS_MAX];
+    int counts[LIGHTS_MAX], stride = pass->desc.lights.lights;
+    for (int i = 0; i < group.count; i++)
+        fluxes[i] = emitter_flux(&frame->emitters->items[group.first + i], frame->radius);
+    if (group.count <= slots)
+        deal(fluxes, group.count, dealt, slots, counts);
+    int each = group.count <= slots ? 1 : group.count;
+    for (int slot = 0; slot < slots; slot++)
+        for (int i = 0; i < each; i++) {
+            int light = each > 1 ? i : dealt[slot].taker;
+            float *pick = pass->picks[slot * stride + picked + i];
+            pick[0] = (float)(group.first + light);
+            pick[1] = each > 1 ? 1 : (float)slots / (float)counts[light];
+        }
+    return picked + each;
+}
+
 /* The tile of one slot of the pattern. */
 static void draw_slot(const struct near_field_pass *pass, GLuint program,
-                      const struct near_field_inputs *inputs, int slot) {
+                      const struct near_field_inputs *inputs, int slot, int picked) {
     const struct irradiance *irradiance = inputs->irradiance;
     int n = irradiance->interleave, samples = share_of_samples(&pass->desc, n);
     int patterns = pass->desc.samples / samples;
@@ -149,6 +176,9 @@ static void draw_slot(const struct near_field_pass *pass, GLuint program,
                   irradiance->tile_width, irradiance->tile_height);
     gl.ProgramUniform4i(program, LOCATION_SLOT, slot % patterns * samples, samples, slot % n,
                         slot / n);
+    gl.ProgramUniform1i(program, LOCATION_PICK_COUNT, picked);
+    gl.ProgramUniform2fv(program, LOCATION_PICKS, picked,
+                         pass->picks[slot * pass->desc.lights.lights]);
     if (inputs->of_lists)
         pixel_lists_draw(inputs->lists, program);
     else
@@ -181,8 +211,11 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
                     : pass->desc.listed ? RECEIVERS_OTHERS
                                         : RECEIVERS_ALL);
     write_params(pass, frame, irradiance_pattern(irradiance));
+    int slots = irradiance->interleave * irradiance->interleave, picked = 0;
+    for (int g = 0; g < frame->layout.groups; g++)
+        picked = pick_lights(pass, frame, frame->groups[g], slots, picked);
     pass_begin(frame->timers, &state);
-    for (int slot = 0; slot < irradiance->interleave * irradiance->interleave; slot++)
-        draw_slot(pass, state.program, inputs, slot);
+    for (int slot = 0; slot < slots; slot++)
+        draw_slot(pass, state.program, inputs, slot, picked);
     pass_end(frame->timers);
 }

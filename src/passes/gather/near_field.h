@@ -5,8 +5,8 @@
  * split: with near(d) = (1 - d^2 / (reach^2 area))^2 the VPLs give (1 - near), and this pass gives
  * near, from the texels of the reflective shadow map around the receiver [Dachsbacher and
  * Stamminger 2005]. It takes the place of clamping and compensation [Kollig and Keller 2004]. What
- * is near counts as unoccluded: the bias of it. Cost: pixels x samples, for pixels in reach of a
- * light alone.
+ * is near counts as unoccluded: the bias of it. Cost: pixels x samples x groups of lights, for pixels in
+ * reach of a light alone: the tiles of a pattern share the lights of a group out by their flux.
  */
 #ifndef PASSES_NEAR_FIELD_H
 #define PASSES_NEAR_FIELD_H
@@ -27,7 +27,8 @@ struct near_field_pass {
                                                glsl/gather/near_light.glsl */
     GLuint lights_framebuffers[LIGHT_MAP_KINDS];
     struct buffer samples, params;
-    bool sampled; /* the samples are there, and those of that pass */
+    float (*picks)[2]; /* of each slot of a pattern, lights: a light's number and weight */
+    bool sampled;      /* the samples are there, and those of that pass */
     int sampled_pass;
 };
 

@@ -102,7 +102,8 @@ static void follow_fluxes(struct vpl_pass *pass, const struct frame *frame) {
 }
 
 /* As far as is asked for, but no farther from its point in the light's view than 45 degrees, where
- * few VPLs are far apart. */
+ * few VPLs are far apart. The VPLs of a group lie among each other: asked for is in their spacings, not
+ * in those of the few that are this light's. */
 static float near_reach(const struct light *light, float measure, float asked) {
     float widest = measure / (float)VPL_COSINE_MIN;
     return light->type == LIGHT_TYPE_DIRECTIONAL ? asked : fminf(asked, 1 / sqrtf(widest));
@@ -110,13 +111,19 @@ static float near_reach(const struct light *light, float measure, float asked) {
 
 static void write_shares(const struct vpl_pass *pass, const struct frame *frame) {
     struct vpl_share_block shares = {0};
-    for (int i = 0; i < pass->light_count; i++) {
-        const struct light *light = &frame->light_block->sources[i];
-        if (pass->counts[i] == 0)
-            continue;
-        float measure = light->measure / (float)pass->counts[i];
-        shares.of[i] = (struct vpl_share){.measure = measure,
-                                          .reach = near_reach(light, measure, pass->desc.reach)};
+    for (int g = 0; g < frame->layout.groups; g++) {
+        int first = frame->groups[g].first, end = first + frame->groups[g].count, together = 0;
+        for (int i = first; i < end; i++)
+            together += pass->counts[i];
+        for (int i = first; i < end; i++) {
+            const struct light *light = &frame->light_block->sources[i];
+            if (pass->counts[i] == 0)
+                continue;
+            float measure = light->measure / (float)pass->counts[i];
+            float asked = pass->desc.reach * sqrtf((float)pass->counts[i] / (float)together);
+            shares.of[i] =
+                (struct vpl_share){.measure = measure, .reach = near_reach(light, measure, asked)};
+        }
     }
     buffer_write(&pass->shares, 0, sizeof shares, &shares);
 }
