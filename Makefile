@@ -1,4 +1,4 @@
-# manylight: make demo | test | asan | fuzz | lint | bench | chart | accuracy | convergence | stability | portable | deps | install | clean
+# manylight: make demo | test | asan | tsan | fuzz | lint | bench | chart | accuracy | convergence | stability | portable | deps | install | clean
 #
 # A plain `make` only builds ./manylight. `make demo` and `make test` first install what is missing.
 
@@ -54,7 +54,7 @@ GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
-.PHONY: all demo test tests asan fuzz fuzzers lint bench chart accuracy convergence stability portable deps install clean FORCE
+.PHONY: all demo test tests asan tsan fuzz fuzzers lint bench chart accuracy convergence stability portable deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -316,6 +316,13 @@ asan: deps
 	    LSAN_OPTIONS=suppressions=$(CURDIR)/test/leaks-of-others:print_suppressions=0 \
 	    $(MAKE) --no-print-directory tests BUILD=build/asan BINARY=build/asan/manylight-asan \
 	    CFLAGS="-O1 -g $(SANITIZE)" LDFLAGS="$(SANITIZE)"
+
+# What has threads of its own: the path tracer, the metrics, and the loader that the viewer calls from one.
+TSAN_TESTS := $(patsubst %,build/tsan/test/test_%,reference denoise sky metrics gltf)
+tsan: deps
+	@TSAN_OPTIONS="suppressions=$(CURDIR)/test/races-of-others exitcode=66" \
+	    $(MAKE) --no-print-directory tests BUILD=build/tsan BINARY=build/tsan/manylight-tsan TESTS="$(TSAN_TESTS)" \
+	    CFLAGS="-O1 -g -fsanitize=thread" LDFLAGS="-fsanitize=thread"
 
 # Made-up files and texts for so many seconds each, with clang's libFuzzer; what it finds is left in
 # build/fuzz.
