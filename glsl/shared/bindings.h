@@ -21,6 +21,8 @@
 #define STORAGE_SERIES_RANGES 1
 #define IMAGE_LISTED_PIXELS 0
 #define IMAGE_LIST_TEXELS 1
+#define IMAGE_SUMS 2
+#define IMAGE_DEPTH_BOUNDS 3
 
 /* Texture units. GL promises 96, and 16 to a stage. Maps of lights' views have LIGHT_MAP_KINDS each
  * (shared/light.h). */
@@ -65,6 +67,8 @@
 #define UNIT_VPL_SPREAD 42
 #define UNIT_LAYER_SUMS 43 /* LAYERS of them: shared/composite.h */
 #define UNIT_SKY 49
+#define UNIT_SUMS 50
+#define UNIT_DEPTH_BOUNDS 51
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0

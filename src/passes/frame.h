@@ -69,6 +69,21 @@ struct depth_maps {
     int size, count;
 };
 
+/* Summed area tables of what filters average over maps of depth: R32UI to RGBA32UI, a border of zeros and
+ * then a texel for each of the map; texel (x, y) has the sums over all before column x and row y, modulo
+ * 2^32 (shared/sums.h). One layer a map. */
+struct sum_maps {
+    struct texture sums;
+    int size, count; /* of the maps: the texture is one texel larger */
+};
+
+/* Nearest and farthest depth in squares of a map of depth, RG32F; level l has squares of 2^(l + 1) texels, the last of
+ * a row also what is left over. One layer a map. */
+struct depth_bounds {
+    struct texture bounds;
+    int size, count; /* of the maps */
+};
+
 /* Fourier bases of the depth maps with MIP maps; layer g x count + k is group g (four terms) of map
  * k, whose depths its range makes the argument of (visibility/series.glsl). */
 struct basis_maps {

@@ -1,0 +1,24 @@
+/* Nearest and farthest depths in squares of maps of depth, as a pyramid [Dong 2011 §7.3.3]: what lies in
+ * any window is bounded by four fetches. */
+#ifndef PASSES_DEPTH_BOUNDS_H
+#define PASSES_DEPTH_BOUNDS_H
+
+#include "passes/frame.h"
+
+enum { DEPTH_BOUNDS_LEVELS_MAX = 16 };
+
+struct depth_bounds_pass {
+    GLuint first_program, more_program;
+    struct depth_bounds maps;
+    struct buffer params[DEPTH_BOUNDS_LEVELS_MAX];
+};
+
+/* For `count` maps of size x size texels, two at least. */
+bool depth_bounds_pass_init(struct depth_bounds_pass *pass, int size, int count);
+void depth_bounds_pass_free(struct depth_bounds_pass *pass);
+
+/* From depth to pass->maps. Timer "depth bounds". */
+void depth_bounds_pass_render(const struct depth_bounds_pass *pass, const struct frame *frame,
+                              const struct texture *depth);
+
+#endif

@@ -1,0 +1,60 @@
+#include "passes/visibility/sums.h"
+
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/sums.h"
+
+#include <assert.h>
+
+bool sums_pass_init(struct sums_pass *pass, const struct sums_desc *desc) {
+    assert(desc->moments == 2 || desc->moments == 4);
+    const char *format = desc->moments == 2 ? "SUM_FORMAT rg32ui" : "SUM_FORMAT rgba32ui";
+    *pass = (struct sums_pass){.maps = {.size = desc->size, .count = desc->count}};
+    if (program_init(
+            &pass->rows_program,
+            &(struct program_desc){.compute = "visibility/sum_rows.comp", .defines = format}) &&
+        program_init(
+            &pass->columns_program,
+            &(struct program_desc){.compute = "visibility/sum_columns.comp", .defines = format}) &&
+        texture_init(&pass->maps.sums, &(struct texture_desc){
+                                           .label = "sums",
+                                           .target = GL_TEXTURE_2D_ARRAY,
+                                           .format = desc->moments == 2 ? GL_RG32UI : GL_RGBA32UI,
+                                           .width = desc->size + 1,
+                                           .height = desc->size + 1,
+                                           .layers = desc->count,
+                                       }))
+        return true;
+    sums_pass_free(pass);
+    return false;
+}
+
+void sums_pass_free(struct sums_pass *pass) {
+    program_free(&pass->rows_program);
+    program_free(&pass->columns_program);
+    texture_free(&pass->maps.sums);
+    *pass = (struct sums_pass){0};
+}
+
+static void sum_lines(const struct sums_pass *pass, struct pass_state *state, GLuint program,
+                      int lines) {
+    state->program = program;
+    pass_set_state(state);
+    pass_dispatch((lines + SUM_LINES - 1) / SUM_LINES, 1, pass->maps.count);
+}
+
+void sums_pass_render(const struct sums_pass *pass, const struct frame *frame,
+                      const struct texture *depth) {
+    struct pass_state state = {
+        .name = "sums",
+        .program = pass->rows_program,
+        .textures = {{UNIT_MAP_DEPTH, depth->id}},
+        .images = {{IMAGE_SUMS, &pass->maps.sums, 0, GL_READ_WRITE}},
+    };
+    timer_begin(frame->timers, state.name);
+    sum_lines(pass, &state, pass->rows_program, pass->maps.size);
+    state.barriers = GL_SHADER_IMAGE_ACCESS_BARRIER_BIT;
+    sum_lines(pass, &state, pass->columns_program, pass->maps.size + 1);
+    gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    timer_end(frame->timers);
+}

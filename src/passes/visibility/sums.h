@@ -1,0 +1,25 @@
+/* Summed area tables of the moments of maps of depth: the mean over any box by four fetches [Crow 1984; Dong 2011
+ * §7.4]. Integers, which are exact where floats lose what filters need [Lauritzen 2007]. */
+#ifndef PASSES_SUMS_H
+#define PASSES_SUMS_H
+
+#include "passes/frame.h"
+
+struct sums_desc {
+    int size, count; /* of the maps */
+    int moments;     /* 2 or 4 */
+};
+
+struct sums_pass {
+    GLuint rows_program, columns_program;
+    struct sum_maps maps;
+};
+
+bool sums_pass_init(struct sums_pass *pass, const struct sums_desc *desc);
+void sums_pass_free(struct sums_pass *pass);
+
+/* From depth, of values in [0, 1], to pass->maps. Timer "sums". */
+void sums_pass_render(const struct sums_pass *pass, const struct frame *frame,
+                      const struct texture *depth);
+
+#endif
