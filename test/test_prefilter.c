@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "passes/visibility/depth_bounds.h"
 #include "passes/visibility/sums.h"
+#include "shared/depth_bounds.h"
 #include "shared/sums.h"
 
 #include <math.h>
@@ -119,12 +120,12 @@ static void test_sums(void **state) {
 
 /* --- bounds ----------------------------------------------------------------------------------- */
 
-/* How many texels lie outside of the bounds of the square that is said to hold them, and how many squares have a
- * bound that none of theirs reaches. */
-static int wrong_squares(const struct depths *depths, const float *bounds, int level, int layer) {
-    int side = depths->size, size = depths->size, wrong = 0;
-    for (int l = 0; l <= level; l++)
-        side = side > 1 ? side / 2 : 1;
+/* How many bounds of a layer are not those of the texels that they are said to be of. Texel (x, y) lies in the
+ * square of its place over 2^(level + 1), or in the last. */
+static int wrong_squares(const struct depths *depths, const struct depth_bounds *maps,
+                         const float *bounds, int level, int layer) {
+    int size = depths->size, base = size / 2, side = bounds_side(base, level), wrong = 0;
+    const struct texture_desc *desc = &maps->bounds.desc;
     float *found = mem_alloc((size_t)(side * side * 2), sizeof *found);
     for (int i = 0; i < side * side * 2; i++)
         found[i] = i % 2 ? -INFINITY : INFINITY;
@@ -135,8 +136,10 @@ static int wrong_squares(const struct depths *depths, const float *bounds, int l
         square[0] = fminf(square[0], z);
         square[1] = fmaxf(square[1], z);
     }
-    for (int i = 0; i < side * side * 2; i++)
-        wrong += bounds[layer * side * side * 2 + i] != found[i];
+    for (int i = 0; i < side * side * 2; i++) {
+        int x = i / 2 % side + bounds_x(base, level), y = i / 2 / side + bounds_y(base, level);
+        wrong += bounds[((layer * desc->height + y) * desc->width + x) * 2 + i % 2] != found[i];
+    }
     free(found);
     return wrong;
 }
@@ -154,13 +157,12 @@ static void test_bounds(void **state) {
         open_depths(&depths, sizes[s]);
         check_ok("pass", depth_bounds_pass_init(&pass, sizes[s], LAYERS_TESTED));
         depth_bounds_pass_render(&pass, &frame, &depths.map);
-        int wrong = 0, levels = pass.maps.bounds.desc.levels;
-        for (int level = 0; level < levels; level++) {
-            gl.GetTextureImage(pass.maps.bounds.id, level, GL_RG, GL_FLOAT,
-                               (GLsizei)(count * 2 * sizeof *bounds), bounds);
+        int wrong = 0, levels = pass.maps.levels;
+        gl.GetTextureImage(pass.maps.bounds.id, 0, GL_RG, GL_FLOAT,
+                           (GLsizei)(count * 2 * sizeof *bounds), bounds);
+        for (int level = 0; level < levels; level++)
             for (int layer = 1; layer < LAYERS_TESTED; layer++) /* all of it depths */
-                wrong += wrong_squares(&depths, bounds, level, layer);
-        }
+                wrong += wrong_squares(&depths, &pass.maps, bounds, level, layer);
         printf("    %d^2 texels, %d levels\n", sizes[s], levels);
         check_at_most("bounds that are others", wrong, 0);
         depth_bounds_pass_free(&pass);

@@ -17,9 +17,10 @@ light light_at(int i) {
     vec4 a = light_rows[row], b = light_rows[row + 1], c = light_rows[row + 2];
     vec4 d = light_rows[row + 3], e = light_rows[row + 4], f = light_rows[row + 5];
     vec4 g = light_rows[row + 6];
-    ivec4 h = floatBitsToInt(g);
+    vec4 h = light_rows[row + 7];
     return light(a.xyz, a.w, b.xyz, floatBitsToInt(b.w), c.xyz, floatBitsToInt(c.w), d.xyz, d.w, e.xyz,
-                 e.w, f.xyz, f.w, h.x, h.y, g.z, g.w, light_rows[row + 7].x, 0, 0, 0);
+                 e.w, f.xyz, f.w, floatBitsToInt(g.x), floatBitsToInt(g.y), g.z, g.w, h.x,
+                 floatBitsToInt(h.y), h.z, 0);
 }
 
 // A program may say which kinds of maps the lights have, by its define MAP_KINDS: 1 << LIGHT_MAP_... of each.

@@ -44,7 +44,9 @@ struct light {
     int shape;           /* LIGHT_SHAPE_... */
     float width, height; /* struct emitter's size */
     float extent;        /* area of the shape, m2; of a cap solid angle, sr */
-    int unused0, unused1, unused2;
+    int first_map;       /* of its own maps: one, or six of a point light (visibility/light_map.glsl) */
+    float map_unit;      /* what a depth of 1 means there, metres */
+    int unused;
 };
 STD140_SIZE(light, 16 * LIGHT_ROWS)
 

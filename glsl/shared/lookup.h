@@ -8,6 +8,7 @@
 #define PROJECTION_PARABOLOID 0   /* struct map_view */
 #define PROJECTION_PERSPECTIVE 1  /* struct view */
 #define PROJECTION_ORTHOGRAPHIC 2 /* struct view */
+#define PROJECTION_LIGHT_MAP 3    /* struct light_map of visibility/light_map.glsl */
 
 #define FILTER_NONE 0 /* all is lit */
 #define FILTER_HARD 1 /* one texel */
@@ -15,6 +16,8 @@
 #define FILTER_PCSS 3 /* percentage-closer soft shadows */
 #define FILTER_PCF 4  /* the four nearest texels, weighted */
 #define FILTER_RAY 5  /* the texels along the ray to a VPL */
+#define FILTER_VSSM 6 /* variance soft shadow maps */
+#define FILTER_MSM 7  /* moment shadow maps */
 
 struct lookup_params {
     float bias;     /* of the point along its normal, texels of the map */
@@ -23,7 +26,7 @@ struct lookup_params {
     float shift;    /* FILTER_CSSM: of the receiver, in the argument of the series */
     float gain;     /* of the blocked fraction about one half */
     float sharpen_a, sharpen_b;
-    float unused;
+    float contact;  /* windowed filters: what is nearer to the point than this, of its distance, is compared */
 };
 STD140_SIZE(lookup_params, 32)
 

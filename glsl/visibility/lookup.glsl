@@ -10,6 +10,9 @@
 //     float light_angle(r, extent, d)       the light's extent, seen from the receiver
 //     float penumbra_angle(extent, d, z)    the penumbra of a blocker at z, seen from the light
 //     float angle_width(r, angle)           such an angle in the map, over its width
+// Windowed filters need these instead of angles:
+//     vec4 window(r, extent, z)             what ways to the light pass of the map at a depth, low and high corner
+//     float plane_depth(r, uv)              where the receiver's plane is met
 // Distances are metres, or all in one other unit. A filter has one function:
 //     float lit(int map, receiver r, float extent)
 #include "shared/lookup.h"
@@ -24,6 +27,8 @@ layout(std140, binding = BLOCK_LOOKUP) uniform lookup_uniforms {
 #include "visibility/projection_perspective.glsl"
 #elif PROJECTION == PROJECTION_ORTHOGRAPHIC
 #include "visibility/projection_orthographic.glsl"
+#elif PROJECTION == PROJECTION_LIGHT_MAP
+#include "visibility/projection_light_map.glsl"
 #endif
 
 #if FILTER == FILTER_HARD
@@ -34,4 +39,8 @@ layout(std140, binding = BLOCK_LOOKUP) uniform lookup_uniforms {
 #include "visibility/filter_pcss.glsl"
 #elif FILTER == FILTER_PCF
 #include "visibility/filter_pcf.glsl"
+#elif FILTER == FILTER_VSSM
+#include "visibility/filter_vssm.glsl"
+#elif FILTER == FILTER_MSM
+#include "visibility/filter_msm.glsl"
 #endif

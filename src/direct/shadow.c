@@ -19,8 +19,10 @@ bool shadow_begin(struct shadow *shadow, const struct direct_desc *desc,
     struct direct_light_desc light = *program;
     light.width = desc->width;
     light.height = desc->height;
-    light.map_size = own->size;
+    light.map_size = program->map_size ? program->map_size : own->size;
     light.bias = own->bias;
+    for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
+        shadow->inputs.maps[kind] = &shadow->maps.maps[kind];
     return shadow_map_pass_init(&shadow->maps,
                                 &(struct shadow_map_desc){own->size, *desc->lights}) &&
            direct_light_pass_init(&shadow->light, &light);
@@ -49,7 +51,7 @@ void shadow_render_lights(void *state, const struct frame *frame) {
 
 void shadow_render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct shadow *shadow = state;
-    direct_light_pass_render(&shadow->light, frame, gbuffer, shadow->maps.maps, DIRECT_LIGHT_ANEW);
+    direct_light_pass_render(&shadow->light, frame, gbuffer, &shadow->inputs, DIRECT_LIGHT_ANEW);
 }
 
 const struct texture *shadow_light(const void *state) {

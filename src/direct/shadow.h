@@ -17,10 +17,11 @@ extern const struct settings_part shadow_part;
 struct shadow {
     struct shadow_map_pass maps;
     struct direct_light_pass light;
+    struct direct_light_inputs inputs; /* of light; the views' maps, unless the method has others */
 };
 
-/* Sizes and the receiver's offset are taken from desc; what else program has stays. Error: as of the
- * passes; shadow_end frees what is there. */
+/* The picture's size and the receiver's offset are taken from desc, and the maps' size where program has none;
+ * what else it has stays. Error: as of the passes; shadow_end frees what is there. */
 bool shadow_begin(struct shadow *shadow, const struct direct_desc *desc,
                   const struct direct_light_desc *program);
 void shadow_end(struct shadow *shadow);

@@ -69,6 +69,13 @@ struct depth_maps {
     int size, count;
 };
 
+/* What lights see along their own axes: linear depth over the light's map_unit, 1 where nothing is
+ * (visibility/light_map.glsl). R32F, one layer a map. */
+struct light_maps {
+    struct texture depth;
+    int size, count;
+};
+
 /* Summed area tables of what filters average over maps of depth: R32UI to RGBA32UI, a border of zeros and
  * then a texel for each of the map; texel (x, y) has the sums over all before column x and row y, modulo
  * 2^32 (shared/sums.h). One layer a map. */
@@ -77,11 +84,12 @@ struct sum_maps {
     int size, count; /* of the maps: the texture is one texel larger */
 };
 
-/* Nearest and farthest depth in squares of a map of depth, RG32F; level l has squares of 2^(l + 1) texels, the last of
- * a row also what is left over. One layer a map. */
+/* Nearest and farthest depth in squares of a map of depth, RG32F; level l has squares of 2^(l + 1) texels,
+ * the last of a row also what is left over (shared/depth_bounds.h). One layer a map. */
 struct depth_bounds {
     struct texture bounds;
     int size, count; /* of the maps */
+    int levels;
 };
 
 /* Fourier bases of the depth maps with MIP maps; layer g x count + k is group g (four terms) of map

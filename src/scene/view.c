@@ -83,11 +83,17 @@ static int view_count(const struct emitter *light) {
     return light->type == EMITTER_DIRECTIONAL || narrow ? 1 : 6;
 }
 
+/* A light that shines one way has one map of its own. */
+static int map_count(const struct emitter *light) {
+    return light->type == EMITTER_POINT ? 6 : 1;
+}
+
 void light_layout_count(struct light_layout *layout, const struct emitters *emitters) {
     *layout = (struct light_layout){.lights = emitters->count, .groups = emitters->count};
     for (int i = 0; i < emitters->count; i++) {
         int views = view_count(&emitters->items[i]);
         layout->views[views > 1 ? LIGHT_MAP_FACE : LIGHT_MAP_SINGLE] += views;
+        layout->maps += map_count(&emitters->items[i]);
         layout->sized |= emitter_shape(&emitters->items[i]) != EMITTER_IS_POINT;
     }
 }
@@ -109,8 +115,8 @@ bool light_layout_of(struct light_layout *layout, const struct emitters *emitter
 }
 
 bool light_layouts_same(const struct light_layout *a, const struct light_layout *b) {
-    return a->lights == b->lights && a->groups == b->groups && a->sized == b->sized &&
-           memcmp(a->views, b->views, sizeof a->views) == 0;
+    return a->lights == b->lights && a->groups == b->groups && a->maps == b->maps &&
+           a->sized == b->sized && memcmp(a->views, b->views, sizeof a->views) == 0;
 }
 
 int light_map_size(int kind, int size) {
@@ -180,6 +186,15 @@ static float measure(const struct emitter *light, const struct view *first) {
                : (float)emitter_solid_angle(light);
 }
 
+/* The distance to the farthest corner of the scene. */
+static float farthest(const float from[3], const struct geometry *geometry) {
+    vec3 away;
+    for (int c = 0; c < 3; c++)
+        away[c] = fmaxf(fabsf(from[c] - geometry->bounds_min[c]),
+                        fabsf(from[c] - geometry->bounds_max[c]));
+    return glm_vec3_norm(away);
+}
+
 static struct light light_of(const struct emitter *emitter, const struct view *first,
                              const struct geometry *geometry) {
     bool directional = emitter->type == EMITTER_DIRECTIONAL;
@@ -194,6 +209,7 @@ static struct light light_of(const struct emitter *emitter, const struct view *f
         .width = emitter->size[0],
         .height = emitter->size[1],
         .extent = (float)emitter_extent(emitter),
+        .map_unit = directional ? first->far : farthest(emitter->position, geometry),
     };
     for (int c = 0; c < 3; c++) {
         light.intensity[c] = emitter->intensity[c];
@@ -216,7 +232,7 @@ void views_of_emitters(struct light_block *block, const struct emitters *emitter
         .single_count = layout.views[LIGHT_MAP_SINGLE],
         .face_count = layout.views[LIGHT_MAP_FACE],
     };
-    int ends[LIGHT_MAP_KINDS] = {0};
+    int ends[LIGHT_MAP_KINDS] = {0}, maps = 0;
     for (int i = 0; i < emitters->count; i++) {
         const struct emitter *emitter = &emitters->items[i];
         int count = view_count(emitter), kind = count > 1 ? LIGHT_MAP_FACE : LIGHT_MAP_SINGLE;
@@ -228,5 +244,7 @@ void views_of_emitters(struct light_block *block, const struct emitters *emitter
         }
         block->sources[i] = light_of(emitter, &block->views[first].view, geometry);
         block->sources[i].first_view = first;
+        block->sources[i].first_map = maps;
+        maps += map_count(emitter);
     }
 }

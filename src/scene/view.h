@@ -21,6 +21,7 @@ struct light_layout {
     int lights;
     int groups; /* of lights that are pieces of one (scene/starts.h) */
     int views[LIGHT_MAP_KINDS];
+    int maps;   /* of the lights' own: one each, six of a point light */
     bool sized; /* one of them has a size */
 };
 

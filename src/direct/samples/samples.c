@@ -81,7 +81,7 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
         take_points(samples, frame, i);
         shadow_render_lights(samples, &of_points);
         direct_light_pass_render(&samples->shadow.light, &of_points, gbuffer,
-                                 samples->shadow.maps.maps,
+                                 &samples->shadow.inputs,
                                  i > 0 ? DIRECT_LIGHT_ADDS : DIRECT_LIGHT_ANEW);
     }
 }

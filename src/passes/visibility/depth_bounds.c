@@ -5,19 +5,19 @@
 #include "shared/depth_bounds.h"
 
 static bool init_params(struct depth_bounds_pass *pass) {
-    int below = pass->maps.size;
-    for (int level = 0; level < pass->maps.bounds.desc.levels; level++) {
+    for (int level = 0; level < pass->maps.levels; level++) {
         struct depth_bounds_params params = {
-            .level = level, .size = below > 1 ? below / 2 : 1, .below = below};
+            .level = level, .base = pass->maps.size / 2, .map_size = pass->maps.size};
         if (!buffer_init(&pass->params[level], "depth bounds", sizeof params, &params))
             return false;
-        below = params.size;
     }
     return true;
 }
 
 bool depth_bounds_pass_init(struct depth_bounds_pass *pass, int size, int count) {
-    *pass = (struct depth_bounds_pass){.maps = {.size = size, .count = count}};
+    int base = size / 2;
+    *pass = (struct depth_bounds_pass){
+        .maps = {.size = size, .count = count, .levels = texture_full_levels(base, base, 1)}};
     if (program_init(&pass->first_program,
                      &(struct program_desc){.compute = "visibility/depth_bounds.comp",
                                             .defines = "FIRST"}) &&
@@ -28,10 +28,9 @@ bool depth_bounds_pass_init(struct depth_bounds_pass *pass, int size, int count)
                          .label = "depth bounds",
                          .target = GL_TEXTURE_2D_ARRAY,
                          .format = GL_RG32F,
-                         .width = size / 2,
-                         .height = size / 2,
+                         .width = base + base / 2,
+                         .height = base,
                          .layers = count,
-                         .levels = texture_full_levels(size / 2, size / 2, 1),
                      }) &&
         init_params(pass))
         return true;
@@ -53,20 +52,18 @@ void depth_bounds_pass_render(const struct depth_bounds_pass *pass, const struct
     struct pass_state state = {
         .name = "depth bounds",
         .program = pass->first_program,
-        .textures = {{UNIT_MAP_DEPTH, depth->id}, {UNIT_DEPTH_BOUNDS, pass->maps.bounds.id}},
-        .images = {{IMAGE_DEPTH_BOUNDS, &pass->maps.bounds, 0, GL_WRITE_ONLY}},
+        .textures = {{UNIT_MAP_DEPTH, depth->id}},
+        .images = {{IMAGE_DEPTH_BOUNDS, &pass->maps.bounds, 0, GL_READ_WRITE}},
     };
-    int size = pass->maps.size;
     timer_begin(frame->timers, state.name);
-    for (int level = 0; level < pass->maps.bounds.desc.levels; level++) {
-        size = size > 1 ? size / 2 : 1;
-        state.images[0].level = level;
-        state.blocks[0] = (struct pass_block){BLOCK_PASS, &pass->params[level], 0, 0};
+    for (int level = 0; level < pass->maps.levels; level++) {
+        int groups = (bounds_side(pass->maps.size / 2, level) + BOUNDS_GROUP - 1) / BOUNDS_GROUP;
+        state.blocks[0] = (struct pass_block){.block = BLOCK_PASS, .buffer = &pass->params[level]};
         pass_set_state(&state);
-        pass_dispatch((size + BOUNDS_GROUP - 1) / BOUNDS_GROUP,
-                      (size + BOUNDS_GROUP - 1) / BOUNDS_GROUP, pass->maps.count);
-        gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+        pass_dispatch(groups, groups, pass->maps.count);
         state.program = pass->more_program;
+        state.barriers = GL_SHADER_IMAGE_ACCESS_BARRIER_BIT;
     }
+    gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     timer_end(frame->timers);
 }

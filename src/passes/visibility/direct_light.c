@@ -24,7 +24,8 @@ static void free_target(struct direct_light_target *target) {
 }
 
 static bool init_program(GLuint *program, const struct direct_light_desc *desc, int projection) {
-    char *defines = mem_printf("%sPROJECTION %d", desc->defines, projection);
+    char *defines = mem_printf("%sPROJECTION %d", desc->defines,
+                               desc->own_maps ? PROJECTION_LIGHT_MAP : projection);
     bool ok = program_init(program, &(struct program_desc){.vertex = "fullscreen.vert",
                                                            .fragment = desc->fragment,
                                                            .defines = defines});
@@ -35,9 +36,11 @@ static bool init_program(GLuint *program, const struct direct_light_desc *desc, 
 static bool init_lookups(struct direct_light_pass *pass, const struct direct_light_desc *desc) {
     bool ok = true;
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++) {
+        int size = desc->own_maps ? desc->map_size : light_map_size(kind, desc->map_size);
         struct lookup_params params = {.bias = desc->bias,
                                        .map_bias = desc->map_bias,
-                                       .map_size = (float)light_map_size(kind, desc->map_size)};
+                                       .map_size = (float)size,
+                                       .contact = desc->contact};
         ok = ok && buffer_init(&pass->lookups[kind], "direct lookup", sizeof params, &params);
     }
     return ok;
@@ -74,13 +77,13 @@ bool direct_light_pass_resize(struct direct_light_pass *pass, int width, int hei
 }
 
 static void draw_light(const struct direct_light_pass *pass, const struct frame *frame,
-                       const struct gbuffer *gbuffer, const struct texture maps[LIGHT_MAP_KINDS],
+                       const struct gbuffer *gbuffer, const struct direct_light_inputs *inputs,
                        int index, bool adds) {
     const struct light *light = &frame->light_block->sources[index];
     int kind = frame->light_block->views[light->first_view].kind;
     bool directional = light->type == LIGHT_TYPE_DIRECTIONAL;
     GLuint program = directional ? pass->orthographic_program : pass->perspective_program;
-    pass_set_state(&(struct pass_state){
+    struct pass_state state = {
         .name = "direct",
         .program = program,
         .framebuffer = pass->target.framebuffer,
@@ -89,21 +92,24 @@ static void draw_light(const struct direct_light_pass *pass, const struct frame 
         .blend = adds ? PASS_BLEND_ADD : PASS_BLEND_OFF,
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                     {UNIT_MAP_DEPTH, maps[kind].id}},
+                     {UNIT_MAP_DEPTH, inputs->maps[kind]->id}},
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_LIGHTS, frame->lights},
                    {BLOCK_LOOKUP, &pass->lookups[kind]}},
-    });
+    };
+    for (int i = 0; i < DIRECT_LIGHT_TEXTURES_MAX && inputs->more[i].texture; i++)
+        pass_add_texture(&state, inputs->more[i].unit, inputs->more[i].texture);
+    pass_set_state(&state);
     gl.ProgramUniform1i(program, LOCATION_LIGHT, index);
     pass_draw_fullscreen(1);
 }
 
 void direct_light_pass_render(const struct direct_light_pass *pass, const struct frame *frame,
                               const struct gbuffer *gbuffer,
-                              const struct texture maps[LIGHT_MAP_KINDS],
+                              const struct direct_light_inputs *inputs,
                               enum direct_light_start start) {
     timer_begin(frame->timers, "direct");
     for (int i = 0; i < frame->light_block->count; i++)
-        draw_light(pass, frame, gbuffer, maps, i, i > 0 || start == DIRECT_LIGHT_ADDS);
+        draw_light(pass, frame, gbuffer, inputs, i, i > 0 || start == DIRECT_LIGHT_ADDS);
     timer_end(frame->timers);
 }

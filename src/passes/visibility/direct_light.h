@@ -7,11 +7,21 @@
 
 struct direct_light_desc {
     int width, height;
-    int map_size;         /* of a single view's map, texels a side */
+    int map_size;         /* of a single view's map, or of a light's own, texels a side */
+    bool own_maps;        /* of lights (visibility/light_map.glsl), not of their views */
     float bias;           /* receiver offset along its normal, texels of the map */
     float map_bias;       /* where distances are compared, of the distance */
+    float contact;        /* casters so near are compared one by one, of the distance */
     const char *fragment; /* with visibility/direct_light.glsl; of one light, for each PROJECTION */
     const char *defines;  /* for it, each with a semicolon behind */
+};
+
+enum { DIRECT_LIGHT_TEXTURES_MAX = 6 };
+
+/* What the shader reads besides the G-buffer. */
+struct direct_light_inputs {
+    const struct texture *maps[LIGHT_MAP_KINDS]; /* of depth: those of a light's kind */
+    struct pass_texture more[DIRECT_LIGHT_TEXTURES_MAX];
 };
 
 struct direct_light_pass {
@@ -33,7 +43,7 @@ bool direct_light_pass_resize(struct direct_light_pass *pass, int width, int hei
 enum direct_light_start { DIRECT_LIGHT_ANEW, DIRECT_LIGHT_ADDS };
 void direct_light_pass_render(const struct direct_light_pass *pass, const struct frame *frame,
                               const struct gbuffer *gbuffer,
-                              const struct texture maps[LIGHT_MAP_KINDS],
+                              const struct direct_light_inputs *inputs,
                               enum direct_light_start start);
 
 #endif

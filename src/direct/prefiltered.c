@@ -1,0 +1,80 @@
+#include "direct/prefiltered.h"
+
+#include "base/memory.h"
+
+#include <stdlib.h>
+
+struct prefilter_settings {
+    int size;
+    float bias, contact;
+};
+
+static const struct option table[] = {
+    {"size", 0, OPTION_INT, offsetof(struct prefilter_settings, size), 1024, 16, 4096,
+     .help = "a light's own map, texels a side; of a half space its middle half has 90 degrees"},
+    {"bias", 0, OPTION_FLOAT, offsetof(struct prefilter_settings, bias), 2e-3, 0, .5,
+     .help = "receiver offset towards the light, of its distance"},
+    {"contact", 0, OPTION_FLOAT, offsetof(struct prefilter_settings, contact), .01, 0, 1,
+     .help =
+         "casters nearer to a surface than so much of its distance from the light are compared\n"
+         "one by one"},
+    {NULL},
+};
+
+const struct settings_part prefilter_part = {"prefilter", "prefiltered maps of lights", table,
+                                             sizeof(struct prefilter_settings)};
+
+static bool init_maps(struct prefiltered *own, int size, const struct light_layout *lights,
+                      int moments) {
+    return light_map_pass_init(&own->light_maps, size, lights) &&
+           depth_bounds_pass_init(&own->bounds, size, lights->maps) &&
+           sums_pass_init(&own->sums, &(struct sums_desc){size, lights->maps, moments});
+}
+
+static void show_maps(struct prefiltered *own) {
+    struct direct_light_inputs *inputs = &own->shadow.inputs;
+    for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
+        inputs->maps[kind] = &own->light_maps.maps.depth;
+    inputs->more[0] = (struct pass_texture){UNIT_SUMS, own->sums.maps.sums.id};
+    inputs->more[1] = (struct pass_texture){UNIT_DEPTH_BOUNDS, own->bounds.maps.bounds.id};
+}
+
+bool prefiltered_init(void **state, const struct direct_desc *desc,
+                      const struct prefiltered_desc *method) {
+    const struct prefilter_settings *set = settings_of(desc->settings, &prefilter_part);
+    struct prefiltered *own = *state = mem_alloc(1, sizeof *own);
+    char *defines = mem_printf("FILTER %d;SEARCH_PARTS %d;SHADOW_PARTS %d;", method->filter,
+                               method->search_parts, method->shadow_parts);
+    bool ok = shadow_begin(&own->shadow, desc,
+                           &(struct direct_light_desc){.map_size = set->size,
+                                                       .own_maps = true,
+                                                       .map_bias = set->bias,
+                                                       .contact = set->contact,
+                                                       .fragment = "visibility/direct_map.frag",
+                                                       .defines = defines}) &&
+              init_maps(own, set->size, desc->lights, method->moments);
+    free(defines);
+    if (ok)
+        show_maps(own);
+    return ok;
+}
+
+void prefiltered_free(void *state) {
+    struct prefiltered *own = state;
+    if (own) {
+        shadow_end(&own->shadow);
+        light_map_pass_free(&own->light_maps);
+        depth_bounds_pass_free(&own->bounds);
+        sums_pass_free(&own->sums);
+    }
+    free(own);
+}
+
+void prefiltered_render_lights(void *state, const struct frame *frame) {
+    struct prefiltered *own = state;
+    const struct texture *depth = &own->light_maps.maps.depth;
+    shadow_render_lights(&own->shadow, frame);
+    light_map_pass_render(&own->light_maps, frame, own->shadow.maps.maps);
+    depth_bounds_pass_render(&own->bounds, frame, depth);
+    sums_pass_render(&own->sums, frame, depth);
+}
