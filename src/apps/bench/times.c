@@ -19,7 +19,8 @@ static const struct step {
     const char *name, *passes;
     double ms, percent;
 } steps[] = {
-    {"deferred rendering", "/gbuffer/shadow map/direct/antialias/composite/", .4, .8},
+    {"deferred rendering",
+     "/gbuffer/shadow map/light maps/depth bounds/sums/direct/antialias/composite/", .4, .8},
     {"VPL generation", "/rsm/vpls/", .1, .2},
     {"VAL clustering", "/clustering/", .5, 1.0},
     {"VAL maps", "/maps/depth maps/", 4.2, 8.1},
