@@ -9,7 +9,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "reference/scene/emission.h"
-#include "scene/emissive.h"
+#include "scene/flat_shape.h"
 #include "scene/node.h"
 #include "shared/vpl.h"
 
@@ -109,7 +109,7 @@ static double traced(const struct answer *answer) {
                       .geometric_normal = to_vec3s(answer->normal)};
     struct arrival arrival;
     double sum = 0;
-    emission_init(&emission, &(struct emitters){.items = &light, .count = 1}, &geometry, 0);
+    emission_init(&emission, &(struct emitters){.items = &light, .count = 1}, &geometry, NULL, 0);
     for (int i = 0; i < SIDE * SIDE; i++) {
         vec2s sample = {{((float)(i % SIDE) + .5F) / SIDE, ((float)(i / SIDE) + .5F) / SIDE}};
         vec2s place = emission_place(&emission, 0, sample, &hit);
@@ -333,42 +333,6 @@ static void test_emissive_quad(void **state) {
     scene_free(&scene);
 }
 
-/* Of more than can shine at once the most powerful, here the larger ones. */
-static void test_many_emissive(void **state) {
-    (void)state;
-    enum { PANES = 40 };
-    char nodes[8192] = "[";
-    for (int i = 0; i < PANES; i++)
-        sprintf(nodes + strlen(nodes), "%s{\"name\": \"%d\", \"mesh\": 0, \"scale\": [%d, 1, 1]}",
-                i ? "," : "", i, 1 + (i * 7) % PANES);
-    strcat(nodes, "]");
-    struct scene scene;
-    open_parts(&scene, &(struct gltf_parts){.materials = "[{\"emissiveFactor\": [1, 1, 1]}]",
-                                            .nodes = nodes});
-    assert_int_equal(emitter_node_count(&scene), EMISSIVE_LIGHTS_MAX);
-    int last = -1;
-    for (int n = 0; n < EMISSIVE_LIGHTS_MAX; n++) {
-        struct emitter light;
-        emitter_place(&light, &scene, n, 0);
-        int parent = scene.nodes[node_carrying(&scene, NODE_LIGHT, n)].parent;
-        assert_true(parent > last);
-        last = parent;
-        check_at_most("no wider is left out", PANES - EMISSIVE_LIGHTS_MAX, emitter_extent(&light));
-    }
-    scene_free(&scene);
-}
-
-/* Emission from a surface with holes lights nothing. */
-static void test_dark_emissive(void **state) {
-    (void)state;
-    struct scene scene;
-    open_parts(&scene,
-               &(struct gltf_parts){
-                   .materials = "[{\"emissiveFactor\": [1, 1, 1], \"alphaMode\": \"MASK\"}]"});
-    assert_int_equal(emitter_node_count(&scene), 0);
-    scene_free(&scene);
-}
-
 /* --- shapes ----------------------------------------------------------------------------------- */
 
 enum { CORNERS_MAX = 64 };
@@ -448,8 +412,7 @@ int main(void) {
         cmocka_unit_test(test_traced),        cmocka_unit_test(test_shaded),
         cmocka_unit_test(test_pieces),        cmocka_unit_test(test_extension),
         cmocka_unit_test(test_vpl_flux),      cmocka_unit_test(test_extras),
-        cmocka_unit_test(test_emissive_quad), cmocka_unit_test(test_many_emissive),
-        cmocka_unit_test(test_dark_emissive), cmocka_unit_test(test_shapes),
+        cmocka_unit_test(test_emissive_quad), cmocka_unit_test(test_shapes),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

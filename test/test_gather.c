@@ -132,7 +132,7 @@ static const struct light_case {
 /* Direct light at pixel centres; the shadow's outline is a texel of the map wide. */
 static void check_direct(struct bench *bench) {
     struct emission emission;
-    emission_init(&emission, &bench->stage.emitters, &bench->stage.geometry, 0);
+    emission_init(&emission, &bench->stage.emitters, &bench->stage.geometry, NULL, 0);
     int wrong = 0, count = 0, lit = 0;
     run_frame(bench, "unshadowed", "vpls=1 interleave=1", 96);
     for (int y = 0; y < 96; y++)

@@ -178,7 +178,7 @@ static double share_error(const struct stage *stage, const char *method, const c
     int normal = image_find_channel(&layers, "normal.X"); /* Y and Z follow */
     int direct = image_find_channel(&layers, "direct.R");
     int true_direct = image_find_channel(truth, "direct.R");
-    emission_init(&emission, &stage->emitters, &stage->geometry, 0);
+    emission_init(&emission, &stage->emitters, &stage->geometry, NULL, 0);
     for (int i = 0; i < SIZE * SIZE; i++) {
         int x = i % SIZE, y = i / SIZE;
         const float *at = image_at(&layers, x, y);

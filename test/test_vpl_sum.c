@@ -48,7 +48,7 @@ static struct vpl *trace_vpls(struct world *world, int count) {
     check_ok("rays", ray_scene_init(&rays, &table));
     struct emission emission;
     emission_init(&emission, &(struct emitters){.items = &world->light, .count = 1},
-                  &world->geometry, 0);
+                  &world->geometry, NULL, 0);
     for (int i = 0; i < count; i++)
         vpls[i] = trace_vpl(world, &emission, &rays, i, count);
     emission_free(&emission);

@@ -99,6 +99,7 @@ static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
         .normal = hit.normal,
         .direct = direct_light(tracer, &hit, &sampler),
         .indirect = mean_of_paths(tracer, &hit, stream, &sampler),
+        .emitted = surfaces_glow(&tracer->emission.surfaces, &hit),
     };
     film_pixel_add(pixel, stream, &sample);
 }
@@ -278,7 +279,7 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     if (!check_memory(desc))
         return false;
     hit_table_init(&table, desc->scene, desc->geometry);
-    emission_init(&tracer.emission, &desc->emitters, desc->geometry, LIGHT_VERTEX_COUNT);
+    emission_init(&tracer.emission, &desc->emitters, desc->geometry, &table, LIGHT_VERTEX_COUNT);
     tracer.primary = (struct primary_rays){&tracer.rays, desc->camera, desc->width, desc->height};
     tracer.pixels = mem_alloc((size_t)desc->width * (size_t)desc->height, sizeof *tracer.pixels);
     bool ok = render(&tracer, &table);

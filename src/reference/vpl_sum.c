@@ -119,8 +119,8 @@ bool vpl_sum_render(const struct vpl_sum_desc *desc, struct image *image) {
     desc = &summation.desc;
     summation.primary =
         (struct primary_rays){&summation.rays, desc->camera, desc->width, desc->height};
-    emission_init(&summation.emission, &desc->emitters, desc->geometry, 0);
     hit_table_init(&table, desc->scene, desc->geometry);
+    emission_init(&summation.emission, &desc->emitters, desc->geometry, &table, 0);
     bool ok = image_fits(desc->width, desc->height, CHANNEL_COMMON_END) &&
               ray_scene_init(&summation.rays, &table);
     if (ok) {

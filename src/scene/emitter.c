@@ -62,7 +62,9 @@ static void place(struct emitter *emitter, const struct scene_light *source, int
     *emitter = (struct emitter){.type = source->type,
                                 .number = n,
                                 .cos_inner = cosf(source->inner),
-                                .cos_outer = cosf(source->outer)};
+                                .cos_outer = cosf(source->outer),
+                                .lamp = source->lamp,
+                                .stands_in = source->stands_in};
     memcpy(emitter->intensity, source->intensity, sizeof emitter->intensity);
     memcpy(emitter->position, &world[12], sizeof emitter->position);
     set_size(emitter, source, world);

@@ -23,6 +23,7 @@ struct emitter {
     float direction[3];         /* unit: where it shines */
     float right[3], up[3];      /* with -direction a right-handed orthonormal frame */
     float cos_inner, cos_outer; /* spot */
+    int lamp, stands_in;        /* as struct scene_light has them */
 };
 
 enum emitter_shape {

@@ -70,6 +70,7 @@ void scene_free(struct scene *scene) {
     free(scene->materials);
     free(scene->textures);
     free(scene->lights);
+    free(scene->surfaces);
     free(scene->cameras);
     *scene = (struct scene){0};
 }

@@ -100,6 +100,13 @@ struct scene_light {
     float range;   /* where the file lets it be cut off, m, which it is not; infinite: nowhere */
     float size[2]; /* as struct emitter has it */
     enum light_scaling scaling;
+    int lamp;       /* of emissive surfaces that it is; 0 = none */
+    bool stands_in; /* it is what they are like from afar, with others */
+};
+
+/* A primitive of a node's mesh that emits light, as part of a lamp: scene/emissive.h. */
+struct emissive_surface {
+    int node, primitive, lamp;
 };
 
 /* Looks along the node's -Z, +Y up. */
@@ -151,11 +158,13 @@ struct scene {
     struct material *materials;
     struct scene_texture *textures;
     struct scene_light *lights;
+    struct emissive_surface *surfaces;
     struct scene_camera *cameras;
     struct skin *skins;
     struct metaballs *metaballs;
     struct clip *clips;
     int node_count, mesh_count, material_count, texture_count, light_count, camera_count;
+    int surface_count;
     char **files; /* beside path: the buffers and pictures that it names */
     int skin_count, metaballs_count, clip_count, file_count;
     struct environment *environment; /* scene/environment.h; NULL = none */

@@ -15,8 +15,15 @@ static float cross_section(const struct emission *emission) {
 
 static double flux_of(const struct emission *emission, int n) {
     const struct source *source = &emission->sources[n];
-    return source->kind == SOURCE_SKY ? emission->sky.power / 3 * (double)cross_section(emission)
-                                      : emitter_flux(&source->light, emission->radius);
+    switch (source->kind) {
+    case SOURCE_LIGHT:
+        break;
+    case SOURCE_SURFACES:
+        return GLM_PI * emission->surfaces.flux;
+    case SOURCE_SKY:
+        return emission->sky.power / 3 * (double)cross_section(emission);
+    }
+    return emitter_flux(&source->light, emission->radius);
 }
 
 static void deal_rays(struct emission *emission, int count) {
@@ -32,25 +39,39 @@ static void deal_rays(struct emission *emission, int count) {
     free(counts);
 }
 
+static void add_lights(struct emission *emission, const struct emitters *emitters) {
+    for (int i = 0; i < emitters->count; i++) {
+        const struct emitter *light = &emitters->items[i];
+        if (emission->surfaces.table && light->stands_in)
+            continue;
+        emission->sources[emission->count++] =
+            (struct source){.light = *light, .solid_angle = (float)emitter_solid_angle(light)};
+        emission->has_sizes |= emitter_shape(light) != EMITTER_IS_POINT;
+    }
+}
+
+static int add_found(struct emission *emission, enum source_kind kind) {
+    emission->sources[emission->count].kind = kind;
+    emission->has_sizes = emission->has_found = true;
+    return emission->count++;
+}
+
 void emission_init(struct emission *emission, const struct emitters *emitters,
-                   const struct geometry *geometry, int ray_count) {
+                   const struct geometry *geometry, const struct hit_table *table, int ray_count) {
     *emission = (struct emission){
-        .sources = mem_alloc((size_t)emitters->count + 1, sizeof *emission->sources),
-        .count = emitters->count,
+        .sources = mem_alloc((size_t)emitters->count + 2, sizeof *emission->sources),
         .center = vector_of(geometry->center),
         .radius = geometry->radius,
+        .surfaces_number = -1,
+        .sky_number = -1,
     };
-    for (int n = 0; n < emitters->count; n++) {
-        emission->sources[n] = (struct source){
-            .light = emitters->items[n],
-            .solid_angle = (float)emitter_solid_angle(&emitters->items[n]),
-        };
-        emission->has_sizes |= emitter_shape(&emitters->items[n]) != EMITTER_IS_POINT;
-    }
-    if (emitters->sky && sky_init(&emission->sky, emitters->sky)) {
-        emission->sources[emission->count++].kind = SOURCE_SKY;
-        emission->has_sizes = emission->has_found = true;
-    }
+    if (table)
+        surfaces_init(&emission->surfaces, table, emitters);
+    add_lights(emission, emitters);
+    if (emission->surfaces.count > 0)
+        emission->surfaces_number = add_found(emission, SOURCE_SURFACES);
+    if (emitters->sky && sky_init(&emission->sky, emitters->sky))
+        emission->sky_number = add_found(emission, SOURCE_SKY);
     if (emission->count > 0)
         deal_rays(emission, ray_count);
 }
@@ -58,6 +79,7 @@ void emission_init(struct emission *emission, const struct emitters *emitters,
 void emission_free(struct emission *emission) {
     free(emission->sources);
     free(emission->rays);
+    surfaces_free(&emission->surfaces);
     sky_free(&emission->sky);
     *emission = (struct emission){0};
 }
@@ -68,13 +90,21 @@ static bool has_size(const struct emission *emission, int n) {
 }
 
 /* The light without a size that shines from one place as the whole source does on average; density: with
- * which rays by the cosine might come there, of a sky 1/sr; else 0. */
+ * which the place is picked, where rays by the cosine might come there; else 0. Of a sky 1/sr, of
+ * surfaces 1/m2. */
 static struct emitter piece_of(const struct emission *emission, int n, vec2s place,
                                double *density) {
     const struct source *source = &emission->sources[n];
     *density = 0;
-    return source->kind == SOURCE_SKY ? sky_piece(&emission->sky, place.raw, density)
-                                      : emitter_piece(&source->light, place.raw);
+    switch (source->kind) {
+    case SOURCE_LIGHT:
+        break;
+    case SOURCE_SURFACES:
+        return surfaces_piece(&emission->surfaces, place.raw, density);
+    case SOURCE_SKY:
+        return sky_piece(&emission->sky, place.raw, density);
+    }
+    return emitter_piece(&source->light, place.raw);
 }
 
 /* Light rays start from an area light by the cosine, which is in the strength, else evenly. */
@@ -97,8 +127,8 @@ static float place_weight(const struct emitter *light, const struct hit *hit, fl
 bool emission_reach(const struct emission *emission, int n, vec2s place, const struct hit *hit,
                     struct arrival *arrival) {
     const struct source *source = &emission->sources[n];
-    double found; /* density with which rays by the cosine come there, over the cosine and pi */
-    struct emitter light = piece_of(emission, n, place, &found);
+    double picked; /* density with which the place is */
+    struct emitter light = piece_of(emission, n, place, &picked);
     vec3s to_light = glms_vec3_negate(vector_of(light.direction));
     float distance = 2 * emission->radius; /* beyond the bounds from every point within */
     float strength = 1;                    /* irradiance across the beam, for an intensity of 1 */
@@ -116,7 +146,9 @@ bool emission_reach(const struct emission *emission, int n, vec2s place, const s
         to_light = glms_vec3_scale(path, 1 / distance);
         strength = emitter_cone(&light, cos_axis) / (distance * distance);
         density = ray_density(&light, source, strength, distance);
-        if (has_size(emission, n) && cos_axis > 0)
+        if (source->kind == SOURCE_SURFACES)
+            picked *= (double)(distance * distance / cos_axis);
+        else if (has_size(emission, n) && cos_axis > 0)
             weight = place_weight(&source->light, hit, cos_axis / (distance * distance));
     }
     float cos_shading = glms_vec3_dot(hit->normal, to_light);
@@ -127,27 +159,54 @@ bool emission_reach(const struct emission *emission, int n, vec2s place, const s
     arrival->irradiance =
         glms_vec3_scale(vector_of(light.intensity), weight * strength * cos_shading);
     arrival->density = weight * density * cos_geometric * source->share;
-    arrival->cosine = found > 0 ? cos_shading * GLM_1_PIf / (float)found : 0;
+    arrival->cosine = picked > 0 ? cos_shading * GLM_1_PIf / (float)picked : 0;
     return true;
 }
 
 /* --- rays that come to a light ---------------------------------------------------------------- */
 
+/* What comes from a direction: its radiance, the density with which the source picks it, 1/sr, and that of
+ * light rays across it, 1/m2. */
+struct found {
+    vec3s radiance;
+    float picked, rays;
+};
+
+static bool find_surface(const struct emission *emission, const struct hit *hit, vec3s direction,
+                         const struct hit *end, struct found *found) {
+    float density = surfaces_density(&emission->surfaces, end);
+    float cosine = -glms_vec3_dot(end->geometric_normal, direction);
+    float distance2 = glms_vec3_distance2(end->position, hit->position);
+    if (density <= 0 || cosine <= 0 || glms_vec3_max(end->emission) <= 0)
+        return false;
+    *found = (struct found){end->emission, density * distance2 / cosine,
+                            cosine / distance2 * GLM_1_PIf *
+                                emission->sources[emission->surfaces_number].share};
+    return true;
+}
+
+static bool find_sky(const struct emission *emission, vec3s direction, struct found *found) {
+    if (emission->sky_number < 0)
+        return false;
+    environment_radiance(emission->sky.environment, direction.raw, found->radiance.raw);
+    found->picked = (float)sky_density(&emission->sky, direction.raw);
+    found->rays = emission->sources[emission->sky_number].share / cross_section(emission);
+    return found->picked > 0;
+}
+
 bool emission_found(const struct emission *emission, const struct hit *hit, vec3s direction,
                     const struct hit *end, struct arrival *arrival) {
-    const struct source *source = &emission->sources[emission->count - 1];
-    float cosine = glms_vec3_dot(hit->normal, direction), radiance[3];
+    float cosine = glms_vec3_dot(hit->normal, direction);
     float cos_geometric = glms_vec3_dot(hit->geometric_normal, direction);
-    if (end || !emission->has_found || cosine <= 0 || cos_geometric <= 0)
+    struct found found;
+    if (cosine <= 0 || cos_geometric <= 0 ||
+        !(end ? find_surface(emission, hit, direction, end, &found)
+              : find_sky(emission, direction, &found)))
         return false;
-    float density = (float)sky_density(&emission->sky, direction.raw);
-    if (density <= 0)
-        return false;
-    environment_radiance(emission->sky.environment, direction.raw, radiance);
     *arrival = (struct arrival){
-        .irradiance = glms_vec3_scale(vector_of(radiance), cosine / density),
-        .density = cos_geometric / cross_section(emission) * source->share,
-        .cosine = cosine * GLM_1_PIf / density,
+        .irradiance = glms_vec3_scale(found.radiance, cosine / found.picked),
+        .density = found.rays * cos_geometric,
+        .cosine = cosine * GLM_1_PIf / found.picked,
     };
     return true;
 }
@@ -244,8 +303,8 @@ vec3s emission_direct(const struct emission *emission, const struct ray_scene *r
 
 bool emission_first_hit(const struct emission *emission, int n, const struct ray_scene *rays,
                         vec2s place, vec2s sample, struct hit *hit) {
-    double found;
-    struct emitter light = piece_of(emission, n, place, &found);
+    double picked;
+    struct emitter light = piece_of(emission, n, place, &picked);
     vec3s axis = vector_of(light.direction), origin, direction;
     if (light.type == EMITTER_DIRECTIONAL) {
         vec3s offset = glms_vec3_sub(warp_to_disc(sample, axis), glms_vec3_scale(axis, 2));

@@ -6,9 +6,10 @@
 #include "reference/sampler.h"
 #include "reference/scene/ray_scene.h"
 #include "reference/scene/sky.h"
+#include "reference/scene/surfaces.h"
 #include "scene/emitter.h"
 
-enum source_kind { SOURCE_LIGHT, SOURCE_SKY };
+enum source_kind { SOURCE_LIGHT, SOURCE_SURFACES, SOURCE_SKY };
 
 struct source {
     enum source_kind kind;
@@ -20,9 +21,11 @@ struct source {
 struct emission {
     struct source *sources;
     int count;
-    struct sky sky;     /* of the last source, where that is one */
-    bool has_sizes;     /* some light has a size: places on lights are to be drawn */
-    bool has_found;     /* rays may come to one by chance: emission_found */
+    struct surfaces surfaces;
+    struct sky sky;
+    int surfaces_number, sky_number; /* of the sources that these are; -1 = none */
+    bool has_sizes;                  /* some light has a size: places on lights are to be drawn */
+    bool has_found;                  /* rays may come to one by chance: emission_found */
     struct dealt *rays; /* from which light each light ray starts: as many as it has flux */
     vec3s center;       /* of the scene's bounding sphere */
     float radius;       /* the same sphere's, m */
@@ -41,9 +44,10 @@ struct arrival {
                          of emission_place; 0 where none can */
 };
 
-/* With so many light rays, or none. A black sky is no source. */
+/* With so many light rays, or none. table, which must live on, has the emissive surfaces; NULL: what stands
+ * in for them is taken for lights. A black sky is no source. */
 void emission_init(struct emission *emission, const struct emitters *emitters,
-                   const struct geometry *geometry, int ray_count);
+                   const struct geometry *geometry, const struct hit_table *table, int ray_count);
 
 /* Accepts zeroed ones. */
 void emission_free(struct emission *emission);

@@ -1,6 +1,6 @@
 #include "reference/scene/hit.h"
 
-#include "reference/scene/texture.h"
+#include "scene/texture.h"
 #include "reference/vector.h"
 
 #include "base/memory.h"
@@ -67,12 +67,18 @@ static vec4s base_color(const struct hit_table *table, const struct material *ma
     return glms_vec4_mul(color, texture_lookup(texture, table->srgb_to_linear, uv));
 }
 
-static const struct material *material_of(const struct hit_table *table, uint32_t triangle) {
-    return &table->scene->materials[table->material_of[triangle]];
+static vec3s emission_at(const struct hit_table *table, const struct material *material,
+                         const struct corners *corners) {
+    vec3s emission = vector_of(material->emission);
+    if (material->emission_texture < 0)
+        return emission;
+    const struct scene_texture *texture = &table->scene->textures[material->emission_texture];
+    vec2s uv = interpolate_uv(table->geometry->uv, corners);
+    return glms_vec3_mul(emission, glms_vec3(texture_lookup(texture, table->srgb_to_linear, uv)));
 }
 
-static float decode_srgb(float value) {
-    return value <= 0.04045f ? value / 12.92f : powf((value + 0.055f) / 1.055f, 2.4f);
+static const struct material *material_of(const struct hit_table *table, uint32_t triangle) {
+    return &table->scene->materials[table->material_of[triangle]];
 }
 
 void hit_table_init(struct hit_table *table, const struct scene *scene,
@@ -84,8 +90,7 @@ void hit_table_init(struct hit_table *table, const struct scene *scene,
         .material_of = mem_alloc(triangle_count, sizeof *table->material_of),
         .normal_of = mem_alloc(triangle_count, sizeof *table->normal_of),
     };
-    for (int i = 0; i < 256; i++)
-        table->srgb_to_linear[i] = decode_srgb((float)i / 255);
+    texture_decode_table(table->srgb_to_linear);
     for (size_t i = 0; i < triangle_count; i++)
         table->normal_of[i] = winding_normal(geometry, &geometry->indices[3 * i]);
     for (int b = 0; b < geometry->batch_count; b++) {
@@ -112,10 +117,26 @@ void hit_at(const struct hit_table *table, const struct triangle_point *point, v
     hit->position = interpolate_vector(geometry->position, &corners);
     hit->geometric_normal = glms_vec3_scale(front, side);
     hit->normal = glms_vec3_scale_as(interpolate_vector(geometry->normal, &corners), side);
-    if (!from_behind || material->double_sided)
-        hit->albedo = glms_vec3(base_color(table, material, &corners));
-    else
-        hit->albedo = glms_vec3_zero();
+    hit->triangle = point->triangle;
+    hit->is_back = from_behind;
+    hit->albedo = hit->emission = glms_vec3_zero();
+    if (from_behind && !material->double_sided)
+        return;
+    hit->albedo = glms_vec3(base_color(table, material, &corners));
+    if (glm_vec3_max((float *)material->emission) > 0)
+        hit->emission = emission_at(table, material, &corners);
+}
+
+vec3s hit_position(const struct hit_table *table, const struct triangle_point *point) {
+    struct corners corners = find_corners(table, point);
+    return interpolate_vector(table->geometry->position, &corners);
+}
+
+vec3s hit_emission(const struct hit_table *table, const struct triangle_point *point) {
+    struct corners corners = find_corners(table, point);
+    return hit_is_hole(table, point)
+               ? glms_vec3_zero()
+               : emission_at(table, material_of(table, point->triangle), &corners);
 }
 
 bool hit_is_hole(const struct hit_table *table, const struct triangle_point *point) {

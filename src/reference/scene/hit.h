@@ -1,4 +1,4 @@
-/* The surface where a ray meets the scene: its place, its two normals and its albedo.
+/* The surface where a ray meets the scene: its place, its two normals, its albedo, and what it emits.
  *
  * Every surface is Lambertian. The shading normal is the vertices' interpolated one; the geometric
  * normal is the triangle's own. A material's double_sided decides what its back is: reflecting like
@@ -22,6 +22,9 @@ struct hit {
     vec3s geometric_normal; /* unit, on the side that the ray came from */
     vec3s normal;           /* shading normal, unit, turned with the geometric one */
     vec3s albedo;           /* zero on the back of a single-sided material */
+    vec3s emission;         /* radiance; the same */
+    uint32_t triangle;
+    bool is_back; /* of it */
 };
 
 /* The triangles of a geometry with their materials. Keeps references to scene and geometry. Not
@@ -43,6 +46,10 @@ void hit_table_free(struct hit_table *table);
 /* The surface as a ray of that direction meets it. */
 void hit_at(const struct hit_table *table, const struct triangle_point *point, vec3s ray_direction,
             struct hit *hit);
+
+/* Where it is; and what its material emits there, on the front, zero in holes. */
+vec3s hit_position(const struct hit_table *table, const struct triangle_point *point);
+vec3s hit_emission(const struct hit_table *table, const struct triangle_point *point);
 
 /* Whether the alpha mask has a hole at the point. */
 bool hit_is_hole(const struct hit_table *table, const struct triangle_point *point);

@@ -1,6 +1,15 @@
-#include "reference/scene/texture.h"
+#include "scene/texture.h"
 
 #include <math.h>
+
+static float decode_srgb(float value) {
+    return value <= 0.04045f ? value / 12.92f : powf((value + 0.055f) / 1.055f, 2.4f);
+}
+
+void texture_decode_table(float srgb_to_linear[256]) {
+    for (int i = 0; i < 256; i++)
+        srgb_to_linear[i] = decode_srgb((float)i / 255);
+}
 
 /* x modulo n, in [0, n) for negative x too. */
 static int wrap_around(int x, int n) {

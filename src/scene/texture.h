@@ -1,14 +1,16 @@
 /* One texel or four of a material's texture, as a GPU without MIP maps would filter them. */
-#ifndef REFERENCE_SCENE_TEXTURE_H
-#define REFERENCE_SCENE_TEXTURE_H
+#ifndef SCENE_TEXTURE_H
+#define SCENE_TEXTURE_H
 
 #include "scene/scene.h"
 
 #include <cglm/struct.h>
 
+/* What the 256 values of a byte of a colour are worth. */
+void texture_decode_table(float srgb_to_linear[256]);
+
 /* Linear RGBA at uv; (0, 0) is the top left corner of the picture. Nearest or bilinear as the
- * texture asks for, filtered after decoding. srgb_to_linear decodes the 256 values of a byte of
- * a colour. */
+ * texture asks for, filtered after decoding. */
 vec4s texture_lookup(const struct scene_texture *texture, const float srgb_to_linear[256],
                      vec2s uv);
 

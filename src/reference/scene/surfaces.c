@@ -1,0 +1,169 @@
+#include "reference/scene/surfaces.h"
+
+#include "reference/vector.h"
+
+#include "base/halton.h"
+#include "base/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Where a textured triangle is looked at to say how bright it is; and at least so much of what it could be
+ * is taken, for there may be light between. */
+enum { PLACES = 16 };
+static const float least_share = .05F;
+
+/* --- which shine ------------------------------------------------------------------------------ */
+
+/* Whether a lamp shines; and whether it is stood in for. */
+static bool find_lamp(const struct emitters *emitters, int lamp, bool *is_stood_in_for) {
+    for (int i = 0; i < emitters->count; i++)
+        if (emitters->items[i].lamp == lamp) {
+            *is_stood_in_for = emitters->items[i].stands_in;
+            return true;
+        }
+    return false;
+}
+
+static const struct geometry_part *find_part(const struct geometry *geometry,
+                                             const struct emissive_surface *surface) {
+    for (int i = 0; i < geometry->part_count; i++)
+        if (geometry->parts[i].node == surface->node &&
+            geometry->parts[i].primitive == surface->primitive)
+            return &geometry->parts[i];
+    return NULL;
+}
+
+/* A point in the triangle, even in its area. */
+static struct triangle_point point_in(uint32_t triangle, float across, float along) {
+    float x = sqrtf(across);
+    return (struct triangle_point){triangle, x * (1 - along), x * along};
+}
+
+static float brightness(vec3s radiance) {
+    return radiance.x + radiance.y + radiance.z;
+}
+
+static double mean_radiance(const struct hit_table *table, uint32_t triangle) {
+    const struct material *material = &table->scene->materials[table->material_of[triangle]];
+    double full = (double)brightness(vector_of(material->emission)), sum = 0;
+    if (material->emission_texture < 0 && !material->alpha_mask)
+        return full;
+    for (uint32_t i = 0; i < PLACES; i++) {
+        struct triangle_point point =
+            point_in(triangle, ((float)i + .5F) / PLACES, (float)radical_inverse(2, i));
+        sum += (double)brightness(hit_emission(table, &point));
+    }
+    return fmax(sum / PLACES, (double)least_share * full);
+}
+
+static double area_of(const struct hit_table *table, uint32_t triangle) {
+    const struct geometry *geometry = table->geometry;
+    const uint32_t *index = &geometry->indices[3 * (size_t)triangle];
+    vec3s p = vector_of(geometry->position[index[0]]);
+    vec3s across = glms_vec3_cross(glms_vec3_sub(vector_of(geometry->position[index[1]]), p),
+                                   glms_vec3_sub(vector_of(geometry->position[index[2]]), p));
+    return (double)glms_vec3_norm(across) / 2;
+}
+
+/* --- the list --------------------------------------------------------------------------------- */
+
+static void add_triangle(struct surfaces *surfaces, uint32_t triangle, double *powers) {
+    const struct hit_table *table = surfaces->table;
+    const struct material *material = &table->scene->materials[table->material_of[triangle]];
+    double area = area_of(table, triangle), power = area * mean_radiance(table, triangle);
+    if (!(power > 0))
+        return;
+    surfaces->first[triangle] = surfaces->count;
+    for (int side = 0; side < (material->double_sided ? 2 : 1); side++) {
+        powers[surfaces->count] = power;
+        surfaces->list[surfaces->count++] =
+            (struct surface_triangle){triangle, side == 1, (float)(power / area)};
+    }
+}
+
+static void add_part(struct surfaces *surfaces, const struct geometry_part *part, bool listed,
+                     double *powers) {
+    uint32_t first = part->first_index / 3, count = part->index_count / 3;
+    for (uint32_t i = first; i < first + count; i++) {
+        surfaces->shines[i] = true;
+        if (listed)
+            add_triangle(surfaces, i, powers);
+    }
+}
+
+/* Densities are powers over areas so far. */
+static void finish_list(struct surfaces *surfaces, const double *powers) {
+    double sum = 0;
+    for (int i = 0; i < surfaces->count; i++)
+        sum += powers[i];
+    for (int i = 0; i < surfaces->count; i++)
+        surfaces->list[i].density = (float)((double)surfaces->list[i].density / sum);
+    if (surfaces->count > 0)
+        alias_init(&surfaces->alias, powers, surfaces->count);
+    surfaces->flux = sum / 3;
+}
+
+void surfaces_init(struct surfaces *surfaces, const struct hit_table *table,
+                   const struct emitters *emitters) {
+    const struct scene *scene = table->scene;
+    size_t triangles = table->geometry->index_count / 3;
+    *surfaces = (struct surfaces){.table = table};
+    if (scene->surface_count == 0)
+        return;
+    double *powers = mem_alloc(2 * triangles, sizeof *powers);
+    surfaces->shines = mem_alloc(triangles, sizeof *surfaces->shines);
+    surfaces->first = mem_alloc(triangles, sizeof *surfaces->first);
+    surfaces->list = mem_alloc(2 * triangles, sizeof *surfaces->list);
+    for (size_t i = 0; i < triangles; i++)
+        surfaces->first[i] = -1;
+    for (int i = 0; i < scene->surface_count; i++) {
+        const struct geometry_part *part = find_part(table->geometry, &scene->surfaces[i]);
+        bool listed;
+        if (part && find_lamp(emitters, scene->surfaces[i].lamp, &listed))
+            add_part(surfaces, part, listed, powers);
+    }
+    finish_list(surfaces, powers);
+    free(powers);
+}
+
+void surfaces_free(struct surfaces *surfaces) {
+    free(surfaces->shines);
+    free(surfaces->first);
+    free(surfaces->list);
+    alias_free(&surfaces->alias);
+    *surfaces = (struct surfaces){0};
+}
+
+/* --- light ------------------------------------------------------------------------------------ */
+
+struct emitter surfaces_piece(const struct surfaces *surfaces, const float place[2],
+                              double *density) {
+    float across = place[0];
+    const struct surface_triangle *picked = &surfaces->list[alias_pick(&surfaces->alias, &across)];
+    struct triangle_point point = point_in(picked->triangle, across, place[1]);
+    struct emitter piece = {.type = EMITTER_AREA};
+    vec3s normal = surfaces->table->normal_of[picked->triangle];
+    vec3s position = hit_position(surfaces->table, &point);
+    vec3s radiance = hit_emission(surfaces->table, &point);
+    *density = (double)picked->density;
+    glm_vec3_scale(normal.raw, picked->back ? -1 : 1, piece.direction);
+    glm_vec3_copy(position.raw, piece.position);
+    glm_vec3_divs(radiance.raw, picked->density, piece.intensity);
+    return piece;
+}
+
+float surfaces_density(const struct surfaces *surfaces, const struct hit *hit) {
+    int first = surfaces->first ? surfaces->first[hit->triangle] : -1;
+    const struct hit_table *table = surfaces->table;
+    if (first < 0)
+        return 0;
+    bool is_double = table->scene->materials[table->material_of[hit->triangle]].double_sided;
+    if (hit->is_back && !is_double)
+        return 0;
+    return surfaces->list[first + (hit->is_back ? 1 : 0)].density;
+}
+
+vec3s surfaces_glow(const struct surfaces *surfaces, const struct hit *hit) {
+    return surfaces->shines && surfaces->shines[hit->triangle] ? hit->emission : glms_vec3_zero();
+}

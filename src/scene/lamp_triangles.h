@@ -1,0 +1,24 @@
+/* The triangles of emissive surfaces, in the world. */
+#ifndef SCENE_LAMP_TRIANGLES_H
+#define SCENE_LAMP_TRIANGLES_H
+
+#include "scene/lamp_parts.h"
+#include "scene/scene.h"
+
+struct lamp_triangles {
+    struct lamp_triangle *items;
+    int count;
+};
+
+/* Adds those of a primitive that shine: of both sides, where the material has two. What textures say is
+ * averaged over each. */
+void lamp_triangles_add(struct lamp_triangles *triangles, const struct scene *scene,
+                        const struct primitive *primitive, const float world[16]);
+
+/* Accepts zeroed ones. */
+void lamp_triangles_free(struct lamp_triangles *triangles);
+
+/* Area x the sum of RGB, W/sr. */
+double lamp_triangles_power(const struct lamp_triangles *triangles);
+
+#endif
