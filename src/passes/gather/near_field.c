@@ -41,7 +41,8 @@ static bool init_programs(struct near_field_pass *pass) {
     const struct light_layout *lights = &pass->desc.lights;
     int kinds = (lights->views[LIGHT_MAP_SINGLE] > 0) << LIGHT_MAP_SINGLE |
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
-    char *of_light = mem_printf("LIGHTS %d;MAP_KINDS %d", lights->lights, kinds);
+    int room = lights->lights > 0 ? lights->lights : 1; /* GLSL has no empty arrays */
+    char *of_light = mem_printf("LIGHTS %d;MAP_KINDS %d", room, kinds);
     char *defines = mem_printf("RECEIVERS %d;%s",
                                pass->desc.listed ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
     char *listed = mem_printf("RECEIVERS %d;%s", RECEIVERS_LISTED, of_light);
