@@ -343,6 +343,61 @@ static void test_materials(void **state) {
     scene_free(&scene);
 }
 
+/* Keeps notes and warnings, one a line. */
+static void keep_note(void *context, bool is_warning, const char *message) {
+    (void)is_warning;
+    char *text = context;
+    size_t length = strlen(text);
+    snprintf(text + length, 1024 - length, "%s\n", message);
+}
+
+/* All that is dropped is said in one note, each thing once; and nothing of what is read. */
+static void test_lacks(void **state) {
+    (void)state;
+    char notes[1024] = "";
+    log_set_listener(keep_note, notes);
+    struct scene scene =
+        load("lacks.glb",
+             (struct gltf_parts){
+                 .more = "\"extensionsRequired\": [\"KHR_materials_unlit\"], \"extensionsUsed\":"
+                         " [\"KHR_lights_punctual\", \"KHR_materials_unlit\","
+                         " \"KHR_materials_clearcoat\", \"EXT_new\"],"
+                         " \"images\": [{\"uri\": \"none.png\"}], \"textures\": [{\"source\": 0}],",
+                 .materials = "[{\"normalTexture\": {\"index\": 0}, \"alphaMode\": \"BLEND\"},"
+                              " {\"normalTexture\": {\"index\": 0}, \"occlusionTexture\":"
+                              " {\"index\": 0}}]"});
+    static const char *const each[] = {"unlit",    "clear coat", "EXT_new",  "metals",
+                                       "blending", "normal",     "occlusion"};
+    printf("    %s", notes);
+    for (size_t i = 0; i < sizeof each / sizeof *each; i++) {
+        const char *found = strstr(notes, each[i]);
+        assert_non_null(found);
+        assert_null(strstr(found + 1, each[i]));
+    }
+    assert_null(strstr(notes, "punctual"));
+    assert_ptr_equal(strchr(notes, '\n'), notes + strlen(notes) - 1);
+    scene_free(&scene);
+    *notes = '\0';
+    scene = load(
+        "plain.glb",
+        (struct gltf_parts){.materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]"});
+    assert_string_equal(notes, "");
+    log_set_listener(NULL, NULL);
+    scene_free(&scene);
+}
+
+/* Whoever blends is a hole below half, whatever cutoff there is. */
+static void test_blending(void **state) {
+    (void)state;
+    struct scene scene = load(
+        "blend.glb",
+        (struct gltf_parts){.materials = "[{\"alphaMode\": \"BLEND\", \"alphaCutoff\": 0.1}]"});
+    assert_true(scene.materials[0].alpha_mask);
+    check_near("cutoff", scene.materials[0].alpha_cutoff, .5, 0);
+    assert_false(scene.materials[1].alpha_mask);
+    scene_free(&scene);
+}
+
 /* A matrix and the TRS it is made of place the quad alike; children come after their parents. */
 static void test_nodes(void **state) {
     (void)state;
@@ -408,6 +463,8 @@ int main(void) {
         cmocka_unit_test(test_texture),
         cmocka_unit_test(test_embedded_texture),
         cmocka_unit_test(test_materials),
+        cmocka_unit_test(test_lacks),
+        cmocka_unit_test(test_blending),
         cmocka_unit_test(test_nodes),
         cmocka_unit_test(test_deep_chain),
     };

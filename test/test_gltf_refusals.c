@@ -34,8 +34,24 @@ static const struct {
      "it needs glTF version '2.1'",
      {.asset = "{\"version\": \"2.1\", \"minVersion\": \"2.1\"}"}},
     {"required extension",
-     "it requires the extension 'KHR_draco_mesh_compression'",
-     {.more = "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"],"}},
+     "it requires the extension 'KHR_unheard_of', which is not read",
+     {.more = "\"extensionsRequired\": [\"KHR_unheard_of\"],"}},
+    {"Draco",
+     "mesh 0 'quad': primitive 0: extensions: KHR_draco_mesh_compression: compressed data, which "
+     "are"
+     " not read",
+     {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0}, \"extensions\":"
+                          " {\"KHR_draco_mesh_compression\": {\"bufferView\": 0}}"),
+      .accessors = "[{" VECTORS "}]"}},
+    {"meshopt",
+     "buffer 1: compressed with EXT_meshopt_compression, which is not read",
+     {.buffers = "[{\"byteLength\": 320}, {\"byteLength\": 320, \"extensions\":"
+                 " {\"EXT_meshopt_compression\": {\"fallback\": true}}}]"}},
+    {"KTX2",
+     "texture 0: its picture is in the format of KHR_texture_basisu, which is not read",
+     {.materials = "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]",
+      .more = "\"images\": [{\"uri\": \"lion.ktx2\"}], \"textures\": [{\"extensions\":"
+              " {\"KHR_texture_basisu\": {\"source\": 0}}}],"}},
 
     {"buffer of another type", "buffers: 7 is not an array", {.buffers = "7"}},
     {"empty buffer", "buffer 0: byteLength is 0", {.buffers = "[{\"byteLength\": 0}]"}},

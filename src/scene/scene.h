@@ -66,7 +66,7 @@ struct material {
     int base_color_texture;      /* -1 = none, as of the others */
     int metal_roughness_texture; /* roughness in G, metalness in B */
     int emission_texture;
-    bool alpha_mask; /* alpha below the cutoff is a hole */
+    bool alpha_mask; /* alpha below the cutoff is a hole; so are blended materials', below .5 */
     float alpha_cutoff;
     bool double_sided; /* else: not drawn for the camera and not reflecting from behind */
 };

@@ -89,8 +89,7 @@ bool load_channel(Loader &loader, const tinygltf::Animation &animation,
     if (!find_path(from.target_path, *loader.scene, to))
         return false;
     if (to.width < 0) {
-        log_warning("%s: animation of '%s' is ignored", loader.scene->path,
-                    clean(from.target_path).c_str());
+        lack(loader, "animation of '" + clean(from.target_path) + "'");
         return true;
     }
     clip.channel_count++;

@@ -107,8 +107,7 @@ bool load_joints(Loader &loader, const tinygltf::Primitive &from, struct primiti
     if (joints == from.attributes.end() || weights == from.attributes.end())
         return error_set("JOINTS_0 and WEIGHTS_0 go together");
     if (from.attributes.count("JOINTS_1"))
-        log_warning("%s: more than four joints a vertex: the others are ignored",
-                    loader.scene->path);
+        lack(loader, "more than four joints a vertex");
     float *numbers = nullptr;
     if (!load_joint_numbers(loader, joints->second, to))
         return error_prefix("JOINTS_0");

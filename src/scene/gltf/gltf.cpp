@@ -40,36 +40,11 @@ bool copy_numbers(const std::vector<double> &from, float *to, const char *what) 
 
 namespace {
 
-/* Every extension that changes what we read. */
-const char *const known_extensions[] = {"KHR_lights_punctual", "EXT_lights_area",
-                                        "KHR_materials_emissive_strength", "KHR_texture_transform",
-                                        "KHR_mesh_quantization"};
-
-bool is_known(const std::string &extension) {
-    for (const char *known : known_extensions)
-        if (extension == known)
-            return true;
-    return false;
-}
-
 bool check_version(const tinygltf::Asset &asset) {
     if (asset.version.compare(0, 2, "2.") != 0)
         return error_set("glTF version '%s', not 2.0", clean(asset.version).c_str());
     if (!asset.minVersion.empty() && asset.minVersion != "2.0")
         return error_set("it needs glTF version '%s'", clean(asset.minVersion).c_str());
-    return true;
-}
-
-bool check_extensions(const Model &model, const char *path) {
-    for (const std::string &extension : model.extensionsRequired)
-        if (!is_known(extension))
-            return error_set("it requires the extension '%s'", clean(extension).c_str());
-    std::string ignored;
-    for (const std::string &extension : model.extensionsUsed)
-        if (!is_known(extension))
-            ignored += " " + clean(extension);
-    if (!ignored.empty())
-        log_warning("%s: extensions that are ignored:%.400s", path, ignored.c_str());
     return true;
 }
 
@@ -86,6 +61,14 @@ void list_files(Loader &loader) {
             scene.files[scene.file_count++] = mem_strdup((loader.folder + decode_uri(uri)).c_str());
 }
 
+/* Each part of the scene, in this order. */
+bool load_parts(Loader &loader) {
+    return check_version(loader.model.asset) && check_extensions(loader) &&
+           load_materials(loader) && load_meshes(loader) && load_lights(loader) &&
+           load_cameras(loader) && load_nodes(loader) && load_skins(loader) && load_clips(loader) &&
+           load_environment(loader);
+}
+
 } // namespace
 } // namespace gltf
 
@@ -99,11 +82,10 @@ extern "C" bool gltf_load(struct scene *scene, const char *path) try {
     if (!parse(loader, path))
         return false;
     list_files(loader);
-    return (check_version(loader.model.asset) && check_extensions(loader.model, path) &&
-            load_materials(loader) && load_meshes(loader) && load_lights(loader) &&
-            load_cameras(loader) && load_nodes(loader) && load_skins(loader) &&
-            load_clips(loader) && load_environment(loader)) ||
-           error_prefix("%s", path);
+    if (!load_parts(loader))
+        return error_prefix("%s", path);
+    tell_lacks(loader);
+    return true;
 } catch (const std::exception &error) {
     /* A JSON library begins with its own name in brackets. */
     const char *bracket = strstr(error.what(), "] ");

@@ -33,13 +33,22 @@ enum texture_wrap wrap_mode(int gl) {
                                                          : TEXTURE_WRAP_REPEAT;
 }
 
+/* Its picture is in a format of an extension alone, or nowhere. */
+bool refuse_texture(const tinygltf::Texture &texture, int index) {
+    for (const auto &extension : texture.extensions)
+        if (extension.second.Has("source"))
+            return error_set("texture %d: its picture is in the format of %s, which is not read",
+                             index, clean(extension.first).c_str());
+    return error_set("texture %d: it has no source", index);
+}
+
 /* The scene's texture for one of the file's; a picture used with one sampler is decoded once, or
  * twice where it holds colours here and numbers there. */
 bool load_texture(Loader &loader, int index, bool linear, int &out) {
     const Model &model = loader.model;
     const tinygltf::Texture &texture = model.textures[index];
     if (texture.source < 0)
-        return error_set("texture %d: it has no source", index);
+        return refuse_texture(texture, index);
     auto &keys = loader.texture_keys;
     TextureKey key = {texture.source, texture.sampler, linear};
     auto known = std::find_if(keys.begin(), keys.end(), [&](const TextureKey &other) {
@@ -115,8 +124,7 @@ bool load_textures(Loader &loader, const tinygltf::Material &from, struct materi
         if (first)
             uv = source;
         else if (!same_place(source, uv)) {
-            log_warning("%s: material '%s': a texture with coordinates of its own is left out",
-                        loader.scene->path, to.name);
+            lack(loader, "textures with coordinates other than their material's first");
             continue;
         }
         first = false;
@@ -144,13 +152,31 @@ bool load_emission(const tinygltf::Material &from, struct material &to) {
     return true;
 }
 
+/* What is not seen of it. */
+void tell_material(Loader &loader, const tinygltf::Material &from) {
+    if (from.pbrMetallicRoughness.metallicFactor > 0)
+        lack(loader, "metals and gloss (they are matt)");
+    if (std::any_of(from.emissiveFactor.begin(), from.emissiveFactor.end(),
+                    [](double c) { return c > 0; }))
+        lack(loader, "the glow of what emits light (the light itself is there)");
+    if (from.normalTexture.index >= 0)
+        lack(loader, "normal maps");
+    if (from.occlusionTexture.index >= 0)
+        lack(loader, "occlusion maps (light is computed)");
+    if (from.alphaMode == "BLEND")
+        lack(loader, "blending (alpha from .5 on is opaque, below it a hole)");
+}
+
 bool load_material(Loader &loader, const tinygltf::Material &from, struct material &to,
                    UvSource &uv) {
     copy_name(to.name, from.name);
     const auto &pbr = from.pbrMetallicRoughness;
     to.double_sided = from.doubleSided;
-    to.alpha_mask = from.alphaMode == "MASK";
-    return copy_numbers({from.alphaCutoff}, &to.alpha_cutoff, "alphaCutoff") &&
+    /* Whoever blends covers all, or nothing. */
+    bool blends = from.alphaMode == "BLEND";
+    to.alpha_mask = blends || from.alphaMode == "MASK";
+    tell_material(loader, from);
+    return copy_numbers({blends ? .5 : from.alphaCutoff}, &to.alpha_cutoff, "alphaCutoff") &&
            copy_numbers(pbr.baseColorFactor, to.base_color, "baseColorFactor") &&
            load_share(pbr.metallicFactor, to.metalness, "metallicFactor") &&
            load_share(pbr.roughnessFactor, to.roughness, "roughnessFactor") &&
@@ -181,15 +207,11 @@ bool load_materials(Loader &loader) {
     scene->textures = allocate<struct scene_texture>(3 * from.size());
     scene->material_count = int(from.size()) + 1;
     loader.uv_sources.resize(from.size() + 1);
-    bool blended = false;
     for (size_t i = 0; i < from.size(); i++) {
-        blended |= from[i].alphaMode == "BLEND";
         if (!load_material(loader, from[i], scene->materials[i], loader.uv_sources[i]))
             return error_prefix("%s", label("material", i, from[i].name).c_str());
     }
     make_default(scene->materials[from.size()]);
-    if (blended)
-        log_warning("%s: alpha mode BLEND is drawn opaque", scene->path);
     return true;
 }
 

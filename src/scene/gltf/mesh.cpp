@@ -104,8 +104,8 @@ bool load_weights(const tinygltf::Mesh &from, struct mesh &to) {
     return copy_numbers(from.weights, to.weights, "weights");
 }
 
-/* Lines and points are left out: lines_ignored tells. */
-bool load_mesh(Loader &loader, const tinygltf::Mesh &from, struct mesh &to, bool &lines_ignored) {
+/* Lines and points are left out. */
+bool load_mesh(Loader &loader, const tinygltf::Mesh &from, struct mesh &to) {
     copy_name(to.name, from.name);
     if (!load_weights(from, to))
         return false;
@@ -113,7 +113,7 @@ bool load_mesh(Loader &loader, const tinygltf::Mesh &from, struct mesh &to, bool
     for (size_t i = 0; i < from.primitives.size(); i++) {
         int mode = from.primitives[i].mode;
         if (mode < PRIMITIVE_TRIANGLES) {
-            lines_ignored = true;
+            lack(loader, "points and lines");
             continue;
         }
         if (!load_primitive(loader, from.primitives[i], to.target_count,
@@ -130,12 +130,9 @@ bool load_meshes(Loader &loader) {
     struct scene *scene = loader.scene;
     scene->meshes = allocate<struct mesh>(from.size());
     scene->mesh_count = int(from.size());
-    bool lines_ignored = false;
     for (size_t i = 0; i < from.size(); i++)
-        if (!load_mesh(loader, from[i], scene->meshes[i], lines_ignored))
+        if (!load_mesh(loader, from[i], scene->meshes[i]))
             return error_prefix("%s", label("mesh", i, from[i].name).c_str());
-    if (lines_ignored)
-        log_warning("%s: points and lines are not drawn", scene->path);
     return true;
 }
 

@@ -69,6 +69,7 @@ struct Loader {
     std::vector<UvSource> uv_sources;     /* one per material, of all its textures */
     std::vector<TextureKey> texture_keys; /* one per texture */
     std::vector<int> node_places;         /* each node's index in the scene, or -1 */
+    std::vector<std::string> lacks;       /* what the scene is shown without, in words */
     uint64_t memory = 0;                  /* bytes that the scene may still take */
 };
 
@@ -79,6 +80,12 @@ bool check_schema(const char *text, size_t size, size_t bin_size);
 /* parse.cpp: reads and parses the file and the buffers it names. */
 bool parse(Loader &loader, const char *path);
 std::string decode_uri(const std::string &uri);
+
+/* extension.cpp: refuses a file that requires what is not read. Remembers, once, what the scene is
+ * shown without; and says it all in one note. */
+bool check_extensions(Loader &loader);
+void lack(Loader &loader, const std::string &what);
+void tell_lacks(const Loader &loader);
 
 /* array.cpp: the bytes of a buffer view; and an accessor, whose elements all lie in theirs. */
 const unsigned char *view_bytes(const Model &model, int view);

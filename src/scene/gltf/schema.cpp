@@ -31,6 +31,7 @@ enum class Kind {
     Variant, /* such a choice; where a field has its name, that must be there too */
     Object,  /* with `fields` */
     Objects, /* an array of them, each called `of` in messages */
+    Packed,  /* where it is, data are compressed in a way that is not read */
 };
 
 enum Need { Optional, Required };
@@ -166,12 +167,18 @@ const Field material[] = {
     end,
 };
 
+const Field primitive_extensions[] = {
+    {"KHR_draco_mesh_compression", Optional, Kind::Packed},
+    end,
+};
+
 const Field primitive[] = {
     {"attributes", Required, Kind::IndexMap, "/accessors"},
     {"indices", Optional, Kind::Index, "/accessors"},
     {"material", Optional, Kind::Index, "/materials"},
     {"mode", Optional, Kind::Choice, " 0 1 2 3 4 5 6"},
     {"targets", Optional, Kind::IndexMaps, "/accessors"},
+    {"extensions", Optional, Kind::Object, nullptr, primitive_extensions},
     end,
 };
 
@@ -419,6 +426,8 @@ bool check_value(const json &root, const json &value, const Field &field) {
                                  : error_set("%s is not an object", quote(value).c_str());
     case Kind::Objects:
         return check_elements(root, value, field);
+    case Kind::Packed:
+        return error_set("compressed data, which are not read");
     }
     return false;
 }
@@ -466,6 +475,8 @@ bool check_buffer(const json &buffer, bool first, size_t bin_size) {
     if (size == 0)
         return error_set("byteLength is 0");
     if (!buffer.contains("uri")) {
+        if (buffer.contains(json::json_pointer("/extensions/EXT_meshopt_compression")))
+            return error_set("compressed with EXT_meshopt_compression, which is not read");
         if (!first || bin_size == 0)
             return error_set("it has no uri, and there is no BIN chunk for it");
         return size <= bin_size ||

@@ -1,0 +1,74 @@
+/* Extensions: which are read, which are refused by name, and what a scene is shown without. */
+#include "scene/gltf/model.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace gltf {
+namespace {
+
+/* What a scene lacks where an extension is not read; NULL = nothing, as it is read or changes no
+ * picture. */
+const struct Known {
+    const char *name, *lack;
+} known[] = {
+    {"EXT_lights_area", nullptr},
+    {"KHR_lights_punctual", nullptr},
+    {"KHR_materials_emissive_strength", nullptr},
+    {"KHR_mesh_quantization", nullptr},
+    {"KHR_texture_transform", nullptr},
+    {"KHR_xmp", nullptr},
+    {"KHR_xmp_json_ld", nullptr},
+    {"KHR_animation_pointer", "animation of other than nodes"},
+    {"KHR_materials_anisotropy", "anisotropy"},
+    {"KHR_materials_clearcoat", "clear coat"},
+    {"KHR_materials_diffuse_transmission", "diffuse transmission"},
+    {"KHR_materials_dispersion", "dispersion"},
+    {"KHR_materials_ior", "index of refraction"},
+    {"KHR_materials_iridescence", "iridescence"},
+    {"KHR_materials_sheen", "sheen"},
+    {"KHR_materials_specular", "specular reflection"},
+    {"KHR_materials_transmission", "transmission (glass is opaque)"},
+    {"KHR_materials_unlit", "unlit materials (they are lit)"},
+    {"KHR_materials_variants", "variants but the first"},
+    {"KHR_materials_volume", "volumes"},
+    {"KHR_node_visibility", "hiding of nodes"},
+};
+
+const Known *find_known(const std::string &extension) {
+    for (const Known &row : known)
+        if (extension == row.name)
+            return &row;
+    return nullptr;
+}
+
+} // namespace
+
+void lack(Loader &loader, const std::string &what) {
+    auto &lacks = loader.lacks;
+    if (std::find(lacks.begin(), lacks.end(), what) == lacks.end())
+        lacks.push_back(what);
+}
+
+void tell_lacks(const Loader &loader) {
+    std::string list;
+    for (const std::string &what : loader.lacks)
+        list += (list.empty() ? "" : ", ") + what;
+    if (!list.empty())
+        log_note("%s: shown without: %.400s", loader.scene->path, list.c_str());
+}
+
+bool check_extensions(Loader &loader) {
+    for (const std::string &extension : loader.model.extensionsRequired)
+        if (!find_known(extension))
+            return error_set("it requires the extension '%s', which is not read",
+                             clean(extension).c_str());
+    for (const std::string &extension : loader.model.extensionsUsed) {
+        const Known *row = find_known(extension);
+        if (!row || row->lack)
+            lack(loader, row ? row->lack : clean(extension));
+    }
+    return true;
+}
+
+} // namespace gltf
