@@ -52,7 +52,8 @@ static void close_bench(struct detail_bench *bench) {
 /* A plane before the camera: on the left of one normal, on the right in stripes as wide as the
  * neighbours are away, of one and another. */
 static void make_stripes(struct gbuffer *gbuffer) {
-    check_ok("G-buffer", gbuffer_init(gbuffer, "stripes", SIZE, SIZE, 1));
+    check_ok("G-buffer",
+             gbuffer_init(gbuffer, &(struct gbuffer_desc){"stripes", SIZE, SIZE, 1, false}));
     static float depths[SIZE * SIZE], normals[SIZE * SIZE][2];
     for (int i = 0; i < SIZE * SIZE; i++) {
         int x = i % SIZE;

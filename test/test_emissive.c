@@ -1,6 +1,7 @@
 /* Emissive surfaces of any shape: as triangles in the path tracer, beside closed forms, and as the few
  * rectangles that stand in for them. */
 #include "hand_made.h"
+#include "render_support.h"
 
 #include "gltf_parts.h"
 
@@ -310,12 +311,56 @@ static void test_shaped(void **state) {
     scene_free(&scene);
 }
 
+/* A lamp's own light, and that it is dark when it does not shine: GL beside rays. */
+static void test_glow(void **state) {
+    (void)state;
+    enum { SIZE = 32 };
+    struct stage stage;
+    struct image traced;
+    const struct gltf_parts parts = {
+        .materials = "[{\"emissiveFactor\": [1, 0.5, 0.25], \"extensions\": "
+                     "{\"KHR_materials_emissive_strength\": {\"emissiveStrength\": 100}}}]",
+        .more = "\"extensionsUsed\": [\"KHR_materials_emissive_strength\", "
+                "\"KHR_lights_punctual\"], \"extensions\": {\"KHR_lights_punctual\": "
+                "{\"lights\": [{\"type\": \"point\"}]}},",
+        .nodes = "[{\"mesh\": 0}, {\"name\": \"point\", \"translation\": [0, 0, 9], "
+                 "\"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}]"};
+    for (int on = 0; on < 2; on++) {
+        const struct stage_desc desc = {
+            .path = write_parts("scene.glb", &parts),
+            .camera = "eye=.5,.5,2 forward=0,0,-1 fov=.8",
+            .light = on ? "emitters,point" : "point",
+        };
+        check_ok("stage", stage_init(&stage, &desc));
+        struct image shown = render_stage(&stage, "unshadowed", "", SIZE);
+        const struct path_tracer_desc tracer = {.scene = &stage.scene,
+                                                .geometry = &stage.geometry,
+                                                .camera = &stage.camera,
+                                                .emitters = stage.emitters,
+                                                .width = SIZE,
+                                                .height = SIZE,
+                                                .samples = 1,
+                                                .centers = true};
+        check_ok("trace", path_tracer_render(&tracer, &traced, NULL));
+        double share = mean_of(&traced, CHANNEL_ALPHA);
+        check_near("emitted, traced", mean_of(&traced, CHANNEL_EMITTED), on ? 100 * share : 0,
+                   1e-3);
+        for (int c = 0; c < 3; c++)
+            check_near("radiance in GL", mean_of(&shown, c), mean_of(&traced, c),
+                       1e-3 * mean_of(&traced, c));
+        image_free(&shown);
+        image_free(&traced);
+        stage_free(&stage);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_furnace), cmocka_unit_test(test_square),
         cmocka_unit_test(test_texture), cmocka_unit_test(test_touching),
         cmocka_unit_test(test_ball),    cmocka_unit_test(test_strip),
         cmocka_unit_test(test_many),    cmocka_unit_test(test_shaped),
+        cmocka_unit_test(test_glow),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -1,4 +1,4 @@
-// Writes normal and albedo. Holes of alpha masks are not there; nor, for the camera, is the back of a
+// Writes normal, albedo and what is emitted. Holes of alpha masks are not there; nor, for the camera, is the back of a
 // single-sided surface, which blocks light but reflects none.
 #include "lib/octahedral.glsl"
 #include "shared/material.h"
@@ -7,6 +7,10 @@ layout(std140, binding = BLOCK_MATERIAL) uniform material_uniforms {
     material_block material;
 };
 layout(binding = UNIT_BASE_COLOR) uniform sampler2D base_color_texture;
+#ifdef HAS_EMISSION
+layout(binding = UNIT_EMISSION) uniform sampler2D emission_texture;
+layout(location = TARGET_GBUFFER_EMISSION) out vec4 emitted;
+#endif
 
 in vec3 surface_normal;
 in vec2 surface_uv;
@@ -37,5 +41,10 @@ void main() {
     }
     normal_code = octahedral_encode(normal);
     albedo_root = vec4(sqrt(clamp(color.rgb, 0.0, 1.0)), 1.0);
+#endif
+#ifdef HAS_EMISSION
+    emitted = vec4(material.emission, 1.0);
+    if (material.emission_textured)
+        emitted.rgb *= texture(emission_texture, surface_uv).rgb;
 #endif
 }

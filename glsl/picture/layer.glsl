@@ -38,6 +38,10 @@ struct seen {
     vec3 albedo, direct, indirect, radiance;
 };
 
+#ifdef HAS_EMISSION
+layout(binding = UNIT_GBUFFER_EMISSION) uniform sampler2DArray emissions;
+#endif
+
 // What the technique adds on its way from surface to camera, if anything.
 vec3 through_medium(vec3 radiance, ivec2 texel) {
 #ifdef HAS_MEDIUM
@@ -52,6 +56,9 @@ vec3 radiance_of(vec3 albedo, vec3 received, ivec2 texel) {
     if (gbuffer_depth(texel) == 0.0)
         return through_medium(background(texel), texel);
     vec3 radiance = albedo * received;
+#ifdef HAS_EMISSION
+    radiance += params.scale * texelFetch(emissions, ivec3(texel, 0), 0).rgb;
+#endif
 #ifdef HAS_RADIANCE
     radiance += params.scale * texelFetch(radiances, texel, 0).rgb;
 #endif

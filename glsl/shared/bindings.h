@@ -67,6 +67,8 @@
 #define UNIT_VPL_SPREAD 42
 #define UNIT_LAYER_SUMS 43 /* LAYERS of them: shared/composite.h */
 #define UNIT_SKY 49
+#define UNIT_EMISSION 50 /* a material's texture */
+#define UNIT_GBUFFER_EMISSION 51
 #define UNIT_SUMS 50
 #define UNIT_DEPTH_BOUNDS 51
 
@@ -86,6 +88,7 @@
 #define TARGET_RESULT 0
 #define TARGET_GBUFFER_NORMAL 0
 #define TARGET_GBUFFER_ALBEDO 1
+#define TARGET_GBUFFER_EMISSION 2
 #define TARGET_BASIS_COS 0
 #define TARGET_BASIS_SIN 1
 #define TARGET_BASIS_Z_COS 2

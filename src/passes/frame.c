@@ -21,16 +21,22 @@ static bool init_layer(struct texture *texture, const char *label, const char *p
                                  });
 }
 
-bool gbuffer_init(struct gbuffer *gbuffer, const char *label, int width, int height, int layers) {
-    *gbuffer = (struct gbuffer){.width = width, .height = height, .layers = layers};
+bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc) {
+    const char *label = desc->label;
+    *gbuffer =
+        (struct gbuffer){.width = desc->width, .height = desc->height, .layers = desc->layers};
+    const struct texture *emission = desc->has_emission ? &gbuffer->emission : NULL;
     if (init_layer(&gbuffer->normal, label, "normal", GL_RG16, gbuffer) &&
         init_layer(&gbuffer->albedo, label, "albedo", GL_RGB10_A2, gbuffer) &&
         init_layer(&gbuffer->depth, label, "depth", GL_DEPTH_COMPONENT32F, gbuffer) &&
+        (!desc->has_emission ||
+         init_layer(&gbuffer->emission, label, "emission", GL_RGBA16F, gbuffer)) &&
         framebuffer_init(
             &gbuffer->framebuffer,
             &(struct framebuffer_desc){.label = label,
                                        .colors = {[TARGET_GBUFFER_NORMAL] = &gbuffer->normal,
-                                                  [TARGET_GBUFFER_ALBEDO] = &gbuffer->albedo},
+                                                  [TARGET_GBUFFER_ALBEDO] = &gbuffer->albedo,
+                                                  [TARGET_GBUFFER_EMISSION] = emission},
                                        .depth = &gbuffer->depth}))
         return true;
     gbuffer_free(gbuffer);
@@ -42,6 +48,7 @@ void gbuffer_free(struct gbuffer *gbuffer) {
     texture_free(&gbuffer->normal);
     texture_free(&gbuffer->albedo);
     texture_free(&gbuffer->depth);
+    texture_free(&gbuffer->emission);
     *gbuffer = (struct gbuffer){0};
 }
 

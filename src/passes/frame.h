@@ -40,9 +40,10 @@ struct frame {
  *   normal  RG16      world normal, octahedral
  *   albedo  RGB10_A2  square root of the albedo; A = 1 where something is
  *   depth   D32F      reversed (shared/view.h); 0 where nothing is
+ *   emission RGBA16F  radiance times irradiance_scale; the camera's, of a scene with emissive materials
  */
 struct gbuffer {
-    struct texture normal, albedo, depth;
+    struct texture normal, albedo, depth, emission;
     GLuint framebuffer;
     int width, height, layers;
 };
@@ -143,7 +144,13 @@ struct contribution {
 /* Sets what lib/light_target.glsl needs to draw views of that kind; returns how many there are. */
 int frame_target_views(const struct frame *frame, GLuint program, int kind);
 
-bool gbuffer_init(struct gbuffer *gbuffer, const char *label, int width, int height, int layers);
+struct gbuffer_desc {
+    const char *label;
+    int width, height, layers;
+    bool has_emission;
+};
+
+bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc);
 void gbuffer_free(struct gbuffer *gbuffer);
 
 /* Binds what lib/rsm.glsl reads. For a kind that is not there, and is not read, the other stands in:

@@ -21,9 +21,7 @@ static float typical_irradiance(const struct emitter *light, float radius) {
     return light->type == EMITTER_DIRECTIONAL ? brightest : brightest * share / (radius * radius);
 }
 
-/* A power of two near what all lights could make, inverted: exact to multiply by, and keeps half
- * floats in range whatever the units. */
-static float irradiance_scale(const struct renderer_desc *desc) {
+float renderer_irradiance_scale(const struct renderer_desc *desc) {
     float typical = 0;
     for (int i = 0; i < desc->emitters.count; i++)
         typical += typical_irradiance(&desc->emitters.items[i], desc->geometry->radius);
@@ -48,7 +46,7 @@ struct frame renderer_frame(struct renderer *renderer) {
         .geometry = desc->geometry,
         .radius = desc->geometry->radius,
         .pass = renderer->pass,
-        .irradiance_scale = irradiance_scale(desc),
+        .irradiance_scale = renderer_irradiance_scale(desc),
     };
     memcpy(frame.bounds_min, desc->geometry->bounds_min, sizeof frame.bounds_min);
     memcpy(frame.bounds_max, desc->geometry->bounds_max, sizeof frame.bounds_max);

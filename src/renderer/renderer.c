@@ -94,18 +94,22 @@ static bool init_composite(struct renderer *renderer, unsigned contributes) {
         struct contribution contribution = renderer_contribution(renderer);
         contributes = composite_kinds(&contribution);
     }
-    return composite_pass_init(&renderer->composite,
-                               &(struct composite_desc){.width = desc->width,
-                                                        .height = desc->height,
-                                                        .contributes = contributes,
-                                                        .has_sky = desc->scene->environment});
+    return composite_pass_init(
+        &renderer->composite,
+        &(struct composite_desc){.width = desc->width,
+                                 .height = desc->height,
+                                 .contributes = contributes,
+                                 .has_sky = desc->scene->environment,
+                                 .has_emission = desc->scene->surface_count > 0});
 }
 
 static bool init_parts(struct renderer *renderer, unsigned parts, unsigned contributes) {
     const struct renderer_desc *desc = &renderer->desc;
+    bool emits = desc->scene->surface_count > 0;
     return (!(parts & PART_GBUFFER) ||
-            gbuffer_init(&renderer->gbuffer, "g-buffer", desc->width, desc->height, 1)) &&
-           (!(parts & PART_GEOMETRY) || geometry_pass_init(&renderer->geometry)) &&
+            gbuffer_init(&renderer->gbuffer, &(struct gbuffer_desc){"g-buffer", desc->width,
+                                                                    desc->height, 1, emits})) &&
+           (!(parts & PART_GEOMETRY) || geometry_pass_init(&renderer->geometry, emits)) &&
            (!(parts & PART_DIRECT) || init_direct(renderer)) &&
            (!(parts & PART_ANTIALIAS) || init_antialias(renderer)) &&
            (!(parts & PART_TECHNIQUE) || init_technique(renderer)) &&
@@ -139,6 +143,7 @@ void renderer_write_views(struct renderer *renderer) {
     buffer_write(&renderer->view_buffer, 0, sizeof renderer->camera_view, &renderer->camera_view);
     buffer_write(&renderer->light_buffer, 0, sizeof *renderer->light_block, renderer->light_block);
     buffer_write(&renderer->start_buffer, 0, sizeof *renderer->start_block, renderer->start_block);
+    scene_gpu_set_glow(&renderer->scene, &desc->emitters, renderer_irradiance_scale(desc));
 }
 
 static void set_defaults(struct renderer_desc *desc) {

@@ -7,4 +7,8 @@
 /* The buffers of views, by what the desc says and for the pass at hand. */
 void renderer_write_views(struct renderer *renderer);
 
+/* A power of two near what all lights could make, inverted: exact to multiply by, and keeps half
+ * floats in range whatever the units. */
+float renderer_irradiance_scale(const struct renderer_desc *desc);
+
 #endif

@@ -118,7 +118,9 @@ static bool init_rsm(struct many_lights *lights, const struct light_layout *layo
     bool ok = true;
     for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++) {
         int texels = light_map_size(kind, size), layers = layout->views[kind];
-        ok = layers == 0 || gbuffer_init(&lights->rsm[kind], "rsm", texels, texels, layers);
+        ok = layers == 0 ||
+             gbuffer_init(&lights->rsm[kind],
+                          &(struct gbuffer_desc){"rsm", texels, texels, layers, false});
     }
     return ok;
 }
@@ -128,7 +130,8 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
     const struct lights_settings *own = settings_of(desc->settings, &lights_part);
     const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
     *lights = (struct many_lights){0};
-    if (init_rsm(lights, desc->lights, own->rsm_size) && geometry_pass_init(&lights->geometry) &&
+    if (init_rsm(lights, desc->lights, own->rsm_size) &&
+        geometry_pass_init(&lights->geometry, false) &&
         vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) &&
         init_gather(lights, desc, visibility) && init_near_field(lights, desc) &&

@@ -165,6 +165,8 @@ static void drag_camera(struct viewer *viewer) {
 
 static bool drag_light(struct viewer *viewer) {
     bool moved;
+    if (!viewer_has_light(viewer))
+        return false;
     bool held =
         light_tool_update(&viewer->hand.light_tool,
                           &(struct light_stage){&viewer->placed.orbit.camera,

@@ -172,10 +172,11 @@ static void draw_pick(const struct viewer *viewer) {
 static void draw_marks(const struct viewer *viewer) {
     draw_split(viewer);
     draw_pick(viewer);
-    light_tool_draw(&viewer->hand.light_tool,
-                    &(struct light_stage){&viewer->placed.orbit.camera, &viewer->document.geometry,
-                                          &viewer->shown.picture},
-                    viewer_light(viewer));
+    if (viewer_has_light(viewer))
+        light_tool_draw(&viewer->hand.light_tool,
+                        &(struct light_stage){&viewer->placed.orbit.camera,
+                                              &viewer->document.geometry, &viewer->shown.picture},
+                        viewer_light(viewer));
 }
 
 void overlay_draw(struct viewer *viewer) {

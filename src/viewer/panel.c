@@ -142,6 +142,8 @@ static void draw_light_choice(struct viewer *viewer) {
 }
 
 static void draw_light(struct viewer *viewer) {
+    if (!viewer_has_light(viewer))
+        return;
     draw_light_choice(viewer);
     struct emitter *light = viewer_light(viewer);
     ui_flag(&(struct ui_row){.name = "handles", .help = "move and turn it in the picture (L)"},

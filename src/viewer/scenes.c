@@ -19,6 +19,10 @@ void viewer_pick_camera(struct viewer *viewer, int n) {
     viewer_touch(viewer);
 }
 
+bool viewer_has_light(const struct viewer *viewer) {
+    return viewer->placed.emitters.count > 0;
+}
+
 struct emitter *viewer_light(const struct viewer *viewer) {
     return &viewer->placed.emitters.items[viewer->placed.chosen_light];
 }

@@ -197,6 +197,9 @@ bool viewer_poll_loader(struct viewer *viewer);
 /* Places the scene's n-th camera. */
 void viewer_pick_camera(struct viewer *viewer, int n);
 
+/* Whether there is a light: there may be the sky alone. */
+bool viewer_has_light(const struct viewer *viewer);
+
 /* The light that is chosen, to be moved and turned: then viewer_touch_light. viewer_reset_light puts
  * it back to where the scene has it. */
 struct emitter *viewer_light(const struct viewer *viewer);

@@ -16,6 +16,7 @@ struct composite_desc {
     int width, height;
     unsigned contributes; /* HAS_..., as composite_kinds tells */
     bool has_sky;         /* the scene has an environment */
+    bool has_emission;    /* the G-buffer has */
 };
 
 struct composite_pass {

@@ -5,10 +5,11 @@
 #include "gl/program.h"
 #include "shared/bindings.h"
 
-bool geometry_pass_init(struct geometry_pass *pass) {
+bool geometry_pass_init(struct geometry_pass *pass, bool has_emission) {
     *pass = (struct geometry_pass){0};
     struct program_desc desc = {.vertex = "picture/geometry.vert",
-                                .fragment = "picture/geometry.frag"};
+                                .fragment = "picture/geometry.frag",
+                                .defines = has_emission ? "HAS_EMISSION" : NULL};
     struct program_desc light_desc = desc;
     light_desc.defines = "LIGHT_VIEW";
     if (program_init(&pass->camera_program, &desc) &&
@@ -35,6 +36,8 @@ static void render(struct pass_state state, const struct frame *frame,
     pass_set_state(&state);
     framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_NORMAL, zero);
     framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_ALBEDO, zero);
+    if (gbuffer->emission.id)
+        framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_EMISSION, zero);
     framebuffer_clear_depth(gbuffer->framebuffer, 0);
     scene_gpu_draw_shaded(frame->scene, views);
 }

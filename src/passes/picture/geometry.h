@@ -13,7 +13,8 @@ struct geometry_pass {
     GLuint camera_program, light_program;
 };
 
-bool geometry_pass_init(struct geometry_pass *pass);
+/* has_emission: the camera's G-buffers have it. */
+bool geometry_pass_init(struct geometry_pass *pass, bool has_emission);
 void geometry_pass_free(struct geometry_pass *pass);
 
 /* Clears and fills the G-buffer as the camera sees it. Timer "gbuffer". */

@@ -7,7 +7,9 @@
 #include "shared/bindings.h"
 #include "shared/material.h"
 
+#include <cglm/cglm.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -44,14 +46,15 @@ static bool upload_materials(struct scene_gpu *gpu, const struct scene *scene) {
             .alpha_cutoff = material->alpha_mask ? material->alpha_cutoff : -1,
             .double_sided = material->double_sided,
             .textured = material->base_color_texture >= 0,
+            .emission_textured = material->emission_texture >= 0,
             .metalness = material->metalness,
             .roughness = material->roughness,
         };
         memcpy(block.base_color, material->base_color, sizeof block.base_color);
-        memcpy(block.emission, material->emission, sizeof material->emission);
         memcpy(bytes + i * MATERIAL_STRIDE, &block, sizeof block);
     }
     bool ok = buffer_init(&gpu->materials, "scene materials", size, bytes);
+    gpu->glow = mem_alloc((size_t)scene->material_count, sizeof *gpu->glow);
     free(bytes);
     return ok;
 }
@@ -163,6 +166,7 @@ void scene_gpu_free(struct scene_gpu *gpu) {
     for (int i = 0; i < gpu->texture_count; i++)
         texture_free(&gpu->textures[i]);
     free(gpu->textures);
+    free(gpu->glow);
     texture_free(&gpu->sky);
     free(gpu->normal_room);
     *gpu = (struct scene_gpu){0};
@@ -209,6 +213,38 @@ bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry) {
     return true;
 }
 
+/* --- what shines ------------------------------------------------------------------------------ */
+
+static bool is_lit(const struct scene *scene, int material, const struct emitters *emitters) {
+    for (int s = 0; s < scene->surface_count; s++) {
+        const struct emissive_surface *surface = &scene->surfaces[s];
+        const struct mesh *mesh = &scene->meshes[scene->nodes[surface->node].mesh];
+        for (int i = 0; i < emitters->count; i++)
+            if (mesh->primitives[surface->primitive].material == material &&
+                emitters->items[i].lamp == surface->lamp)
+                return true;
+    }
+    return false;
+}
+
+void scene_gpu_set_glow(struct scene_gpu *gpu, const struct emitters *emitters, float scale) {
+    const float most = 6e4F; /* that half floats hold: a lamp's radiance may be without bounds */
+    for (int m = 0; m < gpu->scene->material_count; m++) {
+        const float *emission = gpu->scene->materials[m].emission;
+        float glow[3] = {0};
+        if (glm_vec3_max((float *)emission) <= 0)
+            continue;
+        for (int c = 0; c < 3 && is_lit(gpu->scene, m, emitters); c++)
+            glow[c] = fminf(scale * emission[c], most);
+        if (memcmp(glow, gpu->glow[m], sizeof glow) == 0)
+            continue;
+        memcpy(gpu->glow[m], glow, sizeof glow);
+        buffer_write(&gpu->materials,
+                     (size_t)m * MATERIAL_STRIDE + offsetof(struct material_block, emission),
+                     sizeof glow, glow);
+    }
+}
+
 /* --- drawing ---------------------------------------------------------------------------------- */
 
 static void draw_indices(uint32_t first, uint32_t count, int instances) {
@@ -218,6 +254,7 @@ static void draw_indices(uint32_t first, uint32_t count, int instances) {
 
 void scene_gpu_bind_material(const struct scene_gpu *gpu, int material) {
     int texture = gpu->scene->materials[material].base_color_texture;
+    int emission = gpu->scene->materials[material].emission_texture;
     pass_bind_block(&(struct pass_block){
         .block = BLOCK_MATERIAL,
         .buffer = &gpu->materials,
@@ -226,6 +263,8 @@ void scene_gpu_bind_material(const struct scene_gpu *gpu, int material) {
     });
     if (texture >= 0)
         pass_bind_texture(UNIT_BASE_COLOR, gpu->textures[texture].id);
+    if (emission >= 0)
+        pass_bind_texture(UNIT_EMISSION, gpu->textures[emission].id);
 }
 
 static void draw_batch(const struct scene_gpu *gpu, const struct geometry_batch *batch,
