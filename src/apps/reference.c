@@ -55,6 +55,10 @@ static const struct option options[] = {
              "of lights with a size, is below; 0 = 1%"},
     {"centers", 0, OPTION_FLAG, offsetof(struct values, tracer.centers),
      .help = "through pixels' centres alone, as a rasteriser has them: edges are not smooth"},
+    {"seen", 0, OPTION_FLAG, offsetof(struct values, tracer.seen),
+     .help = "the layers unshadowed, direct light if nothing hid the lights, and visibility, the "
+             "share\n"
+             "of them that is seen"},
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
      .help = "filter the indirect light along surfaces, by as much as it is noisy: for few\n"
              "samples. standard_error stays that of the light before"},

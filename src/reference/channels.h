@@ -3,13 +3,16 @@
 #define REFERENCE_CHANNELS_H
 
 /* Those of every picture, and what the path tracer has besides: the standard error of the indirect
- * layer, whose square, the variance, half floats could not hold; and what emits light itself. */
+ * layer, whose square, the variance, half floats could not hold; and what emits light itself. Last, what shadows are made of, where that
+ * is asked for. */
 #define CHANNELS_COMMON                                                                            \
     "R G B A Z direct.R direct.G direct.B indirect.R indirect.G indirect.B "                       \
     "albedo.R albedo.G albedo.B normal.X normal.Y normal.Z"
 #define CHANNELS_OF_PATH_TRACER                                                                    \
     CHANNELS_COMMON " standard_error.R standard_error.G standard_error.B "                         \
                     "emitted.R emitted.G emitted.B"
+#define CHANNELS_OF_SEEN                                                                           \
+    "unshadowed.R unshadowed.G unshadowed.B visibility.R visibility.G visibility.B"
 
 /* The first channel of each layer. Beauty and what is emitted alone are not zero where no surface is seen. */
 enum film_channel {
@@ -23,7 +26,10 @@ enum film_channel {
     CHANNEL_COMMON_END = 17,
     CHANNEL_STANDARD_ERROR = CHANNEL_COMMON_END,
     CHANNEL_EMITTED = 20, /* radiance, W/(sr m2): of the sky, too */
-    CHANNEL_END = 23,
+    CHANNEL_PATH_TRACER_END = 23,
+    CHANNEL_UNSHADOWED = CHANNEL_PATH_TRACER_END, /* direct light if nothing hid the lights */
+    CHANNEL_VISIBILITY = 26, /* the share of the lights seen: reference/seen.h */
+    CHANNEL_END = 29,
 };
 
 #endif

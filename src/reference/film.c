@@ -101,6 +101,28 @@ struct film_direct_estimate film_pixel_estimate_direct(const struct film_pixel *
     return (struct film_direct_estimate){sum / weight, variance};
 }
 
+void film_seen_add(struct film_seen *sums, vec3s albedo, const struct seen *seen) {
+    vec3s weight = glms_vec3_adds(albedo, least_weight);
+    add(sums->unshadowed, glms_vec3_mul(weight, seen->unshadowed).raw);
+    add(sums->visible, seen->visible.raw);
+    add(sums->all, seen->all.raw);
+}
+
+void film_seen_merge(struct film_seen *sums, const struct film_seen *other) {
+    add(sums->unshadowed, other->unshadowed);
+    add(sums->visible, other->visible);
+    add(sums->all, other->all);
+}
+
+void film_seen_develop(const struct film_seen *sums, const struct film_pixel *pixel,
+                       float *channels) {
+    for (int c = 0; c < 3; c++) {
+        float weight = (float)total_weight(pixel, c), all = sums->all[c];
+        channels[CHANNEL_UNSHADOWED + c] = weight > 0 ? sums->unshadowed[c] / weight : 0;
+        channels[CHANNEL_VISIBILITY + c] = all > 0 ? sums->visible[c] / all : 0;
+    }
+}
+
 void film_pixel_develop(const struct film_pixel *pixel, int samples, float *channels) {
     struct film_estimate estimate = film_pixel_estimate(pixel);
     channels[CHANNEL_ALPHA] = pixel->coverage / (float)samples;

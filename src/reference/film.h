@@ -8,6 +8,7 @@
 #define REFERENCE_FILM_H
 
 #include "base/image.h"
+#include "reference/seen.h"
 
 #include <cglm/struct.h>
 
@@ -42,6 +43,18 @@ void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_samp
 
 /* A sample that sees no surface. */
 void film_pixel_add_background(struct film_pixel *pixel, vec3s radiance);
+
+/* What a pixel sees of the lights, where that is asked for: sums, weighted as struct film_pixel's. */
+struct film_seen {
+    float unshadowed[3], visible[3], all[3];
+};
+
+void film_seen_add(struct film_seen *sums, vec3s albedo, const struct seen *seen);
+void film_seen_merge(struct film_seen *sums, const struct film_seen *other);
+
+/* Writes the layers from CHANNEL_UNSHADOWED on. */
+void film_seen_develop(const struct film_seen *sums, const struct film_pixel *pixel,
+                       float *channels);
 
 /* Of the direct light, the mean of RGB, and the variance of that. */
 struct film_direct_estimate {

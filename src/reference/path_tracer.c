@@ -29,15 +29,20 @@ struct tracer {
     struct emission emission;
     struct light_vertex *lights[FILM_STREAMS];
     struct film_pixel *pixels;
-    struct image *image; /* once developed */
-    uint32_t done, end;  /* samples of a pixel: of earlier passes, and after the present one */
-    double noise;        /* after the last pass */
+    struct film_seen *seen; /* where it is wanted */
+    struct image *image;    /* once developed */
+    uint32_t done, end;     /* samples of a pixel: of earlier passes, and after the present one */
+    double noise;           /* after the last pass */
 };
 
 /* --- samples --- */
 
 static struct film_pixel *pixel_at(const struct tracer *tracer, int x, int y) {
     return &tracer->pixels[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
+}
+
+static struct film_seen *seen_at(const struct tracer *tracer, int x, int y) {
+    return &tracer->seen[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
 }
 
 static vec3s mean_of_paths(const struct tracer *tracer, const struct hit *hit, int stream,
@@ -54,14 +59,17 @@ static vec3s mean_of_paths(const struct tracer *tracer, const struct hit *hit, i
 }
 
 /* The indirect paths' samplers, at pairs that no path comes to. */
-static vec3s direct_light(const struct tracer *tracer, const struct hit *hit,
-                          const struct sampler *start) {
+struct direct_samplers {
+    struct sampler items[PATHS_PER_SAMPLE];
+};
+
+static struct direct_samplers direct_samplers(const struct sampler *start) {
     enum { FIRST_PAIR = 1 << 20 };
-    struct sampler samplers[PATHS_PER_SAMPLE];
+    struct direct_samplers samplers;
     for (uint32_t i = 0; i < PATHS_PER_SAMPLE; i++)
-        samplers[i] =
+        samplers.items[i] =
             (struct sampler){start->seed, start->index * PATHS_PER_SAMPLE + i, FIRST_PAIR};
-    return emission_direct(&tracer->emission, &tracer->rays, hit, samplers, PATHS_PER_SAMPLE);
+    return samplers;
 }
 
 static int stream_of(uint32_t sample) {
@@ -77,9 +85,16 @@ static vec3s background(const struct tracer *tracer, float x, float y) {
     return radiance;
 }
 
+static void add_seen(const struct tracer *tracer, const struct hit *hit,
+                     const struct direct_samplers *samplers, struct film_seen *sums) {
+    struct seen seen =
+        seen_from(&tracer->emission, &tracer->rays, hit, samplers->items, PATHS_PER_SAMPLE);
+    film_seen_add(sums, hit->albedo, &seen);
+}
+
 /* Adds what a pixel's i-th sample sees. */
 static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
-                        struct film_pixel *pixel) {
+                        struct film_pixel *pixel, struct film_seen *seen) {
     const struct path_tracer_desc *desc = &tracer->desc;
     uint32_t pixel_number = (uint32_t)py * (uint32_t)desc->width + (uint32_t)px;
     uint32_t pixel_seed = sampler_hash(desc->seed, pixel_number);
@@ -93,23 +108,30 @@ static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
         film_pixel_add_background(pixel, background(tracer, x, y));
         return;
     }
+    struct direct_samplers samplers = direct_samplers(&sampler);
     struct film_sample sample = {
         .position = hit.position,
         .albedo = hit.albedo,
         .normal = hit.normal,
-        .direct = direct_light(tracer, &hit, &sampler),
+        .direct = emission_direct(&tracer->emission, &tracer->rays, &hit, samplers.items,
+                                  PATHS_PER_SAMPLE),
         .indirect = mean_of_paths(tracer, &hit, stream, &sampler),
         .emitted = surfaces_glow(&tracer->emission.surfaces, &hit),
     };
     film_pixel_add(pixel, stream, &sample);
+    if (desc->seen)
+        add_seen(tracer, &hit, &samplers, seen);
 }
 
 /* Sums of a pass are made apart, so that a long render loses no digits. */
 static void add_pass(const struct tracer *tracer, int px, int py) {
     struct film_pixel sums = {0};
+    struct film_seen seen = {0};
     for (uint32_t i = tracer->done; i < tracer->end; i++)
-        take_sample(tracer, px, py, i, &sums);
+        take_sample(tracer, px, py, i, &sums, &seen);
     film_pixel_merge(pixel_at(tracer, px, py), &sums);
+    if (tracer->seen)
+        film_seen_merge(seen_at(tracer, px, py), &seen);
 }
 
 /* --- passes --- */
@@ -211,6 +233,8 @@ static void develop_row(void *context, int row) {
         struct hit center;
         float *channels = image_at(tracer->image, x, row);
         film_pixel_develop(pixel_at(tracer, x, row), samples, channels);
+        if (tracer->seen)
+            film_seen_develop(seen_at(tracer, x, row), pixel_at(tracer, x, row), channels);
         if (primary_hit(&tracer->primary, (float)x + 0.5f, (float)row + 0.5f, &center))
             channels[CHANNEL_DEPTH] = primary_depth(&tracer->primary, center.position);
     }
@@ -218,7 +242,8 @@ static void develop_row(void *context, int row) {
 
 static bool develop(struct tracer *tracer) {
     const struct path_tracer_desc *desc = &tracer->desc;
-    image_init(tracer->image, desc->width, desc->height, CHANNELS_OF_PATH_TRACER);
+    image_init(tracer->image, desc->width, desc->height,
+               desc->seen ? CHANNELS_OF_PATH_TRACER " " CHANNELS_OF_SEEN : CHANNELS_OF_PATH_TRACER);
     return rows_render(&(struct rows){desc->height, desc->threads, develop_row, NULL, tracer});
 }
 
@@ -265,7 +290,10 @@ static bool render(struct tracer *tracer, const struct hit_table *table) {
 /* Beside the picture each pixel has its sums. */
 static bool check_memory(const struct path_tracer_desc *desc) {
     uint64_t pixels = (uint64_t)desc->width * (uint64_t)desc->height;
-    uint64_t of_pixel = sizeof(struct film_pixel) + sizeof(float) * CHANNEL_END;
+    uint64_t of_pixel = sizeof(struct film_pixel) + sizeof(float) * CHANNEL_PATH_TRACER_END;
+    if (desc->seen)
+        of_pixel +=
+            sizeof(struct film_seen) + sizeof(float) * (CHANNEL_END - CHANNEL_PATH_TRACER_END);
     return mem_check(pixels * of_pixel) ||
            error_prefix("a reference of %dx%d", desc->width, desc->height);
 }
@@ -281,13 +309,16 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     hit_table_init(&table, desc->scene, desc->geometry);
     emission_init(&tracer.emission, &desc->emitters, desc->geometry, &table, LIGHT_VERTEX_COUNT);
     tracer.primary = (struct primary_rays){&tracer.rays, desc->camera, desc->width, desc->height};
-    tracer.pixels = mem_alloc((size_t)desc->width * (size_t)desc->height, sizeof *tracer.pixels);
+    size_t pixels = (size_t)desc->width * (size_t)desc->height;
+    tracer.pixels = mem_alloc(pixels, sizeof *tracer.pixels);
+    tracer.seen = desc->seen ? mem_alloc(pixels, sizeof *tracer.seen) : NULL;
     bool ok = render(&tracer, &table);
     if (ok && reached)
         *reached = (struct path_tracer_progress){1, tracer.noise, (int)tracer.done};
     for (int stream = 0; stream < FILM_STREAMS; stream++)
         free(tracer.lights[stream]);
     free(tracer.pixels);
+    free(tracer.seen);
     emission_free(&tracer.emission);
     ray_scene_free(&tracer.rays);
     hit_table_free(&table);

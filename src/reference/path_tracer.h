@@ -42,6 +42,7 @@ struct path_tracer_desc {
                      lights with a size; default 0.01 */
     uint32_t seed;
     bool centers; /* through pixels' centres, as a rasteriser has them; else all over pixels */
+    bool seen;    /* the layers unshadowed and visibility, too: reference/seen.h */
     bool denoise; /* the indirect layer (reference/denoise.h), after the noise is told */
     int threads;  /* 0 = all cores; does not change the picture */
     /* Called now and then from any of the threads, one at a time; false cancels. */
@@ -49,7 +50,7 @@ struct path_tracer_desc {
     void *user;
 };
 
-/* Renders into a new image with CHANNELS_OF_PATH_TRACER; reached, unless NULL, tells samples and
+/* Renders into a new image with CHANNELS_OF_PATH_TRACER, and CHANNELS_OF_SEEN; reached, unless NULL, tells samples and
  * noise. Error: Embree's own, or "cancelled"; the image is then zeroed. */
 bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image,
                         struct path_tracer_progress *reached);

@@ -84,7 +84,7 @@ void emission_free(struct emission *emission) {
     *emission = (struct emission){0};
 }
 
-static bool has_size(const struct emission *emission, int n) {
+bool emission_has_size(const struct emission *emission, int n) {
     const struct source *source = &emission->sources[n];
     return source->kind != SOURCE_LIGHT || emitter_shape(&source->light) != EMITTER_IS_POINT;
 }
@@ -148,7 +148,7 @@ bool emission_reach(const struct emission *emission, int n, vec2s place, const s
         density = ray_density(&light, source, strength, distance);
         if (source->kind == SOURCE_SURFACES)
             picked *= (double)(distance * distance / cos_axis);
-        else if (has_size(emission, n) && cos_axis > 0)
+        else if (emission_has_size(emission, n) && cos_axis > 0)
             weight = place_weight(&source->light, hit, cos_axis / (distance * distance));
     }
     float cos_shading = glms_vec3_dot(hit->normal, to_light);
@@ -231,17 +231,21 @@ static vec2s facing_place(const struct emitter *light, vec2s place, const struct
     return (vec2s){{1 - place.x, turned < 1 ? turned : turned - 1}};
 }
 
+vec2s emission_even_place(const struct emission *emission, int n, vec2s sample,
+                          const struct hit *hit) {
+    const struct source *source = &emission->sources[n];
+    return source->kind == SOURCE_LIGHT && emitter_shape(&source->light) == EMITTER_IS_SPHERE
+               ? facing_place(&source->light, sample, hit)
+               : sample;
+}
+
 vec2s emission_place(const struct emission *emission, int n, vec2s sample, const struct hit *hit) {
-    if (emission->sources[n].kind != SOURCE_LIGHT)
-        return sample;
-    const struct emitter *light = &emission->sources[n].light;
-    enum emitter_shape shape = emitter_shape(light);
+    const struct source *source = &emission->sources[n];
     struct seen_rectangle seen;
-    if (shape == EMITTER_IS_SPHERE)
-        return facing_place(light, sample, hit);
-    if (shape == EMITTER_IS_RECTANGLE && rectangle_see(&seen, light, hit->position))
+    if (source->kind == SOURCE_LIGHT && emitter_shape(&source->light) == EMITTER_IS_RECTANGLE &&
+        rectangle_see(&seen, &source->light, hit->position))
         return rectangle_place(&seen, sample);
-    return sample;
+    return emission_even_place(emission, n, sample, hit);
 }
 
 vec3s emission_reflected(const struct hit *hit, const struct arrival *arrival) {
@@ -292,7 +296,7 @@ vec3s emission_direct(const struct emission *emission, const struct ray_scene *r
     int ways = emission->has_found ? emission->count + 1 : emission->count;
     vec3s sum = glms_vec3_zero(), light;
     for (int n = 0; n < ways; n++) {
-        if (n < emission->count && !has_size(emission, n))
+        if (n < emission->count && !emission_has_size(emission, n))
             light = direct_from(emission, n, rays, hit, (vec2s){{0, 0}});
         else
             light = direct_of_many(emission, n, rays, hit, samplers, count);

@@ -52,9 +52,16 @@ void emission_init(struct emission *emission, const struct emitters *emitters,
 /* Accepts zeroed ones. */
 void emission_free(struct emission *emission);
 
+/* Whether the n-th light has more than one place. */
+bool emission_has_size(const struct emission *emission, int n);
+
 /* A place of the n-th light picked for this surface: of a rectangle by solid angle, of a sphere on the
  * side that it sees, of a sky by radiance. */
 vec2s emission_place(const struct emission *emission, int n, vec2s sample, const struct hit *hit);
+
+/* The same, even in area, but of surfaces and the sky, which are picked as above. */
+vec2s emission_even_place(const struct emission *emission, int n, vec2s sample,
+                          const struct hit *hit);
 
 /* The n-th light alone, from that place. False where it cannot arrive: outside the cone, or from
  * behind. */

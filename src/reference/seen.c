@@ -1,0 +1,67 @@
+#include "reference/seen.h"
+
+/* What the light would give from four places, always the same: from its middle alone, one that is half
+ * below the horizon might count for nothing. */
+static vec3s rough_light(const struct emission *emission, int n, const struct hit *hit) {
+    static const vec2s places[4] = {{{.25F, .25F}}, {{.75F, .25F}}, {{.25F, .75F}}, {{.75F, .75F}}};
+    vec3s sum = glms_vec3_zero();
+    struct arrival arrival;
+    for (int i = 0; i < 4; i++)
+        if (emission_reach(emission, n, emission_even_place(emission, n, places[i], hit), hit,
+                           &arrival))
+            sum = glms_vec3_add(sum, arrival.irradiance);
+    return sum;
+}
+
+static vec3s unshadowed(const struct emission *emission, int n, const struct hit *hit,
+                        vec2s sample) {
+    struct arrival arrival;
+    vec2s place = emission_place(emission, n, sample, hit);
+    return emission_reach(emission, n, place, hit, &arrival) ? arrival.irradiance
+                                                             : glms_vec3_zero();
+}
+
+/* Of places that could arrive, how many do. */
+struct tally {
+    int could, do_arrive;
+};
+
+static void look(const struct emission *emission, int n, const struct ray_scene *rays,
+                 const struct hit *hit, vec2s sample, struct tally *tally) {
+    struct arrival arrival;
+    vec2s place = emission_even_place(emission, n, sample, hit);
+    if (!emission_reach(emission, n, place, hit, &arrival))
+        return;
+    tally->could++;
+    tally->do_arrive += ray_scene_visible(rays, ray_scene_departure(rays, hit), arrival.at);
+}
+
+static void add_light(struct seen *seen, const struct emission *emission, int n,
+                      const struct ray_scene *rays, const struct hit *hit,
+                      const struct sampler *samplers, int count) {
+    struct tally tally = {0};
+    vec3s light = glms_vec3_zero();
+    for (int i = 0; i < count; i++) {
+        struct sampler sampler = samplers[i];
+        sampler.pair += (uint32_t)n;
+        vec2s sample = sampler_next(&sampler);
+        light = glms_vec3_add(light, unshadowed(emission, n, hit, sample));
+        look(emission, n, rays, hit, sample, &tally);
+    }
+    seen->unshadowed = glms_vec3_muladds(light, GLM_1_PIf / (float)count, seen->unshadowed);
+    if (tally.could == 0)
+        return;
+    vec3s weight = rough_light(emission, n, hit);
+    seen->all = glms_vec3_add(seen->all, weight);
+    seen->visible =
+        glms_vec3_muladds(weight, (float)tally.do_arrive / (float)tally.could, seen->visible);
+}
+
+struct seen seen_from(const struct emission *emission, const struct ray_scene *rays,
+                      const struct hit *hit, const struct sampler *samplers, int count) {
+    struct seen seen = {0};
+    for (int n = 0; n < emission->count; n++)
+        add_light(&seen, emission, n, rays, hit, samplers,
+                  emission_has_size(emission, n) ? count : 1);
+    return seen;
+}
