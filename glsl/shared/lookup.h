@@ -18,13 +18,14 @@
 #define FILTER_RAY 5  /* the texels along the ray to a VPL */
 #define FILTER_VSSM 6 /* variance soft shadow maps */
 #define FILTER_MSM 7  /* moment shadow maps */
+#define FILTER_CSSM_WINDOW 8 /* convolution soft shadow maps of lights' own maps */
 
 struct lookup_params {
     float bias;     /* of the point along its normal, texels of the map */
     float map_size; /* texels */
     float map_bias; /* of the point's distance, where it is compared with a texel, of the distance */
     float shift;    /* FILTER_CSSM: of the receiver, in the argument of the series */
-    float gain;     /* of the blocked fraction about one half */
+    float gain;     /* of the blocked fraction, about one half or, of FILTER_CSSM_WINDOW, from nothing */
     float sharpen_a, sharpen_b;
     float contact;  /* windowed filters: what is nearer to the point than this, of its distance, is compared */
 };

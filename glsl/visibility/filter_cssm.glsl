@@ -1,56 +1,5 @@
-// Convolution soft shadow maps [Dong 2009 §4.1-4.2; Dong 2011 ch. 5].
-//
-// Distances are map depths: metres over the unit. With the argument a that the map's range makes of them, and b of
-// the receiver's, the blocked fraction of a filter w is
-//     s(b) = 1/2 + 2 sum_k (sin(c_k b) [w*cos c_k a] - cos(c_k b) [w*sin c_k a]) / c_k
-// and the mean argument of the blockers is the same expansion of a, over s (eq. 5.10, 5.11).
-#include "visibility/series.glsl"
-
-layout(binding = UNIT_BASIS_COS) uniform sampler2DArray basis_cos;
-layout(binding = UNIT_BASIS_SIN) uniform sampler2DArray basis_sin;
-layout(binding = UNIT_BASIS_Z_COS) uniform sampler2DArray basis_z_cos;
-layout(binding = UNIT_BASIS_Z_SIN) uniform sampler2DArray basis_z_sin;
-layout(binding = UNIT_BASIS_Z) uniform sampler2DArray basis_z;
-
-const float PI = 3.14159265358979;
-const float BLOCKED_MIN = 0.02; // below it the division by s is noise: lit
-
-// sin and cos of c_k b for the four terms of a group, and 2 / c_k (0 beyond the last term).
-void terms(int group, float b, out vec4 s, out vec4 c, out vec4 weight) {
-    vec4 k = vec4(0.0, 1.0, 2.0, 3.0) + float(4 * group);
-    vec4 frequency = PI * (2.0 * k + 1.0);
-    s = sin(frequency * b);
-    c = cos(frequency * b);
-    weight = mix(vec4(0.0), 2.0 / frequency, lessThan(k, vec4(BASIS_TERMS)));
-}
-
-float blocked_fraction(vec2 uv, int map, float b, float lod) {
-    float sum = 0.5;
-    for (int group = 0; group < BASIS_GROUPS; group++) {
-        vec4 s, c, weight;
-        terms(group, b, s, c, weight);
-        vec3 at = vec3(uv, group * MAP_COUNT + map);
-        vec4 wc = textureLod(basis_cos, at, lod) * 2.0 - 1.0;
-        vec4 ws = textureLod(basis_sin, at, lod) * 2.0 - 1.0;
-        sum += dot(weight, s * wc - c * ws);
-    }
-    return sum;
-}
-
-// The mean argument of what blocks; negative where (almost) nothing does.
-float blocker_argument(vec2 uv, int map, float b, float lod) {
-    float blocked = blocked_fraction(uv, map, b, lod);
-    if (blocked < BLOCKED_MIN)
-        return -1.0;
-    float sum = 0.5 * textureLod(basis_z, vec3(uv, map), lod).r;
-    for (int group = 0; group < BASIS_GROUPS; group++) {
-        vec4 s, c, weight;
-        terms(group, b, s, c, weight);
-        vec3 at = vec3(uv, group * MAP_COUNT + map);
-        sum += dot(weight, s * textureLod(basis_z_cos, at, lod) - c * textureLod(basis_z_sin, at, lod));
-    }
-    return max(sum / blocked, 0.0);
-}
+// Convolution soft shadow maps by angles, as VALs have them [Dong 2009 §4.2].
+#include "visibility/cssm.glsl"
 
 // A filter picks up the plane of a tilted receiver too, half of it nearer than the receiver, and the step is no
 // straight line that would make up for that by the other half: the receiver is taken to be as near as the plane is

@@ -43,4 +43,6 @@ layout(std140, binding = BLOCK_LOOKUP) uniform lookup_uniforms {
 #include "visibility/filter_vssm.glsl"
 #elif FILTER == FILTER_MSM
 #include "visibility/filter_msm.glsl"
+#elif FILTER == FILTER_CSSM_WINDOW
+#include "visibility/filter_cssm_window.glsl"
 #endif

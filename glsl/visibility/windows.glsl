@@ -67,3 +67,37 @@ float cell_width(float low, float high, float before, float edge) {
 
 const float NEAREST = 0.2; // of the receiver's distance: what is nearer to the light counts as being there
 const int PARTS_MAX = SEARCH_PARTS > SHADOW_PARTS ? SEARCH_PARTS : SHADOW_PARTS;
+
+const int SEARCHES = 2;
+
+// A box of the table must not have more than it can tell.
+vec4 window_within(vec4 window, vec2 middle, int parts) {
+    vec2 most = vec2(0.5 * float(parts * (SUM_BOX_MAX - 1)) / lookup.map_size);
+    return vec4(max(window.xy, middle - most), min(window.zw, middle + most));
+}
+
+// Around the receiver 4 x 4 texels, of which the outer ones count by what a box of three has of them.
+float contact_blocked(int map, receiver r, bool wanted) {
+    vec2 at = r.uv * lookup.map_size - 0.5, base = floor(at), part = at - base;
+    ivec2 end = ivec2(lookup.map_size) - 1;
+    float sum = 0.0;
+    int taps = wanted ? 16 : 0;
+    for (int i = 0; i < taps; i++) {
+        ivec2 k = ivec2(i & 3, i >> 2);
+        vec2 weight = mix(mix(vec2(1.0), part, equal(k, ivec2(3))), 1.0 - part, equal(k, ivec2(0)));
+        sum += texel_sees(map, r, clamp(ivec2(base) + k - 1, ivec2(0), end)) ? 0.0 : weight.x * weight.y;
+    }
+    return sum / 9.0;
+}
+
+// Where what hides the light may be: from the nearest that counts to the nearest of those in its window, and so on.
+vec4 search_window(int map, receiver r, float extent, out float nearest) {
+    float d = r.distance / r.unit;
+    nearest = NEAREST * d;
+    vec4 search = window_within(window(r, extent, nearest), r.uv, SEARCH_PARTS);
+    for (int i = 0; i < SEARCHES; i++) {
+        nearest = clamp(window_bounds(map, search).x, nearest, d);
+        search = window_within(window(r, extent, nearest), r.uv, SEARCH_PARTS);
+    }
+    return search;
+}

@@ -28,28 +28,31 @@ static bool init_maps(struct prefiltered *own, int size, const struct light_layo
                       int moments) {
     return light_map_pass_init(&own->light_maps, size, lights) &&
            depth_bounds_pass_init(&own->bounds, size, lights->maps) &&
-           sums_pass_init(&own->sums, &(struct sums_desc){size, lights->maps, moments});
+           (moments == 0 ||
+            sums_pass_init(&own->sums, &(struct sums_desc){size, lights->maps, moments}));
 }
 
 static void show_maps(struct prefiltered *own) {
     struct direct_light_inputs *inputs = &own->shadow.inputs;
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
         inputs->maps[kind] = &own->light_maps.maps.depth;
-    inputs->more[0] = (struct pass_texture){UNIT_SUMS, own->sums.maps.sums.id};
-    inputs->more[1] = (struct pass_texture){UNIT_DEPTH_BOUNDS, own->bounds.maps.bounds.id};
+    inputs->more[0] = (struct pass_texture){UNIT_DEPTH_BOUNDS, own->bounds.maps.bounds.id};
+    inputs->more[1] = (struct pass_texture){UNIT_SUMS, own->sums.maps.sums.id};
 }
 
-bool prefiltered_init(void **state, const struct direct_desc *desc,
-                      const struct prefiltered_desc *method) {
+bool prefiltered_begin(struct prefiltered *own, const struct direct_desc *desc,
+                       const struct prefiltered_desc *method) {
     const struct prefilter_settings *set = settings_of(desc->settings, &prefilter_part);
-    struct prefiltered *own = *state = mem_alloc(1, sizeof *own);
-    char *defines = mem_printf("FILTER %d;SEARCH_PARTS %d;SHADOW_PARTS %d;", method->filter,
+    char *defines = mem_printf("%sFILTER %d;SEARCH_PARTS %d;SHADOW_PARTS %d;",
+                               method->defines ? method->defines : "", method->filter,
                                method->search_parts, method->shadow_parts);
     bool ok = shadow_begin(&own->shadow, desc,
                            &(struct direct_light_desc){.map_size = set->size,
                                                        .own_maps = true,
                                                        .map_bias = set->bias,
                                                        .contact = set->contact,
+                                                       .shift = method->shift,
+                                                       .gain = method->gain,
                                                        .fragment = "visibility/direct_map.frag",
                                                        .defines = defines}) &&
               init_maps(own, set->size, desc->lights, method->moments);
@@ -59,15 +62,23 @@ bool prefiltered_init(void **state, const struct direct_desc *desc,
     return ok;
 }
 
+bool prefiltered_init(void **state, const struct direct_desc *desc,
+                      const struct prefiltered_desc *method) {
+    *state = mem_alloc(1, sizeof(struct prefiltered));
+    return prefiltered_begin(*state, desc, method);
+}
+
+void prefiltered_end(struct prefiltered *own) {
+    shadow_end(&own->shadow);
+    light_map_pass_free(&own->light_maps);
+    depth_bounds_pass_free(&own->bounds);
+    sums_pass_free(&own->sums);
+}
+
 void prefiltered_free(void *state) {
-    struct prefiltered *own = state;
-    if (own) {
-        shadow_end(&own->shadow);
-        light_map_pass_free(&own->light_maps);
-        depth_bounds_pass_free(&own->bounds);
-        sums_pass_free(&own->sums);
-    }
-    free(own);
+    if (state)
+        prefiltered_end(state);
+    free(state);
 }
 
 void prefiltered_render_lights(void *state, const struct frame *frame) {
@@ -76,5 +87,6 @@ void prefiltered_render_lights(void *state, const struct frame *frame) {
     shadow_render_lights(&own->shadow, frame);
     light_map_pass_render(&own->light_maps, frame, own->shadow.maps.maps);
     depth_bounds_pass_render(&own->bounds, frame, depth);
-    sums_pass_render(&own->sums, frame, depth);
+    if (own->sums.maps.count)
+        sums_pass_render(&own->sums, frame, depth);
 }

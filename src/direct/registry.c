@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* A method is entered by its line here; those of tests come by MORE_METHODS. */
-#define METHODS(X) X(hard) X(pcss) X(samples) X(vssm) X(msm)
+#define METHODS(X) X(hard) X(pcss) X(samples) X(vssm) X(msm) X(cssm)
 
 #ifndef MORE_METHODS
 #define MORE_METHODS(X)

@@ -20,7 +20,9 @@ static const struct step {
     double ms, percent;
 } steps[] = {
     {"deferred rendering",
-     "/gbuffer/shadow map/light maps/depth bounds/sums/direct/antialias/composite/", .4, .8},
+     "/gbuffer/shadow map/light maps/depth "
+     "bounds/sums/range/basis/mips/direct/antialias/composite/",
+     .4, .8},
     {"VPL generation", "/rsm/vpls/", .1, .2},
     {"VAL clustering", "/clustering/", .5, 1.0},
     {"VAL maps", "/maps/depth maps/", 4.2, 8.1},

@@ -7,6 +7,9 @@
 #include "shared/basis.h"
 #include "shared/series_range.h"
 
+#include <cglm/cglm.h>
+
+#include <math.h>
 #include <stdlib.h>
 
 static bool init_map(struct texture *texture, const char *label, GLenum format, int layers,
@@ -54,6 +57,23 @@ static bool init_programs(struct basis_pass *pass) {
                                                             .defines = defines});
     free(defines);
     return ok;
+}
+
+static double step_at(int terms, double t) {
+    double sum = .5;
+    for (int k = 0; k < terms; k++)
+        sum += 2 * sin(GLM_PI * (2 * k + 1) * t) / (GLM_PI * (2 * k + 1));
+    return sum;
+}
+
+/* Its slope is sin(2 pi K t) / sin(pi t): it climbs between -1 / (2K) and 1 / (2K), and then falls as far again. */
+struct series_step series_step_of(int terms) {
+    double low = -.5 / terms, high = 0;
+    for (int i = 0; i < 50; i++) {
+        double middle = (low + high) / 2;
+        *(step_at(terms, middle) < 0 ? &low : &high) = middle;
+    }
+    return (struct series_step){-low, step_at(terms, 1. / terms)};
 }
 
 bool basis_pass_init(struct basis_pass *pass, const struct basis_desc *desc) {
@@ -104,11 +124,11 @@ static void build_mips(const struct basis_pass *pass, const struct frame *frame)
 }
 
 static void find_ranges(const struct basis_pass *pass, const struct frame *frame,
-                        const struct depth_maps *depth) {
+                        const struct texture *depth) {
     pass_begin(frame->timers, &(struct pass_state){
                                   .name = "range",
                                   .program = pass->range_program,
-                                  .textures = {{UNIT_MAP_DEPTH, depth->depth.id}},
+                                  .textures = {{UNIT_MAP_DEPTH, depth->id}},
                                   .storages = {{STORAGE_SERIES_RANGES, &pass->maps.ranges}},
                               });
     pass_dispatch(pass->maps.count, 1, 1);
@@ -118,14 +138,14 @@ static void find_ranges(const struct basis_pass *pass, const struct frame *frame
 }
 
 void basis_pass_render(const struct basis_pass *pass, const struct frame *frame,
-                       const struct depth_maps *depth) {
+                       const struct texture *depth) {
     struct pass_state state = {
         .name = "basis",
         .program = pass->program,
         .framebuffer = pass->first_framebuffer,
         .width = pass->maps.size,
         .height = pass->maps.size,
-        .textures = {{UNIT_MAP_DEPTH, depth->depth.id}},
+        .textures = {{UNIT_MAP_DEPTH, depth->id}},
         .blocks = {{BLOCK_PASS, &pass->params[0]}, {BLOCK_SERIES_RANGES, &pass->maps.ranges}},
     };
     find_ranges(pass, frame, depth);

@@ -40,7 +40,9 @@ static bool init_lookups(struct direct_light_pass *pass, const struct direct_lig
         struct lookup_params params = {.bias = desc->bias,
                                        .map_bias = desc->map_bias,
                                        .map_size = (float)size,
-                                       .contact = desc->contact};
+                                       .contact = desc->contact,
+                                       .shift = desc->shift,
+                                       .gain = desc->gain};
         ok = ok && buffer_init(&pass->lookups[kind], "direct lookup", sizeof params, &params);
     }
     return ok;
@@ -99,6 +101,8 @@ static void draw_light(const struct direct_light_pass *pass, const struct frame 
     };
     for (int i = 0; i < DIRECT_LIGHT_TEXTURES_MAX && inputs->more[i].texture; i++)
         pass_add_texture(&state, inputs->more[i].unit, inputs->more[i].texture);
+    if (inputs->block.buffer)
+        pass_add_block(&state, inputs->block.block, inputs->block.buffer);
     pass_set_state(&state);
     gl.ProgramUniform1i(program, LOCATION_LIGHT, index);
     pass_draw_fullscreen(1);

@@ -12,6 +12,7 @@ struct direct_light_desc {
     float bias;           /* receiver offset along its normal, texels of the map */
     float map_bias;       /* where distances are compared, of the distance */
     float contact;        /* casters so near are compared one by one, of the distance */
+    float shift, gain;    /* struct lookup_params' */
     const char *fragment; /* with visibility/direct_light.glsl; of one light, for each PROJECTION */
     const char *defines;  /* for it, each with a semicolon behind */
 };
@@ -22,6 +23,7 @@ enum { DIRECT_LIGHT_TEXTURES_MAX = 6 };
 struct direct_light_inputs {
     const struct texture *maps[LIGHT_MAP_KINDS]; /* of depth: those of a light's kind */
     struct pass_texture more[DIRECT_LIGHT_TEXTURES_MAX];
+    struct pass_block block; /* may be none */
 };
 
 struct direct_light_pass {

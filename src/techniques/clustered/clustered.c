@@ -182,7 +182,7 @@ static void render_maps(struct clustered *technique, const struct frame *frame) 
     timer_begin(frame->timers, "maps");
     paraboloid_pass_render(&technique->paraboloid, frame, &technique->cluster.views);
     if (technique->convolve)
-        basis_pass_render(&technique->basis, frame, &technique->paraboloid.maps);
+        basis_pass_render(&technique->basis, frame, &technique->paraboloid.maps.depth);
     timer_end(frame->timers);
 }
 
