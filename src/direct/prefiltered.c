@@ -10,9 +10,9 @@ struct prefilter_settings {
 };
 
 static const struct option table[] = {
-    {"size", 0, OPTION_INT, offsetof(struct prefilter_settings, size), 1024, 16, 4096,
-     .help = "a light's own map, texels a side; of a half space its middle half has 90 degrees"},
-    {"bias", 0, OPTION_FLOAT, offsetof(struct prefilter_settings, bias), 2e-3, 0, .5,
+    {"texels", 0, OPTION_INT, offsetof(struct prefilter_settings, size), 1024, 16, 4096,
+     .help = "a light's own map, so many a side; of a half space its middle half has 90 degrees"},
+    {"depth-bias", 0, OPTION_FLOAT, offsetof(struct prefilter_settings, bias), 2e-3, 0, .5,
      .help = "receiver offset towards the light, of its distance"},
     {"contact", 0, OPTION_FLOAT, offsetof(struct prefilter_settings, contact), .01, 0, 1,
      .help =

@@ -11,7 +11,7 @@ struct cssm_settings {
 };
 
 static const struct option table[] = {
-    {"terms", 0, OPTION_INT, offsetof(struct cssm_settings, terms), 8, 1, 16,
+    {"harmonics", 0, OPTION_INT, offsetof(struct cssm_settings, terms), 8, 1, 16,
      .help = "terms of the Fourier series, K"},
     {NULL},
 };
