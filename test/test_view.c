@@ -15,7 +15,7 @@ static void test_first_picture(void **state) {
     start_viewer(SCENE, "");
     check_same("the window's picture", SCENE);
     /* And so it is on the screen, where no overlay lies. */
-    xdo("key F3 sleep .4");
+    xdo("key F3 sleep .3 key F3 sleep .4");
     struct bitmap expected = offscreen(SCENE), screen = read_screen();
     int different = 0;
     for (int y = 0; y < HEIGHT; y++)
@@ -53,6 +53,17 @@ static void test_wipe(void **state) {
     bitmap_free(&right);
     bitmap_free(&screen);
     xdo("key c sleep .5"); /* no reference is loaded: off */
+}
+
+/* Esc closes the help and asks once before it ends all; the exposure goes by keys. */
+static void test_keys(void **state) {
+    (void)state;
+    need_viewer();
+    xdo("key F1 sleep .5 key Escape sleep .5 key Escape sleep 2.5 key Escape sleep .5");
+    xdo("key equal sleep .4 key equal sleep .4 key minus sleep .4");
+    check_same("half a stop brighter", SCENE " --set exposure=.5");
+    xdo("key ctrl+c sleep .4 key 0 sleep .4"); /* no comparison */
+    check_same("exposure 0", SCENE);
 }
 
 static void test_panel(void **state) {
@@ -168,14 +179,18 @@ static void test_script(void **state) {
     bitmap_free(&got);
     bitmap_free(&expected);
     assert_int_equal(shell("%s view no-such-file.glb --frames 1 2>/dev/null", stage.binary), 1);
+    assert_int_equal(shell("%s view " SCENE " --reference no-such-file.exr --frames 1 2>/dev/null",
+                           stage.binary),
+                     1);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_first_picture), cmocka_unit_test(test_wipe),
-        cmocka_unit_test(test_panel),         cmocka_unit_test(test_orbit),
-        cmocka_unit_test(test_open),          cmocka_unit_test(test_passes),
-        cmocka_unit_test(test_end),           cmocka_unit_test(test_script),
+        cmocka_unit_test(test_keys),          cmocka_unit_test(test_panel),
+        cmocka_unit_test(test_orbit),         cmocka_unit_test(test_open),
+        cmocka_unit_test(test_passes),        cmocka_unit_test(test_end),
+        cmocka_unit_test(test_script),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

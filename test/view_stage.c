@@ -250,7 +250,7 @@ void need_viewer(void) {
 void end_viewer(void) {
     char log[700], output[4096];
     int status = -1;
-    xdo("key Escape");
+    xdo("key ctrl+q");
     for (int i = 0; i < 100 && waitpid(stage.viewer, &status, WNOHANG) == 0; i++)
         pause_ms(50);
     assert_true(WIFEXITED(status));

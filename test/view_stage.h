@@ -36,7 +36,7 @@ void need_viewer(void);
 /* Waits until the window shows a scene of that file. */
 void wait_for_scene(const char *file);
 
-/* Presses Esc: the viewer ends well, and OpenGL had nothing to say. */
+/* Presses Ctrl Q: the viewer ends well, and OpenGL had nothing to say. */
 void end_viewer(void);
 
 void pause_ms(long ms);

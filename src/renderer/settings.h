@@ -6,6 +6,8 @@
 #include "base/settings.h"
 #include "techniques/technique.h"
 
+enum { EXPOSURE_MOST = 32 }; /* EV, up and down */
+
 struct picture_settings {
     float exposure; /* EV */
     int samples;    /* of the pixel's area, for its edges */

@@ -1,6 +1,7 @@
 /* Keys and mouse. The table of keys is also the help that is shown. */
 #include "viewer/viewer.h"
 
+#include "base/file/image_file.h"
 #include "shared/composite.h"
 #include "viewer/window/ui.h"
 
@@ -60,13 +61,44 @@ static void key_panel(struct viewer *viewer) {
     viewer->panel.is_open = !viewer->panel.is_open;
 }
 static void key_overlay(struct viewer *viewer) {
-    viewer->panel.overlay = !viewer->panel.overlay;
+    viewer->panel.overlay = (enum overlay_kind)((viewer->panel.overlay + 1) % OVERLAY_KINDS);
 }
 static void key_full_screen(struct viewer *viewer) {
     window_toggle_full_screen(viewer->host.window);
 }
+/* Steps back out of what is open; only twice in a row does it end the program. */
+static void key_escape(struct viewer *viewer) {
+    double now = window_time();
+    if (ui_close_popup())
+        return;
+    if (viewer->panel.help) {
+        viewer->panel.help = false;
+    } else if (window_is_full_screen(viewer->host.window)) {
+        window_toggle_full_screen(viewer->host.window);
+    } else if (now - viewer->hand.last_escape < 2) {
+        viewer->done = true;
+    } else {
+        viewer->hand.last_escape = now;
+        messages_add(&viewer->host.messages, UI_NORMAL, "Esc once more quits.");
+    }
+}
 static void key_quit(struct viewer *viewer) {
     viewer->done = true;
+}
+static void expose(struct viewer *viewer, float by) {
+    struct picture_settings *picture = settings_edit(&viewer->wish.settings, &picture_part);
+    picture->exposure = fminf(fmaxf(picture->exposure + by, -EXPOSURE_MOST), EXPOSURE_MOST);
+    viewer_retone(viewer);
+}
+static void key_brighter(struct viewer *viewer) {
+    expose(viewer, .5F);
+}
+static void key_darker(struct viewer *viewer) {
+    expose(viewer, -.5F);
+}
+static void key_usual_exposure(struct viewer *viewer) {
+    const struct picture_settings *picture = settings_of(&viewer->wish.settings, &picture_part);
+    expose(viewer, -picture->exposure);
 }
 
 static const struct key {
@@ -79,6 +111,9 @@ static const struct key {
     {'3', "3", "direct light alone", key_direct},
     {KEY_LEFT_BRACKET, "[", "previous output of the technique", key_previous},
     {KEY_RIGHT_BRACKET, "]", "next output", key_next},
+    {'=', "+", "brighter by half a stop; so does Ctrl wheel", key_brighter},
+    {'-', "-", "darker", key_darker},
+    {'0', "0", "exposure 0", key_usual_exposure},
     {'L', "L", "handles to move and turn the light", key_light},
     {'C', "C", "compare: a technique, the reference, off", key_wipe},
     {'M', "M", "compare: right picture alone, or the wipe", key_toggle},
@@ -86,11 +121,12 @@ static const struct key {
     {KEY_SPACE, "Space", "play and pause the animation", key_play},
     {KEY_F1, "F1", "this help", key_help},
     {KEY_F2, "F2", "panel", key_panel},
-    {KEY_F3, "F3", "times and counts", key_overlay},
+    {KEY_F3, "F3", "times: a line, a table, none", key_overlay},
     {KEY_F5, "F5", "read the shaders again (--glsl)", viewer_reload_shaders},
     {KEY_F11, "F11", "full screen", key_full_screen},
     {KEY_F12, "F12", "screenshot: PNG, and EXR with all layers", viewer_take_screenshot},
-    {KEY_ESCAPE, "Esc", "quit", key_quit},
+    {KEY_ESCAPE, "Esc", "close what is open; twice: quit", key_escape},
+    {'Q' + KEY_WITH_CONTROL, "Ctrl Q", "quit", key_quit},
 };
 
 enum { KEY_ROWS = sizeof keys / sizeof *keys };
@@ -105,7 +141,7 @@ static const struct {
     {"W A S D Q E", "fly; Shift fast, Ctrl slow"},
     {"click", "what a surface is and which VALs light it"},
     {"click on a cluster or a sheet", "that VAL's shadow, that layer alone"},
-    {"drop a .gltf or .glb file", "open it"},
+    {"drop .gltf, .glb, .exr, .settings", "a scene, a reference, settings"},
 };
 
 static void run_keys(struct viewer *viewer) {
@@ -249,15 +285,29 @@ static void use_mouse(struct viewer *viewer) {
         click(viewer);
     if (viewer->hand.drags_picture)
         drag_camera(viewer);
-    if (!ui_wants_mouse() && input->scroll != 0) {
+    if (!ui_wants_mouse() && input->scroll != 0 && input->control) {
+        expose(viewer, .25F * (float)input->scroll);
+    } else if (!ui_wants_mouse() && input->scroll != 0) {
         orbit_zoom(&viewer->placed.orbit, (float)input->scroll);
         touch_camera(viewer);
     }
 }
 
+/* By its name a reference, a session, or else a scene. */
+static void take_file(struct viewer *viewer, const char *path) {
+    const char *dot = strrchr(path, '.');
+    bool is_float;
+    if (dot && strcmp(dot, ".settings") == 0)
+        viewer_load_session(viewer, path);
+    else if (image_format_is_float(path, &is_float) && is_float)
+        viewer_load_reference(viewer, path);
+    else
+        viewer_open(viewer, path);
+}
+
 void controls_update(struct viewer *viewer, double seconds) {
     if (viewer->host.input->dropped)
-        viewer_open(viewer, viewer->host.input->dropped);
+        take_file(viewer, viewer->host.input->dropped);
     if (!ui_wants_keys())
         run_keys(viewer);
     if (!viewer->has_scene || viewer->shown.picture.width == 0)

@@ -39,8 +39,13 @@ static void draw_statistics(struct viewer *viewer) {
     const struct renderer_desc *desc = &viewer->shown.renderer.desc;
     float line = ui_line_height();
     float frame = pace->frame_count ? pace->frame_ms[pace->frame_count - 1] : 0;
-    ui_area_begin("statistics", UI_OVERLAY, line, line, 17 * line, 0);
+    bool whole = viewer->panel.overlay == OVERLAY_TABLE;
+    ui_area_begin("statistics", UI_OVERLAY, line, line, (whole ? 17 : 10) * line, 0);
     ui_text(UI_ACCENT, "%.1f ms a frame", (double)frame);
+    if (!whole) {
+        ui_area_end();
+        return;
+    }
     ui_plot(pace->frame_ms, pace->frame_count, 1.1F * highest(pace->frame_ms, pace->frame_count),
             15.2F * line, 2.6F * line);
     draw_times(pace);
@@ -88,7 +93,7 @@ static void draw_welcome(struct viewer *viewer) {
     if (atomic_load(&viewer->loader.state) != LOADER_IDLE)
         ui_text(UI_DIM, "reading %s ...", viewer->loader.path);
     else
-        ui_text(UI_DIM, "Drop a .gltf or .glb file here.  F1 lists the keys.");
+        ui_text(UI_DIM, "Drop a .gltf or .glb file here. F1 lists the keys.");
     ui_area_end();
 }
 
@@ -182,7 +187,7 @@ static void draw_marks(const struct viewer *viewer) {
 void overlay_draw(struct viewer *viewer) {
     if (viewer->shown.left)
         draw_marks(viewer);
-    if (viewer->panel.overlay && viewer->has_scene)
+    if (viewer->panel.overlay != OVERLAY_NONE && viewer->has_scene)
         draw_statistics(viewer);
     if (!viewer->has_scene || atomic_load(&viewer->loader.state) != LOADER_IDLE)
         draw_welcome(viewer);

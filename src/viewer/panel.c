@@ -270,6 +270,30 @@ static void draw_layer_choice(struct viewer *viewer) {
     }
 }
 
+/* Of all exposures there are, the slider has those of use. */
+static bool draw_exposure(struct picture_settings *picture) {
+    struct ui_row row = {.name = "exposure",
+                         .help = "stops (EV); + and -, or Ctrl and the wheel; 0 resets",
+                         .differs = picture->exposure != 0};
+    enum ui_result result = ui_float(&row, &picture->exposure, -8, 8);
+    if (result == UI_RESET)
+        picture->exposure = 0;
+    return result != UI_NOTHING;
+}
+
+/* How the picture is shown; only its samples have it rendered again. */
+static void draw_tone(struct viewer *viewer) {
+    struct settings *settings = &viewer->wish.settings;
+    struct picture_settings *picture = settings_edit(settings, &picture_part), before = *picture;
+    bool changed = draw_exposure(picture);
+    for (const struct option *option = picture_part.table; option->name; option++)
+        if (option->offset != offsetof(struct picture_settings, exposure))
+            changed |= draw_setting(&(struct setting){&picture_part, option}, settings);
+    if (changed)
+        viewer_retone(viewer);
+    viewer->shown.dirty |= picture->samples != before.samples;
+}
+
 static void draw_picture(struct viewer *viewer) {
     static const char *const names[] = {"full", "indirect", "direct"};
     static const int layers[] = {LAYER_BEAUTY, LAYER_INDIRECT, LAYER_DIRECT};
@@ -286,11 +310,7 @@ static void draw_picture(struct viewer *viewer) {
     ui_space();
     draw_output_choice(viewer);
     draw_layer_choice(viewer);
-    if (draw_part(&picture_part, &viewer->wish.settings)) {
-        /* Both pictures are shown alike. */
-        settings_copy(&viewer->shown.compare.settings, &viewer->wish.settings, &picture_part);
-        viewer->shown.dirty = true;
-    }
+    draw_tone(viewer);
 }
 
 /* --- technique --- */
@@ -439,12 +459,8 @@ static void draw_session(struct viewer *viewer) {
             viewer_tell_error(viewer);
     }
     ui_same_line();
-    if (ui_button("Load", NULL)) {
-        if (session_load(&session, viewer->panel.session_path))
-            viewer_apply_session(viewer, &session);
-        else
-            viewer_tell_error(viewer);
-    }
+    if (ui_button("Load", NULL))
+        viewer_load_session(viewer, viewer->panel.session_path);
     ui_same_line();
     if (ui_button("Copy command line", "renders the very same picture offscreen")) {
         char *command = session_command(&session);

@@ -124,6 +124,18 @@ static bool render(struct viewer *viewer) {
     return true;
 }
 
+void viewer_retone(struct viewer *viewer) {
+    struct shown *shown = &viewer->shown;
+    /* Both pictures are shown alike. */
+    settings_copy(&shown->compare.settings, &viewer->wish.settings, &picture_part);
+    if (!viewer->has_scene)
+        return;
+    if (!follow_wishes(viewer) || !compare_follow(&shown->compare, &shown->renderer, shown->coarse))
+        viewer_tell_error(viewer);
+    shown->compare.measured = false;
+    shown->recompose = true;
+}
+
 /* --- at rest --- */
 
 int viewer_passes(const struct viewer *viewer) {
@@ -303,12 +315,12 @@ void viewer_reload_shaders(struct viewer *viewer) {
     viewer->shown.dirty = true;
 }
 
-void viewer_load_reference(struct viewer *viewer, const char *path) {
+bool viewer_load_reference(struct viewer *viewer, const char *path) {
     struct shown *shown = &viewer->shown;
     struct compare *compare = &shown->compare;
     if (!reference_load(&compare->reference, path)) {
         viewer_tell_error(viewer);
-        return;
+        return false;
     }
     compare->mode = COMPARE_REFERENCE;
     compare->measured = false;
@@ -316,6 +328,7 @@ void viewer_load_reference(struct viewer *viewer, const char *path) {
     shown->fixed_width = compare->reference.picture.width;
     shown->fixed_height = compare->reference.picture.height;
     shown->dirty = true;
+    return true;
 }
 
 struct screen_pictures viewer_pictures(const struct viewer *viewer) {

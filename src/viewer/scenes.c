@@ -2,11 +2,13 @@
 #include "viewer/viewer.h"
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "scene/animation.h"
 #include "scene/placing.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 void viewer_pick_camera(struct viewer *viewer, int n) {
@@ -112,8 +114,12 @@ static bool place(struct viewer *viewer, const char *camera_text, const char *li
 
 /* --- opening --- */
 
+/* "~/" is what a shell takes it for. */
 void viewer_open(struct viewer *viewer, const char *path) {
-    loader_start(&viewer->loader, path, &viewer->desc.environment);
+    const char *home = strncmp(path, "~/", 2) == 0 ? getenv("HOME") : NULL;
+    char *whole = mem_printf("%s%s", home ? home : "", home ? path + 1 : path);
+    loader_start(&viewer->loader, whole, &viewer->desc.environment);
+    free(whole);
 }
 
 static void set_title(struct viewer *viewer) {
@@ -217,7 +223,7 @@ struct session viewer_session(const struct viewer *viewer) {
     return session;
 }
 
-void viewer_apply_session(struct viewer *viewer, const struct session *session) {
+static void apply(struct viewer *viewer, const struct session *session) {
     viewer->wish.technique = session->technique;
     viewer->wish.settings = session->settings;
     viewer->shown.layer = session->layer;
@@ -228,4 +234,17 @@ void viewer_apply_session(struct viewer *viewer, const struct session *session) 
     viewer_go_to(viewer, (double)session->time);
     if (!place(viewer, session->camera, session->lights))
         viewer_tell_error(viewer);
+}
+
+void viewer_load_session(struct viewer *viewer, const char *path) {
+    if (!viewer->has_scene) {
+        messages_add(&viewer->host.messages, UI_WARNING, "Open a scene, then its settings.");
+        return;
+    }
+    struct session session = viewer_session(viewer);
+    if (session_load(&session, path))
+        apply(viewer, &session);
+    else
+        viewer_tell_error(viewer);
+    session_free(&session);
 }

@@ -137,13 +137,14 @@ static void close_window(struct viewer *viewer) {
     window_free(viewer->host.window);
 }
 
-static void begin(struct viewer *viewer) {
+/* Error: of what a script needs; else it is shown. */
+static bool begin(struct viewer *viewer) {
     const struct viewer_desc *desc = &viewer->desc;
     viewer->shown.compare.settings = desc->settings;
     if (desc->scene)
         viewer_open(viewer, desc->scene);
-    if (desc->reference)
-        viewer_load_reference(viewer, desc->reference);
+    return !desc->reference || viewer_load_reference(viewer, desc->reference) ||
+           !viewer_is_scripted(viewer);
 }
 
 bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc) {
@@ -155,16 +156,14 @@ bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc) {
         .shown = {.layer = desc->layer,
                   .choice = {.layer = -1, .chosen = -1},
                   .compare = {.split = .5F, .technique = technique_baseline}},
-        .panel = {.is_open = true, .overlay = true, .session_path = "manylight.settings"},
+        .panel = {.is_open = true, .session_path = "manylight.settings"},
     };
     glsl_set_folder(desc->glsl);
     messages_init(&viewer->host.messages);
-    if (!open_window(viewer)) {
-        viewer_end(viewer);
-        return false;
-    }
-    begin(viewer);
-    return true;
+    if (open_window(viewer) && begin(viewer))
+        return true;
+    viewer_end(viewer);
+    return false;
 }
 
 void viewer_end(struct viewer *viewer) {

@@ -88,14 +88,15 @@ struct shown {
 /* What the mouse holds: viewer/controls.c. */
 struct hand {
     struct light_tool light_tool;
-    double last_update;
+    double last_update, last_escape;
     bool drags_picture; /* the mouse was pressed on it */
     bool drags_split;
 };
 
 /* What lies beside and over the picture: viewer/panel.c, viewer/overlay.c. */
 struct panel {
-    bool is_open, overlay, help;
+    bool is_open, help;
+    enum overlay_kind { OVERLAY_LINE, OVERLAY_TABLE, OVERLAY_NONE, OVERLAY_KINDS } overlay;
     char scene_path[512], reference_path[512], session_path[512];
     bool edits_right; /* the settings shown are the right picture's */
 };
@@ -155,6 +156,9 @@ void viewer_full_size(const struct viewer *viewer, int *width, int *height);
 /* Renders and composes what has changed. Error: the scene cannot be drawn any more. */
 bool viewer_update_picture(struct viewer *viewer);
 
+/* Shows the picture in the exposure and tone map that are wanted: nothing is rendered for that. */
+void viewer_retone(struct viewer *viewer);
+
 /* How many passes a picture at rest is the mean of in the end; whether it is not yet. */
 int viewer_passes(const struct viewer *viewer);
 bool viewer_is_refining(const struct viewer *viewer);
@@ -168,7 +172,8 @@ void viewer_step_output(struct viewer *viewer, int step);
 /* Reads what lies at a place of the picture, 0 to 1, y down. */
 void viewer_pick_surface(struct viewer *viewer, float x, float y);
 
-void viewer_load_reference(struct viewer *viewer, const char *path);
+/* Error: shown, too. */
+bool viewer_load_reference(struct viewer *viewer, const char *path);
 
 /* FLIP too, which takes its time. */
 void viewer_measure_all(struct viewer *viewer);
@@ -215,7 +220,7 @@ void viewer_close_scene(struct viewer *viewer);
 
 /* What is looked at and how; the texts are the session's. */
 struct session viewer_session(const struct viewer *viewer);
-void viewer_apply_session(struct viewer *viewer, const struct session *session);
+void viewer_load_session(struct viewer *viewer, const char *path);
 
 /* --- viewer/screenshot.c --- */
 

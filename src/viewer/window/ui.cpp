@@ -29,6 +29,7 @@ constexpr ImU32 ground = IM_COL32(24, 26, 31, 255), raised = IM_COL32(42, 46, 54
 struct {
     ImFont *normal, *title;
     float scale;
+    bool in_dialog; /* whose width follows its text, and not the other way */
 } look;
 
 float units(float of_line) {
@@ -176,7 +177,7 @@ bool is_wide(double minimum, double maximum) {
 } // namespace
 
 bool ui_init(void *native_window, float scale) {
-    look = {nullptr, nullptr, scale};
+    look = {nullptr, nullptr, scale, false};
     ImGui::CreateContext();
     ImGuiIO &io = ImGui::GetIO();
     io.IniFilename = nullptr;
@@ -224,6 +225,14 @@ bool ui_wants_keys(void) {
     return ImGui::GetIO().WantTextInput;
 }
 
+bool ui_close_popup(void) {
+    ImGuiContext &context = *ImGui::GetCurrentContext();
+    bool open = context.OpenPopupStack.Size > 0;
+    if (open)
+        ImGui::ClosePopupToLevel(0, true);
+    return open;
+}
+
 float ui_line_height(void) {
     return look.normal->FontSize;
 }
@@ -238,6 +247,7 @@ void ui_area_begin(const char *id, ui_area kind, float x, float y, float width, 
     else
         flags |= ImGuiWindowFlags_AlwaysAutoResize;
     bool see = kind == UI_OVERLAY || kind == UI_NOTE;
+    look.in_dialog = kind == UI_DIALOG;
     if (see)
         flags |= ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing |
                  ImGuiWindowFlags_NoBringToFrontOnFocus;
@@ -303,7 +313,7 @@ void ui_text(ui_tone tone, const char *format, ...) {
     va_end(arguments);
     ImGui::PushStyleColor(ImGuiCol_Text, color_of(tone));
     ImGui::PushFont(tone == UI_TITLE ? look.title : look.normal);
-    ImGui::PushTextWrapPos(0);
+    ImGui::PushTextWrapPos(look.in_dialog ? units(40) : 0);
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
@@ -334,26 +344,49 @@ void ui_definition(const char *term, const char *meaning) {
 
 /* --- rows --- */
 
+/* A slider, and its value beside it, which a knob would cover. A value that is typed (Ctrl and a click)
+ * counts when Enter is pressed, not with each digit. */
+template <typename T>
+static ui_result slider(const ui_row *row, ImGuiDataType type, T *value, T minimum, T maximum,
+                        const char *format, ImGuiSliderFlags flags) {
+    row_begin(row);
+    if (is_wide(minimum, maximum) && !row->even)
+        flags |= ImGuiSliderFlags_Logarithmic;
+    bool typed = ImGui::TempInputIsActive(ImGui::GetID("##"));
+    float gap = units(.3F), beside = units(3.4F);
+    if (!typed) {
+        ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - beside - gap);
+        ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_BLACK_TRANS);
+    }
+    T now = *value;
+    bool changed = ImGui::SliderScalar("##", type, &now, &minimum, &maximum, format,
+                                       flags | ImGuiSliderFlags_AlwaysClamp);
+    bool goes_on = typed && !ImGui::IsItemDeactivated();
+    if (!typed) {
+        ImGui::PopStyleColor();
+        explain(row->help);
+        char text[32];
+        ImGui::DataTypeFormatString(text, sizeof text, type, value, format);
+        ImGui::SameLine(0, gap);
+        ImGui::TextUnformatted(row->least && *value == minimum ? row->least : text);
+    }
+    if (changed && !goes_on)
+        *value = now;
+    return row_end(row, changed && !goes_on);
+}
+
 ui_result ui_flag(const ui_row *row, bool *value) {
     row_begin(row);
     return row_end(row, ImGui::Checkbox("##", value));
 }
 
 ui_result ui_int(const ui_row *row, int *value, int minimum, int maximum) {
-    row_begin(row);
-    ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
-    if (is_wide(minimum, maximum) && !row->even)
-        flags |= ImGuiSliderFlags_Logarithmic;
-    const char *format = row->least && *value == minimum ? row->least : "%d";
-    return row_end(row, ImGui::SliderInt("##", value, minimum, maximum, format, flags));
+    return slider(row, ImGuiDataType_S32, value, minimum, maximum, "%d", 0);
 }
 
 ui_result ui_float(const ui_row *row, float *value, float minimum, float maximum) {
-    row_begin(row);
-    ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat;
-    if (is_wide(minimum, maximum) && !row->even)
-        flags |= ImGuiSliderFlags_Logarithmic;
-    return row_end(row, ImGui::SliderFloat("##", value, minimum, maximum, "%.4g", flags));
+    return slider(row, ImGuiDataType_Float, value, minimum, maximum, "%.4g",
+                  ImGuiSliderFlags_NoRoundToFormat);
 }
 
 ui_result ui_choice(const ui_row *row, int *value, const char *const *names, int count) {

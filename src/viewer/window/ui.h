@@ -27,6 +27,9 @@ void ui_frame_end(void);
 bool ui_wants_mouse(void);
 bool ui_wants_keys(void);
 
+/* Closes the list of choices that is open; whether there was one. */
+bool ui_close_popup(void);
+
 /* The unit of the layout: pixels a line of text takes. */
 float ui_line_height(void);
 

@@ -35,7 +35,7 @@ static void on_error(int code, const char *description) {
 }
 
 static void on_key(GLFWwindow *handle, int code, int scancode, int action, int modifiers) {
-    (void)scancode, (void)modifiers;
+    (void)scancode;
     struct window *window = glfwGetWindowUserPointer(handle);
     struct input *next = &window->next;
     int key = key_of(code);
@@ -46,7 +46,7 @@ static void on_key(GLFWwindow *handle, int code, int scancode, int action, int m
     if (action == GLFW_RELEASE && code == window->last_code && next->tap_count < INPUT_KEYS_MAX)
         next->taps[next->tap_count++] = code;
     if (action == GLFW_PRESS && key && next->key_count < INPUT_KEYS_MAX)
-        next->keys[next->key_count++] = key;
+        next->keys[next->key_count++] = key + (modifiers & GLFW_MOD_CONTROL ? KEY_WITH_CONTROL : 0);
 }
 
 /* From the system's own units, which may be several pixels, to pixels. */
@@ -236,8 +236,12 @@ void window_set_size(struct window *window, int width, int height) {
         glfwSetWindowSize(window->handle, width * points / pixels, height * points / pixels);
 }
 
+bool window_is_full_screen(const struct window *window) {
+    return glfwGetWindowMonitor(window->handle);
+}
+
 void window_toggle_full_screen(struct window *window) {
-    if (glfwGetWindowMonitor(window->handle)) {
+    if (window_is_full_screen(window)) {
         glfwSetWindowMonitor(window->handle, NULL, window->x, window->y, window->width,
                              window->height, GLFW_DONT_CARE);
         return;

@@ -25,6 +25,7 @@ enum window_key {
     KEY_F11,
     KEY_F12,
     KEY_COUNT,
+    KEY_WITH_CONTROL = 1 << 10, /* added to a key that is pressed while Ctrl is held */
 };
 
 enum window_button { BUTTON_LEFT, BUTTON_RIGHT, BUTTON_MIDDLE, BUTTON_COUNT };
@@ -80,6 +81,7 @@ void window_swap(struct window *window);
 
 void window_set_title(struct window *window, const char *title);
 void window_set_size(struct window *window, int width, int height);
+bool window_is_full_screen(const struct window *window);
 void window_toggle_full_screen(struct window *window);
 void window_set_clipboard(struct window *window, const char *text);
 
