@@ -2,6 +2,7 @@
 
 #include "base/log.h"
 #include "base/memory.h"
+#include "scene/camera.h"
 #include "scene/node.h"
 #include "scene/room.h"
 
@@ -37,30 +38,50 @@ static int add_camera(struct scene *scene) {
     return node;
 }
 
-static int add_spot(struct scene *scene) {
-    int node = add_node(scene, "framed spot");
+/* A light that a camera of the file's carries goes where that goes. */
+static int add_light(struct scene *scene, const char *name, int carrier) {
+    int node = add_node(scene, name);
     scene->lights =
         mem_resize(scene->lights, (size_t)scene->light_count + 1, sizeof *scene->lights);
     scene->lights[scene->light_count] =
-        (struct scene_light){.name = "framed", .type = EMITTER_SPOT, .range = INFINITY};
+        (struct scene_light){.type = EMITTER_SPOT, .range = INFINITY};
+    snprintf(scene->lights[scene->light_count].name, SCENE_NAME_SIZE, "%s", name);
+    scene->nodes[node].parent = carrier;
     scene->nodes[node].light = scene->light_count++;
-    log_note("%s: no light, so a spot from above", scene->path);
     return node;
 }
 
 void framing_add(struct framing *framing, struct scene *scene) {
-    framing->camera = node_count_carrying(scene, NODE_CAMERA) ? -1 : add_camera(scene);
-    bool has_light = node_count_carrying(scene, NODE_LIGHT) || scene->environment;
-    framing->light = has_light ? -1 : add_spot(scene);
+    *framing = (struct framing){-1, -1, -1};
+    int carrier = -1;
+    if (node_count_carrying(scene, NODE_CAMERA))
+        carrier = node_carrying(scene, NODE_CAMERA, 0);
+    else
+        framing->camera = add_camera(scene);
+    if (node_count_carrying(scene, NODE_LIGHT) || scene->environment)
+        return;
+    framing->light = add_light(scene, "framed spot", carrier);
+    framing->fill = add_light(scene, "framed fill", carrier);
+    log_note("%s: no light, so a spot from above, and a dim one", scene->path);
 }
 
 /* --- places ----------------------------------------------------------------------------------- */
 
-/* Stands at eye and looks along -Z at the target. */
-static void place_node(struct node *node, vec3 eye, vec3 target) {
-    mat4 view, world;
-    glm_lookat(eye, target, (vec3){0, 1, 0}, view);
+/* Stands at eye and looks along -Z in a direction, whatever carries it. */
+static void place_node(struct scene *scene, int index, vec3 eye, vec3 direction) {
+    struct node *node = &scene->nodes[index];
+    mat4 view, world, carrier;
+    bool upright = fabsf(direction[1]) > .999F * glm_vec3_norm(direction);
+    glm_look(eye, direction, upright ? (vec3){0, 0, 1} : (vec3){0, 1, 0}, view);
     glm_mat4_inv(view, world);
+    if (node->parent >= 0) {
+        node_world(scene, node->parent, 0, (float *)carrier);
+        if (fabsf(glm_mat4_det(carrier)) > 1e-12F) {
+            glm_mat4_inv(carrier, carrier);
+            glm_mat4_mul(carrier, world, world);
+        } else
+            node->parent = -1; /* what has no size carries nothing */
+    }
     memcpy(node->matrix, world, sizeof node->matrix);
 }
 
@@ -91,50 +112,109 @@ static float fitting_distance(const struct geometry *geometry, vec3 direction) {
     return distance;
 }
 
-static void place_camera(struct scene *scene, struct node *node, const struct geometry *geometry,
+static void place_camera(struct scene *scene, int node, const struct geometry *geometry,
                          const struct room *room) {
     const float margin = 1.05F, step_from_wall = .9F;
-    vec3 direction = {.6F, .45F, 1}, eye, target;
-    point_around(geometry, direction,
-                 margin * fitting_distance(geometry, direction) / geometry->radius, eye);
-    point_around(geometry, direction, 0, target);
+    vec3 back = {.6F, .45F, 1}, eye, forward;
     if (room) {
-        glm_vec3_copy(target, eye);
+        glm_vec3_copy((float *)room->at, eye);
         glm_vec3_muladds((float *)room->forward, -step_from_wall * room->behind, eye);
-        glm_vec3_muladds((float *)room->forward, room->ahead, target);
+        glm_vec3_copy((float *)room->forward, forward);
+    } else {
+        point_around(geometry, back, margin * fitting_distance(geometry, back) / geometry->radius,
+                     eye);
+        glm_vec3_negate_to(back, forward);
     }
-    place_node(node, eye, target);
-    scene->cameras[node->camera].fov_y = room ? fov_y_in_room : fov_y;
+    place_node(scene, node, eye, forward);
+    scene->cameras[scene->nodes[node].camera].fov_y = room ? fov_y_in_room : fov_y;
 }
 
-/* The spot is as wide as the bounding sphere, or shines down from a room's ceiling, and gives the
- * centre, or there the floor, an irradiance of pi: a white surface that faces it has radiance 1. */
-static void place_spot(struct scene *scene, struct node *node, const struct geometry *geometry,
-                       const struct room *room) {
-    const float radii = 2.5F, outer = room ? .9F : asinf(1 / radii);
-    vec3 eye, target;
-    point_around(geometry, (vec3){.2F, 1.2F, 1}, radii, eye);
-    point_around(geometry, (vec3){0, 1, 0}, 0, target);
+/* --- lights ----------------------------------------------------------------------------------- */
+
+/* What a white surface that faces the light has as its radiance. */
+static const float bright = 1, dim = .15F;
+
+static struct scene_light *light_of(struct scene *scene, int node) {
+    return &scene->lights[scene->nodes[node].light];
+}
+
+/* From above, a little to the left of where the camera looks: all of the bounding sphere is in the
+ * even part of the cone, and more in the rest. */
+static void place_spot(struct scene *scene, int node, const struct geometry *geometry,
+                       const struct camera *camera) {
+    const float radii = 2.5F;
+    vec3 back = {-camera->forward[0], 0, -camera->forward[2]}, eye, forward;
+    glm_vec3_normalize(back);
+    glm_vec3_muladds((float *)camera->right, -.3F, back);
+    back[1] += 1;
+    point_around(geometry, back, radii, eye);
+    glm_vec3_negate_to(back, forward);
+    place_node(scene, node, eye, forward);
+    struct scene_light *light = light_of(scene, node);
+    glm_vec3_broadcast(GLM_PIf * bright * glm_vec3_distance2(eye, (float *)geometry->center),
+                       light->intensity);
+    light->inner = asinf(1 / radii);
+    light->outer = 1.3F * light->inner;
+}
+
+/* From behind the camera, its right and above, so that what it sees is not black. */
+static void place_fill(struct scene *scene, int node, const struct geometry *geometry,
+                       const struct camera *camera) {
+    vec3 forward;
+    glm_vec3_copy((float *)camera->forward, forward);
+    glm_vec3_muladds((float *)camera->right, -.4F, forward);
+    forward[1] -= .4F;
+    place_node(scene, node, (float *)geometry->center, forward);
+    struct scene_light *light = light_of(scene, node);
+    light->type = EMITTER_DIRECTIONAL;
+    glm_vec3_broadcast(GLM_PIf * dim, light->intensity);
+}
+
+/* One below the ceiling, down, which gives the floor what a scene's centre has; the dim one lower, all
+ * around. */
+static void place_in_room(struct scene *scene, const struct framing *framing,
+                          const struct room *room) {
+    vec3 eye, down = {0, -1, 0};
+    glm_vec3_copy((float *)room->at, eye);
+    eye[1] += .9F * room->up;
+    place_node(scene, framing->light, eye, down);
+    struct scene_light *spot = light_of(scene, framing->light),
+                       *fill = light_of(scene, framing->fill);
+    glm_vec3_broadcast(GLM_PIf * bright * powf(room->down + .9F * room->up, 2), spot->intensity);
+    spot->outer = .9F;
+    spot->inner = .8F * spot->outer;
+    eye[1] -= .6F * room->up;
+    place_node(scene, framing->fill, eye, down);
+    fill->type = EMITTER_POINT;
+    glm_vec3_broadcast(GLM_PIf * dim * room->up * room->ahead, fill->intensity);
+}
+
+/* About the place where the camera of the file stands, if it is within a room, or where ours would. */
+static void place_lights(struct scene *scene, const struct framing *framing,
+                         const struct geometry *geometry, const struct room *found) {
+    struct camera camera;
+    struct room around;
+    const struct room *room = found;
+    camera_place(&camera, scene, 0, 0);
+    if (framing->camera < 0 && room_around(&around, geometry, camera.eye))
+        room = &around;
+    else if (room) /* a camera that turns would swing them through its walls */
+        scene->nodes[framing->light].parent = scene->nodes[framing->fill].parent = -1;
     if (room) {
-        glm_vec3_copy(target, eye);
-        eye[1] += .9F * room->up;
-        target[1] -= room->up;
-        eye[2] += .01F * room->up; /* not straight down: the light's frame has an up */
+        place_in_room(scene, framing, room);
+        return;
     }
-    place_node(node, eye, target);
-    struct scene_light *light = &scene->lights[node->light];
-    glm_vec3_broadcast(GLM_PIf * glm_vec3_distance2(eye, target), light->intensity);
-    light->inner = .8F * outer;
-    light->outer = outer;
+    place_spot(scene, framing->light, geometry, &camera);
+    place_fill(scene, framing->fill, geometry, &camera);
 }
 
 void framing_place(const struct framing *framing, struct scene *scene,
                    const struct geometry *geometry) {
     if (framing->camera < 0 && framing->light < 0)
         return;
-    struct room around, *room = room_around(&around, geometry, geometry->center) ? &around : NULL;
+    struct room found, *room = room_find(&found, geometry) ? &found : NULL;
     if (framing->camera >= 0)
-        place_camera(scene, &scene->nodes[framing->camera], geometry, room);
+        place_camera(scene, framing->camera, geometry, room);
     if (framing->light >= 0)
-        place_spot(scene, &scene->nodes[framing->light], geometry, room);
+        place_lights(scene, framing, geometry, room);
 }

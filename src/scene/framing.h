@@ -6,15 +6,17 @@
 
 /* The nodes that carry them; -1 = the scene has its own. */
 struct framing {
-    int camera, light;
+    int camera, light, fill;
 };
 
-/* Adds nodes for a camera and a spot, each only where the scene has none, and notes it on stderr. */
+/* Adds nodes for a camera, and for a spot and a dim light beside it, where the scene has none, and
+ * notes it on stderr. The lights hang on a camera that the file brings. */
 void framing_add(struct framing *framing, struct scene *scene);
 
-/* Places what was added. The camera sees the whole scene from above its front right corner, and the
- * spot beside it lights it. In a room both are inside: the camera at one end of its longest line, the
- * spot below the ceiling. */
+/* Places what was added. The camera sees the whole scene, as far as its clip reaches, from above its
+ * front right corner; the spot shines from above over the camera's left shoulder and lights more than
+ * that, the dim light comes over the right one. In a room all are inside: the camera at one end of its
+ * longest line, the lights below the ceiling. */
 void framing_place(const struct framing *framing, struct scene *scene,
                    const struct geometry *geometry);
 

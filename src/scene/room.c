@@ -44,21 +44,84 @@ static float wall_along(const struct geometry *geometry, const float point[3], v
     return wall;
 }
 
-bool room_around(struct room *room, const struct geometry *geometry, const float point[3]) {
-    float walls[RAY_COUNT];
-    int facing = 0, longest = 0;
-    for (int ray = 0; ray < RAY_COUNT; ray++) {
-        vec3 direction;
-        direction_of(ray, direction);
-        walls[ray] = wall_along(geometry, point, direction);
-        facing += walls[ray] > 0 && walls[ray] < FLT_MAX;
-        /* Through a window one sees no farther than the scene goes. */
-        walls[ray] = fminf(fabsf(walls[ray]), geometry->radius);
+/* How far the scene's bounds are along a ray from within, metres. */
+static float bounds_along(const struct geometry *geometry, const float point[3], vec3 direction) {
+    float distance = FLT_MAX;
+    for (int c = 0; c < 3; c++) {
+        float end = direction[c] > 0 ? geometry->bounds_max[c] : geometry->bounds_min[c];
+        if (fabsf(direction[c]) > 1e-6F)
+            distance = fminf(distance, (end - point[c]) / direction[c]);
     }
+    return fmaxf(distance, 0);
+}
+
+/* Whether most of what is seen of the scene from all around faces outwards: of a room without thickness
+ * only the backs of its walls are. */
+static bool has_outside(const struct geometry *geometry) {
+    int fronts = 0, backs = 0;
+    for (int ray = 0; ray < RAY_COUNT; ray++) {
+        vec3 direction, from;
+        direction_of(ray, direction);
+        glm_vec3_copy((float *)geometry->center, from);
+        glm_vec3_muladds(direction, -2 * geometry->radius, from);
+        float wall = wall_along(geometry, from, direction);
+        fronts += wall > 0 && wall < FLT_MAX;
+        backs += wall < 0;
+    }
+    return fronts > backs;
+}
+
+static void measure(struct room *room, const float point[3], const float walls[RAY_COUNT]) {
+    int longest = 0;
     for (int ray = 1; ray < LEVEL / 2; ray++)
         if (walls[ray] + walls[ray + LEVEL / 2] > walls[longest] + walls[longest + LEVEL / 2])
             longest = ray;
-    *room = (struct room){walls[UP], walls[longest], walls[longest + LEVEL / 2], {0}};
+    *room = (struct room){{point[0], point[1], point[2]}, walls[UP], walls[UP + 1], walls[longest],
+                          walls[longest + LEVEL / 2],     {0}};
     direction_of(longest, room->forward);
-    return facing >= LEAST_WALLS;
+}
+
+/* By the share of the volume within the bounds that lies open to the point. Walls that are seen from
+ * outside may be those of a hollow body, of whose bounds an eighth is free, as in the court of Sponza:
+ * these are told apart by whether one could stand there. */
+static bool is_roomy(const struct room *room, float free, const struct geometry *geometry) {
+    float headroom = room->up + room->down;
+    bool fits_people = headroom > 2 && headroom < 30;
+    return free > .3F || (free > .02F && (fits_people || !has_outside(geometry)));
+}
+
+bool room_around(struct room *room, const struct geometry *geometry, const float point[3]) {
+    float walls[RAY_COUNT], free = 0, all = 0;
+    int facing = 0;
+    for (int ray = 0; ray < RAY_COUNT; ray++) {
+        vec3 direction;
+        direction_of(ray, direction);
+        float wall = wall_along(geometry, point, direction);
+        float bounds = bounds_along(geometry, point, direction);
+        facing += wall > 0 && wall < FLT_MAX;
+        walls[ray] = fminf(fabsf(wall), bounds); /* through a window one sees to the bounds */
+        free += walls[ray] * walls[ray] * walls[ray];
+        all += bounds * bounds * bounds;
+    }
+    measure(room, point, walls);
+    return facing >= LEAST_WALLS && is_roomy(room, free / all, geometry);
+}
+
+bool room_find(struct room *room, const struct geometry *geometry) {
+    /* Of the way from the centre to the bounds. */
+    static const float places[][3] = {
+        {.4F, .2F, 0}, {-.4F, .2F, 0}, {0, .2F, .4F}, {0, .2F, -.4F}, {0, .5F, 0}};
+    if (room_around(room, geometry, geometry->center))
+        return true;
+    if (has_outside(geometry))
+        return false;
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        float point[3];
+        for (int c = 0; c < 3; c++)
+            point[c] = geometry->center[c] +
+                       places[i][c] * (geometry->bounds_max[c] - geometry->center[c]);
+        if (room_around(room, geometry, point))
+            return true;
+    }
+    return false;
 }

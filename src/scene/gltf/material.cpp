@@ -156,9 +156,6 @@ bool load_emission(const tinygltf::Material &from, struct material &to) {
 void tell_material(Loader &loader, const tinygltf::Material &from) {
     if (from.pbrMetallicRoughness.metallicFactor > 0)
         lack(loader, "metals and gloss (they are matt)");
-    if (std::any_of(from.emissiveFactor.begin(), from.emissiveFactor.end(),
-                    [](double c) { return c > 0; }))
-        lack(loader, "the glow of what emits light (the light itself is there)");
     if (from.normalTexture.index >= 0)
         lack(loader, "normal maps");
     if (from.occlusionTexture.index >= 0)
