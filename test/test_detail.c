@@ -17,7 +17,7 @@ struct detail_bench {
     struct stage stage;
     struct renderer renderer;
     struct detail_pass detail;
-    GLuint texels[SIZE * SIZE], counts[LISTS * LISTS];
+    GLuint texels[SIZE * SIZE], counts[LISTS * LISTS * PIXEL_GRADES];
 };
 
 static void open_bench(struct detail_bench *bench, const char *scene, const char *settings,
@@ -85,9 +85,10 @@ static void test_lists(void **state) {
         stripes_left += !code && x >= SIZE / 2 + RADIUS && x < SIZE - RADIUS;
         listed += code != 0;
         if (code)
-            misplaced += pixels[(code >> 16) * SIZE + (code & 0xffff) - 1] != (GLuint)(x | y << 16);
+            misplaced +=
+                pixels[(code >> 16 & 0x7fff) * SIZE + (code & 0xffff) - 1] != (GLuint)(x | y << 16);
     }
-    for (int i = 0; i < LISTS * LISTS; i++)
+    for (int i = 0; i < LISTS * LISTS * PIXEL_GRADES; i++)
         counted += (int)bench.counts[i];
     printf("    listed %d, on the plane %d, not of the stripes %d, misplaced %d\n", listed,
            smooth_listed, stripes_left, misplaced);
@@ -95,6 +96,33 @@ static void test_lists(void **state) {
     assert_int_equal(stripes_left, 0);
     assert_int_equal(misplaced, 0);
     assert_int_equal(counted, listed);
+    gbuffer_free(&gbuffer);
+    close_bench(&bench);
+}
+
+/* Beside the plane's straight edge two neighbours are like, in stripes none. */
+static void test_grades(void **state) {
+    (void)state;
+    struct detail_bench bench;
+    struct gbuffer gbuffer;
+    open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .75f);
+    make_stripes(&gbuffer);
+    list_pixels(&bench, &gbuffer);
+    int beside = 0, wrong = 0, smooth_listed = 0;
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        int x = i % SIZE;
+        GLuint code = bench.texels[i];
+        bool edge = x >= SIZE / 2 && x < SIZE / 2 + RADIUS; /* the first stripe is as the plane */
+        bool stripe = x >= SIZE / 2 + RADIUS && x < SIZE - RADIUS;
+        beside += edge;
+        smooth_listed += code && x < SIZE / 2;
+        wrong += (edge || stripe) &&
+                 (!code || code >> 31 != (edge ? PIXEL_GRADE_EDGE : PIXEL_GRADE_DETAIL));
+    }
+    printf("    beside the edge %d, of another grade %d, on the plane %d\n", beside, wrong,
+           smooth_listed);
+    assert_int_equal(wrong, 0);
+    assert_int_equal(smooth_listed, 0);
     gbuffer_free(&gbuffer);
     close_bench(&bench);
 }
@@ -124,8 +152,9 @@ static void test_blur_conserves(void **state) {
                                                                    .radius = BLUR,
                                                                    .distance = .1f,
                                                                    .cosine = .98f,
-                                                                   .detail_radius = 2,
-                                                                   .detail_weight = 4,
+                                                                   .detail = true,
+                                                                   .grade_radius = {2, 1},
+                                                                   .grade_weight = {4, 16},
                                                                    .square = square}));
         struct frame frame = renderer_frame(&bench.renderer);
         blur_pass_render(&blur, &frame, &gbuffer,
@@ -223,11 +252,9 @@ static void test_one_asks_for_all(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lists),
-        cmocka_unit_test(test_blur_conserves),
-        cmocka_unit_test(test_all_smooth),
-        cmocka_unit_test(test_listed_sums),
-        cmocka_unit_test(test_one_asks_for_all),
+        cmocka_unit_test(test_lists),          cmocka_unit_test(test_grades),
+        cmocka_unit_test(test_blur_conserves), cmocka_unit_test(test_all_smooth),
+        cmocka_unit_test(test_listed_sums),    cmocka_unit_test(test_one_asks_for_all),
     };
     return cmocka_run_group_tests_name("detail", tests, open_group_context, close_group_context);
 }

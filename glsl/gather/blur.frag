@@ -20,15 +20,19 @@ vec3 tap_position(vec2 aside, float depth) {
 
 void write(uvec4 center, vec3 irradiance) {
 #ifdef PACK
-    packed_tap = blur_tap_pack(blur_tap(blur_tap_depth(center), center.y, irradiance, blur_tap_detail(center)));
+    packed_tap = blur_tap_lit(center, irradiance);
 #else
     blurred = vec4(irradiance, blur_tap_depth(center) > 0.0 ? 1.0 : 0.0);
 #endif
 }
 
-// Of a tap so many pixels away.
-float window(int away, int radius) {
-    return away > radius ? 0.0 : radius > 0 && away == radius ? 0.5 : 1.0;
+// Of a tap so many pixels away: half of one at the end.
+float window(int away, float radius) {
+    return clamp(radius - float(away) + 0.5, 0.0, 1.0);
+}
+
+float of_grade(vec3 values, int grade) {
+    return grade == 0 ? values[0] : grade == 1 ? values[1] : values[2];
 }
 
 void main() {
@@ -41,8 +45,10 @@ void main() {
     normal /= dot(normal, normal); // rounded, it still is like itself
     float reach = params.distance * 2.0 * extent.y * (camera.orthographic ? 1.0 : depth);
     int radius = params.radius, rows = params.rows;
-    bool detail = DETAIL != 0 && blur_tap_detail(center);
-    int own = detail ? params.detail_radius : radius;
+    // Each of two pixels takes from the other within the smaller of their windows.
+    int grade = blur_tap_grade(center);
+    vec3 radii = min(params.radii, of_grade(params.radii, grade));
+    vec3 weights = grade == 0 ? sqrt(params.weights) : params.weights;
     ivec2 along = params.along, across = along.yx;
     vec4 sum = vec4(0.0);
     // No branches: a software rasteriser executes both sides, and keeps books of which pixel is where.
@@ -55,10 +61,10 @@ void main() {
             vec3 apart = tap_position((vec2(at) + 0.5) * per_pixel - extent, tap_depth) - position;
             bool alike = at == inside && tap_depth > 0.0 && dot(apart, apart) < reach * reach &&
                 dot(blur_tap_normal(tap), normal) > params.cosine;
-            float weight = window(abs(i), own) * (rows > 0 ? window(abs(j), own) : 1.0);
-            weight *= detail && blur_tap_detail(tap) ? params.detail_weight : 1.0;
-            weight = alike ? weight : 0.0;
-            sum += weight * vec4(blur_tap_irradiance(tap), 1.0);
+            int tap_grade = blur_tap_grade(tap);
+            float wide = of_grade(radii, tap_grade);
+            float weight = window(abs(i), wide) * (rows > 0 ? window(abs(j), wide) : 1.0) * of_grade(weights, tap_grade);
+            sum += (alike ? weight : 0.0) * vec4(blur_tap_irradiance(tap), 1.0);
         }
     write(center, depth > 0.0 ? sum.rgb / max(sum.a, 0.25) : vec3(0.0));
 }

@@ -1,5 +1,6 @@
 // Puts the interleaved tiles back into picture order, and each pixel's depth, normal and light together.
 #include "gather/blur_tap.glsl"
+#include "gather/list_texel.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/interleaving.glsl"
 #include "shared/blur.h"
@@ -17,13 +18,14 @@ void main() {
     vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, ivec3(pixel, 0), 0).rg);
     float depth = gbuffer_depth(pixel);
     vec3 irradiance = texelFetch(source, interleaved_texel(params.pattern, pixel), 0).rgb;
-    bool detail = false;
+    int grade = 0;
 #if DETAIL
-    uint texel = texelFetch(list_texels, pixel, 0).r;
-    detail = texel != 0u;
-    if (detail)
-        irradiance = texelFetch(detail_irradiance, ivec2((texel & 0xffffu) - 1u, texel >> 16), 0).rgb;
+    uint code = texelFetch(list_texels, pixel, 0).r;
+    if (code != 0u) {
+        grade = 1 + list_grade_of(code);
+        irradiance = texelFetch(detail_irradiance, list_texel_of(code), 0).rgb;
+    }
 #endif
     packed_tap = blur_tap_pack(blur_tap(depth > 0.0 ? view_linear_depth(camera, depth) : 0.0,
-                                        blur_tap_normal_code(normal), irradiance, detail));
+                                        blur_tap_normal_code(normal), irradiance, grade));
 }

@@ -4,16 +4,18 @@ struct blur_tap {
     float depth;  // along the view's axis, metres; 0 where nothing is
     uint normal;  // blur_tap_normal_code
     vec3 irradiance;
-    bool detail;  // of many lights, and blurred little
+    int grade;    // 0, or 1 + PIXEL_GRADE_... of a pixel that a list has
 };
 
-// 21 bits of each float: all of its exponent, 13 of its fraction. The bit that is left is `detail`.
-const uint DETAIL_BIT = 0x200000u;
+// 21 bits of each float: all of its exponent, 13 of its fraction.
+uvec4 blur_tap_lit(uvec4 tap, vec3 irradiance) {
+    uvec3 rgb = floatBitsToUint(max(irradiance, 0.0)) + 512u >> 10;
+    return uvec4(tap.xy, rgb.r << 11 | rgb.g >> 10, rgb.g << 22 | rgb.b);
+}
 
 uvec4 blur_tap_pack(blur_tap tap) {
-    uvec3 rgb = floatBitsToUint(max(tap.irradiance, 0.0)) + 512u >> 10;
-    return uvec4(floatBitsToUint(tap.depth), tap.normal, rgb.r << 11 | rgb.g >> 10,
-                 rgb.g << 22 | (tap.detail ? DETAIL_BIT : 0u) | rgb.b);
+    uvec2 place = uvec2(floatBitsToUint(tap.depth), tap.normal | uint(tap.grade) << 30);
+    return blur_tap_lit(uvec4(place, 0u, 0u), tap.irradiance);
 }
 
 float blur_tap_depth(uvec4 tap) {
@@ -30,8 +32,8 @@ vec3 blur_tap_normal(uvec4 tap) {
     return vec3(ivec3(tap.yyy >> uvec3(0u, 10u, 20u) & 0x3ffu) - 512) / 511.0;
 }
 
-bool blur_tap_detail(uvec4 tap) {
-    return (tap.w & DETAIL_BIT) != 0u;
+int blur_tap_grade(uvec4 tap) {
+    return int(tap.y >> 30);
 }
 
 vec3 blur_tap_irradiance(uvec4 tap) {

@@ -1,7 +1,8 @@
-// Lists the pixels that have few like neighbours where the blur looks for them: by their place in the
-// pattern, row by row of its tile, so that a draw finds them side by side. The order within a list is
-// that of arrival; no pixel's light depends on it.
+// Lists the pixels that have few like neighbours where the blur looks for them: by grade and place in the
+// pattern, row by row of its tile, from its begin and from its end, so that a draw finds them side by side. The
+// order within a list is that of arrival; no pixel's light depends on it.
 #include "lib/gbuffer.glsl"
+#include "gather/list_texel.glsl"
 #include "shared/detail.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -11,20 +12,28 @@ layout(std430, binding = STORAGE_LIST_COUNTS) buffer list_counts {
     uint counts[PIXEL_LISTS_MAX];
 };
 
-// Whether fewer than params.fewest of the four pixels diagonally around it lie on the same surface: beside a
-// straight edge they are two.
-bool has_few_like(surface s, ivec2 pixel, ivec2 size) {
-    float like = 0.0, height = view_height(camera, gbuffer_depth(pixel));
-    float reach = params.distance * height;
-    for (int i = 0; i < 4 && like < params.fewest; i++) {
+// Of the four pixels diagonally around it those that lie on the same surface: beside a straight edge two.
+int like_neighbours(surface s, ivec2 pixel, ivec2 size) {
+    int like = 0;
+    float height = view_height(camera, gbuffer_depth(pixel)), reach = params.distance * height;
+    for (int i = 0; i < 4; i++) {
         ivec2 away = params.radius * (ivec2(i & 1, i >> 1) * 2 - 1);
         surface c = gbuffer_surface(clamp(pixel + away, ivec2(0), size - 1));
         vec3 apart = c.position - s.position;
         bool alike = c.present && dot(apart, apart) < reach * reach && dot(c.normal, s.normal) > params.cosine &&
                      abs(dot(apart, s.normal)) < params.apart * height;
-        like += alike ? 1.0 : 0.0;
+        like += alike ? 1 : 0;
     }
-    return like < params.fewest;
+    return like;
+}
+
+// A list's next texel.
+ivec2 next_texel(ivec2 pixel, int grade) {
+    int n = params.pattern.n;
+    ivec2 place = pixel % n, tile = params.pattern.tile;
+    int at = int(atomicAdd(counts[(grade * n + place.y) * n + place.x], 1u));
+    at = grade == PIXEL_GRADE_DETAIL ? tile.x * tile.y - 1 - at : at;
+    return place * tile + ivec2(at % tile.x, at / tile.x);
 }
 
 void main() {
@@ -32,13 +41,13 @@ void main() {
     if (any(greaterThanEqual(pixel, size)))
         return;
     surface s = gbuffer_surface(pixel);
+    int like = s.present ? like_neighbours(s, pixel, size) : 4;
     uint code = 0u;
-    if (s.present && has_few_like(s, pixel, size)) {
-        ivec2 place = pixel % params.pattern.n, tile = params.pattern.tile;
-        int at = int(atomicAdd(counts[place.y * params.pattern.n + place.x], 1u));
-        ivec2 texel = place * tile + ivec2(at % tile.x, at / tile.x);
+    if (float(like) < params.fewest) {
+        int grade = like < 2 ? PIXEL_GRADE_DETAIL : PIXEL_GRADE_EDGE;
+        ivec2 texel = next_texel(pixel, grade);
         imageStore(listed_pixels, texel, uvec4(pixel.x | pixel.y << 16));
-        code = uint(texel.x + 1 | texel.y << 16);
+        code = list_texel_code(texel, grade);
     }
     imageStore(list_texels, pixel, uvec4(code));
 }

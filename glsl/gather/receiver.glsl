@@ -5,14 +5,15 @@
 #if RECEIVERS == RECEIVERS_LISTED
 layout(binding = UNIT_LISTED_PIXELS) uniform usampler2D listed_pixels;
 
-flat in int listed; // pixels of this tile's list
+flat in ivec2 listed; // where this tile has the list, row by row: begin, end
 
-// False beyond the list's end.
+// False outside the list.
 bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
     ivec2 texel = ivec2(gl_FragCoord.xy), within = texel - place * pattern.tile;
     uint code = texelFetch(listed_pixels, texel, 0).r;
     pixel = ivec2(code & 0xffffu, code >> 16);
-    return within.y * pattern.tile.x + within.x < listed;
+    int at = within.y * pattern.tile.x + within.x;
+    return at >= listed.x && at < listed.y;
 }
 #else
 #if RECEIVERS == RECEIVERS_OTHERS

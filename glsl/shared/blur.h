@@ -11,9 +11,12 @@ struct blur_params {
     int rows;                     /* of such taps to each side across */
     float distance;               /* alpha, over the picture's height at the pixel's depth */
     float cosine;                 /* beta */
-    int detail_radius;            /* of pixels with few like neighbours */
-    float detail_weight;          /* of their estimates: as many more lights have they */
+    int unused0, unused1;
+    vec3 radii;                   /* of windows: of pixels that no list has, and of each grade */
+    float unused2;
+    vec3 weights;                 /* of their estimates: as many more lights have they */
+    float unused3;
 };
-PASS_BLOCK(blur_params, 48)
+PASS_BLOCK(blur_params, 80)
 
 #endif

@@ -12,8 +12,11 @@ struct interleaving {
 };
 STD140_SIZE(interleaving, 16)
 
-/* Lists of pixels, one a place of the pattern: at most 8 x 8. */
-#define PIXEL_LISTS_MAX 64
+/* Lists of pixels, one a grade and place of the pattern, which has at most 8 x 8. */
+#define PIXEL_GRADE_EDGE 0   /* beside a straight edge: half of the neighbours are like */
+#define PIXEL_GRADE_DETAIL 1 /* fewer are */
+#define PIXEL_GRADES 2
+#define PIXEL_LISTS_MAX (64 * PIXEL_GRADES)
 
 /* Of a draw of a tile, RECEIVERS: all pixels of its place in the pattern, those of a list, or all but those. */
 #define RECEIVERS_ALL 0

@@ -153,8 +153,8 @@ void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, 
     pass_add_block(state, BLOCK_LIST_COUNTS, &lists->counts);
 }
 
-void pixel_lists_draw(const struct pixel_lists *lists, GLuint program) {
+void pixel_lists_draw(const struct pixel_lists *lists, int grade, GLuint program) {
     gl.ProgramUniform4i(program, LOCATION_TILE, lists->tile_width, lists->tile_height,
-                        lists->interleave, 0);
+                        lists->interleave, grade);
     pass_draw(GL_TRIANGLES, 6, 1);
 }

@@ -119,11 +119,12 @@ struct irradiance {
     int interleave, tile_width, tile_height;
 };
 
-/* Some pixels of a picture, as a list for each place of the n x n pattern. */
+/* Some pixels of a picture, as a list for each grade (PIXEL_GRADE_...) and place of the n x n pattern. */
 struct pixel_lists {
-    struct texture pixels; /* R32UI, x | y << 16, in tiles; a list fills its tile row by row */
-    struct texture texels; /* R32UI, of each pixel of the picture: x + 1 | y << 16 of its texel in
-                              the lists; 0 where it is not listed */
+    struct texture pixels; /* R32UI, x | y << 16, in tiles; a list fills its tile row by row: of one
+                              grade from its begin, of the other from its end */
+    struct texture texels; /* R32UI, of each pixel of the picture its texel in the lists
+                              (gather/list_texel.glsl); 0 where it is not listed */
     struct buffer counts;  /* of the lists: uint */
     int interleave, tile_width, tile_height;
 };
@@ -165,9 +166,9 @@ bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum fo
 void irradiance_free(struct irradiance *irradiance);
 
 /* What a pass over such RECEIVERS_ binds, for gather/receiver.glsl; lists are not read for all. And the draw
- * of one place of lists, after LOCATION_SLOT is set. */
+ * of one place's list of a grade, after LOCATION_SLOT is set. */
 void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, int receivers);
-void pixel_lists_draw(const struct pixel_lists *lists, GLuint program);
+void pixel_lists_draw(const struct pixel_lists *lists, int grade, GLuint program);
 
 /* For shaders. */
 struct interleaving irradiance_pattern(const struct irradiance *irradiance);

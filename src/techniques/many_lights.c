@@ -2,6 +2,8 @@
 
 #include "base/error.h"
 
+#include <math.h>
+
 struct visibility_desc many_lights_lookup(const struct settings *settings,
                                           enum visibility_lookup lookup, int map_count) {
     const struct map_settings *map = settings_of(settings, &map_part);
@@ -28,6 +30,12 @@ static int blur_radius(const struct settings *settings) {
     return blur->radius < 0 ? gather->interleave / 2 : blur->radius;
 }
 
+static void fill_grade_slots(const struct gather_settings *gather, int slots[PIXEL_GRADES]) {
+    int all = gather->detail * gather->detail;
+    slots[PIXEL_GRADE_EDGE] = 1;
+    slots[PIXEL_GRADE_DETAIL] = gather->detail_times < all ? gather->detail_times : all;
+}
+
 /* Half the blur's radius away: farther off an edge it finds enough on one side.
  *
  * What is listed looks itself up: a block of pixels does not speak for it. */
@@ -37,6 +45,7 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     struct gather_desc gather_desc = lights->gather.desc;
     gather_desc.interleave = gather->detail;
     gather_desc.receivers = RECEIVERS_LISTED;
+    fill_grade_slots(gather, gather_desc.grade_slots);
     gather_desc.share = false;
     return !lights->has_detail ||
            (detail_pass_init(&lights->detail,
@@ -77,33 +86,39 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
     const struct lights_settings *own_lights = settings_of(desc->settings, &lights_part);
     const struct gather_settings *own = settings_of(desc->settings, &gather_part);
     lights->has_near_field = own->clamp == GATHER_CLAMP_NEAR;
-    return !lights->has_near_field ||
-           near_field_pass_init(&lights->near_field, &(struct near_field_desc){
-                                                         .samples = own->near_samples,
-                                                         .listed = lights->has_detail,
-                                                         .rsm_size = own_lights->rsm_size,
-                                                         .lights = *desc->lights,
-                                                     });
+    struct near_field_desc near_field = {
+        .samples = own->near_samples,
+        .listed = lights->has_detail,
+        .rsm_size = own_lights->rsm_size,
+        .lights = *desc->lights,
+    };
+    fill_grade_slots(own, near_field.grade_slots);
+    return !lights->has_near_field || near_field_pass_init(&lights->near_field, &near_field);
 }
 
+/* The more lights a pixel has, the fewer of its neighbours it needs. */
 static bool init_blur(struct many_lights *lights, const struct technique_desc *desc) {
     const struct blur_settings *own = settings_of(desc->settings, &blur_part);
     int radius = blur_radius(desc->settings);
     int n = lights->gather.desc.interleave;
-    int detail = lights->has_detail ? lights->detail_gather.desc.interleave : 0;
+    struct blur_desc blur = {
+        .width = desc->width,
+        .height = desc->height,
+        .radius = radius,
+        .detail = lights->has_detail,
+        .distance = own->distance,
+        .cosine = own->cosine,
+        .square = !own->separable,
+    };
+    const struct gather_desc *listed = &lights->detail_gather.desc;
+    for (int grade = 0; lights->has_detail && grade < PIXEL_GRADES; grade++) {
+        float slots = (float)listed->grade_slots[grade],
+              places = sqrtf(slots) / (float)listed->interleave;
+        blur.grade_radius[grade] = .5f / places;
+        blur.grade_weight[grade] = places * places * (float)(n * n);
+    }
     lights->has_blur = n > 1 || radius > 0;
-    return !lights->has_blur ||
-           blur_pass_init(&lights->blur,
-                          &(struct blur_desc){
-                              .width = desc->width,
-                              .height = desc->height,
-                              .radius = radius,
-                              .detail_radius = detail / 2,
-                              .detail_weight = detail ? n * n / (detail * detail) : 0,
-                              .distance = own->distance,
-                              .cosine = own->cosine,
-                              .square = !own->separable,
-                          });
+    return !lights->has_blur || blur_pass_init(&lights->blur, &blur);
 }
 
 bool many_lights_check(const struct settings *settings) {

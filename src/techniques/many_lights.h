@@ -39,6 +39,7 @@ struct gather_settings {
     float clamp_value, near_reach, take_back;
     int near_samples;
     int detail; /* n of pixels with few like neighbours; 0: as all others */
+    int detail_times;
     float detail_share;
 };
 

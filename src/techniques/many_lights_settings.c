@@ -66,6 +66,9 @@ static const struct option gather_table[] = {
      .help =
          "n, less than interleave, of pixels that the blur finds few neighbours for: they take\n"
          "more VPLs each, their own lookups and a smaller blur; 0 = as all others"},
+    {"detail-times", 0, OPTION_INT, ROW(gather, detail_times), 4, 1, 64,
+     .help =
+         "as many times as many VPLs again for those of whose neighbours fewer than two are like"},
     {"detail-share", 0, OPTION_FLOAT, ROW(gather, detail_share), .75, 0, 1,
      .help =
          "such are pixels of whose four neighbours, half the blur's radius away, fewer than this\n"

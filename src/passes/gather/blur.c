@@ -5,13 +5,11 @@
 #include "shared/blur.h"
 
 static bool init_programs(struct blur_pass *pass) {
-    bool detail = pass->desc.detail_weight > 0;
-    struct program_desc desc = {.vertex = "fullscreen.vert",
-                                .fragment = "gather/blur.frag",
-                                .defines = detail ? "DETAIL 1" : "DETAIL 0"};
+    struct program_desc desc = {.vertex = "fullscreen.vert", .fragment = "gather/blur.frag"};
     struct program_desc half = desc, pack = desc;
-    half.defines = detail ? "DETAIL 1;PACK 1" : "DETAIL 0;PACK 1";
+    half.defines = "PACK 1";
     pack.fragment = "gather/blur_pack.frag";
+    pack.defines = pass->desc.detail ? "DETAIL 1" : "DETAIL 0";
     return program_init(&pass->pack_program, &pack) && program_init(&pass->half_program, &half) &&
            program_init(&pass->program, &desc);
 }
@@ -46,16 +44,17 @@ void blur_pass_free(struct blur_pass *pass) {
 }
 
 static void write_params(const struct blur_pass *pass, const struct irradiance *source) {
+    const struct blur_desc *desc = &pass->desc;
     for (int axis = 0; axis < 2; axis++) {
         struct blur_params params = {
             .pattern = irradiance_pattern(source),
             .along = {axis == 0, axis == 1},
-            .radius = pass->desc.radius,
-            .rows = pass->desc.square ? pass->desc.radius : 0,
-            .distance = pass->desc.distance,
-            .cosine = pass->desc.cosine,
-            .detail_radius = pass->desc.detail_radius,
-            .detail_weight = (float)pass->desc.detail_weight,
+            .radius = desc->radius,
+            .rows = desc->square ? desc->radius : 0,
+            .distance = desc->distance,
+            .cosine = desc->cosine,
+            .radii = {(float)desc->radius, desc->grade_radius[0], desc->grade_radius[1]},
+            .weights = {1, desc->grade_weight[0], desc->grade_weight[1]},
         };
         buffer_write(&pass->params[axis], 0, sizeof params, &params);
     }

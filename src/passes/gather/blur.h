@@ -15,8 +15,9 @@ struct blur_desc {
     int radius;                       /* taps to each side; 0 only puts the tiles in order */
     float distance;                   /* alpha, over the picture's height at the pixel's depth */
     float cosine;                     /* beta */
-    int detail_radius, detail_weight; /* of listed pixels: a smaller radius, and how many times the
-                                         others' count their estimates; 0: there are none */
+    bool detail;                      /* there are pixels of lists */
+    float grade_radius[PIXEL_GRADES]; /* theirs, smaller */
+    float grade_weight[PIXEL_GRADES]; /* how many times as many lights as others they have */
     bool square; /* over all taps of the square at once, as published; else along x, then y */
 };
 

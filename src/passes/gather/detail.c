@@ -14,7 +14,7 @@ static bool init_picture(struct texture *texture, const char *label, int width, 
 
 static bool init_lists(struct pixel_lists *lists, const struct detail_desc *desc) {
     int n = desc->interleave;
-    assert(n * n <= PIXEL_LISTS_MAX);
+    assert(n * n * PIXEL_GRADES <= PIXEL_LISTS_MAX);
     lists->interleave = n;
     lists->tile_width = (desc->width + n - 1) / n;
     lists->tile_height = (desc->height + n - 1) / n;

@@ -1,5 +1,5 @@
 /* Finds the pixels that a blur cannot help: those with few like neighbours, as on leaves and
- * mouldings. They gather more lights, and are blurred less.
+ * mouldings. They gather more lights, and are blurred less: the fewer neighbours are like, the more.
  *
  * Such pixels lie scattered, and a software rasteriser (as a wave of a GPU) takes as long for one of
  * eight neighbours as for all: so they are listed, and drawn side by side.

@@ -73,9 +73,9 @@ static void write_params(const struct gather_pass *pass, const struct frame *fra
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
 
-/* VPLs first .. last of a slot, in runs that fit one uniform block. */
+/* VPLs first .. last for the tile of a slot, or for its list of a grade, in runs that fit one uniform block. */
 static void draw_run(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
-                     int first, int last) {
+                     int grade, int first, int last) {
     int n = pass->desc.interleave;
     for (int at = first, block; at < last; at = block + VPLS_PER_BLOCK) {
         block = at / VPL_ALIGNMENT * VPL_ALIGNMENT;
@@ -89,18 +89,19 @@ static void draw_run(const struct gather_pass *pass, const struct gather_inputs 
         gl.ProgramUniform4i(pass->program, LOCATION_SLOT, at - block, end - at, slot % n, slot / n);
         gl.ProgramUniform1i(pass->program, LOCATION_FIRST_MAP, block - inputs->first);
         if (pass->desc.receivers == RECEIVERS_LISTED)
-            pixel_lists_draw(inputs->lists, pass->program);
+            pixel_lists_draw(inputs->lists, grade, pass->program);
         else
             pass_draw_fullscreen(1);
     }
 }
 
-/* Slot s of S has VPLs s N / S .. (s + 1) N / S. */
-static void draw_slot(const struct gather_pass *pass, const struct gather_inputs *inputs,
-                      int slot) {
+/* Slot s of S has VPLs s N / S .. (s + 1) N / S; a grade may take those of `side` slots side by side. */
+static void draw_slot(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
+                      int grade, int side) {
     const struct irradiance *target = &pass->irradiance;
     int n = pass->desc.interleave, slots = n * n, total = inputs->vpls->count;
-    int first = (int)((long)slot * total / slots), last = (int)((long)(slot + 1) * total / slots);
+    int begin = slot / side * side, end = begin + side < slots ? begin + side : slots;
+    int first = (int)((long)begin * total / slots), last = (int)((long)end * total / slots);
     float weight = (float)total / (float)(last - first);
     int range_last = inputs->count ? inputs->first + inputs->count : total;
     if (first < inputs->first)
@@ -112,7 +113,7 @@ static void draw_slot(const struct gather_pass *pass, const struct gather_inputs
     pass_viewport(slot % n * target->tile_width, slot / n * target->tile_height, target->tile_width,
                   target->tile_height);
     gl.ProgramUniform1f(pass->program, LOCATION_SLOT_WEIGHT, weight);
-    draw_run(pass, inputs, slot, first, last);
+    draw_run(pass, inputs, slot, grade, first, last);
 }
 
 void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,
@@ -134,7 +135,9 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
     visibility_add(&state, &pass->desc.visibility, &pass->lookup_params, &inputs->visibility);
     write_params(pass, frame, inputs);
     pass_begin(frame->timers, &state);
+    bool listed = pass->desc.receivers == RECEIVERS_LISTED;
     for (int slot = 0; slot < pass->desc.interleave * pass->desc.interleave; slot++)
-        draw_slot(pass, inputs, slot);
+        for (int grade = 0; grade < (listed ? PIXEL_GRADES : 1); grade++)
+            draw_slot(pass, inputs, slot, grade, listed ? pass->desc.grade_slots[grade] : 1);
     pass_end(frame->timers);
 }

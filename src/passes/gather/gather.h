@@ -21,6 +21,9 @@ struct gather_desc {
     bool map_per_vpl; /* map i - first of the draw belongs to VPL i; else map C(i) */
     bool share;       /* visibility comes by blocks */
     int receivers;    /* RECEIVERS_LISTED: pixels of lists, whose pattern is interleave */
+    int grade_slots
+        [PIXEL_GRADES]; /* of those: of the pattern's slots, as many side by side as pixels of the
+                                      grade take */
     struct visibility_desc visibility;
     enum gather_clamp clamp;
     float clamp_value; /* of the bounded geometry term, times the squared scene radius */

@@ -167,21 +167,28 @@ static int pick_lights(const struct near_field_pass *pass, const struct frame *f
     return picked + each;
 }
 
-/* The tile of one slot of the pattern. */
-static void draw_slot(const struct near_field_pass *pass, GLuint program,
-                      const struct near_field_inputs *inputs, int slot, int picked) {
+/* A tile of a slot of the pattern, or its list of a grade, with the samples of `side` slots side by side. */
+struct near_draw {
+    int slot, grade, side;
+    int picked; /* lights */
+};
+
+static void draw_tile(const struct near_field_pass *pass, GLuint program,
+                      const struct near_field_inputs *inputs, struct near_draw draw) {
+    int slot = draw.slot;
     const struct irradiance *irradiance = inputs->irradiance;
-    int n = irradiance->interleave, samples = share_of_samples(&pass->desc, n);
+    int n = irradiance->interleave, samples = share_of_samples(&pass->desc, n) * draw.side;
+    samples = samples < pass->desc.samples ? samples : pass->desc.samples;
     int patterns = pass->desc.samples / samples;
     pass_viewport(slot % n * irradiance->tile_width, slot / n * irradiance->tile_height,
                   irradiance->tile_width, irradiance->tile_height);
-    gl.ProgramUniform4i(program, LOCATION_SLOT, slot % patterns * samples, samples, slot % n,
-                        slot / n);
-    gl.ProgramUniform1i(program, LOCATION_PICK_COUNT, picked);
-    gl.ProgramUniform2fv(program, LOCATION_PICKS, picked,
+    gl.ProgramUniform4i(program, LOCATION_SLOT, slot / draw.side % patterns * samples, samples,
+                        slot % n, slot / n);
+    gl.ProgramUniform1i(program, LOCATION_PICK_COUNT, draw.picked);
+    gl.ProgramUniform2fv(program, LOCATION_PICKS, draw.picked,
                          pass->picks[slot * pass->desc.lights.lights]);
     if (inputs->of_lists)
-        pixel_lists_draw(inputs->lists, program);
+        pixel_lists_draw(inputs->lists, draw.grade, program);
     else
         pass_draw_fullscreen(1);
 }
@@ -216,7 +223,13 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
     for (int g = 0; g < frame->layout.groups; g++)
         picked = pick_lights(pass, frame, frame->groups[g], slots, picked);
     pass_begin(frame->timers, &state);
+    bool listed = inputs->of_lists;
     for (int slot = 0; slot < slots; slot++)
-        draw_slot(pass, state.program, inputs, slot, picked);
+        for (int grade = 0; grade < (listed ? PIXEL_GRADES : 1); grade++)
+            draw_tile(pass, state.program, inputs,
+                      (struct near_draw){.slot = slot,
+                                         .grade = grade,
+                                         .side = listed ? pass->desc.grade_slots[grade] : 1,
+                                         .picked = picked});
     pass_end(frame->timers);
 }

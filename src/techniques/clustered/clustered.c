@@ -257,7 +257,7 @@ static const struct preset presets[] = {
     {"paper", "as published: convolution soft shadow maps at each pixel and VPL",
      "clustered.visibility=cssm clustered.visibility-block=0 " MANY_LIGHTS_AS_PUBLISHED},
     {"fine", "for scenes of many small things: more maps, and lights where detail is",
-     "clustered.vals=60 gather.detail=2"},
+     "clustered.vals=60 gather.detail=2 gather.detail-times=1"},
     {NULL}};
 
 extern const struct technique clustered_technique;
