@@ -64,9 +64,13 @@ void scale_scene(struct scene *scene, float s) {
             scene->nodes[i].translation[c] *= s;
             scene->nodes[i].matrix[12 + c] *= s;
         }
-    for (int i = 0; i < scene->light_count; i++)
-        for (int c = 0; c < 3; c++)
-            scene->lights[i].intensity[c] *= s * s;
+    for (int i = 0; i < scene->light_count; i++) {
+        struct scene_light *light = &scene->lights[i];
+        for (int c = 0; c < 3 && light->type != EMITTER_AREA; c++)
+            light->intensity[c] *= s * s;
+        for (int c = 0; c < 2 && light->type != EMITTER_DIRECTIONAL; c++)
+            light->size[c] *= s;
+    }
 }
 
 void turn_stage(struct stage *stage, double degrees) {

@@ -23,8 +23,8 @@ void open_stage(struct stage *stage, const char *path);
 /* Geometry, camera and light anew from a scene that the test has changed. */
 void pose_stage(struct stage *stage);
 
-/* Makes the scene s times as large with s^2 times the intensity, which is the same picture: no
- * length and no light is absolute. pose_stage follows. */
+/* Makes the scene s times as large with s^2 times the intensity, or the same radiance, which is the same
+ * picture: no length and no light is absolute. pose_stage follows. */
 void scale_scene(struct scene *scene, float s);
 
 /* Turns everything, camera and light too, about the y axis. */

@@ -1,11 +1,16 @@
 /* What filters of soft shadows read instead of many texels, against brute force: summed area tables, bit for
- * bit, also where they wrap; nearest and farthest depths of windows. */
+ * bit, also where they wrap; nearest and farthest depths of windows. And what filters make of them, where the answer is
+ * known. */
 #include "render_support.h"
 
 #include "base/memory.h"
+#include "gl/glsl.h"
+#include "gl/program.h"
+#include "passes/visibility/basis.h"
 #include "passes/visibility/depth_bounds.h"
 #include "passes/visibility/sums.h"
 #include "shared/depth_bounds.h"
+#include "shared/lookup.h"
 #include "shared/sums.h"
 
 #include <math.h>
@@ -171,10 +176,118 @@ static void test_bounds(void **state) {
     }
 }
 
+/* --- filters ---------------------------------------------------------------------------------- */
+
+enum { CELLS = 5 };
+
+/* Of one cell, in and out; as in cells.comp. */
+struct answer {
+    float moments[4], plane, share, depth, unused;
+};
+
+/* A share of the cell is at one depth, the rest at another. */
+static struct answer two_depths(double share, double near, double far, double plane) {
+    struct answer answer = {.plane = (float)plane};
+    for (int m = 0; m < 4; m++)
+        answer.moments[m] = (float)(share * pow(near, m + 1) + (1 - share) * pow(far, m + 1));
+    return answer;
+}
+
+static void ask(int filter, struct answer answers[CELLS]) {
+    struct buffer storage;
+    GLuint program;
+    char *defines = mem_printf("FILTER %d;SEARCH_PARTS 2;SHADOW_PARTS 2", filter);
+    check_ok("program",
+             program_init(&program, &(struct program_desc){.compute = "../test/cells.comp",
+                                                           .defines = defines}));
+    check_ok("answers", buffer_init(&storage, "answers", CELLS * sizeof *answers, answers));
+    struct depths depths;
+    open_depths(&depths, 16);
+    pass_set_state(&(struct pass_state){.name = "cells",
+                                        .program = program,
+                                        .textures = {{UNIT_MAP_DEPTH, depths.map.id}},
+                                        .storages = {{0, &storage}}});
+    pass_dispatch(CELLS, 1, 1);
+    buffer_read(&storage, 0, CELLS * sizeof *answers, answers);
+    close_depths(&depths);
+    buffer_free(&storage);
+    program_free(&program);
+    free(defines);
+}
+
+static const int moment_filters[] = {FILTER_VSSM, FILTER_MSM};
+static const char *const moment_names[] = {"vssm", "msm"};
+
+/* One caster before a receiver that is in the map: both are exact, but for the bias of four moments. */
+static void test_two_depths(void **state) {
+    (void)state;
+    static const double shares[CELLS] = {.1, .25, .5, .75, .9}, near[CELLS] = {.3, .5, .2, .6, .4};
+    for (int f = 0; f < 2; f++) {
+        struct answer answers[CELLS];
+        double share = 0, depth = 0;
+        for (int i = 0; i < CELLS; i++)
+            answers[i] = two_depths(shares[i], near[i], .7, .7);
+        ask(moment_filters[f], answers);
+        for (int i = 0; i < CELLS; i++) {
+            share = fmax(share, fabs((double)answers[i].share - shares[i]));
+            depth = fmax(depth, fabs((double)answers[i].depth - near[i]));
+        }
+        printf("    %s\n", moment_names[f]);
+        check_at_most("shares", share, f == 0 ? 1e-5 : 1e-4);
+        check_at_most("depths of casters", depth, f == 0 ? 1e-5 : 1e-4);
+    }
+}
+
+/* Two casters that hide all of the light, a apart, the receiver b behind the second: two moments light it by
+ * Chebyshev's inequality, four do not. */
+static void test_bleeding(void **state) {
+    (void)state;
+    static const double behind[CELLS] = {.25, .5, 1, 2, 4}; /* b / a */
+    static const double lit[CELLS] = {.308, .2, .1, .038, .012};
+    const double a = .08;
+    for (int f = 0; f < 2; f++) {
+        struct answer answers[CELLS];
+        double worst = 0;
+        for (int i = 0; i < CELLS; i++)
+            answers[i] = two_depths(.5, .4, .4 + a, .4 + a + behind[i] * a);
+        ask(moment_filters[f], answers);
+        for (int i = 0; i < CELLS; i++)
+            worst = fmax(worst, fabs(1 - (double)answers[i].share - (f == 0 ? lit[i] : 0)));
+        check_at_most(f == 0 ? "vssm, from what Chebyshev says" : "msm, light", worst,
+                      f == 0 ? 6e-4 : .004);
+    }
+}
+
+/* The straight part of a truncated series. */
+static void test_steps(void **state) {
+    (void)state;
+    static const struct {
+        int terms;
+        double zero, full;
+    } rows[] = {{2, .6027, .9244}, {4, .6105, .9459}, {8, .6125, .9501}, {16, .6130, .9511}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct series_step step = series_step_of(rows[i].terms);
+        printf("    %d terms\n", rows[i].terms);
+        check_near("zero", 2 * rows[i].terms * step.zero, rows[i].zero, 1e-4);
+        check_near("least behind the peak", step.full, rows[i].full, 1e-4);
+    }
+}
+
+static int open_tests(void **state) {
+    glsl_set_folder("glsl"); /* the test's own shader lies beside the test */
+    return open_group_context(state);
+}
+
+static int close_tests(void **state) {
+    glsl_set_folder(NULL);
+    return close_group_context(state);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sums),
-        cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_sums),       cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_two_depths), cmocka_unit_test(test_bleeding),
+        cmocka_unit_test(test_steps),
     };
-    return cmocka_run_group_tests_name("prefilter", tests, open_group_context, close_group_context);
+    return cmocka_run_group_tests_name("prefilter", tests, open_tests, close_tests);
 }

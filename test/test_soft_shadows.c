@@ -17,7 +17,7 @@
 
 enum { SIZE = 96 };
 
-static const double light_height = 1.5, plate_height = .5;
+static const double light_height = 1.5, plate_height = .5, beyond_light = 9, below_floor = -1;
 
 /* A light of that shape above a plate from low to high, in the file's JSON. */
 struct stand {
@@ -51,7 +51,7 @@ static double seen_share(const struct stand *stand, const float p[3]) {
     return 1 - segment(edge / (stand->width / 2));
 }
 
-static void open_stand(struct stage *stage, const struct stand *stand, bool plate) {
+static void open_stand(struct stage *stage, const struct stand *stand, double height) {
     char nodes[2048];
     char more[1024];
     snprintf(more, sizeof more,
@@ -66,7 +66,7 @@ static void open_stand(struct stage *stage, const struct stand *stand, bool plat
         " {\"extensions\": {\"EXT_lights_area\": {\"light\": 0}}, \"translation\": [0, 0, %g]},"
         " {\"mesh\": 0, \"scale\": [%g, %g, 1], \"translation\": [%g, %g, %g]}]",
         light_height, stand->high[0] - stand->low[0], stand->high[1] - stand->low[1], stand->low[0],
-        stand->low[1], plate ? plate_height : 9);
+        stand->low[1], height);
     const char *path = write_parts("stand.glb", &(struct gltf_parts){.nodes = nodes, .more = more});
     open_stage(stage, path);
 }
@@ -86,8 +86,8 @@ static double stand_error(const struct stand *stand, const char *method, const c
     struct stage stage, bare;
     struct renderer renderer, bare_renderer;
     double squares = 0, worst = 0;
-    open_stand(&stage, stand, true);
-    open_stand(&bare, stand, false);
+    open_stand(&stage, stand, plate_height);
+    open_stand(&bare, stand, beyond_light);
     struct image shaded = render_method(&stage, method, settings, &renderer);
     struct image lit = render_method(&bare, method, settings, &bare_renderer);
     int direct = image_find_channel(&shaded, "direct.R");
@@ -317,41 +317,113 @@ static void test_extremes(void **state) {
     stage_free(&stage);
 }
 
+static const char *const soft_methods[] = {"pcss", "vssm", "msm", "cssm"};
+
+enum { SOFT_METHODS = sizeof soft_methods / sizeof *soft_methods };
+
+#define SMALL_MAPS "shadow-size=512 prefilter.texels=512"
+
+static struct image render_soft(const struct stage *stage, const char *method) {
+    struct renderer renderer;
+    struct image layers = render_method(stage, method, SMALL_MAPS, &renderer);
+    renderer_free(&renderer);
+    return layers;
+}
+
 /* A light that is next to nothing has hard shadows, and one in two halves is the one. */
 static void test_limits(void **state) {
     (void)state;
+    static const double halves_most[SOFT_METHODS] = {.06, .06, .06, .2};
     struct stage stage;
-    open_stage(&stage, "scenes/table.glb");
-    struct image hard = render_lights(&stage, "size=0,0", "hard");
-    struct image small = render_lights(&stage, "size=1e-5,1e-5", "pcss");
-    check_at_most("small light beside a hard shadow", relative_rmse(&small, &hard, "direct"), .1);
-    struct image whole = render_lights(&stage, "size=0.8,0.4", "pcss");
-    struct renderer renderer;
     struct emitter halves[2];
-    for (int i = 0; i < 2; i++) {
-        halves[i] = stage.emitters.items[0];
-        halves[i].size[0] /= 2;
-        glm_vec3_muladds(halves[i].right, i ? .2F : -.2F, halves[i].position);
-        glm_vec3_scale(halves[i].intensity, .5F, halves[i].intensity);
+    open_stage(&stage, "scenes/table.glb");
+    check_ok("point", emitters_from_text(&stage.emitters, &stage.scene, "size=0,0", 0));
+    struct image hard = render_soft(&stage, "hard");
+    for (int m = 0; m < SOFT_METHODS; m++) {
+        check_ok("small", emitters_from_text(&stage.emitters, &stage.scene, "size=1e-5,1e-5", 0));
+        struct image small = render_soft(&stage, soft_methods[m]);
+        check_ok("whole", emitters_from_text(&stage.emitters, &stage.scene, "size=0.8,0.4", 0));
+        struct image whole = render_soft(&stage, soft_methods[m]);
+        for (int i = 0; i < 2; i++) {
+            halves[i] = stage.emitters.items[0];
+            halves[i].size[0] /= 2;
+            glm_vec3_muladds(halves[i].right, i ? .2F : -.2F, halves[i].position);
+            glm_vec3_scale(halves[i].intensity, .5F, halves[i].intensity);
+        }
+        struct emitters before = stage.emitters;
+        stage.emitters = (struct emitters){.items = halves, .count = 2};
+        struct image sum = render_soft(&stage, soft_methods[m]);
+        stage.emitters = before;
+        printf("  %s\n", soft_methods[m]);
+        check_at_most("small light beside a hard shadow", relative_rmse(&small, &hard, "direct"),
+                      .1);
+        check_at_most("halves beside the whole", relative_rmse(&sum, &whole, "direct"),
+                      halves_most[m]);
+        image_free(&small);
+        image_free(&whole);
+        image_free(&sum);
     }
-    struct emitters before = stage.emitters;
-    stage.emitters = (struct emitters){.items = halves, .count = 2};
-    struct image sum = render_method(&stage, "pcss", "shadow-size=256", &renderer);
-    stage.emitters = before;
-    renderer_free(&renderer);
-    check_at_most("halves beside the whole", relative_rmse(&sum, &whole, "direct"), .06);
     image_free(&hard);
-    image_free(&small);
-    image_free(&whole);
-    image_free(&sum);
     stage_free(&stage);
+}
+
+/* Neither units nor axes mean anything: a table a thousand times as large, or turned. World-aligned faces come
+ * back to themselves after a quarter turn; a light's own map turns with it. */
+static void test_scale_and_turns(void **state) {
+    (void)state;
+    for (int m = 0; m < SOFT_METHODS; m++) {
+        struct stage stage;
+        open_stage(&stage, "scenes/table.glb");
+        struct image plain = render_soft(&stage, soft_methods[m]);
+        turn_stage(&stage, 90);
+        struct image quarter = render_soft(&stage, soft_methods[m]);
+        turn_stage(&stage, -60);
+        struct image third = render_soft(&stage, soft_methods[m]);
+        stage_free(&stage);
+        open_stage(&stage, "scenes/table.glb");
+        scale_scene(&stage.scene, 1000);
+        pose_stage(&stage);
+        struct image large = render_soft(&stage, soft_methods[m]);
+        printf("  %s\n", soft_methods[m]);
+        check_at_most("turned by 90 degrees", relative_rmse(&quarter, &plain, "direct"), .003);
+        check_at_most("turned by 30 degrees", relative_rmse(&third, &plain, "direct"), .06);
+        check_at_most("a thousand times as large", relative_rmse(&large, &plain, "direct"), .003);
+        image_free(&plain);
+        image_free(&quarter);
+        image_free(&third);
+        image_free(&large);
+        stage_free(&stage);
+    }
+}
+
+/* A plate behind the floor, and one beyond the light, hide nothing. */
+static void test_idle_casters(void **state) {
+    (void)state;
+    static const char *const methods[] = {"hard", "pcss", "vssm", "msm", "cssm"};
+    struct stage below, beyond;
+    open_stand(&below, &stands[0], below_floor);
+    open_stand(&beyond, &stands[0], beyond_light);
+    struct image lit = render_soft(&beyond, "hard");
+    for (size_t m = 0; m < sizeof methods / sizeof *methods; m++) {
+        struct image under = render_soft(&below, methods[m]),
+                     above = render_soft(&beyond, methods[m]);
+        printf("  %s\n", methods[m]);
+        check_at_most("a plate behind the floor", relative_rmse(&under, &lit, "direct"), 1e-5);
+        check_at_most("one beyond the light", relative_rmse(&above, &lit, "direct"), 1e-5);
+        image_free(&under);
+        image_free(&above);
+    }
+    image_free(&lit);
+    stage_free(&below);
+    stage_free(&beyond);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stands), cmocka_unit_test(test_table),
-        cmocka_unit_test(test_types),  cmocka_unit_test(test_extremes),
-        cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_stands),       cmocka_unit_test(test_table),
+        cmocka_unit_test(test_types),        cmocka_unit_test(test_extremes),
+        cmocka_unit_test(test_limits),       cmocka_unit_test(test_scale_and_turns),
+        cmocka_unit_test(test_idle_casters),
     };
     return cmocka_run_group_tests_name("soft shadows", tests, open_group_context,
                                        close_group_context);
