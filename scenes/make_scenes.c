@@ -45,6 +45,7 @@ static const struct scene_maker {
     {"failures/millimetre", make_millimetre},
     {"failures/kilometre", make_kilometre},
     {"failures/far-away", make_far_away},
+    {"failures/ball-lamp", make_ball_lamp},
 };
 enum { MAKER_COUNT = sizeof makers / sizeof makers[0] };
 

@@ -38,6 +38,7 @@ void make_tiny_triangles(struct glb *glb);
 void make_millimetre(struct glb *glb);
 void make_kilometre(struct glb *glb);
 void make_far_away(struct glb *glb);
+void make_ball_lamp(struct glb *glb);
 
 /* The walls, the lamp and the camera of the Cornell box without its blocks; returns the white
  * material. */

@@ -157,18 +157,24 @@ void make_val_plane(struct glb *glb) {
               (const float[]){0.9f, 0.9f, -0.3f});
 }
 
+/* On the room's axis, of half as many rings as it has sides. */
+static void place_ball(const struct set *set, int material, float radius, float height, int rings) {
+    enum { RINGS_MAX = 24 };
+    struct lathe_point profile[RINGS_MAX + 1];
+    for (int i = 0; i <= rings; i++) {
+        float angle = GLM_PIf * (float)i / (float)rings;
+        profile[i] = (struct lathe_point){.radius = i % rings ? radius * sinf(angle) : 0.0f,
+                                          .y = height - radius * cosf(angle)};
+    }
+    struct surface ball = {0};
+    add_lathe(&ball, profile, rings + 1, 2 * rings, 0);
+    add_piece(set, "ball", material, &ball);
+}
+
 /* A lit ball: the centres of its VALs lie within it. */
 void make_center_inside(struct glb *glb) {
     struct set set = open_room(glb);
-    struct lathe_point profile[13];
-    for (int i = 0; i < 13; i++) {
-        float angle = GLM_PIf * (float)i / 12.0f;
-        profile[i] = (struct lathe_point){.radius = i % 12 ? 0.6f * sinf(angle) : 0.0f,
-                                          .y = 1.2f - 0.6f * cosf(angle)};
-    }
-    struct surface ball = {0};
-    add_lathe(&ball, profile, 13, 24, 0);
-    add_piece(&set, "ball", WHITE, &ball);
+    place_ball(&set, WHITE, 0.6f, 1.2f, 12);
     place_spot(&set, (const float[]){-1.6f, 2.4f, 1.6f}, (const float[]){1.6f, -1.2f, -1.6f}, 11.0);
 }
 
@@ -230,6 +236,15 @@ void make_corner(struct glb *glb) {
     place_block(&set);
     place_spot(&set, (const float[]){-0.9f, 1.1f, -0.9f}, (const float[]){-1.0f, -1.0f, -1.0f},
                20.0);
+}
+
+/* No light but a ball of a thousand triangles that shine. */
+void make_ball_lamp(struct glb *glb) {
+    struct set set = open_room(glb);
+    int lamp = glb_add_lamp(glb, "ball", (const float[]){60.0f, 50.0f, 40.0f});
+    place_ball(&set, lamp, 0.3f, 2.1f, 24);
+    place_box(&set, "block", (const float[]){-1.4f, 0.0f, -1.0f},
+              (const float[]){-0.6f, 1.0f, -0.2f});
 }
 
 /* --- surfaces --------------------------------------------------------------------------------- */
