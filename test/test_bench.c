@@ -272,17 +272,19 @@ static void test_budget(void **state) {
     free(text);
 }
 
-/* manylight reference --technique vpl-raytraced: rays and maps see the same from the same VPLs. */
+/* manylight reference --technique vpl-raytraced: rays and maps see the same from the same VPLs. Maps that do not
+ * know their casters' planes have 2.0 %, in corners and at edges of the blocks. */
 static void test_vpl_raytraced(void **state) {
     (void)state;
     char command[2048];
     const char *traced = scratch("traced.exr"), *mapped = scratch("mapped.exr");
     snprintf(command, sizeof command,
              "%s reference scenes/cornell-box.glb --technique vpl-raytraced --set vpls=64 "
-             "--set clamp=disk --size 32x32 -o %s -q && %s render scenes/cornell-box.glb "
+             "--set clamp=disk --size 96x96 -o %s -q && %s render scenes/cornell-box.glb "
              "--technique instant-radiosity --set vpls=64 --set clamp=disk --set interleave=1 "
-             "--set samples=1 "
-             "--size 32x32 -o %s && %s compare %s %s -l indirect --max relative-rmse=.05",
+             "--set samples=1 --set detail=0 --set blur.radius=0 "
+             "--size 96x96 -o %s && %s compare %s %s -l indirect -m relative-rmse --max "
+             "relative-rmse=.013",
              binary_path(), traced, binary_path(), mapped, binary_path(), mapped, traced);
     if (run_command(command, output, sizeof output) != 0)
         fail_msg("%s", output);

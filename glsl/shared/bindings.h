@@ -69,8 +69,9 @@
 #define UNIT_SKY 49
 #define UNIT_EMISSION 50 /* a material's texture */
 #define UNIT_GBUFFER_EMISSION 51
-#define UNIT_SUMS 50
-#define UNIT_DEPTH_BOUNDS 51
+#define UNIT_SUMS 52
+#define UNIT_DEPTH_BOUNDS 53
+#define UNIT_MAP_NORMAL 54
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0

@@ -19,6 +19,7 @@
 #define FILTER_VSSM 6 /* variance soft shadow maps */
 #define FILTER_MSM 7  /* moment shadow maps */
 #define FILTER_CSSM_WINDOW 8 /* convolution soft shadow maps of lights' own maps */
+#define FILTER_PLANE 9 /* one texel, and the plane of the caster there */
 
 struct lookup_params {
     float bias;     /* of the point along its normal, texels of the map */

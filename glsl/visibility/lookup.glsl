@@ -33,6 +33,8 @@ layout(std140, binding = BLOCK_LOOKUP) uniform lookup_uniforms {
 
 #if FILTER == FILTER_HARD
 #include "visibility/filter_hard.glsl"
+#elif FILTER == FILTER_PLANE
+#include "visibility/filter_plane.glsl"
 #elif FILTER == FILTER_CSSM
 #include "visibility/filter_cssm.glsl"
 #elif FILTER == FILTER_PCSS

@@ -3,6 +3,9 @@
 // the triangle's plane. That plane, met by the pixel's true direction, gives the depth.
 #include "visibility/paraboloid.glsl"
 #include "shared/paraboloid.h"
+#if PLANES
+#include "lib/octahedral.glsl"
+#endif
 #ifdef MASKED
 #include "shared/material.h"
 #endif
@@ -20,6 +23,10 @@ layout(std140, binding = BLOCK_MATERIAL) uniform material_uniforms {
 layout(binding = UNIT_BASE_COLOR) uniform sampler2D base_color_texture;
 
 in vec2 surface_uv;
+#endif
+
+#if PLANES
+layout(location = TARGET_RESULT) out vec2 normal_code;
 #endif
 
 void main() {
@@ -41,4 +48,7 @@ void main() {
     if (!(r > range.x && direction.z > 0.0))
         discard;
     gl_FragDepth = (r + params.set_back) / range.y;
+#if PLANES
+    normal_code = octahedral_encode(normalize(normal));
+#endif
 }

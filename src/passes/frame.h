@@ -67,6 +67,7 @@ struct map_views {
 /* Map depth |q| / z_far of the nearest caster; 1 where there is none. D16, one layer a view. */
 struct depth_maps {
     struct texture depth;
+    struct texture normal; /* RG16, of the caster in the map's frame, octahedral; or none */
     int size, count;
 };
 

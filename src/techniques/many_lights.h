@@ -68,7 +68,7 @@ extern const struct settings_part lights_part, map_part, lookup_part, gather_par
  * unoccluded within a distance that shrinks, and for what a map's texels and depth bias cannot show. */
 #define MANY_LIGHTS_REFINED                                                                        \
     "lights.vpls=64 lights.rsm-size=1024 gather.interleave=1 gather.clamp=near "                   \
-    "gather.near-reach=4 gather.take-back=.5 gather.near-samples=64 blur.radius=0"
+    "gather.near-reach=4 gather.take-back=.5 gather.near-samples=256 blur.radius=0"
 
 extern const struct refinement many_lights_refinement;
 

@@ -112,6 +112,7 @@ PART(caster, "casters in the maps");
 
 const struct refinement many_lights_refinement = {
     .technique = "instant-radiosity",
-    .settings = MANY_LIGHTS_REFINED " map.size=512 map.near-clip=.002",
+    .settings = MANY_LIGHTS_REFINED " map.size=512 map.near-clip=.002 caster.long=20000 "
+                                    "lookup.bias=.1 lookup.map-bias=.002",
     .first_weight = 2,
 };

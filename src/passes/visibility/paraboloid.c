@@ -1,5 +1,6 @@
 #include "passes/visibility/paraboloid.h"
 
+#include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
@@ -7,47 +8,60 @@
 #include "shared/paraboloid.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Simplified casters come before what they stand for by up to their error, and would shadow it: maps
  * have them farther off by this much of the error. */
 static const float set_back = .5F;
 
-static bool init_programs(GLuint programs[2], const char *defines, const char *long_defines) {
-    return program_init(&programs[CASTER_SHORT],
-                        &(struct program_desc){.vertex = "visibility/paraboloid.vert",
-                                               .fragment = "visibility/paraboloid.frag",
-                                               .defines = defines}) &&
-           program_init(&programs[CASTER_LONG],
-                        &(struct program_desc){.vertex = "visibility/paraboloid_long.vert",
-                                               .control = "visibility/paraboloid_long.tesc",
-                                               .evaluation = "visibility/paraboloid_long.tese",
-                                               .fragment = "visibility/paraboloid.frag",
-                                               .defines = long_defines});
+static bool init_pair(GLuint programs[2], bool masked, bool planes) {
+    char *defines = mem_printf("PLANES %d%s", planes, masked ? ";MASKED" : "");
+    char *long_defines = mem_printf("LONG;%s", defines);
+    bool ok = program_init(&programs[CASTER_SHORT],
+                           &(struct program_desc){.vertex = "visibility/paraboloid.vert",
+                                                  .fragment = "visibility/paraboloid.frag",
+                                                  .defines = defines}) &&
+              program_init(&programs[CASTER_LONG],
+                           &(struct program_desc){.vertex = "visibility/paraboloid_long.vert",
+                                                  .control = "visibility/paraboloid_long.tesc",
+                                                  .evaluation = "visibility/paraboloid_long.tese",
+                                                  .fragment = "visibility/paraboloid.frag",
+                                                  .defines = long_defines});
+    free(defines);
+    free(long_defines);
+    return ok;
+}
+
+static bool init_texture(struct texture *texture, const char *label, GLenum format,
+                         const struct paraboloid_desc *desc) {
+    return texture_init(texture, &(struct texture_desc){.label = label,
+                                                        .target = GL_TEXTURE_2D_ARRAY,
+                                                        .format = format,
+                                                        .width = desc->size,
+                                                        .height = desc->size,
+                                                        .layers = desc->count});
+}
+
+static bool init_maps(struct paraboloid_pass *pass, const struct paraboloid_desc *desc) {
+    struct depth_maps *maps = &pass->maps;
+    struct framebuffer_desc framebuffer = {.label = "paraboloid depth", .depth = &maps->depth};
+    *maps = (struct depth_maps){.size = desc->size, .count = desc->count};
+    if (desc->planes)
+        framebuffer.colors[TARGET_RESULT] = &maps->normal;
+    return init_texture(&maps->depth, "paraboloid depth", GL_DEPTH_COMPONENT16, desc) &&
+           (!desc->planes || init_texture(&maps->normal, "paraboloid normal", GL_RG16, desc)) &&
+           framebuffer_init(&pass->framebuffer, &framebuffer);
 }
 
 bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_desc *desc) {
-    *pass = (struct paraboloid_pass){
-        .desc = *desc,
-        .maps = {.size = desc->size, .count = desc->count},
-    };
+    *pass = (struct paraboloid_pass){.desc = *desc};
     if (caster_pool_acquire(desc->casters, &pass->caster, &desc->caster) &&
-        init_programs(pass->opaque_programs, NULL, "LONG") &&
-        init_programs(pass->masked_programs, "MASKED", "LONG;MASKED") &&
+        init_pair(pass->opaque_programs, false, desc->planes) &&
+        init_pair(pass->masked_programs, true, desc->planes) &&
         program_init(&pass->views_program,
                      &(struct program_desc){.vertex = "visibility/vpl_views.vert"}) &&
-        texture_init(&pass->maps.depth,
-                     &(struct texture_desc){
-                         .label = "paraboloid depth",
-                         .target = GL_TEXTURE_2D_ARRAY,
-                         .format = GL_DEPTH_COMPONENT16,
-                         .width = desc->size,
-                         .height = desc->size,
-                         .layers = desc->count,
-                     }) &&
-        framebuffer_init(
-            &pass->framebuffer,
-            &(struct framebuffer_desc){.label = "paraboloid depth", .depth = &pass->maps.depth}) &&
+        init_maps(pass, desc) &&
         buffer_init(&pass->views.buffer, "map views", MAP_VIEWS_MAX * sizeof(struct map_view),
                     NULL) &&
         buffer_init(&pass->params, "map parameters", sizeof(struct paraboloid_params), NULL))
@@ -65,6 +79,7 @@ void paraboloid_pass_free(struct paraboloid_pass *pass) {
     program_free(&pass->views_program);
     framebuffer_free(&pass->framebuffer);
     texture_free(&pass->maps.depth);
+    texture_free(&pass->maps.normal);
     buffer_free(&pass->views.buffer);
     buffer_free(&pass->params);
     *pass = (struct paraboloid_pass){0};

@@ -1,5 +1,5 @@
 /* Paraboloid depth maps from VALs or VPLs [Dong 2009 §4.2, §6]: one instanced draw of all casters
- * into all layers of a depth array; D16, map depth |q| / z_far. */
+ * into all layers of a depth array; D16, map depth |q| / z_far. With planes, normals beside. */
 #ifndef PASSES_PARABOLOID_H
 #define PASSES_PARABOLOID_H
 
@@ -11,6 +11,7 @@ struct paraboloid_desc {
     struct caster_desc caster;   /* which of them the maps show */
     float bend; /* how far edges of long casters may stray from their true place, texels */
     int size, count;
+    bool planes;     /* the maps tell how casters are tilted, too */
     float near_clip; /* over the spread of VPLs; for views made here from them */
 };
 

@@ -21,6 +21,8 @@ static void add_maps(struct pass_state *state, const struct visibility_desc *des
     pass_add_block(state, BLOCK_MAPS, &inputs->views->buffer);
     if (desc->lookup != VISIBILITY_LOOKUP_CSSM) {
         pass_add_texture(state, UNIT_MAP_DEPTH, inputs->depth->depth.id);
+        if (desc->lookup == VISIBILITY_LOOKUP_PLANE)
+            pass_add_texture(state, UNIT_MAP_NORMAL, inputs->depth->normal.id);
         return;
     }
     pass_add_block(state, BLOCK_SERIES_RANGES, &inputs->bases->ranges);

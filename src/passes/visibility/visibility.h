@@ -11,7 +11,8 @@ enum visibility_lookup {
     VISIBILITY_LOOKUP_HARD = FILTER_HARD,
     VISIBILITY_LOOKUP_CSSM = FILTER_CSSM,
     VISIBILITY_LOOKUP_PCSS = FILTER_PCSS,
-    VISIBILITY_LOOKUP_RAY = FILTER_RAY, /* to the VPL itself, through its VAL's map */
+    VISIBILITY_LOOKUP_RAY = FILTER_RAY,     /* to the VPL itself, through its VAL's map */
+    VISIBILITY_LOOKUP_PLANE = FILTER_PLANE, /* of maps with planes */
 };
 
 struct visibility_desc {
@@ -29,7 +30,7 @@ struct visibility_desc {
 /* What a lookup reads. */
 struct visibility_inputs {
     const struct map_views *views;
-    const struct depth_maps *depth; /* ..._HARD, ..._PCSS, ..._RAY */
+    const struct depth_maps *depth; /* all but ..._CSSM */
     const struct basis_maps *bases; /* ..._CSSM */
 };
 

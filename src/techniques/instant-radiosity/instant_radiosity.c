@@ -44,8 +44,9 @@ static bool init(void **state, const struct technique_desc *desc) {
     caster.error = 0;
     int batch = own->map_batch < lights->vpls ? own->map_batch : lights->vpls;
     return many_lights_init(&technique->lights, desc,
-                            &(struct many_lights_visibility){
-                                VISIBILITY_LOOKUP_HARD, .map_per_vpl = true, .map_count = batch}) &&
+                            &(struct many_lights_visibility){VISIBILITY_LOOKUP_PLANE,
+                                                             .map_per_vpl = true,
+                                                             .map_count = batch}) &&
            paraboloid_pass_init(&technique->paraboloid,
                                 &(struct paraboloid_desc){
                                     .casters = desc->casters,
@@ -53,6 +54,7 @@ static bool init(void **state, const struct technique_desc *desc) {
                                     .bend = many_lights_caster_bend(desc->settings),
                                     .size = map->size,
                                     .count = batch,
+                                    .planes = true,
                                     .near_clip = map->near_clip,
                                 });
 }
