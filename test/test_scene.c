@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "scene/brightness.h"
 #include "scene/camera.h"
 #include "scene/open.h"
 #include "scene/room.h"
@@ -268,6 +269,40 @@ static void test_framing(void **state) {
     unload(&scene, &geometry);
 }
 
+/* Suns and lamps in the units of photometry are told by how far to stop down; one of our own, and a
+ * scene's, are not. */
+static void test_brightness(void **state) {
+    (void)state;
+    static const struct {
+        const char *light;
+        double stops;
+    } rows[] = {
+        {"\"type\": \"directional\", \"intensity\": 102943.7", 15},
+        {"\"type\": \"directional\", \"intensity\": 3.14159265", 0},
+        /* Beside the middle of a quad with a radius of sqrt(1/2). */
+        {"\"type\": \"point\", \"intensity\": 1608.495", 10},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct scene scene;
+        struct geometry geometry;
+        char more[256];
+        snprintf(more, sizeof more,
+                 "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{%s}]}},", rows[i].light);
+        load(&scene, &geometry,
+             &(struct gltf_parts){.nodes =
+                                      "[{\"mesh\": 0, \"extensions\": {\"KHR_lights_punctual\":"
+                                      " {\"light\": 0}}}]",
+                                  .more = more});
+        check_near("stops", scene_brightness(&scene, &geometry), rows[i].stops, 1e-3);
+        unload(&scene, &geometry);
+    }
+    struct scene scene;
+    struct geometry geometry;
+    load(&scene, &geometry, &(struct gltf_parts){0});
+    check_near("our own", scene_brightness(&scene, &geometry), 0, 1);
+    unload(&scene, &geometry);
+}
+
 /* What lies far out is moved back, triangles, camera and light. */
 static void test_far_out(void **state) {
     (void)state;
@@ -377,6 +412,7 @@ int main(void) {
         cmocka_unit_test(test_lights),
         cmocka_unit_test(test_cameras),
         cmocka_unit_test(test_framing),
+        cmocka_unit_test(test_brightness),
         cmocka_unit_test(test_far_out),
         cmocka_unit_test(test_room),
         cmocka_unit_test(test_shared_scenes),

@@ -1,6 +1,7 @@
 #include "scene/open.h"
 
 #include "scene/animation.h"
+#include "scene/brightness.h"
 #include "scene/framing.h"
 #include "scene/recentre.h"
 
@@ -15,6 +16,7 @@ static bool lay_out(struct scene *scene, struct geometry *geometry) {
             return false;
     }
     framing_place(&framing, scene, geometry);
+    scene_note_brightness(scene, geometry);
     return true;
 }
 
