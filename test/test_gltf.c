@@ -301,6 +301,33 @@ static void test_embedded_texture(void **state) {
     scene_free(&scene);
 }
 
+/* A red WebP of 8 x 8, which an extension names. */
+static void test_webp(void **state) {
+    (void)state;
+    static const unsigned char webp[] = {
+        0x52, 0x49, 0x46, 0x46, 0x44, 0,    0,    0,    0x57, 0x45, 0x42, 0x50, 0x56,
+        0x50, 0x38, 0x20, 0x38, 0,    0,    0,    0x50, 2,    0,    0x9d, 1,    0x2a,
+        8,    0,    8,    0,    0,    0,    0,    0x25, 0xa0, 2,    0x74, 0xba, 1,
+        0xf8, 1,    0xfa, 1,    0xfc, 0,    7,    0x90, 0,    0xfe, 0xff, 0x6f, 0x56,
+        0xff, 0xfc, 0xb0, 0xfc, 0x7f, 0x52, 0x79, 0xff, 0xcb, 0x10, 0xff, 0xff, 0x13,
+        0xd3, 0x9b, 0xc4, 0x54, 0xf2, 0xbf, 0xfe, 0x26, 0x40, 0,    0};
+    struct scene scene = load(
+        "webp.glb",
+        (struct gltf_parts){
+            .views = "[{\"buffer\": 0, \"byteLength\": 320}, {\"buffer\": 0, \"byteOffset\": 64,"
+                     " \"byteLength\": 76}]",
+            .more = "\"extensionsRequired\": [\"EXT_texture_webp\"], \"images\": [{\"bufferView\":"
+                    " 1, \"mimeType\": \"image/webp\"}], \"textures\": [{\"extensions\":"
+                    " {\"EXT_texture_webp\": {\"source\": 0}}}],",
+            .materials = "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]",
+            .extra = webp,
+            .extra_size = sizeof webp});
+    assert_int_equal(scene.textures[0].bitmap.width, 8);
+    check_near("red", scene.textures[0].bitmap.rgba[0], 255, 4);
+    check_near("green", scene.textures[0].bitmap.rgba[1], 0, 4);
+    scene_free(&scene);
+}
+
 /* All that a material says. The first one's roughness lies where its colour does, its glow does
  * not; numbers are not colours, though they are the same picture. */
 static void test_materials(void **state) {
@@ -426,6 +453,46 @@ static void test_nodes(void **state) {
     scene_free(&scene);
 }
 
+/* Three quads by instancing, below their node, with its child once: places, turns as shorts, sizes. */
+static void test_instances(void **state) {
+    (void)state;
+    struct {
+        float places[3][3], sizes[3][3];
+        int16_t turns[3][4];
+    } extra = {
+        {{0, 0, 0}, {10, 0, 0}, {0, 20, 0}},
+        {{1, 1, 1}, {2, 1, 1}, {1, 1, 1}},
+        {{0, 0, 0, 32767}, {0, 0, 0, 32767}, {0, 0, 23170, 23170}},
+    };
+    struct scene scene = load(
+        "instances.glb",
+        (struct gltf_parts){
+            .accessors =
+                "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
+                " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"
+                " \"type\": \"SCALAR\"},"
+                " {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126, \"count\": 3,"
+                " \"type\": \"VEC3\"},"
+                " {\"bufferView\": 0, \"byteOffset\": 100, \"componentType\": 5126, \"count\": 3,"
+                " \"type\": \"VEC3\"},"
+                " {\"bufferView\": 0, \"byteOffset\": 136, \"componentType\": 5122, \"count\": 3,"
+                " \"normalized\": true, \"type\": \"VEC4\"}]",
+            .more = "\"extensionsRequired\": [\"EXT_mesh_gpu_instancing\"],",
+            .nodes = "[{\"mesh\": 0, \"children\": [1], \"translation\": [0, 0, 5], \"extensions\":"
+                     " {\"EXT_mesh_gpu_instancing\": {\"attributes\": {\"TRANSLATION\": 2,"
+                     " \"SCALE\": 3, \"ROTATION\": 4, \"_ID\": 2}}}}, {\"mesh\": 0}]",
+            .extra = &extra,
+            .extra_size = sizeof extra});
+    struct geometry geometry;
+    check_ok("geometry", geometry_init(&geometry, &scene, 0));
+    assert_int_equal(scene.node_count, 5);
+    assert_int_equal(geometry.part_count, 4);
+    check_vector("least", geometry.bounds_min, 3, (double[]){-1, 0, 5}, 1e-4);
+    check_vector("greatest", geometry.bounds_max, 3, (double[]){12, 21, 5}, 1e-4);
+    geometry_free(&geometry);
+    scene_free(&scene);
+}
+
 /* Deep chains are no recursion. */
 static void test_deep_chain(void **state) {
     (void)state;
@@ -462,10 +529,12 @@ int main(void) {
         cmocka_unit_test(test_hopeless_normals),
         cmocka_unit_test(test_texture),
         cmocka_unit_test(test_embedded_texture),
+        cmocka_unit_test(test_webp),
         cmocka_unit_test(test_materials),
         cmocka_unit_test(test_lacks),
         cmocka_unit_test(test_blending),
         cmocka_unit_test(test_nodes),
+        cmocka_unit_test(test_instances),
         cmocka_unit_test(test_deep_chain),
     };
     return cmocka_run_group_tests_name("gltf", tests, NULL, NULL);

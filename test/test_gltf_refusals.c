@@ -255,6 +255,26 @@ static const struct {
     {"child twice",
      "node 1: it has two parents, nodes 0 and 0",
      {.nodes = "[{\"children\": [1, 1]}, {\"mesh\": 0}]"}},
+    {"instances of two counts",
+     "node 0 'one': instances: ROTATION: 6 elements, not 4",
+     {.accessors =
+          "[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\": 48," INDEX_TYPE
+          "}, {\"bufferView\": 0, \"componentType\": 5126, \"count\": 6,"
+          " \"type\": \"VEC4\"}]",
+      .nodes = NODE("\"extensions\": {\"EXT_mesh_gpu_instancing\": {\"attributes\":"
+                    " {\"TRANSLATION\": 0, \"ROTATION\": 2}}}")}},
+    {"instances without number",
+     "of memory are wanted",
+     {.accessors =
+          "[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\": 48," INDEX_TYPE
+          "}, {\"componentType\": 5126, \"count\": 100000000,"
+          " \"type\": \"VEC3\"}]",
+      .nodes = NODE("\"extensions\": {\"EXT_mesh_gpu_instancing\": {\"attributes\":"
+                    " {\"TRANSLATION\": 2}}}")}},
+    {"no such place",
+     "node 0 'one': extensions: EXT_mesh_gpu_instancing: attributes: SCALE: 9, but there are 2",
+     {.nodes = NODE("\"extensions\": {\"EXT_mesh_gpu_instancing\": {\"attributes\":"
+                    " {\"SCALE\": 9}}}")}},
     {"no such child",
      "node 0 'one': children: 5, but there are 1 nodes",
      {.nodes = NODE("\"children\": [5]")}},

@@ -13,6 +13,8 @@ const struct Known {
     const char *name, *lack;
 } known[] = {
     {"EXT_lights_area", nullptr},
+    {"EXT_mesh_gpu_instancing", nullptr},
+    {"EXT_texture_webp", nullptr},
     {"KHR_lights_punctual", nullptr},
     {"KHR_materials_emissive_strength", nullptr},
     {"KHR_mesh_quantization", nullptr},

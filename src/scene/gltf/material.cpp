@@ -33,6 +33,14 @@ enum texture_wrap wrap_mode(int gl) {
                                                          : TEXTURE_WRAP_REPEAT;
 }
 
+/* The picture of a texture, or -1. */
+int texture_source(const tinygltf::Texture &texture) {
+    auto webp = texture.extensions.find("EXT_texture_webp");
+    if (texture.source >= 0 || webp == texture.extensions.end() || !webp->second.Has("source"))
+        return texture.source;
+    return webp->second.Get("source").GetNumberAsInt();
+}
+
 /* Its picture is in a format of an extension alone, or nowhere. */
 bool refuse_texture(const tinygltf::Texture &texture, int index) {
     for (const auto &extension : texture.extensions)
@@ -47,17 +55,18 @@ bool refuse_texture(const tinygltf::Texture &texture, int index) {
 bool load_texture(Loader &loader, int index, bool linear, int &out) {
     const Model &model = loader.model;
     const tinygltf::Texture &texture = model.textures[index];
-    if (texture.source < 0)
+    int source = texture_source(texture);
+    if (source < 0)
         return refuse_texture(texture, index);
     auto &keys = loader.texture_keys;
-    TextureKey key = {texture.source, texture.sampler, linear};
+    TextureKey key = {source, texture.sampler, linear};
     auto known = std::find_if(keys.begin(), keys.end(), [&](const TextureKey &other) {
         return other.image == key.image && other.sampler == key.sampler && other.linear == linear;
     });
     out = int(known - keys.begin());
     if (known != keys.end())
         return true;
-    const tinygltf::Image &image = model.images[texture.source];
+    const tinygltf::Image &image = model.images[source];
     struct scene_texture &made = loader.scene->textures[out];
     tinygltf::Sampler sampler;
     if (texture.sampler >= 0)
@@ -67,7 +76,7 @@ bool load_texture(Loader &loader, int index, bool linear, int &out) {
     made.linear = linear;
     made.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
     if (!decode_image(loader, image, made.bitmap))
-        return error_prefix("%s", label("image", texture.source, image.name).c_str());
+        return error_prefix("%s", label("image", source, image.name).c_str());
     keys.push_back(key);
     loader.scene->texture_count++;
     return true;

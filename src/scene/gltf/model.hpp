@@ -119,6 +119,11 @@ bool load_skins(Loader &loader);
 bool load_clips(Loader &loader);
 bool load_environment(Loader &loader);
 
+/* instances.cpp: how often a node's mesh is there by EXT_mesh_gpu_instancing, 0 = plainly; and the
+ * nodes for that, behind the scene's last one, which is the node. */
+size_t count_instances(const Model &model, const tinygltf::Node &node);
+bool load_instances(Loader &loader, const tinygltf::Node &from);
+
 /* The text for names and messages: cut between UTF-8 characters, and without control characters,
  * which could upset a terminal. */
 std::string clean(const std::string &text);

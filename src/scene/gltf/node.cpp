@@ -149,6 +149,18 @@ bool load_metaballs(const tinygltf::Node &from, struct scene &scene, struct node
            error_set("extras: these are no metaballs");
 }
 
+/* As many as are listed, and those of instances. */
+bool allocate_nodes(Loader &loader, const std::vector<int> &order) {
+    uint64_t instances = 0;
+    for (int i : order)
+        instances += count_instances(loader.model, loader.model.nodes[i]);
+    if (!spend(loader, instances, sizeof(struct node)))
+        return error_prefix("%llu instances", (unsigned long long)instances);
+    loader.scene->nodes = allocate<struct node>(order.size() + instances);
+    loader.scene->metaballs = allocate<struct metaballs>(order.size());
+    return true;
+}
+
 } // namespace
 
 bool load_nodes(Loader &loader) {
@@ -160,8 +172,8 @@ bool load_nodes(Loader &loader) {
         return false;
     std::vector<int> order = order_nodes(model, roots), &place = loader.node_places;
     place.assign(model.nodes.size(), -1);
-    scene->nodes = allocate<struct node>(order.size());
-    scene->metaballs = allocate<struct metaballs>(order.size());
+    if (!allocate_nodes(loader, order))
+        return false;
     for (int i : order) {
         struct node &node = scene->nodes[scene->node_count];
         if (!load_node(model, model.nodes[i], node) ||
@@ -170,6 +182,8 @@ bool load_nodes(Loader &loader) {
             return error_prefix("%s", label("node", i, model.nodes[i].name).c_str());
         node.parent = parents[i] >= 0 ? place[parents[i]] : -1;
         place[i] = scene->node_count++;
+        if (!load_instances(loader, model.nodes[i]))
+            return error_prefix("%s", label("node", i, model.nodes[i].name).c_str());
     }
     return true;
 }

@@ -227,9 +227,12 @@ const char *const area_lights = "/extensions/EXT_lights_area/lights";
 const Field node_light[] = {{"light", Required, Kind::Index, lights}, end};
 const Field node_area_light[] = {{"light", Required, Kind::Index, area_lights}, end};
 
+const Field instancing[] = {{"attributes", Required, Kind::IndexMap, "/accessors"}, end};
+
 const Field node_extensions[] = {
     {"KHR_lights_punctual", Optional, Kind::Object, nullptr, node_light},
     {"EXT_lights_area", Optional, Kind::Object, nullptr, node_area_light},
+    {"EXT_mesh_gpu_instancing", Optional, Kind::Object, nullptr, instancing},
     end,
 };
 
@@ -249,9 +252,17 @@ const Field node[] = {
 
 const Field scene[] = {{"nodes", Optional, Kind::Indices, "/nodes"}, end};
 
+const Field texture_webp[] = {{"source", Optional, Kind::Index, "/images"}, end};
+
+const Field texture_extensions[] = {
+    {"EXT_texture_webp", Optional, Kind::Object, nullptr, texture_webp},
+    end,
+};
+
 const Field texture[] = {
     {"sampler", Optional, Kind::Index, "/samplers"},
     {"source", Optional, Kind::Index, "/images"},
+    {"extensions", Optional, Kind::Object, nullptr, texture_extensions},
     end,
 };
 
