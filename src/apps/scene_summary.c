@@ -2,6 +2,7 @@
 
 #include "scene/camera.h"
 #include "scene/emitter.h"
+#include "scene/environment.h"
 #include "scene/node.h"
 #include "scene/open.h"
 
@@ -105,6 +106,8 @@ static void print_light(const struct scene *scene, int n) {
         printf(", cone %.4g to %.4g degrees", degrees(acosf(light.cos_inner)),
                degrees(acosf(light.cos_outer)));
     print_size(&light);
+    if (light.stands_in)
+        printf(", for a part of what emits");
     if (isfinite(source->range))
         printf(", not cut off at its range of %.4g m", (double)source->range);
     putchar('\n');
@@ -136,9 +139,20 @@ static void print_each(const char *noun, const struct scene *scene, int count,
         printf("  ... and %d more\n", count - most);
 }
 
+static void print_sky(const struct environment *sky) {
+    double brightest = 0;
+    for (size_t i = 0; i < (size_t)sky->width * (size_t)sky->height; i++)
+        for (int c = 0; c < 3; c++)
+            brightest = fmax(brightest, (double)sky->strength * (double)sky->texels[i][c]);
+    printf("sky        %s, %d x %d, up to %.4g W/(sr m2), turned by %.4g degrees\n", sky->path,
+           sky->width, sky->height, brightest, (double)sky->turn);
+}
+
 /* Counted as --light and --camera count them: by node. */
 static void print_placed(const struct scene *scene) {
     print_each("lights", scene, emitter_node_count(scene), print_light);
+    if (scene->environment)
+        print_sky(scene->environment);
     print_each("cameras", scene, camera_node_count(scene), print_camera);
 }
 
