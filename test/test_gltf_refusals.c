@@ -43,10 +43,6 @@ static const struct {
      {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0}, \"extensions\":"
                           " {\"KHR_draco_mesh_compression\": {\"bufferView\": 0}}"),
       .accessors = "[{" VECTORS "}]"}},
-    {"meshopt",
-     "buffer 1: compressed with EXT_meshopt_compression, which is not read",
-     {.buffers = "[{\"byteLength\": 320}, {\"byteLength\": 320, \"extensions\":"
-                 " {\"EXT_meshopt_compression\": {\"fallback\": true}}}]"}},
     {"KTX2",
      "texture 0: its picture is in the format of KHR_texture_basisu, which is not read",
      {.materials = "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]",

@@ -14,6 +14,7 @@ const struct Known {
 } known[] = {
     {"EXT_lights_area", nullptr},
     {"EXT_mesh_gpu_instancing", nullptr},
+    {"EXT_meshopt_compression", nullptr},
     {"EXT_texture_webp", nullptr},
     {"KHR_lights_punctual", nullptr},
     {"KHR_materials_emissive_strength", nullptr},

@@ -69,13 +69,19 @@ struct Loader {
     std::vector<UvSource> uv_sources;     /* one per material, of all its textures */
     std::vector<TextureKey> texture_keys; /* one per texture */
     std::vector<int> node_places;         /* each node's index in the scene, or -1 */
+    std::vector<bool> is_absent;          /* of each buffer: it is unpacked here */
     std::vector<std::string> lacks;       /* what the scene is shown without, in words */
     uint64_t memory = 0;                  /* bytes that the scene may still take */
 };
 
 /* schema.cpp: whether the JSON is what the standard demands, given the size of the BIN chunk.
- * All indices, types and buffer views of the model are right afterwards. */
-bool check_schema(const char *text, size_t size, size_t bin_size);
+ * All indices, types and buffer views of the model are right afterwards. changed: the text to be
+ * parsed instead, unless it stays empty; in it, absent buffers are named by the prefix and their size. */
+bool check_schema(const char *text, size_t size, size_t bin_size, std::string &changed);
+const char *const absent_prefix = "\x01";
+
+/* packed.cpp: fills absent buffers with what their views have packed. */
+bool unpack_views(Loader &loader);
 
 /* parse.cpp: reads and parses the file and the buffers it names. */
 bool parse(Loader &loader, const char *path);

@@ -1,0 +1,346 @@
+/* The table of what the standard demands of a file's JSON; `file` is the whole. */
+#ifndef SCENE_GLTF_SCHEMA_HPP
+#define SCENE_GLTF_SCHEMA_HPP
+
+#include <cstddef>
+
+namespace gltf {
+namespace {
+
+enum class Kind {
+    Index,     /* of an element of the list at the JSON pointer `of` */
+    Indices,   /* an array of them */
+    IndexMap,  /* an object of them */
+    IndexMaps, /* an array of these */
+    Size,      /* a whole number */
+    Int,       /* a whole number that an int can hold */
+    Number,
+    Numbers, /* `count` of them; any number of them where that is 0 */
+    Flag,
+    Text,
+    Choice,  /* one of the words or numbers in `of`, each after a space */
+    Variant, /* such a choice; where a field has its name, that must be there too */
+    Object,  /* with `fields` */
+    Objects, /* an array of them, each called `of` in messages */
+    Packed,  /* where it is, data are compressed in a way that is not read */
+};
+
+enum Need { Optional, Required };
+
+struct Field {
+    const char *name;
+    Need need;
+    Kind kind;
+    const char *of = nullptr;
+    const Field *fields = nullptr; /* ends with a field without name */
+    size_t count = 0;
+};
+
+const Field end = {nullptr, Optional, Kind::Object};
+
+const Field sparse_indices[] = {
+    {"bufferView", Required, Kind::Index, "/bufferViews"},
+    {"byteOffset", Optional, Kind::Int},
+    {"componentType", Required, Kind::Choice, " 5121 5123 5125"},
+    end,
+};
+
+const Field sparse_values[] = {
+    {"bufferView", Required, Kind::Index, "/bufferViews"},
+    {"byteOffset", Optional, Kind::Int},
+    end,
+};
+
+const Field sparse[] = {
+    {"count", Required, Kind::Int},
+    {"indices", Required, Kind::Object, nullptr, sparse_indices},
+    {"values", Required, Kind::Object, nullptr, sparse_values},
+    end,
+};
+
+const Field accessor[] = {
+    {"bufferView", Optional, Kind::Index, "/bufferViews"},
+    {"byteOffset", Optional, Kind::Size},
+    {"componentType", Required, Kind::Choice, " 5120 5121 5122 5123 5125 5126"},
+    {"normalized", Optional, Kind::Flag},
+    {"count", Required, Kind::Size},
+    {"type", Required, Kind::Choice, " SCALAR VEC2 VEC3 VEC4 MAT2 MAT3 MAT4"},
+    {"sparse", Optional, Kind::Object, nullptr, sparse},
+    end,
+};
+
+const Field buffer[] = {
+    {"uri", Optional, Kind::Text},
+    {"byteLength", Required, Kind::Size},
+    end,
+};
+
+const Field meshopt_view[] = {
+    {"buffer", Required, Kind::Index, "/buffers"},
+    {"byteOffset", Optional, Kind::Int},
+    {"byteLength", Required, Kind::Int},
+    {"byteStride", Required, Kind::Int},
+    {"count", Required, Kind::Int},
+    {"mode", Required, Kind::Choice, " ATTRIBUTES TRIANGLES INDICES"},
+    {"filter", Optional, Kind::Choice, " NONE OCTAHEDRAL QUATERNION EXPONENTIAL"},
+    end,
+};
+
+const Field view_extensions[] = {
+    {"EXT_meshopt_compression", Optional, Kind::Object, nullptr, meshopt_view},
+    end,
+};
+
+const Field buffer_view[] = {
+    {"buffer", Required, Kind::Index, "/buffers"},
+    {"byteOffset", Optional, Kind::Size},
+    {"byteLength", Required, Kind::Size},
+    {"byteStride", Optional, Kind::Size},
+    {"extensions", Optional, Kind::Object, nullptr, view_extensions},
+    end,
+};
+
+const Field perspective[] = {
+    {"yfov", Required, Kind::Number},
+    {"znear", Required, Kind::Number},
+    {"zfar", Optional, Kind::Number},
+    end,
+};
+
+const Field orthographic[] = {
+    {"xmag", Required, Kind::Number},
+    {"ymag", Required, Kind::Number},
+    {"znear", Required, Kind::Number},
+    {"zfar", Required, Kind::Number},
+    end,
+};
+
+const Field camera[] = {
+    {"type", Required, Kind::Variant, " perspective orthographic"},
+    {"perspective", Optional, Kind::Object, nullptr, perspective},
+    {"orthographic", Optional, Kind::Object, nullptr, orthographic},
+    end,
+};
+
+const Field image[] = {
+    {"uri", Optional, Kind::Text},
+    {"bufferView", Optional, Kind::Index, "/bufferViews"},
+    end,
+};
+
+const Field texture_transform[] = {
+    {"offset", Optional, Kind::Numbers, nullptr, nullptr, 2},
+    {"rotation", Optional, Kind::Number},
+    {"scale", Optional, Kind::Numbers, nullptr, nullptr, 2},
+    {"texCoord", Optional, Kind::Int},
+    end,
+};
+
+const Field texture_info_extensions[] = {
+    {"KHR_texture_transform", Optional, Kind::Object, nullptr, texture_transform},
+    end,
+};
+
+const Field texture_info[] = {
+    {"index", Required, Kind::Index, "/textures"},
+    {"texCoord", Optional, Kind::Int},
+    {"extensions", Optional, Kind::Object, nullptr, texture_info_extensions},
+    end,
+};
+
+const Field metallic_roughness[] = {
+    {"baseColorFactor", Optional, Kind::Numbers, nullptr, nullptr, 4},
+    {"baseColorTexture", Optional, Kind::Object, nullptr, texture_info},
+    {"metallicFactor", Optional, Kind::Number},
+    {"roughnessFactor", Optional, Kind::Number},
+    {"metallicRoughnessTexture", Optional, Kind::Object, nullptr, texture_info},
+    end,
+};
+
+const Field emissive_strength[] = {{"emissiveStrength", Optional, Kind::Number}, end};
+
+const Field material_extensions[] = {
+    {"KHR_materials_emissive_strength", Optional, Kind::Object, nullptr, emissive_strength},
+    end,
+};
+
+const Field material[] = {
+    {"pbrMetallicRoughness", Optional, Kind::Object, nullptr, metallic_roughness},
+    {"emissiveFactor", Optional, Kind::Numbers, nullptr, nullptr, 3},
+    {"emissiveTexture", Optional, Kind::Object, nullptr, texture_info},
+    {"alphaMode", Optional, Kind::Choice, " OPAQUE MASK BLEND"},
+    {"alphaCutoff", Optional, Kind::Number},
+    {"doubleSided", Optional, Kind::Flag},
+    {"extensions", Optional, Kind::Object, nullptr, material_extensions},
+    end,
+};
+
+const Field primitive_extensions[] = {
+    {"KHR_draco_mesh_compression", Optional, Kind::Packed},
+    end,
+};
+
+const Field primitive[] = {
+    {"attributes", Required, Kind::IndexMap, "/accessors"},
+    {"indices", Optional, Kind::Index, "/accessors"},
+    {"material", Optional, Kind::Index, "/materials"},
+    {"mode", Optional, Kind::Choice, " 0 1 2 3 4 5 6"},
+    {"targets", Optional, Kind::IndexMaps, "/accessors"},
+    {"extensions", Optional, Kind::Object, nullptr, primitive_extensions},
+    end,
+};
+
+const Field mesh[] = {
+    {"primitives", Required, Kind::Objects, "primitive", primitive},
+    {"weights", Optional, Kind::Numbers},
+    end,
+};
+
+const Field skin[] = {
+    {"inverseBindMatrices", Optional, Kind::Index, "/accessors"},
+    {"joints", Required, Kind::Indices, "/nodes"},
+    end,
+};
+
+const Field channel_target[] = {
+    {"node", Optional, Kind::Index, "/nodes"},
+    {"path", Required, Kind::Text},
+    end,
+};
+
+/* The sampler's index is into the animation's own list: check_animation. */
+const Field channel[] = {
+    {"sampler", Required, Kind::Size},
+    {"target", Required, Kind::Object, nullptr, channel_target},
+    end,
+};
+
+const Field channel_sampler[] = {
+    {"input", Required, Kind::Index, "/accessors"},
+    {"output", Required, Kind::Index, "/accessors"},
+    {"interpolation", Optional, Kind::Choice, " LINEAR STEP CUBICSPLINE"},
+    end,
+};
+
+const Field animation[] = {
+    {"channels", Required, Kind::Objects, "channel", channel},
+    {"samplers", Required, Kind::Objects, "sampler", channel_sampler},
+    end,
+};
+
+const char *const lights = "/extensions/KHR_lights_punctual/lights";
+
+const char *const area_lights = "/extensions/EXT_lights_area/lights";
+
+const Field node_light[] = {{"light", Required, Kind::Index, lights}, end};
+const Field node_area_light[] = {{"light", Required, Kind::Index, area_lights}, end};
+
+const Field instancing[] = {{"attributes", Required, Kind::IndexMap, "/accessors"}, end};
+
+const Field node_extensions[] = {
+    {"KHR_lights_punctual", Optional, Kind::Object, nullptr, node_light},
+    {"EXT_lights_area", Optional, Kind::Object, nullptr, node_area_light},
+    {"EXT_mesh_gpu_instancing", Optional, Kind::Object, nullptr, instancing},
+    end,
+};
+
+const Field node[] = {
+    {"camera", Optional, Kind::Index, "/cameras"},
+    {"mesh", Optional, Kind::Index, "/meshes"},
+    {"skin", Optional, Kind::Index, "/skins"},
+    {"weights", Optional, Kind::Numbers},
+    {"children", Optional, Kind::Indices, "/nodes"},
+    {"matrix", Optional, Kind::Numbers, nullptr, nullptr, 16},
+    {"rotation", Optional, Kind::Numbers, nullptr, nullptr, 4},
+    {"scale", Optional, Kind::Numbers, nullptr, nullptr, 3},
+    {"translation", Optional, Kind::Numbers, nullptr, nullptr, 3},
+    {"extensions", Optional, Kind::Object, nullptr, node_extensions},
+    end,
+};
+
+const Field scene[] = {{"nodes", Optional, Kind::Indices, "/nodes"}, end};
+
+const Field texture_webp[] = {{"source", Optional, Kind::Index, "/images"}, end};
+
+const Field texture_extensions[] = {
+    {"EXT_texture_webp", Optional, Kind::Object, nullptr, texture_webp},
+    end,
+};
+
+const Field texture[] = {
+    {"sampler", Optional, Kind::Index, "/samplers"},
+    {"source", Optional, Kind::Index, "/images"},
+    {"extensions", Optional, Kind::Object, nullptr, texture_extensions},
+    end,
+};
+
+const Field spot[] = {
+    {"innerConeAngle", Optional, Kind::Number},
+    {"outerConeAngle", Optional, Kind::Number},
+    end,
+};
+
+const Field light[] = {
+    {"type", Required, Kind::Variant, " directional point spot"},
+    {"color", Optional, Kind::Numbers, nullptr, nullptr, 3},
+    {"intensity", Optional, Kind::Number},
+    {"range", Optional, Kind::Number},
+    {"spot", Optional, Kind::Object, nullptr, spot},
+    end,
+};
+
+const Field punctual[] = {{"lights", Required, Kind::Objects, "light", light}, end};
+
+const Field rect[] = {{"aspect", Optional, Kind::Number}, end};
+
+const Field area_light[] = {
+    {"name", Optional, Kind::Text},
+    {"type", Required, Kind::Choice, " rect disk"},
+    {"color", Optional, Kind::Numbers, nullptr, nullptr, 3},
+    {"intensity", Optional, Kind::Number},
+    {"size", Optional, Kind::Number},
+    {"rect", Optional, Kind::Object, nullptr, rect},
+    end,
+};
+
+const Field area[] = {{"lights", Required, Kind::Objects, "area light", area_light}, end};
+
+const Field file_extensions[] = {
+    {"KHR_lights_punctual", Optional, Kind::Object, nullptr, punctual},
+    {"EXT_lights_area", Optional, Kind::Object, nullptr, area},
+    end,
+};
+
+const Field sampler[] = {
+    {"magFilter", Optional, Kind::Choice, " 9728 9729"},
+    {"wrapS", Optional, Kind::Choice, " 10497 33071 33648"},
+    {"wrapT", Optional, Kind::Choice, " 10497 33071 33648"},
+    end,
+};
+
+const Field asset[] = {{"version", Required, Kind::Text}, end};
+
+const Field file[] = {
+    {"asset", Required, Kind::Object, nullptr, asset},
+    {"buffers", Optional, Kind::Objects, "buffer", buffer},
+    {"bufferViews", Optional, Kind::Objects, "buffer view", buffer_view},
+    {"accessors", Optional, Kind::Objects, "accessor", accessor},
+    {"meshes", Optional, Kind::Objects, "mesh", mesh},
+    {"nodes", Optional, Kind::Objects, "node", node},
+    {"scenes", Optional, Kind::Objects, "scene", scene},
+    {"scene", Optional, Kind::Index, "/scenes"},
+    {"materials", Optional, Kind::Objects, "material", material},
+    {"images", Optional, Kind::Objects, "image", image},
+    {"textures", Optional, Kind::Objects, "texture", texture},
+    {"samplers", Optional, Kind::Objects, "sampler", sampler},
+    {"cameras", Optional, Kind::Objects, "camera", camera},
+    {"skins", Optional, Kind::Objects, "skin", skin},
+    {"animations", Optional, Kind::Objects, "animation", animation},
+    {"extensions", Optional, Kind::Object, nullptr, file_extensions},
+    end,
+};
+
+} // namespace
+} // namespace gltf
+
+#endif
