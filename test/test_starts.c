@@ -12,6 +12,9 @@
 
 enum { SIZE = 64 };
 
+static const struct sky_lights no_lights;
+static const struct sky_groups no_groups;
+static const struct starts_sky no_sky = {&no_lights, &no_groups};
 static const struct starts_desc of_four = {.places = 4, .wide = .3F, .radius = 1};
 
 static struct emitter lamp(enum emitter_type type, float width, float height) {
@@ -34,7 +37,8 @@ static void test_pieces(void **state) {
                                lamp(EMITTER_DIRECTIONAL, .0093F, 0)};
     static const int expected[] = {2, 1, 1, 2, 1};
     struct light_starts starts;
-    light_starts_place(&starts, &(struct emitters){.items = lights, .count = 5}, &of_four, 0);
+    light_starts_place(&starts, &(struct emitters){.items = lights, .count = 5}, &no_sky, &of_four,
+                       0);
     assert_int_equal(starts.group_count, 5);
     assert_int_equal(starts.count, 7);
     for (int g = 0; g < 5; g++) {
@@ -62,13 +66,14 @@ static void test_room(void **state) {
     struct light_starts starts;
     for (int i = 0; i < LIGHTS_MAX; i++)
         lights[i] = lamp(i ? EMITTER_DIRECTIONAL : EMITTER_AREA, i ? 0 : 1, i ? 0 : 1);
-    light_starts_place(&starts, &(struct emitters){.items = lights, .count = 1}, &desc, 0);
+    light_starts_place(&starts, &(struct emitters){.items = lights, .count = 1}, &no_sky, &desc, 0);
     assert_int_equal(starts.count, LIGHT_VIEWS_MAX / 6);
-    light_starts_place(&starts, &(struct emitters){.items = lights, .count = LIGHTS_MAX - 5}, &desc,
-                       0);
+    light_starts_place(&starts, &(struct emitters){.items = lights, .count = LIGHTS_MAX - 5},
+                       &no_sky, &desc, 0);
     assert_int_equal(starts.count, LIGHTS_MAX);
     assert_int_equal(starts.groups[0].count, 6);
-    light_starts_place(&starts, &(struct emitters){.items = lights, .count = LIGHTS_MAX}, &desc, 0);
+    light_starts_place(&starts, &(struct emitters){.items = lights, .count = LIGHTS_MAX}, &no_sky,
+                       &desc, 0);
     assert_int_equal(starts.count, LIGHTS_MAX);
 }
 
@@ -80,8 +85,8 @@ static void test_passes(void **state) {
     struct light_starts starts;
     double sum[2] = {0}, square[2] = {0};
     for (int pass = 0; pass < PASSES; pass++) {
-        light_starts_place(&starts, &(struct emitters){.items = lights, .count = 2}, &of_four,
-                           pass);
+        light_starts_place(&starts, &(struct emitters){.items = lights, .count = 2}, &no_sky,
+                           &of_four, pass);
         assert_int_equal(starts.count, 5);
         for (int i = 0; i < 5; i++) {
             double x = (double)(starts.items[i].position[0] - lights[0].position[0]);

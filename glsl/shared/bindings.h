@@ -15,6 +15,7 @@
 #define BLOCK_VPL_SHARES 8
 #define BLOCK_LIST_COUNTS 9
 #define BLOCK_SERIES_RANGES 10
+#define BLOCK_SKY 11
 
 /* Storages and images, which shaders write. GL promises 8 each to compute shaders. */
 #define STORAGE_LIST_COUNTS 0
@@ -72,6 +73,8 @@
 #define UNIT_SUMS 52
 #define UNIT_DEPTH_BOUNDS 53
 #define UNIT_MAP_NORMAL 54
+#define UNIT_SKY_MAPS 55
+#define UNIT_SKY_SHARES 56
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0
@@ -107,7 +110,8 @@
 #define LOCATION_FIRST_VIEW 4
 #define LOCATION_LIGHT 5
 #define LOCATION_TILE 6
-#define LOCATION_PICK_COUNT 7
-#define LOCATION_PICKS 8 /* LIGHTS_MAX of them (shared/light.h) */
+#define LOCATION_SET_BACK 7
+#define LOCATION_PICK_COUNT 8
+#define LOCATION_PICKS 9 /* LIGHTS_MAX of them (shared/light.h) */
 
 #endif

@@ -21,8 +21,15 @@ static float typical_irradiance(const struct emitter *light, float radius) {
     return light->type == EMITTER_DIRECTIONAL ? brightest : brightest * share / (radius * radius);
 }
 
-float renderer_irradiance_scale(const struct renderer_desc *desc) {
+float renderer_irradiance_scale(const struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    const struct light_plan *plan = &renderer->plan;
     float typical = 0;
+    for (int i = 0; i < plan->sky_starts.count; i++) {
+        struct emitter emitter =
+            sky_group_emitter(&plan->sky, &plan->sky_starts, i, desc->emitters.sky);
+        typical += typical_irradiance(&emitter, desc->geometry->radius);
+    }
     for (int i = 0; i < desc->emitters.count; i++)
         typical += typical_irradiance(&desc->emitters.items[i], desc->geometry->radius);
     return typical > 0 && isfinite(typical) ? exp2f(-roundf(log2f(typical))) : 1;
@@ -46,7 +53,7 @@ struct frame renderer_frame(struct renderer *renderer) {
         .geometry = desc->geometry,
         .radius = desc->geometry->radius,
         .pass = renderer->pass,
-        .irradiance_scale = renderer_irradiance_scale(desc),
+        .irradiance_scale = renderer_irradiance_scale(renderer),
     };
     memcpy(frame.bounds_min, desc->geometry->bounds_min, sizeof frame.bounds_min);
     memcpy(frame.bounds_max, desc->geometry->bounds_max, sizeof frame.bounds_max);
@@ -81,7 +88,8 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
         renderer->pass > 0 ? &renderer->refining.centers : &renderer->antialias;
     return (struct composite_inputs){
         .gbuffer = &renderer->gbuffer,
-        .direct = renderer->direct->light(renderer->direct_state),
+        .direct =
+            skylight_light(&renderer->skylight, renderer->direct->light(renderer->direct_state)),
         .contribution = last_contribution(renderer),
         .sky = renderer->desc.emitters.sky,
         .picks = &antialias->picks,
@@ -103,6 +111,8 @@ static void render_lights(struct renderer *renderer, const struct frame *frame) 
         struct frame direct = frame_of_direct(renderer, frame);
         renderer->direct->render_lights(renderer->direct_state, &direct);
     }
+    if (!keeps)
+        skylight_render_lights(&renderer->skylight, frame);
     if ((!keeps || renderer->pass > 0) && technique->render_lights)
         technique->render_lights(state, frame);
     renderer->lights_drawn = renderer->pass == 0 || (keeps && is_refined(renderer));
@@ -115,6 +125,8 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
     render_lights(renderer, frame);
     geometry_pass_render_camera(&renderer->geometry, frame, &renderer->gbuffer);
     renderer->direct->render_view(renderer->direct_state, &direct, &renderer->gbuffer);
+    skylight_render_view(&renderer->skylight, frame, &renderer->gbuffer,
+                         renderer->direct->light(renderer->direct_state));
     if (is_refined(renderer))
         refining->technique->render_view(refining->state, frame, &renderer->gbuffer);
     else

@@ -1,5 +1,6 @@
 #include "renderer/renderer.h"
 
+#include "base/error.h"
 #include "base/halton.h"
 #include "base/memory.h"
 #include "renderer/views.h"
@@ -18,9 +19,10 @@ enum part {
     PART_COMPOSITE = 32, /* size, what the technique contributes */
     PART_MEAN = 64,      /* size, whether progressive */
     PART_REFINER = 128,  /* as technique; whether progressive */
-    PART_ALL = 255,
+    PART_SKY = 256,      /* settings, how many lights the sky has; takes size as it is */
+    PART_ALL = 511,
     PART_SIZE = PART_GBUFFER | PART_ANTIALIAS | PART_COMPOSITE | PART_MEAN,
-    PART_LIGHTS = PART_DIRECT | PART_TECHNIQUE, /* what render_lights draws with */
+    PART_LIGHTS = PART_DIRECT | PART_SKY | PART_TECHNIQUE, /* what render_lights draws with */
 };
 
 static const struct picture_settings *picture_of(const struct renderer *renderer) {
@@ -43,6 +45,16 @@ static bool init_direct(struct renderer *renderer) {
                                                                .height = desc->height,
                                                                .lights = &renderer->plan.layout,
                                                            });
+}
+
+static bool init_sky(struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    return skylight_init(&renderer->skylight,
+                         &(struct skylight_desc){.settings = &desc->settings,
+                                                 .casters = renderer->casters,
+                                                 .width = desc->width,
+                                                 .height = desc->height,
+                                                 .count = renderer->plan.sky.count});
 }
 
 static bool make_technique(const struct renderer *renderer, const struct technique *technique,
@@ -111,6 +123,7 @@ static bool init_parts(struct renderer *renderer, unsigned parts, unsigned contr
                                                                     desc->height, 1, emits})) &&
            (!(parts & PART_GEOMETRY) || geometry_pass_init(&renderer->geometry, emits)) &&
            (!(parts & PART_DIRECT) || init_direct(renderer)) &&
+           (!(parts & PART_SKY) || init_sky(renderer)) &&
            (!(parts & PART_ANTIALIAS) || init_antialias(renderer)) &&
            (!(parts & PART_TECHNIQUE) || init_technique(renderer)) &&
            (!(parts & PART_COMPOSITE) || init_composite(renderer, contributes)) &&
@@ -124,7 +137,9 @@ static float place_in_pixel(uint32_t base, int pass) {
 }
 
 static void place_starts(struct renderer *renderer) {
-    light_starts_place(&renderer->starts, &renderer->desc.emitters, &renderer->plan.starts,
+    const struct light_plan *plan = &renderer->plan;
+    light_starts_place(&renderer->starts, &renderer->desc.emitters,
+                       &(struct starts_sky){&plan->sky, &plan->sky_starts}, &plan->starts,
                        renderer->pass);
     renderer->start_emitters = light_starts_emitters(&renderer->starts);
 }
@@ -139,11 +154,13 @@ void renderer_write_views(struct renderer *renderer) {
         view_shift(&renderer->camera_view, place);
     views_of_emitters(renderer->light_block, &desc->emitters, desc->geometry);
     place_starts(renderer);
+    sky_block_of(renderer->sky_block, &renderer->plan.sky, desc->emitters.sky, desc->geometry);
+    skylight_write(&renderer->skylight, renderer->sky_block);
     views_of_emitters(renderer->start_block, &renderer->start_emitters, desc->geometry);
     buffer_write(&renderer->view_buffer, 0, sizeof renderer->camera_view, &renderer->camera_view);
     buffer_write(&renderer->light_buffer, 0, sizeof *renderer->light_block, renderer->light_block);
     buffer_write(&renderer->start_buffer, 0, sizeof *renderer->start_block, renderer->start_block);
-    scene_gpu_set_glow(&renderer->scene, &desc->emitters, renderer_irradiance_scale(desc));
+    scene_gpu_set_glow(&renderer->scene, &desc->emitters, renderer_irradiance_scale(renderer));
 }
 
 static void set_defaults(struct renderer_desc *desc) {
@@ -155,14 +172,40 @@ static void set_defaults(struct renderer_desc *desc) {
         renderer_settings_init(&desc->settings);
 }
 
+/* Takes what there was before where that is as wanted: a fit takes a while. */
+static void plan_sky(struct light_plan *plan, const struct light_plan *before,
+                     const struct renderer_desc *desc) {
+    const struct skylight_settings *sky = settings_of(&desc->settings, &sky_part);
+    const struct start_settings *start = settings_of(&desc->settings, &start_part);
+    const struct environment *environment = desc->emitters.sky;
+    int room = LIGHTS_MAX - desc->emitters.count;
+    struct sky_wanted *wanted = &plan->wanted;
+    *wanted = (struct sky_wanted){environment, sky->fit, sky->lights,
+                                  start->sky < room ? start->sky : room};
+    if (before && before->wanted.environment == environment && before->wanted.fit == wanted->fit &&
+        before->wanted.lights == wanted->lights && before->wanted.starts == wanted->starts) {
+        plan->sky = before->sky;
+        plan->sky_starts = before->sky_starts;
+        return;
+    }
+    sky_lights_fit(&plan->sky, environment, (enum sky_fit)wanted->fit, wanted->lights);
+    sky_lights_group(&plan->sky_starts, &plan->sky, wanted->starts);
+}
+
 /* Error: more lights than there is room for. */
-static bool plan_lights(struct light_plan *plan, const struct renderer_desc *desc) {
+static bool plan_lights(struct light_plan *plan, const struct light_plan *before,
+                        const struct renderer_desc *desc) {
     const struct start_settings *own = settings_of(&desc->settings, &start_part);
     struct light_starts starts;
     if (!light_layout_of(&plan->layout, &desc->emitters))
         return false;
+    if (desc->emitters.sky && desc->emitters.count > LIGHTS_MAX - SKY_LIGHTS_MIN)
+        return error_set("%d lights and a sky: at most %d shine beside one; --light picks some",
+                         desc->emitters.count, LIGHTS_MAX - SKY_LIGHTS_MIN);
+    plan_sky(plan, before, desc);
     plan->starts = (struct starts_desc){own->places, own->wide, desc->geometry->radius};
-    light_starts_place(&starts, &desc->emitters, &plan->starts, 0);
+    light_starts_place(&starts, &desc->emitters,
+                       &(struct starts_sky){&plan->sky, &plan->sky_starts}, &plan->starts, 0);
     plan->start_layout = light_starts_layout(&starts);
     return true;
 }
@@ -171,11 +214,12 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
     *renderer = (struct renderer){.desc = *desc,
                                   .casters = caster_pool_create(desc->geometry),
                                   .light_block = mem_alloc(1, sizeof *renderer->light_block),
-                                  .start_block = mem_alloc(1, sizeof *renderer->start_block)};
+                                  .start_block = mem_alloc(1, sizeof *renderer->start_block),
+                                  .sky_block = mem_alloc(1, sizeof *renderer->sky_block)};
     renderer->desc.emitters = emitters_copy(&desc->emitters);
     set_defaults(&renderer->desc);
     timers_init(&renderer->timers, desc->timed, gl.software);
-    if (plan_lights(&renderer->plan, &renderer->desc) &&
+    if (plan_lights(&renderer->plan, NULL, &renderer->desc) &&
         scene_gpu_init(&renderer->scene, desc->scene, desc->geometry) &&
         init_parts(renderer, PART_ALL, 0) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
@@ -207,6 +251,7 @@ static void free_parts(struct renderer *renderer) {
         renderer->technique->free(renderer->technique_state);
     if (renderer->direct)
         renderer->direct->free(renderer->direct_state);
+    skylight_free(&renderer->skylight);
     free_mean(&renderer->refining);
     free_refiner(&renderer->refining);
 }
@@ -221,6 +266,7 @@ void renderer_free(struct renderer *renderer) {
     buffer_free(&renderer->start_buffer);
     free(renderer->light_block);
     free(renderer->start_block);
+    free(renderer->sky_block);
     emitters_free(&renderer->desc.emitters);
     *renderer = (struct renderer){0};
 }
@@ -247,6 +293,8 @@ static void swap_parts(struct renderer *a, struct renderer *b, unsigned parts) {
         SWAP(direct);
         SWAP(direct_state);
     }
+    if (parts & PART_SKY)
+        SWAP(skylight);
     if (parts & PART_ANTIALIAS)
         SWAP(antialias);
     if (parts & PART_COMPOSITE)
@@ -271,12 +319,14 @@ static unsigned resize_parts(struct renderer *renderer, unsigned parts, int widt
     struct refining *refining = &renderer->refining;
     if ((parts & PART_DIRECT) && !renderer->direct->resize(renderer->direct_state, width, height))
         return 0;
+    if ((parts & PART_SKY) && !skylight_resize(&renderer->skylight, width, height))
+        return parts & PART_DIRECT;
     if ((parts & PART_TECHNIQUE) &&
         !renderer->technique->resize(renderer->technique_state, width, height))
-        return parts & PART_DIRECT;
+        return parts & (PART_DIRECT | PART_SKY);
     if ((parts & PART_REFINER) && refining->technique &&
         !refining->technique->resize(refining->state, width, height))
-        return parts & (PART_DIRECT | PART_TECHNIQUE);
+        return parts & (PART_DIRECT | PART_SKY | PART_TECHNIQUE);
     return parts;
 }
 
@@ -285,7 +335,7 @@ static unsigned resize_parts(struct renderer *renderer, unsigned parts, int widt
 static bool resize_kept(struct renderer *renderer, const struct renderer_desc *desc,
                         unsigned parts) {
     const struct renderer_desc *old = &renderer->desc;
-    unsigned kept = (PART_DIRECT | PART_TECHNIQUE | PART_REFINER) & ~parts;
+    unsigned kept = (PART_DIRECT | PART_SKY | PART_TECHNIQUE | PART_REFINER) & ~parts;
     if (desc->width == old->width && desc->height == old->height)
         return true;
     unsigned resized = resize_parts(renderer, kept, desc->width, desc->height);
@@ -335,6 +385,9 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         parts |= PART_DIRECT;
     if (!light_layouts_same(&plan->layout, &renderer->plan.layout))
         parts |= PART_DIRECT;
+    if (plan->sky.count != renderer->plan.sky.count ||
+        !settings_same(&desc->settings, &old->settings, &sky_part))
+        parts |= PART_SKY;
     if (!light_layouts_same(&plan->start_layout, &renderer->plan.start_layout))
         parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER;
     if (picture->samples != picture_of(renderer)->samples)
@@ -351,7 +404,7 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     struct emitters old = renderer->desc.emitters;
     struct light_plan plan;
     set_defaults(&desc);
-    if (!plan_lights(&plan, &desc))
+    if (!plan_lights(&plan, &renderer->plan, &desc))
         return false;
     bool same_lights = emitters_same(&desc.emitters, &old);
     desc.emitters = same_lights ? old : emitters_copy(&desc.emitters);

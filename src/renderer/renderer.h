@@ -9,6 +9,7 @@
 #include "base/image.h"
 #include "passes/picture/antialias.h"
 #include "direct/direct.h"
+#include "direct/skylight.h"
 #include "passes/picture/composite.h"
 #include "passes/picture/geometry.h"
 #include "passes/picture/mean.h"
@@ -40,6 +41,12 @@ struct renderer_desc {
 struct light_plan {
     struct light_layout layout, start_layout;
     struct starts_desc starts;
+    struct sky_lights sky;
+    struct sky_groups sky_starts; /* from which its reflected light starts */
+    struct sky_wanted {
+        const struct environment *environment;
+        int fit, lights, starts;
+    } wanted; /* that they were fitted by */
 };
 
 struct renderer {
@@ -55,6 +62,7 @@ struct renderer {
     void *technique_state;
     const struct direct_method *direct;
     void *direct_state;
+    struct skylight skylight;
     bool lights_drawn; /* what depends on no camera is that of desc */
     int pass;          /* that the last frame was: 0 = the first, or the only one */
     /* The mean of passes, where desc.progressive. */
@@ -72,6 +80,7 @@ struct renderer {
     /* What shines, for direct light; and what techniques are given for it. */
     struct light_block *light_block, *start_block;
     struct buffer light_buffer, start_buffer;
+    struct sky_block *sky_block;
     struct light_starts starts;
     struct emitters start_emitters; /* of the starts: nothing to be freed */
 };

@@ -3,6 +3,8 @@
 #include "base/error.h"
 #include "base/names.h"
 #include "direct/direct.h"
+#include "direct/skylight.h"
+#include "scene/starts.h"
 #include "passes/picture/composite.h"
 
 #include <stdio.h>
@@ -29,6 +31,8 @@ static const struct option start_table[] = {
      .help = "of wide lights, from which their reflected light starts, all together"},
     {"wide", 0, OPTION_FLOAT, offsetof(struct start_settings, wide), .3, 0, 100,
      .help = "wide are lights of this width over the scene's radius; of a sun, radians"},
+    {"sky", 0, OPTION_INT, offsetof(struct start_settings, sky), 12, SKY_LIGHTS_MIN, LIGHTS_MAX,
+     .help = "directions from which an environment's reflected light starts, at most"},
     {NULL},
 };
 
@@ -46,6 +50,7 @@ void renderer_settings_init(struct settings *settings) {
         add_parts(settings, (*t)->parts);
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         add_parts(settings, (*d)->parts);
+    settings_add(settings, &sky_part);
     settings_add(settings, &start_part);
     settings_add(settings, &picture_part);
 }
@@ -143,6 +148,7 @@ void renderer_settings_print_help(FILE *out, const struct technique *technique) 
         fprintf(out, "  path=%-21s %s\n", p->name, p->help);
     print_parts(out, technique->parts);
     print_direct_parts(out);
+    settings_print_help(out, &sky_part);
     settings_print_help(out, &start_part);
     settings_print_help(out, &picture_part);
 }

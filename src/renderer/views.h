@@ -9,6 +9,6 @@ void renderer_write_views(struct renderer *renderer);
 
 /* A power of two near what all lights could make, inverted: exact to multiply by, and keeps half
  * floats in range whatever the units. */
-float renderer_irradiance_scale(const struct renderer_desc *desc);
+float renderer_irradiance_scale(const struct renderer *renderer);
 
 #endif

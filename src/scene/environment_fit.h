@@ -14,6 +14,7 @@
 #define SCENE_ENVIRONMENT_FIT_H
 
 #include "scene/environment.h"
+#include "shared/sky.h"
 
 struct sky_light {
     float radiance[3];   /* even, W/(sr m2) */
@@ -23,9 +24,9 @@ struct sky_light {
 
 enum sky_fit { SKY_FIT_RECTANGLES, SKY_FIT_MEDIAN_CUT };
 
-enum { SKY_FACE_SIZE = 64, SKY_LIGHTS_MIN = 6, SKY_LIGHTS_MAX = 256 };
+enum { SKY_FACE_SIZE = 64, SKY_LIGHTS_MIN = 6 };
 
-/* At most `count` lights, SKY_LIGHTS_MIN or more; the brightest first. What is black has none. Returned is
+/* At most `count` lights, SKY_LIGHTS_MIN to SKY_LIGHTS_MAX; the brightest first. What is black has none. Returned is
  * how many there are. As the map lies, without its turn and strength: those change no fit. */
 int environment_fit(struct sky_light *lights, const struct environment *environment,
                     enum sky_fit fit, int count);

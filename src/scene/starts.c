@@ -42,6 +42,19 @@ static void add_pieces(struct light_starts *starts, const struct emitter *light,
     }
 }
 
+static void add_sky(struct light_starts *starts, const struct starts_sky *sky,
+                    const struct environment *environment, int pass) {
+    int count = sky->groups->count;
+    float place[2];
+    choose_place(place, 0, 1, pass);
+    if (count)
+        starts->groups[starts->group_count++] = (struct light_group){starts->count, count};
+    for (int i = 0; i < count; i++)
+        starts->items[starts->count++] =
+            pass > 0 ? sky_group_piece(sky->lights, sky->groups, i, environment, place)
+                     : sky_group_emitter(sky->lights, sky->groups, i, environment);
+}
+
 struct emitters light_starts_emitters(struct light_starts *starts) {
     return (struct emitters){.items = starts->items, .count = starts->count};
 }
@@ -56,12 +69,12 @@ struct light_layout light_starts_layout(struct light_starts *starts) {
 }
 
 void light_starts_place(struct light_starts *starts, const struct emitters *emitters,
-                        const struct starts_desc *desc, int pass) {
+                        const struct starts_sky *sky, const struct starts_desc *desc, int pass) {
     int wide = 0;
     for (int i = 0; i < emitters->count; i++)
         wide += is_wide(&emitters->items[i], desc);
     int each = wide > 0 && desc->places > wide ? desc->places / wide : 1;
-    while (each > 1 && emitters->count + wide * (each - 1) > LIGHTS_MAX)
+    while (each > 1 && emitters->count + sky->groups->count + wide * (each - 1) > LIGHTS_MAX)
         each--;
     for (bool fits = false; !fits; each--) {
         starts->count = starts->group_count = 0;
@@ -69,6 +82,7 @@ void light_starts_place(struct light_starts *starts, const struct emitters *emit
             const struct emitter *light = &emitters->items[i];
             add_pieces(starts, light, is_wide(light, desc) ? each : 1, pass);
         }
+        add_sky(starts, sky, emitters->sky, pass);
         struct light_layout layout = light_starts_layout(starts);
         fits = each == 1 || light_layout_fits(&layout);
     }

@@ -179,6 +179,11 @@ static void set_view(struct view *view, const struct emitter *light, int face,
     set_matrix(view);
 }
 
+void view_of_directional(struct view *view, const struct emitter *light,
+                         const struct geometry *geometry) {
+    set_view(view, light, 0, geometry);
+}
+
 /* What it shines into: solid angle, sr; of a directional light area, m2. */
 static float measure(const struct emitter *light, const struct view *first) {
     return light->type == EMITTER_DIRECTIONAL

@@ -38,6 +38,10 @@ bool light_layouts_same(const struct light_layout *a, const struct light_layout 
  * sphere with half of that each: the same density. */
 int light_map_size(int kind, int size);
 
+/* The orthographic view along a directional light over the scene's bounds. */
+void view_of_directional(struct view *view, const struct emitter *light,
+                         const struct geometry *geometry);
+
 /* One perspective view of a spot, six along the world's axes of a point light (and of a spot wider
  * than 2 x 60 degrees), one orthographic view over the scene's bounds of a directional light. */
 void views_of_emitters(struct light_block *block, const struct emitters *emitters,

@@ -145,24 +145,23 @@ void near_field_pass_render_lights(struct near_field_pass *pass, const struct fr
     timer_end(frame->timers);
 }
 
-/* The lights of one group, for all slots: one each by their flux, or all where there are fewer slots.
+/* The lights of one group, for all slots: by their flux, as few each as show all.
  * Follow those that are picked already; returned is how many there are. */
 static int pick_lights(const struct near_field_pass *pass, const struct frame *frame,
                        struct light_group group, int slots, int picked) {
     double fluxes[LIGHTS_MAX];
-    struct dealt dealt[SLOTS_MAX];
+    struct dealt dealt[SLOTS_MAX + LIGHTS_MAX];
     int counts[LIGHTS_MAX], stride = pass->desc.lights.lights;
     for (int i = 0; i < group.count; i++)
         fluxes[i] = emitter_flux(&frame->emitters->items[group.first + i], frame->radius);
-    if (group.count <= slots)
-        deal(fluxes, group.count, dealt, slots, counts);
-    int each = group.count <= slots ? 1 : group.count;
+    int each = (group.count + slots - 1) / slots;
+    deal(fluxes, group.count, dealt, slots * each, counts);
     for (int slot = 0; slot < slots; slot++)
         for (int i = 0; i < each; i++) {
-            int light = each > 1 ? i : dealt[slot].taker;
+            int light = dealt[slot + i * slots].taker;
             float *pick = pass->picks[slot * stride + picked + i];
             pick[0] = (float)(group.first + light);
-            pick[1] = each > 1 ? 1 : (float)slots / (float)counts[light];
+            pick[1] = (float)slots / (float)counts[light];
         }
     return picked + each;
 }

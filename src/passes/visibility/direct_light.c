@@ -112,7 +112,10 @@ void direct_light_pass_render(const struct direct_light_pass *pass, const struct
                               const struct gbuffer *gbuffer,
                               const struct direct_light_inputs *inputs,
                               enum direct_light_start start) {
+    static const float none[4] = {0};
     timer_begin(frame->timers, "direct");
+    if (frame->light_block->count == 0 && start == DIRECT_LIGHT_ANEW)
+        framebuffer_clear_color(pass->target.framebuffer, TARGET_RESULT, none);
     for (int i = 0; i < frame->light_block->count; i++)
         draw_light(pass, frame, gbuffer, inputs, i, i > 0 || start == DIRECT_LIGHT_ADDS);
     timer_end(frame->timers);

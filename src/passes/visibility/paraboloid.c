@@ -114,14 +114,15 @@ void paraboloid_pass_view_vpls(struct paraboloid_pass *pass, const struct frame 
 
 static void draw_casters(const struct paraboloid_pass *pass, struct pass_state *state,
                          enum caster_length length, const struct scene_gpu *scene, int count) {
+    struct caster_draw draw = {length, length == CASTER_LONG ? GL_PATCHES : GL_TRIANGLES, count};
     state->program = pass->opaque_programs[length];
     pass_set_state(state);
-    caster_gpu_draw_opaque(pass->caster, length, count);
+    caster_gpu_draw_opaque(pass->caster, &draw);
     if (!caster_gpu_has_masked(pass->caster))
         return;
     state->program = pass->masked_programs[length];
     pass_set_state(state);
-    caster_gpu_draw_masked(pass->caster, length, scene, count);
+    caster_gpu_draw_masked(pass->caster, scene, &draw);
 }
 
 void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct frame *frame,

@@ -106,12 +106,12 @@ bool caster_gpu_update(struct caster_gpu *gpu, const struct geometry *geometry) 
 
 /* --- drawing ---------------------------------------------------------------------------------- */
 
-static void draw(const struct caster_gpu *gpu, enum caster_length length, uint32_t first,
-                 uint32_t count, int instances) {
-    size_t offset = (first_of(&gpu->caster, length) + first) * sizeof(uint32_t);
+static void draw(const struct caster_gpu *gpu, const struct caster_draw *what, uint32_t first,
+                 uint32_t count) {
+    size_t offset = (first_of(&gpu->caster, what->length) + first) * sizeof(uint32_t);
     if (count)
-        gl.DrawElementsInstanced(length == CASTER_LONG ? GL_PATCHES : GL_TRIANGLES, (GLsizei)count,
-                                 GL_UNSIGNED_INT, (const void *)offset, instances);
+        gl.DrawElementsInstanced(what->primitives, (GLsizei)count, GL_UNSIGNED_INT,
+                                 (const void *)offset, what->instances);
 }
 
 bool caster_gpu_has_masked(const struct caster_gpu *gpu) {
@@ -120,19 +120,18 @@ bool caster_gpu_has_masked(const struct caster_gpu *gpu) {
            list[CASTER_LONG].opaque_index_count < list[CASTER_LONG].index_count;
 }
 
-void caster_gpu_draw_opaque(const struct caster_gpu *gpu, enum caster_length length,
-                            int instances) {
-    draw(gpu, length, 0, gpu->caster.list[length].opaque_index_count, instances);
+void caster_gpu_draw_opaque(const struct caster_gpu *gpu, const struct caster_draw *what) {
+    draw(gpu, what, 0, gpu->caster.list[what->length].opaque_index_count);
 }
 
-void caster_gpu_draw_masked(const struct caster_gpu *gpu, enum caster_length length,
-                            const struct scene_gpu *scene, int instances) {
-    const struct caster_list *list = &gpu->caster.list[length];
+void caster_gpu_draw_masked(const struct caster_gpu *gpu, const struct scene_gpu *scene,
+                            const struct caster_draw *what) {
+    const struct caster_list *list = &gpu->caster.list[what->length];
     for (int i = 0; i < gpu->caster.batch_count; i++) {
         const struct geometry_batch *batch = &list->batches[i];
         if (batch->first_index < list->opaque_index_count || !batch->index_count)
             continue;
         scene_gpu_bind_material(scene, batch->material);
-        draw(gpu, length, batch->first_index, batch->index_count, instances);
+        draw(gpu, what, batch->first_index, batch->index_count);
     }
 }

@@ -1,0 +1,54 @@
+// The lights of a sky. Rows are read one by one: few need all of them.
+#include "lib/unshadowed.glsl"
+#include "shared/sky.h"
+
+layout(std140, binding = BLOCK_SKY) uniform sky_uniforms {
+    vec4 sky_rows[SKY_LIGHTS_MAX * SKY_ROWS];
+};
+
+vec3 sky_corner(int i, int corner) {
+    return sky_rows[i * SKY_ROWS + corner].xyz;
+}
+
+// And its luminance.
+vec4 sky_radiance(int i) {
+    return sky_rows[i * SKY_ROWS + 4];
+}
+
+// Irradiance over radiance, as a vector.
+vec3 sky_vector(int i) {
+    return sky_rows[i * SKY_ROWS + 5].xyz;
+}
+
+struct sky_view {
+    vec3 right, up, forward, origin;
+    vec2 half_size;
+    float far;
+    mat2 sides;
+};
+
+sky_view sky_view_at(int i) {
+    int row = i * SKY_ROWS;
+    vec4 right = sky_rows[row + 6], up = sky_rows[row + 7], sides = sky_rows[row + 10];
+    return sky_view(right.xyz, up.xyz, sky_rows[row + 8].xyz, sky_rows[row + 9].xyz, vec2(right.w, up.w),
+                    sky_rows[row + 5].w, mat2(sides.xy, sides.zw));
+}
+
+// Irradiance over radiance of a light that nothing hides, exact: the vector's where all is above the
+// horizon, and Lambert's sum where the horizon cuts it.
+float sky_irradiance(int i, vec3 normal) {
+    vec4 above;
+    for (int c = 0; c < 4; c++)
+        above[c] = dot(sky_corner(i, c), normal);
+    float least = min(min(above.x, above.y), min(above.z, above.w));
+    float most = max(max(above.x, above.y), max(above.z, above.w));
+    float share = most > 0.0 ? max(dot(sky_vector(i), normal), 0.0) : 0.0;
+    // A loop and no branch: a software rasteriser leaves a loop that no pixel is in.
+    for (int cut = least < 0.0 && most > 0.0 ? 1 : 0; cut > 0; cut--) {
+        polygon_sum p = polygon_sum(0.0, vec3(0.0), vec3(0.0));
+        for (int c = 0; c < 4; c++)
+            polygon_edge(p, sky_corner(i, c), sky_corner(i, (c + 1) & 3), normal);
+        share = polygon_end(p, normal);
+    }
+    return share;
+}

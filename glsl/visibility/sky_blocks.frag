@@ -1,0 +1,20 @@
+// The visibility of four lights of a sky at the centre of each block; of what is below the horizon, 1.
+#include "lib/gbuffer.glsl"
+#include "visibility/sky_visibility.glsl"
+
+flat in int instance;
+
+layout(location = TARGET_RESULT) out vec4 visible;
+
+void main() {
+    int size = params.block;
+    ivec2 pixel = min(ivec2(gl_FragCoord.xy) * size + size / 2, gbuffer_size() - 1);
+    surface s = gbuffer_surface(pixel);
+    visible = vec4(1.0);
+    if (!s.present)
+        return;
+    vec4 shares = sky_shares(s.normal, instance);
+    for (int k = 0; k < 4; k++)
+        for (int lit = shares[k] > 0.0 ? 1 : 0; lit > 0; lit--)
+            visible[k] = sky_visibility(4 * instance + k, s.position, s.normal);
+}

@@ -1,0 +1,80 @@
+// Direct light with that of a sky. Visibility is that of the blocks of pixels around, between which it is
+// interpolated; a pixel on none of their surfaces, or where they disagree about much light, looks itself up.
+#include "lib/gbuffer.glsl"
+#include "visibility/sky_visibility.glsl"
+
+layout(binding = UNIT_BLOCK_VISIBILITY) uniform sampler2DArray block_visibilities;
+layout(binding = UNIT_DIRECT) uniform sampler2D direct; // of all other lights
+
+layout(location = TARGET_RESULT) out vec4 lit;
+
+const float PI = 3.14159265358979;
+const float BLOCK_COSINE = 0.9;
+
+// The four blocks around a pixel, and how much each speaks for it.
+struct blocks {
+    ivec2 block[4];
+    vec4 weight;
+};
+
+blocks blocks_of(surface s, ivec2 pixel) {
+    ivec2 picture = gbuffer_size(), last = textureSize(block_visibilities, 0).xy - 1;
+    int size = params.block;
+    vec2 place = (vec2(pixel) - float(size / 2)) / float(size);
+    ivec2 base = ivec2(floor(place));
+    vec2 share = place - vec2(base);
+    float plane_apart = params.apart * view_height(camera, gbuffer_depth(pixel));
+    blocks b;
+    for (int k = 0; k < 4; k++) {
+        ivec2 corner = ivec2(k & 1, k >> 1);
+        b.block[k] = clamp(base + corner, ivec2(0), last);
+        surface c = gbuffer_surface(min(b.block[k] * size + size / 2, picture - 1));
+        bool alike = c.present && dot(c.normal, s.normal) > BLOCK_COSINE &&
+                     abs(dot(c.position - s.position, s.normal)) < plane_apart;
+        vec2 weight = mix(1.0 - share, share, vec2(corner));
+        b.weight[k] = alike ? weight.x * weight.y + 1e-4 : 0.0;
+    }
+    return b;
+}
+
+// What they say of four lights: the mean, and how far they disagree; where none speaks, by all.
+vec4 visibility_of_blocks(blocks b, int layer, out vec4 apart) {
+    vec4 sum = vec4(0.0), least = vec4(1.0), most = vec4(0.0);
+    float weight = 0.0;
+    for (int k = 0; k < 4; k++) {
+        vec4 v = texelFetch(block_visibilities, ivec3(b.block[k], layer), 0);
+        bool speaks = b.weight[k] > 0.0;
+        sum += b.weight[k] * v;
+        weight += b.weight[k];
+        least = speaks ? min(least, v) : least;
+        most = speaks ? max(most, v) : most;
+    }
+    apart = weight > 0.0 ? most - least : vec4(1.0);
+    return sum / max(weight, 1e-6);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    lit = texelFetch(direct, pixel, 0);
+    surface s = gbuffer_surface(pixel);
+    if (!s.present)
+        return;
+    blocks b = blocks_of(s, pixel);
+    int layers = (params.count + 3) / 4;
+    float all = 0.0;
+    for (int i = 0; i < params.count; i++)
+        all += max(dot(sky_vector(i), s.normal), 0.0) * sky_radiance(i).a;
+    vec3 sum = vec3(0.0);
+    for (int layer = 0; layer < layers; layer++) {
+        vec4 shares = sky_shares(s.normal, layer), apart;
+        vec4 visible = visibility_of_blocks(b, layer, apart);
+        for (int k = 0; k < 4; k++) {
+            vec4 radiance = sky_radiance(4 * layer + k);
+            // A loop and no branch: a software rasteriser leaves a loop that no pixel is in.
+            for (int ask = shares[k] * radiance.a * apart[k] > params.disagree * all ? 1 : 0; ask > 0; ask--)
+                visible[k] = sky_visibility(4 * layer + k, s.position, s.normal);
+            sum += radiance.rgb * (shares[k] * visible[k]);
+        }
+    }
+    lit.rgb += sum / PI;
+}

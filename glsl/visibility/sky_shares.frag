@@ -1,0 +1,17 @@
+// What four lights of a sky give a surface that nothing hides from them, irradiance over radiance, by its
+// normal: octahedral, the middles of the outer texels on the edge.
+#include "lib/octahedral.glsl"
+#include "lib/sky.glsl"
+#include "shared/sky_light.h"
+
+flat in int instance;
+
+layout(location = TARGET_RESULT) out vec4 shares;
+
+void main() {
+    vec3 normal = octahedral_decode((gl_FragCoord.xy - 0.5) / float(SKY_SHARES_SIZE - 1));
+    shares = vec4(0.0);
+    for (int k = 0; k < 4; k++)
+        if (4 * instance + k < params.count)
+            shares[k] = sky_irradiance(4 * instance + k, normal);
+}

@@ -1,0 +1,161 @@
+#include "passes/visibility/sky_light.h"
+
+#include "base/memory.h"
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/sky_light.h"
+
+#include <stdlib.h>
+
+static const float apart = .008F; /* as the gather's blocks */
+
+static bool init_programs(struct sky_light_pass *pass) {
+    char *defines = mem_printf("SEARCH_TAPS %d;FILTER_TAPS %d", pass->desc.taps, pass->desc.taps);
+    bool ok = program_init(&pass->share_program,
+                           &(struct program_desc){.vertex = "layers.vert",
+                                                  .fragment = "visibility/sky_shares.frag"}) &&
+              program_init(&pass->block_program,
+                           &(struct program_desc){.vertex = "layers.vert",
+                                                  .fragment = "visibility/sky_blocks.frag",
+                                                  .defines = defines}) &&
+              program_init(&pass->light_program,
+                           &(struct program_desc){.vertex = "fullscreen.vert",
+                                                  .fragment = "visibility/sky_light.frag",
+                                                  .defines = defines});
+    free(defines);
+    return ok;
+}
+
+/* Each layer has four. */
+static int layers(const struct sky_light_desc *desc) {
+    return (desc->count + 3) / 4;
+}
+
+static bool init_shares(struct sky_light_pass *pass) {
+    return texture_init(&pass->shares, &(struct texture_desc){.label = "sky shares",
+                                                              .target = GL_TEXTURE_2D_ARRAY,
+                                                              .format = GL_RGBA32F,
+                                                              .width = SKY_SHARES_SIZE,
+                                                              .height = SKY_SHARES_SIZE,
+                                                              .layers = layers(&pass->desc),
+                                                              .filter = FILTER_LINEAR}) &&
+           framebuffer_init(
+               &pass->share_framebuffer,
+               &(struct framebuffer_desc){.label = "sky shares", .colors = {&pass->shares}});
+}
+
+/* What is as large as the picture. */
+static bool init_targets(struct sky_light_pass *pass) {
+    const struct sky_light_desc *desc = &pass->desc;
+    return texture_init(
+               &pass->blocks,
+               &(struct texture_desc){.label = "sky blocks",
+                                      .target = GL_TEXTURE_2D_ARRAY,
+                                      .format = GL_RGBA8,
+                                      .width = (desc->width + desc->block - 1) / desc->block,
+                                      .height = (desc->height + desc->block - 1) / desc->block,
+                                      .layers = layers(desc)}) &&
+           texture_init(&pass->light, &(struct texture_desc){.label = "sky light",
+                                                             .format = GL_RGBA32F,
+                                                             .width = desc->width,
+                                                             .height = desc->height}) &&
+           framebuffer_init(
+               &pass->block_framebuffer,
+               &(struct framebuffer_desc){.label = "sky blocks", .colors = {&pass->blocks}}) &&
+           framebuffer_init(
+               &pass->light_framebuffer,
+               &(struct framebuffer_desc){.label = "sky light", .colors = {&pass->light}});
+}
+
+static void free_targets(struct sky_light_pass *pass) {
+    framebuffer_free(&pass->block_framebuffer);
+    framebuffer_free(&pass->light_framebuffer);
+    texture_free(&pass->blocks);
+    texture_free(&pass->light);
+}
+
+bool sky_light_pass_init(struct sky_light_pass *pass, const struct sky_light_desc *desc) {
+    *pass = (struct sky_light_pass){.desc = *desc};
+    struct sky_light_params params = {.count = desc->count,
+                                      .block = desc->block,
+                                      .bias = desc->bias,
+                                      .apart = apart,
+                                      .disagree = desc->disagree};
+    if (init_programs(pass) && init_shares(pass) && init_targets(pass) &&
+        buffer_init(&pass->params, "sky parameters", sizeof params, &params))
+        return true;
+    sky_light_pass_free(pass);
+    return false;
+}
+
+void sky_light_pass_free(struct sky_light_pass *pass) {
+    program_free(&pass->share_program);
+    program_free(&pass->block_program);
+    program_free(&pass->light_program);
+    free_targets(pass);
+    framebuffer_free(&pass->share_framebuffer);
+    texture_free(&pass->shares);
+    buffer_free(&pass->params);
+    *pass = (struct sky_light_pass){0};
+}
+
+bool sky_light_pass_resize(struct sky_light_pass *pass, int width, int height) {
+    struct sky_light_pass fresh = *pass;
+    fresh.blocks = fresh.light = (struct texture){0};
+    fresh.block_framebuffer = fresh.light_framebuffer = 0;
+    fresh.desc.width = width;
+    fresh.desc.height = height;
+    if (!init_targets(&fresh)) {
+        free_targets(&fresh);
+        return false;
+    }
+    free_targets(pass);
+    *pass = fresh;
+    return true;
+}
+
+void sky_light_pass_render_lights(const struct sky_light_pass *pass, const struct frame *frame,
+                                  const struct buffer *lights) {
+    pass_begin(frame->timers, &(struct pass_state){
+                                  .name = "sky shares",
+                                  .program = pass->share_program,
+                                  .framebuffer = pass->share_framebuffer,
+                                  .width = SKY_SHARES_SIZE,
+                                  .height = SKY_SHARES_SIZE,
+                                  .blocks = {{BLOCK_SKY, lights}, {BLOCK_PASS, &pass->params}},
+                              });
+    pass_draw_fullscreen(layers(&pass->desc));
+    pass_end(frame->timers);
+}
+
+void sky_light_pass_render(const struct sky_light_pass *pass, const struct frame *frame,
+                           const struct gbuffer *gbuffer, const struct sky_light_inputs *inputs) {
+    struct pass_state state = {
+        .name = "sky blocks",
+        .program = pass->block_program,
+        .framebuffer = pass->block_framebuffer,
+        .width = pass->blocks.desc.width,
+        .height = pass->blocks.desc.height,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                     {UNIT_SKY_MAPS, inputs->maps->id},
+                     {UNIT_SKY_SHARES, pass->shares.id}},
+        .blocks = {{BLOCK_VIEW, frame->view},
+                   {BLOCK_SKY, inputs->lights},
+                   {BLOCK_PASS, &pass->params}},
+    };
+    pass_begin(frame->timers, &state);
+    pass_draw_fullscreen(layers(&pass->desc));
+    pass_end(frame->timers);
+    state.name = "sky light";
+    state.program = pass->light_program;
+    state.framebuffer = pass->light_framebuffer;
+    state.width = pass->light.desc.width;
+    state.height = pass->light.desc.height;
+    pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, pass->blocks.id);
+    pass_add_texture(&state, UNIT_DIRECT, inputs->direct->id);
+    pass_begin(frame->timers, &state);
+    pass_draw_fullscreen(1);
+    pass_end(frame->timers);
+}

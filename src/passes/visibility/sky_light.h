@@ -1,0 +1,48 @@
+/* Adds the direct light of a sky's lights, each with its map [Dong 2011 §5.3.2]: exact where nothing hides
+ * them, and looked up once per block of pixels, as VALs are (block_visibility.h). What is below a pixel's
+ * horizon is left out before. */
+#ifndef PASSES_SKY_LIGHT_H
+#define PASSES_SKY_LIGHT_H
+
+#include "passes/frame.h"
+
+struct sky_light_desc {
+    int width, height; /* of the picture */
+    int count;         /* of lights */
+    int block;         /* pixels a side of a block that shares its visibility */
+    int taps;          /* of a lookup, once to find what hides the light and once to filter */
+    float bias;        /* texels: what is no higher above a receiver's plane hides nothing */
+    float disagree;    /* of all light: where blocks do by more, a pixel looks itself up */
+};
+
+struct sky_light_pass {
+    struct sky_light_desc desc;
+    GLuint share_program, block_program, light_program;
+    struct texture shares; /* RGBA32F, a layer four lights; visibility/sky_shares.frag */
+    struct texture blocks; /* RGBA8, the same */
+    struct texture light;  /* RGBA32F, irradiance over pi, W/(sr m2) */
+    GLuint share_framebuffer, block_framebuffer, light_framebuffer;
+    struct buffer params;
+};
+
+bool sky_light_pass_init(struct sky_light_pass *pass, const struct sky_light_desc *desc);
+void sky_light_pass_free(struct sky_light_pass *pass);
+
+/* Error: out of GPU memory; all is as it was. */
+bool sky_light_pass_resize(struct sky_light_pass *pass, int width, int height);
+
+struct sky_light_inputs {
+    const struct buffer *lights;  /* a struct sky_block */
+    const struct texture *maps;   /* passes/visibility/sky_map.h's */
+    const struct texture *direct; /* of all other lights, as pass->light */
+};
+
+/* What no camera can change, for lights in a struct sky_block. Timer "sky shares". */
+void sky_light_pass_render_lights(const struct sky_light_pass *pass, const struct frame *frame,
+                                  const struct buffer *lights);
+
+/* Fills pass->light. Timers "sky blocks" and "sky light". */
+void sky_light_pass_render(const struct sky_light_pass *pass, const struct frame *frame,
+                           const struct gbuffer *gbuffer, const struct sky_light_inputs *inputs);
+
+#endif
