@@ -1,257 +1,299 @@
-/* Light of the sky in the path tracer, beside closed forms: evenly bright, of one texel, behind a wall. */
-#include "hand_made.h"
+/* Light of a sky: what a sky of 1 gives, in closed forms; a day with a sun beside the path tracer; and that it
+ * adds to whatever else shines. */
+#include "render_support.h"
 
-#include "reference/alias.h"
+#include "gltf_parts.h"
+
+#include "base/memory.h"
+#include "direct/direct.h"
+#include "reference/path_tracer.h"
 #include "scene/environment.h"
+#include "shared/vpl.h"
 
+#include <cglm/cglm.h>
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
-/* --- picking ---------------------------------------------------------------------------------- */
+enum { SIZE = 80 };
 
-/* Evenly spaced numbers pick each as often as it weighs, and leave numbers that are even again. */
-static void test_alias(void **state) {
-    (void)state;
-    enum { COUNT = 7, PICKS = 1 << 20 };
-    static const double weights[COUNT] = {3, 0, .001, 1, 8, 0, 1.999};
-    struct alias alias;
-    double picked[COUNT] = {0}, left[COUNT] = {0};
-    alias_init(&alias, weights, COUNT);
-    for (int i = 0; i < PICKS; i++) {
-        float number = ((float)i + .5F) / PICKS;
-        int pick = alias_pick(&alias, &number);
-        assert_true(number >= 0 && number < 1);
-        picked[pick]++;
-        left[pick] += (double)number;
+static void paint_even(const float direction[3], float radiance[3]) {
+    (void)direction;
+    glm_vec3_broadcast(1, radiance);
+}
+
+/* Bright at the horizon, dark below, and a sun. */
+static void paint_day(const float direction[3], float radiance[3]) {
+    static const float sun[3] = {.48F, .64F, .6F};
+    float up = direction[1], haze = expf(-4 * fabsf(up));
+    glm_vec3_copy(up > 0 ? (vec3){.2F + haze, .4F + haze, 1 + haze} : (vec3){.2F, .15F, .1F},
+                  radiance);
+    if (glm_vec3_dot((float *)direction, (float *)sun) > .9985F)
+        glm_vec3_copy((vec3){300, 280, 250}, radiance);
+}
+
+/* The scene's sky instead of its own, and no other light. */
+static void set_sky(struct stage *stage,
+                    void (*paint)(const float direction[3], float radiance[3])) {
+    enum { WIDTH = 128, HEIGHT = 64 };
+    struct environment *sky = mem_alloc(1, sizeof *sky);
+    *sky = (struct environment){.width = WIDTH, .height = HEIGHT, .strength = 1};
+    sky->texels = mem_alloc(WIDTH * HEIGHT, sizeof *sky->texels);
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        float direction[3];
+        environment_direction(sky, i % WIDTH + .5, i / WIDTH + .5, direction);
+        paint(direction, sky->texels[i]);
     }
-    for (int i = 0; i < COUNT; i++) {
-        check_near("picked of 2^20", picked[i], weights[i] / 14 * PICKS, 2);
-        if (weights[i] > .1)
-            check_near("mean of what is left", left[i] / picked[i], .5, 1e-3);
+    environment_free(stage->scene.environment);
+    stage->scene.environment = sky;
+    stage->emitters.sky = sky;
+    stage->emitters.count = 0;
+}
+
+static void open_quads(struct stage *stage, const char *camera, const char *nodes) {
+    char all[4096];
+    snprintf(all, sizeof all, "[{\"camera\": 0, %s}, %s]", camera, nodes);
+    const char *path = write_parts(
+        "sky.glb", &(struct gltf_parts){.nodes = all,
+                                        .more = "\"cameras\": [{\"type\": \"perspective\","
+                                                " \"perspective\": {\"yfov\": 0.9,"
+                                                " \"znear\": 0.01}}],"});
+    open_stage(stage, path);
+    set_sky(stage, paint_even);
+}
+
+/* What the share of the sky should be at a place; negative where it is not asked for. */
+typedef double (*expectation)(const float place[3]);
+
+static double rms_of_share(struct stage *stage, const char *settings, expectation expected,
+                           double *worst) {
+    struct renderer renderer;
+    struct renderer_desc desc = desc_of(stage, "unshadowed", settings, SIZE, SIZE);
+    struct image layers;
+    double squares = 0;
+    int count = 0;
+    open_renderer(&renderer, &desc);
+    check_ok("layers", renderer_read_layers(&renderer, &layers));
+    int direct = image_find_channel(&layers, "direct.R"), alpha = image_find_channel(&layers, "A");
+    *worst = 0;
+    for (int y = 0; y < SIZE; y++)
+        for (int x = 0; x < SIZE; x++) {
+            float place[3];
+            if (image_at(&layers, x, y)[alpha] < 1)
+                continue;
+            pixel_position(&renderer, &layers, x, y, place);
+            double wanted = expected(place);
+            if (wanted < 0)
+                continue;
+            double error = (double)image_at(&layers, x, y)[direct] - wanted;
+            squares += error * error;
+            *worst = fmax(*worst, fabs(error));
+            count++;
+        }
+    image_free(&layers);
+    renderer_free(&renderer);
+    assert_true(count > SIZE * SIZE / 5);
+    return sqrt(squares / count);
+}
+
+static double all_of_it(const float place[3]) {
+    (void)place;
+    return 1;
+}
+
+/* --- a sky of 1: irradiance pi, as the direct layer has it 1 -------------------------------------- */
+
+static const char *const settings_tried[] = {"", "sky.lights=6", "fit=rectangles lights=60",
+                                             "sky-block=1 sky-size=64"};
+
+static void test_floor(void **state) {
+    (void)state;
+    struct stage stage;
+    open_quads(&stage, "\"translation\": [0, 0, 2]",
+               "{\"mesh\": 0, \"scale\": [4, 4, 1], \"translation\": [-2, -2, 0]}");
+    for (size_t i = 0; i < sizeof settings_tried / sizeof *settings_tried; i++) {
+        double worst;
+        printf("  %s\n", settings_tried[i]);
+        rms_of_share(&stage, settings_tried[i], all_of_it, &worst);
+        check_at_most("worst error on an open floor", worst, 2e-3);
     }
-    alias_free(&alias);
+    stage_free(&stage);
 }
 
-/* --- skies ------------------------------------------------------------------------------------ */
-
-static struct environment even_sky(int width, float radiance) {
-    struct environment sky = {.width = width, .height = width / 2, .strength = 1};
-    size_t count = (size_t)width * (size_t)width / 2;
-    sky.texels = mem_alloc(count, sizeof *sky.texels);
-    for (size_t i = 0; i < count; i++)
-        sky.texels[i][0] = sky.texels[i][1] = sky.texels[i][2] = radiance;
-    return sky;
-}
-
-/* Black but for one texel, of R, G, B as 1 to 2 to 4. */
-static struct environment dotted_sky(int width, int x, int y, float radiance) {
-    struct environment sky = even_sky(width, 0);
-    for (int c = 0; c < 3; c++)
-        sky.texels[y * width + x][c] = radiance * (float)(1 << c);
-    return sky;
-}
-
-static struct path_tracer_desc under(struct world *world, const struct environment *sky, int size,
-                                     int samples) {
-    struct path_tracer_desc desc = describe(world, size, samples);
-    desc.emitters = (struct emitters){.items = NULL, .count = 0, .sky = sky};
-    return desc;
-}
-
-static vec3s at(float x, float y, float z) {
-    return (vec3s){{x, y, z}};
-}
-
-/* The outside of a cube of edge 2 around the origin. */
-static void add_cube(struct world *world) {
-    add_rectangle(world, 0, at(-1, -1, 1), at(2, 0, 0), at(0, 2, 0));
-    add_rectangle(world, 0, at(1, -1, -1), at(-2, 0, 0), at(0, 2, 0));
-    add_rectangle(world, 0, at(1, -1, 1), at(0, 0, -2), at(0, 2, 0));
-    add_rectangle(world, 0, at(-1, -1, -1), at(0, 0, 2), at(0, 2, 0));
-    add_rectangle(world, 0, at(-1, 1, 1), at(2, 0, 0), at(0, 0, -2));
-    add_rectangle(world, 0, at(-1, -1, -1), at(2, 0, 0), at(0, 0, 2));
-}
-
-static void look_at_corner(struct world *world, float far) {
-    world->camera = (struct camera){.eye = {far, far, far}, .fov_y = .4F};
-    camera_look(&world->camera, world->camera.eye, (float[]){-1, -1, -1}, (float[]){0, 1, 0});
-}
-
-/* E = pi on a convex body; and nothing indirect. */
-static void test_even_on_convex(void **state) {
+/* A cube, of which the camera sees three sides: none hides another's sky. */
+static void test_convex_body(void **state) {
     (void)state;
-    struct world world;
-    struct environment sky = even_sky(32, 1);
-    struct image image;
-    world_init(&world);
-    add_cube(&world);
-    world_finish(&world);
-    look_at_corner(&world, 2);
-    struct path_tracer_desc desc = under(&world, &sky, 24, 64);
-    desc.bounces = 2;
-    render(&desc, &image);
-    check_near("covered", mean_of(&image, CHANNEL_ALPHA), 1, 0);
-    check_near("direct", mean_of(&image, CHANNEL_DIRECT), 1, 1e-3);
-    check_near("its spread", spread_about(&image, CHANNEL_DIRECT, 1), 0, .02);
-    check_near("indirect", mean_of(&image, CHANNEL_INDIRECT), 0, 0);
-    image_free(&image);
-    free(sky.texels);
-    world_free(&world);
+    struct stage stage;
+    open_quads(
+        &stage,
+        "\"matrix\": [0.70710678, 0, -0.70710678, 0, -0.40824829, 0.81649658, -0.40824829, 0,"
+        " 0.57735027, 0.57735027, 0.57735027, 0, 2.2, 2.2, 2.2, 1]",
+        "{\"mesh\": 0, \"translation\": [0, 0, 1]},"
+        "{\"mesh\": 0, \"rotation\": [0, 0.70710678, 0, 0.70710678], \"translation\": [1, 0, 1]},"
+        "{\"mesh\": 0, \"rotation\": [-0.70710678, 0, 0, 0.70710678], \"translation\": [0, 1, 1]},"
+        "{\"mesh\": 0, \"rotation\": [0, 1, 0, 0], \"translation\": [1, 0, 0]},"
+        "{\"mesh\": 0, \"rotation\": [0, -0.70710678, 0, 0.70710678]},"
+        "{\"mesh\": 0, \"rotation\": [0.70710678, 0, 0, 0.70710678]}");
+    for (size_t i = 0; i < sizeof settings_tried / sizeof *settings_tried; i++) {
+        double worst;
+        printf("  %s\n", settings_tried[i]);
+        double rms = rms_of_share(&stage, settings_tried[i], all_of_it, &worst);
+        printf("    %-48s %g\n", "worst", worst);
+        check_at_most("RMS error on a cube", rms, .02);
+    }
+    stage_free(&stage);
 }
 
-/* Where all is white and nothing absorbs, all is as bright as the sky: a room without two walls, in which
- * light comes by every way of the tracer. */
-static void test_furnace(void **state) {
-    (void)state;
-    struct world world;
-    struct environment sky = even_sky(32, 1);
-    struct image image;
-    world_init(&world);
-    world.materials[0].double_sided = true;
-    for (int c = 0; c < 3; c++)
-        world.materials[0].base_color[c] = 1;
-    add_rectangle(&world, 0, at(-1, -1, -1), at(0, 0, 2), at(2, 0, 0));
-    add_rectangle(&world, 0, at(-1, -1, -1), at(2, 0, 0), at(0, 2, 0));
-    add_rectangle(&world, 0, at(-1, -1, -1), at(0, 2, 0), at(0, 0, 2));
-    add_rectangle(&world, 0, at(-1, 1, -1), at(2, 0, 0), at(0, 0, 2));
-    world_finish(&world);
-    world.camera = (struct camera){.eye = {.9F, 0, .9F}, .fov_y = 1};
-    camera_look(&world.camera, world.camera.eye, (float[]){-1, -.2F, -1}, (float[]){0, 1, 0});
-    struct path_tracer_desc desc = under(&world, &sky, 16, 512);
-    desc.bounces = 100;
-    render(&desc, &image);
-    check_near("radiance", mean_of(&image, CHANNEL_BEAUTY), 1, 4e-3);
-    check_at_most("direct light", mean_of(&image, CHANNEL_DIRECT), .6);
-    image_free(&image);
-    free(sky.texels);
-    world_free(&world);
+/* At x from the foot of a wall of height 1, but far from its ends. */
+static double beside_wall(const float place[3]) {
+    double x = (double)place[0];
+    return place[2] < 1e-3F && x > .15 && fabsf(place[1]) < 1 ? (1 + x / hypot(x, 1)) / 2 : -1;
 }
 
-/* A floor, and a wall at x = 0. */
-static void make_wall(struct world *world, float height, float length) {
-    world_init(world);
-    add_rectangle(world, 0, at(0, 0, length), at(length, 0, 0), at(0, 0, -2 * length));
-    add_rectangle(world, 0, at(0, 0, -length), at(0, height, 0), at(0, 0, 2 * length));
-    world_finish(world);
-}
-
-/* Half a wide sky lies behind an endless wall: E = pi (1 + cos phi) / 2, tan phi = height / x. */
 static void test_wall(void **state) {
     (void)state;
-    struct world world;
-    struct environment sky = even_sky(32, 2);
-    struct image image;
-    make_wall(&world, 1, 200);
-    for (int i = 1; i <= 4; i *= 2) {
-        float x = .5F * (float)i;
-        look_down(&world, x - .005F, 0, .01F, 50);
-        struct path_tracer_desc desc = under(&world, &sky, 8, 256);
-        render(&desc, &image);
-        double expected = 1 + cos(atan(1 / (double)x));
-        check_near("direct", mean_of(&image, CHANNEL_DIRECT), expected, 4e-3 * expected);
-        image_free(&image);
+    struct stage stage;
+    open_quads(&stage, "\"translation\": [1.2, 0, 2]",
+               "{\"mesh\": 0, \"scale\": [3, 16, 1], \"translation\": [0, -8, 0]},"
+               "{\"mesh\": 0, \"rotation\": [0, 0.70710678, 0, 0.70710678], \"scale\": [1, 16, 1],"
+               " \"translation\": [0, -8, 1]}");
+    double worst;
+    static const struct {
+        const char *settings;
+        double bound;
+    } rows[] = {{"", .05}, {"lights=100 sky-size=512", .04}, {"fit=rectangles", .08}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        printf("  %s\n", rows[i].settings);
+        check_at_most("RMS error beside a wall",
+                      rms_of_share(&stage, rows[i].settings, beside_wall, &worst), rows[i].bound);
+        printf("    %-48s %g\n", "worst", worst);
     }
-    free(sky.texels);
-    world_free(&world);
+    stage_free(&stage);
 }
 
-/* A sky that is turned is a scene that is turned the other way: bright on one side only. */
-static void test_turn(void **state) {
+/* --- a day ---------------------------------------------------------------------------------------- */
+
+static struct image traced(const struct stage *stage, int samples) {
+    struct image with_errors;
+    check_ok("truth", path_tracer_render(&(struct path_tracer_desc){.scene = &stage->scene,
+                                                                    .geometry = &stage->geometry,
+                                                                    .camera = &stage->camera,
+                                                                    .emitters = stage->emitters,
+                                                                    .width = SIZE,
+                                                                    .height = SIZE,
+                                                                    .bounces = 1,
+                                                                    .samples = samples,
+                                                                    .centers = true},
+                                         &with_errors, NULL));
+    struct image truth = common_layers(&with_errors);
+    image_free(&with_errors);
+    return truth;
+}
+
+static void test_day(void **state) {
     (void)state;
-    struct world world;
-    struct environment sky = even_sky(32, 0);
-    struct image image;
-    for (int y = 0; y < 16; y++)
-        for (int x = 24; x < 32; x++) /* from +Z to -X */
-            sky.texels[y * 32 + x][0] = 1;
-    make_wall(&world, 1, 200);
-    look_down(&world, .495F, 0, .01F, 50);
-    double got[2];
-    for (int i = 0; i < 2; i++) {
-        sky.turn = i ? 180 : 0;
-        struct path_tracer_desc desc = under(&world, &sky, 8, 256);
-        render(&desc, &image);
-        got[i] = mean_of(&image, CHANNEL_DIRECT);
-        image_free(&image);
-    }
-    check_near("in the open", got[1], .25, 2e-3);
-    check_at_most("behind the wall", got[0], .2);
-    free(sky.texels);
-    world_free(&world);
+    struct stage stage;
+    open_stage(&stage, "scenes/table.glb");
+    set_sky(&stage, paint_day);
+    struct image truth = traced(&stage, 256);
+    struct image got = render_stage(&stage, "clustered", "", SIZE);
+    double mean = layer_mean(&truth, "direct");
+    check_near("direct light, mean", layer_mean(&got, "direct"), mean, .03 * mean);
+    check_at_most("direct light, relative RMSE", relative_rmse(&got, &truth, "direct"), .12);
+    mean = layer_mean(&truth, "indirect");
+    check_near("indirect light, mean", layer_mean(&got, "indirect"), mean, .12 * mean);
+    check_at_most("indirect light, relative RMSE", relative_rmse(&got, &truth, "indirect"), .3);
+    image_free(&truth);
+    image_free(&got);
+    stage_free(&stage);
 }
 
-/* --- one texel -------------------------------------------------------------------------------- */
+/* --- beside other lights -------------------------------------------------------------------------- */
 
-/* A floor under a plate, both of which shade and light each other. */
-static void make_plate(struct world *world) {
-    world_init(world);
-    world->materials[0].double_sided = true;
-    add_rectangle(world, 0, at(-2, 0, 2), at(4, 0, 0), at(0, 0, -4));
-    add_rectangle(world, 0, at(-.5F, .5F, .5F), at(1, 0, 0), at(0, 0, -1));
-    world_finish(world);
-    world->camera = (struct camera){.eye = {0, .15F, 1.6F}, .fov_y = .8F};
-    camera_look(&world->camera, world->camera.eye, (float[]){0, .1F, -1}, (float[]){0, 1, 0});
-}
-
-/* One bright texel is a directional light of L x solid angle. */
-static void test_one_texel(void **state) {
+static void test_sum(void **state) {
     (void)state;
-    enum { SIZE = 32, X = 700, Y = 130 };
-    struct world world;
-    struct environment sky = dotted_sky(1024, X, Y, 1e5F);
-    struct image of_sky, of_sun;
-    make_plate(&world);
-    struct path_tracer_desc desc = under(&world, &sky, SIZE, 256);
-    desc.bounces = 1;
-    render(&desc, &of_sky);
-    float power = 1e5F * (float)environment_solid_angle(&sky, Y), to_sky[3];
-    environment_direction(&sky, X + .5, Y + .5, to_sky);
-    place_light(&world, EMITTER_DIRECTIONAL, at(0, 0, 0), at(-to_sky[0], -to_sky[1], -to_sky[2]),
-                power);
-    desc.emitters = (struct emitters){.items = &world.light, .count = 1};
-    for (int c = 0; c < 3; c++)
-        world.light.intensity[c] = power * (float)(1 << c);
-    render(&desc, &of_sun);
-    for (int c = 0; c < 3; c++) {
-        double direct = mean_of(&of_sun, CHANNEL_DIRECT + c);
-        double indirect = mean_of(&of_sun, CHANNEL_INDIRECT + c);
-        check_near("direct", mean_of(&of_sky, CHANNEL_DIRECT + c) / direct, 1, 2e-3);
-        check_near("indirect", mean_of(&of_sky, CHANNEL_INDIRECT + c) / indirect, 1, .01);
+    struct stage stage;
+    open_stage(&stage, "scenes/table.glb");
+    set_sky(&stage, paint_day);
+    for (const struct direct_method *const *method = direct_methods; *method; method++) {
+        struct renderer_desc desc = desc_of(&stage, "unshadowed", "", SIZE, SIZE);
+        struct image layers[3];
+        double farthest = 0;
+        desc.direct = *method;
+        for (int i = 0; i < 3; i++) { /* both, the sky, the lamp */
+            desc.emitters.count = i != 1;
+            desc.emitters.sky = i != 2 ? stage.scene.environment : NULL;
+            layers[i] = render_layers(&desc);
+        }
+        int direct = image_find_channel(&layers[0], "direct.R");
+        for (int p = 0; p < SIZE * SIZE; p++) {
+            int x = p % SIZE, y = p / SIZE;
+            double sum =
+                (double)(image_at(&layers[1], x, y)[direct] + image_at(&layers[2], x, y)[direct]);
+            double both = (double)image_at(&layers[0], x, y)[direct];
+            farthest = fmax(farthest, fabs(both - sum) / fmax(sum, 1e-3));
+        }
+        printf("  %s\n", (*method)->name);
+        check_at_most("both, from the sum of each", farthest, 1e-3);
+        for (int i = 0; i < 3; i++)
+            image_free(&layers[i]);
     }
-    double apart = 0, mean = mean_of(&of_sun, CHANNEL_DIRECT);
-    for (int i = 0; i < SIZE * SIZE; i++)
-        apart += pow((double)image_at(&of_sky, i % SIZE, i / SIZE)[CHANNEL_DIRECT] -
-                         (double)image_at(&of_sun, i % SIZE, i / SIZE)[CHANNEL_DIRECT],
-                     2);
-    check_at_most("direct light apart, over its mean", sqrt(apart) / SIZE / mean, .02);
-    image_free(&of_sky);
-    image_free(&of_sun);
-    free(sky.texels);
-    world_free(&world);
+    stage_free(&stage);
 }
 
-/* A black sky is seen and lights nothing. */
+/* A black sky lights nothing, and all else is as without. */
+static void paint_black(const float direction[3], float radiance[3]) {
+    (void)direction;
+    glm_vec3_zero(radiance);
+}
+
 static void test_black(void **state) {
     (void)state;
-    struct world world;
-    struct environment sky = even_sky(8, 0);
-    struct image image;
-    make_plate(&world);
-    struct path_tracer_desc desc = under(&world, &sky, 8, 4);
-    desc.bounces = 2;
-    render(&desc, &image);
-    for (int channel = CHANNEL_BEAUTY; channel < CHANNEL_ALPHA; channel++)
-        check_near("black", mean_of(&image, channel), 0, 0);
-    image_free(&image);
-    free(sky.texels);
-    world_free(&world);
+    struct stage stage;
+    open_stage(&stage, "scenes/table.glb");
+    struct image without = render_stage(&stage, "clustered", "", SIZE);
+    set_sky(&stage, paint_black);
+    struct image dark = render_stage(&stage, "clustered", "", SIZE);
+    check_finite("black sky alone", &dark);
+    check_near("its light", layer_mean(&dark, "direct") + layer_mean(&dark, "indirect"), 0, 0);
+    stage.emitters.count = 1;
+    struct image with = render_stage(&stage, "clustered", "", SIZE);
+    assert_true(same_pixels(&without, &with));
+    image_free(&without);
+    image_free(&dark);
+    image_free(&with);
+    stage_free(&stage);
+}
+
+/* In passes that converge too: other directions in each, the same light on average. */
+static void test_passes(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/table.glb");
+    set_sky(&stage, paint_day);
+    struct image truth = traced(&stage, 256), got;
+    struct renderer renderer;
+    struct renderer_desc desc = desc_of(&stage, "clustered", "", SIZE, SIZE);
+    desc.progressive = true;
+    open_renderer(&renderer, &desc);
+    for (int pass = 0; pass < 16; pass++)
+        renderer_add_pass(&renderer, pass);
+    check_ok("layers", renderer_read_layers(&renderer, &got));
+    double mean = layer_mean(&truth, "indirect");
+    check_near("indirect light of 16 passes, mean", layer_mean(&got, "indirect"), mean, .08 * mean);
+    check_at_most("its relative RMSE", relative_rmse(&got, &truth, "indirect"), .2);
+    renderer_free(&renderer);
+    image_free(&truth);
+    image_free(&got);
+    stage_free(&stage);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_alias),   cmocka_unit_test(test_even_on_convex),
-        cmocka_unit_test(test_furnace), cmocka_unit_test(test_wall),
-        cmocka_unit_test(test_turn),    cmocka_unit_test(test_one_texel),
-        cmocka_unit_test(test_black),
+        cmocka_unit_test(test_floor),  cmocka_unit_test(test_convex_body),
+        cmocka_unit_test(test_wall),   cmocka_unit_test(test_day),
+        cmocka_unit_test(test_sum),    cmocka_unit_test(test_black),
+        cmocka_unit_test(test_passes),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

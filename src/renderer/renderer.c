@@ -181,7 +181,7 @@ static void plan_sky(struct light_plan *plan, const struct light_plan *before,
     int room = LIGHTS_MAX - desc->emitters.count;
     struct sky_wanted *wanted = &plan->wanted;
     *wanted = (struct sky_wanted){environment, sky->fit, sky->lights,
-                                  start->sky < room ? start->sky : room};
+                                  start->directions < room ? start->directions : room};
     if (before && before->wanted.environment == environment && before->wanted.fit == wanted->fit &&
         before->wanted.lights == wanted->lights && before->wanted.starts == wanted->starts) {
         plan->sky = before->sky;

@@ -31,8 +31,8 @@ static const struct option start_table[] = {
      .help = "of wide lights, from which their reflected light starts, all together"},
     {"wide", 0, OPTION_FLOAT, offsetof(struct start_settings, wide), .3, 0, 100,
      .help = "wide are lights of this width over the scene's radius; of a sun, radians"},
-    {"sky", 0, OPTION_INT, offsetof(struct start_settings, sky), 12, SKY_LIGHTS_MIN, LIGHTS_MAX,
-     .help = "directions from which an environment's reflected light starts, at most"},
+    {"directions", 0, OPTION_INT, offsetof(struct start_settings, directions), 12, SKY_LIGHTS_MIN,
+     LIGHTS_MAX, .help = "directions from which an environment's reflected light starts, at most"},
     {NULL},
 };
 

@@ -15,9 +15,9 @@ struct picture_settings {
 };
 
 struct start_settings {
-    int places; /* of wide lights, where reflected light starts */
-    float wide; /* over the scene's radius */
-    int sky;    /* directions of a sky */
+    int places;     /* of wide lights, where reflected light starts */
+    float wide;     /* over the scene's radius */
+    int directions; /* of a sky */
 };
 
 extern const struct settings_part picture_part, start_part;
