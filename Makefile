@@ -36,7 +36,7 @@ SCENES := $(BUILD)/scenes/made
 
 # Debian's packages; OpenGL itself (libEGL, libOSMesa) is opened at run time.
 PACKAGES := gcc g++ make pkg-config git libegl-dev libegl1 libgl-dev libgl1-mesa-dri libosmesa6 \
-    libglfw3-dev libtinygltf-dev libstb-dev nlohmann-json3-dev libmeshoptimizer-dev libopenimageio-dev libcglm-dev \
+    libglfw3-dev libtinygltf-dev libstb-dev nlohmann-json3-dev libdraco-dev libmeshoptimizer-dev libopenimageio-dev libcglm-dev \
     libembree-dev libimgui-dev fonts-dejavu-core libcmocka-dev libx11-dev gnuplot-nox xvfb xdotool
 
 PKG := OpenImageIO cglm imgui glfw3
@@ -46,7 +46,7 @@ C_FLAGS = -std=c11 -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissin
 CXX_FLAGS = -std=c++17 $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
 # System headers: their warnings are not ours.
 PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) 2>/dev/null))
-LIBS := $(shell pkg-config --libs $(PKG) 2>/dev/null) -lembree3 -lmeshoptimizer -lstdc++ -ldl -lpthread -lm
+LIBS := $(shell pkg-config --libs $(PKG) 2>/dev/null) -lembree3 -ldraco -lmeshoptimizer -lstdc++ -ldl -lpthread -lm
 
 EMBEDDED := $(BUILD)/glsl_embedded.o $(BUILD)/chart_embedded.o
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(EMBEDDED)
@@ -284,7 +284,8 @@ PORTABLE := $(BUILD)/portable
 PORTABLE_SOURCES := $(filter-out src/reference/% src/viewer/% src/apps/view.c src/apps/reference.c \
     src/scene/gltf/unpack_meshopt.c, \
     $(SOURCES)) $(wildcard portable/*.c) src/main.c
-PORTABLE_BRIDGES := $(filter-out src/base/file/image_file.cpp src/viewer/%,$(BRIDGES))
+PORTABLE_BRIDGES := $(filter-out src/base/file/image_file.cpp src/scene/gltf/unpack_draco.cpp \
+    src/viewer/%,$(BRIDGES))
 PORTABLE_NEEDS := 'linux-vdso|libc\.so|libm\.so|libdl\.so|libpthread\.so|ld-linux'
 
 portable:

@@ -36,13 +36,6 @@ static const struct {
     {"required extension",
      "it requires the extension 'KHR_unheard_of', which is not read",
      {.more = "\"extensionsRequired\": [\"KHR_unheard_of\"],"}},
-    {"Draco",
-     "mesh 0 'quad': primitive 0: extensions: KHR_draco_mesh_compression: compressed data, which "
-     "are"
-     " not read",
-     {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0}, \"extensions\":"
-                          " {\"KHR_draco_mesh_compression\": {\"bufferView\": 0}}"),
-      .accessors = "[{" VECTORS "}]"}},
     {"KTX2",
      "texture 0: its picture is in the format of KHR_texture_basisu, which is not read",
      {.materials = "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]",

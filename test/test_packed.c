@@ -107,12 +107,98 @@ static void test_endless(void **state) {
     check_refused(loaded, "buffer 1: 95367.4 MiB of memory are wanted");
 }
 
+/* The same quad by Draco's two methods, of positions of 14 bits. */
+static const unsigned char edgebreaker[] = {
+    0x44, 0x52, 0x41, 0x43, 0x4f, 0x02, 0x02, 0x01, 0x01, 0x00, 0x00, 0x00, 0x04, 0x02, 0x00,
+    0x02, 0x00, 0x00, 0x01, 0x1f, 0xff, 0x01, 0x11, 0x01, 0xff, 0x00, 0x00, 0x01, 0x00, 0x09,
+    0x03, 0x00, 0x00, 0x02, 0x01, 0x01, 0x01, 0x00, 0x0f, 0x03, 0x01, 0x20, 0x2f, 0x01, 0x20,
+    0x03, 0x00, 0xf0, 0x83, 0x58, 0x55, 0x03, 0x00, 0x00, 0x80, 0x55, 0x05, 0x00, 0x00, 0x00,
+    0x00, 0x00, 0x00, 0x00, 0x00, 0xff, 0x3f, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00,
+    0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x40, 0x40, 0x0e};
+static const unsigned char sequential[] = {
+    0x44, 0x52, 0x41, 0x43, 0x4f, 0x02, 0x02, 0x01, 0x00, 0x00, 0x00, 0x02, 0x04, 0x01, 0x00, 0x01,
+    0x02, 0x00, 0x02, 0x03, 0x01, 0x01, 0x00, 0x09, 0x03, 0x00, 0x00, 0x02, 0x00, 0x01, 0x01, 0x00,
+    0x0f, 0x03, 0x01, 0x20, 0x2f, 0x01, 0x20, 0x03, 0x00, 0x10, 0x84, 0x58, 0x55, 0x01, 0x00, 0x00,
+    0x40, 0xac, 0x2a, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0xff, 0x3f, 0x00, 0x00, 0x00,
+    0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x40, 0x40, 0x0e};
+
+static bool load_draco(struct scene *scene, const unsigned char *bytes, size_t size, int indices) {
+    char views[128], accessors[256];
+    snprintf(views, sizeof views, "[{\"buffer\": 0, \"byteOffset\": 64, \"byteLength\": %zu}]",
+             size);
+    snprintf(accessors, sizeof accessors,
+             "[{\"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
+             " {\"componentType\": 5121, \"count\": %d, \"type\": \"SCALAR\"}]",
+             indices);
+    return load_parts(
+        scene, "draco.glb",
+        &(struct gltf_parts){
+            .views = views,
+            .accessors = accessors,
+            .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
+                      " \"extensions\": {\"KHR_draco_mesh_compression\": {\"bufferView\": 0,"
+                      " \"attributes\": {\"POSITION\": 0}}}}]}]",
+            .more = "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"],",
+            .extra = bytes,
+            .extra_size = size});
+}
+
+/* The two triangles may begin at any of their corners. */
+static void check_draco(const char *what, const unsigned char *bytes, size_t size) {
+    struct scene scene;
+    check_ok(what, load_draco(&scene, bytes, size, 6));
+    const struct primitive *quad = &scene.meshes[0].primitives[0];
+    assert_int_equal(quad->index_count, 6);
+    double area = 0;
+    for (int t = 0; t < 2; t++) {
+        const float *a = quad->position[quad->indices[t * 3]],
+                    *b = quad->position[quad->indices[t * 3 + 1]],
+                    *c = quad->position[quad->indices[t * 3 + 2]];
+        area += (double)((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+        check_near("z", (double)a[2], 0, 1e-6);
+    }
+    check_near("area, counter-clockwise", area, 6, 1e-3);
+    scene_free(&scene);
+}
+
+static void test_draco(void **state) {
+    (void)state;
+    check_draco("edgebreaker", edgebreaker, sizeof edgebreaker);
+    check_draco("sequential", sequential, sizeof sequential);
+}
+
+static void test_bad_draco(void **state) {
+    (void)state;
+    struct scene scene;
+    check_refused(
+        load_draco(&scene, edgebreaker, sizeof edgebreaker, 9),
+        "mesh 0: primitive 0: KHR_draco_mesh_compression: 2 triangles of 4 vertices, not 3");
+    check_refused(load_draco(&scene, edgebreaker, 60, 6), "KHR_draco_mesh_compression: ");
+    check_refused(load_draco(&scene, (const unsigned char *)"DRACO", 5, 6),
+                  "it is no mesh of Draco 2.2");
+    /* Whatever else they say, loading ends. */
+    unsigned char bytes[sizeof edgebreaker];
+    int loaded = 0;
+    for (size_t i = 0; i < 8 * sizeof bytes; i++) {
+        memcpy(bytes, edgebreaker, sizeof bytes);
+        bytes[i / 8] ^= (unsigned char)(1 << i % 8);
+        bool good = load_draco(&scene, bytes, sizeof bytes, 6);
+        loaded += good;
+        if (good)
+            scene_free(&scene);
+        else
+            assert_non_null(strstr(error_get(), "draco.glb"));
+    }
+    printf("    %d of %zu files with another bit loaded\n", loaded, 8 * sizeof bytes);
+    assert_true(loaded > 0);
+}
+
 int main(void) {
     log_set_level(LOG_QUIET);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_meshopt),
-        cmocka_unit_test(test_bad_meshopt),
-        cmocka_unit_test(test_endless),
+        cmocka_unit_test(test_meshopt),   cmocka_unit_test(test_bad_meshopt),
+        cmocka_unit_test(test_endless),   cmocka_unit_test(test_draco),
+        cmocka_unit_test(test_bad_draco),
     };
     return cmocka_run_group_tests_name("packed", tests, NULL, NULL);
 }

@@ -16,6 +16,7 @@ const struct Known {
     {"EXT_mesh_gpu_instancing", nullptr},
     {"EXT_meshopt_compression", nullptr},
     {"EXT_texture_webp", nullptr},
+    {"KHR_draco_mesh_compression", nullptr},
     {"KHR_lights_punctual", nullptr},
     {"KHR_materials_emissive_strength", nullptr},
     {"KHR_mesh_quantization", nullptr},

@@ -80,8 +80,10 @@ struct Loader {
 bool check_schema(const char *text, size_t size, size_t bin_size, std::string &changed);
 const char *const absent_prefix = "\x01";
 
-/* packed.cpp: fills absent buffers with what their views have packed. */
+/* packed.cpp: fills absent buffers with what their views have packed, and gives accessors of packed
+ * primitives buffers of their own. */
 bool unpack_views(Loader &loader);
+bool unpack_primitives(Loader &loader);
 
 /* parse.cpp: reads and parses the file and the buffers it names. */
 bool parse(Loader &loader, const char *path);

@@ -88,7 +88,7 @@ bool finish_absent(Loader &loader) {
     for (size_t i = 0; i < loader.is_absent.size(); i++)
         if (loader.is_absent[i])
             loader.model.buffers[i].uri.clear();
-    return unpack_views(loader);
+    return unpack_views(loader) && unpack_primitives(loader);
 }
 
 } // namespace

@@ -122,8 +122,6 @@ bool check_value(const json &root, const json &value, const Field &field) {
                                  : error_set("%s is not an object", quote(value).c_str());
     case Kind::Objects:
         return check_elements(root, value, field);
-    case Kind::Packed:
-        return error_set("compressed data, which are not read");
     }
     return false;
 }
@@ -256,6 +254,21 @@ bool name_absent(json &root) {
     return any;
 }
 
+/* tinygltf wants the indices of a primitive in a buffer view: those of a packed one are in its, until
+ * they are unpacked. */
+bool place_packed_indices(json &root) {
+    const json::json_pointer packed("/extensions/KHR_draco_mesh_compression/bufferView");
+    bool any = false;
+    for (size_t i = 0; i < list_size(root, "/meshes"); i++)
+        for (const json &primitive : root["meshes"][i]["primitives"]) {
+            if (!primitive.contains(packed) || !primitive.contains("indices"))
+                continue;
+            json &accessor = root["accessors"][primitive["indices"].get<size_t>()];
+            any |= accessor.emplace("bufferView", primitive[packed]).second;
+        }
+    return any;
+}
+
 } // namespace
 
 bool check_schema(const char *text, size_t size, size_t bin_size, std::string &changed) {
@@ -266,7 +279,8 @@ bool check_schema(const char *text, size_t size, size_t bin_size, std::string &c
         return error_set("the JSON is not an object");
     if (!check_fields(root, root, file) || !check_bytes(root, bin_size) || !check_animations(root))
         return false;
-    if (name_absent(root))
+    bool absent = name_absent(root), packed = place_packed_indices(root);
+    if (absent || packed)
         changed = root.dump();
     return true;
 }

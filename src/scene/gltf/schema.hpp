@@ -22,7 +22,6 @@ enum class Kind {
     Variant, /* such a choice; where a field has its name, that must be there too */
     Object,  /* with `fields` */
     Objects, /* an array of them, each called `of` in messages */
-    Packed,  /* where it is, data are compressed in a way that is not read */
 };
 
 enum Need { Optional, Required };
@@ -175,8 +174,16 @@ const Field material[] = {
     end,
 };
 
+const Field anything[] = {end};
+
+const Field draco[] = {
+    {"bufferView", Required, Kind::Index, "/bufferViews"},
+    {"attributes", Required, Kind::Object, nullptr, anything},
+    end,
+};
+
 const Field primitive_extensions[] = {
-    {"KHR_draco_mesh_compression", Optional, Kind::Packed},
+    {"KHR_draco_mesh_compression", Optional, Kind::Object, nullptr, draco},
     end,
 };
 

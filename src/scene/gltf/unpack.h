@@ -21,4 +21,23 @@ struct packed_view {
  * are not such data. */
 bool unpack_meshopt(const struct packed_view *view, unsigned char *to);
 
+/* A mesh of KHR_draco_mesh_compression. */
+struct packed_mesh;
+
+/* NULL and an error: these are no such data, or others than so many triangles. */
+struct packed_mesh *unpack_draco(const unsigned char *bytes, size_t size, size_t triangles);
+
+/* Accepts NULL. */
+void packed_mesh_free(struct packed_mesh *packed);
+
+size_t packed_mesh_points(const struct packed_mesh *packed);
+
+/* Writes the numbers of all points, of a type of scene/gltf/accessor.h. Error: there is no such
+ * attribute. */
+bool packed_mesh_attribute(const struct packed_mesh *packed, int id, int component_type,
+                           int components, void *to);
+
+/* Writes three a triangle. Error: there are more points than the type counts. */
+bool packed_mesh_indices(const struct packed_mesh *packed, int component_type, void *to);
+
 #endif
