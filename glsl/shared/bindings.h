@@ -101,6 +101,8 @@
 #define TARGET_VAL_POSITION 0 /* likewise of sums over a VAL's VPLs */
 #define TARGET_VAL_NORMAL 1
 #define TARGET_VAL_FLUX 2
+#define TARGET_BOUNCE_LAST 0
+#define TARGET_BOUNCE_SUM 1
 
 /* Uniforms, which change from draw to draw: all else is in blocks. */
 #define LOCATION_SLOT 0 /* of an interleaving pattern */

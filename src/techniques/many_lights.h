@@ -8,6 +8,7 @@
 #include "passes/gather/gather.h"
 #include "passes/picture/geometry.h"
 #include "passes/gather/near_field.h"
+#include "passes/lights/bounce.h"
 #include "passes/lights/vpl.h"
 #include "techniques/technique.h"
 
@@ -20,6 +21,7 @@
 struct lights_settings {
     int vpls; /* N */
     int seed, rsm_size;
+    int bounces, points; /* P */
 };
 
 struct map_settings {
@@ -65,10 +67,12 @@ extern const struct settings_part lights_part, map_part, lookup_part, gather_par
 
 /* Passes after the first: few VPLs, each with a map of all triangles that each pixel looks up itself,
  * nothing interleaved or blurred. The mean of many passes is unbiased, but for near light that counts as
- * unoccluded within a distance that shrinks, and for what a map's texels and depth bias cannot show. */
+ * unoccluded within a distance that shrinks, for what a map's texels and depth bias cannot show, and for
+ * what disks take from further bounces. */
 #define MANY_LIGHTS_REFINED                                                                        \
     "lights.vpls=64 lights.rsm-size=1024 gather.interleave=1 gather.clamp=near "                   \
-    "gather.near-reach=4 gather.take-back=.5 gather.near-samples=256 blur.radius=0"
+    "gather.near-reach=4 gather.take-back=.5 gather.near-samples=256 blur.radius=0 "               \
+    "lights.surface-points=256"
 
 extern const struct refinement many_lights_refinement;
 
@@ -79,6 +83,8 @@ struct many_lights {
     struct geometry_pass geometry;
     struct vpl_pass vpl;
     struct vpl_buffer vpls;
+    int bounces; /* where more than one: */
+    struct bounce_pass bounce;
     struct gather_pass gather;
     bool has_near_field; /* clamp=near */
     struct near_field_pass near_field;
@@ -118,6 +124,13 @@ float many_lights_caster_bend(const struct settings *settings);
 
 /* RSM and VPLs, into lights->vpls. */
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame);
+
+/* The n-th bounce, from 2 to lights->bounces, is what points of surfaces reflect of the (n - 1)-th.
+ * For the second the points are picked first (bounce_pass_pick). Then begin, gather the light of all
+ * VPLs of the one before (bounce_pass_gather), and end: lights->bounce.vpls are the n-th's, and after
+ * the last bounce those of all. */
+void many_lights_end_bounce(const struct many_lights *lights, const struct frame *frame,
+                            int bounce);
 
 /* The gather: begins at zero, and then adds VPLs in as many calls as the technique likes. */
 void many_lights_begin(const struct many_lights *lights, const struct frame *frame,

@@ -10,6 +10,10 @@ static const struct option lights_table[] = {
      .help = "another set of VPLs; 0 = Halton's points as they are"},
     {"rsm-size", 0, OPTION_INT, ROW(lights, rsm_size), 512, 16, 8192,
      .help = "reflective shadow map, texels a side"},
+    {"bounces", 0, OPTION_INT, ROW(lights, bounces), 1, 1, 8,
+     .help = "of indirect light; those after the first by way of points of all surfaces"},
+    {"surface-points", 0, OPTION_INT, ROW(lights, points), 1024, VPL_PARTNERS_MAX, 16384,
+     .help = "of surfaces that become VPLs of further bounces, P"},
     {NULL},
 };
 

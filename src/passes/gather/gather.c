@@ -14,18 +14,18 @@
 /* Uniform ranges begin at multiples of 256 bytes, which are 16 VPLs. */
 enum { VPL_ALIGNMENT = 16 };
 
-static bool init_program(struct gather_pass *pass) {
-    const struct gather_desc *desc = &pass->desc;
+static bool init_program(GLuint *program, const struct gather_desc *desc, enum gather_clamp clamp) {
     char *lookup = visibility_defines(&desc->visibility);
-    char *defines = mem_printf(
-        "%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d;RECEIVERS %d;TAKE_BACK %d", lookup,
-        desc->clamp, desc->map_per_vpl, desc->share, desc->receivers, desc->take_back > 0);
-    bool ok = program_init(&pass->program,
-                           &(struct program_desc){.vertex = desc->receivers == RECEIVERS_LISTED
-                                                                ? "gather/listed.vert"
-                                                                : "fullscreen.vert",
-                                                  .fragment = "gather/gather.frag",
-                                                  .defines = defines});
+    bool take_back = clamp == desc->clamp && desc->take_back > 0;
+    char *defines =
+        mem_printf("%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d;RECEIVERS %d;TAKE_BACK %d",
+                   lookup, clamp, desc->map_per_vpl, desc->share, desc->receivers, take_back);
+    bool ok =
+        program_init(program, &(struct program_desc){.vertex = desc->receivers == RECEIVERS_LISTED
+                                                                   ? "gather/listed.vert"
+                                                                   : "fullscreen.vert",
+                                                     .fragment = "gather/gather.frag",
+                                                     .defines = defines});
     free(lookup);
     free(defines);
     return ok;
@@ -33,7 +33,8 @@ static bool init_program(struct gather_pass *pass) {
 
 bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) {
     *pass = (struct gather_pass){.desc = *desc};
-    if (init_program(pass) &&
+    if (init_program(&pass->program, desc, desc->clamp) &&
+        (!desc->further || init_program(&pass->further_program, desc, GATHER_CLAMP_DISK)) &&
         irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, desc->width,
                         desc->height, desc->interleave) &&
         buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL) &&
@@ -45,6 +46,7 @@ bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) 
 
 void gather_pass_free(struct gather_pass *pass) {
     program_free(&pass->program);
+    program_free(&pass->further_program);
     irradiance_free(&pass->irradiance);
     buffer_free(&pass->params);
     buffer_free(&pass->lookup_params);
@@ -73,10 +75,15 @@ static void write_params(const struct gather_pass *pass, const struct frame *fra
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
 
+static GLuint program_for(const struct gather_pass *pass, const struct gather_inputs *inputs) {
+    return inputs->further ? pass->further_program : pass->program;
+}
+
 /* VPLs first .. last for the tile of a slot, or for its list of a grade, in runs that fit one uniform block. */
 static void draw_run(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
                      int grade, int first, int last) {
     int n = pass->desc.interleave;
+    GLuint program = program_for(pass, inputs);
     for (int at = first, block; at < last; at = block + VPLS_PER_BLOCK) {
         block = at / VPL_ALIGNMENT * VPL_ALIGNMENT;
         int end = block + VPLS_PER_BLOCK < last ? block + VPLS_PER_BLOCK : last;
@@ -86,10 +93,10 @@ static void draw_run(const struct gather_pass *pass, const struct gather_inputs 
             .offset = (size_t)block * sizeof(struct vpl),
             .size = VPLS_PER_BLOCK * sizeof(struct vpl),
         });
-        gl.ProgramUniform4i(pass->program, LOCATION_SLOT, at - block, end - at, slot % n, slot / n);
-        gl.ProgramUniform1i(pass->program, LOCATION_FIRST_MAP, block - inputs->first);
+        gl.ProgramUniform4i(program, LOCATION_SLOT, at - block, end - at, slot % n, slot / n);
+        gl.ProgramUniform1i(program, LOCATION_FIRST_MAP, block - inputs->first);
         if (pass->desc.receivers == RECEIVERS_LISTED)
-            pixel_lists_draw(inputs->lists, grade, pass->program);
+            pixel_lists_draw(inputs->lists, grade, program);
         else
             pass_draw_fullscreen(1);
     }
@@ -112,7 +119,7 @@ static void draw_slot(const struct gather_pass *pass, const struct gather_inputs
         return;
     pass_viewport(slot % n * target->tile_width, slot / n * target->tile_height, target->tile_width,
                   target->tile_height);
-    gl.ProgramUniform1f(pass->program, LOCATION_SLOT_WEIGHT, weight);
+    gl.ProgramUniform1f(program_for(pass, inputs), LOCATION_SLOT_WEIGHT, weight);
     draw_run(pass, inputs, slot, grade, first, last);
 }
 
@@ -120,7 +127,7 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
     struct pass_state state = {
         .name = pass->desc.receivers == RECEIVERS_LISTED ? "gather of detail" : "gather",
-        .program = pass->program,
+        .program = program_for(pass, inputs),
         .framebuffer = pass->irradiance.framebuffer,
         .width = pass->irradiance.texture.desc.width,
         .height = pass->irradiance.texture.desc.height,

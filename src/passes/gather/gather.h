@@ -27,6 +27,7 @@ struct gather_desc {
     struct visibility_desc visibility;
     enum gather_clamp clamp;
     float clamp_value; /* of the bounded geometry term, times the squared scene radius */
+    bool further;      /* VPLs of further bounces come too */
     float
         take_back; /* > 0, of GATHER_CLAMP_NEAR with a map per VPL: blocked VPLs take the near field back,
                           but within a share of its reach that falls as the number of the pass to this power */
@@ -34,7 +35,7 @@ struct gather_desc {
 
 struct gather_pass {
     struct gather_desc desc;
-    GLuint program;
+    GLuint program, further_program;
     struct irradiance irradiance;
     struct buffer params, lookup_params;
 };
@@ -48,7 +49,8 @@ void gather_pass_clear(const struct gather_pass *pass);
 /* What a gather reads beside the G-buffer. */
 struct gather_inputs {
     const struct vpl_buffer *vpls;
-    int first, count;                        /* of the VPLs; all of them where count is 0 */
+    int first, count; /* of the VPLs; all of them where count is 0 */
+    bool further;     /* they are of further bounces: bounded as disks, whatever desc.clamp */
     struct visibility_inputs visibility;     /* unless VISIBILITY_LOOKUP_NONE */
     const struct block_visibilities *blocks; /* where desc.share */
     const struct pixel_lists *lists;         /* unless desc.receivers is RECEIVERS_ALL */

@@ -187,24 +187,26 @@ static void find_centers(struct cluster_pass *pass, const struct vpl_buffer *vpl
     }
 }
 
+void cluster_pass_map(const struct cluster_pass *pass, const struct vpl_buffer *vpls) {
+    struct pass_state state = row_state(pass, pass->map_program, 0, cluster_pass_centers(pass));
+    state.vertex_array = vpls->vertices;
+    pass_set_state(&state);
+    pass_feedback(pass->vpls.buffer.id, 0, vpls->count);
+}
+
 void cluster_pass_render(struct cluster_pass *pass, const struct frame *frame,
                          const struct vpl_buffer *vpls) {
     timer_begin(frame->timers, "clustering");
     write_params(pass, frame);
     find_centers(pass, vpls);
     const struct val_targets *centers = cluster_pass_centers(pass);
-
-    struct pass_state state = row_state(pass, pass->map_program, 0, centers);
-    state.vertex_array = vpls->vertices;
-    pass_set_state(&state);
-    pass_feedback(pass->vpls.buffer.id, 0, vpls->count);
-
+    cluster_pass_map(pass, vpls);
     clear(pass->extremes_framebuffer, 1, -1e30f);
     scatter(pass, pass->extent_program, pass->extremes_framebuffer, PASS_BLEND_MAX, &pass->vpls,
             centers);
 
     gl.TextureBuffer(pass->vpl_texture, GL_RGBA32F, pass->vpls.buffer.id);
-    state = row_state(pass, pass->views_program, 0, centers);
+    struct pass_state state = row_state(pass, pass->views_program, 0, centers);
     pass_add_texture(&state, UNIT_VAL_EXTREMES, pass->extremes.id);
     pass_set_state(&state);
     pass_feedback(pass->views.buffer.id, 0, pass->desc.val_count);

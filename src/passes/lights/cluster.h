@@ -55,6 +55,9 @@ void cluster_pass_free(struct cluster_pass *pass);
 void cluster_pass_render(struct cluster_pass *pass, const struct frame *frame,
                          const struct vpl_buffer *vpls);
 
+/* C(i) anew, of the same points with other light: to pass->vpls. */
+void cluster_pass_map(const struct cluster_pass *pass, const struct vpl_buffer *vpls);
+
 /* The targets that hold the last means. */
 const struct val_targets *cluster_pass_centers(const struct cluster_pass *pass);
 

@@ -20,11 +20,8 @@ struct vpl_point {
     float light; /* a whole number */
 };
 
-/* How many VPLs all others are measured from: as many as say what all would. */
-enum { PARTNERS_MAX = 256 };
-
 static bool init_programs(struct vpl_pass *pass) {
-    int count = pass->desc.count < PARTNERS_MAX ? pass->desc.count : PARTNERS_MAX;
+    int count = pass->desc.count < VPL_PARTNERS_MAX ? pass->desc.count : VPL_PARTNERS_MAX;
     char *defines = mem_printf("PARTNERS %d", count);
     bool ok = program_init(&pass->program, &(struct program_desc){.vertex = "lights/vpl.vert"}) &&
               program_init(&pass->spread_program,
@@ -128,7 +125,7 @@ static void write_shares(const struct vpl_pass *pass, const struct frame *frame)
     buffer_write(&pass->shares, 0, sizeof shares, &shares);
 }
 
-static void measure_spread(const struct vpl_pass *pass, const struct vpl_buffer *vpls) {
+void vpl_pass_measure_spread(const struct vpl_pass *pass, const struct vpl_buffer *vpls) {
     static const float none[4] = {0};
     framebuffer_clear_color(vpls->spread_framebuffer, TARGET_RESULT, none);
     pass_set_state(&(struct pass_state){
@@ -157,6 +154,6 @@ void vpl_pass_render(struct vpl_pass *pass, const struct frame *frame,
     rsm_add(&state, rsm);
     pass_begin(frame->timers, &state);
     pass_feedback(vpls->buffer.id, 0, pass->desc.count);
-    measure_spread(pass, vpls);
+    vpl_pass_measure_spread(pass, vpls);
     pass_end(frame->timers);
 }

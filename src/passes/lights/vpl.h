@@ -15,6 +15,9 @@
 
 #include "passes/frame.h"
 
+/* How many VPLs all others are measured from: as many as say what all would. */
+enum { VPL_PARTNERS_MAX = 256 };
+
 struct vpl_desc {
     int count;   /* N */
     int seed;    /* 0 = Halton's points as they are; else shifted on the torus */
@@ -38,5 +41,8 @@ void vpl_pass_free(struct vpl_pass *pass);
 /* Fills vpls (C(i) = 0), with their spread, and pass->shares. Timer "vpls". */
 void vpl_pass_render(struct vpl_pass *pass, const struct frame *frame,
                      const struct gbuffer rsm[LIGHT_MAP_KINDS], const struct vpl_buffer *vpls);
+
+/* Sets the spread of other VPLs: as many as the pass makes, or VPL_PARTNERS_MAX at least. */
+void vpl_pass_measure_spread(const struct vpl_pass *pass, const struct vpl_buffer *vpls);
 
 #endif

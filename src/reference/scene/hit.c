@@ -1,5 +1,6 @@
 #include "reference/scene/hit.h"
 
+#include "scene/mesh/corners.h"
 #include "scene/texture.h"
 #include "reference/vector.h"
 
@@ -8,43 +9,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The three vertices' numbers and weights at a point. */
-struct corners {
-    uint32_t index[3];
-    float weight[3];
-};
-
 static struct corners find_corners(const struct hit_table *table,
                                    const struct triangle_point *point) {
     const uint32_t *index = &table->geometry->indices[3 * (size_t)point->triangle];
     return (struct corners){{index[0], index[1], index[2]},
                             {1 - point->u - point->v, point->u, point->v}};
-}
-
-static vec3s interpolate_vector(float (*vectors)[3], const struct corners *corners) {
-    vec3s sum = glms_vec3_scale(vector_of(vectors[corners->index[0]]), corners->weight[0]);
-    for (int k = 1; k < 3; k++)
-        sum = glms_vec3_muladds(vector_of(vectors[corners->index[k]]), corners->weight[k], sum);
-    return sum;
-}
-
-static vec4s interpolate_color(float (*colors)[4], const struct corners *corners) {
-    vec4s sum = {{0, 0, 0, 0}};
-    for (int k = 0; k < 3; k++) {
-        const float *color = colors[corners->index[k]];
-        sum = glms_vec4_muladds((vec4s){{color[0], color[1], color[2], color[3]}},
-                                corners->weight[k], sum);
-    }
-    return sum;
-}
-
-static vec2s interpolate_uv(float (*uvs)[2], const struct corners *corners) {
-    vec2s sum = {{0, 0}};
-    for (int k = 0; k < 3; k++) {
-        const float *uv = uvs[corners->index[k]];
-        sum = glms_vec2_muladds((vec2s){{uv[0], uv[1]}}, corners->weight[k], sum);
-    }
-    return sum;
 }
 
 /* Counter-clockwise as seen from the front. */
@@ -54,17 +23,10 @@ static vec3s winding_normal(const struct geometry *geometry, const uint32_t inde
                             glms_vec3_sub(vector_of(geometry->position[index[2]]), p0));
 }
 
-/* Base colour factor x texture x vertex colour, linear. */
 static vec4s base_color(const struct hit_table *table, const struct material *material,
                         const struct corners *corners) {
-    const float *factor = material->base_color;
-    vec4s color = glms_vec4_mul(interpolate_color(table->geometry->color, corners),
-                                (vec4s){{factor[0], factor[1], factor[2], factor[3]}});
-    if (material->base_color_texture < 0)
-        return color;
-    const struct scene_texture *texture = &table->scene->textures[material->base_color_texture];
-    vec2s uv = interpolate_uv(table->geometry->uv, corners);
-    return glms_vec4_mul(color, texture_lookup(texture, table->srgb_to_linear, uv));
+    return corners_base_color(corners, table->scene, table->geometry, table->srgb_to_linear,
+                              material);
 }
 
 static vec3s emission_at(const struct hit_table *table, const struct material *material,
@@ -73,7 +35,7 @@ static vec3s emission_at(const struct hit_table *table, const struct material *m
     if (material->emission_texture < 0)
         return emission;
     const struct scene_texture *texture = &table->scene->textures[material->emission_texture];
-    vec2s uv = interpolate_uv(table->geometry->uv, corners);
+    vec2s uv = corners_uv(corners, table->geometry->uv);
     return glms_vec3_mul(emission, glms_vec3(texture_lookup(texture, table->srgb_to_linear, uv)));
 }
 
@@ -114,9 +76,9 @@ void hit_at(const struct hit_table *table, const struct triangle_point *point, v
     vec3s front = table->normal_of[point->triangle];
     bool from_behind = glms_vec3_dot(front, ray_direction) > 0;
     float side = from_behind ? -1 : 1;
-    hit->position = interpolate_vector(geometry->position, &corners);
+    hit->position = corners_vector(&corners, geometry->position);
     hit->geometric_normal = glms_vec3_scale(front, side);
-    hit->normal = glms_vec3_scale_as(interpolate_vector(geometry->normal, &corners), side);
+    hit->normal = glms_vec3_scale_as(corners_vector(&corners, geometry->normal), side);
     hit->triangle = point->triangle;
     hit->is_back = from_behind;
     hit->albedo = hit->emission = glms_vec3_zero();
@@ -129,7 +91,7 @@ void hit_at(const struct hit_table *table, const struct triangle_point *point, v
 
 vec3s hit_position(const struct hit_table *table, const struct triangle_point *point) {
     struct corners corners = find_corners(table, point);
-    return interpolate_vector(table->geometry->position, &corners);
+    return corners_vector(&corners, table->geometry->position);
 }
 
 vec3s hit_emission(const struct hit_table *table, const struct triangle_point *point) {

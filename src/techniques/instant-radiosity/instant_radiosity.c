@@ -64,29 +64,66 @@ static bool resize(void *state, int width, int height) {
     return many_lights_resize(&technique->lights, width, height);
 }
 
+/* The maps of a batch of VPLs: only one batch is kept. Returns how many they are; 0 after the last.
+ */
+static int render_batch(struct instant_radiosity *technique, const struct frame *frame,
+                        const struct vpl_buffer *vpls, int first) {
+    struct paraboloid_pass *paraboloid = &technique->paraboloid;
+    int rest = vpls->count - first, batch = paraboloid->desc.count;
+    int count = rest < batch ? rest : batch;
+    if (count > 0) {
+        paraboloid_pass_view_vpls(paraboloid, frame, vpls, first, count);
+        paraboloid_pass_render(paraboloid, frame, &paraboloid->views);
+    }
+    return count;
+}
+
+static struct visibility_inputs batch_maps(const struct instant_radiosity *technique) {
+    return (struct visibility_inputs){.views = &technique->paraboloid.views,
+                                      .depth = &technique->paraboloid.maps};
+}
+
+static void render_bounce(struct instant_radiosity *technique, const struct frame *frame,
+                          int bounce) {
+    struct many_lights *lights = &technique->lights;
+    const struct vpl_buffer *vpls = bounce == 2 ? &lights->vpls : &lights->bounce.vpls;
+    bounce_pass_begin(&lights->bounce);
+    for (int first = 0, count; (count = render_batch(technique, frame, vpls, first)) > 0;
+         first += count) {
+        struct bounce_inputs inputs = {vpls, first, count, batch_maps(technique)};
+        if (bounce == 2 && first == 0)
+            bounce_pass_pick(&lights->bounce, frame, &inputs);
+        bounce_pass_gather(&lights->bounce, frame, &inputs);
+    }
+    many_lights_end_bounce(lights, frame, bounce);
+}
+
 static void render_lights(void *state, const struct frame *frame) {
     struct instant_radiosity *technique = state;
     many_lights_render_vpls(&technique->lights, frame);
+    for (int bounce = 2; bounce <= technique->lights.bounces; bounce++)
+        render_bounce(technique, frame, bounce);
 }
 
-/* The maps are here: only one batch of them is kept. */
+static void gather(struct instant_radiosity *technique, const struct vpl_buffer *vpls, bool further,
+                   const struct frame *frame, const struct gbuffer *gbuffer) {
+    for (int first = 0, count; (count = render_batch(technique, frame, vpls, first)) > 0;
+         first += count)
+        many_lights_gather(&technique->lights, frame, gbuffer,
+                           &(struct gather_inputs){.vpls = vpls,
+                                                   .first = first,
+                                                   .count = count,
+                                                   .further = further,
+                                                   .visibility = batch_maps(technique)});
+}
+
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct instant_radiosity *technique = state;
     struct many_lights *lights = &technique->lights;
-    struct paraboloid_pass *paraboloid = &technique->paraboloid;
     many_lights_begin(lights, frame, gbuffer);
-    int total = lights->vpls.count, batch = paraboloid->desc.count;
-    for (int first = 0; first < total; first += batch) {
-        int count = total - first < batch ? total - first : batch;
-        paraboloid_pass_view_vpls(paraboloid, frame, &lights->vpls, first, count);
-        paraboloid_pass_render(paraboloid, frame, &paraboloid->views);
-        many_lights_gather(lights, frame, gbuffer,
-                           &(struct gather_inputs){.vpls = &lights->vpls,
-                                                   .first = first,
-                                                   .count = count,
-                                                   .visibility = {.views = &paraboloid->views,
-                                                                  .depth = &paraboloid->maps}});
-    }
+    gather(technique, &lights->vpls, false, frame, gbuffer);
+    if (lights->bounces > 1)
+        gather(technique, &lights->bounce.vpls, true, frame, gbuffer);
     many_lights_finish(lights, frame, gbuffer);
 }
 

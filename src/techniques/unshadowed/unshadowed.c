@@ -22,13 +22,26 @@ static bool resize(void *state, int width, int height) {
 }
 
 static void render_lights(void *state, const struct frame *frame) {
-    many_lights_render_vpls(state, frame);
+    struct many_lights *lights = state;
+    many_lights_render_vpls(lights, frame);
+    struct bounce_inputs inputs = {.vpls = &lights->vpls};
+    if (lights->bounces > 1)
+        bounce_pass_pick(&lights->bounce, frame, &inputs);
+    for (int bounce = 2; bounce <= lights->bounces; bounce++) {
+        bounce_pass_begin(&lights->bounce);
+        bounce_pass_gather(&lights->bounce, frame, &inputs);
+        many_lights_end_bounce(lights, frame, bounce);
+        inputs.vpls = &lights->bounce.vpls;
+    }
 }
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct many_lights *lights = state;
     many_lights_begin(lights, frame, gbuffer);
     many_lights_gather(lights, frame, gbuffer, &(struct gather_inputs){.vpls = &lights->vpls});
+    if (lights->bounces > 1)
+        many_lights_gather(lights, frame, gbuffer,
+                           &(struct gather_inputs){.vpls = &lights->bounce.vpls, .further = true});
     many_lights_finish(lights, frame, gbuffer);
 }
 

@@ -1,0 +1,42 @@
+#include "scene/mesh/corners.h"
+
+vec3s corners_vector(const struct corners *corners, float (*vectors)[3]) {
+    vec3s sum = glms_vec3_zero();
+    for (int k = 0; k < 3; k++) {
+        const float *v = vectors[corners->index[k]];
+        sum = glms_vec3_muladds((vec3s){{v[0], v[1], v[2]}}, corners->weight[k], sum);
+    }
+    return sum;
+}
+
+static vec4s interpolate_color(const struct corners *corners, float (*colors)[4]) {
+    vec4s sum = {{0, 0, 0, 0}};
+    for (int k = 0; k < 3; k++) {
+        const float *color = colors[corners->index[k]];
+        sum = glms_vec4_muladds((vec4s){{color[0], color[1], color[2], color[3]}},
+                                corners->weight[k], sum);
+    }
+    return sum;
+}
+
+vec2s corners_uv(const struct corners *corners, float (*uvs)[2]) {
+    vec2s sum = {{0, 0}};
+    for (int k = 0; k < 3; k++) {
+        const float *uv = uvs[corners->index[k]];
+        sum = glms_vec2_muladds((vec2s){{uv[0], uv[1]}}, corners->weight[k], sum);
+    }
+    return sum;
+}
+
+vec4s corners_base_color(const struct corners *corners, const struct scene *scene,
+                         const struct geometry *geometry, const float srgb_to_linear[256],
+                         const struct material *material) {
+    const float *factor = material->base_color;
+    vec4s color = glms_vec4_mul(interpolate_color(corners, geometry->color),
+                                (vec4s){{factor[0], factor[1], factor[2], factor[3]}});
+    if (material->base_color_texture < 0)
+        return color;
+    const struct scene_texture *texture = &scene->textures[material->base_color_texture];
+    return glms_vec4_mul(
+        color, texture_lookup(texture, srgb_to_linear, corners_uv(corners, geometry->uv)));
+}

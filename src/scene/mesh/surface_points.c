@@ -1,0 +1,250 @@
+#include "scene/mesh/surface_points.h"
+
+#include "base/halton.h"
+#include "base/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- areas ------------------------------------------------------------------------------------ */
+
+/* No triangle has more than this part of all points. */
+static const double largest_share = .1;
+
+static vec3s corner_position(const struct geometry *geometry, uint32_t vertex) {
+    const float *p = geometry->position[vertex];
+    return (vec3s){{p[0], p[1], p[2]}};
+}
+
+static const uint32_t *triangle_indices(const struct geometry *geometry,
+                                        const struct geometry_part *part, uint32_t triangle) {
+    return &geometry->indices[part->first_index + 3 * triangle];
+}
+
+static double triangle_area(const struct geometry *geometry, const uint32_t index[3]) {
+    vec3s p0 = corner_position(geometry, index[0]);
+    vec3s a = glms_vec3_sub(corner_position(geometry, index[1]), p0);
+    vec3s b = glms_vec3_sub(corner_position(geometry, index[2]), p0);
+    return (double)glms_vec3_norm(glms_vec3_cross(a, b)) / 2;
+}
+
+static const struct material *part_material(const struct scene *scene,
+                                            const struct geometry_part *part) {
+    const struct mesh *mesh = &scene->meshes[scene->nodes[part->node].mesh];
+    return &scene->materials[mesh->primitives[part->primitive].material];
+}
+
+/* Running sums over all triangles of what they count for, and where parts begin in them. */
+struct running_sums {
+    double *ends;
+    uint32_t *first; /* of each part; and the count of all */
+};
+
+static double total(const struct running_sums *sums, int part_count) {
+    uint32_t count = sums->first[part_count];
+    return count ? sums->ends[count - 1] : 0;
+}
+
+static int sides_of(const struct scene *scene, const struct geometry_part *part) {
+    return part_material(scene, part)->double_sided ? 2 : 1;
+}
+
+/* All triangles' own. */
+static double *measure_areas(const struct geometry *geometry) {
+    double *areas = mem_alloc(geometry->index_count / 3, sizeof *areas);
+    uint32_t at = 0;
+    for (int p = 0; p < geometry->part_count; p++)
+        for (uint32_t t = 0; t < geometry->parts[p].index_count / 3; t++)
+            areas[at++] =
+                triangle_area(geometry, triangle_indices(geometry, &geometry->parts[p], t));
+    return areas;
+}
+
+/* No side of a triangle counts for more than the cap. */
+static void sum_up(struct running_sums *sums, const struct scene *scene,
+                   const struct geometry *geometry, const double *areas, double cap) {
+    double sum = 0;
+    uint32_t at = 0;
+    for (int p = 0; p < geometry->part_count; p++) {
+        const struct geometry_part *part = &geometry->parts[p];
+        int sides = sides_of(scene, part);
+        sums->first[p] = at;
+        for (uint32_t t = 0; t < part->index_count / 3; t++, at++)
+            sums->ends[at] = sum += sides * fmin(areas[at], cap);
+    }
+    sums->first[geometry->part_count] = at;
+}
+
+/* Each round lowers the cap to the largest share of what the one before left. They are enough for a
+ * plain of two triangles 10^10 times as large as the rest, and end where there are too few triangles
+ * for any to have less than that share. */
+static void init_sums(struct running_sums *sums, const struct scene *scene,
+                      const struct geometry *geometry) {
+    enum { ROUNDS = 16 };
+    double *areas = measure_areas(geometry);
+    *sums = (struct running_sums){
+        .ends = mem_alloc(geometry->index_count / 3, sizeof *sums->ends),
+        .first = mem_alloc((size_t)geometry->part_count + 1, sizeof *sums->first),
+    };
+    sum_up(sums, scene, geometry, areas, INFINITY);
+    for (int round = 0; round < ROUNDS; round++)
+        sum_up(sums, scene, geometry, areas, largest_share * total(sums, geometry->part_count));
+    free(areas);
+}
+
+static void free_sums(struct running_sums *sums) {
+    free(sums->ends);
+    free(sums->first);
+}
+
+/* The first of count ends that lies beyond the value. */
+static uint32_t find(const double *ends, uint32_t count, double value) {
+    uint32_t low = 0, high = count - 1;
+    while (low < high) {
+        uint32_t middle = (low + high) / 2;
+        if (ends[middle] > value)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return low;
+}
+
+/* --- dealing ---------------------------------------------------------------------------------- */
+
+/* Uniform in the triangle. */
+static void set_weights(struct surface_point *point, double x, double y) {
+    double root = sqrt(x);
+    point->weight[0] = (float)(1 - root);
+    point->weight[1] = (float)(root * (1 - y));
+    point->weight[2] = (float)(root * y);
+}
+
+static struct corners corners_of(const struct surface_point *point,
+                                 const struct geometry *geometry) {
+    struct corners corners;
+    memcpy(corners.index,
+           triangle_indices(geometry, &geometry->parts[point->part], point->triangle),
+           sizeof corners.index);
+    memcpy(corners.weight, point->weight, sizeof corners.weight);
+    return corners;
+}
+
+/* What the point reflects, but for holes and black surfaces. */
+static bool find_albedo(struct surface_point *point, const struct scene *scene,
+                        const struct geometry *geometry, const float srgb_to_linear[256]) {
+    const struct material *material = part_material(scene, &geometry->parts[point->part]);
+    struct corners corners = corners_of(point, geometry);
+    vec4s color = corners_base_color(&corners, scene, geometry, srgb_to_linear, material);
+    point->albedo = glms_vec3_clamp(glms_vec3(color), 0, 1);
+    bool hole = material->alpha_mask && color.a < material->alpha_cutoff;
+    return !hole && glms_vec3_max(point->albedo) > 0;
+}
+
+/* The place of a value in the sums. What is left of it within its triangle's span says which side,
+ * and is one of the two numbers of the place within: triangles of many points have even ones. */
+static void locate(struct surface_point *point, const struct running_sums *sums,
+                   const struct scene *scene, const struct geometry *geometry, double value,
+                   double y) {
+    uint32_t at = find(sums->ends, sums->first[geometry->part_count], value);
+    double begin = at ? sums->ends[at - 1] : 0, span = sums->ends[at] - begin;
+    double rest = fmin(fmax((value - begin) / span, 0), 1 - 1e-12);
+    int p = 0;
+    while (sums->first[p + 1] <= at)
+        p++;
+    const struct geometry_part *part = &geometry->parts[p];
+    int sides = sides_of(scene, part);
+    uint32_t first = sums->first[p], last = sums->first[p + 1] - 1;
+    double part_begin = first ? sums->ends[first - 1] : 0;
+    double part_span = sums->ends[last] - part_begin;
+    *point = (struct surface_point){.part = p, .triangle = at - first, .back = sides * rest >= 1};
+    point->along = fmin((value - part_begin) / part_span, 1);
+    /* The inverse of how many there are on its side, but for the number of all. */
+    point->share = (float)(sides / span);
+    point->part_share = part->dynamic ? (float)(sides / part_span) : 0;
+    set_weights(point, fmod(sides * rest, 1), y);
+}
+
+/* --- metaballs -------------------------------------------------------------------------------- */
+
+/* The points of a part whose triangles are others now. */
+static void relocate(struct surface_points *points, const struct geometry *geometry, int p) {
+    const struct geometry_part *part = &geometry->parts[p];
+    uint32_t count = part->index_count / 3;
+    double *ends = mem_alloc((size_t)count + 1, sizeof *ends), sum = 0;
+    for (uint32_t t = 0; t < count; t++)
+        ends[t] = sum += triangle_area(geometry, triangle_indices(geometry, part, t));
+    for (int i = 0; i < points->count; i++) {
+        struct surface_point *point = &points->items[i];
+        if (point->part != p)
+            continue;
+        point->triangle = sum > 0 ? find(ends, count, point->along * sum) : 0;
+        double before = point->triangle ? ends[point->triangle - 1] : 0;
+        point->share =
+            sum > 0 ? point->part_share * (float)(sum / (ends[point->triangle] - before)) : 0;
+    }
+    free(ends);
+}
+
+/* Of all parts that have changed since the pose. */
+static void relocate_all(struct surface_points *points, const struct geometry *geometry,
+                         unsigned since) {
+    for (int p = 0; p < geometry->part_count; p++)
+        if (geometry->parts[p].dynamic && geometry->parts[p].moved > since)
+            relocate(points, geometry, p);
+    points->pose = geometry->pose_count;
+}
+
+void surface_points_init(struct surface_points *points, const struct scene *scene,
+                         const struct geometry *geometry, int count, int first) {
+    enum { TRIES = 8 }; /* for each point: after them the rest stays black */
+    struct running_sums sums;
+    float srgb_to_linear[256];
+    *points = (struct surface_points){scene, count, mem_alloc((size_t)count, sizeof *points->items),
+                                      geometry->pose_count};
+    texture_decode_table(srgb_to_linear);
+    init_sums(&sums, scene, geometry);
+    double all = total(&sums, geometry->part_count);
+    int found = 0, tried = 0;
+    for (; found < count && tried < TRIES * count && all > 0; tried++) {
+        uint32_t number = 1 + (uint32_t)(first * TRIES + tried);
+        struct surface_point *point = &points->items[found];
+        locate(point, &sums, scene, geometry, radical_inverse(2, number) * all,
+               radical_inverse(3, number));
+        found += find_albedo(point, scene, geometry, srgb_to_linear);
+    }
+    for (int i = 0; i < found; i++) {
+        points->items[i].share *= (float)(all / tried);
+        points->items[i].part_share *= (float)(all / tried);
+    }
+    if (found < count)
+        memset(&points->items[found], 0, (size_t)(count - found) * sizeof *points->items);
+    free_sums(&sums);
+    relocate_all(points, geometry, 0);
+}
+
+void surface_points_free(struct surface_points *points) {
+    free(points->items);
+    *points = (struct surface_points){0};
+}
+
+void surface_points_follow(struct surface_points *points, const struct geometry *geometry) {
+    if (points->pose != geometry->pose_count)
+        relocate_all(points, geometry, points->pose);
+}
+
+struct surface_place surface_points_place(const struct surface_points *points,
+                                          const struct geometry *geometry, int i) {
+    const struct surface_point *point = &points->items[i];
+    if (glms_vec3_max(point->albedo) <= 0)
+        return (struct surface_place){.area = 0};
+    struct corners corners = corners_of(point, geometry);
+    vec3s normal = glms_vec3_normalize(corners_vector(&corners, geometry->normal));
+    return (struct surface_place){
+        .position = corners_vector(&corners, geometry->position),
+        .normal = point->back ? glms_vec3_negate(normal) : normal,
+        .albedo = point->albedo,
+        .area = point->share * (float)triangle_area(geometry, corners.index),
+    };
+}
