@@ -113,7 +113,7 @@ static void deal_again(struct bounce_pass *pass, const struct frame *frame) {
     int count = candidate_count(pass);
     surface_points_free(&pass->candidates);
     surface_points_init(&pass->candidates, pass->desc.scene, frame->geometry, count,
-                        frame->pass * count);
+                        (uint32_t)frame->pass * (uint32_t)count);
     pass->dealt_pass = frame->pass;
     pass->pose = 0;
 }
@@ -125,7 +125,6 @@ static void place(struct bounce_pass *pass, const struct frame *frame) {
     if (pass->pose == frame->geometry->pose_count)
         return;
     pass->pose = frame->geometry->pose_count;
-    surface_points_follow(&pass->candidates, frame->geometry);
     int count = candidate_count(pass);
     for (int i = 0; i < count; i++) {
         struct surface_place place = surface_points_place(&pass->candidates, frame->geometry, i);

@@ -10,7 +10,7 @@
  * outside, and VPLs should be where light is (glsl/lights/bounce_pick.vert). Candidates and the numbers that
  * pick depend on no light and no camera, so that a frame depends on its time alone.
  *
- * Visibility is that of the VPLs' maps. Cost: P lookups for each VPL and bounce, and as many as half of
+ * Metaballs are lit, but pass none of it on. Visibility is that of the VPLs' maps. Cost: P lookups for each VPL and bounce, and as many as half of
  * that to pick. Bias: VPLs are bounded as disks, which takes light from edges; and what maps cannot
  * resolve.
  */

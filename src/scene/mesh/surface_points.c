@@ -61,7 +61,7 @@ static double *measure_areas(const struct geometry *geometry) {
     return areas;
 }
 
-/* No side of a triangle counts for more than the cap. */
+/* No side of a triangle counts for more than the cap; dynamic parts count for nothing. */
 static void sum_up(struct running_sums *sums, const struct scene *scene,
                    const struct geometry *geometry, const double *areas, double cap) {
     double sum = 0;
@@ -71,7 +71,7 @@ static void sum_up(struct running_sums *sums, const struct scene *scene,
         int sides = sides_of(scene, part);
         sums->first[p] = at;
         for (uint32_t t = 0; t < part->index_count / 3; t++, at++)
-            sums->ends[at] = sum += sides * fmin(areas[at], cap);
+            sums->ends[at] = sum += part->dynamic ? 0 : sides * fmin(areas[at], cap);
     }
     sums->first[geometry->part_count] = at;
 }
@@ -155,83 +155,41 @@ static void locate(struct surface_point *point, const struct running_sums *sums,
         p++;
     const struct geometry_part *part = &geometry->parts[p];
     int sides = sides_of(scene, part);
-    uint32_t first = sums->first[p], last = sums->first[p + 1] - 1;
-    double part_begin = first ? sums->ends[first - 1] : 0;
-    double part_span = sums->ends[last] - part_begin;
-    *point = (struct surface_point){.part = p, .triangle = at - first, .back = sides * rest >= 1};
-    point->along = fmin((value - part_begin) / part_span, 1);
+    *point = (struct surface_point){
+        .part = p, .triangle = at - sums->first[p], .back = sides * rest >= 1};
     /* The inverse of how many there are on its side, but for the number of all. */
     point->share = (float)(sides / span);
-    point->part_share = part->dynamic ? (float)(sides / part_span) : 0;
     set_weights(point, fmod(sides * rest, 1), y);
 }
 
-/* --- metaballs -------------------------------------------------------------------------------- */
-
-/* The points of a part whose triangles are others now. */
-static void relocate(struct surface_points *points, const struct geometry *geometry, int p) {
-    const struct geometry_part *part = &geometry->parts[p];
-    uint32_t count = part->index_count / 3;
-    double *ends = mem_alloc((size_t)count + 1, sizeof *ends), sum = 0;
-    for (uint32_t t = 0; t < count; t++)
-        ends[t] = sum += triangle_area(geometry, triangle_indices(geometry, part, t));
-    for (int i = 0; i < points->count; i++) {
-        struct surface_point *point = &points->items[i];
-        if (point->part != p)
-            continue;
-        point->triangle = sum > 0 ? find(ends, count, point->along * sum) : 0;
-        double before = point->triangle ? ends[point->triangle - 1] : 0;
-        point->share =
-            sum > 0 ? point->part_share * (float)(sum / (ends[point->triangle] - before)) : 0;
-    }
-    free(ends);
-}
-
-/* Of all parts that have changed since the pose. */
-static void relocate_all(struct surface_points *points, const struct geometry *geometry,
-                         unsigned since) {
-    for (int p = 0; p < geometry->part_count; p++)
-        if (geometry->parts[p].dynamic && geometry->parts[p].moved > since)
-            relocate(points, geometry, p);
-    points->pose = geometry->pose_count;
-}
-
 void surface_points_init(struct surface_points *points, const struct scene *scene,
-                         const struct geometry *geometry, int count, int first) {
+                         const struct geometry *geometry, int count, uint32_t first) {
     enum { TRIES = 8 }; /* for each point: after them the rest stays black */
     struct running_sums sums;
     float srgb_to_linear[256];
-    *points = (struct surface_points){scene, count, mem_alloc((size_t)count, sizeof *points->items),
-                                      geometry->pose_count};
+    *points =
+        (struct surface_points){scene, count, mem_alloc((size_t)count, sizeof *points->items)};
     texture_decode_table(srgb_to_linear);
     init_sums(&sums, scene, geometry);
     double all = total(&sums, geometry->part_count);
     int found = 0, tried = 0;
     for (; found < count && tried < TRIES * count && all > 0; tried++) {
-        uint32_t number = 1 + (uint32_t)(first * TRIES + tried);
+        uint32_t number = 1 + first * TRIES + (uint32_t)tried;
         struct surface_point *point = &points->items[found];
         locate(point, &sums, scene, geometry, radical_inverse(2, number) * all,
                radical_inverse(3, number));
         found += find_albedo(point, scene, geometry, srgb_to_linear);
     }
-    for (int i = 0; i < found; i++) {
+    for (int i = 0; i < found; i++)
         points->items[i].share *= (float)(all / tried);
-        points->items[i].part_share *= (float)(all / tried);
-    }
     if (found < count)
         memset(&points->items[found], 0, (size_t)(count - found) * sizeof *points->items);
     free_sums(&sums);
-    relocate_all(points, geometry, 0);
 }
 
 void surface_points_free(struct surface_points *points) {
     free(points->items);
     *points = (struct surface_points){0};
-}
-
-void surface_points_follow(struct surface_points *points, const struct geometry *geometry) {
-    if (points->pose != geometry->pose_count)
-        relocate_all(points, geometry, points->pose);
 }
 
 struct surface_place surface_points_place(const struct surface_points *points,

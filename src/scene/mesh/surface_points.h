@@ -2,9 +2,9 @@
  *
  * Halton's points over the running sum of the triangles' areas: any run of the sequence is an even
  * subset. A triangle that would have more than a tenth of all points counts for a tenth: a plain
- * around a room takes few. Points keep their place in their triangle when it moves or is deformed;
- * on metaballs, whose triangles come and go, their place in the sum of areas. What reflects nothing has
- * none: holes of alpha masks, black surfaces, and the backs of single-sided ones.
+ * around a room takes few. Points keep their place in their triangle when it moves or is deformed. What
+ * reflects nothing has none: holes of alpha masks, black surfaces, and the backs of single-sided ones; nor
+ * have metaballs, whose triangles come and go: points would jump from frame to frame.
  */
 #ifndef SCENE_MESH_SURFACE_POINTS_H
 #define SCENE_MESH_SURFACE_POINTS_H
@@ -17,10 +17,6 @@ struct surface_point {
     float weight[3];   /* of its corners */
     bool back;         /* it lies on the back of a double-sided surface */
     float share;       /* of the triangle's area that it stands for */
-    /* On metaballs: its share of the part's area, and its place in the part's running sum, over the
-     * whole. */
-    float part_share;
-    double along;
     vec3s albedo;
 };
 
@@ -28,7 +24,6 @@ struct surface_points {
     const struct scene *scene;
     int count;
     struct surface_point *items;
-    unsigned pose; /* that the metaballs' triangles were looked up for */
 };
 
 /* A place and what it reflects. */
@@ -39,11 +34,8 @@ struct surface_place {
 
 /* Deals out points first .. first + count of the sequence by the geometry's present pose. */
 void surface_points_init(struct surface_points *points, const struct scene *scene,
-                         const struct geometry *geometry, int count, int first);
+                         const struct geometry *geometry, int count, uint32_t first);
 void surface_points_free(struct surface_points *points);
-
-/* After the geometry has moved. */
-void surface_points_follow(struct surface_points *points, const struct geometry *geometry);
 
 struct surface_place surface_points_place(const struct surface_points *points,
                                           const struct geometry *geometry, int i);
