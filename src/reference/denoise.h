@@ -3,8 +3,8 @@
  * The indirect light is filtered (reference/atrous.h), as irradiance: what the albedo draws stays
  * sharp. Surfaces are told apart by the positions and normals that the samples themselves saw. The
  * noise is known from the streams of samples; of a single one it is guessed from the neighbours. The
- * direct light stays as it is: all lights are points or parallel, so its noise is that of edges
- * within pixels, which a filter over pixels only makes wider.
+ * direct light stays as it is: that of points has the noise of edges within pixels, which a filter over
+ * pixels only makes wider; that of lights with a size stays noisy.
  */
 #ifndef REFERENCE_DENOISE_H
 #define REFERENCE_DENOISE_H

@@ -31,6 +31,7 @@ struct findings {
     float (*worlds)[16]; /* at time 0 */
     struct finding *items;
     int count, room;
+    bool *told; /* each material: it is among the names */
     struct names dark;
 };
 
@@ -62,7 +63,9 @@ static void find_surface(struct findings *findings, int node, int mesh, int numb
     if (glm_vec3_max((float *)material->emission) <= 0)
         return;
     if (primitive->joints || primitive->targets || scene->nodes[node].metaballs >= 0) {
-        names_add(&findings->dark, ", ", *material->name ? material->name : "without a name");
+        if (!findings->told[primitive->material])
+            names_add(&findings->dark, ", ", *material->name ? material->name : "without a name");
+        findings->told[primitive->material] = true;
         return;
     }
     finding.power = power_of(findings, &finding);
@@ -284,6 +287,7 @@ static void add_lamps(struct findings *findings) {
 void emissive_add_lights(struct scene *scene) {
     struct findings findings = {.scene = scene};
     findings.worlds = mem_alloc((size_t)scene->node_count, sizeof *findings.worlds);
+    findings.told = mem_alloc((size_t)scene->material_count, sizeof *findings.told);
     scene_node_worlds(scene, 0, findings.worlds);
     find_surfaces(&findings);
     if (findings.dark.length)
@@ -300,4 +304,5 @@ void emissive_add_lights(struct scene *scene) {
     }
     free(findings.items);
     free(findings.worlds);
+    free(findings.told);
 }
