@@ -413,6 +413,27 @@ static void test_lacks(void **state) {
     scene_free(&scene);
 }
 
+/* The older model of materials becomes the standard's: diffuse colour, and gloss. */
+static void test_specular_glossiness(void **state) {
+    (void)state;
+    unsigned char png[4096];
+    make_png(png, sizeof png);
+    struct scene scene = load(
+        "glossiness.glb",
+        (struct gltf_parts){
+            .more = "\"images\": [{\"uri\": \"texture.png\"}], \"textures\": [{\"source\": 0}],"
+                    " \"extensionsRequired\": [\"KHR_materials_pbrSpecularGlossiness\"],",
+            .materials = "[{\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\":"
+                         " {\"diffuseFactor\": [0.5, 0.25, 1, 0.75], \"glossinessFactor\": 0.25,"
+                         " \"diffuseTexture\": {\"index\": 0}}}}]"});
+    const struct material *material = &scene.materials[0];
+    check_vector("base colour", material->base_color, 4, (double[]){.5, .25, 1, .75}, 0);
+    assert_int_equal(material->base_color_texture, 0);
+    check_near("metalness", material->metalness, 0, 0);
+    check_near("roughness", material->roughness, .75, 0);
+    scene_free(&scene);
+}
+
 /* Whoever blends is a hole below half, whatever cutoff there is. */
 static void test_blending(void **state) {
     (void)state;
@@ -533,6 +554,7 @@ int main(void) {
         cmocka_unit_test(test_materials),
         cmocka_unit_test(test_lacks),
         cmocka_unit_test(test_blending),
+        cmocka_unit_test(test_specular_glossiness),
         cmocka_unit_test(test_nodes),
         cmocka_unit_test(test_instances),
         cmocka_unit_test(test_deep_chain),

@@ -30,6 +30,7 @@ const struct Known {
     {"KHR_materials_dispersion", "dispersion"},
     {"KHR_materials_ior", "index of refraction"},
     {"KHR_materials_iridescence", "iridescence"},
+    {"KHR_materials_pbrSpecularGlossiness", "specular colours"},
     {"KHR_materials_sheen", "sheen"},
     {"KHR_materials_specular", "specular reflection"},
     {"KHR_materials_transmission", "transmission (glass is opaque)"},

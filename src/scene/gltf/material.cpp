@@ -90,6 +90,31 @@ double number_of(const tinygltf::Value &object, const char *key, int i, double o
     return (value.IsArray() ? value.Get(i) : value).GetNumberAsDouble();
 }
 
+/* KHR_materials_pbrSpecularGlossiness, which older files have, as the standard's own model: its diffuse
+ * colour, no metal, and the roughness of its gloss. */
+tinygltf::Material as_metallic_roughness(const tinygltf::Material &from) {
+    auto found = from.extensions.find("KHR_materials_pbrSpecularGlossiness");
+    if (found == from.extensions.end())
+        return from;
+    const tinygltf::Value &old = found->second;
+    tinygltf::Material to = from;
+    to.pbrMetallicRoughness = {};
+    to.pbrMetallicRoughness.metallicFactor = 0;
+    to.pbrMetallicRoughness.roughnessFactor = 1 - number_of(old, "glossinessFactor", 0, 1);
+    for (int c = 0; c < 4; c++)
+        to.pbrMetallicRoughness.baseColorFactor[size_t(c)] = number_of(old, "diffuseFactor", c, 1);
+    if (!old.Has("diffuseTexture"))
+        return to;
+    const tinygltf::Value &texture = old.Get("diffuseTexture");
+    tinygltf::TextureInfo &info = to.pbrMetallicRoughness.baseColorTexture;
+    info.index = texture.Get("index").GetNumberAsInt();
+    info.texCoord = int(number_of(texture, "texCoord", 0, 0));
+    if (texture.Has("extensions"))
+        for (const std::string &name : texture.Get("extensions").Keys())
+            info.extensions[name] = texture.Get("extensions").Get(name);
+    return to;
+}
+
 UvSource uv_source(const tinygltf::TextureInfo &info) {
     UvSource source;
     source.set = info.texCoord;
@@ -214,7 +239,8 @@ bool load_materials(Loader &loader) {
     scene->material_count = int(from.size()) + 1;
     loader.uv_sources.resize(from.size() + 1);
     for (size_t i = 0; i < from.size(); i++) {
-        if (!load_material(loader, from[i], scene->materials[i], loader.uv_sources[i]))
+        if (!load_material(loader, as_metallic_roughness(from[i]), scene->materials[i],
+                           loader.uv_sources[i]))
             return error_prefix("%s", label("material", i, from[i].name).c_str());
     }
     make_default(scene->materials[from.size()]);

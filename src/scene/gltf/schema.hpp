@@ -158,7 +158,15 @@ const Field metallic_roughness[] = {
 
 const Field emissive_strength[] = {{"emissiveStrength", Optional, Kind::Number}, end};
 
+const Field specular_glossiness[] = {
+    {"diffuseFactor", Optional, Kind::Numbers, nullptr, nullptr, 4},
+    {"diffuseTexture", Optional, Kind::Object, nullptr, texture_info},
+    {"glossinessFactor", Optional, Kind::Number},
+    end,
+};
+
 const Field material_extensions[] = {
+    {"KHR_materials_pbrSpecularGlossiness", Optional, Kind::Object, nullptr, specular_glossiness},
     {"KHR_materials_emissive_strength", Optional, Kind::Object, nullptr, emissive_strength},
     end,
 };
