@@ -7,7 +7,7 @@ bool hides_nothing(receiver r, float extent, cell k, vec4 box) {
 }
 
 // The cells of a window, one after another, from a summed area table: each corner of the grid is fetched once.
-cells window_cells(int map, receiver r, float extent, vec4 window, int parts, bool wanted) {
+cells window_cells(int map, receiver r, float extent, vec4 window, int parts, bool seeks, bool wanted) {
     vec2 high = min(window.zw * lookup.map_size, lookup.map_size - 0.01);
     vec2 low = min(window.xy * lookup.map_size, high - 1.0);
     cells c = cells_none();
@@ -30,10 +30,12 @@ cells window_cells(int map, receiver r, float extent, vec4 window, int parts, bo
                 cell k;
                 vec2 middle = 0.5 * (before + edge);
                 k.area = cell_width(low.x, high.x, before.x, edge.x) * cell_width(low.y, high.y, before.y, edge.y);
-                k.plane = plane_nearest(r, vec4(before, edge) / lookup.map_size);
+                vec4 box = vec4(before, edge) / lookup.map_size;
+                // A search rather finds the receiver itself, which the window that follows tells, than misses casters.
+                k.plane = plane_nearest(r, seeks ? clamp(r.uv, box.xy, box.zw).xyxy : box);
                 k.mean = vec4(corner - left - under + below_left) / (texels.x * texels.y * SUM_ONE);
                 k.texel = ivec3(middle, map);
-                if (!hides_nothing(r, extent, k, vec4(before, edge) / lookup.map_size))
+                if (!hides_nothing(r, extent, k, box))
                     cells_add(c, k);
             }
             below[i] = corner;
