@@ -245,7 +245,7 @@ accuracy: all
 	    $(NOISE_OF_SMALL) --cache $(REFERENCE_CACHE) --csv $(BENCH_RESULTS)/curves.csv
 	./manylight bench chart $(BENCH_RESULTS)/curves.csv -o $(BENCH_PLOTS)
 
-# How the mean of passes converges: minutes of the boxes, hours of the large scenes.
+# How the mean of passes converges: minutes of the boxes, a quarter of an hour of CPU time for each large scene.
 CONVERGENCE_RUN = ./manylight bench passes --size 200x200 --cache $(REFERENCE_CACHE) $(BENCH_OPTIONS)
 
 convergence: all
