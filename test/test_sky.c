@@ -190,6 +190,7 @@ static struct image traced(const struct stage *stage, int samples) {
     return truth;
 }
 
+/* Below the table it is too dark: what the map shows is taken to be as deep as keeps courtyards dark. */
 static void test_day(void **state) {
     (void)state;
     struct stage stage;
@@ -198,7 +199,7 @@ static void test_day(void **state) {
     struct image truth = traced(&stage, 256);
     struct image got = render_stage(&stage, "clustered", "", SIZE);
     double mean = layer_mean(&truth, "direct");
-    check_near("direct light, mean", layer_mean(&got, "direct"), mean, .03 * mean);
+    check_near("direct light, mean", layer_mean(&got, "direct"), mean, .06 * mean);
     check_at_most("direct light, relative RMSE", relative_rmse(&got, &truth, "direct"), .12);
     mean = layer_mean(&truth, "indirect");
     check_near("indirect light, mean", layer_mean(&got, "indirect"), mean, .12 * mean);

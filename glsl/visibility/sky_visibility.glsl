@@ -1,6 +1,6 @@
-// Which share of a sky's light a receiver sees, by the light's map: percentage-closer soft shadows [Fernando
-// 2005] with the light's own shape. What hides it is sought along ways to points of it; then the share of
-// such ways that are free at that distance is what is seen.
+// Which share of a sky's light a receiver sees, by the light's map: of ways to points of the light, those that
+// meet nothing. A way is followed through what the map has there: a place of it that lies a little below a surface
+// is within a caster. Each way has places of its own, the closer the nearer to the receiver.
 //
 // All is in the view's frame: x right, y up, z away from the light, metres; t: metres towards the light.
 #include "lib/sky.glsl"
@@ -16,12 +16,15 @@ vec4 sky_shares(vec3 normal, int layer) {
     return textureLod(sky_share_table, vec3(place, layer), 0.0);
 }
 
-const float KERNEL_MIN = 0.75; // of a texel's width, from the middle: a smaller one would show steps
+const int PLACES = 8;
+// Casters are as deep as this many gaps between two places there, so that no wall is stepped over. Where the map
+// does not know what lies below a surface, light is lost below things as thin as a table, or comes through walls
+// that are seen from above: measured, both are least near this.
+const float CASTER_DEPTH = 2.0;
 
 struct sky_receiver {
     vec3 position, normal;
     vec2 texel; // metres
-    mat2 inverse_sides;
 };
 
 // Point k in the light, in units of its half sides: a sequence whose every part is even.
@@ -29,25 +32,18 @@ vec2 sky_point(int k) {
     return fract(float(k) * vec2(0.75487767, 0.56984029) + 0.5) * 2.0 - 1.0;
 }
 
-// What lies in the texel that shows a place, relative to the receiver; its z is t. 0 where it hides nothing:
-// behind the receiver, or not above its plane.
-vec3 sky_blocker(int i, sky_view v, sky_receiver x, vec2 aside) {
+// How far a surface lies above a place, which is relative to the receiver, its z metres towards the light; 0 where
+// it is no higher above the receiver's plane than its own texels' doubt.
+float sky_cover(int i, sky_view v, sky_receiver x, vec3 place) {
     ivec2 size = textureSize(sky_maps, 0).xy;
-    ivec2 texel = ivec2(floor(((x.position.xy + aside) / v.half_size * 0.5 + 0.5) * vec2(size)));
+    ivec2 texel = ivec2(floor(((x.position.xy + place.xy) / v.half_size * 0.5 + 0.5) * vec2(size)));
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, size)))
-        return vec3(0.0);
+        return 0.0;
     float depth = texelFetch(sky_maps, ivec3(texel, i), 0).r * v.far;
     vec2 center = ((vec2(texel) + 0.5) / vec2(size) * 2.0 - 1.0) * v.half_size;
     vec3 there = vec3(center - x.position.xy, x.position.z - depth);
     float height = dot(x.normal, vec3(there.xy, -there.z));
-    return there.z > 0.0 && height > params.bias * x.texel.x ? there : vec3(0.0);
-}
-
-// Whether the way past it comes from the light, given a texel's doubt.
-bool sky_hides(sky_receiver x, sky_view v, vec3 blocker) {
-    vec2 p = x.inverse_sides * (blocker.xy / blocker.z);
-    vec2 doubt = 0.5 * max(x.texel.x, x.texel.y) / (blocker.z * vec2(length(v.sides[0]), length(v.sides[1])));
-    return all(lessThanEqual(abs(p), 1.0 + doubt));
+    return height > params.bias * x.texel.x ? there.z - place.z : 0.0;
 }
 
 float sky_visibility(int i, vec3 position, vec3 normal) {
@@ -57,27 +53,20 @@ float sky_visibility(int i, vec3 position, vec3 normal) {
     x.position = to_view * (position - v.origin);
     x.normal = to_view * normal;
     x.texel = 2.0 * v.half_size / vec2(textureSize(sky_maps, 0).xy);
-    x.inverse_sides = inverse(v.sides);
-    float sum = 0.0, count = 0.0;
-    for (int k = 0; k < SEARCH_TAPS; k++) {
-        float share = (float(k) + 0.5) / float(SEARCH_TAPS);
-        vec3 blocker = sky_blocker(i, v, x, v.sides * sky_point(k) * (share * share * x.position.z));
-        bool hides = blocker.z > 0.0 && sky_hides(x, v, blocker);
-        sum += hides ? blocker.z : 0.0;
-        count += hides ? 1.0 : 0.0;
+    float seen = 0.0, above = 0.0;
+    for (int k = 0; k < WAYS; k++) {
+        vec3 way = vec3(v.sides * sky_point(k), 1.0);
+        bool counts = dot(x.normal, vec3(way.xy, -1.0)) > 0.0;
+        bool hidden = false;
+        float jitter = fract(float(k) * 0.61803399);
+        for (int n = 0; n < PLACES && !hidden; n++) {
+            float share = (float(n) + jitter) / float(PLACES);
+            float cover = sky_cover(i, v, x, way * (share * share * x.position.z));
+            float depth = CASTER_DEPTH * 2.0 * share / float(PLACES) * x.position.z;
+            hidden = cover > 0.0 && cover < depth;
+        }
+        seen += counts && !hidden ? 1.0 : 0.0;
+        above += counts ? 1.0 : 0.0;
     }
-    float t = sum / max(count, 1.0);
-    vec2 kernel = t * vec2(length(v.sides[0]), length(v.sides[1]));
-    vec2 widen = max(vec2(1.0), KERNEL_MIN * max(x.texel.x, x.texel.y) / max(kernel, vec2(1e-20)));
-    float blocked = 0.0, free = 0.0;
-    // As a count and not a branch: a software rasteriser leaves a loop that no pixel is in.
-    int taps = count > 0.0 ? FILTER_TAPS : 0;
-    for (int k = 0; k < taps; k++) {
-        vec3 blocker = sky_blocker(i, v, x, v.sides * (sky_point(k) * widen) * t);
-        if (blocker.z <= 0.0)
-            free += 1.0;
-        else if (sky_hides(x, v, blocker))
-            blocked += 1.0;
-    }
-    return taps == 0 ? 1.0 : free / max(free + blocked, 1.0);
+    return seen / max(above, 1.0);
 }

@@ -15,8 +15,8 @@ static const struct option table[] = {
      .help = "shadow map of such a light, texels a side"},
     {"sky-block", 0, OPTION_INT, ROW(block), 7, 1, 64,
      .help = "pixels a side of a block that shares its visibility"},
-    {"sky-taps", 0, OPTION_INT, ROW(taps), 16, 1, 256,
-     .help = "texels of a lookup: once to find what hides the light, once to filter"},
+    {"sky-ways", 0, OPTION_INT, ROW(ways), 16, 1, 256,
+     .help = "ways to points of a light that a lookup follows, eight texels each"},
     {"sky-bias", 0, OPTION_FLOAT, ROW(bias), .5, 0, 100,
      .help = "what is lower above a receiver's plane hides nothing, in texels"},
     {"disagree", 0, OPTION_FLOAT, ROW(disagree), .02, 0, 2,
@@ -44,7 +44,7 @@ bool skylight_init(struct skylight *skylight, const struct skylight_desc *desc) 
                                                       .height = desc->height,
                                                       .count = desc->count,
                                                       .block = own->block,
-                                                      .taps = own->taps,
+                                                      .ways = own->ways,
                                                       .bias = own->bias,
                                                       .disagree = own->disagree}) &&
          buffer_init(&skylight->lights, "lights of the sky", sizeof(struct sky_block), NULL)))

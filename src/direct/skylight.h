@@ -11,7 +11,7 @@ struct skylight_settings {
     int lights, fit; /* enum sky_fit */
     int map_size;    /* texels a side */
     int block;       /* pixels a side */
-    int taps;
+    int ways;
     float bias, disagree;
 };
 

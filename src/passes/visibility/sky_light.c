@@ -11,7 +11,7 @@
 static const float apart = .008F; /* as the gather's blocks */
 
 static bool init_programs(struct sky_light_pass *pass) {
-    char *defines = mem_printf("SEARCH_TAPS %d;FILTER_TAPS %d", pass->desc.taps, pass->desc.taps);
+    char *defines = mem_printf("WAYS %d", pass->desc.ways);
     bool ok = program_init(&pass->share_program,
                            &(struct program_desc){.vertex = "layers.vert",
                                                   .fragment = "visibility/sky_shares.frag"}) &&

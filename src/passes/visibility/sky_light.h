@@ -10,7 +10,7 @@ struct sky_light_desc {
     int width, height; /* of the picture */
     int count;         /* of lights */
     int block;         /* pixels a side of a block that shares its visibility */
-    int taps;          /* of a lookup, once to find what hides the light and once to filter */
+    int ways;          /* to points of a light that a lookup follows */
     float bias;        /* texels: what is no higher above a receiver's plane hides nothing */
     float disagree;    /* of all light: where blocks do by more, a pixel looks itself up */
 };
