@@ -71,32 +71,49 @@ vec3 unshadowed(vpl light, surface s, out vec3 back) {
 }
 
 #if RECEIVERS == RECEIVERS_LISTED
-// VPLs of which one asks for all: most of the time goes there.
-const int TOGETHER = 8;
+// VPLs of which two ask for all: most of the time goes there.
+const int TOGETHER = 12;
 
-// Irradiance times pi of the VPLs first .. last. One of them, taken by its light, asks for the visibility of
-// all: on average each counts as if it had asked, but for its hue.
+// Those of much the same hue, of which one, taken by its light, asks for the visibility of all: on average
+// each counts as if it had asked. Where red light and green shared an answer, shadows would be of neither's
+// hue.
+struct light_group {
+    vec3 arriving, back, place;
+    float strength, map;
+};
+
+void group_add(inout light_group group, vec3 own, vec3 own_back, vec3 place, float map, inout float random) {
+    float own_strength = dot(own + own_back, vec3(1.0));
+    group.arriving += own;
+    group.back += own_back;
+    group.strength += own_strength;
+    // One number for all: within the part that it fell into it is as random as before.
+    float share = own_strength / max(group.strength, 1e-30);
+    bool taken = random < share;
+    random = (taken ? random : random - share) / max(taken ? share : 1.0 - share, 1e-6);
+    group.place = taken ? place : group.place;
+    group.map = taken ? map : group.map;
+}
+
+vec3 group_light(light_group group, surface s) {
+    float visible = 1.0;
+    for (int lit = group.strength > 0.0 ? 1 : 0; lit > 0; lit--)
+        visible = visibility_from(int(group.map), s.position, s.normal, group.place);
+    return mix(-group.back, group.arriving, visible);
+}
+
+// Irradiance times pi of the VPLs first .. last.
 vec3 light_together(surface s, int first, int last, inout float random) {
-    vec3 arriving = vec3(0.0), back = vec3(0.0), place = vec3(0.0);
-    float strength = 0.0, map = 0.0;
+    const light_group none = light_group(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0);
+    light_group redder = none, greener = none;
     for (int i = first; i < last; i++) {
         vpl light = vpl_in_block(i);
-        vec3 own_back, own = unshadowed(light, s, own_back);
-        float own_strength = dot(own + own_back, vec3(1.0));
-        arriving += own;
-        back += own_back;
-        strength += own_strength;
-        // One number for all: within the part that it fell into it is as random as before.
-        float share = own_strength / max(strength, 1e-30);
-        bool taken = random < share;
-        random = (taken ? random : random - share) / max(taken ? share : 1.0 - share, 1e-6);
-        place = taken ? light.position : place;
-        map = taken ? float(map_of(i, light)) : map;
+        vec3 back, own = unshadowed(light, s, back);
+        float red = light.flux.r > light.flux.g ? 1.0 : 0.0, map = float(map_of(i, light));
+        group_add(redder, own * red, back * red, light.position, map, random);
+        group_add(greener, own * (1.0 - red), back * (1.0 - red), light.position, map, random);
     }
-    float visible = 1.0;
-    for (int lit = strength > 0.0 ? 1 : 0; lit > 0; lit--)
-        visible = visibility_from(int(map), s.position, s.normal, place);
-    return mix(-back, arriving, visible);
+    return group_light(redder, s) + group_light(greener, s);
 }
 
 vec3 light_of_slot(surface s, ivec2 pixel) {
