@@ -84,12 +84,13 @@ static struct kind *kind_named(struct trial *trial, const char *name) {
     return kind;
 }
 
-/* Those that all end in the same few lines of code are tried now and then. */
-static bool is_tried(struct kind *kind) {
+/* Those that all end in the same few lines of code are tried now and then, and bench's, which are much
+ * the same as render's. */
+static bool is_tried(const struct victim *victim, struct kind *kind) {
     bool memory = strstr(kind->name, "alloc") || strstr(kind->name, "new");
     bool graphics = strncmp(kind->name, "gl", 2) == 0;
-    int step = getenv("MANYLIGHT_FAULTS") ? 1 : memory ? 80 : graphics ? 8 : 1;
-    return kind->seen++ % step == 0;
+    int step = (memory ? 80 : graphics ? 8 : 1) * (victim == &bench ? 4 : 1);
+    return kind->seen++ % (getenv("MANYLIGHT_FAULTS") ? 1 : step) == 0;
 }
 
 /* Whole, or, where it may be, missing. */
@@ -173,7 +174,7 @@ static void break_all(const struct victim *victim) {
     assert_non_null(calls);
     for (char *line = strtok_r(calls, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest)) {
         struct kind *kind = kind_named(&trial, strchr(line, ' ') + 1);
-        if (is_tried(kind))
+        if (is_tried(victim, kind))
             break_call(&trial, atoi(line), kind);
     }
     print_kinds(&trial);

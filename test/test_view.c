@@ -72,19 +72,19 @@ static void test_panel(void **state) {
     int section = find_section(SECTION_TECHNIQUE);
     assert_true(section > 0);
     int technique = find_widget(COLUMN_WIDGET, section + 14, 0);
-    int vals = find_widget(COLUMN_WIDGET, section + 14, 3); /* after path and vpls */
-    assert_true(technique > 0 && vals > technique);
+    int vpls = find_widget(COLUMN_WIDGET, section + 14, 1);
+    assert_true(technique > 0 && vpls > technique);
     /* Ctrl and a click let a slider's value be typed. */
     xdo("mousemove %d %d sleep .3 keydown ctrl sleep .3 mousedown 1 sleep .3 mouseup 1 sleep .2",
-        WIDTH + COLUMN_WIDGET, vals);
+        WIDTH + COLUMN_WIDGET, vpls);
     xdo("keyup ctrl sleep .3");
-    xdo("type --delay 100 9");
+    xdo("type --delay 100 96");
     xdo("sleep .3 key Return sleep .8");
-    check_same("vals typed into the panel", SCENE " --set vals=9");
+    check_same("VPLs typed into the panel", SCENE " --set vpls=96");
     click(WIDTH + COLUMN_WIDGET, technique);
     xdo("sleep .5 mousemove %d %d sleep .5 mousedown 1 sleep .3 mouseup 1 sleep 1",
         WIDTH + COLUMN_WIDGET + 30, technique + 12 + 12 + 5 + 2 * 19);
-    check_same("technique chosen in the panel", SCENE " --set vals=9 --technique unshadowed");
+    check_same("technique chosen in the panel", SCENE " --set vpls=96 --technique unshadowed");
 }
 
 /* The saved settings' camera, for a command line. */
@@ -128,7 +128,7 @@ static void test_orbit(void **state) {
     printf("    %s\n", camera);
     assert_non_null(strstr(camera, "eye="));
     snprintf(arguments, sizeof arguments,
-             SCENE " --set vals=9 --technique unshadowed --camera \"%s\"", camera);
+             SCENE " --set vpls=96 --technique unshadowed --camera \"%s\"", camera);
     check_same("an orbit, rendered by the saved camera", arguments);
 }
 
@@ -139,7 +139,7 @@ static void test_open(void **state) {
     open_by_panel("scenes/no-such-file.glb"); /* an error, and the window lives on */
     open_by_panel("scenes/sphere.glb");
     wait_for_scene("sphere.glb");
-    check_same("another scene", "scenes/sphere.glb --set vals=9 --technique unshadowed");
+    check_same("another scene", "scenes/sphere.glb --set vpls=96 --technique unshadowed");
 }
 
 /* At rest it goes on to the mean of some passes; another picture begins with a frame. */
