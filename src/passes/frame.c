@@ -107,6 +107,26 @@ void vpl_buffer_free(struct vpl_buffer *vpls) {
     *vpls = (struct vpl_buffer){0};
 }
 
+/* Uniform ranges begin at multiples of 256 bytes, which are 16 VPLs. */
+enum { VPL_ALIGNMENT = 16 };
+
+bool vpl_run_next(struct vpl_run *run, const struct vpl_buffer *vpls, int last) {
+    int at = run->next;
+    if (at >= last)
+        return false;
+    run->block = at / VPL_ALIGNMENT * VPL_ALIGNMENT;
+    run->first = at - run->block;
+    run->next = run->block + VPLS_PER_BLOCK < last ? run->block + VPLS_PER_BLOCK : last;
+    run->count = run->next - at;
+    pass_bind_block(&(struct pass_block){
+        .block = BLOCK_VPLS,
+        .buffer = &vpls->buffer,
+        .offset = (size_t)run->block * sizeof(struct vpl),
+        .size = VPLS_PER_BLOCK * sizeof(struct vpl),
+    });
+    return true;
+}
+
 bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum format, int width,
                      int height, int interleave) {
     *irradiance = (struct irradiance){

@@ -162,6 +162,19 @@ void rsm_add(struct pass_state *state, const struct gbuffer rsm[LIGHT_MAP_KINDS]
 bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count);
 void vpl_buffer_free(struct vpl_buffer *vpls);
 
+/* VPLs that one uniform block holds: the block's first VPL, and the run's first within it.
+ *
+ *     for (struct vpl_run run = {.next = first}; vpl_run_next(&run, vpls, last);)
+ *         ... draws with the run bound
+ */
+struct vpl_run {
+    int block, first, count;
+    int next; /* VPL after the run */
+};
+
+/* Binds the next run of those before `last`; false where there is none. */
+bool vpl_run_next(struct vpl_run *run, const struct vpl_buffer *vpls, int last);
+
 bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum format, int width,
                      int height, int interleave);
 void irradiance_free(struct irradiance *irradiance);

@@ -1,5 +1,6 @@
 #include "reference/path.h"
 
+#include "reference/reservoir.h"
 #include "reference/warp.h"
 
 #include <math.h>
@@ -58,29 +59,19 @@ static vec3s from_light_vertices(const struct ray_scene *rays, const struct hit 
  * quarter of the rays. */
 static vec3s from_cosine_ray(const struct ray_scene *rays, const struct emission *emission,
                              const struct hit *x, const struct hit *y, struct sampler *sampler) {
-    float pick = emission->count > 1 ? sampler_next(sampler).x : 0;
+    struct reservoir reservoir = {.pick = emission->count > 1 ? sampler_next(sampler).x : 0};
     vec2s sample = emission->has_sizes ? sampler_next(sampler) : (vec2s){{0, 0}};
-    float p_cosine = cosine_density(x, y->position, y->geometric_normal), sum = 0, picked = 0;
-    struct arrival arrival;
-    vec3s light = glms_vec3_zero(), source = light;
+    float p_cosine = cosine_density(x, y->position, y->geometric_normal);
     for (int n = 0; n < emission->count; n++) {
+        struct arrival arrival;
         if (!emission_reach(emission, n, emission_place(emission, n, sample, y), y, &arrival))
             continue;
         float p_light = LIGHTS_PER_VERTEX * arrival.density / p_cosine;
         vec3s given = glms_vec3_scale(emission_reflected(y, &arrival),
                                       emission_picked_weight(&arrival, p_light));
-        float bright = glms_vec3_max(given);
-        sum += bright;
-        if (pick * sum < bright) {
-            pick *= sum / bright;
-            light = given, source = arrival.at, picked = bright;
-        } else if (bright < sum) {
-            pick = (pick * sum - bright) / (sum - bright);
-        }
+        reservoir_offer(&reservoir, given, arrival.at);
     }
-    if (picked == 0 || !ray_scene_visible(rays, ray_scene_departure(rays, y), source))
-        return glms_vec3_zero();
-    return glms_vec3_scale(light, sum / picked);
+    return reservoir_light(&reservoir, rays, y);
 }
 
 /* A ray by the cosine. */

@@ -11,9 +11,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Uniform ranges begin at multiples of 256 bytes, which are 16 VPLs. */
-enum { VPL_ALIGNMENT = 16 };
-
 static bool init_program(GLuint *program, const struct gather_desc *desc, enum gather_clamp clamp) {
     char *lookup = visibility_defines(&desc->visibility);
     bool take_back = clamp == desc->clamp && desc->take_back > 0;
@@ -79,22 +76,14 @@ static GLuint program_for(const struct gather_pass *pass, const struct gather_in
     return inputs->further ? pass->further_program : pass->program;
 }
 
-/* VPLs first .. last for the tile of a slot, or for its list of a grade, in runs that fit one uniform block. */
-static void draw_run(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
-                     int grade, int first, int last) {
+/* VPLs first .. last for the tile of a slot, or for its list of a grade. */
+static void draw_runs(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
+                      int grade, int first, int last) {
     int n = pass->desc.interleave;
     GLuint program = program_for(pass, inputs);
-    for (int at = first, block; at < last; at = block + VPLS_PER_BLOCK) {
-        block = at / VPL_ALIGNMENT * VPL_ALIGNMENT;
-        int end = block + VPLS_PER_BLOCK < last ? block + VPLS_PER_BLOCK : last;
-        pass_bind_block(&(struct pass_block){
-            .block = BLOCK_VPLS,
-            .buffer = &inputs->vpls->buffer,
-            .offset = (size_t)block * sizeof(struct vpl),
-            .size = VPLS_PER_BLOCK * sizeof(struct vpl),
-        });
-        gl.ProgramUniform4i(program, LOCATION_SLOT, at - block, end - at, slot % n, slot / n);
-        gl.ProgramUniform1i(program, LOCATION_FIRST_MAP, block - inputs->first);
+    for (struct vpl_run run = {.next = first}; vpl_run_next(&run, inputs->vpls, last);) {
+        gl.ProgramUniform4i(program, LOCATION_SLOT, run.first, run.count, slot % n, slot / n);
+        gl.ProgramUniform1i(program, LOCATION_FIRST_MAP, run.block - inputs->first);
         if (pass->desc.receivers == RECEIVERS_LISTED)
             pixel_lists_draw(inputs->lists, grade, program);
         else
@@ -120,7 +109,7 @@ static void draw_slot(const struct gather_pass *pass, const struct gather_inputs
     pass_viewport(slot % n * target->tile_width, slot / n * target->tile_height, target->tile_width,
                   target->tile_height);
     gl.ProgramUniform1f(program_for(pass, inputs), LOCATION_SLOT_WEIGHT, weight);
-    draw_run(pass, inputs, slot, grade, first, last);
+    draw_runs(pass, inputs, slot, grade, first, last);
 }
 
 void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,

@@ -9,9 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Uniform ranges begin at multiples of 256 bytes, which are 16 VPLs. */
-enum { VPL_ALIGNMENT = 16 };
-
 static int candidate_count(const struct bounce_pass *pass) {
     return pass->desc.count * BOUNCE_CANDIDATES;
 }
@@ -139,19 +136,10 @@ static void place(struct bounce_pass *pass, const struct frame *frame) {
 
 /* --- light ------------------------------------------------------------------------------------ */
 
-/* VPLs first .. last, in runs that fit one uniform block. */
 static void draw_runs(GLuint program, const struct bounce_inputs *inputs, int first, int last) {
-    for (int at = first, block; at < last; at = block + VPLS_PER_BLOCK) {
-        block = at / VPL_ALIGNMENT * VPL_ALIGNMENT;
-        int end = block + VPLS_PER_BLOCK < last ? block + VPLS_PER_BLOCK : last;
-        pass_bind_block(&(struct pass_block){
-            .block = BLOCK_VPLS,
-            .buffer = &inputs->vpls->buffer,
-            .offset = (size_t)block * sizeof(struct vpl),
-            .size = VPLS_PER_BLOCK * sizeof(struct vpl),
-        });
-        gl.ProgramUniform4i(program, LOCATION_SLOT, at - block, end - at, 0, 0);
-        gl.ProgramUniform1i(program, LOCATION_FIRST_MAP, block - inputs->first);
+    for (struct vpl_run run = {.next = first}; vpl_run_next(&run, inputs->vpls, last);) {
+        gl.ProgramUniform4i(program, LOCATION_SLOT, run.first, run.count, 0, 0);
+        gl.ProgramUniform1i(program, LOCATION_FIRST_MAP, run.block - inputs->first);
         pass_draw_fullscreen(1);
     }
 }

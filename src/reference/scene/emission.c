@@ -1,5 +1,6 @@
 #include "reference/scene/emission.h"
 
+#include "reference/reservoir.h"
 #include "reference/scene/rectangle.h"
 #include "reference/vector.h"
 #include "reference/warp.h"
@@ -270,25 +271,15 @@ enum { CANDIDATES = 8 };
 
 static vec3s direct_resampled(const struct emission *emission, int n, const struct ray_scene *rays,
                               const struct hit *hit, struct sampler *sampler) {
-    float pick = sampler_next(sampler).x, sum = 0, picked = 0;
-    vec3s light = glms_vec3_zero(), source = light;
+    struct reservoir reservoir = {.pick = sampler_next(sampler).x};
     for (int i = 0; i < CANDIDATES; i++) {
         struct arrival arrival;
         if (!emission_reach(emission, n, sampler_next(sampler), hit, &arrival))
             continue;
         vec3s given = glms_vec3_scale(arrival.irradiance, emission_picked_weight(&arrival, 0));
-        float bright = glms_vec3_max(given);
-        sum += bright;
-        if (pick * sum < bright) {
-            pick *= sum / bright;
-            light = given, source = arrival.at, picked = bright;
-        } else if (bright < sum) {
-            pick = (pick * sum - bright) / (sum - bright);
-        }
+        reservoir_offer(&reservoir, given, arrival.at);
     }
-    if (picked == 0 || !ray_scene_visible(rays, ray_scene_departure(rays, hit), source))
-        return glms_vec3_zero();
-    return glms_vec3_scale(light, sum / picked / CANDIDATES);
+    return glms_vec3_scale(reservoir_light(&reservoir, rays, hit), 1.F / CANDIDATES);
 }
 
 /* Of a light by a ray that may come to one. */

@@ -1,0 +1,36 @@
+/* One of several lights or places, picked by what it would give without its shadow, so that one shadow
+ * ray stands for all [Talbot et al. 2005]. */
+#ifndef REFERENCE_RESERVOIR_H
+#define REFERENCE_RESERVOIR_H
+
+#include "reference/scene/ray_scene.h"
+
+/* Begin with a random number in [0, 1) as `pick`, all else zero. */
+struct reservoir {
+    float pick, sum, picked; /* the number; how bright all are, and the one that is kept */
+    vec3s light, source;     /* what that one gives, from where */
+};
+
+static inline void reservoir_offer(struct reservoir *reservoir, vec3s given, vec3s source) {
+    float bright = glms_vec3_max(given);
+    reservoir->sum += bright;
+    if (reservoir->pick * reservoir->sum < bright) {
+        reservoir->pick *= reservoir->sum / bright;
+        reservoir->light = given;
+        reservoir->source = source;
+        reservoir->picked = bright;
+    } else if (bright < reservoir->sum) {
+        reservoir->pick = (reservoir->pick * reservoir->sum - bright) / (reservoir->sum - bright);
+    }
+}
+
+/* What all that was offered gives at the hit, by the shadow ray of the one. */
+static inline vec3s reservoir_light(const struct reservoir *reservoir, const struct ray_scene *rays,
+                                    const struct hit *hit) {
+    if (reservoir->picked == 0 ||
+        !ray_scene_visible(rays, ray_scene_departure(rays, hit), reservoir->source))
+        return glms_vec3_zero();
+    return glms_vec3_scale(reservoir->light, reservoir->sum / reservoir->picked);
+}
+
+#endif
