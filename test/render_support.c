@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "gl/memory.h"
 #include "reference/channels.h"
+#include "reference/path_tracer.h"
 #include "scene/node.h"
 #include "scene/placing.h"
 #include "shared/vpl.h"
@@ -251,6 +252,23 @@ struct image common_layers(const struct image *traced) {
             memcpy(image_at(&image, x, y), image_at(traced, x, y),
                    (size_t)image.channel_count * sizeof(float));
     return image;
+}
+
+struct image trace_stage(const struct stage *stage, int size, int samples) {
+    const struct path_tracer_desc desc = {.scene = &stage->scene,
+                                          .geometry = &stage->geometry,
+                                          .camera = &stage->camera,
+                                          .emitters = stage->emitters,
+                                          .width = size,
+                                          .height = size,
+                                          .bounces = 1,
+                                          .samples = samples,
+                                          .centers = true};
+    struct image traced;
+    check_ok("truth", path_tracer_render(&desc, &traced, NULL));
+    struct image truth = common_layers(&traced);
+    image_free(&traced);
+    return truth;
 }
 
 void check_finite(const char *what, const struct image *image) {

@@ -77,6 +77,9 @@ double gradient_error(const struct image *test, const struct image *reference, c
 /* The mean of a layer's channels over the pixels that see something. */
 double layer_mean(const struct image *image, const char *layer);
 
+/* One bounce by the path tracer, through the pixels' centres: the layers that a frame has too. */
+struct image trace_stage(const struct stage *stage, int size, int samples);
+
 /* Of a picture of the path tracer the layers that a frame has too. */
 struct image common_layers(const struct image *traced);
 

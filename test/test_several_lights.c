@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "gl/memory.h"
-#include "reference/path_tracer.h"
 #include "scene/view.h"
 
 #include <math.h>
@@ -178,19 +177,8 @@ static void test_split(void **state) {
 static void test_truth(void **state) {
     (void)state;
     struct stage stage;
-    struct image traced;
     open_stage(&stage, three_lights);
-    check_ok("truth", path_tracer_render(&(struct path_tracer_desc){.scene = &stage.scene,
-                                                                    .geometry = &stage.geometry,
-                                                                    .camera = &stage.camera,
-                                                                    .emitters = stage.emitters,
-                                                                    .width = SIZE,
-                                                                    .height = SIZE,
-                                                                    .bounces = 1,
-                                                                    .samples = 256,
-                                                                    .centers = true},
-                                         &traced, NULL));
-    struct image truth = common_layers(&traced);
+    struct image truth = trace_stage(&stage, SIZE, 256);
     static const struct {
         const char *technique, *settings;
         double direct, mean, indirect;
@@ -213,7 +201,6 @@ static void test_truth(void **state) {
                       rows[i].indirect);
         image_free(&image);
     }
-    image_free(&traced);
     image_free(&truth);
     stage_free(&stage);
 }

@@ -6,7 +6,6 @@
 
 #include "base/memory.h"
 #include "direct/direct.h"
-#include "reference/path_tracer.h"
 #include "scene/environment.h"
 #include "shared/vpl.h"
 
@@ -173,30 +172,13 @@ static void test_wall(void **state) {
 
 /* --- a day ---------------------------------------------------------------------------------------- */
 
-static struct image traced(const struct stage *stage, int samples) {
-    struct image with_errors;
-    check_ok("truth", path_tracer_render(&(struct path_tracer_desc){.scene = &stage->scene,
-                                                                    .geometry = &stage->geometry,
-                                                                    .camera = &stage->camera,
-                                                                    .emitters = stage->emitters,
-                                                                    .width = SIZE,
-                                                                    .height = SIZE,
-                                                                    .bounces = 1,
-                                                                    .samples = samples,
-                                                                    .centers = true},
-                                         &with_errors, NULL));
-    struct image truth = common_layers(&with_errors);
-    image_free(&with_errors);
-    return truth;
-}
-
 /* Below the table it is too dark: what the map shows is taken to be as deep as keeps courtyards dark. */
 static void test_day(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, "scenes/table.glb");
     set_sky(&stage, paint_day);
-    struct image truth = traced(&stage, 256);
+    struct image truth = trace_stage(&stage, SIZE, 256);
     struct image got = render_stage(&stage, "clustered", "", SIZE);
     double mean = layer_mean(&truth, "direct");
     check_near("direct light, mean", layer_mean(&got, "direct"), mean, .06 * mean);
@@ -272,7 +254,7 @@ static void test_passes(void **state) {
     struct stage stage;
     open_stage(&stage, "scenes/table.glb");
     set_sky(&stage, paint_day);
-    struct image truth = traced(&stage, 256), got;
+    struct image truth = trace_stage(&stage, SIZE, 256), got;
     struct renderer renderer;
     struct renderer_desc desc = desc_of(&stage, "clustered", "", SIZE, SIZE);
     desc.progressive = true;

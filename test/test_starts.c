@@ -2,7 +2,6 @@
  * light is that of the whole. */
 #include "render_support.h"
 
-#include "reference/path_tracer.h"
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>
@@ -129,24 +128,6 @@ static void test_flux(void **state) {
     }
 }
 
-/* By the pixels' centres. */
-static struct image truth_of(const struct stage *stage, int samples) {
-    struct image traced;
-    check_ok("truth", path_tracer_render(&(struct path_tracer_desc){.scene = &stage->scene,
-                                                                    .geometry = &stage->geometry,
-                                                                    .camera = &stage->camera,
-                                                                    .emitters = stage->emitters,
-                                                                    .width = SIZE,
-                                                                    .height = SIZE,
-                                                                    .bounces = 1,
-                                                                    .samples = samples,
-                                                                    .centers = true},
-                                         &traced, NULL));
-    struct image truth = common_layers(&traced);
-    image_free(&traced);
-    return truth;
-}
-
 /* A lamp of half the room's width: from its middle alone shadows are hard in what lights the room. */
 static void test_wide_lamp(void **state) {
     (void)state;
@@ -156,7 +137,7 @@ static void test_wide_lamp(void **state) {
     emitter_aim(spot, (float[]){0, -1, 0});
     glm_vec3_copy((vec3){0, 5.2F, 0}, spot->position);
     spot->size[0] = spot->size[1] = 2.8F;
-    struct image truth = truth_of(&stage, 64);
+    struct image truth = trace_stage(&stage, SIZE, 64);
     double errors[2];
     for (int i = 0; i < 2; i++) {
         struct image got = render_stage(&stage, "clustered", i ? "places=4" : "places=1", SIZE);
