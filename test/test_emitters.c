@@ -86,6 +86,11 @@ static void test_texts(void **state) {
     check_picked(&scene, "red,blue intensity=1,2,3", "0 intensity=1,2,3; 1 intensity=1,2,3");
     check_picked(&scene, "intensity=7,7,7; lamp intensity=1,1,1",
                  "0 intensity=7,7,7; 1 intensity=7,7,7; 2 intensity=1,1,1");
+    check_picked(&scene, "lamp type=area size=1,2; red cone=0.9,0.5",
+                 "0 cone=0.899999976,0.5; 2 size=1,2 type=area");
+    check_picked(&scene, "+point position=1,2,3 size=.5,0; blue; +directional",
+                 "1; +point position=1,2,3 size=0.5,0; +directional");
+    check_picked(&scene, "+area type=spot", "+spot");
     scene_free(&scene);
 }
 
@@ -117,6 +122,9 @@ static void test_text_refusals(void **state) {
         {",", "light: ',' names none"},
         {"red size=1", "light: 'size=1' wants 2 numbers, as in size=1,0"},
         {"red size=1,-1", "light: size=1,-1: less than none"},
+        {"red cone=.5,.9", "light: cone=0.5,0.9: cosines, and the first is the greater one"},
+        {"red type=lamp", "light: 'type=lamp': there is spot, point, directional, area"},
+        {"red; +lamp", "light: '+lamp' is no type of light"},
     };
     struct scene scene;
     struct emitters emitters = {0};

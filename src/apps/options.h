@@ -38,7 +38,8 @@ struct technique_values {
      .help = "camera of the scene [the first], or changed: \"0 eye=0,1,3 forward=0,0,-1\""},       \
     {"light", 0, OPTION_TEXT, offsetof(type, member.light), .value_name = "NAME|N,...",            \
      .help = "lights of the scene that shine [all], or changed: \"lamp,2\",\n"                     \
-             "\"0 position=0,2,0 intensity=9,9,9; 1\"; emitters: all area lights; sky"},            \
+             "\"0 position=0,2,0 intensity=9,9,9; 1\"; emitters: all area lights; sky;\n"              \
+             "a new one: \"+area size=1,1 position=0,2,0 direction=0,-1,0 intensity=9,9,9\""},                  \
     {"environment", 0, OPTION_TEXT, offsetof(type, member.environment.path), .value_name = "FILE", \
      .help = "a sky in place of the scene's own: a panorama, .hdr or .exr, in W/(sr m2)"},         \
     {"environment-turn", 0, OPTION_FLOAT, offsetof(type, member.environment.turn), 0, -360, 360,   \

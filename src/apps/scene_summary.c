@@ -90,12 +90,12 @@ static void print_size(const struct emitter *light) {
 }
 
 static void print_light(const struct scene *scene, int n) {
-    static const char *const types[] = {"spot", "point", "directional", "area"};
     struct emitter light;
     emitter_place(&light, scene, n, 0);
     const struct node *node = &scene->nodes[node_carrying(scene, NODE_LIGHT, n)];
     const struct scene_light *source = &scene->lights[node->light];
-    printf("  %d  %-20s %s", n, *node->name ? node->name : source->name, types[light.type]);
+    printf("  %d  %-20s %s", n, *node->name ? node->name : source->name,
+           emitter_type_names[light.type]);
     print_vector(" ", light.intensity);
     printf(light.type == EMITTER_DIRECTIONAL ? " W/m2" : " W/sr");
     if (light.type != EMITTER_DIRECTIONAL)

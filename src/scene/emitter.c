@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char *const emitter_type_names[] = {"spot", "point", "directional", "area", NULL};
+
 int emitter_node_count(const struct scene *scene) {
     return node_count_carrying(scene, NODE_LIGHT);
 }
@@ -69,6 +71,16 @@ static void place(struct emitter *emitter, const struct scene_light *source, int
     memcpy(emitter->position, &world[12], sizeof emitter->position);
     set_size(emitter, source, world);
     node_frame(world, emitter->right, emitter->up, emitter->direction);
+}
+
+struct emitter emitter_new(enum emitter_type type) {
+    struct emitter emitter = {.type = type,
+                              .number = -1,
+                              .intensity = {1, 1, 1},
+                              .cos_inner = 1,
+                              .cos_outer = cosf(GLM_PI_4f)};
+    emitter_aim(&emitter, (float[]){0, -1, 0});
+    return emitter;
 }
 
 void emitter_place(struct emitter *emitter, const struct scene *scene, int n, double time) {

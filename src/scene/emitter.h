@@ -15,7 +15,7 @@
 
 struct emitter {
     enum emitter_type type;
-    int number;                 /* of the scene's light nodes, in node order */
+    int number;                 /* of the scene's light nodes, in node order; -1 = it was added */
     float intensity[3];         /* W/sr on the axis; W/m2 for a directional light */
     float size[2];              /* along right and up, m; without the second the diameter of a disk,
                                    of a point's sphere, or the angle across a directional light, rad */
@@ -34,6 +34,9 @@ enum emitter_shape {
     EMITTER_IS_CAP, /* of directions */
 };
 
+/* In the order of enum emitter_type, NULL at the end. */
+extern const char *const emitter_type_names[];
+
 /* What shines at one time. */
 struct emitters {
     struct emitter *items;
@@ -46,6 +49,10 @@ bool emitters_same(const struct emitters *a, const struct emitters *b);
 
 /* Accepts zeroed ones. */
 void emitters_free(struct emitters *emitters);
+
+/* A light that no file has: in the origin, downwards, 1 W/sr (1 W/m2), without a size; a spot's cone
+ * reaches to 45 degrees, as glTF has it. */
+struct emitter emitter_new(enum emitter_type type);
 
 /* Places the light of the scene's n-th light node (in node order). Asserts that there is one. */
 void emitter_place(struct emitter *emitter, const struct scene *scene, int n, double time);

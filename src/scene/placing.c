@@ -7,39 +7,43 @@
 #include "scene/node.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* A word of the text: floats of the struct. */
+/* A word of the text: floats of the struct, or one of several names, as an int. */
 struct word {
     const char *name;
     size_t offset;
     int count;
+    const char *const *names;
 };
 
 /* FRAME_RIGHT is the word that says that the frame is complete. */
 enum { FRAME_RIGHT = 3 };
 
 static const struct word camera_words[] = {
-    {"eye", offsetof(struct camera, eye), 3},
-    {"forward", offsetof(struct camera, forward), 3},
-    {"up", offsetof(struct camera, up), 3},
-    {"right", offsetof(struct camera, right), 3},
-    {"fov", offsetof(struct camera, fov_y), 1},
-    {"extent", offsetof(struct camera, y_extent), 1},
-    {NULL, 0, 0},
+    {"eye", offsetof(struct camera, eye), 3, NULL},
+    {"forward", offsetof(struct camera, forward), 3, NULL},
+    {"up", offsetof(struct camera, up), 3, NULL},
+    {"right", offsetof(struct camera, right), 3, NULL},
+    {"fov", offsetof(struct camera, fov_y), 1, NULL},
+    {"extent", offsetof(struct camera, y_extent), 1, NULL},
+    {NULL, 0, 0, NULL},
 };
 
 static const struct word emitter_words[] = {
-    {"position", offsetof(struct emitter, position), 3},
-    {"direction", offsetof(struct emitter, direction), 3},
-    {"up", offsetof(struct emitter, up), 3},
-    {"right", offsetof(struct emitter, right), 3},
-    {"intensity", offsetof(struct emitter, intensity), 3},
-    {"size", offsetof(struct emitter, size), 2},
-    {NULL, 0, 0},
+    {"position", offsetof(struct emitter, position), 3, NULL},
+    {"direction", offsetof(struct emitter, direction), 3, NULL},
+    {"up", offsetof(struct emitter, up), 3, NULL},
+    {"right", offsetof(struct emitter, right), 3, NULL},
+    {"intensity", offsetof(struct emitter, intensity), 3, NULL},
+    {"size", offsetof(struct emitter, size), 2, NULL},
+    {"cone", offsetof(struct emitter, cos_inner), 2, NULL},
+    {"type", offsetof(struct emitter, type), 1, emitter_type_names},
+    {NULL, 0, 0, NULL},
 };
 
 static bool parse_floats(const char *text, float *values, int count) {
@@ -54,19 +58,44 @@ static bool parse_floats(const char *text, float *values, int count) {
     return true;
 }
 
+static int find_name(const char *const *names, const char *text) {
+    int i = 0;
+    while (names[i] && strcmp(names[i], text) != 0)
+        i++;
+    return names[i] ? i : -1;
+}
+
+/* The value, what comes after "name=". */
+static bool parse_value(const struct word *word, void *target, const char *text) {
+    void *at = (char *)target + word->offset;
+    if (!word->names)
+        return parse_floats(text, at, word->count);
+    int found = find_name(word->names, text);
+    memcpy(at, &found, sizeof found);
+    return found >= 0;
+}
+
+static bool refuse_word(const struct word *word, const char *text) {
+    static const char *const examples[] = {"1", "1,0", "0,1,0"};
+    if (!word->names)
+        return error_set("'%s' wants %d number%s, as in %s=%s", text, word->count,
+                         word->count > 1 ? "s" : "", word->name, examples[word->count - 1]);
+    struct text known = {0};
+    for (int i = 0; word->names[i]; i++)
+        text_print(&known, "%s%s", i ? ", " : "", word->names[i]);
+    error_set("'%s': there is %s", text, known.data);
+    free(known.data);
+    return false;
+}
+
 /* One "name=1,2,3"; sets its bit in given. */
 static bool parse_word(const struct word *words, void *target, const char *text, unsigned *given) {
-    static const char *const examples[] = {"1", "1,0", "0,1,0"};
     size_t length = strcspn(text, "=");
     for (int i = 0; words[i].name; i++)
         if (strlen(words[i].name) == length && strncmp(words[i].name, text, length) == 0) {
-            float *values = (float *)(void *)((char *)target + words[i].offset);
             *given |= 1U << i;
-            return (text[length] == '=' &&
-                    parse_floats(text + length + 1, values, words[i].count)) ||
-                   error_set("'%s' wants %d number%s, as in %s=%s", text, words[i].count,
-                             words[i].count > 1 ? "s" : "", words[i].name,
-                             examples[words[i].count - 1]);
+            return (text[length] == '=' && parse_value(&words[i], target, text + length + 1)) ||
+                   refuse_word(&words[i], text);
         }
     return error_set("'%s' is not understood", text);
 }
@@ -97,23 +126,42 @@ static void take_words(const struct word *words, void *target, const void *chang
                    (size_t)words[i].count * sizeof(float));
 }
 
+static void append(char text[PLACING_TEXT_SIZE], const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+static void append(char text[PLACING_TEXT_SIZE], const char *format, ...) {
+    size_t used = strlen(text);
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text + used, PLACING_TEXT_SIZE - used, format, args);
+    va_end(args);
+}
+
+static void append_word(const struct word *word, const void *at, char text[PLACING_TEXT_SIZE]) {
+    const float *x = at;
+    int name;
+    if (word->names) {
+        memcpy(&name, at, sizeof name);
+        append(text, " %s=%s", word->name, word->names[name]);
+        return;
+    }
+    append(text, " %s=%.9g", word->name, (double)x[0]);
+    for (int c = 1; c < word->count; c++)
+        append(text, ",%.9g", (double)x[c]);
+}
+
 static void append_words(const struct word *words, const void *values, const void *before,
                          char text[PLACING_TEXT_SIZE]) {
-    size_t used = strlen(text);
     bool moved = false;
     for (int i = 1; i <= FRAME_RIGHT; i++)
         moved |= memcmp((const char *)values + words[i].offset,
                         (const char *)before + words[i].offset, 3 * sizeof(float)) != 0;
     for (int i = 0; words[i].name; i++) {
-        const float *x = (const float *)(const void *)((const char *)values + words[i].offset);
+        const void *now = (const char *)values + words[i].offset;
         const void *old = (const char *)before + words[i].offset;
         bool of_frame = i >= 1 && i <= FRAME_RIGHT;
-        if (of_frame ? !moved : memcmp(x, old, (size_t)words[i].count * sizeof *x) == 0)
-            continue;
-        used += (size_t)snprintf(text + used, PLACING_TEXT_SIZE - used, " %s=%.9g", words[i].name,
-                                 (double)x[0]);
-        for (int c = 1; c < words[i].count; c++)
-            used += (size_t)snprintf(text + used, PLACING_TEXT_SIZE - used, ",%.9g", (double)x[c]);
+        if (of_frame ? moved : memcmp(now, old, (size_t)words[i].count * sizeof(float)) != 0)
+            append_word(&words[i], now, text);
     }
 }
 
@@ -177,66 +225,105 @@ static bool mark_emitters(const struct scene *scene, char *list, bool *marked, i
     return true;
 }
 
-static bool check_size(const struct emitter *changes) {
+static bool check_changes(const struct emitter *changes) {
     const float *size = changes->size;
-    return (size[0] >= 0 && size[1] >= 0) ||
-           error_set("size=%g,%g: less than none", (double)size[0], (double)size[1]);
+    double inner = (double)changes->cos_inner, outer = (double)changes->cos_outer;
+    if (size[0] < 0 || size[1] < 0)
+        return error_set("size=%g,%g: less than none", (double)size[0], (double)size[1]);
+    return (-1 <= outer && outer <= inner && inner <= 1) ||
+           error_set("cone=%g,%g: cosines, and the first is the greater one", inner, outer);
+}
+
+static bool parse_changes(struct emitter *changes, char *part, unsigned *given) {
+    return (parse_words(emitter_words, changes, part, given) && check_changes(changes)) ||
+           error_prefix("light");
+}
+
+static void change_emitter(struct emitter *emitter, const struct emitter *changes, unsigned given) {
+    take_words(emitter_words, emitter, changes, given);
+    if ((given & 2U) && !(given & 1U << FRAME_RIGHT))
+        emitter_aim(emitter, emitter->direction);
+}
+
+/* Those of a text, and which of them shine. */
+struct picked {
+    struct emitters emitters; /* the scene's, then those that were added */
+    int scene_count;
+    bool *shines; /* of the scene's; the last is the sky */
+};
+
+/* One that the scene does not have; name is its type. */
+static bool add_emitter(struct picked *picked, const char *name, const struct emitter *changes,
+                        unsigned given) {
+    int type = find_name(emitter_type_names, name);
+    struct emitters *all = &picked->emitters;
+    if (type < 0)
+        return error_set("light: '+%s' is no type of light", name);
+    struct emitter added = emitter_new((enum emitter_type)type);
+    change_emitter(&added, changes, given);
+    all->items = mem_resize(all->items, (size_t)all->count + 1, sizeof *all->items);
+    all->items[all->count++] = added;
+    return true;
 }
 
 /* Picks the lights of one part of the text, with its changes. */
-static bool pick_emitters(struct emitter *all, bool *picked, const struct scene *scene,
-                          char *part) {
-    int count = emitter_node_count(scene);
-    bool *marked = mem_alloc((size_t)count + 1, sizeof *marked);
+static bool pick_emitters(struct picked *picked, const struct scene *scene, char *part) {
+    int count = picked->scene_count;
     struct emitter changes = {0};
     unsigned given;
-    bool ok = ((parse_words(emitter_words, &changes, part, &given) && check_size(&changes)) ||
-               error_prefix("light")) &&
-              mark_emitters(scene, part, marked, count);
-    for (int n = 0; ok && n < count; n++) {
-        if (!marked[n])
-            continue;
-        picked[n] = true;
-        take_words(emitter_words, &all[n], &changes, given);
-        if ((given & 2U) && !(given & 1U << FRAME_RIGHT))
-            emitter_aim(&all[n], all[n].direction);
+    if (!parse_changes(&changes, part, &given))
+        return false;
+    if (*part == '+')
+        return add_emitter(picked, part + 1, &changes, given);
+    bool *marked = mem_alloc((size_t)count + 1, sizeof *marked);
+    bool ok = mark_emitters(scene, part, marked, count);
+    for (int n = 0; ok && n <= count; n++) {
+        picked->shines[n] |= marked[n];
+        if (n < count && marked[n])
+            change_emitter(&picked->emitters.items[n], &changes, given);
     }
-    picked[count] |= ok && marked[count];
     free(marked);
     return ok;
 }
 
-static bool pick_all_parts(struct emitter *all, bool *picked, const struct scene *scene,
-                           const char *text) {
+static bool pick_all_parts(struct picked *picked, const struct scene *scene, const char *text) {
     char *copy = mem_strdup(text ? text : ""), *next = NULL;
     char *part = strtok_r(copy, ";", &next);
-    bool ok = pick_emitters(all, picked, scene, part ? part : copy);
+    bool ok = pick_emitters(picked, scene, part ? part : copy);
     while (ok && part && (part = strtok_r(NULL, ";", &next)))
-        ok = pick_emitters(all, picked, scene, part + strspn(part, " "));
+        ok = pick_emitters(picked, scene, part + strspn(part, " "));
     free(copy);
     return ok;
 }
 
+/* Lets those go that do not shine. */
+static void keep_picked(struct picked *picked) {
+    struct emitters *all = &picked->emitters;
+    int kept = 0;
+    for (int n = 0; n < all->count; n++)
+        if (n >= picked->scene_count || picked->shines[n])
+            all->items[kept++] = all->items[n];
+    all->count = kept;
+    if (!picked->shines[picked->scene_count])
+        all->sky = NULL;
+}
+
 bool emitters_from_text(struct emitters *emitters, const struct scene *scene, const char *text,
                         double time) {
-    struct emitters placed = emitters_place(scene, time);
-    struct emitter *all = placed.items;
-    int count = placed.count, kept = 0;
-    bool *picked = mem_alloc((size_t)count + 1, sizeof *picked);
-    bool ok = pick_all_parts(all, picked, scene, text);
-    for (int n = 0; ok && n < count; n++)
-        if (picked[n])
-            all[kept++] = all[n];
-    bool has_sky = picked[count];
-    free(picked);
-    if (ok && kept == 0 && !has_sky)
+    struct picked picked = {.emitters = emitters_place(scene, time)};
+    picked.scene_count = picked.emitters.count;
+    picked.shines = mem_alloc((size_t)picked.scene_count + 1, sizeof *picked.shines);
+    bool ok = pick_all_parts(&picked, scene, text);
+    keep_picked(&picked);
+    free(picked.shines);
+    if (ok && picked.emitters.count == 0 && !picked.emitters.sky)
         ok = error_set("light: '%s' names none", text);
     if (!ok) {
-        free(all);
+        emitters_free(&picked.emitters);
         return false;
     }
     emitters_free(emitters);
-    *emitters = (struct emitters){all, kept, has_sky ? placed.sky : NULL};
+    *emitters = picked.emitters;
     return true;
 }
 
@@ -252,13 +339,19 @@ char *emitters_to_text(const struct emitters *emitters, const struct scene *scen
     struct text text = {0};
     const char *separator = "";
     for (int i = 0; i < emitters->count; i++) {
-        struct emitter before;
+        const struct emitter *light = &emitters->items[i];
+        struct emitter before = emitter_new(light->type);
         char changes[PLACING_TEXT_SIZE] = "";
-        emitter_place(&before, scene, emitters->items[i].number, time);
-        append_words(emitter_words, &emitters->items[i], &before, changes);
-        text_print(&text, "%s%d%s", *changes && i ? "; " : separator, emitters->items[i].number,
-                   changes);
-        separator = *changes ? "; " : ",";
+        if (light->number >= 0)
+            emitter_place(&before, scene, light->number, time);
+        append_words(emitter_words, light, &before, changes);
+        bool apart = *changes || light->number < 0;
+        text_print(&text, "%s", apart && i ? "; " : separator);
+        if (light->number < 0)
+            text_print(&text, "+%s%s", emitter_type_names[light->type], changes);
+        else
+            text_print(&text, "%d%s", light->number, changes);
+        separator = apart ? "; " : ",";
     }
     if (emitters->sky)
         text_print(&text, "%ssky", separator);
