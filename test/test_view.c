@@ -69,21 +69,17 @@ static void test_keys(void **state) {
 static void test_panel(void **state) {
     (void)state;
     need_viewer();
-    int section = find_section(SECTION_TECHNIQUE);
-    assert_true(section > 0);
-    int technique = find_widget(COLUMN_WIDGET, section + 14, 0);
-    int vpls = find_widget(COLUMN_WIDGET, section + 14, 1);
-    assert_true(technique > 0 && vpls > technique);
+    int x, y;
+    find_place("vpls", &x, &y);
     /* Ctrl and a click let a slider's value be typed. */
-    xdo("mousemove %d %d sleep .3 keydown ctrl sleep .3 mousedown 1 sleep .3 mouseup 1 sleep .2",
-        WIDTH + COLUMN_WIDGET, vpls);
+    xdo("mousemove %d %d sleep .3 keydown ctrl sleep .3 mousedown 1 sleep .3 mouseup 1 sleep .2", x,
+        y);
     xdo("keyup ctrl sleep .3");
     xdo("type --delay 100 96");
     xdo("sleep .3 key Return sleep .8");
     check_same("VPLs typed into the panel", SCENE " --set vpls=96");
-    click(WIDTH + COLUMN_WIDGET, technique);
-    xdo("sleep .5 mousemove %d %d sleep .5 mousedown 1 sleep .3 mouseup 1 sleep 1",
-        WIDTH + COLUMN_WIDGET + 30, technique + 12 + 12 + 5 + 2 * 19);
+    press("technique");
+    press("unshadowed");
     check_same("technique chosen in the panel", SCENE " --set vpls=96 --technique unshadowed");
 }
 
@@ -118,11 +114,8 @@ static void test_orbit(void **state) {
     bitmap_free(&before);
     bitmap_free(&after);
 
-    int section = find_section(SECTION_SETTINGS);
-    click(WIDTH + 60, section);
-    pause_ms(300);
-    int save = find_widget(COLUMN_BUTTON, section + 14, 0);
-    click(WIDTH + COLUMN_BUTTON + 8, save);
+    press("Settings");
+    press("Save");
     char camera[400], arguments[700];
     read_camera(camera, sizeof camera);
     printf("    %s\n", camera);

@@ -46,18 +46,12 @@ static void check_apart(const char *what, const char *one, const char *other) {
     bitmap_free(&b);
 }
 
-static void open_settings(void) {
-    click(WIDTH + 60, find_section(SECTION_SETTINGS));
-    xdo("mousemove %d %d sleep .3", WIDTH / 2, HEIGHT / 2); /* no widget is lit */
-}
-
-/* The buttons side by side. */
-enum { BUTTON_SAVE = 25, BUTTON_LOAD = 75, BUTTON_COPY = 160 };
-
-static void press_in_settings(int button) {
-    int row = find_widget(COLUMN_BUTTON, find_section(SECTION_SETTINGS) + 14, 0);
-    click(WIDTH + button, row);
-    xdo("mousemove %d %d sleep .6", WIDTH / 2, HEIGHT / 2);
+static void press_in_settings(const char *button) {
+    if (!is_on_screen(button))
+        press("Settings");
+    press(button);
+    rest_mouse();
+    pause_ms(400);
 }
 
 /* The value of a line "key = value" of the saved settings. */
@@ -80,8 +74,7 @@ static void test_play(void **state) {
     check_same("at a time", MOVING " --time 1.5");
     xdo("key space sleep 2 key space sleep .8");
     char time[64], arguments[200];
-    open_settings();
-    press_in_settings(BUTTON_SAVE);
+    press_in_settings("Save");
     read_setting("time", time, sizeof time);
     printf("    paused at %s s\n", time);
     assert_true(atof(time) > 1.6 || atof(time) < 1.4);
@@ -111,11 +104,11 @@ static void test_load(void **state) {
                                      "light = 0 position=0.5,3,0.5\nvpls = 64\nvals = 4\n"
                                      "map-size = 32\nrsm-size = 64\nshadow-size = 256\n"
                                      "interleave = 4\nexposure = 1\n");
-    press_in_settings(BUTTON_LOAD);
+    press_in_settings("Load");
     check_same("loaded settings", MOVING " --layer indirect --time 2.25 --technique unshadowed "
                                          "--light '0 position=0.5,3,0.5' --set exposure=1");
     write_file("manylight.settings", "vpls = many\n");
-    press_in_settings(BUTTON_LOAD);
+    press_in_settings("Load");
     check_same("after a bad line", MOVING " --layer indirect --time 2.25 --technique unshadowed "
                                           "--light '0 position=0.5,3,0.5' --set exposure=1");
 }
@@ -143,7 +136,7 @@ static void test_copy(void **state) {
     xdo("mousemove 60 300 mousedown 1 sleep .1 mousemove 90 310 sleep .2 mousemove 100 315 sleep "
         ".2 "
         "mouseup 1 sleep .8");
-    press_in_settings(BUTTON_COPY);
+    press_in_settings("Copy command line");
     char command[2000];
     assert_true(desktop_read_clipboard(command, sizeof command));
     printf("    %s\n", command);

@@ -110,37 +110,66 @@ const unsigned char *pixel(const struct bitmap *bitmap, int x, int y) {
     return bitmap->rgba + 4 * (y * bitmap->width + x);
 }
 
-static int find_in_screen(int x, int below, int n) {
-    static const unsigned char raised[3] = {42, 46, 54};
+/* Leaves what the screen shows for whoever looks into it. */
+static void fail_with_screen(const char *why) {
+    char path[700];
     struct bitmap screen = read_screen();
-    int start = -1, found = 0;
-    for (int y = below; y < HEIGHT && !found; y++) {
-        bool on = memcmp(pixel(&screen, WIDTH + x, y), raised, 3) == 0;
-        if (on && start < 0)
-            start = y;
-        if (!on && start >= 0) {
-            if (y - start > 12 && n-- == 0)
-                found = (start + y) / 2;
-            start = -1;
+    snprintf(path, sizeof path, "%s/screen.png", stage.folder);
+    bitmap_write(&screen, path);
+    fail_msg("%s; the screen: %s", why, path);
+}
+
+/* The middle of a widget, as the viewer tells where they are. */
+static bool read_place(const char *name, int *x, int *y) {
+    char path[700], line[300];
+    bool found = false;
+    snprintf(path, sizeof path, "%s/places", stage.folder);
+    FILE *file = fopen(path, "r");
+    while (file && !found && fgets(line, sizeof line, file)) {
+        int left, top, width, height, at = 0;
+        line[strcspn(line, "\n")] = '\0';
+        found = sscanf(line, "%d %d %d %d %n", &left, &top, &width, &height, &at) == 4 &&
+                strcmp(line + at, name) == 0;
+        if (found) {
+            *x = left + width / 2;
+            *y = top + height / 2;
         }
     }
-    bitmap_free(&screen);
+    if (file)
+        fclose(file);
     return found;
 }
 
-/* The screen may be read while it is drawn: what two readings find is there. */
-int find_widget(int x, int below, int n) {
-    int before = -1, found = find_in_screen(x, below, n);
-    for (int i = 0; i < 20 && found != before; i++) {
+bool is_on_screen(const char *name) {
+    int x, y;
+    pause_ms(300);
+    return read_place(name, &x, &y);
+}
+
+/* Two readings that agree: nothing moves any more. */
+void find_place(const char *name, int *x, int *y) {
+    int before = -1;
+    for (int i = 0; i < 100; i++) {
+        if (read_place(name, x, y)) {
+            if (before == *x + 10000 * *y)
+                return;
+            before = *x + 10000 * *y;
+        }
         pause_ms(80);
-        before = found;
-        found = find_in_screen(x, below, n);
     }
-    return found;
+    char why[200];
+    snprintf(why, sizeof why, "no widget is called '%s'", name);
+    fail_with_screen(why);
 }
 
-int find_section(int n) {
-    return find_widget(10, 0, n);
+void press(const char *name) {
+    int x, y;
+    find_place(name, &x, &y);
+    click(x, y);
+}
+
+void rest_mouse(void) {
+    xdo("mousemove %d %d sleep .3", WIDTH / 2, HEIGHT / 2);
 }
 
 void click(int x, int y) {
@@ -179,15 +208,6 @@ struct bitmap offscreen(const char *arguments) {
                            CHEAP, arguments, path),
                      0);
     return read_bitmap(path);
-}
-
-/* Leaves what the screen shows for whoever looks into it. */
-static void fail_with_screen(const char *why) {
-    char path[700];
-    struct bitmap screen = read_screen();
-    snprintf(path, sizeof path, "%s/screen.png", stage.folder);
-    bitmap_write(&screen, path);
-    fail_msg("%s; the screen: %s", why, path);
 }
 
 struct bitmap screenshot(void) {
@@ -235,7 +255,7 @@ void start_viewer(const char *scene, const char *arguments) {
      * test_view_leaks' to find. */
     snprintf(command, sizeof command,
              "cd %s && LSAN_OPTIONS=detect_leaks=0 exec %s view %s/%s --size %dx%d %s %s "
-             "--gl-debug >viewer.log 2>&1",
+             "--gl-debug --places places >viewer.log 2>&1",
              stage.folder, stage.binary, stage.here, scene, WIDTH, HEIGHT, CHEAP, arguments);
     snprintf(line, sizeof line, "sh -c '%s'", command);
     stage.viewer = spawn(line);
@@ -263,12 +283,11 @@ void end_viewer(void) {
 }
 
 void open_by_panel(const char *path) {
-    xdo("mousemove %d %d sleep .3", WIDTH / 2, HEIGHT / 2); /* no widget is lit */
-    int open = find_widget(COLUMN_WIDGET, find_section(SECTION_SCENE) + 14, 0);
-    click(WIDTH + COLUMN_WIDGET, open);
+    press("open");
     xdo("keydown ctrl sleep .5 key a sleep .5 keyup ctrl sleep .2");
     xdo("type --delay 15 %s/%s", stage.here, path);
     xdo("key Return sleep .5");
+    rest_mouse();
 }
 
 int open_view_stage(void **state) {

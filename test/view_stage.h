@@ -53,16 +53,13 @@ void open_by_panel(const char *path);
 
 /* --- the panel --- */
 
-/* In the order of the sections. */
-enum { SECTION_SCENE, SECTION_SETTINGS = 5, SECTION_TECHNIQUE = 6 };
-enum { COLUMN_WIDGET = 123, COLUMN_BUTTON = 17 };
+/* The middle of a row's widget, a button or a heading, by its name; waits for it. */
+void find_place(const char *name, int *x, int *y);
+bool is_on_screen(const char *name);
+void press(const char *name);
 
-/* The middle of the n-th run of a widget's ground colour down a column of the panel, below y; 0 =
- * there is none. */
-int find_widget(int x, int below, int n);
-
-/* The headings' row; they alone reach the panel's left edge. */
-int find_section(int n);
+/* Moves the mouse away from all widgets. */
+void rest_mouse(void);
 
 /* --- pictures --- */
 

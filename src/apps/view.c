@@ -32,6 +32,8 @@ static const struct option options[] = {
      .help = "render so many frames at the full size and end; 0 = until closed"},
     {"screenshot", 0, OPTION_TEXT, offsetof(struct values, viewer.screenshot), .value_name = "FILE",
      .help = "write the picture after --frames (or the first) and end"},
+    {"places", 0, OPTION_TEXT, offsetof(struct values, viewer.places), .value_name = "FILE",
+     .help = "keep there where the panel's widgets are, \"x y width height name\", for scripts"},
     {"glsl", 0, OPTION_TEXT, offsetof(struct values, viewer.glsl), .value_name = "DIR",
      .help =
          "read the shaders from this folder, a glsl/ with src/ beside it, not from the binary; F5\n"

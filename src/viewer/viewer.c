@@ -1,8 +1,13 @@
 #include "viewer/viewer.h"
 
+#include "base/file/output_file.h"
 #include "base/log.h"
+#include "base/memory.h"
 #include "gl/glsl.h"
 #include "viewer/window/ui.h"
+
+#include <stdlib.h>
+#include <string.h>
 
 /* How long after the last change the picture counts as at rest, seconds. */
 static const double rest_after = .25;
@@ -37,6 +42,17 @@ static void tell_start(struct viewer *viewer) {
     viewer->picture_shown = viewer->shown.frame_count > 0;
 }
 
+/* For scripts that press widgets: where each of them is, whenever one has moved. */
+static void write_places(struct viewer *viewer) {
+    const char *path = viewer->desc.places, *places = ui_places();
+    if (!path || (viewer->panel.places && strcmp(viewer->panel.places, places) == 0))
+        return;
+    free(viewer->panel.places);
+    viewer->panel.places = mem_strdup(places);
+    if (!output_file_write(path, places, strlen(places)))
+        viewer_tell_error(viewer);
+}
+
 static void draw(struct viewer *viewer) {
     static const struct texture nothing = {0};
     const struct input *input = viewer->host.input;
@@ -48,6 +64,7 @@ static void draw(struct viewer *viewer) {
     screen_draw(&viewer->host.screen, input->height, &viewer->shown.picture, &pictures);
     ui_frame_end();
     window_swap(viewer->host.window);
+    write_places(viewer);
     tell_start(viewer);
 }
 
@@ -141,6 +158,8 @@ static void close_window(struct viewer *viewer) {
 static bool begin(struct viewer *viewer) {
     const struct viewer_desc *desc = &viewer->desc;
     viewer->shown.compare.settings = desc->settings;
+    if (desc->places)
+        ui_note_places();
     if (desc->scene)
         viewer_open(viewer, desc->scene);
     return !desc->reference || viewer_load_reference(viewer, desc->reference) ||
@@ -170,6 +189,7 @@ void viewer_end(struct viewer *viewer) {
     loader_free(&viewer->loader);
     close_window(viewer);
     emitters_free(&viewer->placed.emitters);
+    free(viewer->panel.places);
     messages_free(&viewer->host.messages);
 }
 

@@ -41,6 +41,7 @@ struct viewer_desc {
     int passes; /* whose mean a picture at rest becomes; 0 = PASSES_AT_REST, but 1, which is none, on software OpenGL, where a
                    pass may take seconds */
     const char *screenshot; /* written at the end; NULL = none */
+    const char *places;     /* file that tells where the widgets are, for scripts; NULL = none */
 };
 
 /* The window, and what there is for all of its life. */
@@ -99,6 +100,7 @@ struct panel {
     enum overlay_kind { OVERLAY_LINE, OVERLAY_TABLE, OVERLAY_NONE, OVERLAY_KINDS } overlay;
     char scene_path[512], reference_path[512], session_path[512];
     bool edits_right; /* the settings shown are the right picture's */
+    char *places;     /* as they were written last; NULL = not yet */
 };
 
 struct viewer {

@@ -1,5 +1,5 @@
 /* Dear ImGui behind the C of ui.h. Nothing here decides what the viewer does. */
-#include "viewer/window/ui.h"
+#include "viewer/window/look.hpp"
 
 extern "C" {
 #include "base/error.h"
@@ -7,8 +7,6 @@ extern "C" {
 
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
-#include <imgui.h>
-#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cstdarg>
@@ -16,25 +14,9 @@ extern "C" {
 #include <string>
 #include <unistd.h>
 
+struct look look;
+
 namespace {
-
-/* The colours of the viewer. Only the accent is saturated: the picture is to be looked at. */
-constexpr ImU32 ground = IM_COL32(24, 26, 31, 255), raised = IM_COL32(42, 46, 54, 255),
-                raised_more = IM_COL32(56, 61, 72, 255), line = IM_COL32(54, 58, 68, 255),
-                text_color = IM_COL32(222, 225, 230, 255), dim = IM_COL32(140, 147, 160, 255),
-                accent = IM_COL32(240, 168, 72, 255), accent_dark = IM_COL32(178, 118, 40, 255),
-                warning = IM_COL32(244, 200, 96, 255), failure = IM_COL32(250, 120, 104, 255),
-                see_through = IM_COL32(16, 17, 20, 205);
-
-struct {
-    ImFont *normal, *title;
-    float scale;
-    bool in_dialog; /* whose width follows its text, and not the other way */
-} look;
-
-float units(float of_line) {
-    return of_line * look.normal->FontSize;
-}
 
 ImVec4 color(ImU32 packed) {
     return ImGui::ColorConvertU32ToFloat4(packed);
@@ -70,7 +52,8 @@ void set_sizes(ImGuiStyle &style) {
     style.ItemInnerSpacing = ImVec2(5, 4);
     style.ScrollbarSize = 11;
     style.GrabMinSize = 9;
-    style.WindowBorderSize = style.PopupBorderSize = 0;
+    style.WindowBorderSize = 0;
+    style.PopupBorderSize = 1;
     style.WindowRounding = style.FrameRounding = style.PopupRounding = 3;
     style.GrabRounding = style.ScrollbarRounding = 3;
     style.WindowMinSize = ImVec2(8, 8);
@@ -126,8 +109,17 @@ ImU32 color_of(ui_tone tone) {
     }
 }
 
-void explain(const char *help) {
+} // namespace
+
+/* Once the mouse has rested for a while, and not while it holds something: the text covers what lies below. */
+void look_explain(const char *help) {
     if (!help || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        return;
+    double now = ImGui::GetTime();
+    ImVec2 at = ImGui::GetItemRectMin();
+    if (at.x != look.rest.at.x || at.y != look.rest.at.y || ImGui::IsAnyItemActive())
+        look.rest = {at, now};
+    if (now - look.rest.since < .5)
         return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(units(22));
@@ -138,46 +130,18 @@ void explain(const char *help) {
     ImGui::EndTooltip();
 }
 
-/* A row: its name in the left column; the widget gets what is left of the arrow. */
-void row_begin(const ui_row *row) {
-    ImGui::PushID(row->scope ? row->scope : "");
-    ImGui::PushID(row->name);
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, row->differs ? text_color : dim);
-    ImGui::TextUnformatted(row->name);
-    ImGui::PopStyleColor();
-    explain(row->help);
-    float left = units(8.6F), arrow = units(1.5F);
-    ImGui::SameLine(left);
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - arrow);
+void look_mark(const char *name) {
+    if (!look.notes_places || !ImGui::IsItemVisible())
+        return;
+    ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
+    ImGuiTextBuffer &places = look.places;
+    places.appendf("%.0f %.0f %.0f %.0f %s\n", least.x, least.y, most.x - least.x, most.y - least.y,
+                   name);
 }
-
-ui_result row_end(const ui_row *row, bool changed) {
-    explain(row->help);
-    ui_result result = changed ? UI_CHANGED : UI_NOTHING;
-    if (row->differs) {
-        ImGui::SameLine(ImGui::GetContentRegionMax().x - units(1.3F));
-        ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32_BLACK_TRANS);
-        ImGui::PushStyleColor(ImGuiCol_Text, dim);
-        if (ImGui::Button("\xe2\x86\xba", ImVec2(units(1.3F), 0))) /* an arrow turning back */
-            result = UI_RESET;
-        ImGui::PopStyleColor(2);
-        explain("back to the default");
-    }
-    ImGui::PopID();
-    ImGui::PopID();
-    return result;
-}
-
-/* Ranges over many powers of ten move evenly in the logarithm. */
-bool is_wide(double minimum, double maximum) {
-    return minimum >= 0 && maximum > 200 * (minimum > 1e-3 ? minimum : 1e-3);
-}
-
-} // namespace
 
 bool ui_init(void *native_window, float scale) {
-    look = {nullptr, nullptr, scale, false};
+    look = {};
+    look.scale = scale;
     ImGui::CreateContext();
     ImGuiIO &io = ImGui::GetIO();
     io.IniFilename = nullptr;
@@ -194,6 +158,7 @@ bool ui_init(void *native_window, float scale) {
 void ui_free(void) {
     if (!ImGui::GetCurrentContext())
         return;
+    look.places.clear();
     if (ImGui::GetIO().BackendRendererUserData)
         ImGui_ImplOpenGL3_Shutdown();
     if (ImGui::GetIO().BackendPlatformUserData)
@@ -203,6 +168,7 @@ void ui_free(void) {
 
 void ui_frame_begin(const int *taps, int tap_count) {
     ImGuiIO &io = ImGui::GetIO();
+    look.places.clear();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     for (int i = 0; i < tap_count; i++)
@@ -215,6 +181,14 @@ void ui_frame_begin(const int *taps, int tap_count) {
 void ui_frame_end(void) {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void ui_note_places(void) {
+    look.notes_places = true;
+}
+
+const char *ui_places(void) {
+    return look.places.c_str();
 }
 
 bool ui_wants_mouse(void) {
@@ -271,6 +245,7 @@ bool ui_section(const char *title, bool open_at_first) {
     ImGui::PushStyleColor(ImGuiCol_Text, accent);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(units(.4F), units(.3F)));
     bool open = ImGui::CollapsingHeader(title, open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    look_mark(title);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
     return open;
@@ -340,189 +315,4 @@ void ui_definition(const char *term, const char *meaning) {
     ImGui::PopStyleColor();
     ImGui::SameLine(units(16));
     ImGui::TextUnformatted(meaning);
-}
-
-/* --- rows --- */
-
-/* A slider, and its value beside it, which a knob would cover. A value that is typed (Ctrl and a click)
- * counts when Enter is pressed, not with each digit. */
-template <typename T>
-static ui_result slider(const ui_row *row, ImGuiDataType type, T *value, T minimum, T maximum,
-                        const char *format, ImGuiSliderFlags flags) {
-    row_begin(row);
-    if (is_wide(minimum, maximum) && !row->even)
-        flags |= ImGuiSliderFlags_Logarithmic;
-    bool typed = ImGui::TempInputIsActive(ImGui::GetID("##"));
-    float gap = units(.3F), beside = units(3.4F);
-    if (!typed) {
-        ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - beside - gap);
-        ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_BLACK_TRANS);
-    }
-    T now = *value;
-    bool changed = ImGui::SliderScalar("##", type, &now, &minimum, &maximum, format,
-                                       flags | ImGuiSliderFlags_AlwaysClamp);
-    bool goes_on = typed && !ImGui::IsItemDeactivated();
-    if (!typed) {
-        ImGui::PopStyleColor();
-        explain(row->help);
-        char text[32];
-        ImGui::DataTypeFormatString(text, sizeof text, type, value, format);
-        ImGui::SameLine(0, gap);
-        ImGui::TextUnformatted(row->least && *value == minimum ? row->least : text);
-    }
-    if (changed && !goes_on)
-        *value = now;
-    return row_end(row, changed && !goes_on);
-}
-
-ui_result ui_flag(const ui_row *row, bool *value) {
-    row_begin(row);
-    return row_end(row, ImGui::Checkbox("##", value));
-}
-
-ui_result ui_int(const ui_row *row, int *value, int minimum, int maximum) {
-    return slider(row, ImGuiDataType_S32, value, minimum, maximum, "%d", 0);
-}
-
-ui_result ui_float(const ui_row *row, float *value, float minimum, float maximum) {
-    return slider(row, ImGuiDataType_Float, value, minimum, maximum, "%.4g",
-                  ImGuiSliderFlags_NoRoundToFormat);
-}
-
-ui_result ui_choice(const ui_row *row, int *value, const char *const *names, int count) {
-    row_begin(row);
-    return row_end(row, ImGui::Combo("##", value, names, count));
-}
-
-ui_result ui_vector(const ui_row *row, float value[3], float step) {
-    row_begin(row);
-    return row_end(row, ImGui::DragFloat3("##", value, step, 0, 0, "%.3g"));
-}
-
-ui_result ui_text_field(const ui_row *row, char *text, size_t size, const char *hint) {
-    row_begin(row);
-    return row_end(row, ImGui::InputTextWithHint("##", hint, text, size,
-                                                 ImGuiInputTextFlags_EnterReturnsTrue));
-}
-
-/* --- others --- */
-
-bool ui_button(const char *name, const char *help) {
-    bool clicked = ImGui::Button(name);
-    explain(help);
-    return clicked;
-}
-
-bool ui_wide_button(const char *name, const char *help) {
-    bool clicked = ImGui::Button(name, ImVec2(ImGui::GetContentRegionAvail().x, 0));
-    explain(help);
-    return clicked;
-}
-
-bool ui_segments(const char *id, int *value, const char *const *names, int count) {
-    bool changed = false;
-    float gap = units(.1F);
-    float width = (ImGui::GetContentRegionAvail().x - gap * (float)(count - 1)) / (float)count;
-    ImGui::PushID(id);
-    for (int i = 0; i < count; i++) {
-        if (i > 0)
-            ImGui::SameLine(0, gap);
-        bool on = *value == i;
-        ImGui::PushStyleColor(ImGuiCol_Button, on ? accent_dark : raised);
-        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, on ? accent_dark : raised_more);
-        if (ImGui::Button(names[i], ImVec2(width, 0)) && !on) {
-            *value = i;
-            changed = true;
-        }
-        ImGui::PopStyleColor(2);
-    }
-    ImGui::PopID();
-    return changed;
-}
-
-bool ui_list_item(uint32_t patch, const char *name, const char *middle, const char *right,
-                  float share, bool chosen) {
-    ImVec2 at = ImGui::GetCursorScreenPos();
-    float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
-    ImDrawList *list = ImGui::GetWindowDrawList();
-    float size = units(.7F), left = units(1.1F);
-    share = ImClamp(share, 0.F, 1.F);
-    list->AddRectFilled(ImVec2(at.x + left, at.y),
-                        ImVec2(at.x + left + (width - left) * share, at.y + height),
-                        IM_COL32(240, 168, 72, 50), units(.15F));
-    list->AddRectFilled(ImVec2(at.x, at.y + (height - size) / 2),
-                        ImVec2(at.x + size, at.y + (height + size) / 2), patch, units(.15F));
-    ImGui::Indent(left);
-    bool clicked = ImGui::Selectable(name, chosen);
-    ImGui::Unindent(left);
-    float columns[] = {.55F * width, width};
-    const char *texts[] = {middle, right};
-    for (int i = 0; i < 2; i++)
-        list->AddText(
-            ImVec2(at.x + columns[i] - ImGui::CalcTextSize(texts[i]).x - units(.2F), at.y),
-            text_color, texts[i]);
-    return clicked;
-}
-
-void ui_bar(const char *name, int indent, float share, const char *format, ...) {
-    char text[64];
-    va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    ImVec2 at = ImGui::GetCursorScreenPos();
-    float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
-    float left = units(.8F) * (float)indent;
-    share = ImClamp(share, 0.F, 1.F);
-    ImGui::GetWindowDrawList()->AddRectFilled(
-        ImVec2(at.x + left, at.y), ImVec2(at.x + left + (width - left) * share, at.y + height),
-        indent ? IM_COL32(240, 168, 72, 45) : IM_COL32(240, 168, 72, 80), units(.15F));
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + left + units(.2F));
-    ImGui::TextUnformatted(name);
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text).x - units(.2F));
-    ImGui::TextUnformatted(text);
-}
-
-void ui_plot(const float *values, int count, float top, float width, float height) {
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(0, 0, 0, 90));
-    ImGui::PlotLines("##plot", values, count, 0, nullptr, 0, top, ImVec2(width, height));
-    ImGui::PopStyleColor();
-}
-
-/* --- drawing on the picture --- */
-
-static ImDrawList *canvas() {
-    return ImGui::GetBackgroundDrawList();
-}
-
-void ui_draw_clip(float x, float y, float width, float height) {
-    canvas()->PushClipRect(ImVec2(x, y), ImVec2(x + width, y + height));
-}
-
-void ui_draw_unclip(void) {
-    canvas()->PopClipRect();
-}
-
-void ui_draw_line(float x0, float y0, float x1, float y1, uint32_t packed, float thickness) {
-    canvas()->AddLine(ImVec2(x0, y0), ImVec2(x1, y1), packed, thickness * look.scale);
-}
-
-void ui_draw_disc(float x, float y, float radius, uint32_t packed) {
-    canvas()->AddCircleFilled(ImVec2(x, y), radius * look.scale, packed);
-}
-
-void ui_draw_ring(float x, float y, float radius, uint32_t packed, float thickness) {
-    canvas()->AddCircle(ImVec2(x, y), radius * look.scale, packed, 0, thickness * look.scale);
-}
-
-void ui_draw_rectangle(float x, float y, float width, float height, uint32_t packed) {
-    canvas()->AddRectFilled(ImVec2(x, y), ImVec2(x + width, y + height), packed);
-}
-
-void ui_draw_label(float x, float y, float align, const char *text) {
-    ImVec2 size = ImGui::CalcTextSize(text);
-    float pad = units(.35F), left = x - align * (size.x + 2 * pad);
-    canvas()->AddRectFilled(ImVec2(left, y), ImVec2(left + size.x + 2 * pad, y + size.y + pad),
-                            see_through, units(.2F));
-    canvas()->AddText(ImVec2(left + pad, y + pad / 2), text_color, text);
 }

@@ -23,6 +23,11 @@ void ui_free(void); /* accepts what was not begun, or failed half-way */
 void ui_frame_begin(const int *taps, int tap_count);
 void ui_frame_end(void);
 
+/* From then on, where the widgets that can be seen lie, by name: a line "x y width height name" for
+ * each of the frame, for scripts that press them. Valid until the next frame begins. */
+void ui_note_places(void);
+const char *ui_places(void);
+
 /* Whether the mouse is over a widget, or text is typed into one: then it is not the picture's. */
 bool ui_wants_mouse(void);
 bool ui_wants_keys(void);

@@ -1,0 +1,41 @@
+/* What the files of the bridge to Dear ImGui share: the one place that names it. */
+#ifndef VIEWER_WINDOW_LOOK_HPP
+#define VIEWER_WINDOW_LOOK_HPP
+
+#include "viewer/window/ui.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+/* The colours of the viewer. Only the accent is saturated: the picture is to be looked at. */
+constexpr ImU32 ground = IM_COL32(24, 26, 31, 255), raised = IM_COL32(42, 46, 54, 255),
+                raised_more = IM_COL32(56, 61, 72, 255), line = IM_COL32(54, 58, 68, 255),
+                text_color = IM_COL32(222, 225, 230, 255), dim = IM_COL32(140, 147, 160, 255),
+                accent = IM_COL32(240, 168, 72, 255), accent_dark = IM_COL32(178, 118, 40, 255),
+                warning = IM_COL32(244, 200, 96, 255), failure = IM_COL32(250, 120, 104, 255),
+                see_through = IM_COL32(16, 17, 20, 205);
+
+extern struct look {
+    ImFont *normal, *title;
+    float scale;
+    bool in_dialog; /* whose width follows its text, and not the other way */
+    struct {
+        ImVec2 at;
+        double since;
+    } rest;        /* of the mouse, on an item */
+    ImGuiID typed; /* the slider whose value is to be typed from the next frame on */
+    bool notes_places;
+    ImGuiTextBuffer places;
+} look;
+
+inline float units(float of_line) {
+    return of_line * look.normal->FontSize;
+}
+
+/* A tooltip for the last item, where the mouse rests on it. */
+void look_explain(const char *help);
+
+/* Notes where the last item lies, for ui_places. */
+void look_mark(const char *name);
+
+#endif

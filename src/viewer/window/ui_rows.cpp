@@ -1,0 +1,227 @@
+/* Rows of a panel, buttons and lists, behind the C of ui.h. */
+#include "viewer/window/look.hpp"
+
+#include <cstdarg>
+#include <cstdio>
+
+namespace {
+
+/* A row: its name in the left column; the widget gets what is left of the arrow. */
+void row_begin(const ui_row *row) {
+    ImGui::PushID(row->scope ? row->scope : "");
+    ImGui::PushID(row->name);
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, row->differs ? text_color : dim);
+    ImGui::TextUnformatted(row->name);
+    ImGui::PopStyleColor();
+    look_explain(row->help);
+    float left = units(8.6F), arrow = units(1.5F);
+    ImGui::SameLine(left);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - arrow);
+}
+
+ui_result row_end(const ui_row *row, bool changed) {
+    look_explain(row->help);
+    ui_result result = changed ? UI_CHANGED : UI_NOTHING;
+    if (row->differs) {
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - units(1.3F));
+        ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32_BLACK_TRANS);
+        ImGui::PushStyleColor(ImGuiCol_Text, dim);
+        if (ImGui::Button("\xe2\x86\xba", ImVec2(units(1.3F), 0))) /* an arrow turning back */
+            result = UI_RESET;
+        ImGui::PopStyleColor(2);
+        look_explain("back to the default");
+    }
+    ImGui::PopID();
+    ImGui::PopID();
+    return result;
+}
+
+/* Ranges over many powers of ten move evenly in the logarithm. */
+bool is_wide(double minimum, double maximum) {
+    return minimum >= 0 && maximum > 200 * (minimum > 1e-3 ? minimum : 1e-3);
+}
+
+} // namespace
+
+/* --- rows --- */
+
+/* A slider, and its value beside it, which a knob would cover. A value that is typed (after a click on
+ * it, or Ctrl and one on the slider) counts when Enter is pressed, not with each digit. */
+template <typename T>
+static ui_result slider(const ui_row *row, ImGuiDataType type, T *value, T minimum, T maximum,
+                        const char *format, ImGuiSliderFlags flags) {
+    row_begin(row);
+    if (is_wide(minimum, maximum) && !row->even)
+        flags |= ImGuiSliderFlags_Logarithmic;
+    ImGuiID id = ImGui::GetID("##");
+    bool typed = ImGui::TempInputIsActive(id) || look.typed == id;
+    float gap = units(.3F), beside = units(3.4F);
+    if (look.typed == id)
+        ImGui::SetKeyboardFocusHere();
+    if (!typed) {
+        ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - beside - gap);
+        ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_BLACK_TRANS);
+    }
+    T now = *value;
+    bool changed = ImGui::SliderScalar("##", type, &now, &minimum, &maximum, format,
+                                       flags | ImGuiSliderFlags_AlwaysClamp);
+    look_mark(row->name);
+    if (look.typed == id && ImGui::TempInputIsActive(id))
+        look.typed = 0;
+    bool goes_on = typed && !ImGui::IsItemDeactivated();
+    if (!typed) {
+        ImGui::PopStyleColor();
+        look_explain(row->help);
+        char text[32];
+        ImGui::DataTypeFormatString(text, sizeof text, type, value, format);
+        ImGui::SameLine(0, gap);
+        ImGui::TextUnformatted(row->least && *value == minimum ? row->least : text);
+        if (ImGui::IsItemClicked())
+            look.typed = id;
+    }
+    if (changed && !goes_on)
+        *value = now;
+    return row_end(row, changed && !goes_on);
+}
+
+ui_result ui_flag(const ui_row *row, bool *value) {
+    row_begin(row);
+    bool changed = ImGui::Checkbox("##", value);
+    look_mark(row->name);
+    return row_end(row, changed);
+}
+
+ui_result ui_int(const ui_row *row, int *value, int minimum, int maximum) {
+    return slider(row, ImGuiDataType_S32, value, minimum, maximum, "%d", 0);
+}
+
+ui_result ui_float(const ui_row *row, float *value, float minimum, float maximum) {
+    return slider(row, ImGuiDataType_Float, value, minimum, maximum, "%.4g",
+                  ImGuiSliderFlags_NoRoundToFormat);
+}
+
+ui_result ui_choice(const ui_row *row, int *value, const char *const *names, int count) {
+    row_begin(row);
+    bool changed = false;
+    bool open = ImGui::BeginCombo("##", *value >= 0 && *value < count ? names[*value] : "",
+                                  ImGuiComboFlags_HeightLargest);
+    look_mark(row->name);
+    for (int i = 0; open && i < count; i++) {
+        ImGui::PushID(i);
+        ImGui::PushStyleColor(ImGuiCol_Text, i == *value ? accent : text_color);
+        if (ImGui::Selectable(names[i], i == *value)) {
+            changed = i != *value;
+            *value = i;
+        }
+        ImGui::PopStyleColor();
+        look_mark(names[i]);
+        ImGui::PopID();
+    }
+    if (open)
+        ImGui::EndCombo();
+    return row_end(row, changed);
+}
+
+ui_result ui_vector(const ui_row *row, float value[3], float step) {
+    row_begin(row);
+    bool changed = ImGui::DragFloat3("##", value, step, 0, 0, "%.3g");
+    look_mark(row->name);
+    return row_end(row, changed);
+}
+
+ui_result ui_text_field(const ui_row *row, char *text, size_t size, const char *hint) {
+    row_begin(row);
+    bool entered =
+        ImGui::InputTextWithHint("##", hint, text, size, ImGuiInputTextFlags_EnterReturnsTrue);
+    look_mark(row->name);
+    return row_end(row, entered);
+}
+
+/* --- others --- */
+
+bool ui_button(const char *name, const char *help) {
+    bool clicked = ImGui::Button(name);
+    look_mark(name);
+    look_explain(help);
+    return clicked;
+}
+
+bool ui_wide_button(const char *name, const char *help) {
+    bool clicked = ImGui::Button(name, ImVec2(ImGui::GetContentRegionAvail().x, 0));
+    look_mark(name);
+    look_explain(help);
+    return clicked;
+}
+
+bool ui_segments(const char *id, int *value, const char *const *names, int count) {
+    bool changed = false;
+    float gap = units(.1F);
+    float width = (ImGui::GetContentRegionAvail().x - gap * (float)(count - 1)) / (float)count;
+    ImGui::PushID(id);
+    for (int i = 0; i < count; i++) {
+        if (i > 0)
+            ImGui::SameLine(0, gap);
+        bool on = *value == i;
+        ImGui::PushStyleColor(ImGuiCol_Button, on ? accent_dark : raised);
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, on ? accent_dark : raised_more);
+        if (ImGui::Button(names[i], ImVec2(width, 0)) && !on) {
+            *value = i;
+            changed = true;
+        }
+        ImGui::PopStyleColor(2);
+        look_mark(names[i]);
+    }
+    ImGui::PopID();
+    return changed;
+}
+
+bool ui_list_item(uint32_t patch, const char *name, const char *middle, const char *right,
+                  float share, bool chosen) {
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
+    ImDrawList *list = ImGui::GetWindowDrawList();
+    float size = units(.7F), left = units(1.1F);
+    share = ImClamp(share, 0.F, 1.F);
+    list->AddRectFilled(ImVec2(at.x + left, at.y),
+                        ImVec2(at.x + left + (width - left) * share, at.y + height),
+                        IM_COL32(240, 168, 72, 50), units(.15F));
+    list->AddRectFilled(ImVec2(at.x, at.y + (height - size) / 2),
+                        ImVec2(at.x + size, at.y + (height + size) / 2), patch, units(.15F));
+    ImGui::Indent(left);
+    bool clicked = ImGui::Selectable(name, chosen);
+    look_mark(name);
+    ImGui::Unindent(left);
+    float columns[] = {.55F * width, width};
+    const char *texts[] = {middle, right};
+    for (int i = 0; i < 2; i++)
+        list->AddText(
+            ImVec2(at.x + columns[i] - ImGui::CalcTextSize(texts[i]).x - units(.2F), at.y),
+            text_color, texts[i]);
+    return clicked;
+}
+
+void ui_bar(const char *name, int indent, float share, const char *format, ...) {
+    char text[64];
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
+    float left = units(.8F) * (float)indent;
+    share = ImClamp(share, 0.F, 1.F);
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        ImVec2(at.x + left, at.y), ImVec2(at.x + left + (width - left) * share, at.y + height),
+        indent ? IM_COL32(240, 168, 72, 45) : IM_COL32(240, 168, 72, 80), units(.15F));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + left + units(.2F));
+    ImGui::TextUnformatted(name);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text).x - units(.2F));
+    ImGui::TextUnformatted(text);
+}
+
+void ui_plot(const float *values, int count, float top, float width, float height) {
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(0, 0, 0, 90));
+    ImGui::PlotLines("##plot", values, count, 0, nullptr, 0, top, ImVec2(width, height));
+    ImGui::PopStyleColor();
+}
