@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "reference/channels.h"
 #include "reference/path_tracer.h"
+#include "scene/material.h"
 
 #include <cglm/struct.h>
 #include <math.h>
@@ -29,8 +30,16 @@ static inline void world_init(struct world *world) {
     struct geometry *geometry = &world->geometry;
     memset(world, 0, sizeof *world);
     for (int m = 0; m < MAX_MATERIALS; m++)
-        world->materials[m] = (struct material){
-            .base_color = {0.5f, 0.5f, 0.5f, 1}, .base_color_texture = -1, .alpha_cutoff = 0.5f};
+        world->materials[m] =
+            (struct material){.base_color = {0.5f, 0.5f, 0.5f, 1},
+                              .roughness = 1,
+                              .specular_f0 = {DIELECTRIC_F0, DIELECTRIC_F0, DIELECTRIC_F0},
+                              .specular_f90 = 1,
+                              .base_color_texture = -1,
+                              .metal_roughness_texture = -1,
+                              .emission_texture = -1,
+                              .normal_texture = -1,
+                              .alpha_cutoff = 0.5f};
     world->scene.materials = world->materials;
     geometry->position = mem_alloc(MAX_VERTICES + 1, sizeof *geometry->position);
     geometry->normal = mem_alloc(MAX_VERTICES, sizeof *geometry->normal);

@@ -5,6 +5,7 @@
 #include "base/file/image_file.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "scene/material.h"
 #include "scene/mesh/geometry.h"
 
 #include <math.h>
@@ -344,8 +345,11 @@ static void test_materials(void **state) {
                 " \"baseColorTexture\": {\"index\": 0}, \"metallicRoughnessTexture\":"
                 " {\"index\": 0}}, \"emissiveTexture\": {\"index\": 0, \"texCoord\": 1}},"
                 " {\"emissiveFactor\": [1, 0.5, 0.25], \"emissiveTexture\": {\"index\": 0},"
-                " \"extensions\": {\"KHR_materials_emissive_strength\": {\"emissiveStrength\":"
-                " 20}}}, {}]"});
+                " \"normalTexture\": {\"index\": 0, \"scale\": 0.5}, \"extensions\":"
+                " {\"KHR_materials_emissive_strength\": {\"emissiveStrength\": 20},"
+                " \"KHR_materials_ior\": {\"ior\": 2}, \"KHR_materials_specular\":"
+                " {\"specularFactor\": 0.5, \"specularColorFactor\": [0.9, 18, 0]},"
+                " \"KHR_materials_unlit\": {}}}, {}]"});
     const struct material *plain = &scene.materials[0], *lamp = &scene.materials[1];
     check_near("metalness", plain->metalness, .25, 0);
     check_near("roughness", plain->roughness, .75, 0);
@@ -357,6 +361,14 @@ static void test_materials(void **state) {
     assert_int_equal(lamp->base_color_texture, -1);
     assert_int_equal(lamp->metal_roughness_texture, -1);
     assert_int_equal(lamp->emission_texture, 0);
+    assert_int_equal(lamp->normal_texture, 1);
+    check_near("scale of normals", lamp->normal_scale, .5, 0);
+    check_vector("reflectance", lamp->specular_f0, 3, (double[]){.05, .5, 0}, 1e-7);
+    check_near("grazing", lamp->specular_f90, .5, 0);
+    assert_true(lamp->unlit && !plain->unlit);
+    assert_int_equal(plain->normal_texture, -1);
+    check_near("plain reflectance", plain->specular_f0[0], .04, 1e-8);
+    check_near("plain, grazing", plain->specular_f90, 1, 0);
     assert_int_equal(scene.texture_count, 2);
     assert_false(scene.textures[0].linear);
     assert_true(scene.textures[1].linear);
@@ -382,17 +394,19 @@ static void keep_note(void *context, bool is_warning, const char *message) {
 static void test_lacks(void **state) {
     (void)state;
     char notes[1024] = "";
+    unsigned char png[4096];
+    make_png(png, sizeof png);
     log_set_listener(keep_note, notes);
-    struct scene scene =
-        load("lacks.glb",
-             (struct gltf_parts){
-                 .more = "\"extensionsRequired\": [\"KHR_materials_unlit\"], \"extensionsUsed\":"
-                         " [\"KHR_lights_punctual\", \"KHR_materials_unlit\","
-                         " \"KHR_materials_clearcoat\", \"EXT_new\"],"
-                         " \"images\": [{\"uri\": \"none.png\"}], \"textures\": [{\"source\": 0}],",
-                 .materials = "[{\"normalTexture\": {\"index\": 0}, \"alphaMode\": \"BLEND\"},"
-                              " {\"normalTexture\": {\"index\": 0}, \"occlusionTexture\":"
-                              " {\"index\": 0}}]"});
+    struct scene scene = load(
+        "lacks.glb",
+        (struct gltf_parts){
+            .more = "\"extensionsRequired\": [\"KHR_materials_unlit\"], \"extensionsUsed\":"
+                    " [\"KHR_lights_punctual\", \"KHR_materials_unlit\","
+                    " \"KHR_materials_clearcoat\", \"EXT_new\"],"
+                    " \"images\": [{\"uri\": \"texture.png\"}], \"textures\": [{\"source\": 0}],",
+            .materials = "[{\"normalTexture\": {\"index\": 0}, \"alphaMode\": \"BLEND\"},"
+                         " {\"normalTexture\": {\"index\": 0}, \"occlusionTexture\":"
+                         " {\"index\": 0}}]"});
     static const char *const each[] = {"unlit",    "clear coat", "EXT_new",  "metals",
                                        "blending", "normal",     "occlusion"};
     printf("    %s", notes);
@@ -409,6 +423,7 @@ static void test_lacks(void **state) {
         "plain.glb",
         (struct gltf_parts){.materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]"});
     assert_string_equal(notes, "");
+    assert_true(material_is_matt(&scene.materials[0]) && !material_is_matt(&scene.materials[1]));
     log_set_listener(NULL, NULL);
     scene_free(&scene);
 }

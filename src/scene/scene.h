@@ -56,17 +56,22 @@ struct skin {
     float (*inverse_bind)[16];
 };
 
-/* glTF's metallic-roughness model: each value times what its texture says, where it has one.
- * Surfaces are shaded as diffuse, and by reflected light alone: albedo = base colour. */
+/* glTF's metallic-roughness model: each value times what its texture says, where it has one. What
+ * light makes of it: scene/material.h. */
 struct material {
     char name[SCENE_NAME_SIZE];
-    float base_color[4];         /* linear; times the vertex colour too */
-    float metalness, roughness;  /* in [0, 1] */
-    float emission[3];           /* linear, W/(sr m2) */
-    int base_color_texture;      /* -1 = none, as of the others */
-    int metal_roughness_texture; /* roughness in G, metalness in B */
+    float base_color[4];                /* linear; times the vertex colour too */
+    float metalness, roughness;         /* in [0, 1] */
+    float specular_f0[3], specular_f90; /* reflectance of what is no metal, from straight on and
+                                            grazing: .04 and 1, or of KHR_materials_{ior,specular} */
+    float emission[3];                  /* linear, W/(sr m2) */
+    int base_color_texture;             /* -1 = none, as of the others */
+    int metal_roughness_texture;        /* roughness in G, metalness in B */
     int emission_texture;
-    bool alpha_mask; /* alpha below the cutoff is a hole; so are blended materials', below .5 */
+    int normal_texture; /* tangent space, X along the u of the uv, Y against the v */
+    float normal_scale; /* of its X and Y */
+    bool unlit;         /* KHR_materials_unlit: the eye sees the base colour as radiance */
+    bool alpha_mask;    /* alpha below the cutoff is a hole; so are blended materials', below .5 */
     float alpha_cutoff;
     bool double_sided; /* else: not drawn for the camera and not reflecting from behind */
 };

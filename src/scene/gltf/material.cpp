@@ -140,6 +140,10 @@ bool same_place(const UvSource &a, const UvSource &b) {
 /* Vertices have one uv: a texture that lies elsewhere than the material's first is left out. */
 bool load_textures(Loader &loader, const tinygltf::Material &from, struct material &to,
                    UvSource &uv) {
+    tinygltf::TextureInfo normal;
+    normal.index = from.normalTexture.index;
+    normal.texCoord = from.normalTexture.texCoord;
+    normal.extensions = from.normalTexture.extensions;
     const struct {
         const tinygltf::TextureInfo &info;
         bool linear;
@@ -148,6 +152,7 @@ bool load_textures(Loader &loader, const tinygltf::Material &from, struct materi
         {from.pbrMetallicRoughness.baseColorTexture, false, to.base_color_texture},
         {from.pbrMetallicRoughness.metallicRoughnessTexture, true, to.metal_roughness_texture},
         {from.emissiveTexture, false, to.emission_texture},
+        {normal, true, to.normal_texture},
     };
     bool first = true;
     for (const auto &row : rows) {
@@ -186,6 +191,29 @@ bool load_emission(const tinygltf::Material &from, struct material &to) {
     return true;
 }
 
+/* Of what is no metal: KHR_materials_ior and KHR_materials_specular, but for the latter's textures. */
+bool load_reflectance(Loader &loader, const tinygltf::Material &from, struct material &to) {
+    const auto none = from.extensions.end();
+    auto ior = from.extensions.find("KHR_materials_ior");
+    auto specular = from.extensions.find("KHR_materials_specular");
+    double index = ior == none ? 1.5 : number_of(ior->second, "ior", 0, 1.5);
+    double straight = std::pow((index - 1) / (index + 1), 2);
+    double factor = specular == none ? 1 : number_of(specular->second, "specularFactor", 0, 1);
+    if (!(index == 0 || index >= 1))
+        return error_set("KHR_materials_ior: ior: %g is neither 0 nor from 1 on", index);
+    for (int c = 0; c < 3; c++) {
+        double color =
+            specular == none ? 1 : number_of(specular->second, "specularColorFactor", c, 1);
+        if (!(color >= 0))
+            return error_set("KHR_materials_specular: specularColorFactor: %g is negative", color);
+        to.specular_f0[c] = float(std::min(straight * color, 1.) * factor);
+    }
+    if (specular != none &&
+        (specular->second.Has("specularTexture") || specular->second.Has("specularColorTexture")))
+        lack(loader, "textures of specular reflection");
+    return load_share(factor, to.specular_f90, "KHR_materials_specular: specularFactor");
+}
+
 /* What is not seen of it. */
 void tell_material(Loader &loader, const tinygltf::Material &from) {
     if (from.pbrMetallicRoughness.metallicFactor > 0)
@@ -206,12 +234,15 @@ bool load_material(Loader &loader, const tinygltf::Material &from, struct materi
     /* Whoever blends covers all, or nothing. */
     bool blends = from.alphaMode == "BLEND";
     to.alpha_mask = blends || from.alphaMode == "MASK";
+    to.unlit = from.extensions.count("KHR_materials_unlit") > 0;
     tell_material(loader, from);
     return copy_numbers({blends ? .5 : from.alphaCutoff}, &to.alpha_cutoff, "alphaCutoff") &&
            copy_numbers(pbr.baseColorFactor, to.base_color, "baseColorFactor") &&
            load_share(pbr.metallicFactor, to.metalness, "metallicFactor") &&
            load_share(pbr.roughnessFactor, to.roughness, "roughnessFactor") &&
-           load_emission(from, to) && load_textures(loader, from, to, uv);
+           copy_numbers({from.normalTexture.scale}, &to.normal_scale, "normalTexture: scale") &&
+           load_reflectance(loader, from, to) && load_emission(from, to) &&
+           load_textures(loader, from, to, uv);
 }
 
 /* The standard's default: white, rough and, as it is, a metal. */
@@ -219,15 +250,18 @@ void make_default(struct material &to) {
     copy_name(to.name, "default");
     for (float &c : to.base_color)
         c = 1;
-    to.metalness = to.roughness = 1;
-    to.base_color_texture = to.metal_roughness_texture = to.emission_texture = -1;
+    for (float &c : to.specular_f0)
+        c = DIELECTRIC_F0;
+    to.metalness = to.roughness = to.specular_f90 = to.normal_scale = 1;
+    to.base_color_texture = to.metal_roughness_texture = -1;
+    to.emission_texture = to.normal_texture = -1;
 }
 
 } // namespace
 
 bool material_is_textured(const struct material &material) {
     return material.base_color_texture >= 0 || material.metal_roughness_texture >= 0 ||
-           material.emission_texture >= 0;
+           material.emission_texture >= 0 || material.normal_texture >= 0;
 }
 
 /* One material more than the file has: the default, for primitives without. */
@@ -235,7 +269,7 @@ bool load_materials(Loader &loader) {
     const auto &from = loader.model.materials;
     struct scene *scene = loader.scene;
     scene->materials = allocate<struct material>(from.size() + 1);
-    scene->textures = allocate<struct scene_texture>(3 * from.size());
+    scene->textures = allocate<struct scene_texture>(4 * from.size());
     scene->material_count = int(from.size()) + 1;
     loader.uv_sources.resize(from.size() + 1);
     for (size_t i = 0; i < from.size(); i++) {

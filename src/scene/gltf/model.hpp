@@ -13,8 +13,8 @@ extern "C" {
 #include "base/memory.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/file.h"
+#include "scene/material.h"
 #include "scene/mesh/primitive.h"
-#include "scene/scene.h"
 }
 
 #define TINYGLTF_NO_STB_IMAGE

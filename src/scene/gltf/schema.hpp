@@ -147,6 +147,14 @@ const Field texture_info[] = {
     end,
 };
 
+const Field normal_texture_info[] = {
+    {"index", Required, Kind::Index, "/textures"},
+    {"texCoord", Optional, Kind::Int},
+    {"scale", Optional, Kind::Number},
+    {"extensions", Optional, Kind::Object, nullptr, texture_info_extensions},
+    end,
+};
+
 const Field metallic_roughness[] = {
     {"baseColorFactor", Optional, Kind::Numbers, nullptr, nullptr, 4},
     {"baseColorTexture", Optional, Kind::Object, nullptr, texture_info},
@@ -165,9 +173,19 @@ const Field specular_glossiness[] = {
     end,
 };
 
+const Field index_of_refraction[] = {{"ior", Optional, Kind::Number}, end};
+
+const Field specular[] = {
+    {"specularFactor", Optional, Kind::Number},
+    {"specularColorFactor", Optional, Kind::Numbers, nullptr, nullptr, 3},
+    end,
+};
+
 const Field material_extensions[] = {
     {"KHR_materials_pbrSpecularGlossiness", Optional, Kind::Object, nullptr, specular_glossiness},
     {"KHR_materials_emissive_strength", Optional, Kind::Object, nullptr, emissive_strength},
+    {"KHR_materials_ior", Optional, Kind::Object, nullptr, index_of_refraction},
+    {"KHR_materials_specular", Optional, Kind::Object, nullptr, specular},
     end,
 };
 
@@ -175,6 +193,7 @@ const Field material[] = {
     {"pbrMetallicRoughness", Optional, Kind::Object, nullptr, metallic_roughness},
     {"emissiveFactor", Optional, Kind::Numbers, nullptr, nullptr, 3},
     {"emissiveTexture", Optional, Kind::Object, nullptr, texture_info},
+    {"normalTexture", Optional, Kind::Object, nullptr, normal_texture_info},
     {"alphaMode", Optional, Kind::Choice, " OPAQUE MASK BLEND"},
     {"alphaCutoff", Optional, Kind::Number},
     {"doubleSided", Optional, Kind::Flag},

@@ -1,0 +1,15 @@
+/* What C and GLSL must agree on about surfaces' reflection: reference/brdf.h. */
+#ifndef SHARED_BRDF_H
+#define SHARED_BRDF_H
+
+/* Smoother surfaces show lights without a size as points that no method here finds. */
+#define BRDF_LEAST_ROUGHNESS .045
+
+/* n.v of views that graze more, or that a normal map turns away. */
+#define BRDF_LEAST_COSINE .001
+
+/* Schlick's (1 - v.h)^5, on average over light that comes evenly to a surface (by the cosine) and leaves
+ * it so: how far the reflectance of what is no metal rises from straight on to grazing. */
+#define BRDF_MEAN_SCHLICK .0052
+
+#endif

@@ -1,0 +1,200 @@
+/* The reflection of surfaces: closed forms, and what any reflection must keep to. */
+#include "support.h"
+
+#include "reference/brdf.h"
+#include "reference/sampler.h"
+
+#include <math.h>
+
+static const vec3s up = {{0, 0, 1}};
+
+/* As if all were reflected at every angle: f0 = f90 = 1. */
+static struct brdf white_metal(float roughness) {
+    struct material material = {.metalness = 1, .specular_f90 = 1};
+    return brdf_of(&material, glms_vec3_one(), 1, roughness);
+}
+
+static struct brdf plastic(float roughness) {
+    struct material material = {.specular_f0 = {.04F, .04F, .04F}, .specular_f90 = 1};
+    return brdf_of(&material, (vec3s){{.8F, .5F, .2F}}, 0, roughness);
+}
+
+static vec3s at_cosine(float cosine, float turn) {
+    float sine = sqrtf(1 - cosine * cosine);
+    return (vec3s){{sine * cosf(turn), sine * sinf(turn), cosine}};
+}
+
+/* Light comes evenly; midpoints in the square of the cosine and the turn where the lobe is wide. */
+static double albedo_by_samples(const struct brdf *brdf, float cosine) {
+    enum { COUNT = 1 << 20 };
+    vec3s v = at_cosine(cosine, .3F);
+    double sum = 0;
+    for (uint32_t i = 0; i < COUNT; i++) {
+        struct sampler sampler = {.seed = 7, .index = i};
+        vec3s l = brdf_sample(brdf, up, v, sampler_next(&sampler));
+        float density = brdf_density(brdf, up, v, l);
+        if (l.z > 0 && density > 0)
+            sum += (double)(brdf_eval(brdf, up, v, l).specular.x * l.z / density);
+    }
+    return sum / COUNT;
+}
+
+/* F = 1, roughness 1: 1 - mu ln(1 + 1/mu). The others are of an independent quadrature. */
+static void test_albedo(void **state) {
+    (void)state;
+    static const struct {
+        float roughness, cosine;
+        double albedo;
+    } rows[] = {
+        {1, 1, .306853},    {1, .5F, .450694},    {1, .1F, .760210},
+        {.5F, 1, .915812},  {.5F, .5F, .857264},  {.5F, .1F, .891622},
+        {.25F, 1, .995690}, {.25F, .5F, .988324}, {.25F, .1F, .896770},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct brdf brdf = white_metal(rows[i].roughness);
+        printf("    roughness %.2f, cosine %.1f:", (double)rows[i].roughness,
+               (double)rows[i].cosine);
+        check_near("albedo", albedo_by_samples(&brdf, rows[i].cosine), rows[i].albedo, 2e-4);
+    }
+}
+
+static vec3s any_direction(uint32_t i, uint32_t pair) {
+    struct sampler sampler = {.seed = 3, .index = i, .pair = pair};
+    vec2s sample = sampler_next(&sampler);
+    return at_cosine(.01F + .99F * sample.x, 2 * GLM_PIf * sample.y);
+}
+
+static void test_reciprocity(void **state) {
+    (void)state;
+    double worst = 0;
+    for (uint32_t i = 0; i < 10000; i++) {
+        struct brdf brdf = plastic(.05F + (float)i / 10000);
+        vec3s l = any_direction(i, 0), v = any_direction(i, 1);
+        struct brdf_value there = brdf_eval(&brdf, up, v, l), back = brdf_eval(&brdf, up, l, v);
+        worst = fmax(worst, fabs((double)(there.specular.x / back.specular.x - 1)));
+        worst = fmax(worst, fabs((double)(there.diffuse - back.diffuse)));
+    }
+    check_near("the other way round, at worst", worst, 0, 1e-4);
+}
+
+enum { ACROSS = 12, AROUND = 24, CELLS = ACROSS * AROUND + 1 };
+
+/* Cells even in the cosine and the turn; the last one is all below the horizon. */
+static int cell_of(vec3s l) {
+    if (l.z <= 0)
+        return CELLS - 1;
+    double turn = atan2((double)l.y, (double)l.x) / (2 * GLM_PI);
+    int i = (int)fmin((double)l.z * ACROSS, ACROSS - 1), j = (int)((turn - floor(turn)) * AROUND);
+    return i * AROUND + (j < AROUND ? j : AROUND - 1);
+}
+
+static void integrate_cells(const struct brdf *brdf, vec3s v, double expected[CELLS]) {
+    enum { FINE = 40 };
+    double sum = 0;
+    for (int i = 0; i < ACROSS * FINE; i++)
+        for (int j = 0; j < AROUND * FINE; j++) {
+            vec3s l = at_cosine(((float)i + .5F) / (ACROSS * FINE),
+                                2 * GLM_PIf * ((float)j + .5F) / (AROUND * FINE));
+            double share =
+                (double)brdf_density(brdf, up, v, l) * 2 * GLM_PI / (ACROSS * FINE * AROUND * FINE);
+            expected[i / FINE * AROUND + j / FINE] += share;
+            sum += share;
+        }
+    expected[CELLS - 1] = 1 - sum;
+}
+
+/* Chi-square of 10^5 samples over the cells in which enough are expected. */
+static void check_sampling(const struct brdf *brdf, float cosine) {
+    enum { COUNT = 100000, LEAST = 8 };
+    double expected[CELLS] = {0}, square = 0, rest = 0;
+    int counts[CELLS] = {0}, freedom = -1, rest_count = 0;
+    vec3s v = at_cosine(cosine, 1);
+    integrate_cells(brdf, v, expected);
+    srand(5);
+    for (int i = 0; i < COUNT; i++) {
+        vec2s sample = {
+            {(float)rand() / ((float)RAND_MAX + 1), (float)rand() / ((float)RAND_MAX + 1)}};
+        counts[cell_of(brdf_sample(brdf, up, v, sample))]++;
+    }
+    for (int i = 0; i < CELLS; i++) {
+        double want = expected[i] * COUNT;
+        if (want < LEAST) {
+            rest += want, rest_count += counts[i];
+            continue;
+        }
+        square += (counts[i] - want) * (counts[i] - want) / want;
+        freedom++;
+    }
+    if (rest >= LEAST)
+        square += (rest_count - rest) * (rest_count - rest) / rest, freedom++;
+    /* Wilson and Hilferty: nearly normal. */
+    double spread = 2 / (9. * freedom), z = (cbrt(square / freedom) - 1 + spread) / sqrt(spread);
+    printf("    cosine %.2f, chi-square %.1f of %d:", (double)cosine, square, freedom);
+    check_near("standard deviations", z, 0, 3.5);
+}
+
+static void test_sampling(void **state) {
+    (void)state;
+    static const float cosines[] = {.95F, .5F, .1F};
+    for (int i = 0; i < 3; i++) {
+        struct brdf metal = white_metal(.5F), rough = white_metal(1), mixed = plastic(.6F);
+        check_sampling(&metal, cosines[i]);
+        check_sampling(&rough, cosines[i]);
+        check_sampling(&mixed, cosines[i]);
+    }
+}
+
+/* Metals never reflect more than they get. */
+static void test_energy(void **state) {
+    (void)state;
+    double most = 0;
+    for (int r = 0; r <= 10; r++)
+        for (int c = 1; c <= 8; c++) {
+            struct brdf brdf = white_metal((float)r / 10);
+            most = fmax(most, albedo_by_samples(&brdf, (float)c / 8));
+        }
+    printf("    of white metals the albedo is %.5f at most\n", most);
+    assert_true(most < 1.0005 && most > .99);
+}
+
+/* What the interface lets through, over what it does on average, is 1 for light that comes evenly. */
+static void test_transmission(void **state) {
+    (void)state;
+    enum { COUNT = 1 << 16 };
+    struct brdf brdf = plastic(.3F);
+    double sum = 0;
+    for (uint32_t i = 0; i < COUNT; i++) {
+        struct sampler sampler = {.seed = 1, .index = i};
+        vec2s a = sampler_next(&sampler), b = sampler_next(&sampler);
+        vec3s l = at_cosine(sqrtf(1 - a.x), 2 * GLM_PIf * a.y);
+        vec3s v = at_cosine(sqrtf(1 - b.x), 2 * GLM_PIf * b.y);
+        sum += (double)brdf_eval(&brdf, up, v, l).diffuse / COUNT;
+    }
+    check_near("let through, over the mean", sum, 1, 2e-3);
+    check_near("the mean", brdf.transmitted, .955, 5e-4);
+}
+
+static void test_matt(void **state) {
+    (void)state;
+    struct material material = {.roughness = 1,
+                                .specular_f0 = {DIELECTRIC_F0, DIELECTRIC_F0, DIELECTRIC_F0},
+                                .specular_f90 = 1,
+                                .metal_roughness_texture = -1};
+    struct brdf brdf = brdf_of(&material, (vec3s){{.8F, .5F, .2F}}, 0, 1);
+    struct brdf_value value = brdf_eval(&brdf, up, any_direction(1, 0), any_direction(1, 1));
+    assert_true(brdf.matt);
+    check_near("albedo", brdf.albedo.x, .8, 1e-7);
+    check_near("diffuse", value.diffuse, 1, 0);
+    check_near("specular", glms_vec3_max(value.specular), 0, 0);
+    material.roughness = .9F;
+    assert_false(brdf_of(&material, glms_vec3_one(), 0, .9F).matt);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_albedo),       cmocka_unit_test(test_reciprocity),
+        cmocka_unit_test(test_sampling),     cmocka_unit_test(test_energy),
+        cmocka_unit_test(test_transmission), cmocka_unit_test(test_matt),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
