@@ -79,7 +79,7 @@ static struct fixture *need_context(void **state) {
 static struct bitmap picture_of(struct renderer *renderer) {
     struct bitmap bitmap;
     renderer_render(renderer);
-    renderer_read_display(renderer, &bitmap);
+    check_ok("display", renderer_read_display(renderer, &bitmap));
     return bitmap;
 }
 

@@ -2,8 +2,8 @@
  * objects and programs of OpenGL. It must go on to the very same files, or end with 1, one message and no
  * half file. Prints how many of each kind were tried.
  *
- * All that can fail is tried with MANYLIGHT_FAULTS=all, which takes minutes; else every file and thread, and some of the rest,
- * which all end alike.
+ * All that can fail is tried with MANYLIGHT_FAULTS=0/1, or in parts: 0/12, 1/12 ... 11/12, each of some
+ * minutes; else every file and thread, and some of the rest, which all end alike.
  */
 #define _GNU_SOURCE
 #include "support.h"
@@ -95,8 +95,11 @@ static struct kind *kind_named(struct trial *trial, const char *name) {
 static bool is_tried(const struct victim *victim, struct kind *kind) {
     bool memory = strstr(kind->name, "alloc") || strstr(kind->name, "new");
     bool graphics = strncmp(kind->name, "gl", 2) == 0;
-    int step = (memory ? 80 : graphics ? 8 : 1) * (victim == &bench ? 4 : 1);
-    return kind->seen++ % (getenv("MANYLIGHT_FAULTS") ? 1 : step) == 0;
+    int step = (memory ? 80 : graphics ? 8 : 1) * (victim == &bench ? 4 : 1), part = 0;
+    const char *parts = getenv("MANYLIGHT_FAULTS");
+    if (parts && sscanf(parts, "%d/%d", &part, &step) != 2)
+        fail_msg("MANYLIGHT_FAULTS=%s is no part like 0/12", parts);
+    return kind->seen++ % step == part;
 }
 
 /* Whole, or, where it may be, missing. */

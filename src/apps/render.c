@@ -171,7 +171,8 @@ static bool write_output(const struct values *values, struct renderer *renderer,
     } else {
         struct bitmap bitmap;
         renderer_compose(renderer, values->layer);
-        renderer_read_display(renderer, &bitmap);
+        if (!renderer_read_display(renderer, &bitmap))
+            return false;
         ok = bitmap_write(&bitmap, path);
         bitmap_free(&bitmap);
     }

@@ -115,6 +115,7 @@
     X(PFNGLGETSTRINGPROC, GetString)                                                               \
     X(PFNGLGETSTRINGIPROC, GetStringi)                                                             \
     X(PFNGLGETERRORPROC, GetError)                                                                 \
+    X(PFNGLGETGRAPHICSRESETSTATUSPROC, GetGraphicsResetStatus)                                     \
     X(PFNGLGETINTEGERVPROC, GetIntegerv)                                                           \
     X(PFNGLGETINTEGER64VPROC, GetInteger64v)
 

@@ -2,6 +2,7 @@
 #include "renderer/renderer.h"
 
 #include "base/memory.h"
+#include "gl/context/context.h"
 #include "renderer/layer_target.h"
 #include "shared/composite.h"
 
@@ -61,7 +62,10 @@ static bool read_part(struct renderer *renderer, int x, int y, int width, int he
     image_init(image, width, height, names);
     read_layers(renderer, image, &target);
     layer_target_free(&target);
-    return true;
+    if (context_check())
+        return true;
+    image_free(image);
+    return false;
 }
 
 bool renderer_read_layers(struct renderer *renderer, struct image *image) {
@@ -72,6 +76,10 @@ bool renderer_read_pixel(struct renderer *renderer, int x, int y, struct image *
     return read_part(renderer, x, y, 1, 1, image);
 }
 
-void renderer_read_display(const struct renderer *renderer, struct bitmap *bitmap) {
+bool renderer_read_display(const struct renderer *renderer, struct bitmap *bitmap) {
     texture_read_bitmap(&renderer->composite.display, bitmap);
+    if (context_check())
+        return true;
+    bitmap_free(bitmap);
+    return false;
 }

@@ -122,14 +122,14 @@ double renderer_pass_weight(const struct renderer *renderer);
 void renderer_compose(struct renderer *renderer, int layer);
 
 /* The picture's layers, row 0 at the top: R G B A, Z, direct.*, indirect.*, albedo.*, normal.*.
- * Error: out of GPU memory. */
+ * Error: out of memory, or the context is lost. */
 bool renderer_read_layers(struct renderer *renderer, struct image *image);
 
 /* The same of one pixel, as an image of 1 x 1. */
 bool renderer_read_pixel(struct renderer *renderer, int x, int y, struct image *image);
 
-/* The last frame as the display shows it, row 0 at the top. */
-void renderer_read_display(const struct renderer *renderer, struct bitmap *bitmap);
+/* The last frame as the display shows it, row 0 at the top. Error: the context is lost. */
+bool renderer_read_display(const struct renderer *renderer, struct bitmap *bitmap);
 
 /* For reading back: what the technique's passes of the last frame were given. */
 struct frame renderer_frame(struct renderer *renderer);

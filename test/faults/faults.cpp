@@ -189,6 +189,13 @@ void APIENTRY wrap_GetProgramiv(GLuint program, GLenum name, GLint *value) {
         *value = GL_FALSE;
 }
 
+PFNGLGETGRAPHICSRESETSTATUSPROC real_GetGraphicsResetStatus;
+
+GLenum APIENTRY wrap_GetGraphicsResetStatus() {
+    return FAILS("glGetGraphicsResetStatus") ? GL_UNKNOWN_CONTEXT_RESET
+                                             : real_GetGraphicsResetStatus();
+}
+
 EGLContext (*real_CreateContext)(EGLDisplay, EGLConfig, EGLContext, const EGLint *);
 
 EGLContext create_context(EGLDisplay display, EGLConfig config, EGLContext share,
@@ -215,6 +222,7 @@ __eglMustCastToProperFunctionPointerType get_proc_address(const char *name) {
     WRAP(NamedBufferStorage)
     WRAP(CheckNamedFramebufferStatus)
     WRAP(GetProgramiv)
+    WRAP(GetGraphicsResetStatus)
     if (found && strcmp(name, "glGetError") == 0)
         given = wrapped(real_GetError, get_error, found);
     if (found && strcmp(name, "eglCreateContext") == 0)

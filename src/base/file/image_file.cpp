@@ -11,6 +11,7 @@ extern "C" {
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
 
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -160,6 +161,23 @@ bool is_colour(const std::string &name) {
     return last == "R" || last == "G" || last == "B" || last == "A";
 }
 
+/* Light is brighter now and then than a half can tell, which would be infinite. */
+bool fits_half(const struct image *image, int channel) {
+    const float max_half = 65504;
+    size_t count = size_t(image->width) * image->height, step = image->channel_count;
+    for (size_t i = 0; i < count; i++)
+        if (std::fabs(image->pixels[i * step + channel]) > max_half)
+            return false;
+    return true;
+}
+
+bool is_half(const struct image *image) {
+    for (int i = 0; i < image->channel_count; i++)
+        if (is_colour(image->names[i]) && !fits_half(image, i))
+            return false;
+    return !image->passes;
+}
+
 } // namespace
 
 extern "C" bool image_read(struct image *image, const char *path) try {
@@ -170,6 +188,10 @@ extern "C" bool image_read(struct image *image, const char *path) try {
     const ImageSpec spec = in->spec();
     if (!check_size(spec, path))
         return false;
+    if (spec.deep)
+        return fail(path, "deep: its pixels have several depths");
+    if (!spec.format.is_floating_point() && strcmp(in->format_name(), "openexr") == 0)
+        return fail(path, "its channels are whole numbers");
     if (!image_fits(spec.width, spec.height, spec.nchannels))
         return error_prefix("%s", path);
     std::vector<std::string> names;
@@ -224,9 +246,10 @@ extern "C" bool image_write(const struct image *image, const char *path) try {
     if (strcmp(format->name, "openexr") == 0) {
         spec.attribute("compression", "zip");
         spec.attribute("DateTime", ""); /* else it is now, and no two files are alike */
+        bool half = is_half(image);
         for (const std::string &name : spec.channelnames)
-            spec.channelformats.push_back(is_colour(name) && !image->passes ? TypeDesc::HALF
-                                                                            : TypeDesc::FLOAT);
+            spec.channelformats.push_back(half && is_colour(name) ? TypeDesc::HALF
+                                                                  : TypeDesc::FLOAT);
         if (image->passes) {
             spec.attribute(passes_attribute, image->passes);
             spec.attribute(weight_attribute, float(image->weight));

@@ -16,8 +16,8 @@ extern "C" {
 bool image_read(struct image *image, const char *path);
 
 /* Writes floats; the extension picks the format. EXR: half for colour, 32 bit for Z and for layers
- * named in neither RGBA, and for all where the passes are told, with the attributes manylight:passes
- * and manylight:weight. PFM and HDR get red, green and blue of the beauty layer. What was encoded is
+ * named in neither RGBA, and for all where a colour is beyond 65504 or the passes are told, with the
+ * attributes manylight:passes and manylight:weight. PFM and HDR get red, green and blue of the beauty layer. What was encoded is
  * decoded again, then written as base/file/output_file.h does. */
 bool image_write(const struct image *image, const char *path);
 

@@ -195,6 +195,14 @@ void context_free(struct context *context) {
 
 /* --- questions --- */
 
+bool context_check(void) {
+    GLenum status = gl.GetGraphicsResetStatus();
+    return status == GL_NO_ERROR ||
+           error_set("OpenGL's context is lost: %s", status == GL_GUILTY_CONTEXT_RESET
+                                                         ? "this program made the GPU hang"
+                                                         : "the driver has reset the GPU");
+}
+
 const char *context_description(const struct context *context) {
     return context->description;
 }

@@ -41,6 +41,11 @@ void context_make_current(struct context *context);
  * getproc. */
 struct context *context_adopt(void *(*getproc)(const char *name), bool debug);
 
+/* Error: the driver has lost the current context, as when it resets the GPU; what was read back since is
+ * no picture. EGL tells it where the driver does; a window's context is not asked to, as GLFW has that only
+ * with checks of every access. */
+bool context_check(void);
+
 /* "EGL device 0 (/dev/dri/card0)", "EGL device 1 (software)", "EGL surfaceless", "OSMesa",
  * "window". */
 const char *context_description(const struct context *context);

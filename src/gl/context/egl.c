@@ -154,12 +154,8 @@ static bool open_display(EGLDisplay *display, EGLDeviceEXT device) {
     return true;
 }
 
-static bool create(struct native_context *native, const struct candidate *candidate, bool debug) {
-    EGLDisplay display;
-    if (!open_display(&display, candidate->device))
-        return false;
-    if (!egl.BindAPI(EGL_OPENGL_API))
-        return refuse("eglBindAPI(EGL_OPENGL_API)");
+/* Not every driver tells of resets (context_check). */
+static EGLContext create_context(EGLDisplay display, bool debug, bool tells_resets) {
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                  4,
                                  EGL_CONTEXT_MINOR_VERSION,
@@ -168,8 +164,22 @@ static bool create(struct native_context *native, const struct candidate *candid
                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                  EGL_CONTEXT_OPENGL_DEBUG,
                                  debug,
+                                 tells_resets ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY
+                                              : EGL_NONE,
+                                 EGL_LOSE_CONTEXT_ON_RESET,
                                  EGL_NONE};
-    EGLContext handle = egl.CreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    return egl.CreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+}
+
+static bool create(struct native_context *native, const struct candidate *candidate, bool debug) {
+    EGLDisplay display;
+    if (!open_display(&display, candidate->device))
+        return false;
+    if (!egl.BindAPI(EGL_OPENGL_API))
+        return refuse("eglBindAPI(EGL_OPENGL_API)");
+    EGLContext handle = create_context(display, debug, true);
+    if (handle == EGL_NO_CONTEXT)
+        handle = create_context(display, debug, false);
     if (handle == EGL_NO_CONTEXT)
         return refuse("no OpenGL 4.5 core context: eglCreateContext");
     *native = (struct native_context){&egl_platform, handle, display};
