@@ -46,28 +46,6 @@ static void check_apart(const char *what, const char *one, const char *other) {
     bitmap_free(&b);
 }
 
-static void press_in_settings(const char *button) {
-    if (!is_on_screen(button))
-        press("Settings");
-    press(button);
-    rest_mouse();
-    pause_ms(400);
-}
-
-/* The value of a line "key = value" of the saved settings. */
-static void read_setting(const char *key, char *value, size_t size) {
-    char path[700], line[600];
-    size_t length = strlen(key);
-    snprintf(path, sizeof path, "%s/manylight.settings", stage.folder);
-    FILE *file = fopen(path, "r");
-    assert_non_null(file);
-    value[0] = '\0';
-    while (fgets(line, sizeof line, file))
-        if (strncmp(line, key, length) == 0 && strncmp(line + length, " = ", 3) == 0)
-            snprintf(value, size, "%.*s", (int)strcspn(line + length + 3, "\n"), line + length + 3);
-    fclose(file);
-}
-
 static void test_play(void **state) {
     (void)state;
     start_viewer(MOVING, "--time 1.5");

@@ -176,6 +176,27 @@ void click(int x, int y) {
     xdo("mousemove %d %d sleep .3 mousedown 1 sleep .3 mouseup 1 sleep .3", x, y);
 }
 
+void press_in_settings(const char *button) {
+    if (!is_on_screen(button))
+        press("Settings");
+    press(button);
+    rest_mouse();
+    pause_ms(400);
+}
+
+void read_setting(const char *key, char *value, size_t size) {
+    char path[700], line[600];
+    size_t length = strlen(key);
+    snprintf(path, sizeof path, "%s/manylight.settings", stage.folder);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    value[0] = '\0';
+    while (fgets(line, sizeof line, file))
+        if (strncmp(line, key, length) == 0 && strncmp(line + length, " = ", 3) == 0)
+            snprintf(value, size, "%.*s", (int)strcspn(line + length + 3, "\n"), line + length + 3);
+    fclose(file);
+}
+
 /* --- pictures --- */
 
 struct bitmap read_bitmap(const char *path) {
@@ -225,6 +246,11 @@ struct bitmap screenshot(void) {
     remove(png);
     remove(exr);
     return bitmap;
+}
+
+void settle(void) {
+    struct bitmap shown = screenshot();
+    bitmap_free(&shown);
 }
 
 void check_same(const char *what, const char *arguments) {

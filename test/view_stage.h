@@ -61,6 +61,12 @@ void press(const char *name);
 /* Moves the mouse away from all widgets. */
 void rest_mouse(void);
 
+/* One of the buttons of the section of settings. */
+void press_in_settings(const char *button);
+
+/* The value of a line "key = value" of the settings that were saved; "" = there is none. */
+void read_setting(const char *key, char *value, size_t size);
+
 /* --- pictures --- */
 
 /* What the X server's screen shows. */
@@ -75,6 +81,9 @@ struct bitmap offscreen(const char *arguments);
 
 /* Presses F12 and takes the picture that comes. */
 struct bitmap screenshot(void);
+
+/* Waits until all that was asked for so far is shown. */
+void settle(void);
 
 /* What the viewer has is, bit for bit, what is rendered offscreen. */
 void check_same(const char *what, const char *arguments);

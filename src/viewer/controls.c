@@ -114,7 +114,7 @@ static const struct key {
     {'=', "+", "brighter by half a stop; so does Ctrl wheel", key_brighter},
     {'-', "-", "darker", key_darker},
     {'0', "0", "exposure 0", key_usual_exposure},
-    {'L', "L", "handles to move and turn the light", key_light},
+    {'L', "L", "handles to move, turn and size lights", key_light},
     {'C', "C", "compare: a technique, the reference, off", key_wipe},
     {'M', "M", "compare: right picture alone, or the wipe", key_toggle},
     {'R', "R", "back to the scene's camera", key_home},
@@ -203,11 +203,10 @@ static bool drag_light(struct viewer *viewer) {
     bool moved;
     if (!viewer_has_light(viewer))
         return false;
-    bool held =
-        light_tool_update(&viewer->hand.light_tool,
-                          &(struct light_stage){&viewer->placed.orbit.camera,
-                                                &viewer->document.geometry, &viewer->shown.picture},
-                          viewer->host.input, viewer_light(viewer), &moved);
+    struct light_stage stage = {&viewer->placed.orbit.camera, &viewer->document.geometry,
+                                &viewer->shown.picture, viewer->host.input->scale};
+    bool held = light_tool_update(&viewer->hand.light_tool, &stage, viewer->host.input,
+                                  &viewer->placed.emitters, &viewer->placed.chosen_light, &moved);
     if (moved)
         viewer_touch_light(viewer);
     return held;

@@ -1,4 +1,4 @@
-/* The light as a thing in the picture that can be moved and turned with the mouse. */
+/* The lights as things in the picture that can be moved, turned and sized with the mouse. */
 #ifndef VIEWER_LIGHT_TOOL_H
 #define VIEWER_LIGHT_TOOL_H
 
@@ -8,7 +8,16 @@
 #include "inspect/screen.h"
 #include "viewer/window/window.h"
 
-enum light_handle { HANDLE_NONE, HANDLE_POSITION, HANDLE_DIRECTION };
+/* Of the chosen light; a round one has a width alone, a spot a cone. */
+enum light_handle {
+    HANDLE_NONE,
+    HANDLE_POSITION,
+    HANDLE_DIRECTION,
+    HANDLE_WIDTH,
+    HANDLE_HEIGHT,
+    HANDLE_CONE,
+    HANDLE_COUNT
+};
 
 struct light_tool {
     bool shown;
@@ -20,14 +29,17 @@ struct light_stage {
     const struct camera *camera;
     const struct geometry *geometry;
     const struct rectangle *picture;
+    float scale; /* of the monitor */
 };
 
-/* Grabs a handle that the mouse is pressed on and drags it. True while it holds one: the mouse is
- * then its own. *moved tells whether the light has changed. */
+/* Grabs a handle that the mouse is pressed on and drags it, or chooses another light by its mark.
+ * True while it holds one: the mouse is then its own. *moved tells whether the chosen light has
+ * changed. */
 bool light_tool_update(struct light_tool *tool, const struct light_stage *stage,
-                       const struct input *input, struct emitter *light, bool *moved);
+                       const struct input *input, struct emitters *lights, int *chosen,
+                       bool *moved);
 
 void light_tool_draw(const struct light_tool *tool, const struct light_stage *stage,
-                     const struct emitter *light);
+                     const struct emitters *lights, int chosen);
 
 #endif

@@ -180,8 +180,9 @@ static void draw_marks(const struct viewer *viewer) {
     if (viewer_has_light(viewer))
         light_tool_draw(&viewer->hand.light_tool,
                         &(struct light_stage){&viewer->placed.orbit.camera,
-                                              &viewer->document.geometry, &viewer->shown.picture},
-                        viewer_light(viewer));
+                                              &viewer->document.geometry, &viewer->shown.picture,
+                                              viewer->host.input->scale},
+                        &viewer->placed.emitters, viewer->placed.chosen_light);
 }
 
 void overlay_draw(struct viewer *viewer) {

@@ -94,79 +94,6 @@ static void draw_scene(struct viewer *viewer) {
     draw_animation(viewer);
 }
 
-/* --- light --- */
-
-static void draw_brightness(struct viewer *viewer) {
-    struct emitter *light = viewer_light(viewer);
-    float brightest = fmaxf(light->intensity[0], fmaxf(light->intensity[1], light->intensity[2]));
-    float ev = log2f(fmaxf(brightest, 1e-6F)), before = ev;
-    struct ui_row row = {.name = "intensity",
-                         .help = "of the brightest colour, as a power of two: W/sr, or W/m2 of a "
-                                 "directional light"};
-    if (!ui_float(&row, &ev, -20, 20) || brightest <= 0)
-        return;
-    for (int c = 0; c < 3; c++)
-        light->intensity[c] *= exp2f(ev - before);
-    viewer_touch_light(viewer);
-}
-
-static void draw_size(struct viewer *viewer) {
-    struct emitter *light = viewer_light(viewer);
-    bool sun = light->type == EMITTER_DIRECTIONAL;
-    float most = sun ? 1 : viewer->document.geometry.radius;
-    struct ui_row across = {.name = sun ? "angle" : "size",
-                            .help = sun ? "across, radians" : "across, metres; 0: a point"},
-                  up = {.name = "height", .help = "metres; 0: round"};
-    bool changed = ui_float(&across, &light->size[0], 0, most);
-    if (!sun && light->type != EMITTER_POINT && light->size[0] > 0)
-        changed |= ui_float(&up, &light->size[1], 0, most) != UI_NOTHING;
-    if (changed)
-        viewer_touch_light(viewer);
-}
-
-/* Which of those that shine. */
-static void draw_light_choice(struct viewer *viewer) {
-    const struct scene *scene = &viewer->document.scene;
-    struct placed *placed = &viewer->placed;
-    const char *names[LIGHTS_MAX];
-    int count = placed->emitters.count < LIGHTS_MAX ? placed->emitters.count : LIGHTS_MAX;
-    for (int i = 0; i < count; i++) {
-        int node = node_carrying(scene, NODE_LIGHT, placed->emitters.items[i].number);
-        names[i] = *scene->nodes[node].name ? scene->nodes[node].name : "without a name";
-    }
-    struct ui_row row = {.name = "light",
-                         .help = "of those that shine, the one to move and turn",
-                         .differs = viewer_light_is_moved(viewer, placed->chosen_light)};
-    if (ui_choice(&row, &placed->chosen_light, names, count) == UI_RESET)
-        viewer_reset_light(viewer);
-}
-
-static void draw_light(struct viewer *viewer) {
-    if (!viewer_has_light(viewer))
-        return;
-    draw_light_choice(viewer);
-    struct emitter *light = viewer_light(viewer);
-    ui_flag(&(struct ui_row){.name = "handles", .help = "move and turn it in the picture (L)"},
-            &viewer->hand.light_tool.shown);
-    float direction[3];
-    memcpy(direction, light->direction, sizeof direction);
-    struct ui_row position_row = {.name = "position", .help = "metres"},
-                  direction_row = {.name = "direction", .help = "where it shines"};
-    bool moved =
-        light->type != EMITTER_DIRECTIONAL &&
-        ui_vector(&position_row, light->position, .005F * viewer->document.geometry.radius);
-    if (light->type != EMITTER_POINT && ui_vector(&direction_row, direction, .01F) &&
-        direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2] >
-            0) {
-        emitter_aim(light, direction);
-        moved = true;
-    }
-    if (moved)
-        viewer_touch_light(viewer);
-    draw_size(viewer);
-    draw_brightness(viewer);
-}
-
 /* --- picture --- */
 
 static enum ui_result draw_widget(const struct option *option, void *at, const struct ui_row *row) {
@@ -478,7 +405,7 @@ void panel_draw(struct viewer *viewer) {
         bool open;
         void (*draw)(struct viewer *viewer);
     } sections[] = {
-        {"Picture", true, draw_picture},   {"Light", false, draw_light},
+        {"Picture", true, draw_picture},   {"Light", false, light_panel_draw},
         {"Compare", false, draw_compare},  {"Surface", true, draw_surface},
         {"Settings", false, draw_session}, {"Technique", true, draw_technique},
     };

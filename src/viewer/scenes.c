@@ -21,30 +21,6 @@ void viewer_pick_camera(struct viewer *viewer, int n) {
     viewer_touch(viewer);
 }
 
-bool viewer_has_light(const struct viewer *viewer) {
-    return viewer->placed.emitters.count > 0;
-}
-
-struct emitter *viewer_light(const struct viewer *viewer) {
-    return &viewer->placed.emitters.items[viewer->placed.chosen_light];
-}
-
-bool viewer_light_is_moved(const struct viewer *viewer, int i) {
-    return viewer->placed.lights_moved >> i & 1;
-}
-
-void viewer_touch_light(struct viewer *viewer) {
-    viewer->placed.lights_moved |= (uint64_t)1 << viewer->placed.chosen_light;
-    viewer_touch(viewer);
-}
-
-void viewer_reset_light(struct viewer *viewer) {
-    struct emitter *light = viewer_light(viewer);
-    emitter_place(light, &viewer->document.scene, light->number, viewer->placed.time);
-    viewer->placed.lights_moved &= ~((uint64_t)1 << viewer->placed.chosen_light);
-    viewer_touch(viewer);
-}
-
 static bool init_renderer(struct viewer *viewer, struct renderer *renderer) {
     struct renderer_desc desc = {
         .technique = viewer->wish.technique,
@@ -88,9 +64,11 @@ static bool place_lights(struct viewer *viewer, const char *text) {
     placed->chosen_light = 0;
     placed->lights_moved = 0;
     for (int i = 0; i < placed->emitters.count && i < LIGHTS_MAX; i++) {
+        const struct emitter *light = &placed->emitters.items[i];
         struct emitter before;
-        emitter_place(&before, scene, placed->emitters.items[i].number, placed->time);
-        bool moved = memcmp(&before, &placed->emitters.items[i], sizeof before) != 0;
+        if (light->number >= 0)
+            emitter_place(&before, scene, light->number, placed->time);
+        bool moved = light->number < 0 || memcmp(&before, light, sizeof before) != 0;
         placed->lights_moved |= (uint64_t)moved << i;
     }
     return true;

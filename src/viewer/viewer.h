@@ -194,6 +194,34 @@ void viewer_go_to(struct viewer *viewer, double time);
 /* Plays or pauses; begins anew where it had come to its end. */
 void viewer_toggle_play(struct viewer *viewer);
 
+/* --- viewer/lights.c --- */
+
+/* Whether there is a light: there may be the sky alone. */
+bool viewer_has_light(const struct viewer *viewer);
+
+/* The light that is chosen, to be changed: then viewer_touch_light. viewer_reset_light puts it back
+ * to what the scene has. */
+struct emitter *viewer_light(const struct viewer *viewer);
+void viewer_touch_light(struct viewer *viewer);
+void viewer_reset_light(struct viewer *viewer);
+
+/* Whether an animation leaves it alone. */
+bool viewer_light_is_moved(const struct viewer *viewer, int i);
+
+/* W; of a directional light what crosses the scene's sphere. */
+double viewer_light_power(const struct viewer *viewer, const struct emitter *light);
+void viewer_set_light_power(struct viewer *viewer, struct emitter *light, double power);
+
+/* Of the chosen light, whose power stays. */
+void viewer_retype_light(struct viewer *viewer, enum emitter_type type);
+
+/* The new one is chosen. */
+void viewer_add_light(struct viewer *viewer, enum emitter_type type);
+
+/* Removes the chosen light; something must go on shining. */
+bool viewer_can_remove_light(const struct viewer *viewer);
+void viewer_remove_light(struct viewer *viewer);
+
 /* --- viewer/scenes.c --- */
 
 void viewer_open(struct viewer *viewer, const char *path);
@@ -203,16 +231,6 @@ bool viewer_poll_loader(struct viewer *viewer);
 
 /* Places the scene's n-th camera. */
 void viewer_pick_camera(struct viewer *viewer, int n);
-
-/* Whether there is a light: there may be the sky alone. */
-bool viewer_has_light(const struct viewer *viewer);
-
-/* The light that is chosen, to be moved and turned: then viewer_touch_light. viewer_reset_light puts
- * it back to where the scene has it. */
-struct emitter *viewer_light(const struct viewer *viewer);
-bool viewer_light_is_moved(const struct viewer *viewer, int i);
-void viewer_touch_light(struct viewer *viewer);
-void viewer_reset_light(struct viewer *viewer);
 
 /* Begins the scene's n-th clip. */
 void viewer_pick_clip(struct viewer *viewer, int n);
@@ -236,7 +254,8 @@ void viewer_take_screenshot(struct viewer *viewer);
 void controls_update(struct viewer *viewer, double seconds);
 void controls_draw_help(void);
 
-/* --- viewer/panel.c, viewer/overlay.c --- */
+/* --- viewer/light_panel.c, viewer/panel.c, viewer/overlay.c --- */
+void light_panel_draw(struct viewer *viewer);
 void panel_draw(struct viewer *viewer);
 void overlay_draw(struct viewer *viewer);
 

@@ -100,6 +100,9 @@ enum ui_result ui_choice(const struct ui_row *row, int *value, const char *const
 /* Three numbers that are dragged, by this much a pixel. */
 enum ui_result ui_vector(const struct ui_row *row, float value[3], float step);
 
+/* Linear R G B, 0 to 1: a patch that opens a wheel of colours. */
+enum ui_result ui_color(const struct ui_row *row, float value[3]);
+
 /* A text; UI_CHANGED when Enter was pressed. */
 enum ui_result ui_text_field(const struct ui_row *row, char *text, size_t size, const char *hint);
 

@@ -1,6 +1,7 @@
 /* Rows of a panel, buttons and lists, behind the C of ui.h. */
 #include "viewer/window/look.hpp"
 
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -127,6 +128,19 @@ ui_result ui_vector(const ui_row *row, float value[3], float step) {
     row_begin(row);
     bool changed = ImGui::DragFloat3("##", value, step, 0, 0, "%.3g");
     look_mark(row->name);
+    return row_end(row, changed);
+}
+
+/* Shown as a monitor has it. */
+ui_result ui_color(const ui_row *row, float value[3]) {
+    float shown[3];
+    for (int c = 0; c < 3; c++)
+        shown[c] = std::pow(value[c], 1 / 2.2F);
+    row_begin(row);
+    bool changed = ImGui::ColorEdit3("##", shown, ImGuiColorEditFlags_PickerHueWheel);
+    look_mark(row->name);
+    for (int c = 0; c < 3 && changed; c++)
+        value[c] = std::pow(shown[c], 2.2F);
     return row_end(row, changed);
 }
 

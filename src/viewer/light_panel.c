@@ -1,0 +1,173 @@
+/* The panel's section of lights: which there are, and all that one of them is. */
+#include "viewer/viewer.h"
+
+#include "scene/node.h"
+#include "viewer/window/ui.h"
+
+#include <cglm/cglm.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { NAME_SIZE = SCENE_NAME_SIZE + 8 };
+
+/* Which of those that shine. */
+static void draw_choice(struct viewer *viewer) {
+    const struct scene *scene = &viewer->document.scene;
+    struct placed *placed = &viewer->placed;
+    char texts[LIGHTS_MAX][NAME_SIZE];
+    const char *names[LIGHTS_MAX];
+    int count = placed->emitters.count < LIGHTS_MAX ? placed->emitters.count : LIGHTS_MAX;
+    for (int i = 0; i < count; i++) {
+        const struct emitter *light = &placed->emitters.items[i];
+        int node = light->number < 0 ? -1 : node_carrying(scene, NODE_LIGHT, light->number);
+        const char *name = node < 0                   ? "added"
+                           : *scene->nodes[node].name ? scene->nodes[node].name
+                                                      : "without a name";
+        snprintf(texts[i], NAME_SIZE, "%d  %s", i + 1, name);
+        names[i] = texts[i];
+    }
+    bool moved = placed->lights_moved >> placed->chosen_light & 1;
+    struct ui_row row = {.name = "light",
+                         .help = "of those that shine, the one that is shown here",
+                         .differs = moved && viewer_light(viewer)->number >= 0};
+    if (ui_choice(&row, &placed->chosen_light, names, count) == UI_RESET)
+        viewer_reset_light(viewer);
+}
+
+static void draw_type(struct viewer *viewer) {
+    int type = viewer_light(viewer)->type;
+    struct ui_row row = {.name = "type", .help = "its power stays"};
+    if (ui_choice(&row, &type, emitter_type_names, 4))
+        viewer_retype_light(viewer, (enum emitter_type)type);
+}
+
+static bool draw_place(struct viewer *viewer, struct emitter *light) {
+    float direction[3];
+    struct ui_row position_row = {.name = "position", .help = "metres"},
+                  direction_row = {.name = "direction", .help = "where it shines"};
+    memcpy(direction, light->direction, sizeof direction);
+    bool changed =
+        light->type != EMITTER_DIRECTIONAL &&
+        ui_vector(&position_row, light->position, .005F * viewer->document.geometry.radius);
+    if (light->type != EMITTER_POINT && ui_vector(&direction_row, direction, .01F) &&
+        glm_vec3_norm2(direction) > 0) {
+        emitter_aim(light, direction);
+        changed = true;
+    }
+    return changed;
+}
+
+/* The brightest of the three is 1; the power stays. */
+static bool draw_color(struct viewer *viewer, struct emitter *light) {
+    float brightest = glm_vec3_max(light->intensity), color[3];
+    double power = viewer_light_power(viewer, light);
+    if (brightest <= 0)
+        return false;
+    glm_vec3_scale(light->intensity, 1 / brightest, color);
+    if (!ui_color(&(struct ui_row){.name = "colour", .help = "linear; its power stays"}, color) ||
+        glm_vec3_max(color) <= 0)
+        return false;
+    memcpy(light->intensity, color, sizeof color);
+    viewer_set_light_power(viewer, light, power);
+    return true;
+}
+
+static bool draw_power(struct viewer *viewer, struct emitter *light) {
+    bool sun = light->type == EMITTER_DIRECTIONAL;
+    double across = GLM_PI * pow((double)viewer->document.geometry.radius, 2);
+    double unit = sun ? across : 1;
+    float power = (float)(viewer_light_power(viewer, light) / unit);
+    struct ui_row row = {.name = sun ? "W/m\xc2\xb2" : "power, W",
+                         .help = sun ? "on what faces it, the mean of its colours"
+                                     : "in all, the mean of its colours"};
+    if (!ui_float(&row, &power, 0, 1e5F))
+        return false;
+    viewer_set_light_power(viewer, light, (double)power * unit);
+    return true;
+}
+
+static bool draw_size(struct viewer *viewer, struct emitter *light) {
+    float most = viewer->document.geometry.radius, angle = glm_deg(light->size[0]);
+    struct ui_row across = {.name = "size, m", .help = "across; 0: a point"},
+                  up = {.name = "height, m", .help = "of a rectangle; 0: it is round"},
+                  sun = {.name = "across, \xc2\xb0", .help = "degrees; the sun's are 0.53"};
+    if (light->type == EMITTER_DIRECTIONAL) {
+        bool changed = ui_float(&sun, &angle, 0, 60);
+        if (changed)
+            light->size[0] = glm_rad(angle);
+        return changed;
+    }
+    bool changed = ui_float(&across, &light->size[0], 0, most);
+    if (light->type != EMITTER_POINT && light->size[0] > 0)
+        changed |= ui_float(&up, &light->size[1], 0, most) != UI_NOTHING;
+    return changed;
+}
+
+/* Half angles, of which the first stays the smaller one. */
+static bool draw_cone(struct emitter *light) {
+    float inner = glm_deg(acosf(light->cos_inner)), outer = glm_deg(acosf(light->cos_outer));
+    struct ui_row bright = {.name = "bright, \xc2\xb0",
+                            .help = "half angle of the cone up to which it is as bright as on its "
+                                    "axis",
+                            .even = true},
+                  dark = {.name = "dark, \xc2\xb0",
+                          .help = "half angle from which on there is no light",
+                          .even = true};
+    if (ui_float(&bright, &inner, 0, 89)) {
+        light->cos_inner = cosf(glm_rad(inner));
+        light->cos_outer = fminf(light->cos_outer, light->cos_inner);
+        return true;
+    }
+    if (ui_float(&dark, &outer, 1, 90)) {
+        light->cos_outer = fmaxf(cosf(glm_rad(outer)), 0);
+        light->cos_inner = fmaxf(light->cos_outer, light->cos_inner);
+        return true;
+    }
+    return false;
+}
+
+static void draw_additions(struct viewer *viewer) {
+    static const char *const names[] = {"+ spot", "+ point", "+ sun", "+ area"};
+    ui_disabled_begin(viewer->placed.emitters.count >= LIGHTS_MAX);
+    for (int type = EMITTER_SPOT; type <= EMITTER_AREA; type++) {
+        if (type > EMITTER_SPOT)
+            ui_same_line();
+        if (ui_button(names[type], "a new light before the camera, as strong as the chosen one"))
+            viewer_add_light(viewer, (enum emitter_type)type);
+    }
+    ui_disabled_end();
+}
+
+static void draw_light(struct viewer *viewer) {
+    draw_choice(viewer);
+    struct emitter *light = viewer_light(viewer);
+    draw_type(viewer);
+    ui_flag(&(struct ui_row){.name = "handles",
+                             .help =
+                                 "move, turn and size it in the picture (L); a click on another "
+                                 "light's mark chooses that"},
+            &viewer->hand.light_tool.shown);
+    bool changed = draw_place(viewer, light);
+    changed |= draw_color(viewer, light);
+    changed |= draw_power(viewer, light);
+    changed |= draw_size(viewer, light);
+    if (light->type == EMITTER_SPOT)
+        changed |= draw_cone(light);
+    if (changed)
+        viewer_touch_light(viewer);
+}
+
+void light_panel_draw(struct viewer *viewer) {
+    if (viewer_has_light(viewer))
+        draw_light(viewer);
+    ui_space();
+    draw_additions(viewer);
+    if (!viewer_has_light(viewer))
+        return;
+    ui_disabled_begin(!viewer_can_remove_light(viewer));
+    if (ui_wide_button("Remove this light", "another must shine"))
+        viewer_remove_light(viewer);
+    ui_disabled_end();
+}
