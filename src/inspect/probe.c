@@ -53,6 +53,14 @@ static bool read_surface(struct pick *pick, struct renderer *renderer, float x, 
     return true;
 }
 
+bool probe_point(struct renderer *renderer, float x, float y, float point[3]) {
+    struct pick pick;
+    if (!read_surface(&pick, renderer, x, y) || !pick.present)
+        return false;
+    memcpy(point, pick.position, sizeof pick.position);
+    return true;
+}
+
 /* --- visibility of each VAL at the point --- */
 
 void probe_free(struct probe *probe) {

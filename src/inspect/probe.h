@@ -32,6 +32,9 @@ struct probe {
 /* Accepts a zeroed one. */
 void probe_free(struct probe *probe);
 
+/* The surface's point alone. False: there is none, or it cannot be read. */
+bool probe_point(struct renderer *renderer, float x, float y, float point[3]);
+
 /* At a place of the picture, 0 to 1, y down, of the last frame. Reads back, and so waits for the
  * GPU. Error: GPU memory, shader. */
 bool probe_pick(struct probe *probe, struct renderer *renderer, float x, float y,

@@ -117,6 +117,7 @@ static const struct key {
     {'L', "L", "handles to move, turn and size lights", key_light},
     {'C', "C", "compare: a technique, the reference, off", key_wipe},
     {'M', "M", "compare: right picture alone, or the wipe", key_toggle},
+    {'F', "F", "frame what is under the mouse, or all", camera_hand_frame},
     {'R', "R", "back to the scene's camera", key_home},
     {KEY_SPACE, "Space", "play and pause the animation", key_play},
     {KEY_F1, "F1", "this help", key_help},
@@ -134,11 +135,11 @@ enum { KEY_ROWS = sizeof keys / sizeof *keys };
 static const struct {
     const char *name, *help;
 } gestures[] = {
-    {"left drag", "orbit"},
+    {"left drag", "orbit about the point under the mouse"},
     {"middle drag, Shift left drag", "pan"},
     {"right drag", "look around"},
-    {"wheel", "zoom"},
-    {"W A S D Q E", "fly; Shift fast, Ctrl slow"},
+    {"wheel", "zoom towards the mouse; with Shift: field of view"},
+    {"W A S D Q E", "fly; Shift fast, Ctrl slow, the wheel sets the speed"},
     {"click", "what a surface is and which VALs light it"},
     {"click on a cluster or a sheet", "that VAL's shadow, that layer alone"},
     {"drop .gltf, .glb, .exr, .settings", "a scene, a reference, settings"},
@@ -157,44 +158,6 @@ void controls_draw_help(void) {
     ui_separator();
     for (size_t i = 0; i < sizeof gestures / sizeof *gestures; i++)
         ui_definition(gestures[i].name, gestures[i].help);
-}
-
-/* --- the camera --- */
-
-static void touch_camera(struct viewer *viewer) {
-    viewer->placed.camera_moved = true;
-    viewer_touch(viewer);
-}
-
-static void fly(struct viewer *viewer, double seconds) {
-    const struct input *input = viewer->host.input;
-    float pace = input->shift ? 3.F : input->control ? .1F : .7F, step = pace * (float)seconds;
-    float right = (float)(input->key_held['D'] - input->key_held['A']);
-    float up = (float)(input->key_held['E'] - input->key_held['Q']);
-    float forward = (float)(input->key_held['W'] - input->key_held['S']);
-    if (right == 0 && up == 0 && forward == 0)
-        return;
-    orbit_fly(&viewer->placed.orbit, right * step, up * step, forward * step);
-    touch_camera(viewer);
-}
-
-static void drag_camera(struct viewer *viewer) {
-    const struct input *input = viewer->host.input;
-    struct orbit *orbit = &viewer->placed.orbit;
-    float height = (float)viewer->shown.picture.height;
-    float right = (float)input->dx / height, down = (float)input->dy / height;
-    bool pan = input->held[BUTTON_MIDDLE] || (input->held[BUTTON_LEFT] && input->shift);
-    if (right == 0 && down == 0)
-        return;
-    if (pan)
-        orbit_pan(orbit, right, down);
-    else if (input->held[BUTTON_LEFT])
-        orbit_turn(orbit, right, down);
-    else if (input->held[BUTTON_RIGHT])
-        orbit_look(orbit, right, down);
-    else
-        return;
-    touch_camera(viewer);
 }
 
 /* --- what lies on the picture: the light's handles, the wipe --- */
@@ -283,13 +246,11 @@ static void use_mouse(struct viewer *viewer) {
     if (was_clicked(viewer))
         click(viewer);
     if (viewer->hand.drags_picture)
-        drag_camera(viewer);
-    if (!ui_wants_mouse() && input->scroll != 0 && input->control) {
+        camera_hand_drag(viewer);
+    if (!ui_wants_mouse() && input->scroll != 0 && input->control)
         expose(viewer, .25F * (float)input->scroll);
-    } else if (!ui_wants_mouse() && input->scroll != 0) {
-        orbit_zoom(&viewer->placed.orbit, (float)input->scroll);
-        touch_camera(viewer);
-    }
+    else if (!ui_wants_mouse() && input->scroll != 0)
+        camera_hand_scroll(viewer);
 }
 
 /* By its name a reference, a session, or else a scene. */
@@ -313,5 +274,5 @@ void controls_update(struct viewer *viewer, double seconds) {
         return;
     use_mouse(viewer);
     if (!ui_wants_keys())
-        fly(viewer, seconds);
+        camera_hand_fly(viewer, seconds);
 }

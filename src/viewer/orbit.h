@@ -9,7 +9,8 @@
 
 struct orbit {
     struct camera camera;
-    float distance;    /* from the eye to the point that is circled, metres */
+    float point[3];    /* that is circled, and to which a zoom goes */
+    float distance;    /* from the eye to it along the view, metres */
     float world_up[3]; /* turning keeps it: a picture that stays level */
     float radius;      /* of the scene, metres: steps are fractions of it */
 };
@@ -18,14 +19,22 @@ struct orbit {
 void orbit_start(struct orbit *orbit, const struct camera *camera, const float center[3],
                  float radius);
 
-/* Turns around the point: right and down by fractions of the picture's height. */
+/* Circles another point from now on. */
+void orbit_grab(struct orbit *orbit, const float point[3]);
+
+/* Turns around the point, which stays where it is in the picture: right and down by fractions of the
+ * picture's height. */
 void orbit_turn(struct orbit *orbit, float right, float down);
 
 /* Moves eye and point with the picture: what was under the cursor stays there. */
 void orbit_pan(struct orbit *orbit, float right, float down);
 
-/* Goes nearer (steps > 0) or away by a tenth of the distance a step. */
+/* Goes nearer to the point (steps > 0) or away by a tenth of the distance a step; it stays where it is
+ * in the picture. */
 void orbit_zoom(struct orbit *orbit, float steps);
+
+/* Looks at a sphere from the present side, so that all of it is in sight; circles its middle. */
+void orbit_frame(struct orbit *orbit, const float center[3], float radius, float aspect);
 
 /* Turns the head: the eye stays. */
 void orbit_look(struct orbit *orbit, float right, float down);

@@ -86,11 +86,13 @@ struct shown {
     int frame_count; /* rendered */
 };
 
-/* What the mouse holds: viewer/controls.c. */
+/* What the mouse holds: viewer/controls.c, viewer/camera_hand.c. */
 struct hand {
     struct light_tool light_tool;
     double last_update, last_escape;
-    bool drags_picture; /* the mouse was pressed on it */
+    double last_grab, grab_x, grab_y; /* when and where the wheel sought what is under the mouse */
+    float fly_speed;                  /* scene radii a second; 0 = the usual one */
+    bool drags_picture;               /* the mouse was pressed on it */
     bool drags_split;
 };
 
@@ -249,6 +251,20 @@ bool viewer_write_picture(struct viewer *viewer, const char *path);
 
 /* Writes both under a fresh name in the working folder. */
 void viewer_take_screenshot(struct viewer *viewer);
+
+/* --- viewer/camera_hand.c: the camera follows mouse and keys --- */
+
+enum { CAMERA_FIELD_LEAST = 2, CAMERA_FIELD_MOST = 150 }; /* degrees, vertical */
+
+/* It was moved by hand. */
+void camera_hand_touch(struct viewer *viewer);
+
+/* m/s. */
+float camera_hand_speed(const struct viewer *viewer);
+void camera_hand_fly(struct viewer *viewer, double seconds);
+void camera_hand_drag(struct viewer *viewer);
+void camera_hand_scroll(struct viewer *viewer);
+void camera_hand_frame(struct viewer *viewer);
 
 /* --- viewer/controls.c: keys and mouse --- */
 void controls_update(struct viewer *viewer, double seconds);
