@@ -43,8 +43,8 @@ void messages_add(struct messages *messages, enum ui_tone tone, const char *form
     va_end(args);
 }
 
-int messages_recent(struct messages *messages, double seconds, struct message *copies, int max) {
-    double now = window_time();
+int messages_recent(struct messages *messages, struct message recent[MESSAGES_SHOWN]) {
+    const double seconds = 8, now = window_time();
     int count = 0;
     pthread_mutex_lock(&messages->lock);
     for (int i = 0; i < messages->count; i++) {
@@ -52,11 +52,11 @@ int messages_recent(struct messages *messages, double seconds, struct message *c
         double lasts = message->tone == UI_ERROR ? 3 * seconds : seconds;
         if (now - message->time > lasts)
             continue;
-        if (count == max) {
+        if (count == MESSAGES_SHOWN) {
             count--;
-            memmove(copies, copies + 1, (size_t)count * sizeof *copies);
+            memmove(recent, recent + 1, (size_t)count * sizeof *recent);
         }
-        copies[count++] = *message;
+        recent[count++] = *message;
     }
     pthread_mutex_unlock(&messages->lock);
     return count;

@@ -6,7 +6,7 @@
 
 #include <pthread.h>
 
-enum { MESSAGES_MAX = 24, MESSAGE_SIZE = 512 };
+enum { MESSAGES_MAX = 24, MESSAGES_SHOWN = 6, MESSAGE_SIZE = 512 };
 
 struct message {
     enum ui_tone tone; /* UI_ERROR, UI_WARNING, UI_NORMAL */
@@ -27,8 +27,8 @@ void messages_free(struct messages *messages);
 void messages_add(struct messages *messages, enum ui_tone tone, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* The newest ones no older than so many seconds (errors stay three times as long), oldest first;
- * how many. */
-int messages_recent(struct messages *messages, double seconds, struct message *copies, int max);
+/* Those that are to be seen: the newest ones of the last seconds (errors stay three times as long),
+ * oldest first; how many. */
+int messages_recent(struct messages *messages, struct message recent[MESSAGES_SHOWN]);
 
 #endif

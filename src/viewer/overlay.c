@@ -74,8 +74,8 @@ static void draw_statistics(struct viewer *viewer) {
 }
 
 static void draw_messages(struct viewer *viewer) {
-    struct message recent[6];
-    int count = messages_recent(&viewer->host.messages, 8, recent, 6);
+    struct message recent[MESSAGES_SHOWN];
+    int count = messages_recent(&viewer->host.messages, recent);
     float line = ui_line_height();
     if (count == 0)
         return;
@@ -84,6 +84,14 @@ static void draw_messages(struct viewer *viewer) {
     for (int i = 0; i < count; i++)
         ui_text(recent[i].tone, "%s", recent[i].text);
     ui_area_end();
+}
+
+/* Above all in the picture, where what comes will be. */
+static void draw_busy(const struct viewer *viewer) {
+    const struct rectangle *area = &viewer->shown.area;
+    if (viewer->shown.busy)
+        ui_draw_label((float)area->x + .5F * (float)area->width,
+                      (float)area->y + .5F * (float)area->height, .5F, viewer->shown.busy);
 }
 
 static void draw_welcome(struct viewer *viewer) {
@@ -190,6 +198,7 @@ void overlay_draw(struct viewer *viewer) {
         draw_marks(viewer);
     if (viewer->panel.overlay != OVERLAY_NONE && viewer->has_scene)
         draw_statistics(viewer);
+    draw_busy(viewer);
     if (!viewer->has_scene || atomic_load(&viewer->loader.state) != LOADER_IDLE)
         draw_welcome(viewer);
     if (viewer->panel.help)

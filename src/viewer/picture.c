@@ -6,6 +6,9 @@
 /* A moving picture on a slow machine: what a frame may take. */
 static const double moving_ms = 60;
 
+/* What takes longer is announced. */
+static const double long_ms = 300;
+
 void viewer_full_size(const struct viewer *viewer, int *width, int *height) {
     bool scripted = viewer_is_scripted(viewer), fixed = viewer->shown.fixed_width > 0;
     *width = fixed      ? viewer->shown.fixed_width
@@ -93,6 +96,29 @@ static void choose_size(struct viewer *viewer, int *width, int *height) {
     *height = (int)lround(*height * scale);
 }
 
+/* What is about to take so long that one would wonder; NULL = nothing. */
+static const char *what_takes_long(const struct viewer *viewer, double pixels) {
+    const struct shown *shown = &viewer->shown;
+    const struct pace *pace = &shown->pace;
+    const struct direct_method *direct =
+        viewer->desc.direct ? viewer->desc.direct : direct_for(&viewer->placed.emitters);
+    if (viewer_is_scripted(viewer))
+        return NULL;
+    if (pace->frame_count == 0 || makes_technique(viewer) || direct != shown->renderer.desc.direct)
+        return "compiling shaders \xe2\x80\xa6";
+    if (shown->moving || viewer->wish.play.on)
+        return NULL;
+    return pace->fixed_ms + pace->ms_per_pixel * pixels > long_ms ? "rendering \xe2\x80\xa6" : NULL;
+}
+
+/* Lets a turn of the loop go by that shows a sign before what takes long; whether to wait for it. */
+static bool announce(struct viewer *viewer, double pixels) {
+    struct shown *shown = &viewer->shown;
+    const char *before = shown->busy;
+    shown->busy = before ? NULL : what_takes_long(viewer, pixels);
+    return shown->busy;
+}
+
 /* Error: the renderer must be freed. */
 static bool render(struct viewer *viewer) {
     struct shown *shown = &viewer->shown;
@@ -103,6 +129,11 @@ static bool render(struct viewer *viewer) {
     bool resized = width != renderer->desc.width || height != renderer->desc.height;
     if (!shown->dirty && !resized && shown->coarse == was_coarse)
         return true;
+    if (announce(viewer, (double)width * height)) {
+        shown->coarse = was_coarse;
+        shown->dirty = true;
+        return true;
+    }
     if (resized) {
         struct renderer_desc desc = renderer->desc;
         desc.width = width;
@@ -240,7 +271,8 @@ static void follow_pick(struct viewer *viewer) {
     struct shown *shown = &viewer->shown;
     const struct renderer_desc *desc = &shown->renderer.desc;
     float place[2], aspect = (float)desc->width / (float)desc->height;
-    if (shown->moving || !shown->has_pick || shown->pick_motion == shown->pace.last_motion)
+    if (shown->moving || shown->dirty || !shown->has_pick ||
+        shown->pick_motion == shown->pace.last_motion)
         return;
     shown->has_pick = camera_project(&desc->camera, shown->pick.position, aspect, place) &&
                       place[0] >= 0 && place[0] < 1 && place[1] >= 0 && place[1] < 1;

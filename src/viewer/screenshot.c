@@ -52,7 +52,10 @@ void viewer_take_screenshot(struct viewer *viewer) {
     char png[64], exr[64];
     viewer->shown.moving = false; /* in the full size, whatever is on its way */
     viewer->shown.pace.last_motion = 0;
-    if (!viewer_update_picture(viewer)) {
+    viewer->shown.busy = ""; /* at once, without a sign before it */
+    bool ok = viewer_update_picture(viewer);
+    viewer->shown.busy = NULL;
+    if (!ok) {
         viewer_tell_error(viewer);
         viewer_close_scene(viewer);
         return;

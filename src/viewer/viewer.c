@@ -12,6 +12,9 @@
 /* How long after the last change the picture counts as at rest, seconds. */
 static const double rest_after = .25;
 
+/* How long widgets are drawn anew after the last thing that happened, seconds. */
+static const double awake_for = 1.5;
+
 enum { PANEL_WIDTH = 340 }; /* pixels of a monitor of scale 1 */
 
 /* --- the loop --- */
@@ -68,12 +71,47 @@ static void draw(struct viewer *viewer) {
     tell_start(viewer);
 }
 
+static bool is_busy(const struct viewer *viewer) {
+    return viewer->shown.dirty || viewer->shown.recompose || viewer->shown.moving ||
+           viewer->wish.play.on || viewer_is_scripted(viewer) || viewer_is_refining(viewer);
+}
+
+/* What changes without the user: the loader, and messages, which come from other threads and go with
+ * time. */
+static bool has_news(struct viewer *viewer) {
+    struct host *host = &viewer->host;
+    struct message recent[MESSAGES_SHOWN];
+    int count = messages_recent(&host->messages, recent);
+    double newest = count > 0 ? recent[count - 1].time : 0;
+    bool news = atomic_load(&viewer->loader.state) != LOADER_IDLE || count != host->message_count ||
+                newest != host->newest_message;
+    host->message_count = count;
+    host->newest_message = newest;
+    return news;
+}
+
+/* Whether there is something to draw. Widgets go on for a while after what the user did: tooltips
+ * come late. */
+static bool is_awake(struct viewer *viewer) {
+    struct host *host = &viewer->host;
+    const struct input *input = host->input;
+    double now = window_time();
+    bool resized = input->width != host->width || input->height != host->height;
+    host->width = input->width;
+    host->height = input->height;
+    if (input->any || input->close || resized || is_busy(viewer) || has_news(viewer))
+        host->awake_until = now + awake_for;
+    return now < host->awake_until || ui_wants_keys();
+}
+
 static double waiting_time(const struct viewer *viewer) {
-    if (viewer->host.input->width == 0)
-        return .1; /* minimised */
-    bool busy = viewer->shown.dirty || viewer->shown.recompose || viewer->shown.moving ||
-                viewer->wish.play.on || viewer_is_scripted(viewer) || viewer_is_refining(viewer);
-    return busy ? 0 : .05;
+    const struct host *host = &viewer->host;
+    if (host->input->width == 0)
+        return .5; /* minimised */
+    if (is_busy(viewer))
+        return 0;
+    bool awake = window_time() < host->awake_until || ui_wants_keys();
+    return awake ? .05 : .25;
 }
 
 static void update(struct viewer *viewer) {
@@ -96,8 +134,10 @@ static void update(struct viewer *viewer) {
 bool viewer_turn(struct viewer *viewer) {
     viewer->host.input = window_poll(viewer->host.window, waiting_time(viewer));
     viewer->done |= viewer->host.input->close;
-    if (viewer->host.input->width == 0)
-        return true; /* minimised */
+    if (viewer->host.input->width == 0 || !is_awake(viewer)) {
+        viewer->hand.last_update = window_time();
+        return true;
+    }
     ui_frame_begin(viewer->host.input->taps, viewer->host.input->tap_count);
     lay_out(viewer);
     /* The window shows itself before the scene takes its time. */

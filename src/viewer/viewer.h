@@ -50,6 +50,10 @@ struct host {
     struct context *context;
     const struct input *input; /* of this turn */
     struct messages messages;
+    int message_count; /* that are shown */
+    double newest_message;
+    double awake_until; /* then nothing is drawn until something happens */
+    int width, height;  /* of the window then */
     struct screen screen;
 };
 
@@ -82,8 +86,9 @@ struct shown {
     bool dirty;                         /* the picture is not what is wanted */
     bool recompose;                     /* the frame is, but not what is shown of it */
     bool moving;                        /* and this will go on for some frames */
-    bool coarse;     /* the picture is smaller than it will be at rest, and its edges are rough */
-    int frame_count; /* rendered */
+    bool coarse;      /* the picture is smaller than it will be at rest, and its edges are rough */
+    int frame_count;  /* rendered */
+    const char *busy; /* what takes a while and has been announced; NULL = nothing */
 };
 
 /* What the mouse holds: viewer/controls.c, viewer/camera_hand.c. */

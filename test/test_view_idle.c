@@ -1,0 +1,85 @@
+/* The viewer at rest does nothing, and says so before it is busy. */
+#define _XOPEN_SOURCE 700
+#include "view_stage.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#define BOX "scenes/cornell-box.glb"
+
+/* Seconds of all cores that the viewer has used so far. */
+static double used_seconds(void) {
+    char path[64], line[1024];
+    unsigned long user = 0, system = 0;
+    snprintf(path, sizeof path, "/proc/%d/stat", (int)stage.viewer);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    assert_non_null(fgets(line, sizeof line, file));
+    fclose(file);
+    const char *after = strrchr(line, ')');
+    assert_non_null(after);
+    assert_int_equal(
+        sscanf(after + 2, "%*c %*d %*d %*d %*d %*d %*u %*u %*u %*u %*u %lu %lu", &user, &system),
+        2);
+    return (double)(user + system) / (double)sysconf(_SC_CLK_TCK);
+}
+
+static void check_idle(const char *what) {
+    const double seconds = 5;
+    double before = used_seconds();
+    pause_ms((long)(1000 * seconds));
+    double share = (used_seconds() - before) / seconds;
+    printf("    %-48s %.2f %% of a core, at most 2 %%\n", what, 100 * share);
+    assert_true(share <= .02);
+}
+
+static void test_idle(void **state) {
+    (void)state;
+    start_viewer(BOX, "");
+    settle();
+    xdo("mousemove %d %d sleep 9", WIDTH / 2, HEIGHT / 2); /* messages go */
+    check_idle("a picture at rest");
+    /* It wakes up for what happens, and messages end by themselves. */
+    check_same("after a rest", BOX);
+    xdo("key c sleep 1");
+    settle();
+    pause_ms(9500);
+    check_idle("a comparison at rest");
+    xdo("key c sleep .5");
+}
+
+/* A script's places have the sign in the frame before what takes long. */
+static bool saw(const char *text) {
+    char command[700], output[64];
+    snprintf(command, sizeof command, "grep -q %s %s/places", text, stage.folder);
+    for (int i = 0; i < 200; i++) {
+        if (run_command(command, output, sizeof output) == 0)
+            return true;
+        pause_ms(10);
+    }
+    return false;
+}
+
+static void test_sign(void **state) {
+    (void)state;
+    need_viewer();
+    press("technique");
+    int x, y;
+    find_place("instant-radiosity", &x, &y);
+    xdo("mousemove %d %d sleep .3 click 1", x, y);
+    bool seen = saw("compiling");
+    printf("    a sign before shaders are compiled: %s\n", seen ? "seen" : "none");
+    assert_true(seen);
+    check_same("and then", BOX " --technique instant-radiosity");
+    assert_false(is_on_screen("compiling shaders \xe2\x80\xa6"));
+    end_viewer();
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_idle),
+        cmocka_unit_test(test_sign),
+    };
+    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
+}
