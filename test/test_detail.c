@@ -53,7 +53,7 @@ static void close_bench(struct detail_bench *bench) {
  * neighbours are away, of one and another. */
 static void make_stripes(struct gbuffer *gbuffer) {
     check_ok("G-buffer",
-             gbuffer_init(gbuffer, &(struct gbuffer_desc){"stripes", SIZE, SIZE, 1, false}));
+             gbuffer_init(gbuffer, &(struct gbuffer_desc){"stripes", SIZE, SIZE, 1, false, false}));
     static float depths[SIZE * SIZE], normals[SIZE * SIZE][2];
     for (int i = 0; i < SIZE * SIZE; i++) {
         int x = i % SIZE;

@@ -23,6 +23,10 @@ layout(location = TARGET_RESULT) out vec4 irradiance;
 
 const float INVERSE_PI = 0.31830988618;
 
+#if SPECULAR
+#include "gather/specular.glsl"
+#endif
+
 // cos_i cos_x / d^2, bounded as the setting says: near a VPL the point light is no longer the patch
 // that it stands for.
 //
@@ -62,9 +66,13 @@ int map_of(int i, vpl light) {
 #endif
 }
 
-// Irradiance times pi from a VPL where it arrives, and what it takes back where it does not.
+// Irradiance times pi, or with SPECULAR reflected radiance times pi, from a VPL where it arrives, and what it takes back where it does not.
 vec3 unshadowed(vpl light, surface s, out vec3 back) {
     float share;
+#if SPECULAR
+    back = vec3(0.0);
+    return specular_light(light, s, light.area * weight);
+#endif
     vec3 light_there = light.flux * geometry_term(light.position - s.position, s.normal, light, share);
     back = light.flux * share;
     return light_there;
@@ -166,5 +174,10 @@ void main() {
     surface s = gbuffer_surface(pixel);
     if (!s.present)
         return;
+#if SPECULAR
+    receiver_shine = gbuffer_shine(s, pixel);
+    if (receiver_shine.f90 == vec3(0.0))
+        return;
+#endif
     irradiance = vec4(light_of_slot(s, pixel) * (INVERSE_PI * weight * params.scale), 1.0);
 }

@@ -1,5 +1,5 @@
 // Writes normal, albedo and what is emitted. Holes of alpha masks are not there; nor, for the camera, is the back of a
-// single-sided surface, which blocks light but reflects none.
+// single-sided surface, which blocks light but reflects none. HAS_GLOSS: surfaces are not all plain.
 #include "lib/octahedral.glsl"
 #include "shared/material.h"
 
@@ -15,20 +15,31 @@ layout(location = TARGET_GBUFFER_EMISSION) out vec4 emitted;
 in vec3 surface_normal;
 in vec2 surface_uv;
 in vec4 surface_color;
+#ifdef HAS_GLOSS
+#include "picture/surface_detail.glsl"
+#endif
 
 #ifndef DEPTH_ONLY
 layout(location = TARGET_GBUFFER_NORMAL) out vec2 normal_code;
 layout(location = TARGET_GBUFFER_ALBEDO) out vec4 albedo_root;
+#endif
+#if defined(HAS_GLOSS) && !defined(LIGHT_VIEW)
+layout(location = TARGET_GBUFFER_GLOSS) out vec4 gloss_code; // lib/gloss.glsl
 #endif
 
 void main() {
     vec4 color = material.base_color * surface_color;
     if (material.textured)
         color *= texture(base_color_texture, surface_uv);
+#ifndef DEPTH_ONLY
+    vec3 normal = normalize(surface_normal);
+#ifdef HAS_GLOSS
+    normal = mapped_normal(normal);
+#endif
+#endif
     if (color.a < material.alpha_cutoff)
         discard;
 #ifndef DEPTH_ONLY
-    vec3 normal = normalize(surface_normal);
     if (!gl_FrontFacing) {
         if (material.double_sided)
             normal = -normal;
@@ -40,11 +51,26 @@ void main() {
 #endif
     }
     normal_code = octahedral_encode(normal);
-    albedo_root = vec4(sqrt(clamp(color.rgb, 0.0, 1.0)), 1.0);
 #endif
 #ifdef HAS_EMISSION
     emitted = vec4(material.emission, 1.0);
     if (material.emission_textured)
         emitted.rgb *= texture(emission_texture, surface_uv).rgb;
+#ifdef HAS_GLOSS
+    if (material.unlit)
+        emitted.rgb *= color.rgb;
+#endif
+#endif
+#ifdef HAS_GLOSS
+    vec4 gloss;
+    color.rgb = diffuse_and_gloss(color.rgb, gloss);
+#ifdef LIGHT_VIEW
+    color.rgb += evenly_reflected(gloss);
+#else
+    gloss_code = gloss_encode(gloss);
+#endif
+#endif
+#ifndef DEPTH_ONLY
+    albedo_root = vec4(sqrt(clamp(color.rgb, 0.0, 1.0)), 1.0);
 #endif
 }

@@ -18,6 +18,9 @@ layout(location = ATTRIBUTE_COLOR) in vec4 color;
 out vec3 surface_normal;
 out vec2 surface_uv;
 out vec4 surface_color;
+#ifdef HAS_GLOSS
+out vec3 surface_position;
+#endif
 
 void main() {
 #ifdef LIGHT_VIEW
@@ -32,4 +35,7 @@ void main() {
     surface_normal = normal;
     surface_uv = uv;
     surface_color = color;
+#ifdef HAS_GLOSS
+    surface_position = position;
+#endif
 }

@@ -18,6 +18,12 @@ void main() {
         value.rgb = s.indirect;
     else if (shown == LAYER_ALBEDO)
         value.rgb = s.albedo;
+    else if (shown == LAYER_SPECULAR)
+        value.rgb = s.direct_specular + s.indirect_specular;
+    else if (shown == LAYER_DIRECT_SPECULAR)
+        value.rgb = s.direct_specular;
+    else if (shown == LAYER_INDIRECT_SPECULAR)
+        value.rgb = s.indirect_specular;
     else if (depth > 0.0)
         value.rgb = shown == LAYER_NORMAL
                         ? octahedral_decode(texelFetch(gbuffer_normals, ivec3(pixel, 0), 0).rg)

@@ -10,6 +10,9 @@ layout(binding = UNIT_DIRECT) uniform sampler2D directs;
 layout(binding = UNIT_IRRADIANCE) uniform sampler2D irradiances;
 #endif
 layout(binding = UNIT_SAMPLE_PICKS) uniform usampler2D sample_picks;
+#ifdef HAS_GLOSS
+layout(binding = UNIT_DIRECT_SPECULAR) uniform sampler2D direct_speculars;
+#endif
 #ifdef HAS_RADIANCE
 layout(binding = UNIT_RADIANCE) uniform sampler2D radiances;
 #endif
@@ -33,9 +36,10 @@ vec3 background(ivec2 pixel) {
 
 // What the pixel sees, the mean over its samples. Light is irradiance over pi, the radiance of a
 // white surface; weighted by the albedo, so that albedo (direct + indirect) = radiance at edges too.
+// Specular is radiance.
 struct seen {
     float coverage;
-    vec3 albedo, direct, indirect, radiance;
+    vec3 albedo, direct, indirect, radiance, direct_specular, indirect_specular;
 };
 
 #ifdef HAS_EMISSION
@@ -52,15 +56,35 @@ vec3 through_medium(vec3 radiance, ivec2 texel) {
 #endif
 }
 
+vec3 direct_specular(ivec2 texel) {
+#ifdef HAS_GLOSS
+    return texelFetch(direct_speculars, texel, 0).rgb;
+#else
+    return vec3(0.0);
+#endif
+}
+
+// Not of light that comes straight from a source.
+vec3 indirect_specular(ivec2 texel) {
+#ifdef HAS_RADIANCE
+    return params.scale * texelFetch(radiances, texel, 0).rgb;
+#else
+    return vec3(0.0);
+#endif
+}
+
 vec3 radiance_of(vec3 albedo, vec3 received, ivec2 texel) {
     if (gbuffer_depth(texel) == 0.0)
         return through_medium(background(texel), texel);
     vec3 radiance = albedo * received;
+#ifdef HAS_GLOSS
+    radiance += direct_specular(texel);
+#endif
 #ifdef HAS_EMISSION
     radiance += params.scale * texelFetch(emissions, ivec3(texel, 0), 0).rgb;
 #endif
 #ifdef HAS_RADIANCE
-    radiance += params.scale * texelFetch(radiances, texel, 0).rgb;
+    radiance += indirect_specular(texel);
 #endif
     return through_medium(radiance, texel);
 }
@@ -69,7 +93,7 @@ seen seen_from(ivec2 pixel) {
     uvec2 picks = texelFetch(sample_picks, min(pixel, textureSize(sample_picks, 0) - 1), 0).rg;
     ivec2 last = gbuffer_size() - 1;
     int count = picks == uvec2(0u) ? 1 : params.samples;
-    seen sum = seen(0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    seen sum = seen(0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 weights = vec3(0.0);
     for (int i = 0; i < count; i++) {
         uint pick = pick_of(picks, i);
@@ -92,10 +116,15 @@ seen seen_from(ivec2 pixel) {
         sum.albedo += albedo;
         sum.direct += weight * direct;
         sum.indirect += weight * indirect;
+#ifdef HAS_GLOSS
+        sum.direct_specular += direct_specular(texel) * present;
+        sum.indirect_specular += indirect_specular(texel) * present;
+#endif
         sum.radiance += radiance_of(albedo, direct + indirect, texel);
     }
     float share = 1.0 / float(count);
     vec3 weighted = 1.0 / max(weights, vec3(LEAST_WEIGHT));
     return seen(sum.coverage * share, sum.albedo * share, sum.direct * weighted,
-                sum.indirect * weighted, sum.radiance * share);
+                sum.indirect * weighted, sum.radiance * share, sum.direct_specular * share,
+                sum.indirect_specular * share);
 }

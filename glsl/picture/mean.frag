@@ -6,7 +6,11 @@
 #include "picture/display.glsl"
 #endif
 
+#ifdef HAS_GLOSS
 layout(binding = UNIT_LAYER_SUMS) uniform sampler2D sums[LAYERS];
+#else
+layout(binding = UNIT_LAYER_SUMS) uniform sampler2D sums[LAYERS_PLAIN];
+#endif
 
 layout(location = TARGET_RESULT) out vec4 value;
 

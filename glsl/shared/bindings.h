@@ -66,7 +66,6 @@
 #define UNIT_LIST_TEXELS 40
 #define UNIT_DETAIL_IRRADIANCE 41
 #define UNIT_VPL_SPREAD 42
-#define UNIT_LAYER_SUMS 43 /* LAYERS of them: shared/composite.h */
 #define UNIT_SKY 49
 #define UNIT_EMISSION 50 /* a material's texture */
 #define UNIT_GBUFFER_EMISSION 51
@@ -75,6 +74,12 @@
 #define UNIT_MAP_NORMAL 54
 #define UNIT_SKY_MAPS 55
 #define UNIT_SKY_SHARES 56
+#define UNIT_METAL_ROUGHNESS 57 /* a material's textures */
+#define UNIT_NORMAL_MAP 58
+#define UNIT_GBUFFER_GLOSS 59
+#define UNIT_LOBES 60
+#define UNIT_DIRECT_SPECULAR 61
+#define UNIT_LAYER_SUMS 62 /* LAYERS of them: shared/composite.h */
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0
@@ -93,6 +98,8 @@
 #define TARGET_GBUFFER_NORMAL 0
 #define TARGET_GBUFFER_ALBEDO 1
 #define TARGET_GBUFFER_EMISSION 2
+#define TARGET_GBUFFER_GLOSS 3
+#define TARGET_DIRECT_SPECULAR 1
 #define TARGET_BASIS_COS 0
 #define TARGET_BASIS_SIN 1
 #define TARGET_BASIS_Z_COS 2

@@ -25,6 +25,10 @@ PASS_BLOCK(composite_params, 48)
 #define LAYER_ALBEDO 3
 #define LAYER_NORMAL 4
 #define LAYER_DEPTH 5
-#define LAYERS 6
+#define LAYERS_PLAIN 6
+#define LAYER_SPECULAR 6 /* of scenes whose materials are not all plain, and those below */
+#define LAYER_DIRECT_SPECULAR 7
+#define LAYER_INDIRECT_SPECULAR 8
+#define LAYERS 9
 
 #endif

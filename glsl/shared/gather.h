@@ -4,6 +4,11 @@
 
 #include "shared/interleaving.h"
 
+/* What is gathered: irradiance, or what reflects as by a mirror, of VPLs as points or as balls. */
+#define SPECULAR_NONE 0
+#define SPECULAR_POINT 1
+#define SPECULAR_SPHERE 2
+
 struct gather_params {
     STRUCT(interleaving) pattern;
     float scale;       /* of the stored irradiance */

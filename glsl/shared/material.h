@@ -3,18 +3,27 @@
 
 #include "shared/types.h"
 
-/* glTF's factors. Light is reflected as if all were diffuse, by the base colour alone. */
+/* Factors of glTF's metallic-roughness model (scene/material.h). Plain scenes, where all is diffuse, read
+ * the base colour, the emission and how the surface is drawn alone. */
 struct material_block {
     vec4 base_color; /* linear */
-    vec3 emission;   /* of what shines: linear, W/(sr m2), times irradiance_scale */
+    vec3 emission;   /* of what shines: linear, W/(sr m2), times irradiance_scale; of what is unlit
+                        the scale alone, times the base colour */
     float metalness;
     float roughness;
     float alpha_cutoff; /* below it is a hole; negative: opaque */
     BOOL double_sided;
     BOOL textured; /* has a base colour texture */
     BOOL emission_textured;
-    int unused0, unused1, unused2;
+    BOOL matt; /* by its base colour alone */
+    BOOL unlit;
+    BOOL metal_roughness_textured;
+    vec3 specular_f0; /* of what is no metal */
+    float specular_f90;
+    BOOL normal_textured;
+    float normal_scale;
+    int unused0, unused1;
 };
-STD140_SIZE(material_block, 64)
+STD140_SIZE(material_block, 96)
 
 #endif

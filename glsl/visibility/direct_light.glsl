@@ -4,10 +4,20 @@ float arriving(surface s, light l, vec3 direction);
 layout(location = LOCATION_LIGHT) uniform int light_index;
 
 layout(location = TARGET_RESULT) out vec4 direct;
+#ifdef HAS_GLOSS
+#include "lib/gbuffer_shine.glsl"
+#include "lib/unshadowed_shine.glsl"
+
+layout(location = TARGET_DIRECT_SPECULAR) out vec4 specular;
+#endif
 
 void main() {
     direct = vec4(0.0);
-    surface s = gbuffer_surface(ivec2(gl_FragCoord.xy));
+#ifdef HAS_GLOSS
+    specular = vec4(0.0);
+#endif
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    surface s = gbuffer_surface(pixel);
     if (!s.present)
         return;
     light l = light_at(light_index);
@@ -15,5 +25,13 @@ void main() {
     float distance2 = dot(to_light, to_light);
     vec3 direction = l.type == LIGHT_TYPE_DIRECTIONAL ? l.direction : -to_light * inversesqrt(distance2);
     float share = unshadowed(l, s.position, s.normal, direction, distance2);
+#ifdef HAS_GLOSS
+    if (share <= 0.0)
+        return;
+    float lit = arriving(s, l, direction);
+    direct.rgb = l.radiance * (share * lit);
+    specular.rgb = l.radiance * unshadowed_shine(l, gbuffer_shine(s, pixel), s.position, direction, distance2) * lit;
+#else
     direct.rgb = l.radiance * (share > 0.0 ? share * arriving(s, l, direction) : 0.0);
+#endif
 }

@@ -7,6 +7,22 @@ layout(binding = UNIT_BLOCK_VISIBILITY) uniform sampler2DArray block_visibilitie
 layout(binding = UNIT_DIRECT) uniform sampler2D direct; // of all other lights
 
 layout(location = TARGET_RESULT) out vec4 lit;
+#ifdef HAS_GLOSS
+#include "lib/gbuffer_shine.glsl"
+#include "lib/lobe.glsl"
+
+layout(binding = UNIT_DIRECT_SPECULAR) uniform sampler2D direct_specular; // of all other lights
+
+layout(location = TARGET_DIRECT_SPECULAR) out vec4 specular;
+
+// Of a light that nothing hides, radiance over radiance; to be multiplied by the lobe's albedo.
+float sky_shine(lobe o, int i) {
+    polygon_sum p = polygon_sum(0.0, vec3(0.0), vec3(0.0));
+    for (int c = 0; c < 4; c++)
+        polygon_edge(p, o.from_world * sky_corner(i, c), o.from_world * sky_corner(i, (c + 1) & 3), vec3(0.0, 0.0, 1.0));
+    return polygon_end(p, vec3(0.0, 0.0, 1.0)) / 3.14159265;
+}
+#endif
 
 const float PI = 3.14159265358979;
 const float BLOCK_COSINE = 0.9;
@@ -56,6 +72,9 @@ vec4 visibility_of_blocks(blocks b, int layer, out vec4 apart) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     lit = texelFetch(direct, pixel, 0);
+#ifdef HAS_GLOSS
+    specular = texelFetch(direct_specular, pixel, 0);
+#endif
     surface s = gbuffer_surface(pixel);
     if (!s.present)
         return;
@@ -65,6 +84,10 @@ void main() {
     for (int i = 0; i < params.count; i++)
         all += max(dot(sky_vector(i), s.normal), 0.0) * sky_radiance(i).a;
     vec3 sum = vec3(0.0);
+#ifdef HAS_GLOSS
+    vec3 shining = vec3(0.0);
+    lobe o = lobe_of(gbuffer_shine(s, pixel));
+#endif
     for (int layer = 0; layer < layers; layer++) {
         vec4 shares = sky_shares(s.normal, layer), apart;
         vec4 visible = visibility_of_blocks(b, layer, apart);
@@ -74,7 +97,14 @@ void main() {
             for (int ask = shares[k] * radiance.a * apart[k] > params.disagree * all ? 1 : 0; ask > 0; ask--)
                 visible[k] = sky_visibility(4 * layer + k, s.position, s.normal);
             sum += radiance.rgb * (shares[k] * visible[k]);
+#ifdef HAS_GLOSS
+            if (4 * layer + k < params.count)
+                shining += radiance.rgb * (sky_shine(o, 4 * layer + k) * visible[k]);
+#endif
         }
     }
     lit.rgb += sum / PI;
+#ifdef HAS_GLOSS
+    specular.rgb += o.albedo * shining;
+#endif
 }

@@ -11,6 +11,7 @@ struct direct_desc {
     const struct settings *settings;
     int width, height;
     const struct light_layout *lights;
+    bool gloss; /* the G-buffer has it */
 };
 
 struct direct_method {
@@ -27,6 +28,9 @@ struct direct_method {
     void (*render_lights)(void *state, const struct frame *frame);
     void (*render_view)(void *state, const struct frame *frame, const struct gbuffer *gbuffer);
     const struct texture *(*light)(const void *state);
+    /* Where desc.gloss, what is not diffuse: RGBA32F, radiance towards the camera, W/(sr m2). NULL: the
+     * method shows all surfaces as matt. */
+    const struct texture *(*specular)(const void *state);
 };
 
 /* All there are; their order means nothing. Null-terminated. */

@@ -19,6 +19,7 @@ bool shadow_begin(struct shadow *shadow, const struct direct_desc *desc,
     struct direct_light_desc light = *program;
     light.width = desc->width;
     light.height = desc->height;
+    light.gloss = desc->gloss;
     light.map_size = program->map_size ? program->map_size : own->size;
     light.bias = own->bias;
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
@@ -52,6 +53,11 @@ void shadow_render_lights(void *state, const struct frame *frame) {
 void shadow_render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct shadow *shadow = state;
     direct_light_pass_render(&shadow->light, frame, gbuffer, &shadow->inputs, DIRECT_LIGHT_ANEW);
+}
+
+const struct texture *shadow_specular(const void *state) {
+    const struct shadow *shadow = state;
+    return &shadow->light.target.specular;
 }
 
 const struct texture *shadow_light(const void *state) {

@@ -32,5 +32,6 @@ bool shadow_resize(void *state, int width, int height);
 void shadow_render_lights(void *state, const struct frame *frame);
 void shadow_render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer);
 const struct texture *shadow_light(const void *state);
+const struct texture *shadow_specular(const void *state);
 
 #endif

@@ -39,14 +39,14 @@ bool skylight_init(struct skylight *skylight, const struct skylight_desc *desc) 
                                                                    .caster = caster,
                                                                    .size = own->map_size,
                                                                    .count = desc->count}) &&
-         sky_light_pass_init(&skylight->light,
-                             &(struct sky_light_desc){.width = desc->width,
-                                                      .height = desc->height,
-                                                      .count = desc->count,
-                                                      .block = own->block,
-                                                      .ways = own->ways,
-                                                      .bias = own->bias,
-                                                      .disagree = own->disagree}) &&
+         sky_light_pass_init(&skylight->light, &(struct sky_light_desc){.width = desc->width,
+                                                                        .height = desc->height,
+                                                                        .count = desc->count,
+                                                                        .block = own->block,
+                                                                        .ways = own->ways,
+                                                                        .bias = own->bias,
+                                                                        .disagree = own->disagree,
+                                                                        .gloss = desc->gloss}) &&
          buffer_init(&skylight->lights, "lights of the sky", sizeof(struct sky_block), NULL)))
         return true;
     skylight_free(skylight);
@@ -78,14 +78,20 @@ void skylight_render_lights(const struct skylight *skylight, const struct frame 
 }
 
 void skylight_render_view(const struct skylight *skylight, const struct frame *frame,
-                          const struct gbuffer *gbuffer, const struct texture *direct) {
+                          const struct gbuffer *gbuffer, const struct texture *direct,
+                          const struct texture *specular) {
     if (skylight->count)
         sky_light_pass_render(
             &skylight->light, frame, gbuffer,
-            &(struct sky_light_inputs){&skylight->lights, &skylight->maps.maps, direct});
+            &(struct sky_light_inputs){&skylight->lights, &skylight->maps.maps, direct, specular});
 }
 
 const struct texture *skylight_light(const struct skylight *skylight,
                                      const struct texture *direct) {
     return skylight->count ? &skylight->light.light : direct;
+}
+
+const struct texture *skylight_specular(const struct skylight *skylight,
+                                        const struct texture *specular) {
+    return skylight->count ? &skylight->light.specular : specular;
 }

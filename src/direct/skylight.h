@@ -21,7 +21,8 @@ struct skylight_desc {
     const struct settings *settings;
     struct caster_pool *casters;
     int width, height;
-    int count; /* of lights; 0: there is no sky */
+    int count;  /* of lights; 0: there is no sky */
+    bool gloss; /* the G-buffer has it */
 };
 
 struct skylight {
@@ -38,11 +39,15 @@ void skylight_free(struct skylight *skylight);
 /* Error: out of GPU memory; all is as it was. */
 bool skylight_resize(struct skylight *skylight, int width, int height);
 
-/* None of them can fail. Without a sky nothing is done, and the light is direct's own. */
+/* None of them can fail. Without a sky nothing is done, and the light is direct's own. specular: where
+ * desc.gloss. */
 void skylight_write(struct skylight *skylight, const struct sky_block *block);
 void skylight_render_lights(const struct skylight *skylight, const struct frame *frame);
 void skylight_render_view(const struct skylight *skylight, const struct frame *frame,
-                          const struct gbuffer *gbuffer, const struct texture *direct);
+                          const struct gbuffer *gbuffer, const struct texture *direct,
+                          const struct texture *specular);
 const struct texture *skylight_light(const struct skylight *skylight, const struct texture *direct);
+const struct texture *skylight_specular(const struct skylight *skylight,
+                                        const struct texture *specular);
 
 #endif

@@ -25,18 +25,21 @@ bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc) {
     const char *label = desc->label;
     *gbuffer =
         (struct gbuffer){.width = desc->width, .height = desc->height, .layers = desc->layers};
-    const struct texture *emission = desc->has_emission ? &gbuffer->emission : NULL;
+    bool has_emission = desc->has_emission || desc->has_gloss;
+    const struct texture *emission = has_emission ? &gbuffer->emission : NULL;
+    const struct texture *gloss = desc->has_gloss ? &gbuffer->gloss : NULL;
     if (init_layer(&gbuffer->normal, label, "normal", GL_RG16, gbuffer) &&
         init_layer(&gbuffer->albedo, label, "albedo", GL_RGB10_A2, gbuffer) &&
         init_layer(&gbuffer->depth, label, "depth", GL_DEPTH_COMPONENT32F, gbuffer) &&
-        (!desc->has_emission ||
-         init_layer(&gbuffer->emission, label, "emission", GL_RGBA16F, gbuffer)) &&
+        (!has_emission || init_layer(&gbuffer->emission, label, "emission", GL_RGBA16F, gbuffer)) &&
+        (!desc->has_gloss || init_layer(&gbuffer->gloss, label, "gloss", GL_RGBA8, gbuffer)) &&
         framebuffer_init(
             &gbuffer->framebuffer,
             &(struct framebuffer_desc){.label = label,
                                        .colors = {[TARGET_GBUFFER_NORMAL] = &gbuffer->normal,
                                                   [TARGET_GBUFFER_ALBEDO] = &gbuffer->albedo,
-                                                  [TARGET_GBUFFER_EMISSION] = emission},
+                                                  [TARGET_GBUFFER_EMISSION] = emission,
+                                                  [TARGET_GBUFFER_GLOSS] = gloss},
                                        .depth = &gbuffer->depth}))
         return true;
     gbuffer_free(gbuffer);
@@ -49,6 +52,7 @@ void gbuffer_free(struct gbuffer *gbuffer) {
     texture_free(&gbuffer->albedo);
     texture_free(&gbuffer->depth);
     texture_free(&gbuffer->emission);
+    texture_free(&gbuffer->gloss);
     *gbuffer = (struct gbuffer){0};
 }
 

@@ -41,9 +41,13 @@ struct frame {
  *   albedo  RGB10_A2  square root of the albedo; A = 1 where something is
  *   depth   D32F      reversed (shared/view.h); 0 where nothing is
  *   emission RGBA16F  radiance times irradiance_scale; the camera's, of a scene with emissive materials
+ *                     or such as are not plain
+ *   gloss   RGBA8     what is reflected as by a mirror (lib/gloss.glsl); the camera's, of a scene whose
+ *                     materials are not plain (scene/material.h). The normal is then the bent one, and
+ *                     albedo the diffuse part's
  */
 struct gbuffer {
-    struct texture normal, albedo, depth, emission;
+    struct texture normal, albedo, depth, emission, gloss;
     GLuint framebuffer;
     int width, height, layers;
 };
@@ -150,6 +154,7 @@ struct gbuffer_desc {
     const char *label;
     int width, height, layers;
     bool has_emission;
+    bool has_gloss; /* which has emission too */
 };
 
 bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc);

@@ -35,6 +35,12 @@ float renderer_irradiance_scale(const struct renderer *renderer) {
     return typical > 0 && isfinite(typical) ? exp2f(-roundf(log2f(typical))) : 1;
 }
 
+/* NULL where all is matt. */
+static const struct texture *direct_specular(const struct renderer *renderer) {
+    const struct direct_method *direct = renderer->direct;
+    return renderer->gbuffer.gloss.id ? direct->specular(renderer->direct_state) : NULL;
+}
+
 static const struct picture_settings *picture_of(const struct renderer *renderer) {
     return settings_of(&renderer->desc.settings, &picture_part);
 }
@@ -90,6 +96,7 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
         .gbuffer = &renderer->gbuffer,
         .direct =
             skylight_light(&renderer->skylight, renderer->direct->light(renderer->direct_state)),
+        .direct_specular = skylight_specular(&renderer->skylight, direct_specular(renderer)),
         .contribution = last_contribution(renderer),
         .sky = renderer->desc.emitters.sky,
         .picks = &antialias->picks,
@@ -126,7 +133,8 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
     geometry_pass_render_camera(&renderer->geometry, frame, &renderer->gbuffer);
     renderer->direct->render_view(renderer->direct_state, &direct, &renderer->gbuffer);
     skylight_render_view(&renderer->skylight, frame, &renderer->gbuffer,
-                         renderer->direct->light(renderer->direct_state));
+                         renderer->direct->light(renderer->direct_state),
+                         direct_specular(renderer));
     if (is_refined(renderer))
         refining->technique->render_view(refining->state, frame, &renderer->gbuffer);
     else
@@ -170,7 +178,7 @@ static void add_to_mean(struct renderer *renderer, const struct frame *frame) {
     struct refining *refining = &renderer->refining;
     struct composite_inputs inputs = renderer_composite_inputs(renderer);
     float weight = pass_weight(renderer);
-    for (int layer = 0; layer < LAYERS; layer++)
+    for (int layer = 0; layer < refining->mean.layers; layer++)
         composite_pass_add_layer(&renderer->composite, frame, &inputs, layer, weight,
                                  refining->mean.framebuffers[layer]);
     refining->count++;

@@ -14,12 +14,22 @@ static const struct layer_row {
     const char *channels; /* one character each */
     const char *prefix;
 } layer_rows[] = {
-    {LAYER_BEAUTY, "RGBA", ""},       {LAYER_DEPTH, "Z", ""},
-    {LAYER_DIRECT, "RGB", "direct."}, {LAYER_INDIRECT, "RGB", "indirect."},
-    {LAYER_ALBEDO, "RGB", "albedo."}, {LAYER_NORMAL, "XYZ", "normal."},
+    {LAYER_BEAUTY, "RGBA", ""},
+    {LAYER_DEPTH, "Z", ""},
+    {LAYER_DIRECT, "RGB", "direct."},
+    {LAYER_INDIRECT, "RGB", "indirect."},
+    {LAYER_ALBEDO, "RGB", "albedo."},
+    {LAYER_NORMAL, "XYZ", "normal."},
+    /* Where the G-buffer has gloss: */
+    {LAYER_SPECULAR, "RGB", "specular."},
+    {LAYER_DIRECT_SPECULAR, "RGB", "direct.specular."},
+    {LAYER_INDIRECT_SPECULAR, "RGB", "indirect.specular."},
 };
 
-enum { LAYER_ROWS = sizeof layer_rows / sizeof *layer_rows };
+static int row_count(const struct renderer *renderer) {
+    int all = sizeof layer_rows / sizeof *layer_rows;
+    return renderer->gbuffer.gloss.id ? all : LAYERS_PLAIN;
+}
 
 static void read_layers(struct renderer *renderer, struct image *image,
                         const struct layer_target *target) {
@@ -29,7 +39,7 @@ static void read_layers(struct renderer *renderer, struct image *image,
     struct composite_inputs inputs = renderer_composite_inputs(renderer);
     const struct refining *refining = &renderer->refining;
     int channel = 0;
-    for (int i = 0; i < LAYER_ROWS; i++) {
+    for (int i = 0; i < row_count(renderer); i++) {
         int count = (int)strlen(layer_rows[i].channels);
         if (refining->count > 0)
             mean_pass_render_layer(&refining->mean, &frame, refining->weight, layer_rows[i].layer,
@@ -47,7 +57,7 @@ static bool read_part(struct renderer *renderer, int x, int y, int width, int he
                       struct image *image) {
     char names[512] = "";
     int count = 0;
-    for (int i = 0; i < LAYER_ROWS; i++)
+    for (int i = 0; i < row_count(renderer); i++)
         for (const char *c = layer_rows[i].channels; *c; c++, count++) {
             size_t used = strlen(names);
             snprintf(names + used, sizeof names - used, "%s%s%c", used ? " " : "",

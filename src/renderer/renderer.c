@@ -4,6 +4,7 @@
 #include "base/halton.h"
 #include "base/memory.h"
 #include "renderer/views.h"
+#include "scene/material.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -29,6 +30,17 @@ static const struct picture_settings *picture_of(const struct renderer *renderer
     return settings_of(&renderer->desc.settings, &picture_part);
 }
 
+/* Whether the G-buffer, and all that reads it, has gloss: else all surfaces are matt. */
+static bool has_gloss(const struct renderer_desc *desc) {
+    const struct material_settings *own = settings_of(&desc->settings, &material_part);
+    return own->materials == MATERIALS_FULL && !materials_are_plain(desc->scene) &&
+           desc->direct->specular;
+}
+
+static bool has_emission(const struct renderer_desc *desc) {
+    return desc->scene->surface_count > 0 || has_gloss(desc);
+}
+
 static bool init_antialias(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     return antialias_pass_init(
@@ -44,6 +56,7 @@ static bool init_direct(struct renderer *renderer) {
                                                                .width = desc->width,
                                                                .height = desc->height,
                                                                .lights = &renderer->plan.layout,
+                                                               .gloss = has_gloss(desc),
                                                            });
 }
 
@@ -54,7 +67,8 @@ static bool init_sky(struct renderer *renderer) {
                                                  .casters = renderer->casters,
                                                  .width = desc->width,
                                                  .height = desc->height,
-                                                 .count = renderer->plan.sky.count});
+                                                 .count = renderer->plan.sky.count,
+                                                 .gloss = has_gloss(desc)});
 }
 
 static bool make_technique(const struct renderer *renderer, const struct technique *technique,
@@ -69,6 +83,7 @@ static bool make_technique(const struct renderer *renderer, const struct techniq
                                       .width = desc->width,
                                       .height = desc->height,
                                       .lights = &renderer->plan.start_layout,
+                                      .gloss = has_gloss(desc),
                                   });
 }
 
@@ -82,7 +97,8 @@ static bool init_mean(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     struct refining *refining = &renderer->refining;
     return !desc->progressive ||
-           (mean_pass_init(&refining->mean, &(struct mean_desc){desc->width, desc->height}) &&
+           (mean_pass_init(&refining->mean,
+                           &(struct mean_desc){desc->width, desc->height, has_gloss(desc)}) &&
             antialias_pass_init(&refining->centers,
                                 &(struct antialias_desc){desc->width, desc->height, 1}));
 }
@@ -106,22 +122,36 @@ static bool init_composite(struct renderer *renderer, unsigned contributes) {
         struct contribution contribution = renderer_contribution(renderer);
         contributes = composite_kinds(&contribution);
     }
-    return composite_pass_init(
-        &renderer->composite,
-        &(struct composite_desc){.width = desc->width,
-                                 .height = desc->height,
-                                 .contributes = contributes,
-                                 .has_sky = desc->scene->environment,
-                                 .has_emission = desc->scene->surface_count > 0});
+    return composite_pass_init(&renderer->composite,
+                               &(struct composite_desc){.width = desc->width,
+                                                        .height = desc->height,
+                                                        .contributes = contributes,
+                                                        .has_sky = desc->scene->environment,
+                                                        .has_emission = has_emission(desc),
+                                                        .has_gloss = has_gloss(desc)});
+}
+
+static bool init_gbuffer(struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    return gbuffer_init(&renderer->gbuffer,
+                        &(struct gbuffer_desc){.label = "g-buffer",
+                                               .width = desc->width,
+                                               .height = desc->height,
+                                               .layers = 1,
+                                               .has_emission = has_emission(desc),
+                                               .has_gloss = has_gloss(desc)});
+}
+
+static bool init_geometry(struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    return geometry_pass_init(
+        &renderer->geometry,
+        &(struct geometry_desc){.has_emission = has_emission(desc), .has_gloss = has_gloss(desc)});
 }
 
 static bool init_parts(struct renderer *renderer, unsigned parts, unsigned contributes) {
-    const struct renderer_desc *desc = &renderer->desc;
-    bool emits = desc->scene->surface_count > 0;
-    return (!(parts & PART_GBUFFER) ||
-            gbuffer_init(&renderer->gbuffer, &(struct gbuffer_desc){"g-buffer", desc->width,
-                                                                    desc->height, 1, emits})) &&
-           (!(parts & PART_GEOMETRY) || geometry_pass_init(&renderer->geometry, emits)) &&
+    return (!(parts & PART_GBUFFER) || init_gbuffer(renderer)) &&
+           (!(parts & PART_GEOMETRY) || init_geometry(renderer)) &&
            (!(parts & PART_DIRECT) || init_direct(renderer)) &&
            (!(parts & PART_SKY) || init_sky(renderer)) &&
            (!(parts & PART_ANTIALIAS) || init_antialias(renderer)) &&
@@ -160,7 +190,8 @@ void renderer_write_views(struct renderer *renderer) {
     buffer_write(&renderer->view_buffer, 0, sizeof renderer->camera_view, &renderer->camera_view);
     buffer_write(&renderer->light_buffer, 0, sizeof *renderer->light_block, renderer->light_block);
     buffer_write(&renderer->start_buffer, 0, sizeof *renderer->start_block, renderer->start_block);
-    scene_gpu_set_glow(&renderer->scene, &desc->emitters, renderer_irradiance_scale(renderer));
+    scene_gpu_set_glow(&renderer->scene, &desc->emitters, has_gloss(desc),
+                       renderer_irradiance_scale(renderer));
 }
 
 static void set_defaults(struct renderer_desc *desc) {
@@ -396,6 +427,8 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         parts |= PART_SIZE;
     if (desc->progressive != old->progressive)
         parts |= PART_MEAN | PART_REFINER;
+    if (has_gloss(desc) != has_gloss(old))
+        parts |= PART_ALL;
     return parts;
 }
 

@@ -121,7 +121,9 @@ double renderer_pass_weight(const struct renderer *renderer);
  * present exposure and tone map. */
 void renderer_compose(struct renderer *renderer, int layer);
 
-/* The picture's layers, row 0 at the top: R G B A, Z, direct.*, indirect.*, albedo.*, normal.*.
+/* The picture's layers, row 0 at the top: R G B A, Z, direct.*, indirect.*, albedo.*, normal.*, and where
+ * materials are not all plain specular.*, direct.specular.*, indirect.specular.*, radiance that albedo x
+ * (direct + indirect) does not have.
  * Error: out of memory, or the context is lost. */
 bool renderer_read_layers(struct renderer *renderer, struct image *image);
 

@@ -4,6 +4,7 @@
 #include "base/names.h"
 #include "direct/direct.h"
 #include "direct/skylight.h"
+#include "scene/material.h"
 #include "scene/starts.h"
 #include "passes/picture/composite.h"
 
@@ -52,6 +53,7 @@ void renderer_settings_init(struct settings *settings) {
         add_parts(settings, (*d)->parts);
     settings_add(settings, &sky_part);
     settings_add(settings, &start_part);
+    settings_add(settings, &material_part);
     settings_add(settings, &picture_part);
 }
 
@@ -150,5 +152,6 @@ void renderer_settings_print_help(FILE *out, const struct technique *technique) 
     print_direct_parts(out);
     settings_print_help(out, &sky_part);
     settings_print_help(out, &start_part);
+    settings_print_help(out, &material_part);
     settings_print_help(out, &picture_part);
 }

@@ -24,6 +24,9 @@ struct visibility_desc many_lights_lookup(const struct settings *settings,
     };
 }
 
+/* Three degrees. */
+static const float gloss_cosine = .9986F;
+
 static int blur_radius(const struct settings *settings) {
     const struct gather_settings *gather = settings_of(settings, &gather_part);
     const struct blur_settings *blur = settings_of(settings, &blur_part);
@@ -81,6 +84,29 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
         own->detail > 0 && own->detail < own->interleave && blur_radius(desc->settings) > 0;
     gather_desc.receivers = lights->has_detail ? RECEIVERS_OTHERS : RECEIVERS_ALL;
     return gather_pass_init(&lights->gather, &gather_desc) && init_detail(lights, desc);
+}
+
+/* Gloss is sharper than what is diffuse: each pixel takes more VPLs, and is blurred less. It is no
+ * share of light that the near field could take: near VPLs are bounded as disks. */
+static bool init_gloss(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct gather_settings *own = settings_of(desc->settings, &gather_part);
+    const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
+    struct gather_desc gather = lights->gather.desc;
+    int n = own->gloss_interleave < own->interleave ? own->gloss_interleave : own->interleave;
+    gather.interleave = n;
+    gather.receivers = RECEIVERS_ALL;
+    gather.take_back = 0;
+    gather.specular = own->gloss + 1;
+    lights->has_gloss = desc->gloss;
+    return !desc->gloss || (gather_pass_init(&lights->gloss_gather, &gather) &&
+                            blur_pass_init(&lights->gloss_blur, &(struct blur_desc){
+                                                                    .width = desc->width,
+                                                                    .height = desc->height,
+                                                                    .radius = n / 2,
+                                                                    .distance = blur->distance,
+                                                                    .cosine = gloss_cosine,
+                                                                    .square = true,
+                                                                }));
 }
 
 static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc) {
@@ -159,7 +185,7 @@ static bool init_rsm(struct many_lights *lights, const struct light_layout *layo
         int texels = light_map_size(kind, size), layers = layout->views[kind];
         ok = layers == 0 ||
              gbuffer_init(&lights->rsm[kind],
-                          &(struct gbuffer_desc){"rsm", texels, texels, layers, false});
+                          &(struct gbuffer_desc){"rsm", texels, texels, layers, false, false});
     }
     return ok;
 }
@@ -170,11 +196,11 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
     const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
     *lights = (struct many_lights){0};
     if (init_rsm(lights, desc->lights, own->rsm_size) &&
-        geometry_pass_init(&lights->geometry, false) &&
+        geometry_pass_init(&lights->geometry, &(struct geometry_desc){.has_gloss = desc->gloss}) &&
         vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) &&
         init_bounces(lights, desc, visibility) && init_gather(lights, desc, visibility) &&
-        init_near_field(lights, desc) && init_blur(lights, desc))
+        init_gloss(lights, desc) && init_near_field(lights, desc) && init_blur(lights, desc))
         return true;
     many_lights_free(lights);
     return false;
@@ -191,6 +217,8 @@ void many_lights_free(struct many_lights *lights) {
     near_field_pass_free(&lights->near_field);
     detail_pass_free(&lights->detail);
     gather_pass_free(&lights->detail_gather);
+    gather_pass_free(&lights->gloss_gather);
+    blur_pass_free(&lights->gloss_blur);
     blur_pass_free(&lights->blur);
 }
 
@@ -199,10 +227,15 @@ static bool init_sized(struct many_lights *fresh, const struct many_lights *old,
                        int height) {
     struct gather_desc gather = old->gather.desc, detail_gather = old->detail_gather.desc;
     struct detail_desc detail = old->detail.desc;
-    struct blur_desc blur = old->blur.desc;
+    struct gather_desc gloss_gather = old->gloss_gather.desc;
+    struct blur_desc blur = old->blur.desc, gloss_blur = old->gloss_blur.desc;
     gather.width = detail_gather.width = detail.width = blur.width = width;
     gather.height = detail_gather.height = detail.height = blur.height = height;
+    gloss_gather.width = gloss_blur.width = width;
+    gloss_gather.height = gloss_blur.height = height;
     return gather_pass_init(&fresh->gather, &gather) &&
+           (!old->has_gloss || (gather_pass_init(&fresh->gloss_gather, &gloss_gather) &&
+                                blur_pass_init(&fresh->gloss_blur, &gloss_blur))) &&
            (!old->has_blur || blur_pass_init(&fresh->blur, &blur)) &&
            (!old->has_detail || (detail_pass_init(&fresh->detail, &detail) &&
                                  gather_pass_init(&fresh->detail_gather, &detail_gather)));
@@ -212,6 +245,8 @@ static void free_sized(struct many_lights *lights) {
     gather_pass_free(&lights->gather);
     detail_pass_free(&lights->detail);
     gather_pass_free(&lights->detail_gather);
+    gather_pass_free(&lights->gloss_gather);
+    blur_pass_free(&lights->gloss_blur);
     blur_pass_free(&lights->blur);
 }
 
@@ -225,6 +260,8 @@ bool many_lights_resize(struct many_lights *lights, int width, int height) {
     lights->gather = fresh.gather;
     lights->detail = fresh.detail;
     lights->detail_gather = fresh.detail_gather;
+    lights->gloss_gather = fresh.gloss_gather;
+    lights->gloss_blur = fresh.gloss_blur;
     lights->blur = fresh.blur;
     return true;
 }
@@ -245,6 +282,8 @@ void many_lights_end_bounce(const struct many_lights *lights, const struct frame
 void many_lights_begin(const struct many_lights *lights, const struct frame *frame,
                        const struct gbuffer *gbuffer) {
     gather_pass_clear(&lights->gather);
+    if (lights->has_gloss)
+        gather_pass_clear(&lights->gloss_gather);
     if (!lights->has_detail)
         return;
     detail_pass_render(&lights->detail, frame, gbuffer);
@@ -258,6 +297,8 @@ void many_lights_gather(const struct many_lights *lights, const struct frame *fr
     gather_pass_render(&lights->gather, frame, gbuffer, &with_lists);
     if (lights->has_detail)
         gather_pass_render(&lights->detail_gather, frame, gbuffer, &with_lists);
+    if (lights->has_gloss)
+        gather_pass_render(&lights->gloss_gather, frame, gbuffer, &with_lists);
 }
 
 static void add_near_field(const struct many_lights *lights, const struct frame *frame,
@@ -277,6 +318,9 @@ void many_lights_finish(const struct many_lights *lights, const struct frame *fr
                         const struct gbuffer *gbuffer) {
     if (lights->has_near_field)
         add_near_field(lights, frame, gbuffer);
+    if (lights->has_gloss)
+        blur_pass_render(&lights->gloss_blur, frame, gbuffer,
+                         &(struct blur_inputs){.source = &lights->gloss_gather.irradiance});
     if (!lights->has_blur)
         return;
     struct blur_inputs inputs = {.source = &lights->gather.irradiance};
@@ -298,8 +342,10 @@ float many_lights_caster_bend(const struct settings *settings) {
 }
 
 struct contribution many_lights_contribution(const struct many_lights *lights) {
-    return (struct contribution){.irradiance = lights->has_blur ? &lights->blur.blurred
-                                                                : &lights->gather.irradiance};
+    return (struct contribution){
+        .irradiance = lights->has_blur ? &lights->blur.blurred : &lights->gather.irradiance,
+        .radiance = lights->has_gloss ? &lights->gloss_blur.blurred.texture : NULL,
+    };
 }
 
 /* Those of faces have names of their own where there are both kinds. */

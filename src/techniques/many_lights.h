@@ -43,6 +43,7 @@ struct gather_settings {
     int detail; /* n of pixels with few like neighbours; 0: as all others */
     int detail_times;
     float detail_share;
+    int gloss, gloss_interleave; /* SPECULAR_... - 1 */
 };
 
 struct blur_settings {
@@ -91,6 +92,9 @@ struct many_lights {
     bool has_detail; /* pixels with few like neighbours gather more */
     struct detail_pass detail;
     struct gather_pass detail_gather;
+    bool has_gloss; /* materials are not all plain: what reflects as by a mirror is gathered, too */
+    struct gather_pass gloss_gather;
+    struct blur_pass gloss_blur;
     bool has_blur; /* what is gathered in tiles is put in order by it, too; else it is the result */
     struct blur_pass blur;
 };

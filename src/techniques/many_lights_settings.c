@@ -1,4 +1,5 @@
 #include "passes/gather/gather.h"
+#include "shared/gather.h"
 #include "techniques/many_lights.h"
 
 #define ROW(type, name) offsetof(struct type##_settings, name)
@@ -50,6 +51,8 @@ static const struct option lookup_table[] = {
 
 static const char *const clamp_names[] = {"none", "value", "disk", "near", NULL};
 
+static const char *const gloss_names[] = {"point", "sphere", NULL};
+
 static const struct option gather_table[] = {
     {"interleave", 0, OPTION_INT, ROW(gather, interleave), 8, 1, 16,
      .help = "n: each pixel of n x n takes its share of the VPLs; 1 = all"},
@@ -66,6 +69,11 @@ static const struct option gather_table[] = {
          "power; 0 = they do not"},
     {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 1024, 1, 1024,
      .help = "clamp=near: samples of the near field that n x n pixels share out"},
+    {"gloss", 0, OPTION_CHOICE, ROW(gather, gloss), SPECULAR_SPHERE - 1, .choices = gloss_names,
+     .help = "as what VPLs are reflected: points, whose images are spots, or the balls that hold\n"
+             "what they stand for"},
+    {"gloss-interleave", 0, OPTION_INT, ROW(gather, gloss_interleave), 4, 1, 16,
+     .help = "n of what is reflected as by a mirror; at most that of interleave"},
     {"detail", 0, OPTION_INT, ROW(gather, detail), 4, 0, 8,
      .help =
          "n, less than interleave, of pixels that the blur finds few neighbours for: they take\n"

@@ -88,4 +88,5 @@ const struct direct_method cssm_direct = {
     .render_lights = render_lights,
     .render_view = shadow_render_view,
     .light = shadow_light,
+    .specular = shadow_specular,
 };

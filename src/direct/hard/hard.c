@@ -32,4 +32,5 @@ const struct direct_method hard_direct = {
     .render_lights = shadow_render_lights,
     .render_view = shadow_render_view,
     .light = shadow_light,
+    .specular = shadow_specular,
 };

@@ -50,4 +50,5 @@ const struct direct_method pcss_direct = {
     .render_lights = shadow_render_lights,
     .render_view = shadow_render_view,
     .light = shadow_light,
+    .specular = shadow_specular,
 };

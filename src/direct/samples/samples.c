@@ -98,4 +98,5 @@ const struct direct_method samples_direct = {
     .resize = shadow_resize,
     .render_view = render_view,
     .light = shadow_light,
+    .specular = shadow_specular,
 };

@@ -39,4 +39,5 @@ const struct direct_method vssm_direct = {
     .render_lights = prefiltered_render_lights,
     .render_view = shadow_render_view,
     .light = shadow_light,
+    .specular = shadow_specular,
 };

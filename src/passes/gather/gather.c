@@ -14,9 +14,10 @@
 static bool init_program(GLuint *program, const struct gather_desc *desc, enum gather_clamp clamp) {
     char *lookup = visibility_defines(&desc->visibility);
     bool take_back = clamp == desc->clamp && desc->take_back > 0;
-    char *defines =
-        mem_printf("%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d;RECEIVERS %d;TAKE_BACK %d",
-                   lookup, clamp, desc->map_per_vpl, desc->share, desc->receivers, take_back);
+    char *defines = mem_printf(
+        "%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d;RECEIVERS %d;TAKE_BACK %d;"
+        "SPECULAR %d",
+        lookup, clamp, desc->map_per_vpl, desc->share, desc->receivers, take_back, desc->specular);
     bool ok =
         program_init(program, &(struct program_desc){.vertex = desc->receivers == RECEIVERS_LISTED
                                                                    ? "gather/listed.vert"
@@ -115,7 +116,9 @@ static void draw_slot(const struct gather_pass *pass, const struct gather_inputs
 void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
     struct pass_state state = {
-        .name = pass->desc.receivers == RECEIVERS_LISTED ? "gather of detail" : "gather",
+        .name = pass->desc.specular                        ? "gather of gloss"
+                : pass->desc.receivers == RECEIVERS_LISTED ? "gather of detail"
+                                                           : "gather",
         .program = program_for(pass, inputs),
         .framebuffer = pass->irradiance.framebuffer,
         .width = pass->irradiance.texture.desc.width,
@@ -125,6 +128,8 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
+    if (pass->desc.specular)
+        pass_add_texture(&state, UNIT_GBUFFER_GLOSS, gbuffer->gloss.id);
     if (pass->desc.share)
         pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, inputs->blocks->texture.id);
     pixel_lists_add(&state, inputs->lists, pass->desc.receivers);

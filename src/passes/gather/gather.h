@@ -28,6 +28,8 @@ struct gather_desc {
     enum gather_clamp clamp;
     float clamp_value; /* of the bounded geometry term, times the squared scene radius */
     bool further;      /* VPLs of further bounces come too */
+    int specular; /* SPECULAR_...: radiance towards the eye in irradiance's place, of a G-buffer
+                          with gloss */
     float
         take_back; /* > 0, of GATHER_CLAMP_NEAR with a map per VPL: blocked VPLs take the near field back,
                           but within a share of its reach that falls as the number of the pass to this power */
@@ -56,7 +58,8 @@ struct gather_inputs {
     const struct pixel_lists *lists;         /* unless desc.receivers is RECEIVERS_ALL */
 };
 
-/* Adds the VPLs' light to pass->irradiance. Timer "gather", or "gather of detail". */
+/* Adds the VPLs' light to pass->irradiance. Timer "gather", "gather of detail" or
+ * "gather of gloss". */
 void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs);
 

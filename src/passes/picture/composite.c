@@ -19,10 +19,11 @@ unsigned composite_kinds(const struct contribution *contribution) {
 
 static bool init_programs(struct composite_pass *pass) {
     unsigned has = pass->desc.contributes;
-    char defines[80];
-    snprintf(defines, sizeof defines, "%s%s%s%s%s", has & HAS_IRRADIANCE ? "HAS_IRRADIANCE;" : "",
+    char defines[96];
+    snprintf(defines, sizeof defines, "%s%s%s%s%s%s", has & HAS_IRRADIANCE ? "HAS_IRRADIANCE;" : "",
              has & HAS_RADIANCE ? "HAS_RADIANCE;" : "", has & HAS_MEDIUM ? "HAS_MEDIUM;" : "",
-             pass->desc.has_sky ? "HAS_SKY;" : "", pass->desc.has_emission ? "HAS_EMISSION;" : "");
+             pass->desc.has_sky ? "HAS_SKY;" : "", pass->desc.has_emission ? "HAS_EMISSION;" : "",
+             pass->desc.has_gloss ? "HAS_GLOSS;" : "");
     struct program_desc desc = {
         .vertex = "fullscreen.vert", .fragment = "picture/composite.frag", .defines = defines};
     if (!program_init(&pass->display_program, &desc))
@@ -100,6 +101,8 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
         pass_add_texture(&state, UNIT_SKY, frame->scene->sky.id);
     if (pass->desc.has_emission)
         pass_add_texture(&state, UNIT_GBUFFER_EMISSION, inputs->gbuffer->emission.id);
+    if (pass->desc.has_gloss)
+        pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->direct_specular->id);
     add_contribution(&state, &inputs->contribution);
     pass_begin(frame->timers, &state);
     pass_draw_fullscreen(1);

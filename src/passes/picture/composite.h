@@ -17,6 +17,7 @@ struct composite_desc {
     unsigned contributes; /* HAS_..., as composite_kinds tells */
     bool has_sky;         /* the scene has an environment */
     bool has_emission;    /* the G-buffer has */
+    bool has_gloss;       /* likewise */
 };
 
 struct composite_pass {
@@ -30,14 +31,15 @@ struct composite_pass {
 /* What the picture is made of. The picks of the pixels' samples are passes/picture/antialias.h's. */
 struct composite_inputs {
     const struct gbuffer *gbuffer;
-    const struct texture *direct; /* direct/direct.h */
+    const struct texture *direct;          /* direct/direct.h */
+    const struct texture *direct_specular; /* where has_gloss */
     struct contribution contribution;
     const struct environment *sky; /* where it is seen; NULL: nothing is, behind all surfaces */
     const struct texture *picks;
     int samples;
     float exposure; /* EV */
     enum tone_map tone_map;
-    int layer; /* LAYER_BEAUTY, LAYER_DIRECT or LAYER_INDIRECT */
+    int layer; /* LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
 };
 
 /* Which of a technique's contributions there are. */

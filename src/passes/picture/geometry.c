@@ -5,14 +5,16 @@
 #include "gl/program.h"
 #include "shared/bindings.h"
 
-bool geometry_pass_init(struct geometry_pass *pass, bool has_emission) {
+bool geometry_pass_init(struct geometry_pass *pass, const struct geometry_desc *desc) {
     *pass = (struct geometry_pass){0};
-    struct program_desc desc = {.vertex = "picture/geometry.vert",
-                                .fragment = "picture/geometry.frag",
-                                .defines = has_emission ? "HAS_EMISSION" : NULL};
-    struct program_desc light_desc = desc;
-    light_desc.defines = "LIGHT_VIEW";
-    if (program_init(&pass->camera_program, &desc) &&
+    struct program_desc camera_desc = {.vertex = "picture/geometry.vert",
+                                       .fragment = "picture/geometry.frag",
+                                       .defines = desc->has_gloss      ? "HAS_EMISSION;HAS_GLOSS"
+                                                  : desc->has_emission ? "HAS_EMISSION"
+                                                                       : NULL};
+    struct program_desc light_desc = camera_desc;
+    light_desc.defines = desc->has_gloss ? "LIGHT_VIEW;HAS_GLOSS" : "LIGHT_VIEW";
+    if (program_init(&pass->camera_program, &camera_desc) &&
         program_init(&pass->light_program, &light_desc))
         return true;
     geometry_pass_free(pass);
@@ -38,6 +40,8 @@ static void render(struct pass_state state, const struct frame *frame,
     framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_ALBEDO, zero);
     if (gbuffer->emission.id)
         framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_EMISSION, zero);
+    if (gbuffer->gloss.id)
+        framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_GLOSS, zero);
     framebuffer_clear_depth(gbuffer->framebuffer, 0);
     scene_gpu_draw_shaded(frame->scene, views);
 }

@@ -13,8 +13,12 @@ struct geometry_pass {
     GLuint camera_program, light_program;
 };
 
-/* has_emission: the camera's G-buffers have it. */
-bool geometry_pass_init(struct geometry_pass *pass, bool has_emission);
+/* What the camera's G-buffers have; of lights', has_gloss: materials are not all plain. */
+struct geometry_desc {
+    bool has_emission, has_gloss;
+};
+
+bool geometry_pass_init(struct geometry_pass *pass, const struct geometry_desc *desc);
 void geometry_pass_free(struct geometry_pass *pass);
 
 /* Clears and fills the G-buffer as the camera sees it. Timer "gbuffer". */

@@ -8,7 +8,7 @@
 
 static bool init_sums(struct mean_pass *pass) {
     bool ok = true;
-    for (int i = 0; ok && i < LAYERS; i++)
+    for (int i = 0; ok && i < pass->layers; i++)
         ok = texture_init(&pass->sums[i], &(struct texture_desc){.label = "sum of passes",
                                                                  .format = GL_RGBA32F,
                                                                  .width = pass->desc.width,
@@ -20,10 +20,12 @@ static bool init_sums(struct mean_pass *pass) {
 }
 
 bool mean_pass_init(struct mean_pass *pass, const struct mean_desc *desc) {
-    *pass = (struct mean_pass){.desc = *desc};
-    struct program_desc program = {.vertex = "fullscreen.vert", .fragment = "picture/mean.frag"};
+    *pass = (struct mean_pass){.desc = *desc, .layers = desc->gloss ? LAYERS : LAYERS_PLAIN};
+    struct program_desc program = {.vertex = "fullscreen.vert",
+                                   .fragment = "picture/mean.frag",
+                                   .defines = desc->gloss ? "HAS_GLOSS" : NULL};
     struct program_desc display = program;
-    display.defines = "DISPLAY";
+    display.defines = desc->gloss ? "DISPLAY;HAS_GLOSS" : "DISPLAY";
     if (program_init(&pass->layer_program, &program) &&
         program_init(&pass->display_program, &display) && init_sums(pass) &&
         buffer_init(&pass->params, "mean parameters", sizeof(struct composite_params), NULL))
@@ -45,7 +47,7 @@ void mean_pass_free(struct mean_pass *pass) {
 
 void mean_pass_clear(const struct mean_pass *pass) {
     static const float zero[4] = {0};
-    for (int i = 0; i < LAYERS; i++)
+    for (int i = 0; i < pass->layers; i++)
         framebuffer_clear_color(pass->framebuffers[i], TARGET_RESULT, zero);
 }
 
@@ -59,7 +61,7 @@ static void draw(const struct mean_pass *pass, const struct frame *frame, GLuint
         .height = pass->desc.height,
         .blocks = {{BLOCK_PASS, &pass->params}},
     };
-    for (GLuint i = 0; i < LAYERS; i++)
+    for (GLuint i = 0; i < (GLuint)pass->layers; i++)
         pass_add_texture(&state, UNIT_LAYER_SUMS + i, pass->sums[i].id);
     buffer_write(&pass->params, 0, sizeof *params, params);
     pass_begin(frame->timers, &state);

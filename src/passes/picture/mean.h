@@ -13,11 +13,13 @@
 
 struct mean_desc {
     int width, height;
+    bool gloss; /* all LAYERS; else LAYERS_PLAIN */
 };
 
 struct mean_pass {
     struct mean_desc desc;
     GLuint display_program, layer_program;
+    int layers;
     struct texture sums[LAYERS]; /* RGBA32F, at LAYER_... */
     GLuint framebuffers[LAYERS]; /* for passes/picture/composite.h to add to */
     struct buffer params;

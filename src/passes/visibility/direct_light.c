@@ -7,24 +7,30 @@
 
 #include <stdlib.h>
 
-static bool init_target(struct direct_light_target *target, int width, int height) {
+static bool init_light(struct texture *texture, const char *label, int width, int height) {
+    return texture_init(
+        texture, &(struct texture_desc){
+                     .label = label, .format = GL_RGBA32F, .width = width, .height = height});
+}
+
+static bool init_target(struct direct_light_target *target, bool gloss, int width, int height) {
     *target = (struct direct_light_target){0};
-    return texture_init(&target->light, &(struct texture_desc){.label = "direct",
-                                                               .format = GL_RGBA32F,
-                                                               .width = width,
-                                                               .height = height}) &&
-           framebuffer_init(
-               &target->framebuffer,
-               &(struct framebuffer_desc){.label = "direct", .colors = {&target->light}});
+    struct framebuffer_desc desc = {.label = "direct", .colors = {&target->light}};
+    if (gloss)
+        desc.colors[TARGET_DIRECT_SPECULAR] = &target->specular;
+    return init_light(&target->light, "direct", width, height) &&
+           (!gloss || init_light(&target->specular, "direct specular", width, height)) &&
+           framebuffer_init(&target->framebuffer, &desc);
 }
 
 static void free_target(struct direct_light_target *target) {
     framebuffer_free(&target->framebuffer);
     texture_free(&target->light);
+    texture_free(&target->specular);
 }
 
 static bool init_program(GLuint *program, const struct direct_light_desc *desc, int projection) {
-    char *defines = mem_printf("%sPROJECTION %d", desc->defines,
+    char *defines = mem_printf("%s%sPROJECTION %d", desc->defines, desc->gloss ? "HAS_GLOSS;" : "",
                                desc->own_maps ? PROJECTION_LIGHT_MAP : projection);
     bool ok = program_init(program, &(struct program_desc){.vertex = "fullscreen.vert",
                                                            .fragment = desc->fragment,
@@ -52,7 +58,8 @@ bool direct_light_pass_init(struct direct_light_pass *pass, const struct direct_
     *pass = (struct direct_light_pass){0};
     bool ok = init_program(&pass->perspective_program, desc, PROJECTION_PERSPECTIVE) &&
               init_program(&pass->orthographic_program, desc, PROJECTION_ORTHOGRAPHIC) &&
-              init_target(&pass->target, desc->width, desc->height) && init_lookups(pass, desc);
+              init_target(&pass->target, desc->gloss, desc->width, desc->height) &&
+              init_lookups(pass, desc);
     if (!ok)
         direct_light_pass_free(pass);
     return ok;
@@ -69,7 +76,7 @@ void direct_light_pass_free(struct direct_light_pass *pass) {
 
 bool direct_light_pass_resize(struct direct_light_pass *pass, int width, int height) {
     struct direct_light_target target;
-    if (!init_target(&target, width, height)) {
+    if (!init_target(&target, pass->target.specular.id, width, height)) {
         free_target(&target);
         return false;
     }
@@ -101,6 +108,10 @@ static void draw_light(const struct direct_light_pass *pass, const struct frame 
     };
     for (int i = 0; i < DIRECT_LIGHT_TEXTURES_MAX && inputs->more[i].texture; i++)
         pass_add_texture(&state, inputs->more[i].unit, inputs->more[i].texture);
+    if (pass->target.specular.id) {
+        pass_add_texture(&state, UNIT_GBUFFER_GLOSS, gbuffer->gloss.id);
+        pass_add_texture(&state, UNIT_LOBES, frame->scene->lobes.id);
+    }
     if (inputs->block.buffer)
         pass_add_block(&state, inputs->block.block, inputs->block.buffer);
     pass_set_state(&state);
@@ -114,8 +125,11 @@ void direct_light_pass_render(const struct direct_light_pass *pass, const struct
                               enum direct_light_start start) {
     static const float none[4] = {0};
     timer_begin(frame->timers, "direct");
-    if (frame->light_block->count == 0 && start == DIRECT_LIGHT_ANEW)
+    if (frame->light_block->count == 0 && start == DIRECT_LIGHT_ANEW) {
         framebuffer_clear_color(pass->target.framebuffer, TARGET_RESULT, none);
+        if (pass->target.specular.id)
+            framebuffer_clear_color(pass->target.framebuffer, TARGET_DIRECT_SPECULAR, none);
+    }
     for (int i = 0; i < frame->light_block->count; i++)
         draw_light(pass, frame, gbuffer, inputs, i, i > 0 || start == DIRECT_LIGHT_ADDS);
     timer_end(frame->timers);

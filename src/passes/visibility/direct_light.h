@@ -13,6 +13,7 @@ struct direct_light_desc {
     float map_bias;       /* where distances are compared, of the distance */
     float contact;        /* casters so near are compared one by one, of the distance */
     float shift, gain;    /* struct lookup_params' */
+    bool gloss;           /* the G-buffer has it: what is not diffuse goes to a target of its own */
     const char *fragment; /* with visibility/direct_light.glsl; of one light, for each PROJECTION */
     const char *defines;  /* for it, each with a semicolon behind */
 };
@@ -29,7 +30,8 @@ struct direct_light_inputs {
 struct direct_light_pass {
     GLuint perspective_program, orthographic_program;
     struct direct_light_target {
-        struct texture light; /* RGBA32F, irradiance over pi, W/(sr m2) */
+        struct texture light;    /* RGBA32F, irradiance over pi, W/(sr m2) */
+        struct texture specular; /* RGBA32F, radiance towards the eye, where desc.gloss */
         GLuint framebuffer;
     } target;
     struct buffer lookups[LIGHT_MAP_KINDS];
@@ -41,7 +43,7 @@ void direct_light_pass_free(struct direct_light_pass *pass);
 /* Error: out of GPU memory; all is as it was. */
 bool direct_light_pass_resize(struct direct_light_pass *pass, int width, int height);
 
-/* Fills pass->target.light, or adds to what it has. Timer "direct". */
+/* Fills pass->target, or adds to what it has. Timer "direct". */
 enum direct_light_start { DIRECT_LIGHT_ANEW, DIRECT_LIGHT_ADDS };
 void direct_light_pass_render(const struct direct_light_pass *pass, const struct frame *frame,
                               const struct gbuffer *gbuffer,

@@ -12,6 +12,7 @@ static const float apart = .008F; /* as the gather's blocks */
 
 static bool init_programs(struct sky_light_pass *pass) {
     char *defines = mem_printf("WAYS %d", pass->desc.ways);
+    char *light_defines = mem_printf("%s%s", defines, pass->desc.gloss ? ";HAS_GLOSS" : "");
     bool ok = program_init(&pass->share_program,
                            &(struct program_desc){.vertex = "layers.vert",
                                                   .fragment = "visibility/sky_shares.frag"}) &&
@@ -22,8 +23,9 @@ static bool init_programs(struct sky_light_pass *pass) {
               program_init(&pass->light_program,
                            &(struct program_desc){.vertex = "fullscreen.vert",
                                                   .fragment = "visibility/sky_light.frag",
-                                                  .defines = defines});
+                                                  .defines = light_defines});
     free(defines);
+    free(light_defines);
     return ok;
 }
 
@@ -45,9 +47,19 @@ static bool init_shares(struct sky_light_pass *pass) {
                &(struct framebuffer_desc){.label = "sky shares", .colors = {&pass->shares}});
 }
 
+static bool init_light(struct sky_light_pass *pass, struct texture *texture, const char *label) {
+    return texture_init(texture, &(struct texture_desc){.label = label,
+                                                        .format = GL_RGBA32F,
+                                                        .width = pass->desc.width,
+                                                        .height = pass->desc.height});
+}
+
 /* What is as large as the picture. */
 static bool init_targets(struct sky_light_pass *pass) {
     const struct sky_light_desc *desc = &pass->desc;
+    struct framebuffer_desc light = {.label = "sky light", .colors = {&pass->light}};
+    if (desc->gloss)
+        light.colors[TARGET_DIRECT_SPECULAR] = &pass->specular;
     return texture_init(
                &pass->blocks,
                &(struct texture_desc){.label = "sky blocks",
@@ -56,16 +68,12 @@ static bool init_targets(struct sky_light_pass *pass) {
                                       .width = (desc->width + desc->block - 1) / desc->block,
                                       .height = (desc->height + desc->block - 1) / desc->block,
                                       .layers = layers(desc)}) &&
-           texture_init(&pass->light, &(struct texture_desc){.label = "sky light",
-                                                             .format = GL_RGBA32F,
-                                                             .width = desc->width,
-                                                             .height = desc->height}) &&
+           init_light(pass, &pass->light, "sky light") &&
+           (!desc->gloss || init_light(pass, &pass->specular, "specular sky light")) &&
            framebuffer_init(
                &pass->block_framebuffer,
                &(struct framebuffer_desc){.label = "sky blocks", .colors = {&pass->blocks}}) &&
-           framebuffer_init(
-               &pass->light_framebuffer,
-               &(struct framebuffer_desc){.label = "sky light", .colors = {&pass->light}});
+           framebuffer_init(&pass->light_framebuffer, &light);
 }
 
 static void free_targets(struct sky_light_pass *pass) {
@@ -73,6 +81,7 @@ static void free_targets(struct sky_light_pass *pass) {
     framebuffer_free(&pass->light_framebuffer);
     texture_free(&pass->blocks);
     texture_free(&pass->light);
+    texture_free(&pass->specular);
 }
 
 bool sky_light_pass_init(struct sky_light_pass *pass, const struct sky_light_desc *desc) {
@@ -102,7 +111,7 @@ void sky_light_pass_free(struct sky_light_pass *pass) {
 
 bool sky_light_pass_resize(struct sky_light_pass *pass, int width, int height) {
     struct sky_light_pass fresh = *pass;
-    fresh.blocks = fresh.light = (struct texture){0};
+    fresh.blocks = fresh.light = fresh.specular = (struct texture){0};
     fresh.block_framebuffer = fresh.light_framebuffer = 0;
     fresh.desc.width = width;
     fresh.desc.height = height;
@@ -155,6 +164,11 @@ void sky_light_pass_render(const struct sky_light_pass *pass, const struct frame
     state.height = pass->light.desc.height;
     pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, pass->blocks.id);
     pass_add_texture(&state, UNIT_DIRECT, inputs->direct->id);
+    if (pass->desc.gloss) {
+        pass_add_texture(&state, UNIT_GBUFFER_GLOSS, gbuffer->gloss.id);
+        pass_add_texture(&state, UNIT_LOBES, frame->scene->lobes.id);
+        pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->specular->id);
+    }
     pass_begin(frame->timers, &state);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);

@@ -4,6 +4,8 @@
 #include "gl/pass.h"
 #include "gl/vertex_array.h"
 #include "scene/environment.h"
+#include "scene/gpu/lobes.h"
+#include "scene/material.h"
 #include "shared/bindings.h"
 #include "shared/material.h"
 
@@ -49,8 +51,15 @@ static bool upload_materials(struct scene_gpu *gpu, const struct scene *scene) {
             .emission_textured = material->emission_texture >= 0,
             .metalness = material->metalness,
             .roughness = material->roughness,
+            .matt = material_is_matt(material),
+            .unlit = material->unlit,
+            .metal_roughness_textured = material->metal_roughness_texture >= 0,
+            .specular_f90 = material->specular_f90,
+            .normal_textured = material->normal_texture >= 0,
+            .normal_scale = material->normal_scale,
         };
         memcpy(block.base_color, material->base_color, sizeof block.base_color);
+        memcpy(block.specular_f0, material->specular_f0, sizeof block.specular_f0);
         memcpy(bytes + i * MATERIAL_STRIDE, &block, sizeof block);
     }
     bool ok = buffer_init(&gpu->materials, "scene materials", size, bytes);
@@ -154,7 +163,8 @@ bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
                     const struct geometry *geometry) {
     *gpu = (struct scene_gpu){.scene = scene};
     if (init_geometry(gpu, geometry) && upload_materials(gpu, scene) &&
-        upload_textures(gpu, scene) && upload_sky(gpu, scene->environment))
+        upload_textures(gpu, scene) && upload_sky(gpu, scene->environment) &&
+        (materials_are_plain(scene) || lobes_init(&gpu->lobes)))
         return true;
     scene_gpu_free(gpu);
     return false;
@@ -168,6 +178,7 @@ void scene_gpu_free(struct scene_gpu *gpu) {
     free(gpu->textures);
     free(gpu->glow);
     texture_free(&gpu->sky);
+    texture_free(&gpu->lobes);
     free(gpu->normal_room);
     *gpu = (struct scene_gpu){0};
 }
@@ -227,14 +238,18 @@ static bool is_lit(const struct scene *scene, int material, const struct emitter
     return false;
 }
 
-void scene_gpu_set_glow(struct scene_gpu *gpu, const struct emitters *emitters, float scale) {
+void scene_gpu_set_glow(struct scene_gpu *gpu, const struct emitters *emitters, bool unlit_too,
+                        float scale) {
     const float most = 6e4F; /* that half floats hold: a lamp's radiance may be without bounds */
     for (int m = 0; m < gpu->scene->material_count; m++) {
-        const float *emission = gpu->scene->materials[m].emission;
+        static const float one[3] = {1, 1, 1};
+        bool unlit = unlit_too && gpu->scene->materials[m].unlit;
+        const float *emission = unlit ? one : gpu->scene->materials[m].emission;
         float glow[3] = {0};
         if (glm_vec3_max((float *)emission) <= 0)
             continue;
-        for (int c = 0; c < 3 && is_lit(gpu->scene, m, emitters); c++)
+        bool lit = unlit || is_lit(gpu->scene, m, emitters);
+        for (int c = 0; c < 3 && lit; c++)
             glow[c] = fminf(scale * emission[c], most);
         if (memcmp(glow, gpu->glow[m], sizeof glow) == 0)
             continue;
@@ -253,18 +268,23 @@ static void draw_indices(uint32_t first, uint32_t count, int instances) {
 }
 
 void scene_gpu_bind_material(const struct scene_gpu *gpu, int material) {
-    int texture = gpu->scene->materials[material].base_color_texture;
-    int emission = gpu->scene->materials[material].emission_texture;
+    const struct material *own = &gpu->scene->materials[material];
+    const struct {
+        GLuint unit;
+        int texture;
+    } textures[] = {{UNIT_BASE_COLOR, own->base_color_texture},
+                    {UNIT_EMISSION, own->emission_texture},
+                    {UNIT_METAL_ROUGHNESS, own->metal_roughness_texture},
+                    {UNIT_NORMAL_MAP, own->normal_texture}};
     pass_bind_block(&(struct pass_block){
         .block = BLOCK_MATERIAL,
         .buffer = &gpu->materials,
         .offset = (size_t)material * MATERIAL_STRIDE,
         .size = sizeof(struct material_block),
     });
-    if (texture >= 0)
-        pass_bind_texture(UNIT_BASE_COLOR, gpu->textures[texture].id);
-    if (emission >= 0)
-        pass_bind_texture(UNIT_EMISSION, gpu->textures[emission].id);
+    for (size_t i = 0; i < sizeof textures / sizeof *textures; i++)
+        if (textures[i].texture >= 0)
+            pass_bind_texture(textures[i].unit, gpu->textures[textures[i].texture].id);
 }
 
 static void draw_batch(const struct scene_gpu *gpu, const struct geometry_batch *batch,

@@ -13,6 +13,7 @@ struct scene_gpu {
     struct texture *textures;
     int texture_count;
     float (*glow)[3];          /* of each material: what its block has */
+    struct texture lobes;      /* scene/gpu/lobes.h, where materials are not all plain */
     struct texture sky;        /* RGB32F, the texels of the scene's environment; or none */
     GLuint shaded_vertices;    /* vertex array of all four */
     const struct scene *scene; /* must outlive this */
@@ -34,8 +35,10 @@ bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
 bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry);
 void scene_gpu_free(struct scene_gpu *gpu);
 
-/* Lets those materials glow, times scale, of which a lamp is among the emitters. */
-void scene_gpu_set_glow(struct scene_gpu *gpu, const struct emitters *emitters, float scale);
+/* Lets those materials glow, times scale, of which a lamp is among the emitters, and perhaps those that
+ * are unlit. */
+void scene_gpu_set_glow(struct scene_gpu *gpu, const struct emitters *emitters, bool unlit_too,
+                        float scale);
 
 /* With vertex array shaded_vertices: all batches; those with an alpha mask; the others with one
  * side or two; all others at once, for depth alone. The first two bind BLOCK_MATERIAL and
@@ -45,7 +48,8 @@ void scene_gpu_draw_masked(const struct scene_gpu *gpu, int instances);
 void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided, int instances);
 void scene_gpu_draw_opaque(const struct scene_gpu *gpu, int instances);
 
-/* Binds BLOCK_MATERIAL and, where it has them, UNIT_BASE_COLOR and UNIT_EMISSION. */
+/* Binds BLOCK_MATERIAL and the textures that it has: UNIT_BASE_COLOR, UNIT_EMISSION,
+ * UNIT_METAL_ROUGHNESS, UNIT_NORMAL_MAP. */
 void scene_gpu_bind_material(const struct scene_gpu *gpu, int material);
 
 #endif

@@ -1,0 +1,20 @@
+// How each pixel of the camera's picture reflects towards the camera, but for its diffuse part.
+#include "lib/brdf.glsl"
+#include "lib/gbuffer.glsl"
+#include "lib/gloss.glsl"
+
+layout(binding = UNIT_GBUFFER_GLOSS) uniform sampler2DArray gbuffer_glosses;
+
+// What reflects less than 2 % from straight on has no other grazing reflectance either: of KHR_materials_specular
+// the G-buffer has no more.
+vec3 reflectance_grazing(vec3 f0) {
+    return vec3(min(50.0 * max(f0.r, max(f0.g, f0.b)), 1.0));
+}
+
+shine gbuffer_shine(surface s, ivec2 pixel) {
+    vec4 gloss = gloss_decode(texelFetch(gbuffer_glosses, ivec3(pixel, 0), 0));
+    float roughness = max(gloss.a, BRDF_LEAST_ROUGHNESS);
+    vec3 to_eye = camera.orthographic ? -normalize(camera.forward) : normalize(camera.origin - s.position);
+    return shine(gloss.rgb, reflectance_grazing(gloss.rgb), roughness * roughness, s.normal,
+                 facing(s.normal, to_eye));
+}

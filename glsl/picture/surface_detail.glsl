@@ -1,0 +1,51 @@
+// What a material's textures say beyond its colour. Who includes it has the material's block.
+#include "lib/gloss.glsl"
+#include "shared/brdf.h"
+
+layout(binding = UNIT_METAL_ROUGHNESS) uniform sampler2D metal_roughness_texture;
+layout(binding = UNIT_NORMAL_MAP) uniform sampler2D normal_texture;
+
+in vec3 surface_position;
+
+// The normal as the material's map turns it. The map's frame is the triangle's: X along u, Y against v, both laid
+// onto the normal's plane.
+vec3 mapped_normal(vec3 normal) {
+    vec3 right = dFdx(surface_position), up = dFdy(surface_position);
+    vec2 uv_right = dFdx(surface_uv), uv_up = dFdy(surface_uv);
+    float turn = uv_right.x * uv_up.y - uv_up.x * uv_right.y < 0.0 ? -1.0 : 1.0;
+    vec3 along_u = turn * (right * uv_up.y - up * uv_right.y);
+    vec3 along_v = turn * (up * uv_right.x - right * uv_up.x);
+    vec3 tangent = along_u - normal * dot(normal, along_u);
+    if (!material.normal_textured || dot(tangent, tangent) == 0.0)
+        return normal;
+    tangent = normalize(tangent);
+    vec3 bitangent = cross(normal, tangent);
+    bitangent *= dot(bitangent, along_v) > 0.0 ? -1.0 : 1.0;
+    vec3 turned = texture(normal_texture, surface_uv).xyz * 2.0 - 1.0;
+    turned.xy *= material.normal_scale;
+    return normalize(turned.x * tangent + turned.y * bitangent + turned.z * normal);
+}
+
+// Of that base colour: the albedo of its diffuse part, and the reflectance from straight on and the roughness of its
+// specular part. The same as reference/brdf.c.
+vec3 diffuse_and_gloss(vec3 base, out vec4 gloss) {
+    gloss = vec4(0.0);
+    if (material.unlit)
+        return vec3(0.0);
+    if (material.matt)
+        return base;
+    vec2 metal_rough = vec2(material.metalness, material.roughness);
+    if (material.metal_roughness_textured)
+        metal_rough *= texture(metal_roughness_texture, surface_uv).bg;
+    vec3 f0 = material.specular_f0;
+    float outer_f0 = max(f0.r, max(f0.g, f0.b));
+    gloss = vec4(mix(f0, base, metal_rough.x), metal_rough.y);
+    return base * ((1.0 - metal_rough.x) * (1.0 - mix(outer_f0, material.specular_f90, BRDF_MEAN_SCHLICK)));
+}
+
+// The share of light that the specular part reflects, all together: VPLs send it evenly. Within .005 of the BRDF's
+// for metals.
+vec3 evenly_reflected(vec4 gloss) {
+    float r = gloss.a;
+    return gloss.rgb * (1.0 - r * r * (r * (2.176 - 1.29 * r) - 0.293));
+}

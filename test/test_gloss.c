@@ -1,0 +1,224 @@
+/* How shaders reflect as by a mirror: the same as the path tracer's BRDF, and lights with a size beside sums over
+ * their places. */
+#include "render_support.h"
+
+#include "gl/glsl.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "reference/brdf.h"
+#include "reference/sampler.h"
+#include "reference/scene/emission.h"
+#include "scene/gpu/lobes.h"
+#include "scene/view.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct question {
+    vec4 f0_and_alpha, normal, to_eye, to_light; /* test/gloss.comp */
+};
+
+static void ask(const struct question *questions, int count, const struct light_block *lights,
+                vec4 *answers) {
+    struct buffer light_buffer, question_buffer, answer_buffer;
+    struct texture lobes;
+    struct timers untimed = {0};
+    GLuint program;
+    glsl_set_folder("glsl");
+    check_ok("program",
+             program_init(&program, &(struct program_desc){.compute = "../test/gloss.comp",
+                                                           .defines = lights ? "OF_LIGHTS 1"
+                                                                             : "OF_LIGHTS 0"}));
+    check_ok("lights", buffer_init(&light_buffer, "lights", sizeof *lights, lights));
+    check_ok("lobes", lobes_init(&lobes));
+    check_ok("questions", buffer_init(&question_buffer, "questions",
+                                      (size_t)count * sizeof *questions, questions));
+    check_ok("answers",
+             buffer_init(&answer_buffer, "answers", (size_t)count * sizeof *answers, NULL));
+    pass_begin(&untimed,
+               &(struct pass_state){.name = "gloss",
+                                    .program = program,
+                                    .textures = {{UNIT_LOBES, lobes.id}},
+                                    .blocks = {{BLOCK_LIGHTS, &light_buffer}},
+                                    .storages = {{0, &question_buffer}, {1, &answer_buffer}}});
+    pass_dispatch(count, 1, 1);
+    pass_end(&untimed);
+    gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    gl.GetNamedBufferSubData(answer_buffer.id, 0, (GLsizeiptr)((size_t)count * sizeof *answers),
+                             answers);
+    buffer_free(&light_buffer);
+    buffer_free(&question_buffer);
+    buffer_free(&answer_buffer);
+    texture_free(&lobes);
+    program_free(&program);
+}
+
+static vec3s any_direction(uint32_t i, uint32_t pair, float least_cosine) {
+    struct sampler sampler = {.seed = 5, .index = i, .pair = pair};
+    vec2s sample = sampler_next(&sampler);
+    float cosine = least_cosine + (1 - least_cosine) * sample.x, turn = 2 * GLM_PIf * sample.y;
+    float sine = sqrtf(fmaxf(1 - cosine * cosine, 0));
+    return (vec3s){{sine * cosf(turn), sine * sinf(turn), cosine}};
+}
+
+static void put(vec3s from, vec4 to) {
+    memcpy(to, from.raw, sizeof from);
+}
+
+/* --- a direction ------------------------------------------------------------------------------ */
+
+enum { DIRECTIONS = 10000 };
+
+/* Half of the lights stand where a mirror would show them: in the lobe. */
+static void make_direction(uint32_t i, struct brdf *brdf, vec3s *v, vec3s *l) {
+    struct material material = {.specular_f0 = {.04F, .04F, .04F}, .specular_f90 = 1};
+    struct sampler sampler = {.seed = 9, .index = i};
+    const vec3s n = {{0, 0, 1}};
+    *brdf = brdf_of(&material, (vec3s){{.9F, .6F, .2F}}, (float)(i % 3) / 2,
+                    .045F + .955F * (float)i / DIRECTIONS);
+    *v = any_direction(i, 1, .02F);
+    *l = any_direction(i, 2, -.1F);
+    if (i % 2)
+        *l = brdf_sample(brdf, n, *v, sampler_next(&sampler));
+}
+
+static void test_same_as_traced(void **state) {
+    (void)state;
+    static struct question questions[DIRECTIONS];
+    static vec4 answers[DIRECTIONS];
+    const vec3s n = {{0, 0, 1}};
+    double worst = 0;
+    struct brdf brdf;
+    vec3s v, l;
+    for (uint32_t i = 0; i < DIRECTIONS; i++) {
+        make_direction(i, &brdf, &v, &l);
+        put(brdf.f0, questions[i].f0_and_alpha);
+        questions[i].f0_and_alpha[3] = brdf.alpha;
+        put(n, questions[i].normal);
+        put(v, questions[i].to_eye);
+        put(l, questions[i].to_light);
+    }
+    ask(questions, DIRECTIONS, NULL, answers);
+    for (uint32_t i = 0; i < DIRECTIONS; i++) {
+        make_direction(i, &brdf, &v, &l);
+        vec3s expected =
+            glms_vec3_scale(brdf_eval(&brdf, n, v, l).specular, fmaxf(glms_vec3_dot(n, l), 0));
+        for (int c = 0; c < 3; c++) {
+            double value = (double)expected.raw[c];
+            worst = fmax(worst, fabs((double)answers[i][c] - value) / fmax(value, 1e-3));
+        }
+    }
+    check_at_most("shader beside tracer, relative, at worst", worst, 2e-5);
+}
+
+/* --- a light ---------------------------------------------------------------------------------- */
+
+enum { LIGHTS = 4, ROUGHNESSES = 5, VIEWS = 3, CASES = LIGHTS * ROUGHNESSES * VIEWS };
+
+static const float roughnesses[ROUGHNESSES] = {.1F, .25F, .5F, .75F, 1};
+static const float views[VIEWS] = {.95F, .6F, .25F};
+
+static void make_lights(struct emitter lights[LIGHTS]) {
+    const struct emitter made[LIGHTS] = {
+        {.type = EMITTER_AREA, .intensity = {1, 1, 1}, .size = {.8F, .3F}},
+        {.type = EMITTER_AREA, .intensity = {1, 1, 1}, .size = {.5F, 0}},
+        {.type = EMITTER_POINT, .intensity = {1, 1, 1}, .size = {.4F, 0}},
+        {.type = EMITTER_DIRECTIONAL, .intensity = {1, 1, 1}, .size = {.2F, 0}},
+    };
+    memcpy(lights, made, sizeof made);
+    for (int i = 0; i < LIGHTS; i++) {
+        memcpy(lights[i].position, (float[]){0, .3F, 1.5F}, sizeof lights[i].position);
+        emitter_aim(&lights[i], (float[]){.1F, -.2F, -1});
+    }
+}
+
+/* A normal that sees the light's middle at that cosine, and the eye beside where it is mirrored. */
+static void place_case(const struct emitter *light, float cosine, vec3s *n, vec3s *v) {
+    vec3s c = glms_vec3_normalize(light->type == EMITTER_DIRECTIONAL
+                                      ? glms_vec3_negate(to_vec3s(light->direction))
+                                      : to_vec3s(light->position));
+    vec3s aside = glms_vec3_normalize(glms_vec3_cross(c, (vec3s){{1, 0, .3F}}));
+    *n = glms_vec3_add(glms_vec3_scale(c, cosine),
+                       glms_vec3_scale(aside, sqrtf(1 - cosine * cosine)));
+    vec3s mirrored = glms_vec3_sub(glms_vec3_scale(*n, 2 * cosine), c);
+    *v = glms_vec3_normalize(
+        glms_vec3_add(mirrored, glms_vec3_scale(glms_vec3_cross(c, aside), .05F)));
+}
+
+static struct brdf metal_of(float roughness) {
+    struct material material = {.specular_f0 = {.04F, .04F, .04F}, .specular_f90 = 1};
+    return brdf_of(&material, (vec3s){{.9F, .6F, .2F}}, 1, roughness);
+}
+
+/* The mean over places of the light, by which the path tracer finds it. */
+static double traced(const struct emitter *light, const struct brdf *brdf, vec3s n, vec3s v) {
+    enum { SIDE = 300 };
+    struct geometry geometry = {.radius = 1};
+    struct emission emission;
+    struct hit hit = {.normal = n, .geometric_normal = n};
+    struct arrival arrival;
+    double sum = 0;
+    emission_init(&emission, &(struct emitters){.items = (struct emitter *)light, .count = 1},
+                  &geometry, NULL, 0);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        vec2s sample = {{((float)(i % SIDE) + .5F) / SIDE, ((float)(i / SIDE) + .5F) / SIDE}};
+        vec2s place = emission_place(&emission, 0, sample, &hit);
+        if (!emission_reach(&emission, 0, place, &hit, &arrival))
+            continue;
+        vec3s l = glms_vec3_normalize(arrival.at);
+        sum += (double)(arrival.irradiance.x * brdf_eval(brdf, n, v, l).specular.x);
+    }
+    emission_free(&emission);
+    return sum / (SIDE * SIDE);
+}
+
+static void test_lights(void **state) {
+    (void)state;
+    static const char *const names[LIGHTS] = {"rectangle", "disk", "sphere", "sun"};
+    static struct light_block block;
+    struct geometry geometry = {.radius = 1};
+    struct emitter lights[LIGHTS];
+    struct question questions[CASES] = {0};
+    vec4 answers[CASES];
+    double sum = 0, worst = 0;
+    make_lights(lights);
+    views_of_emitters(&block, &(struct emitters){.items = lights, .count = LIGHTS}, &geometry);
+    for (int i = 0; i < CASES; i++) {
+        vec3s n, v;
+        struct brdf brdf = metal_of(roughnesses[i / VIEWS % ROUGHNESSES]);
+        place_case(&lights[i / VIEWS / ROUGHNESSES], views[i % VIEWS], &n, &v);
+        put(brdf.f0, questions[i].f0_and_alpha);
+        questions[i].f0_and_alpha[3] = brdf.alpha;
+        put(n, questions[i].normal);
+        put(v, questions[i].to_eye);
+        questions[i].to_light[3] = (float)(i / VIEWS / ROUGHNESSES);
+    }
+    ask(questions, CASES, &block, answers);
+    for (int i = 0; i < CASES; i++) {
+        vec3s n, v;
+        const struct emitter *light = &lights[i / VIEWS / ROUGHNESSES];
+        float roughness = roughnesses[i / VIEWS % ROUGHNESSES];
+        struct brdf brdf = metal_of(roughness);
+        place_case(light, views[i % VIEWS], &n, &v);
+        double expected = traced(light, &brdf, n, v), got = (double)answers[i][0];
+        double error = fabs(got / expected - 1);
+        printf("    %-9s roughness %.2f, cosine %.2f: %9.5f, traced %9.5f, off by %4.1f %%\n",
+               names[i / VIEWS / ROUGHNESSES], (double)roughness, (double)views[i % VIEWS], got,
+               expected, 100 * error);
+        sum += error / CASES;
+        worst = fmax(worst, error);
+    }
+    /* A cosine is no lobe: measured .041, and .315 of a rough surface at grazing angles. */
+    check_at_most("mean error", sum, .045);
+    check_at_most("worst error", worst, .33);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_same_as_traced),
+        cmocka_unit_test(test_lights),
+    };
+    return cmocka_run_group_tests_name("gloss", tests, open_group_context, close_group_context);
+}
