@@ -54,6 +54,12 @@ static void key_toggle(struct viewer *viewer) {
 static void key_play(struct viewer *viewer) {
     viewer_toggle_play(viewer);
 }
+static void key_frame_back(struct viewer *viewer) {
+    timeline_step(viewer, -1);
+}
+static void key_frame_on(struct viewer *viewer) {
+    timeline_step(viewer, 1);
+}
 static void key_help(struct viewer *viewer) {
     viewer->panel.help = !viewer->panel.help;
 }
@@ -71,7 +77,9 @@ static void key_escape(struct viewer *viewer) {
     double now = window_time();
     if (ui_close_popup())
         return;
-    if (viewer->panel.help) {
+    if (viewer->recorder.on) {
+        recorder_stop(viewer);
+    } else if (viewer->panel.help) {
         viewer->panel.help = false;
     } else if (window_is_full_screen(viewer->host.window)) {
         window_toggle_full_screen(viewer->host.window);
@@ -103,7 +111,7 @@ static void key_usual_exposure(struct viewer *viewer) {
 
 static const struct key {
     int key;
-    const char *name, *help;
+    const char *name, *help; /* NULL: the row before tells it */
     void (*run)(struct viewer *viewer);
 } keys[] = {
     {'1', "1", "all light", key_full},
@@ -120,6 +128,8 @@ static const struct key {
     {'F', "F", "frame what is under the mouse, or all", camera_hand_frame},
     {'R', "R", "back to the scene's camera", key_home},
     {KEY_SPACE, "Space", "play and pause the animation", key_play},
+    {',', ", .", "a frame back, a frame on", key_frame_back},
+    {'.', NULL, NULL, key_frame_on},
     {KEY_F1, "F1", "this help", key_help},
     {KEY_F2, "F2", "panel", key_panel},
     {KEY_F3, "F3", "times: a line, a table, none", key_overlay},
@@ -140,12 +150,26 @@ static const struct {
     {"right drag", "look around"},
     {"wheel", "zoom towards the mouse; with Shift: field of view"},
     {"W A S D Q E", "fly; Shift fast, Ctrl slow, the wheel sets the speed"},
+    {"Ctrl 1 to 9, Alt 1 to 9", "keep a view, go to it"},
     {"click", "what a surface is and which VALs light it"},
     {"click on a cluster or a sheet", "that VAL's shadow, that layer alone"},
     {"drop .gltf, .glb, .exr, .settings", "a scene, a reference, settings"},
 };
 
+/* Ctrl and a number keep a view, Alt and the number goes there. */
+static void use_views(struct viewer *viewer, int key) {
+    int number = (key & 0xff) - '1', with = key & ~0xff;
+    if (number < 0 || number >= SESSION_VIEWS)
+        return;
+    if (with == KEY_WITH_CONTROL)
+        views_keep(viewer, number);
+    if (with == KEY_WITH_ALT)
+        views_go(viewer, number);
+}
+
 static void run_keys(struct viewer *viewer) {
+    for (int i = 0; i < viewer->host.input->key_count; i++)
+        use_views(viewer, viewer->host.input->keys[i]);
     for (int i = 0; i < viewer->host.input->key_count; i++)
         for (int k = 0; k < KEY_ROWS; k++)
             if (keys[k].key == viewer->host.input->keys[i])
@@ -154,7 +178,8 @@ static void run_keys(struct viewer *viewer) {
 
 void controls_draw_help(void) {
     for (int i = 0; i < KEY_ROWS; i++)
-        ui_definition(keys[i].name, keys[i].help);
+        if (keys[i].name)
+            ui_definition(keys[i].name, keys[i].help);
     ui_separator();
     for (size_t i = 0; i < sizeof gestures / sizeof *gestures; i++)
         ui_definition(gestures[i].name, gestures[i].help);

@@ -4,6 +4,7 @@
 #include "gl/memory.h"
 #include "viewer/window/ui.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -79,7 +80,8 @@ static void draw_messages(struct viewer *viewer) {
     float line = ui_line_height();
     if (count == 0)
         return;
-    ui_area_begin("messages", UI_NOTE, line, (float)viewer->host.input->height - line,
+    ui_area_begin("messages", UI_NOTE, line,
+                  (float)viewer->host.input->height - line - timeline_height(viewer),
                   (float)viewer->shown.area.width - 2 * line, 0);
     for (int i = 0; i < count; i++)
         ui_text(recent[i].tone, "%s", recent[i].text);
@@ -116,6 +118,13 @@ static void draw_help(struct viewer *viewer) {
 
 /* --- on the picture --- */
 
+/* Where labels may stand: above the timeline. */
+static float bottom_of(const struct viewer *viewer) {
+    const struct rectangle *area = &viewer->shown.area, *picture = &viewer->shown.picture;
+    float bottom = (float)(area->y + area->height) - timeline_height(viewer);
+    return fminf(bottom, (float)(picture->y + picture->height));
+}
+
 static const char *right_name(const struct compare *compare) {
     return compare->mode == COMPARE_REFERENCE ? "reference" : compare->technique->name;
 }
@@ -126,7 +135,7 @@ static void draw_heat_scale(const struct viewer *viewer) {
     const struct heat_map *scale = &viewer->shown.compare.heat_scale;
     float line = ui_line_height(), step = 8 * line / STEPS;
     float x = (float)viewer->shown.picture.x + 4.5F * line;
-    float y = (float)(viewer->shown.picture.y + viewer->shown.picture.height) - 2 * line;
+    float y = bottom_of(viewer) - 2 * line;
     float lowest = scale->is_signed ? -scale->top : 0;
     char text[32];
     for (int i = 0; i < STEPS; i++) {
@@ -144,7 +153,7 @@ static void draw_heat_scale(const struct viewer *viewer) {
 static void draw_split(const struct viewer *viewer) {
     const struct rectangle *picture = &viewer->shown.picture;
     const struct compare *compare = &viewer->shown.compare;
-    float line = ui_line_height(), y = (float)(picture->y + picture->height) - 2 * line;
+    float line = ui_line_height(), y = bottom_of(viewer) - 2 * line;
     float x = (float)picture->x + compare->split * (float)picture->width;
     if (!viewer->shown.right)
         return;

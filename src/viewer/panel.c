@@ -56,24 +56,16 @@ static void draw_clip(struct viewer *viewer) {
 static void draw_animation(struct viewer *viewer) {
     struct playing *play = &viewer->wish.play;
     double duration = scene_duration(&viewer->document.scene);
-    float time = (float)viewer->placed.time;
     draw_clip(viewer);
     if (duration <= 0)
         return;
-    struct ui_row time_row = {.name = "time",
-                              .help = "of the animation, seconds; Space plays",
-                              .even = true},
-                  speed_row = {.name = "speed",
+    struct ui_row speed_row = {.name = "speed",
                                .help = "seconds of the animation a second",
                                .differs = play->speed != 1},
                   loop_row = {.name = "loop", .help = "begin again at the end"};
-    if (ui_float(&time_row, &time, 0, (float)duration))
-        viewer_go_to(viewer, (double)time);
     if (ui_float(&speed_row, &play->speed, .05F, 4) == UI_RESET)
         play->speed = 1;
     ui_flag(&loop_row, &play->loops);
-    if (ui_wide_button(play->on ? "Pause" : "Play", "Space"))
-        viewer_toggle_play(viewer);
 }
 
 static void draw_scene(struct viewer *viewer) {
@@ -405,9 +397,10 @@ void panel_draw(struct viewer *viewer) {
         bool open;
         void (*draw)(struct viewer *viewer);
     } sections[] = {
-        {"Picture", true, draw_picture},   {"Light", false, light_panel_draw},
-        {"Compare", false, draw_compare},  {"Surface", true, draw_surface},
-        {"Settings", false, draw_session}, {"Technique", true, draw_technique},
+        {"Picture", true, draw_picture},      {"Light", false, light_panel_draw},
+        {"Camera", false, camera_panel_draw}, {"Compare", false, draw_compare},
+        {"Surface", true, draw_surface},      {"Settings", false, draw_session},
+        {"Technique", true, draw_technique},
     };
     ui_area_begin("panel", UI_PANEL, (float)area->width, 0,
                   (float)(viewer->host.input->width - area->width),

@@ -102,7 +102,7 @@ static const char *what_takes_long(const struct viewer *viewer, double pixels) {
     const struct pace *pace = &shown->pace;
     const struct direct_method *direct =
         viewer->desc.direct ? viewer->desc.direct : direct_for(&viewer->placed.emitters);
-    if (viewer_is_scripted(viewer))
+    if (viewer_is_scripted(viewer) || viewer->recorder.on)
         return NULL;
     if (pace->frame_count == 0 || makes_technique(viewer) || direct != shown->renderer.desc.direct)
         return "compiling shaders \xe2\x80\xa6";

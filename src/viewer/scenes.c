@@ -74,17 +74,22 @@ static bool place_lights(struct viewer *viewer, const char *text) {
     return true;
 }
 
+bool viewer_place_camera(struct viewer *viewer, const char *text) {
+    const struct geometry *geometry = &viewer->document.geometry;
+    struct placed *placed = &viewer->placed;
+    struct camera camera;
+    if (!camera_from_text(&camera, &viewer->document.scene, text, placed->time,
+                          &placed->camera_number))
+        return false;
+    orbit_start(&placed->orbit, &camera, geometry->center, geometry->radius);
+    placed->camera_moved = text && strchr(text, '=');
+    viewer_touch(viewer);
+    return true;
+}
+
 /* Camera and lights by texts; those that are not understood stay what they were. */
 static bool place(struct viewer *viewer, const char *camera_text, const char *light_text) {
-    const struct scene *scene = &viewer->document.scene;
-    const struct geometry *geometry = &viewer->document.geometry;
-    struct camera camera;
-    bool has_camera = camera_from_text(&camera, scene, camera_text, viewer->placed.time,
-                                       &viewer->placed.camera_number);
-    if (has_camera) {
-        orbit_start(&viewer->placed.orbit, &camera, geometry->center, geometry->radius);
-        viewer->placed.camera_moved = camera_text && strchr(camera_text, '=');
-    }
+    bool has_camera = viewer_place_camera(viewer, camera_text);
     bool has_lights = place_lights(viewer, light_text);
     viewer_touch(viewer);
     return has_camera && has_lights;
@@ -108,6 +113,7 @@ static void set_title(struct viewer *viewer) {
 }
 
 void viewer_close_scene(struct viewer *viewer) {
+    recorder_stop(viewer);
     compare_forget(&viewer->shown.compare);
     renderer_free(&viewer->shown.renderer);
     document_free(&viewer->document);
@@ -154,6 +160,7 @@ static bool show_document(struct viewer *viewer, struct document *document) {
         emitters_free(&placed_before.emitters);
     }
     viewer->wish.play.on = false;
+    recorder_stop(viewer);
     viewer->shown.renderer = renderer;
     viewer->has_scene = true;
     viewer->shown.has_pick = false;
@@ -197,11 +204,13 @@ struct session viewer_session(const struct viewer *viewer) {
     viewer_full_size(viewer, &session.width, &session.height);
     camera_to_text(&viewer->placed.orbit.camera, scene, viewer->placed.camera_number,
                    viewer->placed.time, session.camera);
+    memcpy(session.views, viewer->placed.views, sizeof session.views);
     session.lights = emitters_to_text(&viewer->placed.emitters, scene, viewer->placed.time);
     return session;
 }
 
 static void apply(struct viewer *viewer, const struct session *session) {
+    memcpy(viewer->placed.views, session->views, sizeof session->views);
     viewer->wish.technique = session->technique;
     viewer->wish.settings = session->settings;
     viewer->shown.layer = session->layer;

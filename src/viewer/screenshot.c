@@ -20,7 +20,7 @@ static void paste_right(struct bitmap *shown, const struct screen_pictures *pict
     bitmap_free(&right);
 }
 
-static void read_shown(const struct viewer *viewer, struct bitmap *shown) {
+void viewer_read_shown(const struct viewer *viewer, struct bitmap *shown) {
     struct screen_pictures pictures = viewer_pictures(viewer);
     const struct texture *left = pictures.left, *right = pictures.right;
     texture_read_bitmap(left, shown);
@@ -39,7 +39,7 @@ bool viewer_write_picture(struct viewer *viewer, const char *path) {
         image_free(&image);
     } else {
         struct bitmap bitmap;
-        read_shown(viewer, &bitmap);
+        viewer_read_shown(viewer, &bitmap);
         ok = bitmap_write(&bitmap, path);
         bitmap_free(&bitmap);
     }

@@ -121,11 +121,21 @@ bool session_save(const struct session *session, const char *path) {
     output_text_init(&text);
     fprintf(text.stream, "# manylight view: settings\ntechnique = %s\ncamera = %s\nlight = %s\n",
             session->technique->name, session->camera, session->lights);
+    for (int i = 0; i < SESSION_VIEWS; i++)
+        if (*session->views[i])
+            fprintf(text.stream, "view%d = %s\n", i + 1, session->views[i]);
     for (const struct option *option = session_table; option->name; option++)
         write_value(text.stream, option, session);
     for (struct setting setting = {0}; next_changed(&session->settings, &setting);)
         write_setting(text.stream, &setting, &session->settings);
     return output_text_end(&text, path);
+}
+
+/* "view1" to "view9"; -1 = another key. */
+static int view_of(const char *key) {
+    bool is_view = strncmp(key, "view", 4) == 0 && key[4] >= '1' && key[4] < '1' + SESSION_VIEWS &&
+                   key[5] == '\0';
+    return is_view ? key[4] - '1' : -1;
 }
 
 static bool read_line(struct session *session, char *line) {
@@ -140,6 +150,9 @@ static bool read_line(struct session *session, char *line) {
     const struct option *option = option_find(session_table, line);
     if (option)
         return option_parse(option, session, value);
+    int view = view_of(line);
+    if (view >= 0)
+        return snprintf(session->views[view], sizeof session->views[view], "%s", value) > 0;
     if (strcmp(line, "camera") == 0)
         return snprintf(session->camera, sizeof session->camera, "%s", value) > 0;
     if (strcmp(line, "light") == 0) {
@@ -163,6 +176,7 @@ bool session_load(struct session *session, const char *path) {
         return error_set("cannot read %s: %s", path, strerror(errno));
     struct session read = *session;
     read.lights = mem_strdup(session->lights);
+    memset(read.views, 0, sizeof read.views);
     options_set_defaults(session_table, &read);
     read.technique = technique_default;
     renderer_settings_init(&read.settings);

@@ -8,6 +8,8 @@
 
 #include <stdbool.h>
 
+enum { SESSION_VIEWS = 9 };
+
 struct session {
     const char *scene;                     /* path */
     const struct environment *environment; /* the scene's */
@@ -18,6 +20,7 @@ struct session {
     int clip;   /* number of the animation */
     float time; /* of it, seconds */
     char camera[PLACING_TEXT_SIZE];
+    char views[SESSION_VIEWS][PLACING_TEXT_SIZE]; /* cameras that were kept; "" = none */
     char *lights;
 };
 
@@ -27,7 +30,7 @@ void session_free(struct session *session);
  * their defaults are left out. */
 char *session_command(const struct session *session);
 
-/* One "key = value" a line: technique, layer, clip, time, camera, lights and the settings that are
+/* One "key = value" a line: technique, layer, clip, time, camera, views, lights and the settings that are
  * not at their defaults. */
 bool session_save(const struct session *session, const char *path);
 

@@ -73,7 +73,8 @@ static void draw(struct viewer *viewer) {
 
 static bool is_busy(const struct viewer *viewer) {
     return viewer->shown.dirty || viewer->shown.recompose || viewer->shown.moving ||
-           viewer->wish.play.on || viewer_is_scripted(viewer) || viewer_is_refining(viewer);
+           viewer->wish.play.on || viewer->recorder.on || viewer_is_scripted(viewer) ||
+           viewer_is_refining(viewer);
 }
 
 /* What changes without the user: the loader, and messages, which come from other threads and go with
@@ -122,13 +123,16 @@ static void update(struct viewer *viewer) {
         panel_draw(viewer);
     if (!viewer->has_scene)
         return;
+    recorder_pose(viewer);
     viewer_animate(viewer, seconds);
-    viewer->shown.moving = window_time() - viewer->shown.pace.last_motion < rest_after;
+    viewer->shown.moving =
+        !viewer->recorder.on && window_time() - viewer->shown.pace.last_motion < rest_after;
     viewer->shown.dirty |= viewer_is_scripted(viewer);
     if (!viewer_update_picture(viewer)) {
         viewer_tell_error(viewer);
         viewer_close_scene(viewer);
     }
+    recorder_write(viewer);
 }
 
 bool viewer_turn(struct viewer *viewer) {
@@ -148,6 +152,7 @@ bool viewer_turn(struct viewer *viewer) {
     }
     update(viewer);
     overlay_draw(viewer);
+    timeline_draw(viewer);
     draw(viewer);
     return ok;
 }
@@ -227,6 +232,7 @@ bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc) {
 
 void viewer_end(struct viewer *viewer) {
     loader_free(&viewer->loader);
+    recorder_stop(viewer);
     close_window(viewer);
     emitters_free(&viewer->placed.emitters);
     free(viewer->panel.places);

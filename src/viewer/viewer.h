@@ -18,6 +18,7 @@
 #include "viewer/messages.h"
 #include "viewer/orbit.h"
 #include "viewer/pace.h"
+#include "viewer/recorder.h"
 #include "viewer/session.h"
 #include "viewer/window/window.h"
 
@@ -121,14 +122,16 @@ struct viewer {
         int camera_number; /* of the scene */
         bool camera_moved; /* by hand: an animation then leaves it alone */
         struct orbit orbit;
-        struct emitters emitters; /* that shine */
-        int chosen_light;         /* of them, which is moved and turned */
-        uint64_t lights_moved;    /* by hand: a bit of each */
-        double time, posed_time;  /* of the animation, seconds */
+        char views[SESSION_VIEWS][PLACING_TEXT_SIZE]; /* that were kept: viewer/views.c */
+        struct emitters emitters;                     /* that shine */
+        int chosen_light;                             /* of them, which is moved and turned */
+        uint64_t lights_moved;                        /* by hand: a bit of each */
+        double time, posed_time;                      /* of the animation, seconds */
     } placed;
     struct shown shown;
     struct hand hand;
     struct panel panel;
+    struct recorder recorder;
     bool window_shown, picture_shown; /* once */
     bool done;                        /* close the window */
 };
@@ -236,8 +239,9 @@ void viewer_open(struct viewer *viewer, const char *path);
 /* Takes a scene that has been loaded. False: it cannot be shown, and the one before stays. */
 bool viewer_poll_loader(struct viewer *viewer);
 
-/* Places the scene's n-th camera. */
+/* Places the scene's n-th camera, or one by its text. Error: it is not understood. */
 void viewer_pick_camera(struct viewer *viewer, int n);
+bool viewer_place_camera(struct viewer *viewer, const char *text);
 
 /* Begins the scene's n-th clip. */
 void viewer_pick_clip(struct viewer *viewer, int n);
@@ -251,11 +255,48 @@ void viewer_load_session(struct viewer *viewer, const char *path);
 
 /* --- viewer/screenshot.c --- */
 
+/* What is shown, in its own size, with the wipe. */
+void viewer_read_shown(const struct viewer *viewer, struct bitmap *shown);
+
 /* What is shown, in its own size, as PNG and the like; the renderer's layers as EXR. */
 bool viewer_write_picture(struct viewer *viewer, const char *path);
 
 /* Writes both under a fresh name in the working folder. */
 void viewer_take_screenshot(struct viewer *viewer);
+
+/* --- viewer/views.c --- */
+
+/* The first of SESSION_VIEWS that is not taken, or the last. */
+int views_free(const struct viewer *viewer);
+void views_keep(struct viewer *viewer, int i);
+void views_go(struct viewer *viewer, int i);
+
+/* --- viewer/recorder.c --- */
+
+/* Whether ffmpeg is there. */
+bool recorder_has_video(void);
+
+/* Records the whole clip, from its beginning. */
+void recorder_start(struct viewer *viewer, enum record_kind kind);
+
+/* Ends what there is; nothing where none is recorded. */
+void recorder_stop(struct viewer *viewer);
+
+/* Before a frame is rendered, and after. */
+void recorder_pose(struct viewer *viewer);
+void recorder_write(struct viewer *viewer);
+
+/* --- viewer/timeline.c --- */
+
+enum { TIMELINE_FPS = 25 }; /* as manylight render --fps has it */
+
+/* Whether the bar is there, over the picture's lower edge, and how high it is. */
+bool viewer_has_timeline(const struct viewer *viewer);
+float timeline_height(const struct viewer *viewer);
+void timeline_draw(struct viewer *viewer);
+
+/* Pauses, and goes so many frames on. */
+void timeline_step(struct viewer *viewer, int frames);
 
 /* --- viewer/camera_hand.c: the camera follows mouse and keys --- */
 
@@ -275,7 +316,8 @@ void camera_hand_frame(struct viewer *viewer);
 void controls_update(struct viewer *viewer, double seconds);
 void controls_draw_help(void);
 
-/* --- viewer/light_panel.c, viewer/panel.c, viewer/overlay.c --- */
+/* --- viewer/camera_panel.c, viewer/light_panel.c, viewer/panel.c, viewer/overlay.c --- */
+void camera_panel_draw(struct viewer *viewer);
 void light_panel_draw(struct viewer *viewer);
 void panel_draw(struct viewer *viewer);
 void overlay_draw(struct viewer *viewer);

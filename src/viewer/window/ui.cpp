@@ -218,9 +218,10 @@ void ui_area_begin(const char *id, ui_area kind, float x, float y, float width, 
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
     if (kind == UI_PANEL)
         flags &= ~ImGuiWindowFlags_NoScrollbar;
-    else
+    else if (kind != UI_BAR)
         flags |= ImGuiWindowFlags_AlwaysAutoResize;
     bool see = kind == UI_OVERLAY || kind == UI_NOTE;
+    bool square = kind == UI_PANEL || kind == UI_BAR;
     look.in_dialog = kind == UI_DIALOG;
     if (see)
         flags |= ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing |
@@ -229,8 +230,8 @@ void ui_area_begin(const char *id, ui_area kind, float x, float y, float width, 
     ImGui::SetNextWindowPos(ImVec2(x, y), ImGuiCond_Always, pivot);
     if (kind != UI_DIALOG)
         ImGui::SetNextWindowSize(ImVec2(width, height));
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, see ? see_through : ground);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, kind == UI_PANEL ? 0 : units(.4F));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, see || kind == UI_BAR ? see_through : ground);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, square ? 0 : units(.4F));
     ImGui::Begin(id, nullptr, flags);
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
@@ -306,6 +307,18 @@ void ui_value(const char *name, const char *format, ...) {
     ImGui::PopStyleColor();
     float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text).x;
     ImGui::SameLine(right > units(5) ? right : units(5));
+    ImGui::TextUnformatted(text);
+}
+
+void ui_text_right(const char *format, ...) {
+    char text[256];
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text).x;
+    ImGui::SetCursorPosX(std::max(right, ImGui::GetCursorPosX()));
+    ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(text);
 }
 

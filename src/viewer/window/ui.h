@@ -44,6 +44,7 @@ enum ui_area {
     UI_PANEL,   /* opaque, scrolls */
     UI_OVERLAY, /* see-through, lets the mouse pass; as large as what is in it */
     UI_NOTE,    /* the same, above the point x y */
+    UI_BAR,     /* see-through, reacts to the mouse */
     UI_DIALOG,  /* opaque; as large as what is in it, about the point x y */
 };
 
@@ -76,6 +77,9 @@ void ui_text(enum ui_tone tone, const char *format, ...) __attribute__((format(p
 /* A name on the left and its value on the right. */
 void ui_value(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* At the right end of the line. */
+void ui_text_right(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
 /* A term, and what it means in a column of its own. */
 void ui_definition(const char *term, const char *meaning);
 
@@ -102,6 +106,9 @@ enum ui_result ui_vector(const struct ui_row *row, float value[3], float step);
 
 /* Linear R G B, 0 to 1: a patch that opens a wheel of colours. */
 enum ui_result ui_color(const struct ui_row *row, float value[3]);
+
+/* A bar from 0 to most, as wide as the area; whether it was moved. */
+bool ui_scrub(const char *id, float *value, float most);
 
 /* A text; UI_CHANGED when Enter was pressed. */
 enum ui_result ui_text_field(const struct ui_row *row, char *text, size_t size, const char *hint);

@@ -144,6 +144,15 @@ ui_result ui_color(const ui_row *row, float value[3]) {
     return row_end(row, changed);
 }
 
+bool ui_scrub(const char *id, float *value, float most) {
+    ImGui::PushID(id);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    bool changed = ImGui::SliderFloat("##", value, 0, most, "", ImGuiSliderFlags_AlwaysClamp);
+    look_mark(id);
+    ImGui::PopID();
+    return changed;
+}
+
 ui_result ui_text_field(const ui_row *row, char *text, size_t size, const char *hint) {
     row_begin(row);
     bool entered =

@@ -46,7 +46,9 @@ static void on_key(GLFWwindow *handle, int code, int scancode, int action, int m
     if (action == GLFW_RELEASE && code == window->last_code && next->tap_count < INPUT_KEYS_MAX)
         next->taps[next->tap_count++] = code;
     if (action == GLFW_PRESS && key && next->key_count < INPUT_KEYS_MAX)
-        next->keys[next->key_count++] = key + (modifiers & GLFW_MOD_CONTROL ? KEY_WITH_CONTROL : 0);
+        next->keys[next->key_count++] = key +
+                                        (modifiers & GLFW_MOD_CONTROL ? KEY_WITH_CONTROL : 0) +
+                                        (modifiers & GLFW_MOD_ALT ? KEY_WITH_ALT : 0);
 }
 
 /* From the system's own units, which may be several pixels, to pixels. */

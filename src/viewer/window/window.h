@@ -26,6 +26,7 @@ enum window_key {
     KEY_F12,
     KEY_COUNT,
     KEY_WITH_CONTROL = 1 << 10, /* added to a key that is pressed while Ctrl is held */
+    KEY_WITH_ALT = 1 << 12,     /* the same of Alt */
 };
 
 enum window_button { BUTTON_LEFT, BUTTON_RIGHT, BUTTON_MIDDLE, BUTTON_COUNT };

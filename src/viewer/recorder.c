@@ -1,0 +1,128 @@
+#define _POSIX_C_SOURCE 200809L
+#include "viewer/recorder.h"
+
+#include "viewer/viewer.h"
+
+#include "base/error.h"
+#include "scene/animation.h"
+
+#include <errno.h>
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* --- where it goes ---------------------------------------------------------------------------- */
+
+/* Whether a program of that name is in the path. */
+static bool has_program(const char *name) {
+    const char *path = getenv("PATH");
+    char file[512];
+    for (; path && *path; path += strcspn(path, ":"), path += *path == ':') {
+        snprintf(file, sizeof file, "%.*s/%s", (int)strcspn(path, ":"), path, name);
+        if (access(file, X_OK) == 0)
+            return true;
+    }
+    return false;
+}
+
+bool recorder_has_video(void) {
+    return has_program("ffmpeg");
+}
+
+static bool choose_name(struct recorder *recorder) {
+    const char *ending = recorder->kind == RECORD_VIDEO ? ".mp4" : "";
+    for (int i = 1; i < 10000; i++) {
+        snprintf(recorder->name, sizeof recorder->name, "manylight-clip-%04d%s", i, ending);
+        if (access(recorder->name, F_OK) != 0)
+            return recorder->kind == RECORD_VIDEO || mkdir(recorder->name, 0777) == 0 ||
+                   error_set("cannot make %s: %s", recorder->name, strerror(errno));
+    }
+    return error_set("too many clips are here");
+}
+
+/* The video's sides are even, as most players want them. */
+static bool open_pipe(struct recorder *recorder) {
+    char command[512];
+    snprintf(command, sizeof command,
+             "ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgba -s %dx%d -r %d -i - -an -vf "
+             "'crop=trunc(iw/2)*2:trunc(ih/2)*2' -pix_fmt yuv420p %s",
+             recorder->width, recorder->height, TIMELINE_FPS, recorder->name);
+    signal(SIGPIPE, SIG_IGN); /* an ffmpeg that fails is told by fwrite */
+    recorder->pipe = popen(command, "w");
+    return recorder->pipe || error_set("ffmpeg cannot be started: %s", strerror(errno));
+}
+
+/* --- a clip ----------------------------------------------------------------------------------- */
+
+void recorder_start(struct viewer *viewer, enum record_kind kind) {
+    struct recorder *recorder = &viewer->recorder;
+    double duration = scene_duration(&viewer->document.scene);
+    *recorder = (struct recorder){.kind = kind};
+    if (!choose_name(recorder)) {
+        viewer_tell_error(viewer);
+        return;
+    }
+    recorder->on = true;
+    recorder->count = (int)lround(duration * TIMELINE_FPS);
+    recorder->count = recorder->count > 0 ? recorder->count : 1;
+    viewer->wish.play.on = false;
+}
+
+void recorder_stop(struct viewer *viewer) {
+    struct recorder *recorder = &viewer->recorder;
+    bool ok = !recorder->pipe || pclose(recorder->pipe) == 0 ||
+              error_set("ffmpeg failed: %s is not whole", recorder->name);
+    if (!ok)
+        viewer_tell_error(viewer);
+    else if (recorder->on)
+        messages_add(&viewer->host.messages, UI_NORMAL, "written: %s, %d frames", recorder->name,
+                     recorder->frame);
+    *recorder = (struct recorder){0};
+}
+
+void recorder_pose(struct viewer *viewer) {
+    if (viewer->recorder.on)
+        viewer_go_to(viewer, (double)viewer->recorder.frame / TIMELINE_FPS);
+}
+
+static bool write_picture(struct viewer *viewer) {
+    char path[128];
+    snprintf(path, sizeof path, "%s/%04d.png", viewer->recorder.name, viewer->recorder.frame);
+    return viewer_write_picture(viewer, path);
+}
+
+static bool write_video(struct viewer *viewer) {
+    struct recorder *recorder = &viewer->recorder;
+    struct bitmap shown;
+    viewer_read_shown(viewer, &shown);
+    if (!recorder->pipe) {
+        recorder->width = shown.width;
+        recorder->height = shown.height;
+    }
+    bool ok = shown.width == recorder->width && shown.height == recorder->height;
+    size_t size = (size_t)shown.width * (size_t)shown.height * 4;
+    if (!ok)
+        error_set("%s: the picture's size has changed", recorder->name);
+    ok = ok && (recorder->pipe || open_pipe(recorder));
+    if (ok && fwrite(shown.rgba, 1, size, recorder->pipe) != size)
+        ok = error_set("%s: %s", recorder->name, strerror(errno));
+    bitmap_free(&shown);
+    return ok;
+}
+
+void recorder_write(struct viewer *viewer) {
+    struct recorder *recorder = &viewer->recorder;
+    if (!recorder->on || viewer->shown.dirty || !viewer->shown.left)
+        return;
+    bool ok = recorder->kind == RECORD_VIDEO ? write_video(viewer) : write_picture(viewer);
+    recorder->frame++;
+    if (!ok) {
+        viewer_tell_error(viewer);
+        recorder->on = false;
+    }
+    if (!ok || recorder->frame == recorder->count)
+        recorder_stop(viewer);
+}

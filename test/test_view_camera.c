@@ -1,0 +1,243 @@
+/* The viewer's camera and its time, by real input events: what is under the mouse is circled, zoomed
+ * to and framed; views are kept; a clip is stepped through and recorded. */
+#define _XOPEN_SOURCE 700
+#include "view_stage.h"
+
+#include "scene/placing.h"
+#include "viewer/orbit.h"
+
+#include <cglm/cglm.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define BOX "scenes/cornell-box.glb"
+#define MOVING "scenes/metaballs.glb"
+
+static const float aspect = (float)WIDTH / HEIGHT;
+
+/* --- without a window ------------------------------------------------------------------------- */
+
+/* A point that was grabbed stays where it is in the picture. */
+static void check_place(const char *what, const struct orbit *orbit, const float point[3],
+                        const float before[2]) {
+    float at[2];
+    assert_true(camera_project(&orbit->camera, point, aspect, at));
+    printf("    %-48s %.5f %.5f, then %.5f %.5f\n", what, (double)before[0], (double)before[1],
+           (double)at[0], (double)at[1]);
+    assert_true(hypotf(at[0] - before[0], at[1] - before[1]) < 1e-4F);
+}
+
+static void test_orbit(void **state) {
+    (void)state;
+    struct camera camera = {.eye = {1, 2, 9}, .fov_y = 1};
+    camera_look(&camera, camera.eye, (float[]){-.1F, -.2F, -1}, (float[]){0, 1, 0});
+    const float center[3] = {0, 0, 0}, point[3] = {.7F, .5F, 2};
+    struct orbit orbit;
+    float before[2];
+    orbit_start(&orbit, &camera, center, 5);
+    assert_true(camera_project(&orbit.camera, point, aspect, before));
+    orbit_grab(&orbit, point);
+    orbit_turn(&orbit, .2F, -.1F);
+    check_place("circled", &orbit, point, before);
+    orbit_zoom(&orbit, 3);
+    check_place("zoomed to", &orbit, point, before);
+    float there = glm_vec3_distance(orbit.camera.eye, (float *)point);
+    orbit_zoom(&orbit, -200);
+    orbit_zoom(&orbit, 200);
+    printf("    %.4g m away, after all the way out and in %.4g m\n", (double)there,
+           (double)glm_vec3_distance(orbit.camera.eye, (float *)point));
+    assert_true(glm_vec3_distance(orbit.camera.eye, (float *)point) > 1e-4F);
+    orbit_frame(&orbit, point, 1, aspect);
+    float at[2];
+    assert_true(camera_project(&orbit.camera, point, aspect, at));
+    assert_true(fabsf(at[0] - .5F) < 1e-4F && fabsf(at[1] - .5F) < 1e-4F);
+}
+
+/* --- in the window ---------------------------------------------------------------------------- */
+
+static struct camera camera_of(const char *text) {
+    struct scene scene;
+    struct camera camera;
+    check_ok(BOX, scene_load(&scene, BOX));
+    check_ok(text, camera_from_text(&camera, &scene, text, 0, NULL));
+    scene_free(&scene);
+    return camera;
+}
+
+static struct camera saved_camera(void) {
+    char text[600];
+    settle();
+    press_in_settings("Save");
+    read_setting("camera", text, sizeof text);
+    printf("    %s\n", text);
+    return camera_of(text);
+}
+
+/* Where the mouse was: below on the left, on the floor. */
+enum { MOUSE_X = 70, MOUSE_Y = 620 };
+
+static void ray_of(const struct camera *camera, vec3 origin, vec3 direction) {
+    camera_ray(camera, (MOUSE_X + .5F) / WIDTH, (MOUSE_Y + .5F) / HEIGHT, aspect, origin,
+               direction);
+}
+
+static void test_zoom(void **state) {
+    (void)state;
+    start_viewer(BOX, "");
+    struct camera before = saved_camera();
+    xdo("mousemove %d %d sleep .3 click 4 sleep .2 click 4 sleep .2 click 4 sleep .3", MOUSE_X,
+        MOUSE_Y);
+    struct camera after = saved_camera();
+    vec3 origin, direction, way;
+    ray_of(&before, origin, direction);
+    glm_vec3_sub(after.eye, before.eye, way);
+    float angle = glm_deg(glm_vec3_angle(way, direction));
+    printf("    went %.4g m, %.3g degrees beside the mouse\n", (double)glm_vec3_norm(way),
+           (double)angle);
+    assert_true(glm_vec3_norm(way) > .5F && angle < .5F);
+}
+
+/* The rays through the mouse's place, before and after, meet. */
+static void test_circle(void **state) {
+    (void)state;
+    need_viewer();
+    vec3 o1, d1, o2, d2, between, across;
+    struct camera before = saved_camera();
+    xdo("mousemove %d %d sleep .3 mousedown 1 sleep .3 mousemove %d %d sleep .5 mouseup 1", MOUSE_X,
+        MOUSE_Y, MOUSE_X + 40, MOUSE_Y - 30);
+    struct camera after = saved_camera();
+    ray_of(&before, o1, d1);
+    ray_of(&after, o2, d2);
+    glm_vec3_sub(o2, o1, between);
+    glm_vec3_crossn(d1, d2, across);
+    float apart = fabsf(glm_vec3_dot(between, across)), turned = glm_deg(glm_vec3_angle(d1, d2));
+    printf("    turned by %.3g degrees; the rays miss each other by %.3g m\n", (double)turned,
+           (double)apart);
+    assert_true(turned > 5 && apart < .02F);
+}
+
+static void test_views(void **state) {
+    (void)state;
+    need_viewer();
+    struct camera kept = saved_camera();
+    xdo("mousemove %d %d sleep .2 key ctrl+3 sleep .4 key r sleep .5", WIDTH / 2, HEIGHT / 2);
+    struct camera home = saved_camera();
+    assert_false(cameras_same(&kept, &home));
+    xdo("key alt+3 sleep .5");
+    struct camera again = saved_camera();
+    assert_true(cameras_same(&kept, &again));
+    char view[600], camera[600], arguments[700];
+    read_setting("view3", view, sizeof view);
+    read_setting("camera", camera, sizeof camera);
+    assert_string_equal(view, camera);
+    snprintf(arguments, sizeof arguments, BOX " --camera \"%s\"", view);
+    check_same("a view that was kept", arguments);
+}
+
+/* F frames the block that the mouse is on, from the same side; Shift and the wheel change the lens. */
+static void test_frame(void **state) {
+    (void)state;
+    need_viewer();
+    xdo("key r sleep .5");
+    struct camera home = saved_camera();
+    xdo("mousemove %d %d sleep .3 key f sleep .5", WIDTH / 4, HEIGHT / 2);
+    struct camera framed = saved_camera();
+    assert_true(glm_vec3_distance(home.eye, framed.eye) > .2F);
+    assert_true(glm_vec3_distance(home.forward, framed.forward) < 1e-6F);
+    xdo("key r sleep .3 keydown shift sleep .3 click 4 sleep .3 keyup shift");
+    struct camera lens = saved_camera();
+    printf("    field of view %.4g, then %.4g degrees\n", (double)glm_deg(home.fov_y),
+           (double)glm_deg(lens.fov_y));
+    assert_true(lens.fov_y < .98F * home.fov_y);
+    assert_true(glm_vec3_distance(home.eye, lens.eye) == 0);
+    end_viewer();
+}
+
+/* --- time ------------------------------------------------------------------------------------- */
+
+static void test_steps(void **state) {
+    (void)state;
+    if (!stage.server)
+        skip();
+    char path[700], old[2000], with[2800];
+    /* Stands in for ffmpeg: keeps what it is given. */
+    snprintf(path, sizeof path, "%s/ffmpeg", stage.folder);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs("#!/bin/sh\nfor last; do :; done\ncat >\"$last\"\n", file);
+    fclose(file);
+    chmod(path, 0755);
+    snprintf(old, sizeof old, "%s", getenv("PATH"));
+    snprintf(with, sizeof with, "%s:%s", stage.folder, old);
+    setenv("PATH", with, 1);
+    start_viewer(MOVING, "");
+    setenv("PATH", old, 1);
+    settle();
+    xdo("key period sleep .4 key period sleep .4 key period sleep .4 key comma sleep .4");
+    check_same("three frames on and one back", MOVING " --time 0.08");
+    press(">");
+    check_same("by its button", MOVING " --time 0.12");
+}
+
+/* Waits for a file of a clip. */
+static bool wait_for(const char *name) {
+    char path[700];
+    snprintf(path, sizeof path, "%s/%s", stage.folder, name);
+    for (int i = 0; i < 600 && access(path, R_OK) != 0; i++)
+        pause_ms(50);
+    return access(path, R_OK) == 0;
+}
+
+static void test_record(void **state) {
+    (void)state;
+    char path[700];
+    int x, y;
+    need_viewer();
+    press("Record");
+    assert_true(wait_for("manylight-clip-0001/0002.png"));
+    xdo("key Escape");
+    find_place("Record", &x, &y);
+    snprintf(path, sizeof path, "%s/manylight-clip-0001/0001.png", stage.folder);
+    struct bitmap got = read_bitmap(path), expected = offscreen(MOVING " --time 0.04");
+    int different = count_differences(&got, &expected);
+    printf("    %-48s %d pixels differ\n", "frame 1 of the clip", different);
+    assert_int_equal(different, 0);
+    bitmap_free(&got);
+    bitmap_free(&expected);
+}
+
+static void test_video(void **state) {
+    (void)state;
+    char path[700];
+    struct stat info = {0};
+    int x, y;
+    const long frame = 4L * WIDTH * HEIGHT;
+    need_viewer();
+    press("Video");
+    assert_true(wait_for("manylight-clip-0001.mp4"));
+    snprintf(path, sizeof path, "%s/manylight-clip-0001.mp4", stage.folder);
+    for (int i = 0; i < 600 && info.st_size < 2 * frame; i++) {
+        pause_ms(50);
+        stat(path, &info);
+    }
+    press("Stop");
+    find_place("Record", &x, &y); /* it has ended */
+    stat(path, &info);
+    printf("    ffmpeg was given %.2f frames\n", (double)info.st_size / (double)frame);
+    assert_true(info.st_size >= 2 * frame && info.st_size % frame == 0);
+    end_viewer();
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_orbit),  cmocka_unit_test(test_zoom),  cmocka_unit_test(test_circle),
+        cmocka_unit_test(test_views),  cmocka_unit_test(test_frame), cmocka_unit_test(test_steps),
+        cmocka_unit_test(test_record), cmocka_unit_test(test_video),
+    };
+    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
+}
