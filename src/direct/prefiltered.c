@@ -24,6 +24,25 @@ static const struct option table[] = {
 const struct settings_part prefilter_part = {"prefilter", "prefiltered maps of lights", table,
                                              sizeof(struct prefilter_settings)};
 
+struct window_settings {
+    int search_parts, shadow_parts;
+};
+
+static const struct option window_table[] = {
+    {"search-parts", 0, OPTION_INT, offsetof(struct window_settings, search_parts), 0, 0, 16,
+     .help = "parts a side of the window in which it seeks what hides the light; 0: as the method\n"
+             "has it, 5 of vssm and 3 of msm"},
+    {"shadow-parts", 0, OPTION_INT, offsetof(struct window_settings, shadow_parts), 0, 0, 16,
+     .help = "and of the window of the penumbra; 0: 8 and 3"},
+    {NULL},
+};
+
+static const struct settings_part window_part = {"window", "windows of moments", window_table,
+                                                 sizeof(struct window_settings)};
+
+const struct settings_part *const window_parts[] = {&window_part, &prefilter_part, &shadow_part,
+                                                    NULL};
+
 static bool init_maps(struct prefiltered *own, int size, const struct light_layout *lights,
                       int moments) {
     return light_map_pass_init(&own->light_maps, size, lights) &&
@@ -64,8 +83,12 @@ bool prefiltered_begin(struct prefiltered *own, const struct direct_desc *desc,
 
 bool prefiltered_init(void **state, const struct direct_desc *desc,
                       const struct prefiltered_desc *method) {
+    const struct window_settings *set = settings_of(desc->settings, &window_part);
+    struct prefiltered_desc own = *method;
+    own.search_parts = set->search_parts ? set->search_parts : method->search_parts;
+    own.shadow_parts = set->shadow_parts ? set->shadow_parts : method->shadow_parts;
     *state = mem_alloc(1, sizeof(struct prefiltered));
-    return prefiltered_begin(*state, desc, method);
+    return prefiltered_begin(*state, desc, &own);
 }
 
 void prefiltered_end(struct prefiltered *own) {

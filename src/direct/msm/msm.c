@@ -2,37 +2,18 @@
 #include "direct/prefiltered.h"
 #include "shared/lookup.h"
 
-struct msm_settings {
-    int search_parts, shadow_parts;
-};
-
-static const struct option table[] = {
-    {"search-parts", 0, OPTION_INT, offsetof(struct msm_settings, search_parts), 3, 1, 16,
-     .help = "parts a side of the window in which it seeks what hides the light"},
-    {"shadow-parts", 0, OPTION_INT, offsetof(struct msm_settings, shadow_parts), 3, 1, 16,
-     .help = "and of the window of the penumbra"},
-    {NULL},
-};
-
-static const struct settings_part own_part = {"msm", "moment soft shadow maps", table,
-                                              sizeof(struct msm_settings)};
-
 static bool init(void **state, const struct direct_desc *desc) {
-    const struct msm_settings *own = settings_of(desc->settings, &own_part);
-    return prefiltered_init(state, desc,
-                            &(struct prefiltered_desc){.filter = FILTER_MSM,
-                                                       .moments = 4,
-                                                       .search_parts = own->search_parts,
-                                                       .shadow_parts = own->shadow_parts});
+    return prefiltered_init(
+        state, desc,
+        &(struct prefiltered_desc){
+            .filter = FILTER_MSM, .moments = 4, .search_parts = 3, .shadow_parts = 3});
 }
-
-static const struct settings_part *const parts[] = {&own_part, &prefilter_part, &shadow_part, NULL};
 
 extern const struct direct_method msm_direct;
 const struct direct_method msm_direct = {
     .name = "msm",
     .help = "soft shadows from four moments of depth in windows",
-    .parts = parts,
+    .parts = window_parts,
     .init = init,
     .free = prefiltered_free,
     .resize = shadow_resize,
