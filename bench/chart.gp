@@ -2,7 +2,7 @@
 #
 #     gnuplot -e "csv='FILE.csv'; folder='DIR'" bench/chart.gp
 #
-# A sweep against a reference: DIR/SCENE, time against error. Curves: DIR/SCENE-SETTING. Passes:
+# A sweep against a reference: DIR/SCENE, time against error; of direct light: DIR/SCENE-direct, of the share that is seen. Curves: DIR/SCENE-SETTING. Passes:
 # DIR/SCENE-passes. A clip: DIR/SCENE-flicker and DIR/SCENE-vals-in-use. Each as .svg and .png; of two scenes of one name the
 # second tells its faces too. `manylight bench chart` runs this script.
 
@@ -45,13 +45,15 @@ letters(text) = replace(replace(replace(text, "vpls=", "N="), "vals=", "M="), "t
 error(what) = what eq "relative-rmse" || what eq "gradient"
 chart_of(mode, what) = \
     mode eq "sweep" && what eq "relative-rmse" && strlen(strcol("frame_ms")) ? "time" : \
+    mode eq "direct" && what eq "visible-share" ? "direct" : \
     mode eq "curves" && error(what) ? key(strcol("point")) : \
     mode eq "passes" && (what eq "error" || what eq "relative-mae") ? "passes" : \
     mode ne "temporal" || strcol("point") eq "time=0" ? "" : \
     what eq "frame-flicker" ? "flicker" : what eq "vals" ? "vals in use" : ""
 on(scene, chart) = place_of("scene", "faces") eq scene && \
     chart_of(strcol("mode"), strcol("what")) eq chart
-x(chart) = chart eq "time" ? column("frame_ms") : number(strcol("point"))
+is_timed(chart) = chart eq "time" || chart eq "direct"
+x(chart) = is_timed(chart) ? column("frame_ms") : number(strcol("point"))
 y(chart) = is("what", "gradient") ? 100 * column("value") : column("value")
 series(mode, what) = \
     mode eq "passes" ? (strlen(strcol("variant")) ? strcol("variant") . ", " : "") . \
@@ -62,11 +64,12 @@ series(mode, what) = \
 # --- what stands at its sides ---------------------------------------------------------------------
 
 is_clip(chart) = chart eq "flicker" || chart eq "vals in use"
-x_label(chart) = chart eq "time" ? "time of a frame, ms" : is_clip(chart) ? "time, s" : \
+x_label(chart) = is_timed(chart) ? "time of a frame, ms" : is_clip(chart) ? "time, s" : \
     chart eq "passes" ? "passes, K" : chart eq "vals" ? "VALs, M" : chart eq "vpls" ? "VPLs, N" : \
     chart eq "terms" ? "terms of the Fourier series, K" : \
     chart eq "map-size" ? "paraboloid map, texels a side" : chart
 y_label(chart) = chart eq "time" ? "relative RMSE of indirect light, %" : \
+    chart eq "direct" ? "RMS error of the share of the lights that is seen, %" : \
     chart eq "flicker" ? "flicker, %" : chart eq "vals in use" ? "VALs in use" : \
     "error of indirect light over its mean, %"
 head_of(name, faces) = strcol(name) . " (" . strcol(faces) . " faces), " . strcol("width") . "x" . \
@@ -87,7 +90,7 @@ file_of(i, chart) = folder . "/" . name_of(i) . \
 array X[10000]
 array Y[10000]
 beaten(x, y) = sum [k = 1:n] (X[k] <= x && Y[k] <= y && (X[k] < x || Y[k] < y))
-front(scene, chart) = chart eq "time" && on(scene, chart) && !beaten(x(chart), y(chart))
+front(scene, chart) = is_timed(chart) && on(scene, chart) && !beaten(x(chart), y(chart))
 
 pareto = \
     'csv using (front(scene, chart) ? x(chart) : NaN):(y(chart)) smooth unique with steps \
@@ -144,7 +147,7 @@ do for [i = 1:words(scenes)] {
             eval(value(type))
             name = file_of(i, chart) . "." . type
             set output name
-            eval("plot " . (chart eq "time" ? pareto . ", " : "") . curves)
+            eval("plot " . (is_timed(chart) ? pareto . ", " : "") . curves)
             unset output
             drawn = drawn + 1
         }

@@ -272,6 +272,30 @@ static void test_budget(void **state) {
     free(text);
 }
 
+/* Soft shadows see of a lamp what the tracer sees, hard ones less; and what is seen of it is drawn. */
+static void test_direct(void **state) {
+    (void)state;
+    char arguments[1024];
+    const char *csv = scratch("direct.csv");
+    snprintf(arguments, sizeof arguments,
+             "direct scenes/table.glb --size 64x64 --frames 1 --noise .03 --set texels=256 "
+             "--set shadow-size=512 --variant hard:direct=hard,technique=unshadowed "
+             "--variant msm:direct=msm,technique=unshadowed --variant "
+             "pcss:direct=pcss,technique=unshadowed --cache %s --csv %s -q",
+             scratch("bench-cache"), csv);
+    check_runs(arguments);
+    check_says("share of the lights that is seen: table");
+    check_at_most("pcss, %", number_of(output, "  pcss                    ", 2), 5);
+    check_at_most("msm, %", number_of(output, "  msm                     ", 2), 7);
+    check_at_most("-hard, %", -number_of(output, "  hard                    ", 2), -9);
+    char *text = read_text(csv);
+    check_csv(text);
+    assert_non_null(strstr(text, "visible-share-all,seen,%,"));
+    free(text);
+    draw("direct.csv", "charts");
+    check_says("table-direct.svg");
+}
+
 /* manylight reference --technique vpl-raytraced: rays and maps see the same from the same VPLs. Maps that do not
  * know their casters' planes have 2.0 %, in corners and at edges of the blocks. */
 static void test_vpl_raytraced(void **state) {
@@ -294,12 +318,13 @@ static void test_vpl_raytraced(void **state) {
 
 static void test_help(void **state) {
     (void)state;
-    static const char *const modes[] = {"times",  "sweep",    "scaling",  "budget",
-                                        "curves", "temporal", "failures", "chart"};
+    static const char *const modes[] = {"times",    "sweep",    "scaling", "budget", "curves",
+                                        "temporal", "failures", "direct",  "chart"};
     check_runs("--help");
-    for (int i = 0; i < 8; i++)
+    enum { MODES = sizeof modes / sizeof *modes };
+    for (int i = 0; i < MODES; i++)
         check_says(modes[i]);
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < MODES; i++) {
         char arguments[64];
         snprintf(arguments, sizeof arguments, "%s --help", modes[i]);
         check_runs(arguments);
@@ -325,6 +350,7 @@ static void test_refusals(void **state) {
         {"failures woof", "no failure is called 'woof' (there are room", 2},
         {"chart", "FILE.csv is missing", 2},
         {"times no-such-scene.glb", "cannot open no-such-scene.glb", 1},
+        {"direct scenes/cornell-box.glb --light woof", "no light 'woof'", 1},
         {"temporal scenes/cornell-box.glb", "cornell-box: nothing moves", 1},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -337,11 +363,12 @@ static void test_refusals(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_times),        cmocka_unit_test(test_sweep_and_cache),
-        cmocka_unit_test(test_chart),        cmocka_unit_test(test_front),
-        cmocka_unit_test(test_other_charts), cmocka_unit_test(test_scaling),
-        cmocka_unit_test(test_budget),       cmocka_unit_test(test_vpl_raytraced),
-        cmocka_unit_test(test_help),         cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_times),         cmocka_unit_test(test_sweep_and_cache),
+        cmocka_unit_test(test_chart),         cmocka_unit_test(test_front),
+        cmocka_unit_test(test_other_charts),  cmocka_unit_test(test_scaling),
+        cmocka_unit_test(test_budget),        cmocka_unit_test(test_direct),
+        cmocka_unit_test(test_vpl_raytraced), cmocka_unit_test(test_help),
+        cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

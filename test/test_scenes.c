@@ -31,6 +31,7 @@ static const struct expectation {
     {"door", 120, 0, 3, {-4.31f, -0.21f, -2.21f}, {4.31f, 3.21f, 2.21f}, ""},
     {"character", 4012, 0, 5, {-2.79f, -0.01f, -2.797f}, {2.79f, 5.489f, 2.797f}, WALLS},
     {"creatures", 105480, 0, 15, {-13.91f, -0.31f, -7.66f}, {13.91f, 10.26f, 7.66f}, ""},
+    {"plant", 1552, 0, 5, {-2, 0, -2}, {3, 2.6f, 2}, "|floor|back wall|far wall|window|leaves|"},
     {"table", 1038, 0, 5, {-3, 0, -2}, {3, 3, 3}, "|floor|wall|lamp|"},
     {"sphere", 20172, 0, 1, {-1.0f, -1.0f, -1.0f}, {1.0f, 1.0f, 1.0f}, ""},
 };

@@ -6,6 +6,7 @@
 #include "gl/memory.h"
 #include "measure/errors.h"
 #include "measure/rival.h"
+#include "measure/shares.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -99,7 +100,9 @@ static bool add_errors(struct results *results, struct run *run, const struct tr
     bool ok =
         truth->kind == TRUTH_NONE ||
         (truth_get(truth, run->desc, &reference) && renderer_read_layers(&run->renderer, &frame) &&
-         errors_add(results, &frame, &reference, truth_names[truth->kind]));
+         (truth->kind == TRUTH_SEEN
+              ? shares_add(results, &frame, &reference, run->desc->stage->emitters.sky)
+              : errors_add(results, &frame, &reference, truth_names[truth->kind])));
     image_free(&frame);
     image_free(&reference);
     rival_add_ratios(results);

@@ -14,7 +14,7 @@ struct timing_desc {
 
 /* Measures subjects of one stage, up to TIMING_GROUP with a renderer each at the same time. Adds
  * the medians of all passes ("frame", "frame/gather" ...), "clock" and "cpu" (a frame without
- * timers; of all cores together), "gpu-memory", errors, and rival_add_ratios's. Error: of a renderer or of the truth. */
+ * timers; of all cores together), "gpu-memory", errors (against TRUTH_SEEN shares_add's), and rival_add_ratios's. Error: of a renderer or of the truth. */
 enum { TIMING_GROUP = 8 };
 bool timing_measure(struct results *results, const struct measure_list *subjects,
                     const struct timing_desc *timing);

@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-const char *const truth_names[] = {"none", "path", "centers", "vpls", NULL};
+const char *const truth_names[] = {"none", "path", "centers", "vpls", "seen", NULL};
 
 const char truth_vpls[] = "R:technique=instant-radiosity,interleave=1,blur-radius=0";
 
@@ -59,13 +59,16 @@ char *truth_path(const struct truth_desc *truth, const struct measure_desc *desc
 
 bool truth_trace(const struct truth_desc *truth, const struct measure_desc *desc,
                  struct image *image) {
-    return picture_trace_paths(desc->stage,
-                               &(struct path_tracer_desc){.width = desc->width,
-                                                          .height = desc->height,
-                                                          .bounces = 1,
-                                                          .noise = truth->noise,
-                                                          .centers = truth->kind == TRUTH_CENTERS},
-                               image, NULL);
+    bool seen = truth->kind == TRUTH_SEEN;
+    return picture_trace_paths(
+        desc->stage,
+        &(struct path_tracer_desc){.width = desc->width,
+                                   .height = desc->height,
+                                   .bounces = seen ? 0 : 1,
+                                   .noise = truth->noise,
+                                   .centers = seen || truth->kind == TRUTH_CENTERS,
+                                   .seen = seen},
+        image, NULL);
 }
 
 static bool render_all_vpls(const struct measure_desc *desc, struct image *image) {

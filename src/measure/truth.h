@@ -15,9 +15,10 @@ enum truth_kind {
     TRUTH_PATH,    /* path-traced, one bounce */
     TRUTH_CENTERS, /* the same through pixels' centres: without the error of edges */
     TRUTH_VPLS,    /* every pixel takes every VPL, a hard shadow map each */
+    TRUTH_SEEN, /* path-traced through pixels' centres: direct light alone, and what it is made of */
 };
 
-/* For option tables: "none", "path", "centers", "vpls", NULL. */
+/* For option tables: "none", "path", "centers", "vpls", "seen", NULL. */
 extern const char *const truth_names[];
 
 /* How TRUTH_VPLS is rendered, for variants. */

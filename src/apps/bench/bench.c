@@ -14,7 +14,7 @@
 
 static const struct bench_mode *const modes[] = {
     &bench_times,  &bench_sweep,    &bench_scaling,  &bench_budget, &bench_curves,
-    &bench_passes, &bench_temporal, &bench_failures, &bench_chart,
+    &bench_passes, &bench_temporal, &bench_failures, &bench_direct, &bench_chart,
 };
 
 enum { MODES = sizeof modes / sizeof *modes };
@@ -68,7 +68,9 @@ static bool measure_scene(struct bench *bench, const struct bench_mode *mode, co
     struct stage stage;
     struct measure_list subjects;
     int first = bench->results.subject_count;
-    if (!stage_init(&stage, &(struct stage_desc){.path = path}))
+    struct stage_desc desc = bench->values.stage;
+    desc.path = path;
+    if (!stage_init(&stage, &desc))
         return false;
     bench->stage = &stage;
     log_note("%s", stage.name);
@@ -102,12 +104,20 @@ static const struct option options[] = {
      .help = "as many, and each power of two"},
     {"reference", 0, OPTION_CHOICE, VALUE(reference), .choices = truth_names,
      .help = "what holds the truth: one bounce path-traced (centers: through pixels' centres),\n"
-             "or all VPLs with a map each, as for a clip where there is none"},
+             "or all VPLs with a map each, as for a clip where there is none; seen: of direct\n"
+             "light, the share of the lights that is seen"},
     {"tracer", 0, OPTION_FLAG, VALUE(tracer),
      .help =
          "also the denoised path tracer at 1 to 16 samples a pixel, against --reference path\n"
          "where none is named; of a sweep on software OpenGL, how much more of the CPU it takes\n"
          "to err as each variant (< curve: less than for 1 sample; > curve: more than for 16)"},
+    {"tables", 0, OPTION_FLAG, VALUE(tables),
+     .help = "also, of a lamp: what a further light costs with MIP maps and with summed area\n"
+             "tables, and the share of each step of a frame with soft shadows"},
+    {"light", 0, OPTION_TEXT, VALUE(stage.light), .value_name = "NAME|N,...",
+     .help = "lights of the scenes that shine [all]: \"emitters\", \"sky\", \"lamp,2\""},
+    {"environment", 0, OPTION_TEXT, VALUE(stage.environment.path), .value_name = "FILE",
+     .help = "a sky in place of the scene's own: a panorama, .hdr or .exr, in W/(sr m2)"},
     {"noise", 0, OPTION_FLOAT, VALUE(noise), .01, 1e-4, 1, .value_name = "X%",
      .help = "of a path-traced reference: standard error over mean"},
     {"cache", 0, OPTION_TEXT, VALUE(cache), .value_name = "DIR",

@@ -16,7 +16,8 @@ struct bench_values {
     const char *csv, *cache, *output;
     int size[2], frames, warm_up, passes, reference;
     float noise;
-    bool tracer;
+    bool tracer, tables;
+    struct stage_desc stage; /* without a path */
 };
 
 /* A run of a mode. */
@@ -47,7 +48,7 @@ struct bench_mode {
 };
 
 extern const struct bench_mode bench_times, bench_sweep, bench_scaling, bench_budget, bench_curves,
-    bench_passes, bench_temporal, bench_failures, bench_chart;
+    bench_passes, bench_temporal, bench_failures, bench_direct, bench_chart;
 
 /* The options of modes that use OpenGL. */
 #define BENCH_CONTEXT " csv context device gl-debug"

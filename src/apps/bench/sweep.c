@@ -1,6 +1,7 @@
 /* manylight bench sweep: times and errors of variants over a grid of settings. */
 #include "apps/bench/bench.h"
 
+#include "base/error.h"
 #include "measure/errors.h"
 #include "measure/rival.h"
 
@@ -8,6 +9,8 @@ static bool measure(struct bench *bench, const struct measure_list *subjects) {
     enum truth_kind kind = (enum truth_kind)bench->values.reference;
     if (!bench->values.tracer)
         return bench_time(bench, subjects, kind);
+    if (kind == TRUTH_SEEN)
+        return error_set("--tracer has no share of the lights that is seen to compare");
     if (kind == TRUTH_NONE)
         kind = TRUTH_PATH;
     struct truth_desc truth = bench_truth(bench, kind);

@@ -1,0 +1,89 @@
+/* manylight bench direct: how true the share of the lights that is seen is, against time, by each method of direct
+ * light. */
+#include "apps/bench/direct.h"
+
+#include <stdlib.h>
+
+/* A method along its main setting. */
+struct series {
+    const char *variant, *axis;
+};
+
+static const struct series of_lamps[] = {
+    {"hard:direct=hard," DIRECT_ALONE, "shadow-size=512,2048"},
+    {"samples:direct=samples," DIRECT_ALONE, "points=4,16,64"},
+    {"pcss:direct=pcss," DIRECT_ALONE, "light-taps=12,24,48,96,192"},
+    {"cssm:direct=cssm," DIRECT_ALONE, "harmonics=4,8,16"},
+    {"vssm:direct=vssm," DIRECT_ALONE, "texels=256,512,1024,2048"},
+    {"msm:direct=msm," DIRECT_ALONE, "texels=256,512,1024,2048"},
+    {NULL, NULL},
+};
+
+/* A sky's lights are the same whichever method the lamps have. */
+static const struct series of_skies[] = {
+    {"median cut:fit=median-cut," DIRECT_ALONE, "sky.lights=12,30,60,100"},
+    {"rectangles:fit=rectangles," DIRECT_ALONE, "sky.lights=30,60"},
+    {"ways:" DIRECT_ALONE, "sky-ways=4,64"},
+    {"maps:" DIRECT_ALONE, "sky-size=512,1024"},
+    {"no blocks:sky-block=1," DIRECT_ALONE, "sky-ways=16"},
+    {NULL, NULL},
+};
+
+static bool add_series(const struct bench *bench, const struct series *series,
+                       struct measure_list *list) {
+    struct measure_list points = {0};
+    struct measure_desc desc;
+    bool ok = bench_prepare(bench, series->variant, &desc);
+    measure_list_add(&points, &desc);
+    ok = ok && measure_vary(&points, series->axis);
+    for (int i = 0; ok && i < points.count; i++)
+        measure_list_add(list, &points.items[i]);
+    free(points.items);
+    return ok;
+}
+
+/* Those of --variant at the points of --vary, through pixels' centres as the truth is; or all methods. */
+static bool list_methods(const struct bench *bench, const struct measure_list *asked,
+                         struct measure_list *list) {
+    const struct series *series = bench->stage->emitters.sky ? of_skies : of_lamps;
+    bool ok = true;
+    for (int i = 0; ok && bench->values.variants.count && i < asked->count; i++) {
+        measure_list_add(list, &asked->items[i]);
+        ok = measure_assign(&list->items[i], "picture.samples=1");
+    }
+    for (; ok && !bench->values.variants.count && series->variant; series++)
+        ok = add_series(bench, series, list);
+    return ok;
+}
+
+static bool measure(struct bench *bench, const struct measure_list *subjects) {
+    struct measure_list list = {0};
+    bool ok = list_methods(bench, subjects, &list) && bench_time(bench, &list, TRUTH_SEEN);
+    free(list.items);
+    return ok && (!bench->values.tables || direct_tables(bench));
+}
+
+static const char *const scenes[] = {"scenes/table.glb", "scenes/plant.glb", NULL};
+
+const struct bench_mode bench_direct = {
+    .name = "direct",
+    .help =
+        "the share of the lights that is seen, by each method of direct light\n"
+        "Each along its main setting, against the path tracer; of a sky, along what its lights\n"
+        "have to set. Errors are over the pixels to which the lights could give a hundredth of "
+        "the\n"
+        "most; in the last column, over all to which they could give anything. Frames have next "
+        "to\n"
+        "no indirect light. Without SCENE: our two with a lamp.",
+    .options =
+        "vary size variant set frames warm-up noise cache light environment tables" BENCH_CONTEXT,
+    .scenes = scenes,
+    .measure = measure,
+    .tables = {{"share of the lights that is seen",
+                {{"ms", "clock", NULL},
+                 {"CPU ms", "cpu", NULL},
+                 {"RMS %", "visible-share", NULL},
+                 {"bias %", "visible-bias", NULL},
+                 {"faint too", "visible-share-all", NULL},
+                 {"GPU MiB", "gpu-memory", NULL}}}},
+};

@@ -1,0 +1,16 @@
+/* What `manylight bench direct` measures besides errors. */
+#ifndef APPS_BENCH_DIRECT_H
+#define APPS_BENCH_DIRECT_H
+
+#include "apps/bench/bench.h"
+
+/* A frame with as little indirect light as there can be; for variants. */
+#define DIRECT_ALONE                                                                               \
+    "technique=unshadowed,vpls=1,rsm-size=16,interleave=1,near-samples=1,clamp=none,detail=0,"     \
+    "blur.radius=0,picture.samples=1"
+
+/* Tables 5.1, 7.1 and 7.2 of the thesis [Dong 2011], as ratios and shares beside its own: of the present scene's
+ * first light, which must be a lamp. Error: there is none, or of a renderer. */
+bool direct_tables(struct bench *bench);
+
+#endif
