@@ -36,7 +36,7 @@ static inline size_t parts_json(const struct gltf_parts *parts, char *json, size
                  "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
                  " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"
                  " \"type\": \"SCALAR\"}]"),
-        parts_or(parts->materials, "[{}]"),
+        parts_or(parts->materials, "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]"),
         parts_or(parts->meshes, "[{\"name\": \"quad\", \"primitives\": [{\"attributes\":"
                                 " {\"POSITION\": 0}, \"indices\": 1, \"material\": 0}]}]"),
         parts_or(parts->nodes, "[{\"name\": \"one\", \"mesh\": 0}]"));

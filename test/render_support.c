@@ -92,7 +92,7 @@ void turn_stage(struct stage *stage, double degrees) {
 }
 
 void open_rays(struct rays *rays, const struct stage *stage) {
-    hit_table_init(&rays->table, &stage->scene, &stage->geometry);
+    hit_table_init(&rays->table, &stage->scene, &stage->geometry, MATERIALS_FULL);
     check_ok("rays", ray_scene_init(&rays->scene, &rays->table));
 }
 

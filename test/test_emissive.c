@@ -318,7 +318,8 @@ static void test_glow(void **state) {
     struct stage stage;
     struct image traced;
     const struct gltf_parts parts = {
-        .materials = "[{\"emissiveFactor\": [1, 0.5, 0.25], \"extensions\": "
+        .materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}, "
+                     "\"emissiveFactor\": [1, 0.5, 0.25], \"extensions\": "
                      "{\"KHR_materials_emissive_strength\": {\"emissiveStrength\": 100}}}]",
         .more = "\"extensionsUsed\": [\"KHR_materials_emissive_strength\", "
                 "\"KHR_lights_punctual\"], \"extensions\": {\"KHR_lights_punctual\": "

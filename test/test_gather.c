@@ -83,7 +83,8 @@ static void check_surfaces(const char *scene) {
                 !nearly(to_vec3s(position), hit.position, 1e-4f * bench.stage.geometry.radius);
             wrong_normals += !nearly(layer_at(&bench.layers, "normal.X", x, y), hit.normal, 1e-3f);
             /* Ten bits of the root: a step near white is 0.002. */
-            wrong_albedos += !nearly(layer_at(&bench.layers, "albedo.R", x, y), hit.albedo, 4e-3f);
+            wrong_albedos +=
+                !nearly(layer_at(&bench.layers, "albedo.R", x, y), hit.brdf.albedo, 4e-3f);
         }
     /* At edges rasteriser and ray may differ about the triangle. */
     printf("  %s: %d pixels\n", scene, count);
@@ -140,7 +141,7 @@ static void check_direct(struct bench *bench) {
             struct hit hit;
             if (!pixel_hit(bench, x, y, &hit))
                 continue;
-            vec3s expected = emission_direct(&emission, &bench->rays.scene, &hit, NULL, 0);
+            vec3s expected = emission_direct(&emission, &bench->rays.scene, &hit, NULL, 0).diffuse;
             count++;
             lit += expected.x > 0;
             wrong += !nearly(layer_at(&bench->layers, "direct.R", x, y), expected,
@@ -183,7 +184,7 @@ static bool is_true_vpl(const struct bench *bench, const struct vpl *vpl) {
                   (float)settings_number(&bench->renderer.desc.settings, "vpls");
     float cone = emitter_cone(light, glms_vec3_dot(direction, to_vec3s(light->direction)));
     vec3s flux =
-        glms_vec3_scale(glms_vec3_mul(hit.albedo, to_vec3s(light->intensity)), share * cone);
+        glms_vec3_scale(glms_vec3_mul(hit.brdf.albedo, to_vec3s(light->intensity)), share * cone);
     return nearly(hit.position, position, 1e-3f * radius) &&
            nearly(hit.normal, to_vec3s(vpl->normal), 2e-3f) &&
            nearly(flux, to_vec3s(vpl->flux), .01f * glms_vec3_norm(flux));

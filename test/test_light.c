@@ -187,7 +187,7 @@ static double reflected(const struct emitter *light, const struct rays *rays, ve
         return 0;
     double sum = 0;
     for (int c = 0; c < 3; c++)
-        sum += (double)(hit.albedo.raw[c] * light->intensity[c]) / 3;
+        sum += (double)(hit.brdf.albedo.raw[c] * light->intensity[c]) / 3;
     return sum;
 }
 

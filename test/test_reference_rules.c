@@ -143,7 +143,7 @@ static void test_packets(void **state) {
     set_mask(&world, &texture);
     add_rectangle(&world, 1, (vec3s){{0, 0.5f, 1}}, (vec3s){{1, 0, 0}}, (vec3s){{0, 0, -1}});
     world_finish(&world);
-    hit_table_init(&table, &world.scene, &world.geometry);
+    hit_table_init(&table, &world.scene, &world.geometry, MATERIALS_FULL);
     check_ok("build", ray_scene_init(&rays, &table));
     int seen = 0, asked = 0;
     for (uint32_t n = 0; n < 1000; n++) {

@@ -33,7 +33,7 @@ static struct vpl trace_vpl(const struct world *world, const struct emission *em
     vec3s way = glms_vec3_normalize(glms_vec3_sub(hit.position, from));
     float intensity =
         world->light.intensity[0] * emitter_cone(&world->light, glms_vec3_dot(way, axis));
-    float flux = hit.albedo.x * intensity * emission->sources[0].solid_angle / (float)count;
+    float flux = hit.brdf.albedo.x * intensity * emission->sources[0].solid_angle / (float)count;
     return (struct vpl){.position = {p[0], p[1], p[2]},
                         .normal = {n[0], n[1], n[2]},
                         .flux = {flux, flux, flux},
@@ -44,7 +44,7 @@ static struct vpl *trace_vpls(struct world *world, int count) {
     struct hit_table table;
     struct ray_scene rays;
     struct vpl *vpls = mem_alloc((size_t)count, sizeof *vpls);
-    hit_table_init(&table, &world->scene, &world->geometry);
+    hit_table_init(&table, &world->scene, &world->geometry, MATERIALS_FULL);
     check_ok("rays", ray_scene_init(&rays, &table));
     struct emission emission;
     emission_init(&emission, &(struct emitters){.items = &world->light, .count = 1},

@@ -6,6 +6,7 @@
 #include "base/progress.h"
 #include "measure/stage.h"
 #include "measure/picture.h"
+#include "scene/material.h"
 
 #include "base/error.h"
 #include "base/file/image_file.h"
@@ -50,9 +51,10 @@ static const struct option options[] = {
     {"paths", 0, OPTION_INT, offsetof(struct values, tracer.paths), 0, 0, 1024,
      .help = "of indirect light from each sample; 0 = 1 below 16 samples per pixel, else 4"},
     {"noise", 0, OPTION_FLOAT, offsetof(struct values, noise), 0, 0, 1, .value_name = "X%",
-     .help = "samples until the standard error (RMS over mean) of indirect light, and of the "
-             "direct light\n"
-             "of lights with a size, is below; 0 = 1%"},
+     .help = "samples until the standard error (RMS over mean) of indirect light, of the direct "
+             "light\n"
+             "of lights with a size, and of specular light (over the beauty's mean) is below; 0 = "
+             "1%"},
     {"centers", 0, OPTION_FLAG, offsetof(struct values, tracer.centers),
      .help = "through pixels' centres alone, as a rasteriser has them: edges are not smooth"},
     {"seen", 0, OPTION_FLAG, offsetof(struct values, tracer.seen),
@@ -62,6 +64,9 @@ static const struct option options[] = {
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
      .help = "filter the indirect light along surfaces, by as much as it is noisy: for few\n"
              "samples. standard_error stays that of the light before"},
+    {"materials", 0, OPTION_CHOICE, offsetof(struct values, tracer.materials),
+     .choices = materials_names,
+     .help = "metals, gloss and normal maps; or every surface matt, of its base colour"},
     {"seed", 0, OPTION_INT, offsetof(struct values, tracer.seed), 0, 0, 2147483647,
      .help = "another seed, another noise"},
     STAGE_OPTIONS(struct values, stage),
@@ -75,7 +80,9 @@ static const struct arguments arguments = {
         "Traces the scene on all cores. The layers are those of render: beauty, Z,\n"
         "direct, indirect (irradiance / pi, without albedo), albedo, normal; and\n"
         "where it is path-traced standard_error, that of the indirect layer, 0 for a single\n"
-        "sample, which does not tell; and emitted, what sky and lamps themselves show.",
+        "sample, which does not tell; and emitted, what sky and lamps themselves show. Where a\n"
+        "surface is glossy there are specular, which is direct.specular and indirect.specular,\n"
+        "and its standard_error.specular; the other layers are those of diffuse reflection.",
     .options = options,
     .min_positional = 1,
     .max_positional = 1,
@@ -90,6 +97,8 @@ static bool check_values(struct values *values) {
         return error_set("--spp and --noise exclude each other");
     if (values->technique != TECHNIQUE_PATH && values->tracer.denoise)
         return error_set("--denoise is for --technique path");
+    if (values->technique != TECHNIQUE_PATH && values->tracer.materials)
+        return error_set("--materials is for --technique path");
     values->tracer.noise = (double)values->noise;
     return true;
 }

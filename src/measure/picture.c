@@ -3,6 +3,7 @@
 #include "inspect/lights.h"
 #include "techniques/many_lights.h"
 #include "reference/vpl_sum.h"
+#include "scene/material.h"
 
 bool picture_render(const struct measure_desc *desc, struct image *image) {
     struct renderer renderer;
@@ -49,6 +50,7 @@ bool picture_trace(const struct measure_desc *desc, struct progress *progress,
     if (!make_lights(desc, &lights))
         return false;
     const struct gather_settings *gather = settings_of(&desc->settings, &gather_part);
+    const struct material_settings *surface = settings_of(&desc->settings, &material_part);
     float radius = stage->geometry.radius;
     bool ok = vpl_sum_render(
         &(struct vpl_sum_desc){.scene = &stage->scene,
@@ -61,6 +63,7 @@ bool picture_trace(const struct measure_desc *desc, struct progress *progress,
                                .height = desc->height,
                                .bound = bounds[gather->clamp],
                                .clamp_value = gather->clamp_value / (radius * radius),
+                               .materials = surface->materials,
                                .progress = show,
                                .user = progress},
         image);

@@ -95,8 +95,8 @@ static vec3s specular_albedo(const struct brdf *brdf, float n_v) {
 /* Of samples, by the cosine. */
 static float diffuse_share(const struct brdf *brdf, float n_v) {
     float diffuse = glms_vec3_max(brdf->albedo);
-    if (brdf->matt || diffuse == 0)
-        return brdf->matt ? 1 : 0;
+    if (diffuse == 0)
+        return 0;
     float specular = glms_vec3_max(specular_albedo(brdf, n_v));
     return glm_clamp(diffuse / (diffuse + specular), least_share, 1 - least_share);
 }
@@ -124,10 +124,10 @@ static vec3s visible_normal(vec3s n, vec3s v, float alpha, vec2s sample) {
 }
 
 vec3s brdf_sample(const struct brdf *brdf, vec3s n, vec3s v, vec2s sample) {
-    v = facing(n, v);
-    float share = diffuse_share(brdf, glms_vec3_dot(n, v));
     if (brdf->matt)
         return warp_to_cosine(sample, n);
+    v = facing(n, v);
+    float share = diffuse_share(brdf, glms_vec3_dot(n, v));
     if (sample.x < share)
         return warp_to_cosine((vec2s){{sample.x / share, sample.y}}, n);
     sample.x = fminf((sample.x - share) / (1 - share), 0x1.fffffep-1F);
@@ -136,14 +136,13 @@ vec3s brdf_sample(const struct brdf *brdf, vec3s n, vec3s v, vec2s sample) {
 }
 
 float brdf_density(const struct brdf *brdf, vec3s n, vec3s v, vec3s l) {
-    float n_l = glms_vec3_dot(n, l);
-    v = facing(n, v);
-    float n_v = glms_vec3_dot(n, v), share = diffuse_share(brdf, n_v);
-    float cosine = share * fmaxf(n_l, 0) * GLM_1_PIf;
+    float cosine = fmaxf(glms_vec3_dot(n, l), 0) * GLM_1_PIf;
     if (brdf->matt)
         return cosine;
+    v = facing(n, v);
+    float n_v = glms_vec3_dot(n, v), share = diffuse_share(brdf, n_v);
     /* G1(v) D / (4 n.v), also of directions that come out below the horizon. */
     vec3s h = glms_vec3_normalize(glms_vec3_add(v, l));
     float visible = distribution(brdf->alpha, n, h) / (2 * (n_v + smith_root(brdf->alpha, n_v)));
-    return cosine + (1 - share) * visible;
+    return share * cosine + (1 - share) * visible;
 }

@@ -3,8 +3,8 @@
 #define REFERENCE_CHANNELS_H
 
 /* Those of every picture, and what the path tracer has besides: the standard error of the indirect
- * layer, whose square, the variance, half floats could not hold; and what emits light itself. Last, what shadows are made of, where that
- * is asked for. */
+ * layer, whose square, the variance, half floats could not hold; and what emits light itself. Then what shadows are made of, where that
+ * is asked for. Last, specular reflection, where some surface has it. */
 #define CHANNELS_COMMON                                                                            \
     "R G B A Z direct.R direct.G direct.B indirect.R indirect.G indirect.B "                       \
     "albedo.R albedo.G albedo.B normal.X normal.Y normal.Z"
@@ -13,15 +13,21 @@
                     "emitted.R emitted.G emitted.B"
 #define CHANNELS_OF_SEEN                                                                           \
     "unshadowed.R unshadowed.G unshadowed.B visibility.R visibility.G visibility.B"
+#define CHANNELS_OF_GLOSS                                                                          \
+    "direct.specular.R direct.specular.G direct.specular.B "                                       \
+    "indirect.specular.R indirect.specular.G indirect.specular.B "                                 \
+    "specular.R specular.G specular.B "                                                            \
+    "standard_error.specular.R standard_error.specular.G standard_error.specular.B"
 
 /* The first channel of each layer. Beauty and what is emitted alone are not zero where no surface is seen. */
 enum film_channel {
-    CHANNEL_BEAUTY = 0, /* radiance, W/(sr m2): albedo x (direct + indirect), and what is emitted */
+    CHANNEL_BEAUTY = 0, /* radiance, W/(sr m2): albedo x (direct + indirect) + specular, and what is
+                           emitted */
     CHANNEL_ALPHA = 3,  /* the share of the pixel that shows a surface */
     CHANNEL_DEPTH = 4,  /* along the view axis at the pixel's centre, m */
     CHANNEL_DIRECT = 5, /* irradiance over pi, W/(sr m2): the albedo is not in it */
     CHANNEL_INDIRECT = 8, /* the same */
-    CHANNEL_ALBEDO = 11,  /* in [0, 1] */
+    CHANNEL_ALBEDO = 11,  /* of the diffuse part, in [0, 1] */
     CHANNEL_NORMAL = 14,  /* world, unit, towards the camera's side */
     CHANNEL_COMMON_END = 17,
     CHANNEL_STANDARD_ERROR = CHANNEL_COMMON_END,
@@ -30,6 +36,15 @@ enum film_channel {
     CHANNEL_UNSHADOWED = CHANNEL_PATH_TRACER_END, /* direct light if nothing hid the lights */
     CHANNEL_VISIBILITY = 26, /* the share of the lights seen: reference/seen.h */
     CHANNEL_END = 29,
+};
+
+/* The same, from where the layers of gloss begin: radiance, W/(sr m2). */
+enum gloss_channel {
+    GLOSS_DIRECT = 0,
+    GLOSS_INDIRECT = 3,
+    GLOSS_ALL = 6,
+    GLOSS_STANDARD_ERROR = 9, /* of all */
+    GLOSS_END = 12,
 };
 
 #endif

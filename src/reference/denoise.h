@@ -4,7 +4,8 @@
  * sharp. Surfaces are told apart by the positions and normals that the samples themselves saw. The
  * noise is known from the streams of samples; of a single one it is guessed from the neighbours. The
  * direct light stays as it is: that of points has the noise of edges within pixels, which a filter over
- * pixels only makes wider; that of lights with a size stays noisy.
+ * pixels only makes wider; that of lights with a size stays noisy. So does specular light: what a mirror
+ * shows has edges that no position or normal of the mirror tells.
  */
 #ifndef REFERENCE_DENOISE_H
 #define REFERENCE_DENOISE_H
@@ -17,6 +18,7 @@ struct denoise_desc {
     const struct primary_rays *primary;
     int samples, paths; /* of each pixel, of indirect light from each sample */
     int threads;        /* 0 = all cores */
+    int gloss_channel;  /* where CHANNELS_OF_GLOSS begin; 0 = there are none */
 };
 
 /* image: developed from the pixels. Writes the indirect layer and beauty; the standard errors stay

@@ -13,18 +13,20 @@ static void add(float sum[3], const float value[3]) {
 }
 
 void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_sample *sample) {
-    vec3s light = glms_vec3_add(sample->direct, sample->indirect);
+    vec3s light = glms_vec3_add(sample->direct.diffuse, sample->indirect.diffuse);
+    vec3s shine = glms_vec3_add(sample->direct.specular, sample->indirect.specular);
     vec3s weight = glms_vec3_adds(sample->albedo, least_weight);
     pixel->coverage += 1;
     add(pixel->position, sample->position.raw);
     add(pixel->albedo, sample->albedo.raw);
     add(pixel->normal, sample->normal.raw);
     add(pixel->beauty, glms_vec3_add(glms_vec3_mul(sample->albedo, light), sample->emitted).raw);
+    add(pixel->beauty, shine.raw);
     add(pixel->emitted, sample->emitted.raw);
-    add(pixel->direct, glms_vec3_mul(weight, sample->direct).raw);
+    add(pixel->direct, glms_vec3_mul(weight, sample->direct.diffuse).raw);
     add(pixel->streams[stream].weight, weight.raw);
-    add(pixel->streams[stream].indirect, glms_vec3_mul(weight, sample->indirect).raw);
-    pixel->streams[stream].direct += glms_vec3_dot(weight, sample->direct);
+    add(pixel->streams[stream].indirect, glms_vec3_mul(weight, sample->indirect.diffuse).raw);
+    pixel->streams[stream].direct += glms_vec3_dot(weight, sample->direct.diffuse);
 }
 
 void film_pixel_add_background(struct film_pixel *pixel, vec3s radiance) {
@@ -120,6 +122,51 @@ void film_seen_develop(const struct film_seen *sums, const struct film_pixel *pi
         float weight = (float)total_weight(pixel, c), all = sums->all[c];
         channels[CHANNEL_UNSHADOWED + c] = weight > 0 ? sums->unshadowed[c] / weight : 0;
         channels[CHANNEL_VISIBILITY + c] = all > 0 ? sums->visible[c] / all : 0;
+    }
+}
+
+void film_gloss_add(struct film_gloss *sums, int stream, const struct film_sample *sample) {
+    add(sums->direct, sample->direct.specular.raw);
+    add(sums->all[stream], sample->direct.specular.raw);
+    add(sums->all[stream], sample->indirect.specular.raw);
+}
+
+void film_gloss_merge(struct film_gloss *sums, const struct film_gloss *other) {
+    add(sums->direct, other->direct);
+    for (int s = 0; s < FILM_STREAMS; s++)
+        add(sums->all[s], other->all[s]);
+}
+
+/* Of a pixel's samples, so many are of a stream. */
+static int stream_samples(int stream, int samples) {
+    return (samples + FILM_STREAMS - 1 - stream) / FILM_STREAMS;
+}
+
+struct film_estimate film_gloss_estimate(const struct film_gloss *sums, int samples) {
+    struct film_estimate estimate = {0};
+    int used = samples < FILM_STREAMS ? samples : FILM_STREAMS;
+    for (int c = 0; c < 3; c++) {
+        double sum = 0, square_sum = 0;
+        for (int s = 0; s < used; s++)
+            sum += (double)sums->all[s][c];
+        double mean = sum / samples;
+        for (int s = 0; s < used; s++)
+            square_sum += pow((double)sums->all[s][c] - mean * stream_samples(s, samples), 2);
+        estimate.mean[c] = mean;
+        if (used > 1)
+            estimate.variance[c] = square_sum * used / (used - 1) / ((double)samples * samples);
+    }
+    return estimate;
+}
+
+void film_gloss_develop(const struct film_gloss *sums, int samples, float *channels) {
+    struct film_estimate estimate = film_gloss_estimate(sums, samples);
+    for (int c = 0; c < 3; c++) {
+        float direct = sums->direct[c] / (float)samples, all = (float)estimate.mean[c];
+        channels[GLOSS_DIRECT + c] = direct;
+        channels[GLOSS_INDIRECT + c] = all - direct;
+        channels[GLOSS_ALL + c] = all;
+        channels[GLOSS_STANDARD_ERROR + c] = (float)sqrt(estimate.variance[c]);
     }
 }
 

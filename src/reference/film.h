@@ -1,8 +1,9 @@
 /* Where samples are gathered into pixels, with an estimate of the noise.
  *
- * Direct and indirect light are averaged with the albedo as weight: then
- * beauty = albedo x (direct + indirect) holds in every pixel, also where a pixel shows several
- * surfaces, and partly covered pixels have no dark seam.
+ * Direct and indirect light of the diffuse parts are averaged with the albedo as weight: then
+ * beauty = albedo x (direct + indirect) + specular + emitted holds in every pixel, also where a pixel shows
+ * several surfaces, and partly covered pixels have no dark seam. Specular light is radiance, and averaged
+ * as it is.
  */
 #ifndef REFERENCE_FILM_H
 #define REFERENCE_FILM_H
@@ -19,8 +20,8 @@ enum { FILM_STREAMS = 4 };
 
 struct film_sample {
     vec3s position, albedo, normal;
-    vec3s direct, indirect; /* irradiance over pi */
-    vec3s emitted;          /* radiance */
+    struct reflected direct, indirect;
+    vec3s emitted; /* radiance */
 };
 
 /* Sums over samples; all zero = none. */
@@ -55,6 +56,21 @@ void film_seen_merge(struct film_seen *sums, const struct film_seen *other);
 /* Writes the layers from CHANNEL_UNSHADOWED on. */
 void film_seen_develop(const struct film_seen *sums, const struct film_pixel *pixel,
                        float *channels);
+
+/* What a pixel sees of specular reflection, where some surface has it: sums. */
+struct film_gloss {
+    float direct[3];
+    float all[FILM_STREAMS][3];
+};
+
+void film_gloss_add(struct film_gloss *sums, int stream, const struct film_sample *sample);
+void film_gloss_merge(struct film_gloss *sums, const struct film_gloss *other);
+
+/* Of all specular reflection, the mean and its variance: 0 for a single sample. */
+struct film_estimate film_gloss_estimate(const struct film_gloss *sums, int samples);
+
+/* Writes enum gloss_channel's layers. */
+void film_gloss_develop(const struct film_gloss *sums, int samples, float *channels);
 
 /* Of the direct light, the mean of RGB, and the variance of that. */
 struct film_direct_estimate {

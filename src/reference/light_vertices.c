@@ -3,11 +3,13 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 
+#include <stdlib.h>
+
 struct work {
     const struct emission *emission;
     const struct ray_scene *rays;
     uint32_t seed;
-    struct light_vertex *vertices;
+    struct light_vertices vertices;
 };
 
 enum { CHUNK = 1 << 10 };
@@ -20,18 +22,23 @@ static uint32_t seed_of(const struct work *work, int light) {
 static void trace(const struct work *work, uint32_t i) {
     struct dealt ray = work->emission->rays[i];
     struct sampler sampler = {.seed = seed_of(work, ray.taker), .index = (uint32_t)ray.number};
-    struct light_vertex *vertex = &work->vertices[i];
+    struct light_vertex *vertex = &work->vertices.items[i];
     struct arrival arrival;
     struct hit hit;
     vec2s sample = sampler_next(&sampler), place = sampler_next(&sampler);
     if (!emission_first_hit(work->emission, ray.taker, work->rays, place, sample, &hit) ||
         !emission_reach(work->emission, ray.taker, place, &hit, &arrival))
         return;
-    vertex->radiance = emission_reflected(&hit, &arrival);
     vertex->position = hit.position;
     vertex->normal = hit.geometric_normal;
-    vertex->cosine = arrival.cosine;
-    if (glms_vec3_norm2(vertex->radiance) > 0)
+    vertex->matt = hit.brdf.matt;
+    if (vertex->matt) {
+        vertex->radiance = emission_reflected(&hit, &arrival);
+        vertex->found = arrival.found;
+    } else {
+        work->vertices.gloss[i] = (struct light_gloss){hit, arrival};
+    }
+    if (!vertex->matt || glms_vec3_norm2(vertex->radiance) > 0)
         vertex->density = arrival.density;
 }
 
@@ -40,11 +47,20 @@ static void trace_chunk(void *context, size_t chunk) {
         trace(context, (uint32_t)chunk * CHUNK + i);
 }
 
-struct light_vertex *light_vertices_trace(const struct emission *emission,
-                                          const struct ray_scene *rays, uint32_t seed,
-                                          int threads) {
-    struct work work = {emission, rays, seed, mem_alloc(LIGHT_VERTEX_COUNT, sizeof *work.vertices)};
+struct light_vertices light_vertices_trace(const struct emission *emission,
+                                           const struct ray_scene *rays, uint32_t seed,
+                                           int threads) {
+    struct work work = {.emission = emission, .rays = rays, .seed = seed};
+    work.vertices.items = mem_alloc(LIGHT_VERTEX_COUNT, sizeof *work.vertices.items);
+    if (rays->table->has_gloss)
+        work.vertices.gloss = mem_alloc(LIGHT_VERTEX_COUNT, sizeof *work.vertices.gloss);
     if (emission->count > 0)
         parallel_for(LIGHT_VERTEX_COUNT / CHUNK, threads, trace_chunk, &work);
     return work.vertices;
+}
+
+void light_vertices_free(struct light_vertices *vertices) {
+    free(vertices->items);
+    free(vertices->gloss);
+    *vertices = (struct light_vertices){0};
 }

@@ -17,13 +17,29 @@ enum { LIGHT_VERTEX_COUNT = 1 << 16 };
 
 struct light_vertex {
     vec3s position, normal; /* geometric, on the light's side */
-    vec3s radiance;         /* reflected, W/(sr m2) */
+    vec3s radiance;         /* reflected by a Lambertian surface, W/(sr m2) */
     float density;          /* of light rays there, 1/m2; 0 where none is reflected */
-    float cosine;           /* struct arrival's */
+    float found;            /* struct arrival's */
+    bool matt;              /* else what it reflects is in a light_gloss */
 };
 
-/* Traces the emission's LIGHT_VERTEX_COUNT rays on some threads (0 = all cores); free() frees. */
-struct light_vertex *light_vertices_trace(const struct emission *emission,
-                                          const struct ray_scene *rays, uint32_t seed, int threads);
+/* Of a vertex that reflects otherwise to everyone: the surface and what comes to it. */
+struct light_gloss {
+    struct hit hit;
+    struct arrival arrival;
+};
+
+struct light_vertices {
+    struct light_vertex *items;
+    struct light_gloss *gloss; /* of each; NULL where all surfaces are matt */
+};
+
+/* Traces the emission's LIGHT_VERTEX_COUNT rays on some threads (0 = all cores). */
+struct light_vertices light_vertices_trace(const struct emission *emission,
+                                           const struct ray_scene *rays, uint32_t seed,
+                                           int threads);
+
+/* Accepts zeroed ones. */
+void light_vertices_free(struct light_vertices *vertices);
 
 #endif

@@ -1,24 +1,26 @@
 #include "reference/path.h"
 
 #include "reference/reservoir.h"
-#include "reference/warp.h"
 
 #include <math.h>
 
-/* Light vertices for each cosine ray: they cost a shadow ray only, and one packet has them all. */
+/* Light vertices for each sampled ray: they cost a shadow ray only, and one packet has them all. */
 enum { LIGHTS_PER_VERTEX = 4 };
 
-/* Of a light vertex among the ways to it: the cosine at x finds it, and then the light is picked, or found
- * by the cosine, too. The power heuristic with exponent 2 [Veach 1997, §9.2.4]: of the weights tried,
- * the best on scenes where light bounces off small patches. */
-static float vertex_weight(const struct light_vertex *vertex, float density, float p_cosine) {
-    float picked = p_cosine / density; /* the densities' squares could overflow */
-    float found = picked * vertex->cosine;
+/* --- by way of light vertices ----------------------------------------------------------------- */
+
+/* Of a light vertex among the ways to it: the ray that x samples finds it, with that density, and then the
+ * light is picked, or found by a sampled ray, too. The power heuristic with exponent 2 [Veach 1997, §9.2.4]:
+ * of the weights tried, the best on scenes where light bounces off small patches. */
+static float vertex_weight(float density, float p_ray, float light_found) {
+    float picked = p_ray / density; /* the densities' squares could overflow */
+    float found = picked * light_found;
     return 1 / (1 + picked * picked + found * found);
 }
 
 /* The density, per area at a point y of that geometric normal, with which sampling the cosine at x
- * finds y; 0 where x and y do not face each other. */
+ * finds y; 0 where x and y do not face each other. The geometry term over pi, cos(x) cos(y) / (pi d^2), is
+ * the same. */
 static float cosine_density(const struct hit *x, vec3s y, vec3s normal) {
     vec3s path = glms_vec3_sub(y, x->position);
     float distance2 = glms_vec3_norm2(path);
@@ -28,109 +30,228 @@ static float cosine_density(const struct hit *x, vec3s y, vec3s normal) {
     return (cos_x / distance2) * (cos_y / distance2) * GLM_1_PIf;
 }
 
+/* What a vertex sends to x, and with which density a ray that it samples finds the light, over that with which
+ * it is picked. */
+static vec3s sent_to(const struct light_vertices *lights, uint32_t i, const struct hit *x,
+                     float *light_found) {
+    const struct light_vertex *vertex = &lights->items[i];
+    *light_found = vertex->found;
+    if (vertex->matt)
+        return vertex->radiance;
+    const struct arrival *arrival = &lights->gloss[i].arrival;
+    struct hit y = lights->gloss[i].hit;
+    y.towards = glms_vec3_normalize(glms_vec3_sub(x->position, y.position));
+    if (arrival->picked > 0)
+        *light_found =
+            hit_density(&y, arrival->direction, glms_vec3_dot(y.normal, arrival->direction)) /
+            arrival->picked;
+    return emission_reflected(&y, arrival);
+}
+
+/* A light vertex that x sees. */
+static struct reflected from_light_vertex(const struct light_vertices *lights, uint32_t i,
+                                          const struct hit *x, float p_cosine) {
+    float light_found, p_light = LIGHTS_PER_VERTEX * lights->items[i].density, p_ray = p_cosine;
+    vec3s radiance = sent_to(lights, i, x, &light_found);
+    if (x->brdf.matt) {
+        float share = p_cosine / p_light * vertex_weight(p_light, p_ray, light_found);
+        return (struct reflected){.diffuse = glms_vec3_scale(radiance, share)};
+    }
+    vec3s to_y = glms_vec3_normalize(glms_vec3_sub(lights->items[i].position, x->position));
+    float cosine = glms_vec3_dot(x->normal, to_y);
+    struct brdf_value value = brdf_eval(&x->brdf, x->normal, x->towards, to_y);
+    p_ray *= hit_density(x, to_y, cosine) / (cosine * GLM_1_PIf);
+    vec3s light =
+        glms_vec3_scale(radiance, p_cosine / p_light * vertex_weight(p_light, p_ray, light_found));
+    return (struct reflected){
+        glms_vec3_scale(light, value.diffuse),
+        glms_vec3_scale(glms_vec3_mul(light, value.specular), GLM_PIf),
+    };
+}
+
 /* By way of the first hits of light rays, a run of them at once. */
-static vec3s from_light_vertices(const struct ray_scene *rays, const struct hit *x,
-                                 const struct light_vertex *vertices, struct sampler *sampler) {
-    uint32_t first = sampler_next_run(sampler, LIGHTS_PER_VERTEX);
-    const struct light_vertex *run[LIGHTS_PER_VERTEX];
+static struct reflected from_light_vertices(const struct ray_scene *rays, const struct hit *x,
+                                            const struct light_vertices *lights,
+                                            struct sampler *sampler) {
+    uint32_t first = sampler_next_run(sampler, LIGHTS_PER_VERTEX), run[LIGHTS_PER_VERTEX];
     float p_cosine[LIGHTS_PER_VERTEX];
-    vec3s to[LIGHTS_PER_VERTEX], sum = glms_vec3_zero();
+    vec3s to[LIGHTS_PER_VERTEX];
     bool visible[LIGHTS_PER_VERTEX];
+    struct reflected sum = {0};
     for (uint32_t i = 0; i < LIGHTS_PER_VERTEX; i++) {
-        run[i] = &vertices[(first ^ i) % LIGHT_VERTEX_COUNT];
-        p_cosine[i] = run[i]->density > 0 ? cosine_density(x, run[i]->position, run[i]->normal) : 0;
+        run[i] = (first ^ i) % LIGHT_VERTEX_COUNT;
+        const struct light_vertex *y = &lights->items[run[i]];
+        p_cosine[i] = y->density > 0 ? cosine_density(x, y->position, y->normal) : 0;
         visible[i] = p_cosine[i] > 0;
-        to[i] = ray_scene_above(rays, run[i]->position, run[i]->normal);
+        to[i] = ray_scene_above(rays, y->position, y->normal);
     }
     ray_scene_visible_4(rays, ray_scene_departure(rays, x), to, visible);
     for (int i = 0; i < LIGHTS_PER_VERTEX; i++) {
         if (!visible[i])
             continue;
-        /* The geometry term over pi, cos(x) cos(y) / (pi d^2), equals p_cosine. */
-        float p_light = LIGHTS_PER_VERTEX * run[i]->density;
-        float share = p_cosine[i] / p_light * vertex_weight(run[i], p_light, p_cosine[i]);
-        sum = glms_vec3_muladds(run[i]->radiance, share, sum);
+        struct reflected light = from_light_vertex(lights, run[i], x, p_cosine[i]);
+        sum.diffuse = glms_vec3_add(sum.diffuse, light.diffuse);
+        sum.specular = glms_vec3_add(sum.specular, light.specular);
     }
     return sum;
 }
 
-/* By way of the y that the cosine at x found. Of several lights one is asked for its shadow, picked
- * by what it would give without: three have the noise of a ray for each, with 27 it takes a
- * quarter of the rays. */
-static vec3s from_cosine_ray(const struct ray_scene *rays, const struct emission *emission,
-                             const struct hit *x, const struct hit *y, struct sampler *sampler) {
-    struct reservoir reservoir = {.pick = emission->count > 1 ? sampler_next(sampler).x : 0};
-    vec2s sample = emission->has_sizes ? sampler_next(sampler) : (vec2s){{0, 0}};
-    float p_cosine = cosine_density(x, y->position, y->geometric_normal);
-    for (int n = 0; n < emission->count; n++) {
-        struct arrival arrival;
-        if (!emission_reach(emission, n, emission_place(emission, n, sample, y), y, &arrival))
-            continue;
-        float p_light = LIGHTS_PER_VERTEX * arrival.density / p_cosine;
-        vec3s given = glms_vec3_scale(emission_reflected(y, &arrival),
-                                      emission_picked_weight(&arrival, p_light));
-        reservoir_offer(&reservoir, given, arrival.at);
-    }
-    return reservoir_light(&reservoir, rays, y);
-}
+/* --- by way of sampled rays ------------------------------------------------------------------- */
 
-/* A ray by the cosine. */
+/* A ray that a surface's reflection samples. */
 struct step {
     vec3s direction;
+    float density; /* 1/sr; of glossy surfaces alone */
+    struct reflected
+        share;   /* of radiance that comes along it, what is reflected over the density */
     bool leaves; /* it does not run into its own surface */
     bool hits;   /* something, at `end` */
     struct hit end;
 };
 
+static void weigh(struct step *step, const struct hit *from) {
+    const struct brdf *brdf = &from->brdf;
+    step->share = (struct reflected){.diffuse = glms_vec3_one()};
+    if (brdf->matt)
+        return;
+    float cosine = glms_vec3_dot(from->normal, step->direction);
+    struct brdf_value value = brdf_eval(brdf, from->normal, from->towards, step->direction);
+    step->density = brdf_density(brdf, from->normal, from->towards, step->direction);
+    step->leaves = step->leaves && cosine > 0 && step->density > 0;
+    if (!step->leaves)
+        return;
+    float share = cosine / step->density;
+    step->share.diffuse = glms_vec3_fill(value.diffuse * share * GLM_1_PIf);
+    step->share.specular = glms_vec3_scale(value.specular, share);
+}
+
 static struct step take_step(const struct ray_scene *rays, const struct hit *from, vec2s sample) {
-    struct step step = {.direction = warp_to_cosine(sample, from->normal)};
+    struct step step = {.direction = brdf_sample(&from->brdf, from->normal, from->towards, sample)};
     step.leaves = glms_vec3_dot(step.direction, from->geometric_normal) > 0;
+    weigh(&step, from);
     step.hits = step.leaves &&
                 ray_scene_hit(rays, ray_scene_departure(rays, from), step.direction, &step.end);
     return step;
 }
 
-/* By way of the y that the cosine at x found, where the next step came to a light. */
-static vec3s from_found_light(const struct emission *emission, const struct hit *x,
-                              const struct hit *y, const struct step *next) {
-    struct arrival arrival;
-    if (!next->leaves ||
-        !emission_found(emission, y, next->direction, next->hits ? &next->end : NULL, &arrival))
-        return glms_vec3_zero();
-    float p_cosine = cosine_density(x, y->position, y->geometric_normal);
-    float p_light = LIGHTS_PER_VERTEX * arrival.density / p_cosine;
-    float share = emission_found_weight(&arrival, p_light) / arrival.cosine;
-    return glms_vec3_scale(emission_reflected(y, &arrival), share);
+/* The density, per area at its end, with which x samples the step. */
+static float step_density(const struct hit *x, const struct step *step) {
+    const struct hit *y = &step->end;
+    if (x->brdf.matt)
+        return cosine_density(x, y->position, y->geometric_normal);
+    float cosine = -glms_vec3_dot(y->geometric_normal, step->direction);
+    return step->density * cosine / glms_vec3_distance2(x->position, y->position);
+}
+
+/* By way of the y that the ray found. Of several lights one is asked for its shadow, picked
+ * by what it would give without: three have the noise of a ray for each, with 27 it takes a
+ * quarter of the rays. p_ray: step_density's. */
+static vec3s from_ray(const struct ray_scene *rays, const struct emission *emission,
+                      const struct hit *y, float p_ray, struct sampler *sampler) {
+    struct reservoir reservoir = {.pick = emission->count > 1 ? sampler_next(sampler).x : 0};
+    vec2s sample = emission->has_sizes ? sampler_next(sampler) : (vec2s){{0, 0}};
+    for (int n = 0; n < emission->count; n++) {
+        struct arrival arrival;
+        if (!emission_reach(emission, n, emission_place(emission, n, sample, y), y, &arrival))
+            continue;
+        float p_light = LIGHTS_PER_VERTEX * arrival.density / p_ray;
+        struct reflected given = {.diffuse =
+                                      glms_vec3_scale(emission_reflected(y, &arrival),
+                                                      emission_picked_weight(&arrival, p_light))};
+        reservoir_offer(&reservoir, &given, arrival.at);
+    }
+    return reservoir_light(&reservoir, rays, y).diffuse;
+}
+
+/* By way of the y that the ray found, where the next step came to a light. */
+static vec3s from_found_light(const struct emission *emission, const struct hit *y,
+                              const struct step *next, float p_ray) {
+    vec3s sum = glms_vec3_zero();
+    for (int n = 0; next->leaves && n < emission->count; n++) {
+        struct arrival arrival;
+        if (!emission_found(emission, n, y, next->direction, next->hits ? &next->end : NULL,
+                            &arrival))
+            continue;
+        float p_light = LIGHTS_PER_VERTEX * arrival.density / p_ray;
+        float share = emission_found_weight(&arrival, p_light) / arrival.found;
+        sum = glms_vec3_add(sum, glms_vec3_scale(emission_reflected(y, &arrival), share));
+    }
+    return sum;
+}
+
+/* --- the path --------------------------------------------------------------------------------- */
+
+/* Where a path is: the surface, and what its first surface reflects of radiance that leaves this one. */
+struct place {
+    struct hit x;
+    bool is_first;
+    struct reflected share;
+};
+
+/* Adds light that x reflects. */
+static void add_light(const struct place *place, const struct reflected *light,
+                      struct reflected *sum) {
+    const struct hit *x = &place->x;
+    if (place->is_first) {
+        sum->diffuse = glms_vec3_add(sum->diffuse, light->diffuse);
+        sum->specular = glms_vec3_add(sum->specular, light->specular);
+        return;
+    }
+    vec3s diffuse = glms_vec3_mul(place->share.diffuse, x->brdf.albedo);
+    sum->diffuse = glms_vec3_add(sum->diffuse, glms_vec3_mul(diffuse, light->diffuse));
+    if (!x->brdf.matt)
+        sum->diffuse =
+            glms_vec3_add(sum->diffuse, glms_vec3_mul(place->share.diffuse, light->specular));
+    sum->specular =
+        glms_vec3_add(sum->specular, glms_vec3_mul(place->share.specular, hit_radiance(x, light)));
 }
 
 /* Whether there is a next vertex: the path did not leave the scene or run into its own surface, nor
  * met a black back. */
 static bool goes_on(const struct step *step) {
-    return step->hits && glms_vec3_norm2(step->end.albedo) > 0;
+    return step->hits && !hit_is_black(&step->end);
 }
 
-vec3s path_indirect(const struct path_scene *scene, const struct light_vertex *lights,
-                    const struct hit *first, struct sampler *sampler) {
+static void go_on(struct place *place, const struct step *step) {
+    if (place->is_first) {
+        place->share = step->share;
+    } else {
+        vec3s all = hit_radiance(&place->x, &step->share);
+        place->share.diffuse = glms_vec3_mul(place->share.diffuse, all);
+        place->share.specular = glms_vec3_mul(place->share.specular, all);
+    }
+    place->is_first = false;
+    place->x = step->end;
+}
+
+struct reflected path_indirect(const struct path_scene *scene, const struct light_vertices *lights,
+                               const struct hit *first, struct sampler *sampler) {
     const struct ray_scene *rays = scene->rays;
     const struct emission *emission = scene->emission;
-    vec3s sum = glms_vec3_zero(), throughput = glms_vec3_one();
-    struct hit x = *first;
+    struct reflected sum = {0};
+    struct place place = {*first, .is_first = true};
     struct step step, next;
+    bool has_next = false; /* taken already, in search of lights */
     for (int bounce = 0; bounce < scene->bounces; bounce++) {
-        vec3s light = from_light_vertices(rays, &x, lights, sampler);
-        step = bounce && emission->has_found ? next : take_step(rays, &x, sampler_next(sampler));
+        struct reflected light = from_light_vertices(rays, &place.x, lights, sampler);
+        step = has_next ? next : take_step(rays, &place.x, sampler_next(sampler));
         bool ends = !goes_on(&step);
-        if (!ends)
-            light = glms_vec3_add(light, from_cosine_ray(rays, emission, &x, &step.end, sampler));
-        if (!ends && emission->has_found) {
-            next = take_step(rays, &step.end, sampler_next(sampler));
-            light = glms_vec3_add(light, from_found_light(emission, &x, &step.end, &next));
+        vec3s along = glms_vec3_zero(); /* the step */
+        if (!ends) {
+            float p_ray = step_density(&place.x, &step);
+            along = from_ray(rays, emission, &step.end, p_ray, sampler);
+            has_next = emission_can_be_found(emission, &step.end);
+            if (has_next) {
+                next = take_step(rays, &step.end, sampler_next(sampler));
+                along = glms_vec3_add(along, from_found_light(emission, &step.end, &next, p_ray));
+            }
         }
-        sum = glms_vec3_add(sum, glms_vec3_mul(throughput, light));
+        light.diffuse = glms_vec3_add(light.diffuse, glms_vec3_mul(step.share.diffuse, along));
+        light.specular = glms_vec3_add(light.specular, glms_vec3_mul(step.share.specular, along));
+        add_light(&place, &light, &sum);
         if (ends)
             break;
-        throughput = glms_vec3_mul(throughput, step.end.albedo);
-        x = step.end;
+        go_on(&place, &step);
     }
     return sum;
 }

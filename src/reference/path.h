@@ -10,9 +10,9 @@ struct path_scene {
     int bounces;
 };
 
-/* An estimate of the light that reaches x over 1 to `bounces` bounces, as irradiance over pi.
- * lights: the vertices of the sampler's stream. */
-vec3s path_indirect(const struct path_scene *scene, const struct light_vertex *lights,
-                    const struct hit *x, struct sampler *sampler);
+/* An estimate of what x reflects of light that comes over 1 to `bounces` bounces; diffuse: of a Lambertian
+ * surface, irradiance over pi. lights: the vertices of the sampler's stream. */
+struct reflected path_indirect(const struct path_scene *scene, const struct light_vertices *lights,
+                               const struct hit *x, struct sampler *sampler);
 
 #endif

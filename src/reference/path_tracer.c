@@ -13,6 +13,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 /* Samples of a pixel: of the first pass, and how many a forecast expects before it has seen any. */
@@ -27,12 +28,13 @@ struct tracer {
     struct ray_scene rays;
     struct primary_rays primary;
     struct emission emission;
-    struct light_vertex *lights[FILM_STREAMS];
+    struct light_vertices lights[FILM_STREAMS];
     struct film_pixel *pixels;
-    struct film_seen *seen; /* where it is wanted */
-    struct image *image;    /* once developed */
-    uint32_t done, end;     /* samples of a pixel: of earlier passes, and after the present one */
-    double noise;           /* after the last pass */
+    struct film_seen *seen;   /* where it is wanted */
+    struct film_gloss *gloss; /* where there is some */
+    struct image *image;      /* once developed */
+    uint32_t done, end;       /* samples of a pixel: of earlier passes, and after the present one */
+    double noise;             /* after the last pass */
 };
 
 /* --- samples --- */
@@ -45,17 +47,28 @@ static struct film_seen *seen_at(const struct tracer *tracer, int x, int y) {
     return &tracer->seen[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
 }
 
-static vec3s mean_of_paths(const struct tracer *tracer, const struct hit *hit, int stream,
-                           const struct sampler *start) {
+static struct film_gloss *gloss_at(const struct tracer *tracer, int x, int y) {
+    return &tracer->gloss[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
+}
+
+/* Of the picture's channels, the first of gloss; 0 = it has none. */
+static int gloss_channel(const struct tracer *tracer) {
+    return !tracer->gloss ? 0 : tracer->desc.seen ? CHANNEL_END : CHANNEL_PATH_TRACER_END;
+}
+
+static struct reflected mean_of_paths(const struct tracer *tracer, const struct hit *hit,
+                                      int stream, const struct sampler *start) {
     struct path_scene scene = {&tracer->rays, &tracer->emission, tracer->desc.bounces};
     uint32_t paths = (uint32_t)tracer->desc.paths;
-    vec3s sum = glms_vec3_zero();
+    struct reflected sum = {0};
     for (uint32_t i = 0; i < paths; i++) {
         struct sampler sampler = {start->seed, start->index * paths + i, start->pair};
-        vec3s light = path_indirect(&scene, tracer->lights[stream], hit, &sampler);
-        sum = glms_vec3_add(sum, light);
+        struct reflected light = path_indirect(&scene, &tracer->lights[stream], hit, &sampler);
+        sum.diffuse = glms_vec3_add(sum.diffuse, light.diffuse);
+        sum.specular = glms_vec3_add(sum.specular, light.specular);
     }
-    return glms_vec3_scale(sum, 1 / (float)paths);
+    return (struct reflected){glms_vec3_scale(sum.diffuse, 1 / (float)paths),
+                              glms_vec3_scale(sum.specular, 1 / (float)paths)};
 }
 
 /* The indirect paths' samplers, at pairs that no path comes to. */
@@ -89,12 +102,19 @@ static void add_seen(const struct tracer *tracer, const struct hit *hit,
                      const struct direct_samplers *samplers, struct film_seen *sums) {
     struct seen seen =
         seen_from(&tracer->emission, &tracer->rays, hit, samplers->items, PATHS_PER_SAMPLE);
-    film_seen_add(sums, hit->albedo, &seen);
+    film_seen_add(sums, hit->brdf.albedo, &seen);
 }
+
+/* Sums of a pixel. */
+struct sums {
+    struct film_pixel pixel;
+    struct film_seen seen;
+    struct film_gloss gloss;
+};
 
 /* Adds what a pixel's i-th sample sees. */
 static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
-                        struct film_pixel *pixel, struct film_seen *seen) {
+                        struct sums *sums) {
     const struct path_tracer_desc *desc = &tracer->desc;
     uint32_t pixel_number = (uint32_t)py * (uint32_t)desc->width + (uint32_t)px;
     uint32_t pixel_seed = sampler_hash(desc->seed, pixel_number);
@@ -105,33 +125,36 @@ static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
     float x = (float)px + at.x, y = (float)py + at.y;
     struct hit hit;
     if (!primary_hit(&tracer->primary, x, y, &hit)) {
-        film_pixel_add_background(pixel, background(tracer, x, y));
+        film_pixel_add_background(&sums->pixel, background(tracer, x, y));
         return;
     }
     struct direct_samplers samplers = direct_samplers(&sampler);
     struct film_sample sample = {
         .position = hit.position,
-        .albedo = hit.albedo,
+        .albedo = hit.brdf.albedo,
         .normal = hit.normal,
         .direct = emission_direct(&tracer->emission, &tracer->rays, &hit, samplers.items,
                                   PATHS_PER_SAMPLE),
         .indirect = mean_of_paths(tracer, &hit, stream, &sampler),
-        .emitted = surfaces_glow(&tracer->emission.surfaces, &hit),
+        .emitted = glms_vec3_add(surfaces_glow(&tracer->emission.surfaces, &hit), hit.unlit),
     };
-    film_pixel_add(pixel, stream, &sample);
+    film_pixel_add(&sums->pixel, stream, &sample);
+    if (tracer->gloss)
+        film_gloss_add(&sums->gloss, stream, &sample);
     if (desc->seen)
-        add_seen(tracer, &hit, &samplers, seen);
+        add_seen(tracer, &hit, &samplers, &sums->seen);
 }
 
 /* Sums of a pass are made apart, so that a long render loses no digits. */
 static void add_pass(const struct tracer *tracer, int px, int py) {
-    struct film_pixel sums = {0};
-    struct film_seen seen = {0};
+    struct sums sums = {0};
     for (uint32_t i = tracer->done; i < tracer->end; i++)
-        take_sample(tracer, px, py, i, &sums, &seen);
-    film_pixel_merge(pixel_at(tracer, px, py), &sums);
+        take_sample(tracer, px, py, i, &sums);
+    film_pixel_merge(pixel_at(tracer, px, py), &sums.pixel);
     if (tracer->seen)
-        film_seen_merge(seen_at(tracer, px, py), &seen);
+        film_seen_merge(seen_at(tracer, px, py), &sums.seen);
+    if (tracer->gloss)
+        film_gloss_merge(gloss_at(tracer, px, py), &sums.gloss);
 }
 
 /* --- passes --- */
@@ -196,6 +219,20 @@ static double estimate_direct_noise(const struct tracer *tracer) {
     return mean_sum > 0 ? sqrt(variance_sum * (double)pixel_count) / mean_sum : 0;
 }
 
+/* The same of specular light, but over the beauty's mean: there may be little of it. */
+static double estimate_gloss_noise(const struct tracer *tracer) {
+    size_t pixel_count = (size_t)tracer->desc.width * (size_t)tracer->desc.height;
+    double beauty_sum = 0, variance_sum = 0, values = 3 * (double)pixel_count;
+    for (size_t i = 0; tracer->gloss && i < pixel_count; i++) {
+        struct film_estimate estimate = film_gloss_estimate(&tracer->gloss[i], (int)tracer->done);
+        for (int c = 0; c < 3; c++) {
+            beauty_sum += (double)tracer->pixels[i].beauty[c] / tracer->done;
+            variance_sum += estimate.variance[c];
+        }
+    }
+    return beauty_sum > 0 ? sqrt(variance_sum * values) / beauty_sum : 0;
+}
+
 static bool render_pass(struct tracer *tracer, uint32_t end) {
     const struct path_tracer_desc *desc = &tracer->desc;
     tracer->end = end;
@@ -203,6 +240,7 @@ static bool render_pass(struct tracer *tracer, uint32_t end) {
         return false;
     tracer->done = end;
     tracer->noise = fmax(estimate_noise(tracer), estimate_direct_noise(tracer));
+    tracer->noise = fmax(tracer->noise, estimate_gloss_noise(tracer));
     return true;
 }
 
@@ -235,6 +273,8 @@ static void develop_row(void *context, int row) {
         film_pixel_develop(pixel_at(tracer, x, row), samples, channels);
         if (tracer->seen)
             film_seen_develop(seen_at(tracer, x, row), pixel_at(tracer, x, row), channels);
+        if (tracer->gloss)
+            film_gloss_develop(gloss_at(tracer, x, row), samples, &channels[gloss_channel(tracer)]);
         if (primary_hit(&tracer->primary, (float)x + 0.5f, (float)row + 0.5f, &center))
             channels[CHANNEL_DEPTH] = primary_depth(&tracer->primary, center.position);
     }
@@ -242,8 +282,10 @@ static void develop_row(void *context, int row) {
 
 static bool develop(struct tracer *tracer) {
     const struct path_tracer_desc *desc = &tracer->desc;
-    image_init(tracer->image, desc->width, desc->height,
-               desc->seen ? CHANNELS_OF_PATH_TRACER " " CHANNELS_OF_SEEN : CHANNELS_OF_PATH_TRACER);
+    char channels[1024];
+    snprintf(channels, sizeof channels, "%s%s%s", CHANNELS_OF_PATH_TRACER,
+             desc->seen ? " " CHANNELS_OF_SEEN : "", tracer->gloss ? " " CHANNELS_OF_GLOSS : "");
+    image_init(tracer->image, desc->width, desc->height, channels);
     return rows_render(&(struct rows){desc->height, desc->threads, develop_row, NULL, tracer});
 }
 
@@ -282,6 +324,7 @@ static bool render(struct tracer *tracer, const struct hit_table *table) {
                                        .primary = &tracer->primary,
                                        .samples = (int)tracer->done,
                                        .paths = tracer->desc.paths,
+                                       .gloss_channel = gloss_channel(tracer),
                                        .threads = tracer->desc.threads},
                 tracer->image);
     return true;
@@ -294,6 +337,8 @@ static bool check_memory(const struct path_tracer_desc *desc) {
     if (desc->seen)
         of_pixel +=
             sizeof(struct film_seen) + sizeof(float) * (CHANNEL_END - CHANNEL_PATH_TRACER_END);
+    if (desc->materials == MATERIALS_FULL && !materials_are_plain(desc->scene))
+        of_pixel += sizeof(struct film_gloss) + sizeof(float) * GLOSS_END;
     return mem_check(pixels * of_pixel) ||
            error_prefix("a reference of %dx%d", desc->width, desc->height);
 }
@@ -306,19 +351,21 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     desc = &tracer.desc;
     if (!check_memory(desc))
         return false;
-    hit_table_init(&table, desc->scene, desc->geometry);
+    hit_table_init(&table, desc->scene, desc->geometry, (enum materials)desc->materials);
     emission_init(&tracer.emission, &desc->emitters, desc->geometry, &table, LIGHT_VERTEX_COUNT);
     tracer.primary = (struct primary_rays){&tracer.rays, desc->camera, desc->width, desc->height};
     size_t pixels = (size_t)desc->width * (size_t)desc->height;
     tracer.pixels = mem_alloc(pixels, sizeof *tracer.pixels);
     tracer.seen = desc->seen ? mem_alloc(pixels, sizeof *tracer.seen) : NULL;
+    tracer.gloss = table.has_gloss ? mem_alloc(pixels, sizeof *tracer.gloss) : NULL;
     bool ok = render(&tracer, &table);
     if (ok && reached)
         *reached = (struct path_tracer_progress){1, tracer.noise, (int)tracer.done};
     for (int stream = 0; stream < FILM_STREAMS; stream++)
-        free(tracer.lights[stream]);
+        light_vertices_free(&tracer.lights[stream]);
     free(tracer.pixels);
     free(tracer.seen);
+    free(tracer.gloss);
     emission_free(&tracer.emission);
     ray_scene_free(&tracer.rays);
     hit_table_free(&table);

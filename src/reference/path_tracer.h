@@ -1,15 +1,17 @@
-/* Ground truth: a path tracer for diffuse scenes under spots, points, directional and area lights, and a
- * sky.
+/* Ground truth: a path tracer for diffuse and glossy surfaces under spots, points, directional and area lights,
+ * and a sky.
  *
  * A path of b bounces runs camera -> x0 -> x1 ... -> xb -> light. All vertices but the last are
- * found by sampling the cosine; the last one both so and by the first hits of light rays, weighted
+ * found by sampling the reflection, of a Lambertian surface the cosine; the last one both so and by the first hits of light rays, weighted
  * by the power heuristic [Veach 1997, §9.2.4]: light that bounces off a small bright patch is hard
  * for the first way, corners are hard for the second. No clamping, no Russian roulette: the result
  * is unbiased, and its noise is estimated from independent streams of samples. The light rays' hits
  * are traced once and shared by all pixels (reference/light_vertices.h). Of several lights each has
  * its own two ways, weighted apart. A light with a size ends each path at another place of it, and
  * its direct light has noise too: the greater of the two counts. To the sky there is a way more, by
- * the cosine at the path's last vertex, weighted with the others.
+ * the cosine at the path's last vertex, weighted with the others; of glossy surfaces, to all lights with a
+ * size. A light without one that smooth metal throws onto other surfaces, a caustic, is found by light
+ * rays' hits alone, and stays noisy.
  *
  * Vertices carry shading normals without any terminator correction. A surface passes light only
  * between directions on one side of its triangle.
@@ -37,20 +39,23 @@ struct path_tracer_desc {
     int width, height;        /* default 800 */
     int bounces;              /* 0 = direct light only */
     int samples;              /* per pixel; 0 = until noise is reached */
-    int paths;    /* of indirect light from each sample; default 1 below 16 samples, else 4 */
-    double noise; /* standard error of the indirect layer, RMS over its mean, and of direct light of
-                     lights with a size; default 0.01 */
+    int paths; /* of indirect light from each sample; default 1 below 16 samples, else 4 */
+    double
+        noise; /* standard error of the indirect layer, RMS over its mean, of direct light of lights with
+                     a size, and of specular light over the beauty's mean; default 0.01 */
     uint32_t seed;
-    bool centers; /* through pixels' centres, as a rasteriser has them; else all over pixels */
-    bool seen;    /* the layers unshadowed and visibility, too: reference/seen.h */
-    bool denoise; /* the indirect layer (reference/denoise.h), after the noise is told */
-    int threads;  /* 0 = all cores; does not change the picture */
+    int materials; /* enum materials */
+    bool centers;  /* through pixels' centres, as a rasteriser has them; else all over pixels */
+    bool seen;     /* the layers unshadowed and visibility, too: reference/seen.h */
+    bool denoise;  /* the indirect layer (reference/denoise.h), after the noise is told */
+    int threads;   /* 0 = all cores; does not change the picture */
     /* Called now and then from any of the threads, one at a time; false cancels. */
     bool (*progress)(void *user, const struct path_tracer_progress *progress);
     void *user;
 };
 
-/* Renders into a new image with CHANNELS_OF_PATH_TRACER, and CHANNELS_OF_SEEN; reached, unless NULL, tells samples and
+/* Renders into a new image with CHANNELS_OF_PATH_TRACER, CHANNELS_OF_SEEN where asked for, and CHANNELS_OF_GLOSS
+ * where some surface has it; reached, unless NULL, tells samples and
  * noise. Error: Embree's own, or "cancelled"; the image is then zeroed. */
 bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image,
                         struct path_tracer_progress *reached);

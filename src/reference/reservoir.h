@@ -8,15 +8,17 @@
 /* Begin with a random number in [0, 1) as `pick`, all else zero. */
 struct reservoir {
     float pick, sum, picked; /* the number; how bright all are, and the one that is kept */
-    vec3s light, source;     /* what that one gives, from where */
+    struct reflected light;  /* what that one gives */
+    vec3s source;            /* from where */
 };
 
-static inline void reservoir_offer(struct reservoir *reservoir, vec3s given, vec3s source) {
-    float bright = glms_vec3_max(given);
+static inline void reservoir_offer(struct reservoir *reservoir, const struct reflected *given,
+                                   vec3s source) {
+    float bright = glms_vec3_max(given->diffuse) + glms_vec3_max(given->specular);
     reservoir->sum += bright;
     if (reservoir->pick * reservoir->sum < bright) {
         reservoir->pick *= reservoir->sum / bright;
-        reservoir->light = given;
+        reservoir->light = *given;
         reservoir->source = source;
         reservoir->picked = bright;
     } else if (bright < reservoir->sum) {
@@ -25,12 +27,15 @@ static inline void reservoir_offer(struct reservoir *reservoir, vec3s given, vec
 }
 
 /* What all that was offered gives at the hit, by the shadow ray of the one. */
-static inline vec3s reservoir_light(const struct reservoir *reservoir, const struct ray_scene *rays,
-                                    const struct hit *hit) {
+static inline struct reflected reservoir_light(const struct reservoir *reservoir,
+                                               const struct ray_scene *rays,
+                                               const struct hit *hit) {
     if (reservoir->picked == 0 ||
         !ray_scene_visible(rays, ray_scene_departure(rays, hit), reservoir->source))
-        return glms_vec3_zero();
-    return glms_vec3_scale(reservoir->light, reservoir->sum / reservoir->picked);
+        return (struct reflected){0};
+    float share = reservoir->sum / reservoir->picked;
+    return (struct reflected){glms_vec3_scale(reservoir->light.diffuse, share),
+                              glms_vec3_scale(reservoir->light.specular, share)};
 }
 
 #endif

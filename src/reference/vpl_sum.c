@@ -64,7 +64,7 @@ static void write(float *layer, vec3s value) {
 }
 
 /* Places on lights with a size, the same for all pixels: without noise, with steps in penumbrae. */
-static vec3s direct_light(const struct summation *summation, const struct hit *x) {
+static struct reflected direct_light(const struct summation *summation, const struct hit *x) {
     enum { PLACES = 64 };
     struct sampler samplers[PLACES];
     for (uint32_t i = 0; i < PLACES; i++)
@@ -78,13 +78,13 @@ static void render_pixel(const struct summation *summation, int px, int py) {
         return;
     float *channels = image_at(summation->image, px, py);
     vec3s indirect = gather(summation, &hit);
-    vec3s direct = direct_light(summation, &hit);
-    write(&channels[CHANNEL_BEAUTY], glms_vec3_mul(hit.albedo, glms_vec3_add(direct, indirect)));
+    vec3s direct = direct_light(summation, &hit).diffuse, albedo = hit.brdf.albedo;
+    write(&channels[CHANNEL_BEAUTY], glms_vec3_mul(albedo, glms_vec3_add(direct, indirect)));
     channels[CHANNEL_ALPHA] = 1;
     channels[CHANNEL_DEPTH] = primary_depth(&summation->primary, hit.position);
     write(&channels[CHANNEL_DIRECT], direct);
     write(&channels[CHANNEL_INDIRECT], indirect);
-    write(&channels[CHANNEL_ALBEDO], hit.albedo);
+    write(&channels[CHANNEL_ALBEDO], albedo);
     write(&channels[CHANNEL_NORMAL], hit.normal);
 }
 
@@ -119,7 +119,7 @@ bool vpl_sum_render(const struct vpl_sum_desc *desc, struct image *image) {
     desc = &summation.desc;
     summation.primary =
         (struct primary_rays){&summation.rays, desc->camera, desc->width, desc->height};
-    hit_table_init(&table, desc->scene, desc->geometry);
+    hit_table_init(&table, desc->scene, desc->geometry, (enum materials)desc->materials);
     emission_init(&summation.emission, &desc->emitters, desc->geometry, &table, 0);
     bool ok = image_fits(desc->width, desc->height, CHANNEL_COMMON_END) &&
               ray_scene_init(&summation.rays, &table);

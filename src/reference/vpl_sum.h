@@ -37,7 +37,8 @@ struct vpl_sum_desc {
     /* Rays end this far above a VPL's surface, metres: as far as its position may be off. Default:
      * a thousandth of the scene's radius. */
     float vpl_clearance;
-    int threads; /* 0 = all cores */
+    int materials; /* enum materials; specular reflection is left out */
+    int threads;   /* 0 = all cores */
     /* done in [0, 1]; from any of the threads, one at a time; false cancels. */
     bool (*progress)(void *user, double done);
     void *user;

@@ -208,6 +208,84 @@ struct emitter emitter_piece(const struct emitter *emitter, const float place[2]
     return piece;
 }
 
+/* --- rays that come to it ---------------------------------------------------------------------- */
+
+/* Of a point, relative to the middle. */
+static void in_frame(const struct emitter *emitter, const float offset[3], float local[3]) {
+    local[0] = glm_vec3_dot((float *)offset, (float *)emitter->right);
+    local[1] = glm_vec3_dot((float *)offset, (float *)emitter->up);
+    local[2] = glm_vec3_dot((float *)offset, (float *)emitter->direction);
+}
+
+static float turn_of(const float local[3]) {
+    float turn = atan2f(local[1], local[0]) / (2 * GLM_PIf);
+    return turn < 0 ? turn + 1 : turn;
+}
+
+static bool meet_plane(const struct emitter *emitter, const float from[3], const float along[3],
+                       float place[2], float *distance) {
+    if (along[2] >= 0 || from[2] <= 0)
+        return false;
+    *distance = -from[2] / along[2];
+    vec3 at;
+    glm_vec3_copy((float *)from, at);
+    glm_vec3_muladds((float *)along, *distance, at);
+    if (emitter_shape(emitter) == EMITTER_IS_RECTANGLE) {
+        for (int axis = 0; axis < 2; axis++)
+            place[axis] = at[axis] / emitter->size[axis] + .5F;
+        return place[0] >= 0 && place[0] < 1 && place[1] >= 0 && place[1] < 1;
+    }
+    place[0] = 4 * (at[0] * at[0] + at[1] * at[1]) / (emitter->size[0] * emitter->size[0]);
+    place[1] = turn_of(at);
+    return place[0] < 1;
+}
+
+static bool meet_sphere(const struct emitter *emitter, const float from[3], const float along[3],
+                        float place[2], float *distance) {
+    float radius = emitter->size[0] / 2, middle = -glm_vec3_dot((float *)from, (float *)along);
+    vec3 nearest;
+    glm_vec3_copy((float *)from, nearest);
+    glm_vec3_muladds((float *)along, middle, nearest);
+    float depth2 = radius * radius - glm_vec3_norm2(nearest);
+    if (depth2 <= 0 || middle <= sqrtf(depth2))
+        return false;
+    *distance = middle - sqrtf(depth2);
+    glm_vec3_muladds((float *)along, -sqrtf(depth2), nearest);
+    place[0] = glm_clamp((1 - nearest[2] / radius) / 2, 0, 1);
+    place[1] = turn_of(nearest);
+    return true;
+}
+
+static bool meet_cap(const struct emitter *emitter, const float along[3], float place[2],
+                     float *distance) {
+    vec3 shines;
+    glm_vec3_negate_to((float *)along, shines);
+    *distance = INFINITY;
+    place[0] = (1 - shines[2]) / (1 - cosf(emitter->size[0] / 2));
+    place[1] = turn_of(shines);
+    return place[0] < 1;
+}
+
+bool emitter_meet(const struct emitter *emitter, const float origin[3], const float direction[3],
+                  float place[2], float *distance) {
+    vec3 offset, from, along;
+    glm_vec3_sub((float *)origin, (float *)emitter->position, offset);
+    in_frame(emitter, offset, from);
+    in_frame(emitter, direction, along);
+    switch (emitter_shape(emitter)) {
+    case EMITTER_IS_POINT:
+        break;
+    case EMITTER_IS_RECTANGLE:
+    case EMITTER_IS_DISK:
+        return meet_plane(emitter, from, along, place, distance);
+    case EMITTER_IS_SPHERE:
+        return meet_sphere(emitter, from, along, place, distance);
+    case EMITTER_IS_CAP:
+        return meet_cap(emitter, along, place, distance);
+    }
+    return false;
+}
+
 /* --- radiometry ------------------------------------------------------------------------------- */
 
 /* In the cosine of the angle to the axis: how far it is from dark to full light. */

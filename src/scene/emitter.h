@@ -78,6 +78,12 @@ double emitter_extent(const struct emitter *emitter);
  * gives. A point's is itself. */
 struct emitter emitter_piece(const struct emitter *emitter, const float place[2]);
 
+/* The place, as emitter_piece has it, that a ray of that unit direction comes to, and how far from its
+ * origin, m, infinite for a directional light; false where it misses, or comes to its back. The side of a sphere
+ * that the ray comes to first. */
+bool emitter_meet(const struct emitter *emitter, const float origin[3], const float direction[3],
+                  float place[2], float *distance);
+
 /* The falloff in [0, 1] for the cosine of the angle to the axis: a spot's cone, an area light's
  * cosine; 1 for the other types. */
 float emitter_cone(const struct emitter *emitter, float cos_angle);

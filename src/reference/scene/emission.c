@@ -115,7 +115,7 @@ static float ray_density(const struct emitter *piece, const struct source *sourc
                                        : 1 / (source->solid_angle * distance * distance);
 }
 
-/* One over the density of emission_place's places, to those that are even in area. solid_angle: of a
+/* Over the density of emission_place's places, that of those that are even in area. solid_angle: of a
  * unit of area at the place. */
 static float place_weight(const struct emitter *light, const struct hit *hit, float solid_angle) {
     struct seen_rectangle seen;
@@ -123,6 +123,15 @@ static float place_weight(const struct emitter *light, const struct hit *hit, fl
     if (shape == EMITTER_IS_RECTANGLE && rectangle_see(&seen, light, hit->position))
         return (float)(seen.solid_angle / (emitter_extent(light) * (double)solid_angle));
     return shape == EMITTER_IS_SPHERE ? .5f : 1;
+}
+
+/* The density with which emission_place picks a place of a light, 1/sr; 0 where nobody asks, as none but a
+ * glossy surface's rays look for such lights. weight, solid_angle: as place_weight has them. */
+static float picked_density(const struct emitter *light, const struct hit *hit, float weight,
+                            float solid_angle) {
+    if (hit->brdf.matt || emitter_shape(light) == EMITTER_IS_POINT)
+        return 0;
+    return 1 / (weight * (float)emitter_extent(light) * solid_angle);
 }
 
 bool emission_reach(const struct emission *emission, int n, vec2s place, const struct hit *hit,
@@ -135,6 +144,7 @@ bool emission_reach(const struct emission *emission, int n, vec2s place, const s
     float strength = 1;                    /* irradiance across the beam, for an intensity of 1 */
     float density;                         /* of light rays across the beam, 1/m2 */
     float weight = 1;                      /* of the place */
+    float solid_angle = 1;                 /* of a unit of its extent */
     if (light.type == EMITTER_DIRECTIONAL) {
         density = 1 / cross_section(emission);
     } else {
@@ -149,8 +159,10 @@ bool emission_reach(const struct emission *emission, int n, vec2s place, const s
         density = ray_density(&light, source, strength, distance);
         if (source->kind == SOURCE_SURFACES)
             picked *= (double)(distance * distance / cos_axis);
-        else if (emission_has_size(emission, n) && cos_axis > 0)
-            weight = place_weight(&source->light, hit, cos_axis / (distance * distance));
+        else if (emission_has_size(emission, n) && cos_axis > 0) {
+            solid_angle = cos_axis / (distance * distance);
+            weight = place_weight(&source->light, hit, solid_angle);
+        }
     }
     float cos_shading = glms_vec3_dot(hit->normal, to_light);
     float cos_geometric = glms_vec3_dot(hit->geometric_normal, to_light);
@@ -160,7 +172,12 @@ bool emission_reach(const struct emission *emission, int n, vec2s place, const s
     arrival->irradiance =
         glms_vec3_scale(vector_of(light.intensity), weight * strength * cos_shading);
     arrival->density = weight * density * cos_geometric * source->share;
-    arrival->cosine = picked > 0 ? cos_shading * GLM_1_PIf / (float)picked : 0;
+    arrival->direction = to_light;
+    arrival->picked = source->kind == SOURCE_LIGHT
+                          ? picked_density(&source->light, hit, weight, solid_angle)
+                          : (float)picked;
+    arrival->found =
+        arrival->picked > 0 ? hit_density(hit, to_light, cos_shading) / arrival->picked : 0;
     return true;
 }
 
@@ -195,30 +212,55 @@ static bool find_sky(const struct emission *emission, vec3s direction, struct fo
     return found->picked > 0;
 }
 
-bool emission_found(const struct emission *emission, const struct hit *hit, vec3s direction,
+bool emission_can_be_found(const struct emission *emission, const struct hit *hit) {
+    return emission->has_found || (!hit->brdf.matt && emission->has_sizes);
+}
+
+/* A light that is no surface of the scene's list. What lies just before it hides nothing: it may be the
+ * very surface that the light is. */
+static bool find_light(const struct emission *emission, int n, const struct hit *hit,
+                       vec3s direction, const struct hit *end, struct arrival *arrival) {
+    vec2s place;
+    float distance;
+    if (hit->brdf.matt || !emitter_meet(&emission->sources[n].light, hit->position.raw,
+                                        direction.raw, place.raw, &distance))
+        return false;
+    float slack = 1e-4F * emission->radius;
+    if (end && glms_vec3_distance(end->position, hit->position) < distance - slack)
+        return false;
+    return emission_reach(emission, n, place, hit, arrival) && arrival->found > 0;
+}
+
+bool emission_found(const struct emission *emission, int n, const struct hit *hit, vec3s direction,
                     const struct hit *end, struct arrival *arrival) {
     float cosine = glms_vec3_dot(hit->normal, direction);
     float cos_geometric = glms_vec3_dot(hit->geometric_normal, direction);
     struct found found;
-    if (cosine <= 0 || cos_geometric <= 0 ||
-        !(end ? find_surface(emission, hit, direction, end, &found)
-              : find_sky(emission, direction, &found)))
+    if (cosine <= 0 || cos_geometric <= 0)
+        return false;
+    if (emission->sources[n].kind == SOURCE_LIGHT)
+        return find_light(emission, n, hit, direction, end, arrival);
+    bool is_sky = emission->sources[n].kind == SOURCE_SKY;
+    if (is_sky == (end != NULL) || !(end ? find_surface(emission, hit, direction, end, &found)
+                                         : find_sky(emission, direction, &found)))
         return false;
     *arrival = (struct arrival){
+        .direction = direction,
         .irradiance = glms_vec3_scale(found.radiance, cosine / found.picked),
         .density = found.rays * cos_geometric,
-        .cosine = cosine * GLM_1_PIf / found.picked,
+        .picked = found.picked,
+        .found = hit_density(hit, direction, cosine) / found.picked,
     };
-    return true;
+    return arrival->found > 0;
 }
 
 float emission_picked_weight(const struct arrival *arrival, float other_density) {
-    return 1 / (1 + arrival->cosine * arrival->cosine + other_density * other_density);
+    return 1 / (1 + arrival->found * arrival->found + other_density * other_density);
 }
 
 /* Ratios may be large, and their squares infinite. */
 float emission_found_weight(const struct arrival *arrival, float other_density) {
-    float picked = 1 / arrival->cosine, other = other_density / arrival->cosine;
+    float picked = 1 / arrival->found, other = other_density / arrival->found;
     return 1 / (1 + picked * picked + other * other);
 }
 
@@ -249,18 +291,42 @@ vec2s emission_place(const struct emission *emission, int n, vec2s sample, const
     return emission_even_place(emission, n, sample, hit);
 }
 
-vec3s emission_reflected(const struct hit *hit, const struct arrival *arrival) {
-    return glms_vec3_scale(glms_vec3_mul(hit->albedo, arrival->irradiance), GLM_1_PIf);
+/* --- what surfaces reflect -------------------------------------------------------------------- */
+
+/* Times pi: of a Lambertian surface, irradiance. */
+static struct reflected reflect(const struct hit *hit, const struct arrival *arrival, float share) {
+    vec3s light = glms_vec3_scale(arrival->irradiance, share);
+    if (hit->brdf.matt)
+        return (struct reflected){.diffuse = light};
+    struct brdf_value value = brdf_eval(&hit->brdf, hit->normal, hit->towards, arrival->direction);
+    return (struct reflected){glms_vec3_scale(light, value.diffuse),
+                              glms_vec3_scale(glms_vec3_mul(light, value.specular), GLM_PIf)};
 }
 
-static vec3s direct_from(const struct emission *emission, int n, const struct ray_scene *rays,
-                         const struct hit *hit, vec2s sample) {
+static struct reflected add(struct reflected a, struct reflected b) {
+    return (struct reflected){glms_vec3_add(a.diffuse, b.diffuse),
+                              glms_vec3_add(a.specular, b.specular)};
+}
+
+static struct reflected scale(struct reflected light, float share) {
+    return (struct reflected){glms_vec3_scale(light.diffuse, share),
+                              glms_vec3_scale(light.specular, share)};
+}
+
+vec3s emission_reflected(const struct hit *hit, const struct arrival *arrival) {
+    struct reflected light = reflect(hit, arrival, 1);
+    return glms_vec3_scale(hit_radiance(hit, &light), GLM_1_PIf);
+}
+
+static struct reflected direct_from(const struct emission *emission, int n,
+                                    const struct ray_scene *rays, const struct hit *hit,
+                                    vec2s sample) {
     struct arrival arrival;
     vec2s place = emission_place(emission, n, sample, hit);
     if (!emission_reach(emission, n, place, hit, &arrival) ||
         !ray_scene_visible(rays, ray_scene_departure(rays, hit), arrival.at))
-        return glms_vec3_zero();
-    return glms_vec3_scale(arrival.irradiance, emission_picked_weight(&arrival, 0));
+        return (struct reflected){0};
+    return reflect(hit, &arrival, emission_picked_weight(&arrival, 0));
 }
 
 /* Of emissive surfaces half may face away, and what is near counts most: so several places are looked at
@@ -269,63 +335,70 @@ static vec3s direct_from(const struct emission *emission, int n, const struct ra
  * behind windows noise is who sees it, and no less by this. */
 enum { CANDIDATES = 8 };
 
-static vec3s direct_resampled(const struct emission *emission, int n, const struct ray_scene *rays,
-                              const struct hit *hit, struct sampler *sampler) {
+static struct reflected direct_resampled(const struct emission *emission, int n,
+                                         const struct ray_scene *rays, const struct hit *hit,
+                                         struct sampler *sampler) {
     struct reservoir reservoir = {.pick = sampler_next(sampler).x};
     for (int i = 0; i < CANDIDATES; i++) {
         struct arrival arrival;
         if (!emission_reach(emission, n, sampler_next(sampler), hit, &arrival))
             continue;
-        vec3s given = glms_vec3_scale(arrival.irradiance, emission_picked_weight(&arrival, 0));
-        reservoir_offer(&reservoir, given, arrival.at);
+        struct reflected given = reflect(hit, &arrival, emission_picked_weight(&arrival, 0));
+        reservoir_offer(&reservoir, &given, arrival.at);
     }
-    return glms_vec3_scale(reservoir_light(&reservoir, rays, hit), 1.F / CANDIDATES);
+    return scale(reservoir_light(&reservoir, rays, hit), 1.F / CANDIDATES);
 }
 
-/* Of a light by a ray that may come to one. */
-static vec3s direct_by_cosine(const struct emission *emission, const struct ray_scene *rays,
-                              const struct hit *hit, vec2s sample) {
-    vec3s direction = warp_to_cosine(sample, hit->normal);
-    struct arrival arrival;
+/* Of lights by a ray that may come to one. */
+static struct reflected direct_by_ray(const struct emission *emission, const struct ray_scene *rays,
+                                      const struct hit *hit, vec2s sample) {
+    vec3s direction = brdf_sample(&hit->brdf, hit->normal, hit->towards, sample);
+    struct reflected sum = {0};
     struct hit end;
     if (glms_vec3_dot(direction, hit->geometric_normal) <= 0)
-        return glms_vec3_zero();
+        return sum;
     bool ends = ray_scene_hit(rays, ray_scene_departure(rays, hit), direction, &end);
-    if (!emission_found(emission, hit, direction, ends ? &end : NULL, &arrival))
-        return glms_vec3_zero();
-    return glms_vec3_scale(arrival.irradiance, emission_found_weight(&arrival, 0) / arrival.cosine);
+    for (int n = 0; n < emission->count; n++) {
+        struct arrival arrival;
+        if (!emission_found(emission, n, hit, direction, ends ? &end : NULL, &arrival))
+            continue;
+        float share = emission_found_weight(&arrival, 0) / arrival.found;
+        sum = add(sum, reflect(hit, &arrival, share));
+    }
+    return sum;
 }
 
-/* The mean over samplers; n = the count of sources: by the cosine. */
-static vec3s direct_of_many(const struct emission *emission, int n, const struct ray_scene *rays,
-                            const struct hit *hit, const struct sampler *samplers, int count) {
-    vec3s sum = glms_vec3_zero(), light;
+/* The mean over samplers; n = the count of sources: by rays that may come to any. */
+static struct reflected direct_of_many(const struct emission *emission, int n,
+                                       const struct ray_scene *rays, const struct hit *hit,
+                                       const struct sampler *samplers, int count) {
+    struct reflected sum = {0}, light;
     for (int i = 0; i < count; i++) {
         struct sampler sampler = samplers[i];
         sampler.pair += (uint32_t)n;
         if (n == emission->count)
-            light = direct_by_cosine(emission, rays, hit, sampler_next(&sampler));
+            light = direct_by_ray(emission, rays, hit, sampler_next(&sampler));
         else if (n == emission->surfaces_number)
             light = direct_resampled(emission, n, rays, hit, &sampler);
         else
             light = direct_from(emission, n, rays, hit, sampler_next(&sampler));
-        sum = glms_vec3_add(sum, light);
+        sum = add(sum, light);
     }
-    return glms_vec3_scale(sum, 1 / (float)count);
+    return scale(sum, 1 / (float)count);
 }
 
-vec3s emission_direct(const struct emission *emission, const struct ray_scene *rays,
-                      const struct hit *hit, const struct sampler *samplers, int count) {
-    int ways = emission->has_found ? emission->count + 1 : emission->count;
-    vec3s sum = glms_vec3_zero(), light;
+struct reflected emission_direct(const struct emission *emission, const struct ray_scene *rays,
+                                 const struct hit *hit, const struct sampler *samplers, int count) {
+    int ways = emission_can_be_found(emission, hit) ? emission->count + 1 : emission->count;
+    struct reflected sum = {0}, light;
     for (int n = 0; n < ways; n++) {
         if (n < emission->count && !emission_has_size(emission, n))
             light = direct_from(emission, n, rays, hit, (vec2s){{0, 0}});
         else
             light = direct_of_many(emission, n, rays, hit, samplers, count);
-        sum = glms_vec3_add(sum, light);
+        sum = add(sum, light);
     }
-    return glms_vec3_scale(sum, GLM_1_PIf);
+    return scale(sum, GLM_1_PIf);
 }
 
 bool emission_first_hit(const struct emission *emission, int n, const struct ray_scene *rays,

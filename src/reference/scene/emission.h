@@ -25,7 +25,7 @@ struct emission {
     struct sky sky;
     int surfaces_number, sky_number; /* of the sources that these are; -1 = none */
     bool has_sizes;                  /* some light has a size: places on lights are to be drawn */
-    bool has_found;                  /* rays may come to one by chance: emission_found */
+    bool has_found;                  /* rays of matt surfaces may come to one by chance */
     struct dealt *rays; /* from which light each light ray starts: as many as it has flux */
     vec3s center;       /* of the scene's bounding sphere */
     float radius;       /* the same sphere's, m */
@@ -37,11 +37,12 @@ struct emission {
  * density is over the same. */
 struct arrival {
     vec3s at;         /* a point towards the light beyond which nothing can block */
+    vec3s direction;  /* unit: to the light */
     vec3s irradiance; /* by the shading normal, W/m2 */
     float density;    /* of light rays on the surface, 1/m2 */
-    float
-        cosine; /* the density with which a ray by the surface's cosine comes to the place, over that
-                         of emission_place; 0 where none can */
+    float picked; /* the density with which emission_place picks it, 1/sr; 0 where rays that leave
+                         the surface by its reflection cannot come to it */
+    float found;  /* the density with which they do, over that */
 };
 
 /* With so many light rays, or none. table, which must live on, has the emissive surfaces; NULL: what stands
@@ -68,9 +69,13 @@ vec2s emission_even_place(const struct emission *emission, int n, vec2s sample,
 bool emission_reach(const struct emission *emission, int n, vec2s place, const struct hit *hit,
                     struct arrival *arrival);
 
-/* What arrives from where a ray came to that left the surface in that direction: `end`, or, where that is
- * NULL, out of the scene. False where nothing shines there that emission_place picks too. */
-bool emission_found(const struct emission *emission, const struct hit *hit, vec3s direction,
+/* Whether rays that leave the surface may come to some light by chance: of glossy surfaces, to any that
+ * has a size. */
+bool emission_can_be_found(const struct emission *emission, const struct hit *hit);
+
+/* What of the n-th light arrives from where a ray came to that left the surface in that direction: `end`, or,
+ * where that is NULL, out of the scene. False where it does not shine from there, or is not to be found. */
+bool emission_found(const struct emission *emission, int n, const struct hit *hit, vec3s direction,
                     const struct hit *end, struct arrival *arrival);
 
 /* The weight of such a ray among ways to the same place whose densities are these, over
@@ -82,11 +87,10 @@ float emission_picked_weight(const struct arrival *arrival, float other_density)
 /* The radiance that the surface reflects of what arrives. */
 vec3s emission_reflected(const struct hit *hit, const struct arrival *arrival);
 
-/* What a Lambertian surface of albedo 1 would reflect of all lights: irradiance over pi,
- * W/(sr m2). Traces the shadow rays: one for a light without a size, and for others as many as
- * there are samplers; and as many by the cosine where those may come to a light. */
-vec3s emission_direct(const struct emission *emission, const struct ray_scene *rays,
-                      const struct hit *hit, const struct sampler *samplers, int count);
+/* What it reflects of all lights. Traces the shadow rays: one for a light without a size, and for others
+ * as many as there are samplers; and as many by its reflection where those may come to a light. */
+struct reflected emission_direct(const struct emission *emission, const struct ray_scene *rays,
+                                 const struct hit *hit, const struct sampler *samplers, int count);
 
 /* Where a ray of the n-th light meets the scene first; false where it misses. The ray is picked by a
  * place and two numbers more in [0, 1): uniform in the solid angle of a spot or a point, in the

@@ -39,16 +39,69 @@ static vec3s emission_at(const struct hit_table *table, const struct material *m
     return glms_vec3_mul(emission, glms_vec3(texture_lookup(texture, table->srgb_to_linear, uv)));
 }
 
+/* Along u and against v, in the plane of the triangle; zero where its uv have no area. */
+static void tangents_of(const struct geometry *geometry, const uint32_t index[3], vec3s *along_u,
+                        vec3s *against_v) {
+    vec3s edges[2], p0 = vector_of(geometry->position[index[0]]);
+    float uv[2][2];
+    for (int i = 0; i < 2; i++) {
+        edges[i] = glms_vec3_sub(vector_of(geometry->position[index[i + 1]]), p0);
+        for (int c = 0; c < 2; c++)
+            uv[i][c] = geometry->uv[index[i + 1]][c] - geometry->uv[index[0]][c];
+    }
+    float side = copysignf(1, uv[0][0] * uv[1][1] - uv[1][0] * uv[0][1]);
+    *along_u =
+        glms_vec3_muladds(edges[0], side * uv[1][1], glms_vec3_scale(edges[1], -side * uv[0][1]));
+    *against_v =
+        glms_vec3_muladds(edges[0], side * uv[1][0], glms_vec3_scale(edges[1], -side * uv[0][0]));
+}
+
+/* As the material's normal map turns it, on the front. */
+static vec3s mapped_normal(const struct hit_table *table, const struct material *material,
+                           const struct corners *corners, vec3s normal) {
+    const struct scene_texture *texture = &table->scene->textures[material->normal_texture];
+    vec2s uv = corners_uv(corners, table->geometry->uv);
+    vec3s read = glms_vec3(texture_lookup(texture, table->srgb_to_linear, uv)), right, up;
+    float x = material->normal_scale * (2 * read.x - 1);
+    float y = material->normal_scale * (2 * read.y - 1), z = 2 * read.z - 1;
+    tangents_of(table->geometry, corners->index, &right, &up);
+    right = glms_vec3_normalize(glms_vec3_muladds(normal, -glms_vec3_dot(normal, right), right));
+    vec3s across = glms_vec3_cross(normal, right);
+    across = glms_vec3_scale(across, copysignf(1, glms_vec3_dot(across, up)));
+    vec3s turned =
+        glms_vec3_muladds(right, x, glms_vec3_muladds(across, y, glms_vec3_scale(normal, z)));
+    bool is_told = glms_vec3_norm2(right) > 0 && glms_vec3_norm2(turned) > 0;
+    return is_told ? glms_vec3_normalize(turned) : normal;
+}
+
+static struct brdf reflection_at(const struct hit_table *table, const struct material *material,
+                                 const struct corners *corners) {
+    vec3s color = glms_vec3(base_color(table, material, corners));
+    float metalness = material->metalness, roughness = material->roughness;
+    if (table->materials == MATERIALS_DIFFUSE)
+        return brdf_lambertian(color);
+    if (material->metal_roughness_texture >= 0) {
+        const struct scene_texture *texture =
+            &table->scene->textures[material->metal_roughness_texture];
+        vec2s uv = corners_uv(corners, table->geometry->uv);
+        vec4s read = texture_lookup(texture, table->srgb_to_linear, uv);
+        roughness *= read.y;
+        metalness *= read.z;
+    }
+    return brdf_of(material, color, metalness, roughness);
+}
+
 static const struct material *material_of(const struct hit_table *table, uint32_t triangle) {
     return &table->scene->materials[table->material_of[triangle]];
 }
 
 void hit_table_init(struct hit_table *table, const struct scene *scene,
-                    const struct geometry *geometry) {
+                    const struct geometry *geometry, enum materials materials) {
     size_t triangle_count = geometry->index_count / 3;
     *table = (struct hit_table){
         .scene = scene,
         .geometry = geometry,
+        .materials = materials,
         .material_of = mem_alloc(triangle_count, sizeof *table->material_of),
         .normal_of = mem_alloc(triangle_count, sizeof *table->normal_of),
     };
@@ -57,6 +110,8 @@ void hit_table_init(struct hit_table *table, const struct scene *scene,
         table->normal_of[i] = winding_normal(geometry, &geometry->indices[3 * i]);
     for (int b = 0; b < geometry->batch_count; b++) {
         const struct geometry_batch *batch = &geometry->batches[b];
+        table->has_gloss |=
+            materials == MATERIALS_FULL && !material_is_matt(&scene->materials[batch->material]);
         for (uint32_t i = 0; i < batch->index_count / 3; i++)
             table->material_of[batch->first_index / 3 + i] = batch->material;
     }
@@ -81,10 +136,20 @@ void hit_at(const struct hit_table *table, const struct triangle_point *point, v
     hit->normal = glms_vec3_scale_as(corners_vector(&corners, geometry->normal), side);
     hit->triangle = point->triangle;
     hit->is_back = from_behind;
-    hit->albedo = hit->emission = glms_vec3_zero();
+    hit->towards = glms_vec3_negate(ray_direction);
+    hit->brdf = brdf_lambertian(glms_vec3_zero());
+    hit->emission = hit->unlit = glms_vec3_zero();
     if (from_behind && !material->double_sided)
         return;
-    hit->albedo = glms_vec3(base_color(table, material, &corners));
+    bool full = table->materials == MATERIALS_FULL;
+    if (full && material->normal_texture >= 0) {
+        vec3s front_normal = glms_vec3_scale(hit->normal, side);
+        hit->normal = glms_vec3_scale(mapped_normal(table, material, &corners, front_normal), side);
+    }
+    if (full && material->unlit)
+        hit->unlit = glms_vec3(base_color(table, material, &corners));
+    else
+        hit->brdf = reflection_at(table, material, &corners);
     if (glm_vec3_max((float *)material->emission) > 0)
         hit->emission = emission_at(table, material, &corners);
 }

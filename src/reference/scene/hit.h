@@ -1,12 +1,13 @@
-/* The surface where a ray meets the scene: its place, its two normals, its albedo, and what it emits.
+/* The surface where a ray meets the scene: its place, its two normals, how it reflects, and what it emits.
  *
- * Every surface is Lambertian. The shading normal is the vertices' interpolated one; the geometric
- * normal is the triangle's own. A material's double_sided decides what its back is: reflecting like
- * the front, or black (it still blocks light).
+ * The shading normal is the vertices' interpolated one, turned by a normal map; the geometric normal is
+ * the triangle's own. A material's double_sided decides what its back is: reflecting like the front, or
+ * black (it still blocks light). So is what is unlit: the eye alone sees it.
  */
 #ifndef REFERENCE_SCENE_HIT_H
 #define REFERENCE_SCENE_HIT_H
 
+#include "reference/brdf.h"
 #include "scene/mesh/geometry.h"
 
 #include <cglm/struct.h>
@@ -21,8 +22,10 @@ struct hit {
     vec3s position;
     vec3s geometric_normal; /* unit, on the side that the ray came from */
     vec3s normal;           /* shading normal, unit, turned with the geometric one */
-    vec3s albedo;           /* zero on the back of a single-sided material */
+    vec3s towards;          /* unit: where the ray came from */
+    struct brdf brdf;       /* black on the back of a single-sided material */
     vec3s emission;         /* radiance; the same */
+    vec3s unlit;            /* radiance that the eye sees, and nothing else; the same */
     uint32_t triangle;
     bool is_back; /* of it */
 };
@@ -32,13 +35,15 @@ struct hit {
 struct hit_table {
     const struct scene *scene;
     const struct geometry *geometry;
+    enum materials materials;
+    bool has_gloss;   /* some surface is not Lambertian */
     int *material_of; /* of each triangle */
     vec3s *normal_of; /* the same: geometric, unit, by the winding; zero where there is no area */
     float srgb_to_linear[256];
 };
 
 void hit_table_init(struct hit_table *table, const struct scene *scene,
-                    const struct geometry *geometry);
+                    const struct geometry *geometry, enum materials materials);
 
 /* Accepts zeroed tables. */
 void hit_table_free(struct hit_table *table);
@@ -46,6 +51,29 @@ void hit_table_free(struct hit_table *table);
 /* The surface as a ray of that direction meets it. */
 void hit_at(const struct hit_table *table, const struct triangle_point *point, vec3s ray_direction,
             struct hit *hit);
+
+/* What leaves a surface by reflection: by its diffuse part, over the albedo, and by its specular part. */
+struct reflected {
+    vec3s diffuse, specular;
+};
+
+/* All of it, radiance. */
+static inline vec3s hit_radiance(const struct hit *hit, const struct reflected *light) {
+    vec3s diffuse = glms_vec3_mul(hit->brdf.albedo, light->diffuse);
+    return hit->brdf.matt ? diffuse : glms_vec3_add(diffuse, light->specular);
+}
+
+/* Whether light has nothing to gain from it. */
+static inline bool hit_is_black(const struct hit *hit) {
+    return hit->brdf.matt && glms_vec3_norm2(hit->brdf.albedo) == 0;
+}
+
+/* The density, 1/sr, with which rays that are sampled by its reflection leave in a unit direction; cosine:
+ * the direction's, above 0. */
+static inline float hit_density(const struct hit *hit, vec3s direction, float cosine) {
+    return hit->brdf.matt ? cosine * GLM_1_PIf
+                          : brdf_density(&hit->brdf, hit->normal, hit->towards, direction);
+}
 
 /* Where it is; and what its material emits there, on the front, zero in holes. */
 vec3s hit_position(const struct hit_table *table, const struct triangle_point *point);

@@ -216,10 +216,6 @@ bool load_reflectance(Loader &loader, const tinygltf::Material &from, struct mat
 
 /* What is not seen of it. */
 void tell_material(Loader &loader, const tinygltf::Material &from) {
-    if (from.pbrMetallicRoughness.metallicFactor > 0)
-        lack(loader, "metals and gloss (they are matt)");
-    if (from.normalTexture.index >= 0)
-        lack(loader, "normal maps");
     if (from.occlusionTexture.index >= 0)
         lack(loader, "occlusion maps (light is computed)");
     if (from.alphaMode == "BLEND")
