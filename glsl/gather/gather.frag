@@ -5,6 +5,7 @@
 #include "lib/gbuffer.glsl"
 #include "gather/near_field.glsl"
 #include "gather/receiver.glsl"
+#include "gather/sphere.glsl"
 #include "lib/vpl_block.glsl"
 #include "visibility/visibility.glsl"
 #include "shared/gather.h"
@@ -35,6 +36,9 @@ const float INVERSE_PI = 0.31830988618;
 // is then biased by the smaller reach alone, while the larger one bounds the light of VPLs that arrive.
 float geometry_term(vec3 to_vpl, vec3 normal, vpl light, out float back) {
     back = 0.0;
+#if CLAMP == 4
+    return sphere_term(to_vpl, normal, light.normal, params.sphere2 * light.area);
+#endif
     float distance2 = dot(to_vpl, to_vpl);
     float cosines = max(dot(normal, to_vpl), 0.0) * max(-dot(light.normal, to_vpl), 0.0);
     if (cosines <= 0.0)

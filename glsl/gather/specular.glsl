@@ -1,7 +1,7 @@
 // What a surface that is not matt reflects of a VPL's light towards the eye, besides its diffuse part:
 //     L = Phi / pi  f_r  cos_x  cos_i / (d^2 + A / pi)
 // A point's mirror image would be a spot in the picture: SPHERE spreads the light over the ball around the VPL that
-// holds the patch that the pixel's VPLs stand for [Hasan et al. 2009]. The lobe is as much wider as the ball is.
+// holds the patch that the pixel's VPLs stand for [Hašan et al. 2009]. The lobe is as much wider as the ball is.
 #include "lib/gbuffer_shine.glsl"
 
 shine receiver_shine = shine(vec3(0.0), vec3(0.0), 1.0, vec3(0.0), vec3(0.0)); // of the pixel at hand
@@ -16,7 +16,7 @@ vec3 specular_light(vpl light, surface s, float area) {
     shine seen = receiver_shine;
 #if SPECULAR == SPECULAR_SPHERE
     // Half vectors turn by half of what directions do.
-    float radius2 = area * INVERSE_PI / distance2;
+    float radius2 = params.sphere2 * area / distance2;
     seen.alpha = min(sqrt(seen.alpha * seen.alpha + 0.25 * radius2), 1.0);
 #endif
     return light.flux * specular_brdf(seen, direction) * (cosine / (distance2 + light.area * INVERSE_PI));

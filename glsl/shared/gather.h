@@ -16,7 +16,8 @@ struct gather_params {
     float block_apart; /* over the picture's height: farther off a block's plane, a pixel looks itself up */
     int block;         /* pixels a side of a block that shares its visibility */
     float unoccluded;  /* of its reach, within which a blocked VPL takes nothing back */
-    int unused0, unused1, unused2;
+    float sphere2;     /* squared radius of a VPL's ball, over the area that it stands for */
+    int unused0, unused1;
 };
 PASS_BLOCK(gather_params, 48)
 

@@ -24,8 +24,9 @@ struct visibility_desc many_lights_lookup(const struct settings *settings,
     };
 }
 
-/* Three degrees. */
-static const float gloss_cosine = .9986F;
+/* 15 degrees: with no more than a pixel to each side the blur is as sharp as the lobe, and within fewer
+ * degrees it finds no neighbours on small round things. */
+static const float gloss_cosine = .966F;
 
 static int blur_radius(const struct settings *settings) {
     const struct gather_settings *gather = settings_of(settings, &gather_part);
@@ -76,6 +77,7 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
         .visibility = many_lights_lookup(desc->settings, visibility->lookup, visibility->map_count),
         .clamp = (enum gather_clamp)own->clamp,
         .clamp_value = own->clamp_value,
+        .sphere = own->sphere,
         .take_back = own->take_back,
         .further = lights->bounces > 1,
     };

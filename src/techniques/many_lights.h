@@ -38,7 +38,7 @@ struct lookup_settings {
 
 struct gather_settings {
     int interleave, clamp; /* enum gather_clamp */
-    float clamp_value, near_reach, take_back;
+    float clamp_value, sphere, near_reach, take_back;
     int near_samples;
     int detail; /* n of pixels with few like neighbours; 0: as all others */
     int detail_times;

@@ -49,7 +49,7 @@ static const struct option lookup_table[] = {
     {NULL},
 };
 
-static const char *const clamp_names[] = {"none", "value", "disk", "near", NULL};
+static const char *const clamp_names[] = {"none", "value", "disk", "near", "sphere", NULL};
 
 static const char *const gloss_names[] = {"point", "sphere", NULL};
 
@@ -60,6 +60,8 @@ static const struct option gather_table[] = {
      .help = "bound of the geometry term near a VPL"},
     {"clamp-value", 0, OPTION_FLOAT, ROW(gather, clamp_value), 25, 0, 1e9,
      .help = "the bound for clamp=value, times the squared scene radius"},
+    {"sphere", 0, OPTION_FLOAT, ROW(gather, sphere), .4, 0, 10,
+     .help = "clamp=sphere and gloss=sphere: radius, over the distance within which ten VPLs lie"},
     {"near-reach", 0, OPTION_FLOAT, ROW(gather, near_reach), 5, .1, 100,
      .help = "clamp=near: reach of the near field, in spacings of VPLs"},
     {"take-back", 0, OPTION_FLOAT, ROW(gather, take_back), 0, 0, 1,
@@ -72,7 +74,7 @@ static const struct option gather_table[] = {
     {"gloss", 0, OPTION_CHOICE, ROW(gather, gloss), SPECULAR_SPHERE - 1, .choices = gloss_names,
      .help = "as what VPLs are reflected: points, whose images are spots, or the balls that hold\n"
              "what they stand for"},
-    {"gloss-interleave", 0, OPTION_INT, ROW(gather, gloss_interleave), 4, 1, 16,
+    {"gloss-interleave", 0, OPTION_INT, ROW(gather, gloss_interleave), 2, 1, 16,
      .help = "n of what is reflected as by a mirror; at most that of interleave"},
     {"detail", 0, OPTION_INT, ROW(gather, detail), 4, 0, 8,
      .help =

@@ -8,6 +8,7 @@
 #include "shared/lookup.h"
 #include "shared/vpl.h"
 
+#include <cglm/util.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -56,6 +57,9 @@ void gather_pass_clear(const struct gather_pass *pass) {
     framebuffer_clear_color(pass->irradiance.framebuffer, TARGET_RESULT, zero);
 }
 
+/* How many VPLs a ball holds at a radius of 1. */
+static const float neighbours = 10;
+
 /* A pixel this far off a block's plane, over the picture's height there, looks itself up. */
 static const float block_apart = 0.008f;
 
@@ -68,6 +72,7 @@ static void write_params(const struct gather_pass *pass, const struct frame *fra
         .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
         .block = desc->share ? inputs->blocks->block : 1,
         .block_apart = block_apart,
+        .sphere2 = neighbours / (float)GLM_PI * desc->sphere * desc->sphere,
         .unoccluded = powf((float)(frame->pass + 1), -desc->take_back),
     };
     buffer_write(&pass->params, 0, sizeof params, &params);

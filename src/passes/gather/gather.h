@@ -12,8 +12,15 @@
 #include "passes/visibility/visibility.h"
 
 /* How cos cos / d^2 is bounded near a VPL. The disk form factor is that of a disk of the VPL's
- * area. GATHER_CLAMP_NEAR leaves the near field to passes/gather/near_field.h. */
-enum gather_clamp { GATHER_CLAMP_NONE, GATHER_CLAMP_VALUE, GATHER_CLAMP_DISK, GATHER_CLAMP_NEAR };
+ * area. GATHER_CLAMP_NEAR leaves the near field to passes/gather/near_field.h. GATHER_CLAMP_SPHERE spreads
+ * the VPL's light over a ball [Hašan et al. 2009]. */
+enum gather_clamp {
+    GATHER_CLAMP_NONE,
+    GATHER_CLAMP_VALUE,
+    GATHER_CLAMP_DISK,
+    GATHER_CLAMP_NEAR,
+    GATHER_CLAMP_SPHERE,
+};
 
 struct gather_desc {
     int width, height;
@@ -26,6 +33,7 @@ struct gather_desc {
                                       grade take */
     struct visibility_desc visibility;
     enum gather_clamp clamp;
+    float sphere;      /* radius of balls, over the distance within which ten VPLs lie */
     float clamp_value; /* of the bounded geometry term, times the squared scene radius */
     bool further;      /* VPLs of further bounces come too */
     int specular; /* SPECULAR_...: radiance towards the eye in irradiance's place, of a G-buffer
