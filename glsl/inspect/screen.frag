@@ -1,4 +1,4 @@
-// Pictures in the window: left of the split one, right of it the other. A picture of another size than
+// Pictures in the window: left of the split one, right of it the other, or their difference. A picture of another size than
 // its place is interpolated; one of the same size is copied bit by bit.
 #include "shared/screen.h"
 
@@ -21,12 +21,20 @@ vec4 lookup(sampler2D picture, vec2 place) {
 
 vec4 show(sampler2D picture) {
     vec2 pixel = gl_FragCoord.xy - params.corner;
-    if (textureSize(picture, 0) == ivec2(params.size))
+    ivec2 size = textureSize(picture, 0);
+    if (size == ivec2(params.size))
         return texelFetch(picture, ivec2(pixel), 0);
+    // Enlarged pixels are squares.
+    if (params.size.x >= 2.0 * float(size.x))
+        return texelFetch(picture, ivec2(pixel / params.size * vec2(size)), 0);
     return lookup(picture, pixel / params.size);
 }
 
 void main() {
+    if (params.difference > 0.0) {
+        color = vec4(4.0 * abs(show(left_picture).rgb - show(right_picture).rgb), 1.0);
+        return;
+    }
     float x = (gl_FragCoord.x - params.corner.x) / params.size.x;
     color = vec4((x < params.split ? show(left_picture) : show(right_picture)).rgb, 1.0);
 }

@@ -7,7 +7,8 @@
 struct screen_params {
     vec2 corner, size; /* of the picture in the window, pixels */
     float split;       /* where the right picture begins, over the width */
-    float unused0, unused1, unused2;
+    float difference;  /* 1: of the two, in place of them */
+    float unused0, unused1;
 };
 PASS_BLOCK(screen_params, 32)
 

@@ -34,15 +34,15 @@ struct rectangle screen_fit(struct rectangle area, int width, int height) {
     return fit;
 }
 
-void screen_draw(const struct screen *screen, int window_height, const struct rectangle *target,
+/* Into a rectangle, of which parts may lie outside of the window. */
+static void draw(const struct screen *screen, int bottom, const struct rectangle *target,
                  const struct screen_pictures *pictures) {
-    static const float around[4] = {.055F, .059F, .07F, 1};
     const struct texture *right = pictures->right ? pictures->right : pictures->left;
-    int bottom = window_height - target->y - target->height;
     struct screen_params params = {
         .corner = {(float)target->x, (float)bottom},
         .size = {(float)target->width, (float)target->height},
         .split = pictures->right ? pictures->split : 2,
+        .difference = pictures->right && pictures->layout == SCREEN_DIFFERENCE,
     };
     buffer_write(&screen->params, 0, sizeof params, &params);
     pass_set_state(&(struct pass_state){
@@ -56,6 +56,22 @@ void screen_draw(const struct screen *screen, int window_height, const struct re
         .textures = {{UNIT_LEFT_PICTURE, pictures->left->id}, {UNIT_RIGHT_PICTURE, right->id}},
         .blocks = {{BLOCK_PASS, &screen->params}},
     });
+}
+
+void screen_draw(const struct screen *screen, int window_height, const struct rectangle *target,
+                 const struct screen_pictures *pictures) {
+    static const float around[4] = {.055F, .059F, .07F, 1};
+    int bottom = window_height - target->y - target->height;
+    struct screen_pictures one = *pictures, other = {.left = pictures->right};
+    bool beside = pictures->right && pictures->layout == SCREEN_BESIDE;
+    one.right = beside ? NULL : pictures->right;
+    draw(screen, bottom, target, &one);
     framebuffer_clear_color(0, TARGET_RESULT, around);
+    pass_draw_fullscreen(1);
+    if (!beside)
+        return;
+    struct rectangle second = *target;
+    second.x += pictures->beside;
+    draw(screen, bottom, &second, &other);
     pass_draw_fullscreen(1);
 }

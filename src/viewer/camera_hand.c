@@ -55,23 +55,21 @@ void camera_hand_fly(struct viewer *viewer, double seconds) {
 
 /* False: nothing, or no picture of the scene is shown. */
 static bool point_under(struct viewer *viewer, float point[3]) {
-    const struct rectangle *picture = &viewer->shown.picture;
-    float x = (float)(viewer->host.input->x - picture->x) / (float)picture->width;
-    float y = (float)(viewer->host.input->y - picture->y) / (float)picture->height;
-    return !viewer->shown.choice.output && viewer->shown.frame_count > 0 && x >= 0 && y >= 0 &&
-           x < 1 && y < 1 && probe_point(&viewer->shown.renderer, x, y, point);
+    float x, y;
+    return !viewer->shown.choice.output && viewer->shown.frame_count > 0 &&
+           look_at_mouse(viewer, &x, &y) && probe_point(&viewer->shown.renderer, x, y, point);
 }
 
 /* Where there is nothing, as far away as what was circled last. */
 static void grab(struct viewer *viewer) {
     const struct rectangle *picture = &viewer->shown.picture;
-    const struct input *input = viewer->host.input;
     struct orbit *orbit = &viewer->placed.orbit;
     vec3 point, origin, direction;
+    float x, y;
     if (!point_under(viewer, point)) {
-        camera_ray(&orbit->camera, (float)(input->x - picture->x) / (float)picture->width,
-                   (float)(input->y - picture->y) / (float)picture->height,
-                   (float)picture->width / (float)picture->height, origin, direction);
+        look_at_mouse(viewer, &x, &y);
+        camera_ray(&orbit->camera, x, y, (float)picture->width / (float)picture->height, origin,
+                   direction);
         float along = glm_vec3_dot(direction, orbit->camera.forward);
         glm_vec3_copy(origin, point);
         glm_vec3_muladds(direction, orbit->distance / along, point);

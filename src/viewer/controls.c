@@ -54,6 +54,9 @@ static void key_toggle(struct viewer *viewer) {
 static void key_play(struct viewer *viewer) {
     viewer_toggle_play(viewer);
 }
+static void key_inspect(struct viewer *viewer) {
+    viewer->look.inspects = !viewer->look.inspects;
+}
 static void key_frame_back(struct viewer *viewer) {
     timeline_step(viewer, -1);
 }
@@ -126,6 +129,9 @@ static const struct key {
     {'C', "C", "compare: a technique, the reference, off", key_wipe},
     {'M', "M", "compare: right picture alone, or the wipe", key_toggle},
     {'F', "F", "frame what is under the mouse, or all", camera_hand_frame},
+    {'Z', "Z", "1:1, or as large as fits", look_toggle},
+    {'I', "I", "inspector: the pixel under the mouse", key_inspect},
+    {'V', "V", "compare: wipe, side by side, difference", look_step_layout},
     {'R', "R", "back to the scene's camera", key_home},
     {KEY_SPACE, "Space", "play and pause the animation", key_play},
     {',', ", .", "a frame back, a frame on", key_frame_back},
@@ -149,6 +155,7 @@ static const struct {
     {"middle drag, Shift left drag", "pan"},
     {"right drag", "look around"},
     {"wheel", "zoom towards the mouse; with Shift: field of view"},
+    {"Alt wheel, Alt drag", "enlarge the picture, move it"},
     {"W A S D Q E", "fly; Shift fast, Ctrl slow, the wheel sets the speed"},
     {"Ctrl 1 to 9, Alt 1 to 9", "keep a view, go to it"},
     {"click", "what a surface is and which VALs light it"},
@@ -208,7 +215,8 @@ static bool drag_split(struct viewer *viewer) {
     double reach = 7 * (double)input->scale / picture->width;
     double press_x = (input->press_x - picture->x) / picture->width;
     bool near_line = fabs(press_x - (double)compare->split) < reach;
-    if (input->pressed[BUTTON_LEFT] && viewer->shown.right && !compare->only_right && near_line)
+    bool wipes = viewer->shown.right && !compare->only_right && viewer->look.layout == SCREEN_WIPE;
+    if (input->pressed[BUTTON_LEFT] && wipes && near_line)
         viewer->hand.drags_split = true;
     if (!input->held[BUTTON_LEFT])
         viewer->hand.drags_split = false;
@@ -237,11 +245,9 @@ static void click_cluster(struct viewer *viewer, float x, float y) {
 }
 
 static void click(struct viewer *viewer) {
-    const struct rectangle *picture = &viewer->shown.picture;
     const char *output = viewer->shown.choice.output;
-    float x = (float)(viewer->host.input->x - picture->x) / (float)picture->width;
-    float y = (float)(viewer->host.input->y - picture->y) / (float)picture->height;
-    if (x < 0 || y < 0 || x >= 1 || y >= 1)
+    float x, y;
+    if (!look_at_mouse(viewer, &x, &y))
         return;
     if (inspect_layers(&viewer->shown.renderer, output) > 1)
         click_layer(viewer, x, y);
@@ -270,10 +276,14 @@ static void use_mouse(struct viewer *viewer) {
     }
     if (was_clicked(viewer))
         click(viewer);
-    if (viewer->hand.drags_picture)
+    if (viewer->hand.drags_picture && input->alt)
+        look_drag(viewer);
+    else if (viewer->hand.drags_picture)
         camera_hand_drag(viewer);
     if (!ui_wants_mouse() && input->scroll != 0 && input->control)
         expose(viewer, .25F * (float)input->scroll);
+    else if (!ui_wants_mouse() && input->scroll != 0 && input->alt)
+        look_scroll(viewer, input->scroll);
     else if (!ui_wants_mouse() && input->scroll != 0)
         camera_hand_scroll(viewer);
 }

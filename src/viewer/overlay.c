@@ -125,8 +125,11 @@ static float bottom_of(const struct viewer *viewer) {
     return fminf(bottom, (float)(picture->y + picture->height));
 }
 
-static const char *right_name(const struct compare *compare) {
-    return compare->mode == COMPARE_REFERENCE ? "reference" : compare->technique->name;
+static const char *right_name(const struct viewer *viewer) {
+    const struct compare *compare = &viewer->shown.compare;
+    if (compare->mode != COMPARE_REFERENCE)
+        return compare->technique->name;
+    return viewer_reference_fits(viewer) ? "reference" : "reference of another view";
 }
 
 /* What the colours of the heat map stand for, in the corner below. */
@@ -135,7 +138,7 @@ static void draw_heat_scale(const struct viewer *viewer) {
     const struct heat_map *scale = &viewer->shown.compare.heat_scale;
     float line = ui_line_height(), step = 8 * line / STEPS;
     float x = (float)viewer->shown.picture.x + 4.5F * line;
-    float y = bottom_of(viewer) - 2 * line;
+    float y = bottom_of(viewer) - 4 * line; /* above the names */
     float lowest = scale->is_signed ? -scale->top : 0;
     char text[32];
     for (int i = 0; i < STEPS; i++) {
@@ -150,31 +153,56 @@ static void draw_heat_scale(const struct viewer *viewer) {
     ui_draw_label(x + 8.3F * line, y, 0, text);
 }
 
-static void draw_split(const struct viewer *viewer) {
+static const char *left_name(const struct viewer *viewer) {
+    const struct compare *compare = &viewer->shown.compare;
+    return compare->heat ? metrics[compare->heat_metric].name : viewer->wish.technique->name;
+}
+
+static void draw_line(const struct viewer *viewer, float x) {
     const struct rectangle *picture = &viewer->shown.picture;
+    float top = (float)picture->y, bottom = top + (float)picture->height;
+    ui_draw_line(x, top, x, bottom, UI_RGBA(0, 0, 0, 160), 3);
+    ui_draw_line(x, top, x, bottom, UI_RGBA(255, 255, 255, 230), 1.2F);
+    ui_draw_disc(x, .5F * (top + bottom), 7, UI_RGBA(255, 255, 255, 230));
+}
+
+/* Left and right of the line; where there is no room, in a row of its own. */
+static void draw_names(const struct viewer *viewer, float x, float y) {
+    const struct rectangle *area = &viewer->shown.area;
+    float gap = .6F * ui_line_height(), above = y - 1.8F * ui_line_height();
+    float start = (float)area->x, end = (float)(area->x + area->width);
+    const char *left = left_name(viewer), *right = right_name(viewer);
+    if (x - gap - ui_label_width(left) > start)
+        ui_draw_label(x - gap, y, 1, left);
+    else
+        ui_draw_label(start + gap, above, 0, left);
+    if (x + gap + ui_label_width(right) < end)
+        ui_draw_label(x + gap, y, 0, right);
+    else
+        ui_draw_label(end - gap, above, 1, right);
+}
+
+/* What is compared, and where the two meet. */
+static void draw_split(const struct viewer *viewer) {
+    const struct rectangle *picture = &viewer->shown.picture, *area = &viewer->shown.area;
     const struct compare *compare = &viewer->shown.compare;
     float line = ui_line_height(), y = bottom_of(viewer) - 2 * line;
     float x = (float)picture->x + compare->split * (float)picture->width;
     if (!viewer->shown.right)
         return;
-    if (compare->only_right) {
-        ui_draw_label((float)(picture->x + picture->width) - line, y, 1, right_name(compare));
-        return;
-    }
-    ui_draw_clip((float)picture->x, (float)picture->y, (float)picture->width,
-                 (float)picture->height);
-    ui_draw_line(x, (float)picture->y, x, (float)(picture->y + picture->height),
-                 UI_RGBA(0, 0, 0, 160), 3);
-    ui_draw_line(x, (float)picture->y, x, (float)(picture->y + picture->height),
-                 UI_RGBA(255, 255, 255, 230), 1.2F);
-    ui_draw_disc(x, (float)picture->y + .5F * (float)picture->height, 7,
-                 UI_RGBA(255, 255, 255, 230));
-    if (compare->heat && compare->heat_map.id)
+    ui_draw_clip((float)area->x, (float)area->y, (float)area->width, (float)area->height);
+    if (compare->heat && compare->heat_map.id && !compare->only_right)
         draw_heat_scale(viewer);
-    ui_draw_label(x - .6F * line, y, 1,
-                  compare->heat ? metrics[compare->heat_metric].name
-                                : viewer->wish.technique->name);
-    ui_draw_label(x + .6F * line, y, 0, right_name(compare));
+    if (compare->only_right) {
+        ui_draw_label((float)(area->x + area->width) - line, y, 1, right_name(viewer));
+    } else if (look_is_beside(viewer)) {
+        draw_names(viewer, (float)(area->x + viewer->shown.room.width), y);
+    } else if (viewer->look.layout == SCREEN_DIFFERENCE) {
+        ui_draw_label((float)(area->x + area->width) - line, y, 1, "difference, 4 times as bright");
+    } else {
+        draw_line(viewer, x);
+        draw_names(viewer, x, y);
+    }
     ui_draw_unclip();
 }
 

@@ -398,9 +398,9 @@ void panel_draw(struct viewer *viewer) {
         void (*draw)(struct viewer *viewer);
     } sections[] = {
         {"Picture", true, draw_picture},      {"Light", false, light_panel_draw},
-        {"Camera", false, camera_panel_draw}, {"Compare", false, draw_compare},
-        {"Surface", true, draw_surface},      {"Settings", false, draw_session},
-        {"Technique", true, draw_technique},
+        {"Camera", false, camera_panel_draw}, {"Look closely", false, look_panel_draw},
+        {"Compare", false, draw_compare},     {"Surface", true, draw_surface},
+        {"Settings", false, draw_session},    {"Technique", true, draw_technique},
     };
     ui_area_begin("panel", UI_PANEL, (float)area->width, 0,
                   (float)(viewer->host.input->width - area->width),

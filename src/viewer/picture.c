@@ -1,7 +1,11 @@
 /* Renders what is wanted and composes what is shown of it. */
 #include "viewer/viewer.h"
 
+#include "base/memory.h"
+
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* A moving picture on a slow machine: what a frame may take. */
 static const double moving_ms = 60;
@@ -236,7 +240,7 @@ static void compose(struct viewer *viewer) {
     struct renderer *renderer = &shown->renderer;
     const struct inspect_choice *choice = &shown->choice;
     bool resized = choice->width != shown->area.width || choice->height != shown->area.height;
-    if (!shown->recompose && !resized)
+    if ((!shown->recompose && !resized) || shown->frame_count == 0)
         return;
     shown->recompose = false;
     renderer_compose(renderer, shown->layer);
@@ -253,6 +257,36 @@ static void compose(struct viewer *viewer) {
     }
 }
 
+/* Scene, camera, time and lights as text. */
+static char *view_text(const struct viewer *viewer) {
+    struct session session = viewer_session(viewer);
+    char *text = mem_printf("%s|%d|%.9g|%s|%s", session.scene, session.clip, (double)session.time,
+                            session.camera, session.lights);
+    session_free(&session);
+    return text;
+}
+
+/* A new reference is taken to be of what is shown when it is first compared. */
+static void note_reference_view(struct viewer *viewer) {
+    struct shown *shown = &viewer->shown;
+    const float *pixels = shown->compare.reference.picture.pixels;
+    if (shown->compare.mode != COMPARE_REFERENCE || pixels == shown->reference_pixels)
+        return;
+    free(shown->reference_view);
+    shown->reference_view = view_text(viewer);
+    shown->reference_pixels = pixels;
+}
+
+bool viewer_reference_fits(const struct viewer *viewer) {
+    const struct shown *shown = &viewer->shown;
+    if (!shown->reference_view || !viewer->has_scene)
+        return true;
+    char *now = view_text(viewer);
+    bool fits = strcmp(now, shown->reference_view) == 0;
+    free(now);
+    return fits;
+}
+
 /* Errors of a picture at rest. */
 static void measure(struct viewer *viewer, bool all) {
     struct shown *shown = &viewer->shown;
@@ -260,6 +294,7 @@ static void measure(struct viewer *viewer, bool all) {
     if (!shown->right || (shown->moving && !viewer_is_scripted(viewer)) ||
         (compare->measured && !all))
         return;
+    note_reference_view(viewer);
     if (!compare_measure(compare, &shown->renderer, shown->layer, all))
         viewer_tell_error(viewer);
     shown->recompose = true; /* reading layers used the display's framebuffer state */
@@ -370,6 +405,8 @@ struct screen_pictures viewer_pictures(const struct viewer *viewer) {
     return (struct screen_pictures){
         .left = heat ? &compare->heat_map : shown->left,
         .right = shown->right,
+        .layout = compare->only_right ? SCREEN_WIPE : viewer->look.layout,
         .split = compare->only_right ? 0 : compare->split,
+        .beside = shown->room.width,
     };
 }

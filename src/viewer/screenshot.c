@@ -2,30 +2,55 @@
 #include "viewer/viewer.h"
 
 #include "base/file/image_file.h"
+#include "base/memory.h"
 #include "viewer/window/ui.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-/* The right picture right of the split, as glsl/inspect/screen.frag has it. */
-static void paste_right(struct bitmap *shown, const struct screen_pictures *pictures) {
-    struct bitmap right;
-    texture_read_bitmap(pictures->right, &right);
+/* The right picture right of the split, or the difference, as glsl/inspect/screen.frag has them. */
+static void paste_right(struct bitmap *shown, const struct bitmap *right,
+                        const struct screen_pictures *pictures) {
     for (int y = 0; y < shown->height; y++)
-        for (int x = 0; x < shown->width; x++)
-            if (((float)x + .5F) / (float)shown->width >= pictures->split)
-                memcpy(shown->rgba + 4 * ((size_t)y * (size_t)shown->width + (size_t)x),
-                       right.rgba + 4 * ((size_t)y * (size_t)shown->width + (size_t)x), 4);
-    bitmap_free(&right);
+        for (int x = 0; x < shown->width; x++) {
+            size_t at = 4 * ((size_t)y * (size_t)shown->width + (size_t)x);
+            bool is_right = ((float)x + .5F) / (float)shown->width >= pictures->split;
+            if (pictures->layout == SCREEN_WIPE && is_right)
+                memcpy(shown->rgba + at, right->rgba + at, 4);
+            for (int c = 0; c < 3 && pictures->layout == SCREEN_DIFFERENCE; c++) {
+                int apart = 4 * abs(shown->rgba[at + (size_t)c] - right->rgba[at + (size_t)c]);
+                shown->rgba[at + (size_t)c] = (unsigned char)(apart < 255 ? apart : 255);
+            }
+        }
+}
+
+static void paste_beside(struct bitmap *shown, const struct bitmap *right) {
+    size_t row = 4 * (size_t)shown->width, height = (size_t)shown->height;
+    unsigned char *both = mem_alloc(2 * row * height, 1);
+    for (size_t y = 0; y < height; y++) {
+        memcpy(both + 2 * row * y, shown->rgba + row * y, row);
+        memcpy(both + 2 * row * y + row, right->rgba + row * y, row);
+    }
+    free(shown->rgba);
+    shown->rgba = both;
+    shown->width *= 2;
 }
 
 void viewer_read_shown(const struct viewer *viewer, struct bitmap *shown) {
     struct screen_pictures pictures = viewer_pictures(viewer);
-    const struct texture *left = pictures.left, *right = pictures.right;
-    texture_read_bitmap(left, shown);
-    if (right && right->desc.width == shown->width && right->desc.height == shown->height)
-        paste_right(shown, &pictures);
+    struct bitmap right;
+    texture_read_bitmap(pictures.left, shown);
+    if (!pictures.right)
+        return;
+    texture_read_bitmap(pictures.right, &right);
+    bool alike = right.width == shown->width && right.height == shown->height;
+    if (alike && pictures.layout == SCREEN_BESIDE)
+        paste_beside(shown, &right);
+    else if (alike)
+        paste_right(shown, &right, &pictures);
+    bitmap_free(&right);
 }
 
 bool viewer_write_picture(struct viewer *viewer, const char *path) {

@@ -27,15 +27,6 @@ static void lay_out(struct viewer *viewer) {
     viewer->shown.area = (struct rectangle){0, 0, input->width - panel, input->height};
 }
 
-/* A picture that was rendered smaller is shown in the full size; sheets have their own shape. */
-static void fit_picture(struct viewer *viewer) {
-    const struct renderer_desc *desc = &viewer->shown.renderer.desc;
-    int width = viewer->shown.left->desc.width, height = viewer->shown.left->desc.height;
-    if (width == desc->width && height == desc->height)
-        viewer_full_size(viewer, &width, &height);
-    viewer->shown.picture = screen_fit(viewer->shown.area, width, height);
-}
-
 static void tell_start(struct viewer *viewer) {
     if (!viewer->window_shown)
         log_detail("the window is there after %.2f s", window_time());
@@ -60,10 +51,8 @@ static void draw(struct viewer *viewer) {
     static const struct texture nothing = {0};
     const struct input *input = viewer->host.input;
     struct screen_pictures pictures = {.left = &nothing};
-    if (viewer->shown.left) {
-        fit_picture(viewer);
+    if (viewer->shown.left)
         pictures = viewer_pictures(viewer);
-    }
     screen_draw(&viewer->host.screen, input->height, &viewer->shown.picture, &pictures);
     ui_frame_end();
     window_swap(viewer->host.window);
@@ -151,7 +140,10 @@ bool viewer_turn(struct viewer *viewer) {
         ok = true;
     }
     update(viewer);
+    if (viewer->shown.left)
+        look_place(viewer);
     overlay_draw(viewer);
+    inspector_draw(viewer);
     timeline_draw(viewer);
     draw(viewer);
     return ok;
@@ -236,6 +228,7 @@ void viewer_end(struct viewer *viewer) {
     close_window(viewer);
     emitters_free(&viewer->placed.emitters);
     free(viewer->panel.places);
+    free(viewer->shown.reference_view);
     messages_free(&viewer->host.messages);
 }
 

@@ -76,13 +76,16 @@ struct shown {
     struct inspect inspect;
     struct inspect_choice choice; /* an output, or none */
     struct compare compare;
+    char *reference_view;          /* of the reference, as text; NULL = not known yet */
+    const float *reference_pixels; /* whose view that is */
     struct probe probe;
     struct pick pick;
     bool has_pick;
     double pick_motion;                 /* pace.last_motion when it was read */
     int fixed_width, fixed_height;      /* of the picture; 0 = as large as the window lets it */
-    struct rectangle area;              /* of the window that the picture may take */
-    struct rectangle picture;           /* where it lies */
+    struct rectangle area;              /* of the window that pictures may take */
+    struct rectangle room;              /* of that, one of them */
+    struct rectangle picture;           /* where it lies; enlarged, beyond its room */
     const struct texture *left, *right; /* what was composed */
     bool dirty;                         /* the picture is not what is wanted */
     bool recompose;                     /* the frame is, but not what is shown of it */
@@ -90,6 +93,14 @@ struct shown {
     bool coarse;      /* the picture is smaller than it will be at rest, and its edges are rough */
     int frame_count;  /* rendered */
     const char *busy; /* what takes a while and has been announced; NULL = nothing */
+};
+
+/* How the picture is looked at: viewer/look.c. */
+struct look {
+    double zoom;      /* pixels of the window a pixel; 0 = as large as fits */
+    double middle[2]; /* of its room, where in the picture that is, 0 to 1 */
+    enum screen_layout layout;
+    bool inspects; /* viewer/inspector.c */
 };
 
 /* What the mouse holds: viewer/controls.c, viewer/camera_hand.c. */
@@ -129,6 +140,7 @@ struct viewer {
         double time, posed_time;                      /* of the animation, seconds */
     } placed;
     struct shown shown;
+    struct look look;
     struct hand hand;
     struct panel panel;
     struct recorder recorder;
@@ -186,6 +198,9 @@ void viewer_pick_surface(struct viewer *viewer, float x, float y);
 
 /* Error: shown, too. */
 bool viewer_load_reference(struct viewer *viewer, const char *path);
+
+/* Whether the picture is of what the reference is of: the view that it was first compared with. */
+bool viewer_reference_fits(const struct viewer *viewer);
 
 /* FLIP too, which takes its time. */
 void viewer_measure_all(struct viewer *viewer);
@@ -298,6 +313,27 @@ void timeline_draw(struct viewer *viewer);
 /* Pauses, and goes so many frames on. */
 void timeline_step(struct viewer *viewer, int frames);
 
+/* --- viewer/look.c, viewer/inspector.c --- */
+
+/* Where the picture lies, where there is one. */
+void look_place(struct viewer *viewer);
+
+/* Whether both pictures are there as a whole: the right one lies shown.room.width further right. */
+bool look_is_beside(const struct viewer *viewer);
+
+/* The mouse's place in the picture, or in the right one, 0 to 1, y down; whether it is on it. */
+bool look_at_mouse(const struct viewer *viewer, float *x, float *y);
+
+/* Pixels of the window a pixel. */
+double look_zoom(const struct viewer *viewer);
+void look_scroll(struct viewer *viewer, double steps);
+void look_drag(struct viewer *viewer);
+
+/* Between 1:1 and as large as fits. */
+void look_toggle(struct viewer *viewer);
+void look_step_layout(struct viewer *viewer);
+void inspector_draw(struct viewer *viewer);
+
 /* --- viewer/camera_hand.c: the camera follows mouse and keys --- */
 
 enum { CAMERA_FIELD_LEAST = 2, CAMERA_FIELD_MOST = 150 }; /* degrees, vertical */
@@ -316,9 +352,10 @@ void camera_hand_frame(struct viewer *viewer);
 void controls_update(struct viewer *viewer, double seconds);
 void controls_draw_help(void);
 
-/* --- viewer/camera_panel.c, viewer/light_panel.c, viewer/panel.c, viewer/overlay.c --- */
+/* --- viewer/camera_panel.c, viewer/light_panel.c, viewer/look_panel.c, viewer/panel.c, viewer/overlay.c --- */
 void camera_panel_draw(struct viewer *viewer);
 void light_panel_draw(struct viewer *viewer);
+void look_panel_draw(struct viewer *viewer);
 void panel_draw(struct viewer *viewer);
 void overlay_draw(struct viewer *viewer);
 

@@ -9,6 +9,7 @@ extern "C" {
 #include <backends/imgui_impl_opengl3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <string>
@@ -308,6 +309,24 @@ void ui_value(const char *name, const char *format, ...) {
     float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text).x;
     ImGui::SameLine(right > units(5) ? right : units(5));
     ImGui::TextUnformatted(text);
+}
+
+void ui_numbers(const char *name, const float values[3]) {
+    float right = ImGui::GetContentRegionMax().x, column = units(4.6F);
+    std::string all = name;
+    ImGui::PushStyleColor(ImGuiCol_Text, dim);
+    ImGui::TextUnformatted(name);
+    ImGui::PopStyleColor();
+    for (int c = 0; c < 3; c++) {
+        char text[32];
+        double value = (double)values[c], size = std::fabs(value);
+        const char *format = size > 0 && size < 1e-3 ? "%.1e" : size < 100 ? "%.4f" : "%.1f";
+        std::snprintf(text, sizeof text, format, value);
+        ImGui::SameLine(right - column * (float)(2 - c) - ImGui::CalcTextSize(text).x);
+        ImGui::TextUnformatted(text);
+        all = all + " " + text;
+    }
+    look_mark(all.c_str());
 }
 
 void ui_text_right(const char *format, ...) {

@@ -80,6 +80,9 @@ void ui_value(const char *name, const char *format, ...) __attribute__((format(p
 /* At the right end of the line. */
 void ui_text_right(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/* A name on the left, and three numbers in columns on the right. */
+void ui_numbers(const char *name, const float values[3]);
+
 /* A term, and what it means in a column of its own. */
 void ui_definition(const char *term, const char *meaning);
 
@@ -147,8 +150,9 @@ void ui_draw_disc(float x, float y, float radius, uint32_t color);
 void ui_draw_ring(float x, float y, float radius, uint32_t color, float thickness);
 void ui_draw_rectangle(float x, float y, float width, float height, uint32_t color);
 
-/* A text on a dark ground; align 0 = x is its left edge, 1 = its right one. */
+/* A text on a dark ground, and its width; align 0 = x is its left edge, 1 = its right one. */
 void ui_draw_label(float x, float y, float align, const char *text);
+float ui_label_width(const char *text);
 
 #ifdef __cplusplus
 }

@@ -29,6 +29,10 @@ void ui_draw_rectangle(float x, float y, float width, float height, uint32_t pac
     canvas()->AddRectFilled(ImVec2(x, y), ImVec2(x + width, y + height), packed);
 }
 
+float ui_label_width(const char *text) {
+    return ImGui::CalcTextSize(text).x + 2 * units(.35F);
+}
+
 void ui_draw_label(float x, float y, float align, const char *text) {
     ImVec2 size = ImGui::CalcTextSize(text);
     float pad = units(.35F), left = x - align * (size.x + 2 * pad);

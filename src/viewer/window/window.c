@@ -204,6 +204,7 @@ const struct input *window_poll(struct window *window, double wait) {
     read_motion(window, input);
     input->shift = either(window->handle, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
     input->control = either(window->handle, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    input->alt = either(window->handle, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
     input->close = glfwWindowShouldClose(window->handle);
 
     free(window->input.dropped);

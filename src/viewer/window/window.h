@@ -41,7 +41,7 @@ struct input {
     double press_x, press_y; /* where a button was pressed last */
     /* A button that was pressed and released since the last poll counts as held in this one. */
     bool held[BUTTON_COUNT], pressed[BUTTON_COUNT], released[BUTTON_COUNT];
-    bool shift, control;
+    bool shift, control, alt;
     bool key_held[KEY_COUNT];
     int keys[INPUT_KEYS_MAX]; /* pressed, in order */
     int key_count;

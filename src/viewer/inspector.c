@@ -1,0 +1,71 @@
+/* The values of the pixel under the mouse: linear radiance, of the left picture, of the right one, and
+ * the difference. */
+#include "viewer/viewer.h"
+
+#include "metrics/layer.h"
+#include "shared/composite.h"
+#include "viewer/window/ui.h"
+
+#include <string.h>
+
+static const char *layer_name(int layer) {
+    return layer == LAYER_DIRECT ? "direct" : layer == LAYER_INDIRECT ? "indirect" : "";
+}
+
+static bool read_renderer(struct viewer *viewer, struct renderer *renderer, int x, int y,
+                          float rgb[3]) {
+    struct image all = {0}, layer = {0};
+    bool ok = x < renderer->desc.width && y < renderer->desc.height &&
+              renderer_read_pixel(renderer, x, y, &all) &&
+              layer_extract(&layer, &all, layer_name(viewer->shown.layer));
+    if (ok)
+        memcpy(rgb, layer.pixels, 3 * sizeof *rgb);
+    image_free(&all);
+    image_free(&layer);
+    return ok;
+}
+
+/* The reference's own pixel at that place, whatever its size is. */
+static bool read_reference(const struct image *layer, float x, float y, float rgb[3]) {
+    int column = (int)(x * (float)layer->width), row = (int)(y * (float)layer->height);
+    if (!layer->pixels)
+        return false;
+    memcpy(rgb, image_at(layer, column, row), 3 * sizeof *rgb);
+    return true;
+}
+
+static bool read_right(struct viewer *viewer, float x, float y, int column, int row, float rgb[3]) {
+    struct compare *compare = &viewer->shown.compare;
+    if (!viewer->shown.right)
+        return false;
+    return compare->mode == COMPARE_REFERENCE
+               ? read_reference(&compare->reference.layer, x, y, rgb)
+               : read_renderer(viewer, &compare->other, column, row, rgb);
+}
+
+void inspector_draw(struct viewer *viewer) {
+    const struct rectangle *area = &viewer->shown.area;
+    struct renderer *renderer = &viewer->shown.renderer;
+    float x, y, left[3], right[3], line = ui_line_height(), width = 21 * line;
+    if (!viewer->look.inspects || !viewer->has_scene || viewer->shown.choice.output ||
+        viewer->shown.frame_count == 0 || ui_wants_mouse() || !look_at_mouse(viewer, &x, &y))
+        return;
+    int column = (int)(x * (float)renderer->desc.width),
+        row = (int)(y * (float)renderer->desc.height);
+    if (!read_renderer(viewer, renderer, column, row, left))
+        return;
+    if (width > (float)area->width - 2 * line)
+        width = (float)area->width - 2 * line;
+    ui_area_begin("inspector", UI_OVERLAY, (float)(area->x + area->width) - line - width, line,
+                  width, 0);
+    ui_value("pixel", "%d, %d of %d x %d", column, row, renderer->desc.width,
+             renderer->desc.height);
+    ui_numbers(viewer->shown.right ? "left" : "radiance", left);
+    if (read_right(viewer, x, y, column, row, right)) {
+        ui_numbers("right", right);
+        for (int c = 0; c < 3; c++)
+            right[c] = left[c] - right[c];
+        ui_numbers("left \xe2\x88\x92 right", right);
+    }
+    ui_area_end();
+}

@@ -1,0 +1,190 @@
+/* Looking closely, by real input events: pictures beside each other, their difference, enlarged pixels,
+ * and the values under the mouse. Checked against pictures rendered offscreen. */
+#define _XOPEN_SOURCE 700
+#include "view_stage.h"
+
+#include "base/file/image_file.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define BOX "scenes/cornell-box.glb"
+
+enum { SMALL_WIDTH = WIDTH / 2, SMALL_HEIGHT = HEIGHT / 2 };
+
+/* Half as wide and high as the window: what fits is enlarged twice. */
+static void render_reference(const char *arguments, char *path, size_t size) {
+    snprintf(path, size, "%s/reference.exr", stage.folder);
+    assert_int_equal(shell("%s render --size %dx%d %s " BOX " %s -q -o %s", stage.binary,
+                           SMALL_WIDTH, SMALL_HEIGHT, CHEAP, arguments, path),
+                     0);
+}
+
+static struct bitmap render_small(const char *arguments) {
+    char path[700];
+    snprintf(path, sizeof path, "%s/small.png", stage.folder);
+    assert_int_equal(shell("%s render --size %dx%d %s " BOX " %s -q -o %s", stage.binary,
+                           SMALL_WIDTH, SMALL_HEIGHT, CHEAP, arguments, path),
+                     0);
+    return read_bitmap(path);
+}
+
+/* The name of a label or a line of values that begins so; "" = there is none. */
+static void find_text(const char *begin, char *text, size_t size) {
+    char path[700], line[300];
+    snprintf(path, sizeof path, "%s/places", stage.folder);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    *text = '\0';
+    while (!*text && fgets(line, sizeof line, file)) {
+        int at = 0;
+        line[strcspn(line, "\n")] = '\0';
+        if (sscanf(line, "%*d %*d %*d %*d %n", &at) == 0 && at > 0 &&
+            strncmp(line + at, begin, strlen(begin)) == 0)
+            snprintf(text, size, "%s", line + at);
+    }
+    fclose(file);
+}
+
+static void begin(void) {
+    char path[700], arguments[800];
+    if (!stage.server)
+        skip();
+    render_reference("", path, sizeof path);
+    snprintf(arguments, sizeof arguments, "--technique unshadowed --reference %s", path);
+    start_viewer(BOX, arguments);
+    settle();
+    xdo("key F3 sleep .3 key F3 sleep .4"); /* no times */
+}
+
+/* Left of the wipe, each pixel is a square of four. */
+static void test_enlarged(void **state) {
+    (void)state;
+    begin();
+    struct bitmap left = render_small("--technique unshadowed"), screen = read_screen();
+    int wrong = 0;
+    for (int y = 20; y < HEIGHT - 140; y++)
+        for (int x = 0; x < WIDTH / 2 - 24; x++)
+            wrong += memcmp(pixel(&left, x / 2, y / 2), pixel(&screen, x, y), 3) != 0;
+    printf("    %-48s %d pixels wrong\n", "twice as large", wrong);
+    assert_int_equal(wrong, 0);
+    bitmap_free(&screen);
+    xdo("mousemove %d %d sleep .3 key z sleep .6 mousemove %d 30 sleep .5", WIDTH / 4, HEIGHT / 2,
+        WIDTH - 10);
+    screen = read_screen();
+    wrong = 0;
+    /* What was under the mouse stays there. */
+    for (int y = -40; y < 40; y++)
+        for (int x = -20; x < 20; x++)
+            wrong += memcmp(pixel(&left, WIDTH / 8 + x, HEIGHT / 4 + y),
+                            pixel(&screen, WIDTH / 4 + x, HEIGHT / 2 + y), 3) != 0;
+    printf("    %-48s %d pixels wrong\n", "1:1", wrong);
+    assert_int_equal(wrong, 0);
+    bitmap_free(&left);
+    bitmap_free(&screen);
+    xdo("key z sleep .5");
+}
+
+static void test_layouts(void **state) {
+    (void)state;
+    need_viewer();
+    struct bitmap left = render_small("--technique unshadowed"), right = render_small("");
+    xdo("key v sleep .6");
+    struct bitmap beside = screenshot();
+    assert_int_equal(beside.width, 2 * SMALL_WIDTH);
+    xdo("key v sleep .6");
+    struct bitmap difference = screenshot();
+    int wrong = 0, apart = 0, wrong_beside = 0;
+    for (int y = 0; y < SMALL_HEIGHT; y++)
+        for (int x = 0; x < SMALL_WIDTH; x++)
+            for (int c = 0; c < 3; c++) {
+                int l = pixel(&left, x, y)[c], r = pixel(&right, x, y)[c];
+                int expected = abs(l - r) < 64 ? 4 * abs(l - r) : 255;
+                /* Half floats in the file. */
+                wrong += abs(pixel(&difference, x, y)[c] - expected) > 4;
+                apart += expected > 16;
+                wrong_beside += pixel(&beside, x, y)[c] != l;
+                wrong_beside += abs(pixel(&beside, x + SMALL_WIDTH, y)[c] - r) > 1;
+            }
+    printf("    beside %d values wrong; difference %d wrong, %d large\n", wrong_beside, wrong,
+           apart);
+    assert_int_equal(wrong_beside, 0);
+    assert_int_equal(wrong, 0);
+    assert_true(apart > SMALL_WIDTH * SMALL_HEIGHT / 20);
+    xdo("key v sleep .5"); /* the wipe again */
+    bitmap_free(&left);
+    bitmap_free(&right);
+    bitmap_free(&beside);
+    bitmap_free(&difference);
+}
+
+/* The inspector tells what is in the files. */
+static void check_values(const char *name, const char *path, int x, int y) {
+    char text[200];
+    double told[3];
+    struct image image;
+    find_text(name, text, sizeof text);
+    printf("    %s\n", text);
+    assert_int_equal(sscanf(text + strlen(name), "%lf %lf %lf", &told[0], &told[1], &told[2]), 3);
+    check_ok(path, image_read(&image, path));
+    for (int c = 0; c < 3; c++) {
+        double expected = (double)image_at(&image, x, y)[c];
+        printf("        %.5f in the file, %.5f told\n", expected, told[c]);
+        assert_true(fabs(told[c] - expected) <= 1e-4 + .001 * fabs(expected));
+    }
+    image_free(&image);
+}
+
+static void test_inspector(void **state) {
+    (void)state;
+    char reference[700], own[700], command[1600], text[200];
+    need_viewer();
+    xdo("key i sleep .3 mousemove %d %d sleep 1", WIDTH / 4 + 1, HEIGHT / 2 + 201);
+    snprintf(reference, sizeof reference, "%s/reference.exr", stage.folder);
+    snprintf(own, sizeof own, "%s/own.exr", stage.folder);
+    snprintf(command, sizeof command,
+             "%s render --size %dx%d %s " BOX " --technique unshadowed -q -o %s", stage.binary,
+             SMALL_WIDTH, SMALL_HEIGHT, CHEAP, own);
+    assert_int_equal(shell("%s", command), 0);
+    const int x = (WIDTH / 4 + 1) / 2, y = (HEIGHT / 2 + 201) / 2;
+    check_values("left ", own, x, y);
+    check_values("right ", reference, x, y);
+    xdo("key i sleep .5");
+    find_text("left ", text, sizeof text);
+    assert_string_equal(text, "");
+}
+
+/* Moved, the picture is not the reference's any more, and is told so; back again it is. */
+static void test_view(void **state) {
+    (void)state;
+    char text[200];
+    need_viewer();
+    find_text("reference", text, sizeof text);
+    assert_string_equal(text, "reference");
+    xdo("mousemove 40 600 sleep .3 click 4 sleep .5");
+    settle();
+    pause_ms(300);
+    find_text("reference", text, sizeof text);
+    printf("    moved: %s\n", text);
+    assert_string_equal(text, "reference of another view");
+    xdo("key r sleep .5");
+    settle();
+    pause_ms(300);
+    find_text("reference", text, sizeof text);
+    printf("    back: %s\n", text);
+    assert_string_equal(text, "reference");
+    end_viewer();
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_enlarged),
+        cmocka_unit_test(test_layouts),
+        cmocka_unit_test(test_inspector),
+        cmocka_unit_test(test_view),
+    };
+    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
+}
