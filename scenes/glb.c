@@ -61,15 +61,25 @@ void glb_free(struct glb *glb) {
 
 /* --- materials and meshes --------------------------------------------------------------------- */
 
-int glb_add_material(struct glb *glb, const char *name, const float albedo[3],
-                     enum glb_sides sides) {
+static int add_material(struct glb *glb, const char *name, const float color[3], float metalness,
+                        float roughness, enum glb_sides sides) {
     int index = next_element(&glb->materials, &glb->material_count);
     text_print(&glb->materials,
                "{\"name\":\"%s\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[%.9g,%.9g,%.9g,1],"
-               "\"metallicFactor\":0,\"roughnessFactor\":1}%s}",
-               name, albedo[0], albedo[1], albedo[2],
+               "\"metallicFactor\":%.9g,\"roughnessFactor\":%.9g}%s}",
+               name, color[0], color[1], color[2], metalness, roughness,
                sides == GLB_DOUBLE_SIDED ? ",\"doubleSided\":true" : "");
     return index;
+}
+
+int glb_add_material(struct glb *glb, const char *name, const float albedo[3],
+                     enum glb_sides sides) {
+    return add_material(glb, name, albedo, 0, 1, sides);
+}
+
+int glb_add_glossy(struct glb *glb, const char *name, const float color[3], float metalness,
+                   float roughness) {
+    return add_material(glb, name, color, metalness, roughness, GLB_SINGLE_SIDED);
 }
 
 int glb_add_lamp(struct glb *glb, const char *name, const float radiance[3]) {

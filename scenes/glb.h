@@ -37,6 +37,10 @@ enum glb_sides { GLB_SINGLE_SIDED, GLB_DOUBLE_SIDED };
 int glb_add_material(struct glb *glb, const char *name, const float albedo[3],
                      enum glb_sides sides);
 
+/* A single-sided one of that base colour, metal or plastic: metalness 1 or 0. */
+int glb_add_glossy(struct glb *glb, const char *name, const float color[3], float metalness,
+                   float roughness);
+
 /* A grey material that gives that radiance from its front, W/(sr m2): a flat rectangle of it is a light. */
 int glb_add_lamp(struct glb *glb, const char *name, const float radiance[3]);
 

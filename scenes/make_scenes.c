@@ -24,6 +24,7 @@ static const struct scene_maker {
     {"creatures", make_creatures},
     {"character", make_character},
     {"table", make_table},
+    {"gloss", make_gloss},
     {"plant", make_plant},
     {"failures/room", make_room},
     {"failures/table-legs", make_table_legs},

@@ -33,6 +33,7 @@ static const struct expectation {
     {"creatures", 105480, 0, 15, {-13.91f, -0.31f, -7.66f}, {13.91f, 10.26f, 7.66f}, ""},
     {"plant", 1552, 0, 5, {-2, 0, -2}, {3, 2.6f, 2}, "|floor|back wall|far wall|window|leaves|"},
     {"table", 1038, 0, 5, {-3, 0, -2}, {3, 3, 3}, "|floor|wall|lamp|"},
+    {"gloss", 17832, 0, 14, {-2, 0, -2}, {2, 2.6f, 2}, WALLS},
     {"sphere", 20172, 0, 1, {-1.0f, -1.0f, -1.0f}, {1.0f, 1.0f, 1.0f}, ""},
 };
 enum { SCENE_COUNT = sizeof expectations / sizeof expectations[0] };
