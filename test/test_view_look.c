@@ -179,12 +179,56 @@ static void test_view(void **state) {
     end_viewer();
 }
 
+/* What was clicked on stays the same place, however often it is looked at from elsewhere. */
+static void test_pick(void **state) {
+    (void)state;
+    char first[200], text[200];
+    if (!stage.server)
+        skip();
+    start_viewer(BOX, "");
+    settle();
+    xdo("mousemove 150 640 sleep .2 click 1 sleep 1");
+    find_text("position ", first, sizeof first);
+    for (int i = 0; i < 4; i++) {
+        xdo("mousemove 60 300 sleep .2 mousedown 1 sleep .2 mousemove %d 300 sleep .4 mouseup 1",
+            i % 2 ? 53 : 67);
+        settle();
+        pause_ms(500);
+        find_text("position ", text, sizeof text);
+        printf("    %s, after a turn %s\n", first, text);
+        assert_true(strlen(text) > 12);
+        assert_string_equal(text, first);
+    }
+    end_viewer();
+}
+
+/* Where no surface is there is no normal. */
+static void test_normals(void **state) {
+    (void)state;
+    if (!stage.server)
+        skip();
+    start_viewer(BOX, "");
+    settle();
+    press("output");
+    press("normal");
+    struct bitmap normals = screenshot();
+    const unsigned char *above = pixel(&normals, WIDTH / 2, 3);
+    int most = above[0], least = above[0];
+    for (int c = 1; c < 3; c++) {
+        most = above[c] > most ? above[c] : most;
+        least = above[c] < least ? above[c] : least;
+    }
+    printf("    where nothing is: %d %d %d\n", above[0], above[1], above[2]);
+    assert_true(most - least < 30 && most < 100);
+    bitmap_free(&normals);
+    end_viewer();
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_enlarged),
-        cmocka_unit_test(test_layouts),
-        cmocka_unit_test(test_inspector),
-        cmocka_unit_test(test_view),
+        cmocka_unit_test(test_enlarged),  cmocka_unit_test(test_layouts),
+        cmocka_unit_test(test_inspector), cmocka_unit_test(test_view),
+        cmocka_unit_test(test_pick),      cmocka_unit_test(test_normals),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

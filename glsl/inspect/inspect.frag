@@ -7,6 +7,7 @@
 
 layout(binding = UNIT_INSPECTED_LAYERS) uniform sampler2DArray layers;
 layout(binding = UNIT_INSPECTED_PLANE) uniform sampler2D plane;
+layout(binding = UNIT_GBUFFER_DEPTH) uniform sampler2DArray gbuffer_depth; // of normals
 
 layout(location = TARGET_RESULT) out vec4 color;
 
@@ -26,10 +27,11 @@ bool in_map(vec2 place) {
 
 vec3 show_layers(inspected at) {
     ivec3 size = textureSize(layers, 0);
-    vec4 value = texelFetch(layers, ivec3(min(ivec2(at.place * vec2(size.xy)), size.xy - 1), at.layer), 0);
+    ivec3 texel = ivec3(min(ivec2(at.place * vec2(size.xy)), size.xy - 1), at.layer);
+    vec4 value = texelFetch(layers, texel, 0);
     switch (params.kind) {
     case INSPECT_NORMAL:
-        return octahedral_decode(value.rg) * 0.5 + 0.5;
+        return texelFetch(gbuffer_depth, texel, 0).r > 0.0 ? octahedral_decode(value.rg) * 0.5 + 0.5 : NOTHING;
     case INSPECT_ALBEDO:
         return srgb_encode(value.rgb * value.rgb);
     case INSPECT_DEPTH:

@@ -137,7 +137,7 @@ static bool fit_canvas(struct inspect *inspect, int width, int height) {
 }
 
 static void draw_texture(const struct inspect *inspect, const struct frame *frame,
-                         const struct texture *source) {
+                         const struct gbuffer *gbuffer, const struct texture *source) {
     bool plane = source->desc.target == GL_TEXTURE_2D;
     pass_set_state(&(struct pass_state){
         .name = "inspect",
@@ -145,7 +145,8 @@ static void draw_texture(const struct inspect *inspect, const struct frame *fram
         .framebuffer = inspect->framebuffer,
         .width = inspect->canvas.desc.width,
         .height = inspect->canvas.desc.height,
-        .textures = {{plane ? UNIT_INSPECTED_PLANE : UNIT_INSPECTED_LAYERS, source->id}},
+        .textures = {{plane ? UNIT_INSPECTED_PLANE : UNIT_INSPECTED_LAYERS, source->id},
+                     {UNIT_GBUFFER_DEPTH, gbuffer->depth.id}},
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_LIGHTS, frame->lights},
                    {BLOCK_PASS, &inspect->params}},
@@ -256,7 +257,7 @@ bool inspect_draw(struct inspect *inspect, struct renderer *renderer,
     if (visibility)
         draw_visibility(inspect, &frame, &renderer->gbuffer, shown.vals);
     else
-        draw_texture(inspect, &frame, shown.texture);
+        draw_texture(inspect, &frame, &renderer->gbuffer, shown.texture);
     if (shown.kind == OUTPUT_VPLS || shown.kind == OUTPUT_VALS || (visibility && !whole))
         draw_marks(inspect, renderer, &frame, &shown, choice);
     return true;

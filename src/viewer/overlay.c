@@ -2,6 +2,7 @@
 #include "viewer/viewer.h"
 
 #include "gl/memory.h"
+#include "inspect/marks.h"
 #include "viewer/window/ui.h"
 
 #include <math.h>
@@ -13,25 +14,55 @@ static const char *last_part(const char *path) {
     return slash ? slash + 1 : path;
 }
 
-static float highest(const float *values, int count) {
-    float top = 1;
-    for (int i = 0; i < count; i++)
-        top = values[i] > top ? values[i] : top;
-    return top;
+/* Passes of the frame have colours; their own parts share them. */
+static uint32_t color_of(int n, int alpha) {
+    unsigned char rgb[3];
+    marks_cluster_color(n, rgb);
+    return UI_RGBA(rgb[0], rgb[1], rgb[2], alpha);
 }
 
 static void draw_times(const struct pace *pace) {
     float frame = 1e-3F;
+    int n = -1;
     for (int i = 0; i < pace->pass_count; i++)
         if (pace->passes[i].depth == 0)
             frame = pace_median(&pace->passes[i]);
     for (int i = 0; i < pace->pass_count; i++) {
         const struct pace_pass *pass = &pace->passes[i];
+        uint32_t color = color_of(n += pass->depth == 1, pass->depth == 1 ? 150 : 70);
         float ms = pace_median(pass);
         if (pass->depth > 0 && pass->idle)
-            ui_bar(last_part(pass->path), pass->depth - 1, 0, "%s", pass->kept ? "kept" : "-");
+            ui_bar(color, last_part(pass->path), pass->depth - 1, 0, "%s",
+                   pass->kept ? "kept" : "-");
         else if (pass->depth > 0)
-            ui_bar(last_part(pass->path), pass->depth - 1, ms / frame, "%.1f ms", (double)ms);
+            ui_bar(color, last_part(pass->path), pass->depth - 1, ms / frame, "%.1f ms",
+                   (double)ms);
+    }
+}
+
+/* Each frame a column of its passes; those rendered smaller than the largest are dim. */
+static void draw_graph(const struct pace *pace, float width, float height) {
+    enum { COLUMNS = 80 };
+    int count = pace->frame_count < COLUMNS ? pace->frame_count : COLUMNS;
+    int first = pace->frame_count - count;
+    float top = 1e-3F, pixels = 0, sums[COLUMNS] = {0};
+    char axis[32];
+    for (int i = 0; i < count; i++) {
+        top = fmaxf(top, pace->frame_ms[first + i]);
+        pixels = fmaxf(pixels, pace->frame_pixels[first + i]);
+    }
+    snprintf(axis, sizeof axis, top < 100 ? "%.1f ms" : "%.0f ms", (double)top);
+    struct ui_graph graph = ui_graph_begin(width, height, axis);
+    for (int p = 0, n = 0; p < pace->pass_count; p++) {
+        const struct pace_pass *pass = &pace->passes[p];
+        for (int i = 0; pass->depth == 1 && i < count; i++) {
+            bool whole = pace->frame_pixels[first + i] >= pixels;
+            float from = sums[i] / top;
+            sums[i] += pass->history[first + i];
+            ui_graph_column(&graph, i, COLUMNS, from, sums[i] / top,
+                            color_of(n, whole ? 255 : 110));
+        }
+        n += pass->depth == 1;
     }
 }
 
@@ -47,8 +78,7 @@ static void draw_statistics(struct viewer *viewer) {
         ui_area_end();
         return;
     }
-    ui_plot(pace->frame_ms, pace->frame_count, 1.1F * highest(pace->frame_ms, pace->frame_count),
-            15.2F * line, 2.6F * line);
+    draw_graph(pace, 15.2F * line, 3.6F * line);
     draw_times(pace);
     ui_separator();
     double fps = pace_fps(pace, window_time());

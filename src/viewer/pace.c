@@ -14,17 +14,26 @@ static bool goes_with_lights(const char *path) {
     return false;
 }
 
-static void add_pass(struct pace *pace, const struct timer_result *result) {
-    struct pace_pass *pass = pace->passes;
-    while (pass < pace->passes + pace->pass_count && strcmp(pass->path, result->path) != 0)
+/* The pass of a timer, which is made after another one where it is new. */
+static struct pace_pass *find_pass(struct pace *pace, const struct timer_result *result,
+                                   const struct pace_pass *before) {
+    struct pace_pass *pass = pace->passes, *end = pace->passes + pace->pass_count;
+    while (pass < end && strcmp(pass->path, result->path) != 0)
         pass++;
-    if (pass == pace->passes + pace->pass_count) {
-        *pass = (struct pace_pass){.depth = result->depth};
-        memcpy(pass->path, result->path, sizeof pass->path);
-        pace->pass_count++;
-    }
+    if (pass < end)
+        return pass;
+    pass = before ? pace->passes + (before - pace->passes) + 1 : pace->passes;
+    memmove(pass + 1, pass, (size_t)(end - pass) * sizeof *pass);
+    *pass = (struct pace_pass){.depth = result->depth};
+    memcpy(pass->path, result->path, sizeof pass->path);
+    pace->pass_count++;
+    return pass;
+}
+
+static void add_time(struct pace *pace, struct pace_pass *pass, const struct timer_result *result) {
     pass->idle = result->ms <= 0;
     pass->kept = pass->idle && goes_with_lights(result->path);
+    pass->history[pace->frame_count - 1] = (float)result->ms;
     if (pass->idle)
         return;
     pass->ms[pass->next] = (float)result->ms;
@@ -32,26 +41,48 @@ static void add_pass(struct pace *pace, const struct timer_result *result) {
     pass->count += pass->count < PACE_MEDIAN;
 }
 
+static void forget_oldest(float history[PACE_HISTORY]) {
+    memmove(history, history + 1, (PACE_HISTORY - 1) * sizeof *history);
+    history[PACE_HISTORY - 1] = 0;
+}
+
+/* Room for a frame in all that is drawn over time. */
+static void add_frame(struct pace *pace, float ms, float pixels) {
+    bool full = pace->frame_count == PACE_HISTORY;
+    if (full) {
+        forget_oldest(pace->frame_ms);
+        forget_oldest(pace->frame_pixels);
+    }
+    for (int i = 0; full && i < pace->pass_count; i++)
+        forget_oldest(pace->passes[i].history);
+    pace->frame_count += !full;
+    pace->frame_ms[pace->frame_count - 1] = ms;
+    pace->frame_pixels[pace->frame_count - 1] = pixels;
+}
+
 void pace_add(struct pace *pace, struct timers *timers, double pixels, double now) {
     double frame = timer_ms(timers, "frame"), by_pixel = 0;
+    struct pace_pass *pass = NULL;
+    add_frame(pace, (float)frame, (float)pixels);
     for (int i = 0; i < timers->count; i++) {
-        add_pass(pace, &timers->results[i]);
+        pass = find_pass(pace, &timers->results[i], pass);
+        add_time(pace, pass, &timers->results[i]);
         if (timers->results[i].depth == 1 && !goes_with_lights(timers->results[i].path))
             by_pixel += timers->results[i].ms;
     }
     pace->fixed_ms = fmax(frame - by_pixel, 0);
     pace->ms_per_pixel = by_pixel / pixels;
-    if (pace->frame_count == PACE_HISTORY)
-        memmove(pace->frame_ms, pace->frame_ms + 1, (PACE_HISTORY - 1) * sizeof *pace->frame_ms);
-    else
-        pace->frame_count++;
-    pace->frame_ms[pace->frame_count - 1] = (float)frame;
     int ring = sizeof pace->shown / sizeof *pace->shown;
     pace->shown[pace->shown_count++ % ring] = now;
 }
 
 void pace_forget(struct pace *pace) {
     pace->pass_count = 0;
+}
+
+void pace_begin_medians(struct pace *pace) {
+    for (int i = 0; i < pace->pass_count; i++)
+        pace->passes[i].count = pace->passes[i].next = 0;
 }
 
 static int ascending(const void *a, const void *b) {

@@ -10,9 +10,10 @@ enum { PACE_HISTORY = 240, PACE_MEDIAN = 15 };
 struct pace {
     /* Frames that were rendered, oldest first. */
     float frame_ms[PACE_HISTORY];
+    float frame_pixels[PACE_HISTORY];
     int frame_count;
 
-    /* The last times of each timer, in a ring. */
+    /* The last times of each timer, in a ring; in the order in which they run. */
     struct pace_pass {
         char path[TIMER_PATH_SIZE];
         int depth;
@@ -20,6 +21,7 @@ struct pace {
         bool kept; /* and what it made before was used */
         float ms[PACE_MEDIAN];
         int count, next;
+        float history[PACE_HISTORY]; /* of the frames above; 0 = it did not run */
     } passes[TIMERS_MAX];
     int pass_count;
 
@@ -35,8 +37,11 @@ struct pace {
 /* After each rendered frame of so many pixels. */
 void pace_add(struct pace *pace, struct timers *timers, double pixels, double now);
 
-/* Other passes, other times. */
+/* Other passes. */
 void pace_forget(struct pace *pace);
+
+/* The same passes, but other times: of another size. */
+void pace_begin_medians(struct pace *pace);
 
 /* Median milliseconds of a pass over the last frames. */
 float pace_median(const struct pace_pass *pass);

@@ -320,10 +320,6 @@ static void draw_compare(struct viewer *viewer) {
 
 /* --- surface --- */
 
-static void draw_triple(const char *name, const float values[3]) {
-    ui_value(name, "%.4g  %.4g  %.4g", (double)values[0], (double)values[1], (double)values[2]);
-}
-
 /* The VALs that bring most; one that is chosen shows its shadow. */
 static void draw_vals(struct viewer *viewer, const struct pick *pick) {
     struct inspect_choice *choice = &viewer->shown.choice;
@@ -354,12 +350,12 @@ static void draw_surface(struct viewer *viewer) {
         ui_text(UI_DIM, "Click on the picture.");
         return;
     }
-    draw_triple("position", pick->position);
-    draw_triple("normal", pick->normal);
-    draw_triple("albedo", pick->albedo);
-    draw_triple("radiance", pick->radiance);
-    draw_triple("direct, on white", pick->direct);
-    draw_triple("indirect, on white", pick->indirect);
+    ui_numbers("position", pick->position);
+    ui_numbers("normal", pick->normal);
+    ui_numbers("albedo", pick->albedo);
+    ui_numbers("radiance", pick->radiance);
+    ui_numbers("direct, on white", pick->direct);
+    ui_numbers("indirect, on white", pick->indirect);
     ui_space();
     draw_vals(viewer, pick);
 }

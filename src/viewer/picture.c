@@ -3,6 +3,8 @@
 
 #include "base/memory.h"
 
+#include <cglm/cglm.h>
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -144,7 +146,7 @@ static bool render(struct viewer *viewer) {
         desc.height = height;
         if (!renderer_follow(renderer, &desc))
             viewer_tell_error(viewer);
-        pace_forget(&shown->pace);
+        pace_begin_medians(&shown->pace);
     }
     follow_wishes_from_start(viewer);
     if (!renderer_update(renderer))
@@ -305,14 +307,20 @@ static void measure(struct viewer *viewer, bool all) {
 static void follow_pick(struct viewer *viewer) {
     struct shown *shown = &viewer->shown;
     const struct renderer_desc *desc = &shown->renderer.desc;
-    float place[2], aspect = (float)desc->width / (float)desc->height;
+    float place[2], before[3], aspect = (float)desc->width / (float)desc->height;
     if (shown->moving || shown->dirty || !shown->has_pick ||
         shown->pick_motion == shown->pace.last_motion)
         return;
     shown->has_pick = camera_project(&desc->camera, shown->pick.position, aspect, place) &&
                       place[0] >= 0 && place[0] < 1 && place[1] >= 0 && place[1] < 1;
-    if (shown->has_pick)
-        viewer_pick_surface(viewer, place[0], place[1]);
+    if (!shown->has_pick)
+        return;
+    memcpy(before, shown->pick.position, sizeof before);
+    viewer_pick_surface(viewer, place[0], place[1]);
+    /* The pixel's middle is not quite the place that was clicked on. */
+    if (shown->has_pick &&
+        glm_vec3_distance(before, shown->pick.position) < .02F * viewer->document.geometry.radius)
+        memcpy(shown->pick.position, before, sizeof before);
 }
 
 bool viewer_update_picture(struct viewer *viewer) {

@@ -231,7 +231,7 @@ void ui_area_begin(const char *id, ui_area kind, float x, float y, float width, 
     ImGui::SetNextWindowPos(ImVec2(x, y), ImGuiCond_Always, pivot);
     if (kind != UI_DIALOG)
         ImGui::SetNextWindowSize(ImVec2(width, height));
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, see || kind == UI_BAR ? see_through : ground);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, see ? see_through : ground);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, square ? 0 : units(.4F));
     ImGui::Begin(id, nullptr, flags);
     ImGui::PopStyleVar();
@@ -312,7 +312,7 @@ void ui_value(const char *name, const char *format, ...) {
 }
 
 void ui_numbers(const char *name, const float values[3]) {
-    float right = ImGui::GetContentRegionMax().x, column = units(4.6F);
+    float right = ImGui::GetContentRegionMax().x, column = units(4.3F);
     std::string all = name;
     ImGui::PushStyleColor(ImGuiCol_Text, dim);
     ImGui::TextUnformatted(name);
@@ -320,7 +320,10 @@ void ui_numbers(const char *name, const float values[3]) {
     for (int c = 0; c < 3; c++) {
         char text[32];
         double value = (double)values[c], size = std::fabs(value);
-        const char *format = size > 0 && size < 1e-3 ? "%.1e" : size < 100 ? "%.4f" : "%.1f";
+        const char *format = size > 0 && size < 1e-3 ? "%.1e"
+                             : size < 10             ? "%.4f"
+                             : size < 100            ? "%.3f"
+                                                     : "%.1f";
         std::snprintf(text, sizeof text, format, value);
         ImGui::SameLine(right - column * (float)(2 - c) - ImGui::CalcTextSize(text).x);
         ImGui::TextUnformatted(text);

@@ -44,7 +44,7 @@ enum ui_area {
     UI_PANEL,   /* opaque, scrolls */
     UI_OVERLAY, /* see-through, lets the mouse pass; as large as what is in it */
     UI_NOTE,    /* the same, above the point x y */
-    UI_BAR,     /* see-through, reacts to the mouse */
+    UI_BAR,     /* opaque, does not scroll */
     UI_DIALOG,  /* opaque; as large as what is in it, about the point x y */
 };
 
@@ -132,11 +132,19 @@ bool ui_list_item(uint32_t color, const char *name, const char *middle, const ch
                   float share, bool chosen);
 
 /* A bar behind a name and a value: a share of a whole. */
-void ui_bar(const char *name, int indent, float share, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
+void ui_bar(uint32_t color, const char *name, int indent, float share, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
 
-/* A curve of the last values, oldest first, from 0 to top. */
-void ui_plot(const float *values, int count, float top, float width, float height);
+/* A ground for columns, and what its upper edge stands for. */
+struct ui_graph {
+    float x, y, width, height;
+};
+
+struct ui_graph ui_graph_begin(float width, float height, const char *top);
+
+/* A part of the n-th column of so many, from 0 below to 1 above. */
+void ui_graph_column(const struct ui_graph *graph, int n, int count, float from, float to,
+                     uint32_t color);
 
 /* --- drawing on the picture, below all areas --- */
 

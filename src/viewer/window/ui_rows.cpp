@@ -224,7 +224,7 @@ bool ui_list_item(uint32_t patch, const char *name, const char *middle, const ch
     return clicked;
 }
 
-void ui_bar(const char *name, int indent, float share, const char *format, ...) {
+void ui_bar(uint32_t packed, const char *name, int indent, float share, const char *format, ...) {
     char text[64];
     va_list arguments;
     va_start(arguments, format);
@@ -236,15 +236,29 @@ void ui_bar(const char *name, int indent, float share, const char *format, ...) 
     share = ImClamp(share, 0.F, 1.F);
     ImGui::GetWindowDrawList()->AddRectFilled(
         ImVec2(at.x + left, at.y), ImVec2(at.x + left + (width - left) * share, at.y + height),
-        indent ? IM_COL32(240, 168, 72, 45) : IM_COL32(240, 168, 72, 80), units(.15F));
+        packed, units(.15F));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + left + units(.2F));
     ImGui::TextUnformatted(name);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text).x - units(.2F));
     ImGui::TextUnformatted(text);
 }
 
-void ui_plot(const float *values, int count, float top, float width, float height) {
-    ImGui::PushStyleColor(ImGuiCol_FrameBg, IM_COL32(0, 0, 0, 90));
-    ImGui::PlotLines("##plot", values, count, 0, nullptr, 0, top, ImVec2(width, height));
-    ImGui::PopStyleColor();
+ui_graph ui_graph_begin(float width, float height, const char *top) {
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    float text = ImGui::GetTextLineHeight();
+    ImDrawList *list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(at, ImVec2(at.x + width, at.y + text + height), IM_COL32(0, 0, 0, 90));
+    list->AddText(ImVec2(at.x + units(.2F), at.y), dim, top);
+    list->AddLine(ImVec2(at.x, at.y + text), ImVec2(at.x + width, at.y + text), line);
+    ImGui::Dummy(ImVec2(width, text + height));
+    return {at.x, at.y + text, width, height};
+}
+
+void ui_graph_column(const ui_graph *graph, int n, int count, float from, float to,
+                     uint32_t packed) {
+    float step = graph->width / (float)count, x = graph->x + step * (float)n;
+    float bottom = graph->y + graph->height;
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        ImVec2(x, bottom - graph->height * ImClamp(to, 0.F, 1.F)),
+        ImVec2(x + step, bottom - graph->height * ImClamp(from, 0.F, 1.F)), packed);
 }
