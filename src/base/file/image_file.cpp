@@ -288,13 +288,15 @@ extern "C" bool image_format_is_float(const char *path, bool *is_float) try {
 }
 
 /* A picture in memory: the format is told by its content; the name only has to have no known
- * extension. */
+ * extension. Colours are as the file has them, not times alpha, as OpenImageIO else makes them. */
 static std::unique_ptr<ImageInput> open_texture(Filesystem::IOMemReader &reader, ImageSpec &spec) {
+    ImageSpec as_stored;
+    as_stored.attribute("oiio:UnassociatedAlpha", 1);
     for (const char *format : {"png", "jpeg", "webp", "bmp", "tga"}) {
         std::unique_ptr<ImageInput> in = ImageInput::create(format);
         if (in && in->set_ioproxy(&reader)) {
             reader.seek(0);
-            if (in->open("texture", spec))
+            if (in->open("texture", spec, as_stored))
                 return check_size(spec, "picture") ? std::move(in) : nullptr;
             in->geterror();
         }
