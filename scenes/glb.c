@@ -1,6 +1,8 @@
 #define _POSIX_C_SOURCE 200809L
 #include "glb.h"
 
+#include "png.h"
+
 #include "base/file/file.h"
 #include "base/memory.h"
 #include "base/file/output_file.h"
@@ -50,9 +52,10 @@ void glb_init(struct glb *glb, const char *name) {
 }
 
 void glb_free(struct glb *glb) {
-    struct text *texts[] = {&glb->nodes, &glb->meshes,   &glb->materials, &glb->accessors,
-                            &glb->views, &glb->cameras,  &glb->lights,    &glb->binary,
-                            &glb->skins, &glb->channels, &glb->samplers};
+    struct text *texts[] = {&glb->nodes,    &glb->meshes,          &glb->materials, &glb->accessors,
+                            &glb->views,    &glb->cameras,         &glb->lights,    &glb->binary,
+                            &glb->skins,    &glb->channels,        &glb->samplers,  &glb->images,
+                            &glb->textures, &glb->texture_samplers};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
         free(texts[i]->data);
     free(glb->hierarchy);
@@ -127,7 +130,8 @@ enum { NO_BOUNDS, BOUNDS };
 
 static int add_floats(struct glb *glb, const float *numbers, int width, uint32_t count, int target,
                       int bounds) {
-    static const char *const types[] = {[1] = "SCALAR", [3] = "VEC3", [4] = "VEC4", [16] = "MAT4"};
+    static const char *const types[] = {
+        [1] = "SCALAR", [2] = "VEC2", [3] = "VEC3", [4] = "VEC4", [16] = "MAT4"};
     int view = add_view(glb, numbers, count * (size_t)width * sizeof *numbers, target);
     int index = next_element(&glb->accessors, &glb->accessor_count);
     text_print(&glb->accessors,
@@ -186,6 +190,40 @@ int glb_add_mesh(struct glb *glb, const char *name, const struct surface *surfac
     if (extras)
         text_print(&glb->nodes, ",\"extras\":%s", extras);
     text_append(&glb->nodes, "}", 1);
+    return node;
+}
+
+/* --- textures --------------------------------------------------------------------------------- */
+
+int glb_add_texture(struct glb *glb, int width, int height, const unsigned char *rgba,
+                    const char *sampler) {
+    struct text png = {0};
+    png_append(&png, width, height, rgba);
+    int view = add_view(glb, png.data, png.length, 0), begun = glb->texture_count, index = begun;
+    free(png.data);
+    next_element(&glb->images, &begun);
+    text_print(&glb->images, "{\"bufferView\":%d,\"mimeType\":\"image/png\"}", view);
+    begun = index;
+    next_element(&glb->texture_samplers, &begun);
+    text_print(&glb->texture_samplers, "{%s}", sampler);
+    next_element(&glb->textures, &glb->texture_count);
+    text_print(&glb->textures, "{\"source\":%d,\"sampler\":%d}", index, index);
+    return index;
+}
+
+int glb_add_material_json(struct glb *glb, const char *json) {
+    int index = next_element(&glb->materials, &glb->material_count);
+    text_print(&glb->materials, "{%s}", json);
+    return index;
+}
+
+int glb_add_textured_mesh(struct glb *glb, const char *name, const struct surface *surface,
+                          const float (*uv)[2], int material) {
+    char more[64];
+    int coordinates = add_floats(glb, *uv, 2, surface->vertex_count, TARGET_VERTICES, NO_BOUNDS);
+    snprintf(more, sizeof more, ",\"TEXCOORD_0\":%d", coordinates);
+    int mesh = add_surface(glb, name, surface, material, more), node = next_node(glb, -1);
+    text_print(&glb->nodes, "{\"name\":\"%s\",\"mesh\":%d}", name, mesh);
     return node;
 }
 
@@ -371,6 +409,14 @@ static void append_motion(const struct glb *glb, struct text *json) {
     text_print(json, "}]");
 }
 
+static void append_textures(const struct glb *glb, struct text *json) {
+    if (!glb->texture_count)
+        return;
+    append_array(json, "images", &glb->images);
+    append_array(json, "samplers", &glb->texture_samplers);
+    append_array(json, "textures", &glb->textures);
+}
+
 static void compose_json(const struct glb *glb, struct text *json) {
     text_print(json,
                "{\"asset\":{\"version\":\"2.0\",\"generator\":\"manylight make_scenes\"},\n"
@@ -386,6 +432,7 @@ static void compose_json(const struct glb *glb, struct text *json) {
     append_nodes(glb, json);
     append_array(json, "meshes", &glb->meshes);
     append_array(json, "materials", &glb->materials);
+    append_textures(glb, json);
     append_array(json, "cameras", &glb->cameras);
     append_motion(glb, json);
     append_array(json, "accessors", &glb->accessors);

@@ -18,9 +18,10 @@ struct glb {
     /* JSON arrays in the making, without their brackets. */
     struct text nodes, meshes, materials, accessors, views, cameras, lights, skins;
     struct text channels, samplers; /* of the one animation */
+    struct text images, textures, texture_samplers;
     struct text binary;
     int node_count, mesh_count, material_count, accessor_count, view_count, camera_count,
-        light_count, skin_count, channel_count, sampler_count;
+        light_count, skin_count, channel_count, sampler_count, texture_count;
     bool has_lamps;
     struct glb_node {
         size_t begin; /* of its JSON in nodes */
@@ -40,6 +41,18 @@ int glb_add_material(struct glb *glb, const char *name, const float albedo[3],
 /* A single-sided one of that base colour, metal or plastic: metalness 1 or 0. */
 int glb_add_glossy(struct glb *glb, const char *name, const float color[3], float metalness,
                    float roughness);
+
+/* A picture of at most PNG_SIDE_MOST texels a side, RGBA from the top row on, with the members of a sampler in
+ * JSON, "" = none; returns the texture's index. */
+int glb_add_texture(struct glb *glb, int width, int height, const unsigned char *rgba,
+                    const char *sampler);
+
+/* A material by all its members in JSON. */
+int glb_add_material_json(struct glb *glb, const char *json);
+
+/* glb_add_mesh of a surface that is not empty, with texture coordinates of each vertex. */
+int glb_add_textured_mesh(struct glb *glb, const char *name, const struct surface *surface,
+                          const float (*uv)[2], int material);
 
 /* A grey material that gives that radiance from its front, W/(sr m2): a flat rectangle of it is a light. */
 int glb_add_lamp(struct glb *glb, const char *name, const float radiance[3]);

@@ -25,6 +25,7 @@ static const struct scene_maker {
     {"character", make_character},
     {"table", make_table},
     {"gloss", make_gloss},
+    {"materials", make_materials},
     {"plant", make_plant},
     {"failures/room", make_room},
     {"failures/table-legs", make_table_legs},

@@ -16,6 +16,7 @@ void make_creatures(struct glb *glb);
 void make_character(struct glb *glb);
 void make_table(struct glb *glb);
 void make_gloss(struct glb *glb);
+void make_materials(struct glb *glb);
 void make_plant(struct glb *glb);
 
 /* scenes/boxes/failures.c */

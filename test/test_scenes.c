@@ -34,6 +34,7 @@ static const struct expectation {
     {"plant", 1552, 0, 5, {-2, 0, -2}, {3, 2.6f, 2}, "|floor|back wall|far wall|window|leaves|"},
     {"table", 1038, 0, 5, {-3, 0, -2}, {3, 3, 3}, "|floor|wall|lamp|"},
     {"gloss", 17832, 0, 14, {-2, 0, -2}, {2, 2.6f, 2}, WALLS},
+    {"materials", 42, 0, 17, {-3, -.3f, -.3f}, {3, 4.3f, 0}, "|wall|dome|wrap|alpha|lamp|"},
     {"sphere", 20172, 0, 1, {-1.0f, -1.0f, -1.0f}, {1.0f, 1.0f, 1.0f}, ""},
 };
 enum { SCENE_COUNT = sizeof expectations / sizeof expectations[0] };
@@ -151,7 +152,9 @@ static void check_scene(const struct expectation *expected, const char *path) {
     check_near(expected->name, triangles, expected->triangles, expected->tolerance);
     check_materials(expected, &scene);
     assert_int_equal(camera_node_count(&scene), 1);
-    assert_int_equal(emitter_node_count(&scene), strcmp(expected->name, "three-lights") ? 1 : 3);
+    bool has_three = strcmp(expected->name, "three-lights") == 0;
+    bool has_six = strcmp(expected->name, "materials") == 0;
+    assert_int_equal(emitter_node_count(&scene), has_three ? 3 : has_six ? 6 : 1);
     scene_free(&scene);
 }
 

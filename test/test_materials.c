@@ -1,0 +1,173 @@
+/* What materials say, as the scene of that name shows it: the renderer and the path tracer, each beside what must
+ * be there. Distances are those of scenes/boxes/materials.c. */
+#include "render_support.h"
+
+#include "measure/picture.h"
+
+#include <cglm/cglm.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { WIDTH = 250, HEIGHT = 200, COLUMNS = 5 };
+
+struct pictures {
+    struct image drawn, traced;
+};
+
+static void make_pictures(struct pictures *pictures) {
+    struct stage stage;
+    open_stage(&stage, "scenes/materials.glb");
+    struct renderer_desc desc = desc_of(&stage, "clustered", "", WIDTH, HEIGHT);
+    pictures->drawn = render_layers(&desc);
+    check_ok("trace", picture_trace_paths(
+                          &stage,
+                          &(struct path_tracer_desc){
+                              .width = WIDTH, .height = HEIGHT, .samples = 4, .centers = true},
+                          &pictures->traced, NULL));
+    stage_free(&stage);
+}
+
+static void free_pictures(struct pictures *pictures) {
+    image_free(&pictures->drawn);
+    image_free(&pictures->traced);
+}
+
+/* At a place of a panel, metres from its lower left corner. */
+static void read_at(const struct image *image, const char *layer, int row, int column, float x,
+                    float y, float value[3]) {
+    static const char *const colors[] = {"R", "G", "B"}, *const axes[] = {"X", "Y", "Z"};
+    const char *const *ends = strcmp(layer, "normal") == 0 ? axes : colors;
+    float scale = HEIGHT / (2 * 8 * tanf(glm_rad(16)));
+    float right = (float)column - .5F * (COLUMNS - 1) - .45F + x, up = 3.05F - (float)row + y;
+    const float *pixel =
+        image_at(image, (int)(WIDTH / 2 + right * scale), (int)(HEIGHT / 2 - (up - 2) * scale));
+    for (int c = 0; c < 3; c++) {
+        char name[32];
+        snprintf(name, sizeof name, "%s%s%s", layer, *layer ? "." : "", ends[c]);
+        int channel = image_find_channel(image, name);
+        assert_true(channel >= 0);
+        value[c] = pixel[channel];
+    }
+}
+
+static double distance_at(const struct image *image, const char *layer, int row, int column,
+                          float x, float y, const float expected[3]) {
+    float value[3];
+    read_at(image, layer, row, column, x, y, value);
+    return (double)glm_vec3_distance(value, (float *)expected);
+}
+
+/* However its picture lies, the dome is the same. */
+static void test_domes(void **state) {
+    (void)state;
+    struct pictures pictures;
+    double worst = 0, worst_drawn = 0;
+    make_pictures(&pictures);
+    for (int column = 0; column < COLUMNS; column++)
+        for (int i = 0; i < 8; i++) {
+            float angle = GLM_PIf * (float)i / 4, x = .2F * cosf(angle), y = .2F * sinf(angle);
+            vec3 normal = {x / .36F, y / .36F, 0}, drawn, traced;
+            normal[2] = sqrtf(1 - glm_vec3_norm2(normal));
+            worst = fmax(worst, distance_at(&pictures.traced, "normal", 0, column, .45F + x,
+                                            .45F + y, normal));
+            read_at(&pictures.drawn, "direct", 0, column, .45F + x, .45F + y, drawn);
+            read_at(&pictures.traced, "direct", 0, column, .45F + x, .45F + y, traced);
+            worst_drawn = fmax(worst_drawn, fabs((double)(drawn[0] - traced[0])));
+        }
+    check_at_most("traced normals apart", worst, .08);
+    check_at_most("light drawn beside traced", worst_drawn, .03);
+    free_pictures(&pictures);
+}
+
+/* Texels are .15 m wide on the panels; which of the two each is. */
+static void check_wraps(const char *what, const struct image *image) {
+    static const int columns[COLUMNS][6] = {{0, 1, 0, 1, 0, 1},
+                                            {0, 0, 0, 1, 1, 1},
+                                            {1, 0, 0, 1, 1, 0},
+                                            {0, 1, 0, 1, 0, 1},
+                                            {1, 0, 1, 0, 1, 0}};
+    static const int rows[COLUMNS][6] = {{0, 1, 0, 1, 0, 1},
+                                         {0, 0, 0, 1, 1, 1},
+                                         {1, 0, 0, 1, 1, 0},
+                                         {1, 0, 0, 1, 1, 0},
+                                         {0, 1, 0, 1, 0, 1}};
+    static const float colors[2][2][3] = {{{.791F, .013F, .013F}, {.013F, .578F, .013F}},
+                                          {{.021F, .045F, .791F}, {.871F, .871F, .871F}}};
+    double worst = 0;
+    for (int column = 0; column < COLUMNS; column++)
+        for (int i = 0; i < 36; i++) {
+            float x = .075F + .15F * (float)(i % 6), y = .075F + .15F * (float)(5 - i / 6);
+            const float *color = colors[rows[column][i / 6]][columns[column][i % 6]];
+            worst = fmax(worst, distance_at(image, "albedo", 1, column, x, y, color));
+        }
+    check_at_most(what, worst, .01);
+}
+
+static void test_wraps(void **state) {
+    (void)state;
+    struct pictures pictures;
+    make_pictures(&pictures);
+    check_wraps("drawn", &pictures.drawn);
+    check_wraps("traced", &pictures.traced);
+    free_pictures(&pictures);
+}
+
+/* Alpha changes no colour, and where it falls to the cutoff the wall behind begins. */
+static void check_alphas(const char *what, const struct image *image) {
+    static const float ends[COLUMNS] = {.9F, .675F, .45F, .225F, .45F};
+    static const float green[3] = {.045F, .578F, .188F}, wall[3] = {.18F, .18F, .18F};
+    double worst = 0;
+    for (int column = 0; column < COLUMNS; column++) {
+        const float *beyond = column ? wall : green; /* between panels, too */
+        float outside = column ? ends[column] + .06F : .87F;
+        worst = fmax(worst, distance_at(image, "albedo", 2, column, .04F, .45F, green));
+        worst =
+            fmax(worst, distance_at(image, "albedo", 2, column, ends[column] - .06F, .45F, green));
+        worst = fmax(worst, distance_at(image, "albedo", 2, column, outside, .45F, beyond));
+    }
+    check_at_most(what, worst, .01);
+}
+
+static void test_alphas(void **state) {
+    (void)state;
+    struct pictures pictures;
+    make_pictures(&pictures);
+    check_alphas("drawn", &pictures.drawn);
+    check_alphas("traced", &pictures.traced);
+    free_pictures(&pictures);
+}
+
+/* Beauty is what is emitted and what is reflected. */
+static void check_lamps(const char *what, const struct image *image) {
+    double worst = 0;
+    for (int column = 0; column < COLUMNS; column++) {
+        vec3 beauty, albedo, direct, indirect;
+        read_at(image, "", 3, column, .45F, .45F, beauty);
+        read_at(image, "albedo", 3, column, .45F, .45F, albedo);
+        read_at(image, "direct", 3, column, .45F, .45F, direct);
+        read_at(image, "indirect", 3, column, .45F, .45F, indirect);
+        float emitted = beauty[0] - albedo[0] * (direct[0] + indirect[0]);
+        worst = fmax(worst, fabs((double)emitted / (.125 * (1 << column)) - 1));
+    }
+    check_at_most(what, worst, .01);
+}
+
+static void test_lamps(void **state) {
+    (void)state;
+    struct pictures pictures;
+    make_pictures(&pictures);
+    check_lamps("drawn", &pictures.drawn);
+    check_lamps("traced", &pictures.traced);
+    free_pictures(&pictures);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_domes),
+        cmocka_unit_test(test_wraps),
+        cmocka_unit_test(test_alphas),
+        cmocka_unit_test(test_lamps),
+    };
+    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
+}
