@@ -253,15 +253,6 @@ static uint32_t next_end(uint32_t done) {
     return done + power / 4;
 }
 
-static bool render_passes(struct tracer *tracer) {
-    if (tracer->desc.samples > 0)
-        return render_pass(tracer, (uint32_t)tracer->desc.samples);
-    bool ok = render_pass(tracer, FIRST_PASS_SAMPLES);
-    while (ok && tracer->noise > tracer->desc.noise)
-        ok = render_pass(tracer, next_end(tracer->done));
-    return ok;
-}
-
 /* --- the picture --- */
 
 static void develop_row(void *context, int row) {
@@ -287,6 +278,27 @@ static bool develop(struct tracer *tracer) {
              desc->seen ? " " CHANNELS_OF_SEEN : "", tracer->gloss ? " " CHANNELS_OF_GLOSS : "");
     image_init(tracer->image, desc->width, desc->height, channels);
     return rows_render(&(struct rows){desc->height, desc->threads, develop_row, NULL, tracer});
+}
+
+/* To who watches. */
+static bool show(struct tracer *tracer) {
+    struct path_tracer_progress reached = {.noise = tracer->noise, .samples = (int)tracer->done};
+    if (!tracer->desc.show)
+        return true;
+    bool ok = develop(tracer);
+    if (ok)
+        tracer->desc.show(tracer->desc.user, tracer->image, &reached);
+    image_free(tracer->image);
+    return ok;
+}
+
+static bool render_passes(struct tracer *tracer) {
+    if (tracer->desc.samples > 0)
+        return render_pass(tracer, (uint32_t)tracer->desc.samples);
+    bool ok = render_pass(tracer, tracer->desc.show ? FILM_STREAMS : FIRST_PASS_SAMPLES);
+    while (ok && tracer->noise > tracer->desc.noise)
+        ok = show(tracer) && render_pass(tracer, next_end(tracer->done));
+    return ok;
 }
 
 static struct path_tracer_desc resolve(const struct path_tracer_desc *desc) {

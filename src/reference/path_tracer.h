@@ -51,6 +51,9 @@ struct path_tracer_desc {
     int threads;   /* 0 = all cores; does not change the picture */
     /* Called now and then from any of the threads, one at a time; false cancels. */
     bool (*progress)(void *user, const struct path_tracer_progress *progress);
+    /* Called on the calling thread with the picture so far, of each pass but the last, which are then
+     * more and begin with few samples: for who watches. The image is the tracer's. */
+    void (*show)(void *user, const struct image *image, const struct path_tracer_progress *reached);
     void *user;
 };
 
