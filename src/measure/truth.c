@@ -31,15 +31,11 @@ static uint64_t hash_of(const struct stage *stage, enum truth_kind kind) {
     return sum;
 }
 
-/* $XDG_CACHE_HOME/manylight, or ~/.cache/manylight. */
 static char *default_folder(void) {
-    const char *cache = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
-    if (cache && *cache)
-        return mem_printf("%s/manylight", cache);
-    if (home && *home)
-        return mem_printf("%s/.cache/manylight", home);
-    error_set("no folder for references: neither XDG_CACHE_HOME nor HOME is set");
-    return NULL;
+    char *folder = folder_of_user("XDG_CACHE_HOME", ".cache");
+    if (!folder)
+        error_prefix("no folder for references");
+    return folder;
 }
 
 char *truth_path(const struct truth_desc *truth, const struct measure_desc *desc) {

@@ -9,6 +9,16 @@
 #include <string.h>
 #include <sys/stat.h>
 
+char *folder_of_user(const char *variable, const char *below_home) {
+    const char *folder = getenv(variable), *home = getenv("HOME");
+    if (folder && *folder)
+        return mem_printf("%s/manylight", folder);
+    if (home && *home)
+        return mem_printf("%s/%s/manylight", home, below_home);
+    error_set("neither %s nor HOME is set", variable);
+    return NULL;
+}
+
 bool folder_make_for(const char *file_path) {
     char *path = mem_strdup(file_path);
     bool ok = true;

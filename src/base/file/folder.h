@@ -8,4 +8,8 @@
  * cannot be made. */
 bool folder_make_for(const char *file_path);
 
+/* The program's folder among the user's: "$variable/manylight", or "~/below_home/manylight"; the caller
+ * frees it. NULL, and an error: neither variable nor HOME is set. */
+char *folder_of_user(const char *variable, const char *below_home);
+
 #endif
