@@ -317,11 +317,13 @@ static const struct settings_part *const parts[] = {
     &lights_part, &own_part, &map_part, &lookup_part, &caster_part, &gather_part, &blur_part, NULL};
 
 static const struct preset presets[] = {
+    {"draft", "for slow machines: fewer lights and maps, no care for detail",
+     "lights.vpls=512 clustered.vals=12 map.size=128 gather.detail=0 gather.near-samples=256"},
     MANY_LIGHTS_FAST,
-    {"paper", "as published: convolution soft shadow maps at each pixel and VPL",
-     "clustered.visibility=cssm clustered.visibility-block=0 " MANY_LIGHTS_AS_PUBLISHED},
     {"fine", "for scenes of many small things: more maps, and lights where detail is",
      "clustered.vals=60 gather.detail=2 gather.detail-times=1"},
+    {"paper", "as published: convolution soft shadow maps at each pixel and VPL",
+     "clustered.visibility=cssm clustered.visibility-block=0 " MANY_LIGHTS_AS_PUBLISHED},
     {NULL}};
 
 extern const struct technique clustered_technique;
