@@ -355,6 +355,7 @@ lint:
 
 install: all
 	install -D -m 755 manylight $(DESTDIR)$(PREFIX)/bin/manylight
+	install -D -m 644 -t $(DESTDIR)$(PREFIX)/share/manylight/scenes scenes/*.glb
 
 clean:
 	rm -rf build manylight scenes/*.glb scenes/failures

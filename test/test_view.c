@@ -70,7 +70,7 @@ static void test_panel(void **state) {
     (void)state;
     need_viewer();
     int x, y;
-    find_place("vpls", &x, &y);
+    find_place("virtual lights", &x, &y);
     /* Ctrl and a click let a slider's value be typed. */
     xdo("mousemove %d %d sleep .3 keydown ctrl sleep .3 mousedown 1 sleep .3 mouseup 1 sleep .2", x,
         y);
@@ -81,6 +81,37 @@ static void test_panel(void **state) {
     press("technique");
     press("unshadowed");
     check_same("technique chosen in the panel", SCENE " --set vpls=96 --technique unshadowed");
+    assert_false(is_on_screen("shadow groups")); /* it has none */
+    rest_mouse();
+    xdo("key ctrl+z sleep .8");
+    check_same("taken back", SCENE " --set vpls=96");
+    xdo("key ctrl+z sleep .8");
+    check_same("and back", SCENE);
+    xdo("key ctrl+y sleep .6 key ctrl+shift+z sleep .8");
+    check_same("and forth again", SCENE " --set vpls=96 --technique unshadowed");
+}
+
+/* A preset sets all but how the picture is exposed; a number beside its slider is typed after a click. */
+static void test_presets(void **state) {
+    (void)state;
+#define DRAFT                                                                                      \
+    SCENE " --set path=draft --set rsm-size=512 --set vals=12 --set map-size=128 "                 \
+          "--set shadow-size=2048 --set interleave=8 --set exposure=.5 "
+    start_viewer(SCENE, "--set exposure=.5");
+    press("Draft");
+    rest_mouse();
+    pause_ms(1500);
+    check_same("a preset", DRAFT "--set vpls=512");
+    int x, y;
+    find_place("virtual lights", &x, &y);
+    click(WIDTH + PANEL - 80, y);
+    xdo("type --delay 100 100");
+    xdo("sleep .3 key Return sleep .8");
+    check_same("a number typed", DRAFT "--set vpls=100");
+    press("Advanced");
+    assert_true(is_on_screen("rsm-size"));
+    assert_false(is_on_screen("terms")); /* of another visibility */
+    end_viewer();
 }
 
 /* The saved settings' camera, for a command line. */
@@ -183,7 +214,7 @@ int main(void) {
         cmocka_unit_test(test_keys),          cmocka_unit_test(test_panel),
         cmocka_unit_test(test_orbit),         cmocka_unit_test(test_open),
         cmocka_unit_test(test_passes),        cmocka_unit_test(test_end),
-        cmocka_unit_test(test_script),
+        cmocka_unit_test(test_presets),       cmocka_unit_test(test_script),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

@@ -139,11 +139,30 @@ static void minimise(int round) {
         assert_true(viewer.host.input->width > 0);
 }
 
+static void trace(int round) {
+    viewer_trace(&viewer);
+    for (int i = 0; i < 2000 && viewer.tracing.samples == 0; i++)
+        pause_ms(1), turn(1);
+    assert_true(viewer.tracing.samples > 0);
+    if (round % 2)
+        viewer_forget_truth(&viewer);
+}
+
+static void chart(int round) {
+    viewer_chart(&viewer);
+    for (int i = 0; i < 20000 && viewer.tracing.chart.next < 1 + round % 3; i++)
+        pause_ms(1), turn(1);
+    assert_true(viewer.tracing.chart.next > 0);
+    viewer_take_dot(&viewer, 0);
+    turn(1);
+}
+
 /* As at the beginning, so that what is there can be compared. */
 static void go_back(void) {
     viewer.wish.technique = technique_default;
     viewer.wish.settings = viewer.desc.settings;
     viewer.shown.compare.mode = COMPARE_OFF;
+    viewer_forget_truth(&viewer);
     viewer.shown.choice.output = "normal"; /* whatever output was shown, one canvas is there */
     viewer.shown.recompose = true;
     window_set_size(viewer.host.window, PANEL + 100, 90);
@@ -240,6 +259,8 @@ static void test_kept(void **state) {
     check_kept("outputs", switch_output, 13);
     check_kept("frames of an animation", play, 40);
     check_kept("minimised and back", minimise, 2);
+    check_kept("truths traced", trace, 2);
+    check_kept("charts", chart, 3);
     viewer_end(&viewer);
     assert_int_equal(gpu_memory_object_count(), 0);
     assert_int_equal(gpu_memory_total(), 0);

@@ -10,7 +10,8 @@
 
 /* Small and cheap, but tall enough that the panel's rows are on screen. */
 enum { WIDTH = 240, HEIGHT = 740, PANEL = 340 };
-#define CHEAP                                                                                      \
+#define CHEAP CHEAP_LIGHTS " --set exposure=0 --set tone-map=clamp"
+#define CHEAP_LIGHTS                                                                               \
     "--set vpls=64 --set vals=4 --set map-size=32 --set rsm-size=64 --set shadow-size=256 "        \
     "--set interleave=4"
 
@@ -29,6 +30,9 @@ int close_view_stage(void **state);
 /* Starts the viewer in the scratch folder, and waits for the window to show the scene. Skips the
  * test where there is no server. */
 void start_viewer(const char *scene, const char *arguments);
+
+/* The same with nothing but these arguments, and without a scene. */
+void start_empty_viewer(const char *arguments);
 
 /* Skips the test where no viewer runs. */
 void need_viewer(void);

@@ -1,5 +1,7 @@
 #include "apps/options.h"
 
+#include <string.h>
+
 bool technique_values_resolve(const struct technique_values *values,
                               const struct technique **technique,
                               const struct direct_method **direct, struct settings *settings) {
@@ -22,4 +24,20 @@ void technique_values_print_help(FILE *out, const struct technique_values *value
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         fprintf(out, "  %-26s %s\n", (*d)->name, (*d)->help);
     renderer_settings_print_help(out, named ? named : technique_default);
+}
+
+bool technique_values_name(const struct technique_values *values, const struct settings_part *part,
+                           const char *name) {
+    struct settings settings;
+    struct setting setting;
+    renderer_settings_init(&settings);
+    for (int i = 0; i < values->settings.count; i++)
+        for (struct word word = {.at = values->settings.items[i]}; word_next(&word);) {
+            char named[SETTING_NAME_SIZE];
+            snprintf(named, sizeof named, "%.*s", (int)strcspn(word.at, "="), word.at);
+            if (settings_find(&settings, named, &setting) && setting.part == part &&
+                strcmp(setting.option->name, name) == 0)
+                return true;
+        }
+    return false;
 }

@@ -66,6 +66,10 @@ bool technique_values_resolve(const struct technique_values *values,
                               const struct technique **technique,
                               const struct direct_method **direct, struct settings *settings);
 
+/* Whether --set names the setting of that part. */
+bool technique_values_name(const struct technique_values *values, const struct settings_part *part,
+                           const char *name);
+
 /* The end of --help: techniques, direct methods, and the settings of those that are named. */
 void technique_values_print_help(FILE *out, const struct technique_values *values);
 

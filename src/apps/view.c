@@ -32,6 +32,13 @@ static const struct option options[] = {
      .help = "render so many frames at the full size and end; 0 = until closed"},
     {"screenshot", 0, OPTION_TEXT, offsetof(struct values, viewer.screenshot), .value_name = "FILE",
      .help = "write the picture after --frames (or the first) and end"},
+    {"settings", 0, OPTION_TEXT, offsetof(struct values, viewer.session), .value_name = "FILE",
+     .help =
+         "settings, camera and lights that the panel has saved; they replace --set and the like"},
+    {"scale", 0, OPTION_FLOAT, offsetof(struct values, viewer.scale), 0, 0, 4,
+     .help = "of text and widgets; 0 = the monitor's"},
+    {"full-screen", 0, OPTION_FLAG, offsetof(struct values, viewer.full_screen),
+     .help = "F11 goes back to a window"},
     {"places", 0, OPTION_TEXT, offsetof(struct values, viewer.places), .value_name = "FILE",
      .help = "keep there where the panel's widgets are, \"x y width height name\", for scripts"},
     {"glsl", 0, OPTION_TEXT, offsetof(struct values, viewer.glsl), .value_name = "DIR",
@@ -55,6 +62,18 @@ static const struct arguments arguments = {
     .print_more = print_techniques,
 };
 
+/* A picture to be looked at is exposed by itself, and bright light in it rolls off, unless it is told
+ * otherwise; one that is written is as manylight render has it. */
+static void choose_tone(struct values *values) {
+    struct viewer_desc *desc = &values->viewer;
+    if (desc->frames || desc->screenshot || desc->session)
+        return;
+    desc->auto_exposure = !technique_values_name(&values->technique, &picture_part, "exposure");
+    struct picture_settings *picture = settings_edit(&desc->settings, &picture_part);
+    if (!technique_values_name(&values->technique, &picture_part, "tone-map"))
+        picture->tone_map = TONE_MAP_FILMIC;
+}
+
 int app_view(int argc, char **argv) {
     struct values values = {0};
     const char *scene;
@@ -69,6 +88,7 @@ int app_view(int argc, char **argv) {
                                   &desc->settings) ||
         (screenshot && !image_format_is_float(screenshot, &is_float)))
         return arguments_misuse(argv[0]);
+    choose_tone(&values);
     if ((desc->frames || screenshot) && !scene) {
         error_set("--frames and --screenshot need a scene");
         return arguments_misuse(argv[0]);

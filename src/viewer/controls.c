@@ -82,6 +82,8 @@ static void key_escape(struct viewer *viewer) {
         return;
     if (viewer->recorder.on) {
         recorder_stop(viewer);
+    } else if (viewer->start.dialog.is_open) {
+        file_dialog_close(&viewer->start.dialog);
     } else if (viewer->panel.help) {
         viewer->panel.help = false;
     } else if (window_is_full_screen(viewer->host.window)) {
@@ -96,20 +98,21 @@ static void key_escape(struct viewer *viewer) {
 static void key_quit(struct viewer *viewer) {
     viewer->done = true;
 }
-static void expose(struct viewer *viewer, float by) {
-    struct picture_settings *picture = settings_edit(&viewer->wish.settings, &picture_part);
-    picture->exposure = fminf(fmaxf(picture->exposure + by, -EXPOSURE_MOST), EXPOSURE_MOST);
-    viewer_retone(viewer);
-}
 static void key_brighter(struct viewer *viewer) {
-    expose(viewer, .5F);
+    viewer_expose(viewer, .5F);
 }
 static void key_darker(struct viewer *viewer) {
-    expose(viewer, -.5F);
+    viewer_expose(viewer, -.5F);
 }
-static void key_usual_exposure(struct viewer *viewer) {
-    const struct picture_settings *picture = settings_of(&viewer->wish.settings, &picture_part);
-    expose(viewer, -picture->exposure);
+static void key_undo(struct viewer *viewer) {
+    viewer_undo(viewer, -1);
+}
+static void key_redo(struct viewer *viewer) {
+    viewer_undo(viewer, 1);
+}
+
+static void key_open(struct viewer *viewer) {
+    viewer_ask_file(viewer);
 }
 
 static const struct key {
@@ -124,7 +127,7 @@ static const struct key {
     {KEY_RIGHT_BRACKET, "]", "next output", key_next},
     {'=', "+", "brighter by half a stop; so does Ctrl wheel", key_brighter},
     {'-', "-", "darker", key_darker},
-    {'0', "0", "exposure 0", key_usual_exposure},
+    {'0', "0", "the exposure that the scene began with", viewer_reset_exposure},
     {'L', "L", "handles to move, turn and size lights", key_light},
     {'C', "C", "compare: a technique, the reference, off", key_wipe},
     {'M', "M", "compare: right picture alone, or the wipe", key_toggle},
@@ -143,6 +146,10 @@ static const struct key {
     {KEY_F11, "F11", "full screen", key_full_screen},
     {KEY_F12, "F12", "screenshot: PNG, and EXR with all layers", viewer_take_screenshot},
     {KEY_ESCAPE, "Esc", "close what is open; twice: quit", key_escape},
+    {'O' + KEY_WITH_CONTROL, "Ctrl O", "open a file", key_open},
+    {'Z' + KEY_WITH_CONTROL, "Ctrl Z", "undo: camera, light or settings", key_undo},
+    {'Z' + KEY_WITH_CONTROL + KEY_WITH_SHIFT, "Ctrl Shift Z", "redo", key_redo},
+    {'Y' + KEY_WITH_CONTROL, "Ctrl Y", "redo", key_redo},
     {'Q' + KEY_WITH_CONTROL, "Ctrl Q", "quit", key_quit},
 };
 
@@ -281,15 +288,14 @@ static void use_mouse(struct viewer *viewer) {
     else if (viewer->hand.drags_picture)
         camera_hand_drag(viewer);
     if (!ui_wants_mouse() && input->scroll != 0 && input->control)
-        expose(viewer, .25F * (float)input->scroll);
+        viewer_expose(viewer, .25F * (float)input->scroll);
     else if (!ui_wants_mouse() && input->scroll != 0 && input->alt)
         look_scroll(viewer, input->scroll);
     else if (!ui_wants_mouse() && input->scroll != 0)
         camera_hand_scroll(viewer);
 }
 
-/* By its name a reference, a session, or else a scene. */
-static void take_file(struct viewer *viewer, const char *path) {
+void viewer_take_file(struct viewer *viewer, const char *path) {
     const char *dot = strrchr(path, '.');
     bool is_float;
     if (dot && strcmp(dot, ".settings") == 0)
@@ -302,7 +308,7 @@ static void take_file(struct viewer *viewer, const char *path) {
 
 void controls_update(struct viewer *viewer, double seconds) {
     if (viewer->host.input->dropped)
-        take_file(viewer, viewer->host.input->dropped);
+        viewer_take_file(viewer, viewer->host.input->dropped);
     if (!ui_wants_keys())
         run_keys(viewer);
     if (!viewer->has_scene || viewer->shown.picture.width == 0)

@@ -72,7 +72,7 @@ static void draw_statistics(struct viewer *viewer) {
     float line = ui_line_height();
     float frame = pace->frame_count ? pace->frame_ms[pace->frame_count - 1] : 0;
     bool whole = viewer->panel.overlay == OVERLAY_TABLE;
-    ui_area_begin("statistics", UI_OVERLAY, line, line, (whole ? 17 : 10) * line, 0);
+    ui_area_begin("statistics", UI_OVERLAY, line, line, (whole ? 17 : 12) * line, 0);
     ui_text(UI_ACCENT, "%.1f ms a frame", (double)frame);
     if (!whole) {
         ui_area_end();
@@ -124,17 +124,6 @@ static void draw_busy(const struct viewer *viewer) {
     if (viewer->shown.busy)
         ui_draw_label((float)area->x + .5F * (float)area->width,
                       (float)area->y + .5F * (float)area->height, .5F, viewer->shown.busy);
-}
-
-static void draw_welcome(struct viewer *viewer) {
-    float x = (float)viewer->shown.area.width / 2, y = (float)viewer->shown.area.height / 2;
-    ui_area_begin("welcome", UI_DIALOG, x, y, 0, 0);
-    ui_text(UI_TITLE, "manylight");
-    if (atomic_load(&viewer->loader.state) != LOADER_IDLE)
-        ui_text(UI_DIM, "reading %s ...", viewer->loader.path);
-    else
-        ui_text(UI_DIM, "Drop a .gltf or .glb file here. F1 lists the keys.");
-    ui_area_end();
 }
 
 static void draw_help(struct viewer *viewer) {
@@ -266,8 +255,7 @@ void overlay_draw(struct viewer *viewer) {
     if (viewer->panel.overlay != OVERLAY_NONE && viewer->has_scene)
         draw_statistics(viewer);
     draw_busy(viewer);
-    if (!viewer->has_scene || atomic_load(&viewer->loader.state) != LOADER_IDLE)
-        draw_welcome(viewer);
+    start_draw(viewer);
     if (viewer->panel.help)
         draw_help(viewer);
     draw_messages(viewer);

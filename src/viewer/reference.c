@@ -60,15 +60,34 @@ static bool pick_layer(struct reference *reference, const char *name) {
     return true;
 }
 
-bool reference_load(struct reference *reference, const char *path) {
-    struct reference fresh = {0};
-    if (image_read(&fresh.picture, path) && init_gpu(&fresh) && pick_layer(&fresh, "")) {
+/* Of the same size, and the same layer of it: what the GPU has is filled anew. */
+static bool replace(struct reference *reference, struct image *picture) {
+    image_free(&reference->picture);
+    reference->picture = *picture;
+    char layer[sizeof reference->layer_name];
+    memcpy(layer, reference->layer_name, sizeof layer);
+    return pick_layer(reference, layer);
+}
+
+bool reference_take(struct reference *reference, struct image *picture) {
+    struct reference fresh = {.picture = *picture};
+    const struct image *before = &reference->picture;
+    if (reference->framebuffer && before->width == picture->width &&
+        before->height == picture->height)
+        return replace(reference, picture);
+    if (init_gpu(&fresh) && pick_layer(&fresh, "")) {
         reference_free(reference);
         *reference = fresh;
         return true;
     }
     reference_free(&fresh);
-    return error_prefix("%s", path);
+    return false;
+}
+
+bool reference_load(struct reference *reference, const char *path) {
+    struct image picture = {0};
+    return (image_read(&picture, path) && reference_take(reference, &picture)) ||
+           error_prefix("%s", path);
 }
 
 void reference_free(struct reference *reference) {

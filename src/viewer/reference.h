@@ -19,6 +19,9 @@ struct reference {
 /* Reads a file in place of the one before. Error: the file, or GPU memory; the one before stays. */
 bool reference_load(struct reference *reference, const char *path);
 
+/* Takes a picture, which is then the reference's, in place of the one before. Error: GPU memory. */
+bool reference_take(struct reference *reference, struct image *picture);
+
 /* Accepts zeroed ones. */
 void reference_free(struct reference *reference);
 

@@ -114,6 +114,7 @@ static void set_title(struct viewer *viewer) {
 
 void viewer_close_scene(struct viewer *viewer) {
     recorder_stop(viewer);
+    viewer_forget_truth(viewer);
     compare_forget(&viewer->shown.compare);
     renderer_free(&viewer->shown.renderer);
     document_free(&viewer->document);
@@ -154,6 +155,7 @@ static bool show_document(struct viewer *viewer, struct document *document) {
         return false;
     }
     compare_forget(&viewer->shown.compare);
+    viewer_forget_truth(viewer);
     if (viewer->has_scene) {
         renderer_free(&viewer->shown.renderer);
         document_free(&before);
@@ -169,9 +171,15 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     viewer->desc.camera = viewer->desc.light = viewer->desc.clip = NULL;
     viewer->desc.environment = (struct environment_desc){0};
     viewer->desc.time = 0;
+    history_forget(&viewer->history);
+    if (!viewer_is_scripted(viewer))
+        recent_add(&viewer->start.recent, document->scene.path);
+    viewer_begin_exposure(viewer);
     pace_forget(&viewer->shown.pace);
     set_title(viewer);
-    return true;
+    const char *told = viewer->desc.session; /* of the first scene, too */
+    viewer->desc.session = NULL;
+    return !told || viewer_load_session(viewer, told) || !viewer_is_scripted(viewer);
 }
 
 bool viewer_poll_loader(struct viewer *viewer) {
@@ -209,7 +217,7 @@ struct session viewer_session(const struct viewer *viewer) {
     return session;
 }
 
-static void apply(struct viewer *viewer, const struct session *session) {
+bool viewer_show_session(struct viewer *viewer, const struct session *session) {
     memcpy(viewer->placed.views, session->views, sizeof session->views);
     viewer->wish.technique = session->technique;
     viewer->wish.settings = session->settings;
@@ -219,19 +227,19 @@ static void apply(struct viewer *viewer, const struct session *session) {
         session->clip != viewer->document.scene.clip)
         viewer_pick_clip(viewer, session->clip);
     viewer_go_to(viewer, (double)session->time);
-    if (!place(viewer, session->camera, session->lights))
-        viewer_tell_error(viewer);
+    viewer->shown.recompose = true;
+    return place(viewer, session->camera, session->lights);
 }
 
-void viewer_load_session(struct viewer *viewer, const char *path) {
+bool viewer_load_session(struct viewer *viewer, const char *path) {
     if (!viewer->has_scene) {
         messages_add(&viewer->host.messages, UI_WARNING, "Open a scene, then its settings.");
-        return;
+        return false;
     }
     struct session session = viewer_session(viewer);
-    if (session_load(&session, path))
-        apply(viewer, &session);
-    else
+    bool ok = session_load(&session, path) && viewer_show_session(viewer, &session);
+    if (!ok)
         viewer_tell_error(viewer);
     session_free(&session);
+    return ok;
 }

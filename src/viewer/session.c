@@ -25,6 +25,24 @@ void session_free(struct session *session) {
     session->lights = NULL;
 }
 
+struct session session_copy(const struct session *session) {
+    struct session copy = *session;
+    copy.scene = NULL;
+    copy.environment = NULL;
+    copy.lights = mem_strdup(session->lights);
+    return copy;
+}
+
+int session_bounces(const struct session *session) {
+    return (int)settings_number(&session->settings, "lights.bounces");
+}
+
+bool session_same_view(const struct session *a, const struct session *b) {
+    return a->width == b->width && a->height == b->height && a->clip == b->clip &&
+           a->time == b->time && session_bounces(a) == session_bounces(b) &&
+           strcmp(a->camera, b->camera) == 0 && strcmp(a->lights, b->lights) == 0;
+}
+
 /* Steps through the settings that are not at their defaults. */
 static bool next_changed(const struct settings *settings, struct setting *setting) {
     struct settings usual;

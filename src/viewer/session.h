@@ -24,7 +24,15 @@ struct session {
     char *lights;
 };
 
+/* A copy without what belongs to the scene, which may be gone when it is looked at. */
+struct session session_copy(const struct session *session);
 void session_free(struct session *session);
+
+/* How often light is reflected. */
+int session_bounces(const struct session *session);
+
+/* Whether both have one truth: place, light, time, bounces and size. */
+bool session_same_view(const struct session *a, const struct session *b);
 
 /* "manylight render SCENE --size ... -o picture.png", quoted for a shell; to be freed. Settings at
  * their defaults are left out. */

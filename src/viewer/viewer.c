@@ -62,19 +62,20 @@ static void draw(struct viewer *viewer) {
 
 static bool is_busy(const struct viewer *viewer) {
     return viewer->shown.dirty || viewer->shown.recompose || viewer->shown.moving ||
-           viewer->wish.play.on || viewer->recorder.on || viewer_is_scripted(viewer) ||
-           viewer_is_refining(viewer);
+           viewer->shown.coarse || viewer->wish.play.on || viewer->recorder.on ||
+           viewer_is_scripted(viewer) || viewer_is_refining(viewer) || viewer_is_charting(viewer);
 }
 
-/* What changes without the user: the loader, and messages, which come from other threads and go with
- * time. */
+/* What changes without the user: the loader, what threads have made, and messages, which come from
+ * other threads and go with time. */
 static bool has_news(struct viewer *viewer) {
     struct host *host = &viewer->host;
     struct message recent[MESSAGES_SHOWN];
     int count = messages_recent(&host->messages, recent);
     double newest = count > 0 ? recent[count - 1].time : 0;
     bool news = atomic_load(&viewer->loader.state) != LOADER_IDLE || count != host->message_count ||
-                newest != host->newest_message;
+                newest != host->newest_message || truth_has_news(&viewer->tracing.truth) ||
+                start_has_news(&viewer->start);
     host->message_count = count;
     host->newest_message = newest;
     return news;
@@ -107,6 +108,7 @@ static double waiting_time(const struct viewer *viewer) {
 static void update(struct viewer *viewer) {
     double now = window_time(), seconds = now - viewer->hand.last_update;
     viewer->hand.last_update = now;
+    viewer_note_step(viewer);
     controls_update(viewer, seconds < .25 ? seconds : .25);
     if (viewer->panel.is_open)
         panel_draw(viewer);
@@ -120,8 +122,11 @@ static void update(struct viewer *viewer) {
     if (!viewer_update_picture(viewer)) {
         viewer_tell_error(viewer);
         viewer_close_scene(viewer);
+        return;
     }
     recorder_write(viewer);
+    viewer_follow_exposure(viewer);
+    viewer_follow_truth(viewer);
 }
 
 bool viewer_turn(struct viewer *viewer) {
@@ -165,9 +170,12 @@ static bool open_window(struct viewer *viewer) {
                                                               .margin = PANEL_WIDTH,
                                                               .width = desc->width,
                                                               .height = desc->height,
+                                                              .scale = desc->scale,
                                                               .debug = desc->debug});
     if (!viewer->host.window)
         return false;
+    if (desc->full_screen)
+        window_toggle_full_screen(viewer->host.window);
     viewer->host.context = context_adopt(window_getproc, desc->debug);
     viewer->host.input = window_poll(viewer->host.window, 0);
     return viewer->host.context &&
@@ -176,6 +184,8 @@ static bool open_window(struct viewer *viewer) {
 }
 
 static void close_window(struct viewer *viewer) {
+    viewer_forget_truth(viewer);
+    gallery_free(&viewer->start.gallery);
     if (viewer->has_scene) {
         renderer_free(&viewer->shown.renderer);
         document_free(&viewer->document);
@@ -195,6 +205,8 @@ static void close_window(struct viewer *viewer) {
 static bool begin(struct viewer *viewer) {
     const struct viewer_desc *desc = &viewer->desc;
     viewer->shown.compare.settings = desc->settings;
+    if (!viewer_is_scripted(viewer))
+        recent_read(&viewer->start.recent);
     if (desc->places)
         ui_note_places();
     if (desc->scene)
@@ -229,6 +241,8 @@ void viewer_end(struct viewer *viewer) {
     emitters_free(&viewer->placed.emitters);
     free(viewer->panel.places);
     free(viewer->shown.reference_view);
+    start_free(&viewer->start);
+    history_forget(&viewer->history);
     messages_free(&viewer->host.messages);
 }
 

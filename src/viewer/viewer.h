@@ -13,13 +13,18 @@
 #include "renderer/renderer.h"
 #include "scene/environment.h"
 #include "viewer/compare.h"
+#include "viewer/file_dialog.h"
+#include "viewer/gallery.h"
+#include "viewer/history.h"
 #include "viewer/light_tool.h"
 #include "viewer/loader.h"
 #include "viewer/messages.h"
 #include "viewer/orbit.h"
 #include "viewer/pace.h"
+#include "viewer/recent.h"
 #include "viewer/recorder.h"
 #include "viewer/session.h"
+#include "viewer/tracing.h"
 #include "viewer/window/window.h"
 
 enum { PASSES_AT_REST = 1024 };
@@ -42,7 +47,11 @@ struct viewer_desc {
     int passes; /* whose mean a picture at rest becomes; 0 = PASSES_AT_REST, but 1, which is none, on software OpenGL, where a
                    pass may take seconds */
     const char *screenshot; /* written at the end; NULL = none */
-    const char *places;     /* file that tells where the widgets are, for scripts; NULL = none */
+    const char *session;    /* a file of settings, camera and lights; NULL = none */
+    float scale;            /* of text and widgets; 0 = the monitor's */
+    bool full_screen;
+    bool auto_exposure; /* each scene is exposed by itself when it is opened */
+    const char *places; /* file that tells where the widgets are, for scripts; NULL = none */
 };
 
 /* The window, and what there is for all of its life. */
@@ -122,6 +131,14 @@ struct panel {
     char *places;     /* as they were written last; NULL = not yet */
 };
 
+/* The empty window, and the way to files: viewer/start.c. */
+struct start {
+    struct recent recent;
+    struct gallery gallery; /* where has_gallery */
+    bool has_gallery;
+    struct file_dialog dialog;
+};
+
 struct viewer {
     struct viewer_desc desc;
     struct host host;
@@ -144,6 +161,14 @@ struct viewer {
     struct hand hand;
     struct panel panel;
     struct recorder recorder;
+    struct history history;
+    struct tracing tracing;
+    struct start start;
+    struct exposing {
+        float usual;     /* EV: where the scene began */
+        bool waits;      /* for its first frame */
+        int after_frame; /* shown.frame_count before that */
+    } exposing;
     bool window_shown, picture_shown; /* once */
     bool done;                        /* close the window */
 };
@@ -266,7 +291,49 @@ void viewer_close_scene(struct viewer *viewer);
 
 /* What is looked at and how; the texts are the session's. */
 struct session viewer_session(const struct viewer *viewer);
-void viewer_load_session(struct viewer *viewer, const char *path);
+bool viewer_load_session(struct viewer *viewer, const char *path);
+
+/* Shows a session as it was: of the same scene. Error: a camera or a light is not understood. */
+bool viewer_show_session(struct viewer *viewer, const struct session *session);
+
+/* --- viewer/undo.c --- */
+
+/* Notes where the user has come to, once nothing is on its way. */
+void viewer_note_step(struct viewer *viewer);
+
+/* One step back (-1) or forth again (1). */
+void viewer_undo(struct viewer *viewer, int by);
+
+/* --- viewer/exposure.c --- */
+
+/* For a scene that has been opened: it is exposed by itself where that is wanted, when its first frame
+ * is there. */
+void viewer_begin_exposure(struct viewer *viewer);
+void viewer_follow_exposure(struct viewer *viewer);
+
+/* Stops up or down; and back to where the scene began. */
+void viewer_expose(struct viewer *viewer, float by);
+void viewer_reset_exposure(struct viewer *viewer);
+
+/* --- viewer/tracing.c --- */
+
+/* Traces the truth of the view as it is, in place of the one before; viewer_follow_truth takes what
+ * has been traced, each turn; viewer_forget_truth ends the comparison with it. */
+void viewer_trace(struct viewer *viewer);
+void viewer_follow_truth(struct viewer *viewer);
+void viewer_forget_truth(struct viewer *viewer);
+bool viewer_is_tracing(const struct viewer *viewer);
+
+/* Relative RMSE of an indirect layer against what was traced, whose noise is taken off. False: there
+ * is none of its size. */
+bool viewer_indirect_error(const struct viewer *viewer, const struct image *indirect,
+                           double *error);
+
+/* Measures presets and techniques on the view, and traces its truth where there is none;
+ * viewer_take_dot makes the picture as one of them. */
+void viewer_chart(struct viewer *viewer);
+bool viewer_is_charting(const struct viewer *viewer);
+void viewer_take_dot(struct viewer *viewer, int i);
 
 /* --- viewer/screenshot.c --- */
 
@@ -351,6 +418,19 @@ void camera_hand_frame(struct viewer *viewer);
 /* --- viewer/controls.c: keys and mouse --- */
 void controls_update(struct viewer *viewer, double seconds);
 void controls_draw_help(void);
+
+/* Opens a file by its name: a reference, a session, or else a scene. */
+void viewer_take_file(struct viewer *viewer, const char *path);
+
+/* --- viewer/start.c --- */
+void start_draw(struct viewer *viewer);
+void start_free(struct start *start);
+
+/* Whether a picture has been made, or the desktop's dialog may answer. */
+bool start_has_news(struct start *start);
+
+/* Lets the user choose a file. */
+void viewer_ask_file(struct viewer *viewer);
 
 /* --- viewer/camera_panel.c, viewer/light_panel.c, viewer/look_panel.c, viewer/panel.c, viewer/overlay.c --- */
 void camera_panel_draw(struct viewer *viewer);

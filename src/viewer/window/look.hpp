@@ -18,6 +18,7 @@ constexpr ImU32 ground = IM_COL32(24, 26, 31, 255), raised = IM_COL32(42, 46, 54
 extern struct look {
     ImFont *normal, *title;
     float scale;
+    bool on_canvas; /* what is drawn lies on a canvas of an area */
     bool in_dialog; /* whose width follows its text, and not the other way */
     struct {
         ImVec2 at;
@@ -31,6 +32,8 @@ extern struct look {
 inline float units(float of_line) {
     return of_line * look.normal->FontSize;
 }
+
+ImU32 look_color(ui_tone tone);
 
 /* A tooltip for the last item, where the mouse rests on it. */
 void look_explain(const char *help);

@@ -95,7 +95,9 @@ void set_colors(ImGuiStyle &style) {
         style.Colors[entry.where] = color(entry.what);
 }
 
-ImU32 color_of(ui_tone tone) {
+} // namespace
+
+ImU32 look_color(ui_tone tone) {
     switch (tone) {
     case UI_DIM:
         return dim;
@@ -109,8 +111,6 @@ ImU32 color_of(ui_tone tone) {
         return text_color;
     }
 }
-
-} // namespace
 
 /* Once the mouse has rested for a while, and not while it holds something: the text covers what lies below. */
 void look_explain(const char *help) {
@@ -132,9 +132,10 @@ void look_explain(const char *help) {
 }
 
 void look_mark(const char *name) {
-    if (!look.notes_places || !ImGui::IsItemVisible())
-        return;
     ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
+    ImVec2 middle((least.x + most.x) / 2, (least.y + most.y) / 2);
+    if (!look.notes_places || !ImGui::GetCurrentWindow()->ClipRect.Contains(middle))
+        return;
     ImGuiTextBuffer &places = look.places;
     places.appendf("%.0f %.0f %.0f %.0f %s\n", least.x, least.y, most.x - least.x, most.y - least.y,
                    name);
@@ -217,7 +218,7 @@ float ui_line_height(void) {
 void ui_area_begin(const char *id, ui_area kind, float x, float y, float width, float height) {
     ImGuiWindowFlags flags =
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
-    if (kind == UI_PANEL)
+    if (kind == UI_PANEL || kind == UI_PAGE)
         flags &= ~ImGuiWindowFlags_NoScrollbar;
     else if (kind != UI_BAR)
         flags |= ImGuiWindowFlags_AlwaysAutoResize;
@@ -232,9 +233,12 @@ void ui_area_begin(const char *id, ui_area kind, float x, float y, float width, 
     if (kind != UI_DIALOG)
         ImGui::SetNextWindowSize(ImVec2(width, height));
     ImGui::PushStyleColor(ImGuiCol_WindowBg, see ? see_through : ground);
+    if (kind == UI_PAGE)
+        ImGui::SetNextWindowFocus();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, kind == UI_PAGE ? 1.F : 0.F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, square ? 0 : units(.4F));
     ImGui::Begin(id, nullptr, flags);
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
     ImGui::PopStyleColor();
 }
 
@@ -288,7 +292,7 @@ void ui_text(ui_tone tone, const char *format, ...) {
     va_start(arguments, format);
     std::vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    ImGui::PushStyleColor(ImGuiCol_Text, color_of(tone));
+    ImGui::PushStyleColor(ImGuiCol_Text, look_color(tone));
     ImGui::PushFont(tone == UI_TITLE ? look.title : look.normal);
     ImGui::PushTextWrapPos(look.in_dialog ? units(40) : 0);
     ImGui::TextUnformatted(text);

@@ -23,7 +23,7 @@ void ui_free(void); /* accepts what was not begun, or failed half-way */
 void ui_frame_begin(const int *taps, int tap_count);
 void ui_frame_end(void);
 
-/* From then on, where the widgets that can be seen lie, by name: a line "x y width height name" for
+/* From then on, where the widgets whose middle can be seen lie, by name: a line "x y width height name" for
  * each of the frame, for scripts that press them. Valid until the next frame begins. */
 void ui_note_places(void);
 const char *ui_places(void);
@@ -42,6 +42,7 @@ float ui_line_height(void);
 
 enum ui_area {
     UI_PANEL,   /* opaque, scrolls */
+    UI_PAGE,    /* the same with a border, above all others */
     UI_OVERLAY, /* see-through, lets the mouse pass; as large as what is in it */
     UI_NOTE,    /* the same, above the point x y */
     UI_BAR,     /* opaque, does not scroll */
@@ -123,6 +124,12 @@ bool ui_button(const char *name, const char *help);
 /* A button as wide as the area. */
 bool ui_wide_button(const char *name, const char *help);
 
+/* A picture with a name below, to be clicked; texture 0: there is none yet. */
+bool ui_tile(const char *name, unsigned texture, float width, float height, const char *help);
+
+/* A line that can be clicked. */
+bool ui_line(const char *name);
+
 /* Buttons side by side of which one is on; whether another was chosen. */
 bool ui_segments(const char *id, int *value, const char *const *names, int count);
 
@@ -146,7 +153,16 @@ struct ui_graph ui_graph_begin(float width, float height, const char *top);
 void ui_graph_column(const struct ui_graph *graph, int n, int count, float from, float to,
                      uint32_t color);
 
-/* --- drawing on the picture, below all areas --- */
+/* --- drawing on the picture, below all areas; or on a canvas, between its begin and end --- */
+
+/* A part of an area, as wide as that, to be drawn on; and what the mouse does to it. */
+struct ui_canvas {
+    float x, y, width, height, mouse_x, mouse_y;
+    bool hovered, clicked;
+};
+
+void ui_canvas_begin(const char *name, float height, struct ui_canvas *canvas);
+void ui_canvas_end(void);
 
 #define UI_RGBA(r, g, b, a)                                                                        \
     ((uint32_t)(a) << 24 | (uint32_t)(b) << 16 | (uint32_t)(g) << 8 | (uint32_t)(r))
@@ -157,6 +173,12 @@ void ui_draw_line(float x0, float y0, float x1, float y1, uint32_t color, float 
 void ui_draw_disc(float x, float y, float radius, uint32_t color);
 void ui_draw_ring(float x, float y, float radius, uint32_t color, float thickness);
 void ui_draw_rectangle(float x, float y, float width, float height, uint32_t color);
+
+/* A text; align as below. */
+void ui_draw_text(float x, float y, float align, enum ui_tone tone, const char *text);
+
+/* A text beside the mouse, in this frame. */
+void ui_tooltip(const char *text);
 
 /* A text on a dark ground, and its width; align 0 = x is its left edge, 1 = its right one. */
 void ui_draw_label(float x, float y, float align, const char *text);

@@ -2,7 +2,21 @@
 #include "viewer/window/look.hpp"
 
 static ImDrawList *canvas() {
-    return ImGui::GetBackgroundDrawList();
+    return look.on_canvas ? ImGui::GetWindowDrawList() : ImGui::GetBackgroundDrawList();
+}
+
+void ui_canvas_begin(const char *name, float height, struct ui_canvas *where) {
+    ImVec2 at = ImGui::GetCursorScreenPos(), mouse = ImGui::GetIO().MousePos;
+    float width = ImGui::GetContentRegionAvail().x;
+    *where = {at.x, at.y, width, height, mouse.x, mouse.y, false, false};
+    where->clicked = ImGui::InvisibleButton(name, ImVec2(width, height));
+    where->hovered = ImGui::IsItemHovered();
+    look_mark(name);
+    look.on_canvas = true;
+}
+
+void ui_canvas_end(void) {
+    look.on_canvas = false;
 }
 
 void ui_draw_clip(float x, float y, float width, float height) {
@@ -42,4 +56,12 @@ void ui_draw_label(float x, float y, float align, const char *text) {
     if (look.notes_places)
         look.places.appendf("%.0f %.0f %.0f %.0f %s\n", left, y, size.x + 2 * pad, size.y + pad,
                             text);
+}
+
+void ui_draw_text(float x, float y, float align, enum ui_tone tone, const char *text) {
+    canvas()->AddText(ImVec2(x - align * ImGui::CalcTextSize(text).x, y), look_color(tone), text);
+}
+
+void ui_tooltip(const char *text) {
+    ImGui::SetTooltip("%s", text);
 }

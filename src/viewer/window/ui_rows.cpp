@@ -177,6 +177,32 @@ bool ui_wide_button(const char *name, const char *help) {
     return clicked;
 }
 
+bool ui_line(const char *name) {
+    bool clicked = ImGui::Selectable(name);
+    look_mark(name);
+    return clicked;
+}
+
+/* The texture's row 0 is the lowest. */
+bool ui_tile(const char *name, unsigned texture, float width, float height, const char *help) {
+    ImVec2 at = ImGui::GetCursorScreenPos(), end(at.x + width, at.y + height);
+    ImDrawList *list = ImGui::GetWindowDrawList();
+    bool clicked =
+        ImGui::InvisibleButton(help, ImVec2(width, height + 1.6F * ImGui::GetTextLineHeight()));
+    look_mark(name);
+    look_explain(help);
+    list->AddRectFilled(at, end, raised, units(.25F));
+    if (texture)
+        list->AddImageRounded(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture)), at,
+                              end, ImVec2(0, 1), ImVec2(1, 0), IM_COL32_WHITE, units(.25F));
+    if (ImGui::IsItemHovered())
+        list->AddRect(at, end, accent, units(.25F), 0, units(.12F));
+    ImGui::PushClipRect(at, ImVec2(end.x, end.y + 2 * units(1)), true);
+    list->AddText(ImVec2(at.x, end.y + units(.2F)), text_color, name);
+    ImGui::PopClipRect();
+    return clicked;
+}
+
 bool ui_segments(const char *id, int *value, const char *const *names, int count) {
     bool changed = false;
     float gap = units(.1F);
@@ -206,9 +232,10 @@ bool ui_list_item(uint32_t patch, const char *name, const char *middle, const ch
     ImDrawList *list = ImGui::GetWindowDrawList();
     float size = units(.7F), left = units(1.1F);
     share = ImClamp(share, 0.F, 1.F);
-    list->AddRectFilled(ImVec2(at.x + left, at.y),
-                        ImVec2(at.x + left + (width - left) * share, at.y + height),
-                        IM_COL32(240, 168, 72, 50), units(.15F));
+    if (share > 0)
+        list->AddRectFilled(ImVec2(at.x + left, at.y),
+                            ImVec2(at.x + left + (width - left) * share, at.y + height),
+                            IM_COL32(240, 168, 72, 50), units(.15F));
     list->AddRectFilled(ImVec2(at.x, at.y + (height - size) / 2),
                         ImVec2(at.x + size, at.y + (height + size) / 2), patch, units(.15F));
     ImGui::Indent(left);
@@ -234,9 +261,10 @@ void ui_bar(uint32_t packed, const char *name, int indent, float share, const ch
     float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
     float left = units(.8F) * (float)indent;
     share = ImClamp(share, 0.F, 1.F);
-    ImGui::GetWindowDrawList()->AddRectFilled(
-        ImVec2(at.x + left, at.y), ImVec2(at.x + left + (width - left) * share, at.y + height),
-        packed, units(.15F));
+    if (share > 0)
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            ImVec2(at.x + left, at.y), ImVec2(at.x + left + (width - left) * share, at.y + height),
+            packed, units(.15F));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + left + units(.2F));
     ImGui::TextUnformatted(name);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text).x - units(.2F));

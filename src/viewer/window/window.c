@@ -14,6 +14,7 @@ struct window {
     struct input input;
     /* What callbacks collect until the next poll. */
     struct input next;
+    float scale;               /* that is asked for; 0 = the monitor's */
     int last_code;             /* the key pressed since the last poll, GLFW's code */
     double cursor_x, cursor_y; /* of the last event, in screen coordinates */
     /* Where to come back to from full screen, in screen coordinates. */
@@ -34,6 +35,13 @@ static void on_error(int code, const char *description) {
     error_set("%s", description);
 }
 
+/* Shift alone is part of the character that is typed. */
+static int key_with(int key, int modifiers) {
+    bool control = modifiers & GLFW_MOD_CONTROL, shift = modifiers & GLFW_MOD_SHIFT;
+    return key + (control ? KEY_WITH_CONTROL : 0) + (control && shift ? KEY_WITH_SHIFT : 0) +
+           (modifiers & GLFW_MOD_ALT ? KEY_WITH_ALT : 0);
+}
+
 static void on_key(GLFWwindow *handle, int code, int scancode, int action, int modifiers) {
     (void)scancode;
     struct window *window = glfwGetWindowUserPointer(handle);
@@ -46,9 +54,7 @@ static void on_key(GLFWwindow *handle, int code, int scancode, int action, int m
     if (action == GLFW_RELEASE && code == window->last_code && next->tap_count < INPUT_KEYS_MAX)
         next->taps[next->tap_count++] = code;
     if (action == GLFW_PRESS && key && next->key_count < INPUT_KEYS_MAX)
-        next->keys[next->key_count++] = key +
-                                        (modifiers & GLFW_MOD_CONTROL ? KEY_WITH_CONTROL : 0) +
-                                        (modifiers & GLFW_MOD_ALT ? KEY_WITH_ALT : 0);
+        next->keys[next->key_count++] = key_with(key, modifiers);
 }
 
 /* From the system's own units, which may be several pixels, to pixels. */
@@ -154,7 +160,9 @@ struct window *window_create(const struct window_desc *desc) {
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     struct window *window = mem_alloc(1, sizeof *window);
-    int width = desc->width + (int)((float)desc->margin * monitor_scale());
+    window->scale = desc->scale;
+    float scale = desc->scale > 0 ? desc->scale : monitor_scale();
+    int width = desc->width + (int)((float)desc->margin * scale);
     window->handle = glfwCreateWindow(width, desc->height, desc->title, NULL, NULL);
     if (!window->handle) {
         error_prefix("no window with OpenGL 4.5");
@@ -199,6 +207,8 @@ const struct input *window_poll(struct window *window, double wait) {
     glfwGetFramebufferSize(window->handle, &input->width, &input->height);
     float scale_y;
     glfwGetWindowContentScale(window->handle, &input->scale, &scale_y);
+    if (window->scale > 0)
+        input->scale = window->scale;
     if (glfwGetWindowAttrib(window->handle, GLFW_ICONIFIED))
         input->width = input->height = 0;
     read_motion(window, input);
@@ -221,6 +231,10 @@ const struct input *window_poll(struct window *window, double wait) {
     input->press_y = window->input.press_y;
     memcpy(input->key_held, window->input.key_held, sizeof input->key_held);
     return &window->input;
+}
+
+void window_wake(void) {
+    glfwPostEmptyEvent();
 }
 
 void window_swap(struct window *window) {

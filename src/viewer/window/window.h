@@ -27,6 +27,7 @@ enum window_key {
     KEY_COUNT,
     KEY_WITH_CONTROL = 1 << 10, /* added to a key that is pressed while Ctrl is held */
     KEY_WITH_ALT = 1 << 12,     /* the same of Alt */
+    KEY_WITH_SHIFT = 1 << 11,   /* and Shift, too */
 };
 
 enum window_button { BUTTON_LEFT, BUTTON_RIGHT, BUTTON_MIDDLE, BUTTON_COUNT };
@@ -36,7 +37,7 @@ enum { INPUT_KEYS_MAX = 32 };
 /* What happened between two polls. Positions are in pixels of the framebuffer, y down. */
 struct input {
     int width, height; /* of the framebuffer; 0 while minimised */
-    float scale;       /* of the monitor: 2 = twice as many pixels an inch */
+    float scale;       /* of widgets: 2 = twice as many pixels an inch */
     double x, y, dx, dy, scroll;
     double press_x, press_y; /* where a button was pressed last */
     /* A button that was pressed and released since the last poll counts as held in this one. */
@@ -56,6 +57,7 @@ struct window_desc {
     const char *title;
     int width, height; /* of the picture, pixels */
     int margin;        /* beside it, pixels of a monitor of scale 1 */
+    float scale;       /* in place of the monitor's; 0 = that */
     bool debug;        /* a debug context */
 };
 
@@ -76,6 +78,9 @@ void *window_native(struct window *window);
 /* Handles what has happened; waits up to so many seconds for something to happen first. Valid until
  * the next poll. */
 const struct input *window_poll(struct window *window, double wait);
+
+/* Ends a window_poll that waits; from any thread. */
+void window_wake(void);
 
 /* Shows what was drawn; with vertical sync waits for the monitor. */
 void window_swap(struct window *window);

@@ -1,0 +1,14 @@
+/* How bright a picture is to be shown, and a traced picture as the display shows it. */
+#ifndef VIEWER_DEVELOP_H
+#define VIEWER_DEVELOP_H
+
+#include "base/image.h"
+
+/* The exposure, EV, in quarters of a stop, at which a picture shows most of itself by the filmic tone map;
+ * 0 of a black one. */
+float develop_exposure(const struct image *image);
+
+/* By the filmic tone map; the caller frees the bitmap. */
+void develop_picture(const struct image *image, float exposure, struct bitmap *bitmap);
+
+#endif

@@ -1,0 +1,207 @@
+#define _DEFAULT_SOURCE
+#include "viewer/gallery.h"
+
+#include "base/file/file.h"
+#include "base/file/folder.h"
+#include "base/file/image_file.h"
+#include "base/memory.h"
+#include "measure/picture.h"
+#include "scene/hash.h"
+#include "viewer/develop.h"
+
+#include <dirent.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* --- what there is --- */
+
+/* Another file of that name, another picture. NULL: the user has no folder for it. */
+static char *picture_path(const char *path) {
+    struct stat status;
+    char *folder = folder_of_user("XDG_CACHE_HOME", ".cache"), *picture = NULL;
+    if (folder && stat(path, &status) == 0) {
+        uint64_t hash = 0;
+        hash_bytes(&hash, path, strlen(path));
+        hash_bytes(&hash, &status.st_mtime, sizeof status.st_mtime);
+        hash_bytes(&hash, &status.st_size, sizeof status.st_size);
+        picture = mem_printf("%s/small-%016llx.png", folder, (unsigned long long)hash);
+    }
+    free(folder);
+    return picture;
+}
+
+void gallery_add(struct gallery *gallery, const char *path, bool is_recent) {
+    char *whole = realpath(path, NULL);
+    for (int i = 0; whole && i < gallery->count; i++)
+        if (strcmp(gallery->items[i].path, whole) == 0) {
+            free(whole);
+            return;
+        }
+    if (!whole || gallery->count == GALLERY_MAX) {
+        free(whole);
+        return;
+    }
+    struct gallery_item *item = &gallery->items[gallery->count++];
+    item->path = whole;
+    item->picture = picture_path(whole);
+    item->is_recent = is_recent;
+}
+
+static int is_scene(const struct dirent *entry) {
+    const char *dot = strrchr(entry->d_name, '.');
+    return dot && strcmp(dot, ".glb") == 0;
+}
+
+static bool add_folder(struct gallery *gallery, const char *folder) {
+    struct dirent **entries;
+    int count = scandir(folder, &entries, is_scene, alphasort);
+    for (int i = 0; i < count; i++) {
+        char *path = mem_printf("%s/%s", folder, entries[i]->d_name);
+        gallery_add(gallery, path, false);
+        free(path);
+        free(entries[i]);
+    }
+    if (count >= 0)
+        free(entries);
+    return count > 0;
+}
+
+/* Beside the binary that was built, where one is installed, or here. */
+void gallery_add_own(struct gallery *gallery) {
+    char binary[PATH_MAX] = "";
+    ssize_t length = readlink("/proc/self/exe", binary, sizeof binary - 1);
+    binary[length > 0 ? length : 0] = '\0';
+    char *slash = strrchr(binary, '/');
+    if (slash)
+        *slash = '\0';
+    char *beside = mem_printf("%s/scenes", binary);
+    char *installed = mem_printf("%s/../share/manylight/scenes", binary);
+    if (!add_folder(gallery, beside) && !add_folder(gallery, installed))
+        add_folder(gallery, "scenes");
+    free(beside);
+    free(installed);
+}
+
+/* --- making pictures: on the thread --- */
+
+static bool go_on(void *user, const struct path_tracer_progress *progress) {
+    struct gallery *gallery = user;
+    (void)progress;
+    return !atomic_load(&gallery->cancelled);
+}
+
+static bool trace(struct gallery *gallery, const char *path, struct image *image) {
+    struct stage stage;
+    const struct path_tracer_desc desc = {
+        .width = GALLERY_WIDTH,
+        .height = GALLERY_HEIGHT,
+        .bounces = 1,
+        .samples = 8,
+        .denoise = true,
+        .threads = 1,
+        .progress = go_on,
+        .user = gallery,
+    };
+    if (!stage_init(&stage, &(struct stage_desc){.path = path}))
+        return false;
+    bool ok = picture_trace_paths(&stage, &desc, image, NULL);
+    stage_free(&stage);
+    return ok;
+}
+
+static bool make_picture(struct gallery *gallery, const struct gallery_item *item) {
+    struct image image = {0};
+    struct bitmap bitmap;
+    if (access(item->picture, R_OK) == 0)
+        return true;
+    if (!folder_make_for(item->picture) || !trace(gallery, item->path, &image))
+        return false;
+    develop_picture(&image, develop_exposure(&image), &bitmap);
+    bool ok = bitmap_write(&bitmap, item->picture);
+    bitmap_free(&bitmap);
+    image_free(&image);
+    return ok;
+}
+
+static void *make_all(void *context) {
+    struct gallery *gallery = context;
+    for (int i = 0; i < gallery->count && !atomic_load(&gallery->cancelled); i++) {
+        struct gallery_item *item = &gallery->items[i];
+        bool ok = item->picture && make_picture(gallery, item);
+        atomic_store(&item->ready, ok ? 1 : -1);
+        gallery->wake();
+    }
+    return NULL;
+}
+
+void gallery_start(struct gallery *gallery, void (*wake)(void)) {
+    gallery->wake = wake;
+    gallery->has_thread = pthread_create(&gallery->thread, NULL, make_all, gallery) == 0;
+}
+
+/* --- showing them --- */
+
+/* The texture's row 0 is the lowest. */
+static bool upload(struct gallery_item *item, const struct bitmap *bitmap) {
+    if (!texture_init(&item->texture, &(struct texture_desc){.label = "small picture",
+                                                             .format = GL_RGBA8,
+                                                             .width = bitmap->width,
+                                                             .height = bitmap->height,
+                                                             .filter = FILTER_LINEAR}))
+        return false;
+    for (int y = 0; y < bitmap->height; y++)
+        gl.TextureSubImage2D(item->texture.id, 0, 0, bitmap->height - 1 - y, bitmap->width, 1,
+                             GL_RGBA, GL_UNSIGNED_BYTE,
+                             bitmap->rgba + (size_t)y * (size_t)bitmap->width * 4);
+    return true;
+}
+
+static bool show(struct gallery_item *item) {
+    struct file_bytes bytes;
+    struct bitmap bitmap = {0};
+    bool ok = file_read(&bytes, item->picture) && bitmap_decode(&bitmap, bytes.data, bytes.size) &&
+              upload(item, &bitmap);
+    free(bytes.data);
+    bitmap_free(&bitmap);
+    return ok;
+}
+
+static bool is_new(struct gallery_item *item) {
+    return atomic_load(&item->ready) == 1 && !item->has_texture;
+}
+
+bool gallery_has_news(struct gallery *gallery) {
+    for (int i = 0; i < gallery->count; i++)
+        if (is_new(&gallery->items[i]))
+            return true;
+    return false;
+}
+
+void gallery_follow(struct gallery *gallery) {
+    for (int i = 0; i < gallery->count; i++) {
+        struct gallery_item *item = &gallery->items[i];
+        if (!is_new(item))
+            continue;
+        item->has_texture = show(item);
+        if (!item->has_texture)
+            atomic_store(&item->ready, -1);
+    }
+}
+
+void gallery_free(struct gallery *gallery) {
+    if (gallery->has_thread) {
+        atomic_store(&gallery->cancelled, true);
+        pthread_join(gallery->thread, NULL);
+    }
+    for (int i = 0; i < gallery->count; i++) {
+        struct gallery_item *item = &gallery->items[i];
+        texture_free(&item->texture);
+        free(item->path);
+        free(item->picture);
+    }
+    memset(gallery, 0, sizeof *gallery);
+}

@@ -1,0 +1,51 @@
+/* The panel: what is looked at and how, in files and as a command line. */
+#include "viewer/panel.h"
+
+#include "base/file/output_file.h"
+#include "base/memory.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* What went well, or the error. */
+static void tell(struct viewer *viewer, bool ok, const char *path) {
+    if (ok)
+        messages_add(&viewer->host.messages, UI_NORMAL, "saved: %s", path);
+    else
+        viewer_tell_error(viewer);
+}
+
+static void copy_command(struct viewer *viewer, const struct session *session) {
+    char *command = session_command(session);
+    window_set_clipboard(viewer->host.window, command);
+    messages_add(&viewer->host.messages, UI_NORMAL, "%s", command);
+    free(command);
+}
+
+/* For a shell, beside the settings. */
+static void save_command(struct viewer *viewer, const struct session *session) {
+    char *command = session_command(session), *text = mem_printf("#!/bin/sh\n%s\n", command);
+    char *path = mem_printf("%s.sh", viewer->panel.session_path);
+    tell(viewer, output_file_write(path, text, strlen(text)), path);
+    free(path);
+    free(text);
+    free(command);
+}
+
+void panel_draw_session(struct viewer *viewer) {
+    struct ui_row row = {.name = "file", .help = "of settings, camera and lights"};
+    const char *path = viewer->panel.session_path;
+    ui_text_field(&row, viewer->panel.session_path, sizeof viewer->panel.session_path, "path");
+    struct session session = viewer_session(viewer);
+    if (ui_button("Save", "settings, camera and lights, for Load and --settings"))
+        tell(viewer, session_save(&session, path), path);
+    ui_same_line();
+    if (ui_button("Load", NULL))
+        viewer_load_session(viewer, path);
+    ui_same_line();
+    if (ui_button("Copy command line", "renders the very same picture offscreen"))
+        copy_command(viewer, &session);
+    if (ui_wide_button("Save command line", "the same, as a script beside the settings: .sh"))
+        save_command(viewer, &session);
+    session_free(&session);
+}

@@ -1,0 +1,204 @@
+/* How the picture is made: presets, the few settings that matter to everybody, and all others that
+ * have an effect now. A setting that is added to a table is here. */
+#include "viewer/panel.h"
+
+#include "direct/skylight.h"
+#include "viewer/preset.h"
+#include "viewer/relevance.h"
+
+#include <string.h>
+
+enum { TECHNIQUES_MAX = 32, PRESETS_MAX = 8 };
+
+/* --- a row --- */
+
+static int count_names(const char *const *names) {
+    int count = 0;
+    while (names[count])
+        count++;
+    return count;
+}
+
+static enum ui_result draw_widget(const struct option *option, void *at, const struct ui_row *row) {
+    switch (option->type) {
+    case OPTION_FLAG:
+        return ui_flag(row, at);
+    case OPTION_INT:
+        return ui_int(row, at, (int)option->minimum, (int)option->maximum);
+    case OPTION_FLOAT:
+        return ui_float(row, at, (float)option->minimum, (float)option->maximum);
+    case OPTION_CHOICE:
+        return ui_choice(row, at, option->choices, count_names(option->choices));
+    case OPTION_TEXT:
+    case OPTION_LIST:
+    case OPTION_SIZE:
+        break;
+    }
+    return UI_NOTHING;
+}
+
+bool panel_draw_setting(const struct setting *setting, struct settings *settings, const char *name,
+                        const char *help) {
+    struct settings defaults;
+    const struct option *option = setting->option;
+    renderer_settings_init(&defaults);
+    struct ui_row row = {.name = name ? name : option->name,
+                         .help = help ? help : option->help,
+                         .scope = setting->part->owner,
+                         .differs = !setting_equal(setting, settings, &defaults)};
+    char *values = settings_edit(settings, setting->part), text[64];
+    enum ui_result result = draw_widget(option, values + option->offset, &row);
+    if (result == UI_RESET) {
+        setting_format(setting, &defaults, text, sizeof text);
+        setting_parse(setting, settings, text);
+    }
+    return result != UI_NOTHING;
+}
+
+/* --- presets --- */
+
+/* Each sets all there is to set. */
+static bool draw_presets(const struct technique *technique, struct settings *settings) {
+    const char *names[PRESETS_MAX];
+    const struct preset *presets = technique->presets;
+    int count = 0, chosen = -1;
+    for (; presets && presets[count].name && count < PRESETS_MAX; count++) {
+        struct settings with = preset_settings(&presets[count], settings);
+        names[count] = preset_title(&presets[count]);
+        if (renderer_settings_same(&with, settings, technique->parts))
+            chosen = count;
+    }
+    if (count == 0 || !ui_segments("presets", &chosen, names, count))
+        return false;
+    *settings = preset_settings(&presets[chosen], settings);
+    return true;
+}
+
+/* --- what matters to everybody --- */
+
+static const struct plain {
+    const char *setting, *name, *help;
+} plain[] = {
+    {"lights.vpls", "virtual lights",
+     "VPLs: points of surfaces that shine on with the light that they reflect. More are smoother, "
+     "and take longer."},
+    {"clustered.vals", "shadow groups",
+     "VALs: groups of virtual lights, each with one shadow map. More make finer indirect shadows, "
+     "and take longer."},
+    {"map.size", "map texels", "a side of each group's shadow map"},
+    {"lights.bounces", "light bounces",
+     "how often light is reflected on its way: one is half to three quarters of it in a room"},
+    {"direct.shadow-size", "shadow texels",
+     "a side of the map of each lamp's direct shadow: more are sharper"},
+    {"picture.samples", "edge samples",
+     "places of a pixel at which edges are told: 1 leaves them rough"},
+};
+
+static bool is_plain(const struct setting *setting) {
+    char name[SETTING_NAME_SIZE];
+    setting_name(setting, name);
+    for (size_t i = 0; i < sizeof plain / sizeof *plain; i++)
+        if (strcmp(plain[i].setting, name) == 0)
+            return true;
+    return false;
+}
+
+static bool has_part(const struct settings_part *const *parts, const struct settings_part *part) {
+    while (*parts && *parts != part)
+        parts++;
+    return *parts;
+}
+
+/* Those that the technique and the direct method have. */
+static bool draw_plain(const struct technique *technique, const struct direct_method *direct,
+                       struct settings *settings) {
+    bool changed = false;
+    for (size_t i = 0; i < sizeof plain / sizeof *plain; i++) {
+        struct setting setting;
+        if (settings_find(settings, plain[i].setting, &setting) &&
+            (setting.part == &picture_part || has_part(technique->parts, setting.part) ||
+             has_part(direct->parts, setting.part)))
+            changed |= panel_draw_setting(&setting, settings, plain[i].name, plain[i].help);
+    }
+    return changed;
+}
+
+/* --- all others --- */
+
+/* The rows that have an effect, under their heading; without any there is none. */
+static bool draw_part(const struct settings_part *part, const struct technique *technique,
+                      struct settings *settings) {
+    bool changed = false, headed = false;
+    for (const struct option *option = part->table; option->name; option++) {
+        struct setting setting = {part, option};
+        if (is_plain(&setting) || !setting_matters(&setting, settings, technique))
+            continue;
+        if (!headed)
+            ui_heading(part->title);
+        headed = true;
+        changed |= panel_draw_setting(&setting, settings, NULL, NULL);
+    }
+    return changed;
+}
+
+static bool draw_parts(const struct settings_part *const *parts, const struct technique *technique,
+                       struct settings *settings) {
+    bool changed = false;
+    for (; *parts; parts++)
+        changed |= draw_part(*parts, technique, settings);
+    return changed;
+}
+
+static bool has_wide_light(const struct emitters *emitters) {
+    for (int i = 0; i < emitters->count; i++)
+        if (emitters->items[i].size[0] > 0)
+            return true;
+    return false;
+}
+
+static bool draw_advanced(struct viewer *viewer, const struct technique *technique,
+                          struct settings *settings) {
+    const struct emitters *emitters = &viewer->placed.emitters;
+    bool changed = draw_parts(technique->parts, technique, settings);
+    changed |= draw_parts(viewer->shown.renderer.desc.direct->parts, technique, settings);
+    if (emitters->sky)
+        changed |= draw_part(&sky_part, technique, settings);
+    if (emitters->sky || has_wide_light(emitters))
+        changed |= draw_part(&start_part, technique, settings);
+    return changed;
+}
+
+/* --- all together --- */
+
+static bool draw_technique_choice(const struct technique **technique) {
+    const char *names[TECHNIQUES_MAX];
+    int count = 0, chosen = 0;
+    for (; techniques[count] && count < TECHNIQUES_MAX; count++) {
+        names[count] = techniques[count]->name;
+        chosen = techniques[count] == *technique ? count : chosen;
+    }
+    struct ui_row row = {.name = "technique", .help = (*technique)->help};
+    if (ui_choice(&row, &chosen, names, count) == UI_NOTHING)
+        return false;
+    *technique = techniques[chosen];
+    return true;
+}
+
+void panel_draw_technique(struct viewer *viewer) {
+    struct compare *compare = &viewer->shown.compare;
+    bool two = compare->mode == COMPARE_TECHNIQUE;
+    static const char *const sides[] = {"left picture", "right picture"};
+    int side = two && viewer->panel.edits_right;
+    if (two && ui_segments("side", &side, sides, 2))
+        viewer->panel.edits_right = side == 1;
+    const struct technique **technique = side ? &compare->technique : &viewer->wish.technique;
+    struct settings *settings = side ? &compare->settings : &viewer->wish.settings;
+    bool changed = draw_presets(*technique, settings);
+    ui_space();
+    changed |= draw_technique_choice(technique);
+    changed |= draw_plain(*technique, viewer->shown.renderer.desc.direct, settings);
+    if (ui_section("Advanced", false))
+        changed |= draw_advanced(viewer, *technique, settings);
+    if (changed)
+        viewer_touch(viewer);
+}

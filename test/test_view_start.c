@@ -1,0 +1,155 @@
+/* The first minute, by real input events: scenes as pictures to click, files to choose, a picture that
+ * is exposed by itself. */
+#define _XOPEN_SOURCE 700
+#include "view_stage.h"
+
+#include "desktop.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define SIZE "--size 240x740 "
+
+/* How many colours there are in a part of the screen about a place. */
+static int count_colors(int x, int y) {
+    struct bitmap screen = read_screen();
+    unsigned seen[64];
+    int count = 0;
+    for (int dy = -30; dy < 30; dy += 3)
+        for (int dx = -30; dx < 30; dx += 3) {
+            const unsigned char *p = pixel(&screen, x + dx, y + dy);
+            unsigned color = (unsigned)p[0] << 16 | (unsigned)p[1] << 8 | p[2];
+            int i = 0;
+            while (i < count && seen[i] != color)
+                i++;
+            if (i == count && count < 64)
+                seen[count++] = color;
+        }
+    bitmap_free(&screen);
+    return count;
+}
+
+/* Of the pictures the first that are on screen are made within half a minute. */
+static void test_gallery(void **state) {
+    (void)state;
+    start_empty_viewer(SIZE CHEAP_LIGHTS);
+    int x, y, colors = 0;
+    find_place("atrium", &x, &y);
+    for (int i = 0; i < 300 && colors < 12; i++) {
+        pause_ms(100);
+        colors = count_colors(x, y);
+    }
+    printf("    %d colours in the first scene's picture\n", colors);
+    assert_true(colors >= 12);
+}
+
+static void test_click(void **state) {
+    (void)state;
+    need_viewer();
+    press("cornell-box");
+    wait_for_scene("cornell-box.glb");
+    for (int i = 0; i < 200 && is_on_screen("Open a file ..."); i++)
+        ;
+    assert_false(is_on_screen("Open a file ..."));
+    char path[700], output[2000];
+    snprintf(path, sizeof path, "cat %s/manylight/recent", stage.folder);
+    assert_int_equal(run_command(path, output, sizeof output), 0);
+    assert_non_null(strstr(output, "/scenes/cornell-box.glb"));
+}
+
+/* It is neither of exposure 0 nor clamped, and its command line says so and makes the same. */
+static void test_exposure(void **state) {
+    (void)state;
+    need_viewer();
+    pause_ms(1500);
+    press("Settings");
+    press("Copy command line");
+    rest_mouse();
+    char command[2000];
+    assert_true(desktop_read_clipboard(command, sizeof command));
+    printf("    %s\n", command);
+    assert_non_null(strstr(command, "picture.tone-map=filmic"));
+    char *exposure = strstr(command, "picture.exposure=");
+    assert_non_null(exposure);
+    assert_true(atof(exposure + strlen("picture.exposure=")) != 0);
+    assert_int_equal(
+        shell("cd %s && %s %s -q", stage.folder, stage.binary, command + strlen("manylight ")), 0);
+    char path[700];
+    snprintf(path, sizeof path, "%s/picture.png", stage.folder);
+    struct bitmap expected = read_bitmap(path), got = screenshot();
+    assert_int_equal(count_differences(&expected, &got), 0);
+    bitmap_free(&got);
+    xdo("key equal sleep .4 key equal sleep .4 key 0 sleep .6");
+    got = screenshot();
+    assert_int_equal(count_differences(&expected, &got), 0);
+    bitmap_free(&got);
+    bitmap_free(&expected);
+}
+
+/* By our own list, in the folder where the viewer was started; Esc closes it. */
+static void test_dialog(void **state) {
+    (void)state;
+    need_viewer();
+    assert_int_equal(shell("cp %s/scenes/sphere.glb %s/here.glb", stage.here, stage.folder), 0);
+    xdo("key ctrl+o sleep .5");
+    assert_true(is_on_screen("../"));
+    xdo("key Escape sleep .5");
+    assert_false(is_on_screen("../"));
+    xdo("key ctrl+o sleep .5");
+    press("here.glb");
+    wait_for_scene("here.glb");
+    end_viewer();
+}
+
+/* The desktop's own, where there is one. */
+static void test_desktop_dialog(void **state) {
+    (void)state;
+    if (!stage.server)
+        skip();
+    char path[8000];
+    assert_int_equal(shell("mkdir -p %s/bin && printf '#!/bin/sh\\nsleep .5; echo %s/here.glb\\n' "
+                           "> %s/bin/zenity && "
+                           "chmod +x %s/bin/zenity",
+                           stage.folder, stage.folder, stage.folder, stage.folder),
+                     0);
+    snprintf(path, sizeof path, "%s/bin:%s", stage.folder, getenv("PATH"));
+    setenv("PATH", path, 1);
+    start_empty_viewer(SIZE CHEAP_LIGHTS);
+    press("Open a file ...");
+    wait_for_scene("here.glb");
+    assert_false(is_on_screen("../"));
+    end_viewer();
+}
+
+/* What was saved is there again, at twice the size of widgets. */
+static void test_options(void **state) {
+    (void)state;
+    if (!stage.server)
+        skip();
+    char path[700];
+    snprintf(path, sizeof path, "%s/told.settings", stage.folder);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs("layer = indirect\nvpls = 64\nvals = 4\nmap-size = 32\nrsm-size = 64\n"
+          "shadow-size = 256\ninterleave = 4\nexposure = 1\n",
+          file);
+    fclose(file);
+    start_viewer("scenes/sphere.glb", "--settings told.settings --scale 1.25");
+    check_same("by --settings", "scenes/sphere.glb --layer indirect --set exposure=1");
+    int x, y;
+    find_place("Draft", &x, &y);
+    assert_true(y > 150); /* 139 at scale 1 */
+    end_viewer();
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_gallery),        cmocka_unit_test(test_click),
+        cmocka_unit_test(test_exposure),       cmocka_unit_test(test_dialog),
+        cmocka_unit_test(test_desktop_dialog), cmocka_unit_test(test_options),
+    };
+    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
+}

@@ -1,0 +1,191 @@
+/* The truth traced in the window, and the chart of speed against accuracy: what they tell is what
+ * the path tracer and the renderer tell by themselves. */
+#include "view_stage.h"
+
+#include "render_support.h"
+
+#include "base/clock.h"
+#include "measure/picture.h"
+#include "metrics/layer.h"
+#include "viewer/viewer.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define SCENE "scenes/cornell-box.glb"
+#define SETTINGS "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=128 interleave=4"
+
+static struct viewer viewer;
+
+static void turn(void) {
+    check_ok("turn", viewer_turn(&viewer));
+    pause_ms(2);
+}
+
+/* Turns until it holds, for at most two minutes. */
+#define turn_until(condition)                                                                      \
+    for (double start = clock_ms(); !(condition); turn())                                          \
+    assert_true(clock_ms() - start < 120000)
+
+static void rest(void) {
+    for (int i = 0; i < 3; i++)
+        turn();
+    turn_until(!viewer.shown.moving && !viewer.shown.dirty && !viewer.shown.coarse);
+    turn();
+}
+
+static void begin(void) {
+    struct viewer_desc desc = {.scene = SCENE, .width = 96, .height = 96, .debug = true};
+    if (!stage.server)
+        skip();
+    renderer_settings_init(&desc.settings);
+    check_ok("settings", settings_assign(&desc.settings, SETTINGS));
+    check_ok("viewer", viewer_begin(&viewer, &desc));
+    turn_until(viewer.has_scene && viewer.shown.frame_count > 0);
+    rest();
+}
+
+static void end(void) {
+    assert_int_equal(context_message_count(viewer.host.context), 0);
+    viewer_end(&viewer);
+}
+
+/* Against many samples of another seed. */
+static void test_trace(void **state) {
+    (void)state;
+    begin();
+    viewer_trace(&viewer);
+    turn_until(viewer.tracing.samples >= 8 || !viewer_is_tracing(&viewer));
+    const struct image *traced = &viewer.shown.compare.reference.picture;
+    struct stage scene;
+    struct image other;
+    open_stage(&scene, SCENE);
+    const struct path_tracer_desc desc = {
+        .width = traced->width, .height = traced->height, .bounces = 1, .samples = 64, .seed = 7};
+    check_ok("tracer", picture_trace_paths(&scene, &desc, &other, NULL));
+    double apart = relative_rmse(traced, &other, "indirect");
+    printf("    after %d samples, which tell %.3f of noise\n", viewer.tracing.samples,
+           viewer.tracing.noise);
+    assert_int_equal(viewer.shown.compare.mode, COMPARE_REFERENCE);
+    check_at_most("of the truth of many samples", apart, 2 * viewer.tracing.noise);
+    assert_true(viewer.shown.right);
+    image_free(&other);
+    stage_free(&scene);
+}
+
+/* Root of the mean square over the mean, of all pixels. */
+static double error_by_hand(const struct image *test, const struct image *truth) {
+    int a[3], b[3];
+    double squares = 0, sum = 0;
+    size_t pixels = (size_t)test->width * (size_t)test->height;
+    assert_true(image_find_layer(test, "indirect", a) && image_find_layer(truth, "indirect", b));
+    for (size_t i = 0; i < pixels; i++)
+        for (int c = 0; c < 3; c++) {
+            double t = (double)truth->pixels[i * (size_t)truth->channel_count + (size_t)b[c]];
+            double v = (double)test->pixels[i * (size_t)test->channel_count + (size_t)a[c]];
+            squares += (v - t) * (v - t);
+            sum += t;
+        }
+    return sqrt(squares / (3 * (double)pixels)) / (sum / (3 * (double)pixels));
+}
+
+/* The error that is shown, by hand. */
+static void test_error(void **state) {
+    (void)state;
+    if (!stage.server)
+        skip();
+    turn_until(!viewer_is_tracing(&viewer) || viewer.tracing.samples >= 32);
+    truth_pause(&viewer.tracing.truth, true);
+    rest();
+    struct image frame = {0};
+    check_ok("layers", renderer_read_layers(&viewer.shown.renderer, &frame));
+    double with_noise = error_by_hand(&frame, &viewer.shown.compare.reference.picture);
+    double noise = viewer.tracing.noise;
+    assert_true(viewer.tracing.has_error);
+    check_near("error of indirect light", viewer.tracing.error,
+               sqrt(with_noise * with_noise - noise * noise), .002);
+    image_free(&frame);
+    truth_pause(&viewer.tracing.truth, false);
+}
+
+/* Another view ends the tracing; taken back, it is the traced one again. */
+static void test_other_view(void **state) {
+    (void)state;
+    if (!stage.server)
+        skip();
+    rest();
+    assert_true(viewer.tracing.of_view);
+    orbit_turn(&viewer.placed.orbit, .1F, 0);
+    viewer.placed.camera_moved = true;
+    viewer_touch(&viewer);
+    rest();
+    assert_false(viewer.tracing.of_view);
+    assert_false(viewer.tracing.has_error);
+    assert_false(viewer_is_tracing(&viewer));
+    viewer_undo(&viewer, -1);
+    rest();
+    assert_true(viewer.tracing.of_view);
+    assert_true(viewer.tracing.has_error);
+}
+
+static void test_chart(void **state) {
+    (void)state;
+    if (!stage.server)
+        skip();
+    viewer_chart(&viewer);
+    turn_until(!viewer_is_charting(&viewer));
+    rest();
+    const struct chart *chart = &viewer.tracing.chart;
+    for (int i = 0; i < chart->count; i++) {
+        const struct chart_dot *dot = &chart->dots[i];
+        printf("    %-20s %8.1f ms, error %.3f\n", dot->name, dot->ms, dot->error);
+        assert_int_equal(dot->state, DOT_MEASURED);
+        assert_true(dot->has_error && dot->ms > 0);
+        assert_true(dot->error < .6);
+    }
+    assert_string_equal(chart->dots[chart->count - 1].name, "as it is");
+    check_near("as it is, and as it is shown", chart->dots[chart->count - 1].error,
+               viewer.tracing.error, .001);
+    int cheapest = chart_cheapest(chart, .2);
+    assert_true(cheapest >= 0);
+    for (int i = 0; i < chart->count; i++)
+        assert_true(chart->dots[i].error >= .2 || chart->dots[i].ms >= chart->dots[cheapest].ms);
+}
+
+/* What a click on a dot makes is what the dot measured, bit for bit. */
+static void test_take(void **state) {
+    (void)state;
+    if (!stage.server)
+        skip();
+    struct image frame = {0}, indirect;
+    viewer_take_dot(&viewer, 0);
+    rest();
+    check_ok("layers", renderer_read_layers(&viewer.shown.renderer, &frame));
+    check_ok("indirect", layer_extract(&indirect, &frame, "indirect"));
+    assert_true(same_pixels(&indirect, &viewer.tracing.chart.dots[0].indirect));
+    image_free(&frame);
+    image_free(&indirect);
+}
+
+/* In the midst of all of it. */
+static void test_end(void **state) {
+    (void)state;
+    if (!stage.server)
+        skip();
+    viewer_forget_truth(&viewer);
+    rest();
+    viewer_chart(&viewer);
+    for (int i = 0; i < 4; i++)
+        turn();
+    end();
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_trace),      cmocka_unit_test(test_error),
+        cmocka_unit_test(test_other_view), cmocka_unit_test(test_chart),
+        cmocka_unit_test(test_take),       cmocka_unit_test(test_end),
+    };
+    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
+}
