@@ -70,12 +70,14 @@ int map_of(int i, vpl light) {
 #endif
 }
 
-// Irradiance times pi, or with SPECULAR reflected radiance times pi, from a VPL where it arrives, and what it takes back where it does not.
+// Irradiance times pi, or with SPECULAR reflected radiance times pi, from a VPL where it arrives, and what it takes back
+// where it does not. What is reflected of near VPLs counts as unoccluded, as the near field does.
 vec3 unshadowed(vpl light, surface s, out vec3 back) {
     float share;
 #if SPECULAR
-    back = vec3(0.0);
-    return specular_light(light, s, light.area * weight);
+    vec3 to_vpl = light.position - s.position, reflected = specular_light(light, s, light.area * weight);
+    back = -reflected * near_share(dot(to_vpl, to_vpl), light.area, light.reach);
+    return reflected;
 #endif
     vec3 light_there = light.flux * geometry_term(light.position - s.position, s.normal, light, share);
     back = light.flux * share;
@@ -147,7 +149,12 @@ vec3 light_of_slot(surface s, ivec2 pixel) {
         for (int i = slot.x; i < last; i++) {
             vpl light = vpl_in_block(i);
             ivec3 texel = ivec3(block, map_of(i, light));
+#if SPECULAR
+            vec3 arriving = unshadowed(light, s, back);
+            sum += mix(-back, arriving, texelFetch(block_visibilities, texel, 0).r);
+#else
             sum += unshadowed(light, s, back) * texelFetch(block_visibilities, texel, 0).r;
+#endif
         }
         last = slot.x;
     }
@@ -160,7 +167,7 @@ vec3 light_of_slot(surface s, ivec2 pixel) {
         float visible = 1.0;
         for (int lit = arriving + back != vec3(0.0) ? 1 : 0; lit > 0; lit--)
             visible = visibility_from(map_of(i, light), s.position, s.normal, light.position);
-#if TAKE_BACK
+#if TAKE_BACK || SPECULAR
         sum += mix(-back, arriving, visible);
 #else
         sum += arriving * visible;

@@ -1,5 +1,5 @@
 // What a surface that is not matt reflects of a VPL's light towards the eye, besides its diffuse part:
-//     L = Phi / pi  f_r  cos_x  cos_i / (d^2 + A / pi)
+//     L = Phi / pi  f_r  cos_x  cos_i / (d^2 + r^2 / 2)
 // A point's mirror image would be a spot in the picture: SPHERE spreads the light over the ball around the VPL that
 // holds the patch that the pixel's VPLs stand for [Hašan et al. 2009]. The lobe is as much wider as the ball is.
 #include "lib/gbuffer_shine.glsl"
@@ -19,5 +19,5 @@ vec3 specular_light(vpl light, surface s, float area) {
     float radius2 = params.sphere2 * area / distance2;
     seen.alpha = min(sqrt(seen.alpha * seen.alpha + 0.25 * radius2), 1.0);
 #endif
-    return light.flux * specular_brdf(seen, direction) * (cosine / (distance2 + light.area * INVERSE_PI));
+    return light.flux * specular_brdf(seen, direction) * (cosine / (distance2 + params.sphere2 * light.area * 0.5));
 }

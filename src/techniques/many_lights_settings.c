@@ -60,7 +60,7 @@ static const struct option gather_table[] = {
      .help = "bound of the geometry term near a VPL"},
     {"clamp-value", 0, OPTION_FLOAT, ROW(gather, clamp_value), 25, 0, 1e9,
      .help = "the bound for clamp=value, times the squared scene radius"},
-    {"sphere", 0, OPTION_FLOAT, ROW(gather, sphere), .4, 0, 10,
+    {"sphere", 0, OPTION_FLOAT, ROW(gather, sphere), .25, 0, 10,
      .help = "clamp=sphere and gloss=sphere: radius, over the distance within which ten VPLs lie"},
     {"near-reach", 0, OPTION_FLOAT, ROW(gather, near_reach), 5, .1, 100,
      .help = "clamp=near: reach of the near field, in spacings of VPLs"},

@@ -1,0 +1,29 @@
+# Error of what balls reflect against their roughness, from bench/results/gloss-200-llvmpipe.csv:
+#
+#     gnuplot bench/gloss.gp
+set datafile separator comma
+set encoding utf8
+set grid lc rgb '#dddddd'
+set border lc rgb '#444444'
+set key top right noenhanced
+set xlabel 'roughness'
+set ylabel 'relative RMSE of indirect.specular over a ball'
+set logscale y
+set xrange [0:1.05]
+set yrange [.2:10]
+csv = 'bench/results/gloss-200-llvmpipe.csv'
+rows(name, material) = sprintf("< grep '^\"%s\",%s' %s", name, material, csv)
+do for [kind in "svg png"] {
+    if (kind eq 'svg') {
+        set terminal svg size 900,560 font 'DejaVu Sans,11' background 'white' noenhanced
+    } else {
+        set terminal pngcairo size 1350,840 fontscale 1.3 font 'DejaVu Sans,11' noenhanced
+    }
+    set output 'bench/plots/gloss.'.kind
+    plot rows('points', 'metal') using 3:4 with linespoints lc rgb '#b5341b' pt 7 title 'VPLs as points, metal', \
+         rows('points', 'plastic') using 3:4 with linespoints lc rgb '#b5341b' pt 6 dt 2 title 'plastic', \
+         rows('balls, a quarter of the VPLs each', 'metal') using 3:4 with linespoints lc rgb '#1b3a6b' pt 5 title 'as balls, a quarter at each pixel, metal', \
+         rows('balls, a quarter of the VPLs each', 'plastic') using 3:4 with linespoints lc rgb '#1b3a6b' pt 4 dt 2 title 'plastic', \
+         rows('balls, all VPLs each', 'metal') using 3:4 with linespoints lc rgb '#2f7d4f' pt 9 title 'as balls, all at each pixel, metal', \
+         rows('balls, all VPLs each', 'plastic') using 3:4 with linespoints lc rgb '#2f7d4f' pt 8 dt 2 title 'plastic'
+}
