@@ -5,6 +5,7 @@
 #include "reference/sampler.h"
 
 #include <math.h>
+#include <string.h>
 
 static const vec3s up = {{0, 0, 1}};
 
@@ -187,6 +188,11 @@ static void test_matt(void **state) {
     check_near("diffuse", value.diffuse, 1, 0);
     check_near("specular", glms_vec3_max(value.specular), 0, 0);
     material.roughness = .9F;
+    assert_false(material_is_matt(&material));
+    material.specular_f90 = 0;
+    memset(material.specular_f0, 0, sizeof material.specular_f0);
+    assert_true(material_is_matt(&material));
+    material.specular_f90 = 1;
     assert_false(brdf_of(&material, glms_vec3_one(), 0, .9F).matt);
 }
 

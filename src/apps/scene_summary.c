@@ -57,7 +57,9 @@ static void print_material(const struct material *material, int n) {
         print_vector(", emission ", material->emission);
         printf("%s W/(sr m2)", stars[material->emission_texture >= 0]);
     }
-    printf("%s%s\n", material->alpha_mask ? ", alpha mask" : "",
+    if (material->normal_texture >= 0)
+        printf(", normal map");
+    printf("%s%s%s\n", material->unlit ? ", unlit" : "", material->alpha_mask ? ", alpha mask" : "",
            material->double_sided ? ", double-sided" : "");
 }
 

@@ -12,12 +12,18 @@ static const struct option table[] = {
 const struct settings_part material_part = {"surface", "surfaces", table,
                                             sizeof(struct material_settings)};
 
-bool material_is_matt(const struct material *material) {
-    bool is_default = material->specular_f90 == 1;
+static bool has_reflectance(const struct material *material, float f0, float f90) {
     for (int c = 0; c < 3; c++)
-        is_default = is_default && material->specular_f0[c] == DIELECTRIC_F0;
-    return is_default && material->metalness == 0 && material->roughness == 1 &&
-           material->metal_roughness_texture < 0;
+        if (material->specular_f0[c] != f0)
+            return false;
+    return material->specular_f90 == f90;
+}
+
+bool material_is_matt(const struct material *material) {
+    bool is_rough = material->roughness == 1 && material->metal_roughness_texture < 0;
+    bool is_metal = material->metalness > 0;
+    return !is_metal && (has_reflectance(material, 0, 0) ||
+                         (is_rough && has_reflectance(material, DIELECTRIC_F0, 1)));
 }
 
 static bool is_plain(const struct material *material) {

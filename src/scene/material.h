@@ -20,9 +20,9 @@ struct material_settings {
 
 extern const struct settings_part material_part;
 
-/* Whether the material is Lambertian under either setting: no metal, as rough as can be, and with the
- * reflectance that says nothing. Nothing of its reflection can be told from a diffuse one's; albedo =
- * base colour, as plain scenes have always meant it. */
+/* Whether the material is Lambertian under either setting, of the base colour: no metal, and without any
+ * reflectance; or as rough as can be, with the reflectance that files have that do not speak of it, as plain
+ * scenes have always meant it. */
 bool material_is_matt(const struct material *material);
 
 /* Whether all that meshes have are, and none has a normal map or is unlit: both settings make the same
