@@ -100,7 +100,7 @@ static void check_print(const char *arguments) {
                  comma ? "xx_XX" : "C", binary_path(), filled);
         assert_int_equal(run_command(command, comma ? output : expected, sizeof output), 0);
     }
-    printf("%.300s", output);
+    printf("%.300s\n", output);
     assert_string_equal(output, expected);
 }
 

@@ -6,7 +6,11 @@ extern "C" {
 }
 
 #include <cmath>
+#include <cstdio>
 #include <cstring>
+#include <exception>
+
+#include <unistd.h>
 
 namespace gltf {
 
@@ -61,6 +65,24 @@ void list_files(Loader &loader) {
             scene.files[scene.file_count++] = mem_strdup((loader.folder + decode_uri(uri)).c_str());
 }
 
+/* The JSON library allocates memory where it frees some, from where no exception comes. While there is one
+ * of these, that ends as base/memory.h has it. */
+class MemoryEnds {
+  public:
+    MemoryEnds() : before(std::set_terminate(end)) {
+    }
+    ~MemoryEnds() {
+        std::set_terminate(before);
+    }
+
+  private:
+    [[noreturn]] static void end() {
+        fputs("manylight: out of memory, while a scene is read\n", stderr);
+        _exit(1);
+    }
+    std::terminate_handler before;
+};
+
 /* Each part of the scene, in this order. */
 bool load_parts(Loader &loader) {
     return check_version(loader.model.asset) && check_extensions(loader) &&
@@ -74,6 +96,7 @@ bool load_parts(Loader &loader) {
 
 extern "C" bool gltf_load(struct scene *scene, const char *path) try {
     using namespace gltf;
+    MemoryEnds ends;
     Loader loader;
     loader.scene = scene;
     loader.folder = path;
