@@ -1,4 +1,4 @@
-# manylight: make demo | test | asan | tsan | fuzz | lint | bench | chart | accuracy | convergence | stability | portable | deps | install | clean
+# manylight: make demo | test | test-all | asan | tsan | fuzz | coverage | mutants | lint | analyze | bench | chart | accuracy | convergence | stability | portable | deps | install | clean
 #
 # A plain `make` only builds ./manylight. `make demo` and `make test` first install what is missing.
 
@@ -54,7 +54,7 @@ GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
-.PHONY: all demo test tests asan tsan fuzz fuzzers lint bench chart accuracy convergence stability portable deps install clean FORCE
+.PHONY: all demo test test-all tests asan tsan fuzz fuzzers coverage mutants lint analyze bench chart accuracy convergence stability portable deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -350,8 +350,49 @@ $(FUZZ:%=$(BUILD)/test/fuzz/driver_%.o): $(BUILD)/test/fuzz/driver_%.o: test/fuz
 	$(say) CC $@
 	$(Q)$(CC) $(C_FLAGS) -DFUZZ=fuzz_$* -MMD -MP -c -o $@ $<
 
+# Everything built by two compilers without and with optimisation, with a few tests of each floor; then what
+# reads the code alone.
+COMPILERS := gcc-O0 gcc-O3 clang-O0 clang-O3
+SOME_TESTS := base exr scene gltf metrics emitters compare passes render
+
+test-all: deps
+	@test/install-packages clang
+	@$(foreach c,$(COMPILERS),$(MAKE) --no-print-directory tests BUILD=build/$(c) BINARY=build/$(c)/manylight-$(c) \
+	    CC=$(word 1,$(subst -, ,$(c))) CXX=$(subst gcc,g++,$(subst clang,clang++,$(word 1,$(subst -, ,$(c))))) \
+	    CFLAGS="-$(word 2,$(subst -, ,$(c))) -g $(if $(findstring clang,$(c)),-Wno-missing-field-initializers)" \
+	    TESTS="$(SOME_TESTS:%=build/$(c)/test/test_%)" &&) true
+	@$(MAKE) --no-print-directory lint analyze
+
+# How much of the lower floors their tests reach, as gcovr tells it; of branches without those that
+# exceptions take.
+COVERED := base scene metrics
+COVERING := base exr gltf gltf_refusals packed scene animation framing metrics compare output_file info emissive emitters \
+    environment environment_fit memory seeds light starts robust failures reference_app several_lights bench sky \
+    marching_cubes caster caster_pool sequence hostile
+COVERAGE := --coverage -fprofile-update=atomic
+
+coverage: deps
+	@test/install-packages gcovr
+	@find build/coverage -name '*.gcda' -delete 2>/dev/null || true
+	@$(MAKE) --no-print-directory tests BUILD=build/coverage BINARY=build/coverage/manylight-coverage \
+	    CFLAGS="-O0 -g $(COVERAGE)" LDFLAGS="$(COVERAGE)" TESTS="$(COVERING:%=build/coverage/test/test_%)"
+	@for what in "" --branches; do gcovr -r . --object-directory build/coverage $(COVERED:%=--filter src/%/) \
+	    --exclude src/scene/gpu/ --exclude-throw-branches --exclude-unreachable-branches \
+	    --exclude-lines-by-pattern '.*assert\(.*' $$what; done
+
+# How many small faults in the code the tests notice: so many, of all that test/mutate can make.
+MUTANTS := 50
+mutants: all $(BUILD)/test/test_metrics $(BUILD)/test/test_base $(BUILD)/test/test_passes
+	@test/mutate $(BUILD) $(MUTANTS) test_metrics src/metrics/*.c src/metrics/flip/*.c
+	@test/mutate $(BUILD) $(MUTANTS) test_base src/base/option.c src/base/settings.c
+	@test/mutate $(BUILD) $(MUTANTS) test_passes src/passes/lights/cluster.c $(wildcard glsl/lights/cluster_*)
+
 lint:
 	@test/lint
+
+analyze: all
+	@test/install-packages cppcheck clang-tidy
+	@test/analyze
 
 install: all
 	install -D -m 755 manylight $(DESTDIR)$(PREFIX)/bin/manylight

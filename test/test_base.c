@@ -1,4 +1,5 @@
 /* The base floor: errors, Halton points, images and their files. */
+#define _POSIX_C_SOURCE 200809L
 #include "support.h"
 
 #include "base/error.h"
@@ -252,6 +253,43 @@ static void test_options(void **state) {
     assert_true(values.scale == 1.5F);
 }
 
+/* The help of options of each type, letter by letter, and what a value is refused with. */
+static void test_option_help(void **state) {
+    (void)state;
+    static const char *const names[] = {"red", "green", "blue", NULL};
+    static const struct option all[] = {
+        {"on", 'o', OPTION_FLAG, offsetof(struct values, flag), .default_value = 1, .help = "one"},
+        {"off", 0, OPTION_FLAG, offsetof(struct values, flag), .help = "two\nlines"},
+        {"count", 0, OPTION_INT, offsetof(struct values, count), 5, 1, 9, .help = "three"},
+        {"hue", 'h', OPTION_CHOICE, offsetof(struct values, choice), 1, .choices = names,
+         .help = "four"},
+        {"size", 0, OPTION_SIZE, offsetof(struct values, size), 8, 1, 64, .help = "five"},
+        {"file", 0, OPTION_TEXT, offsetof(struct values, text), .value_name = "F", .help = "six"},
+        {NULL},
+    };
+    static const char expected[] =
+        "  -o, --on                   one [on]\n"
+        "  --off                      two\n                             lines\n"
+        "  --count N                  three [5; 1 to 9]\n"
+        "  -h, --hue NAME             four [green; one of red, green, blue]\n"
+        "  --size WxH                 five [8x8]\n"
+        "  --file F                   six\n";
+    char *text = NULL;
+    size_t size;
+    struct values values;
+    FILE *out = open_memstream(&text, &size);
+    options_print_help(out, all, "--");
+    fclose(out);
+    printf("%s", text);
+    assert_string_equal(text, expected);
+    free(text);
+    options_set_defaults(all, &values);
+    assert_false(option_parse(&all[3], &values, "grey"));
+    assert_non_null(strstr(error_get(), "one of red, green, blue"));
+    assert_false(option_parse(&all[2], &values, "10"));
+    assert_non_null(strstr(error_get(), "a whole number from 1 to 9"));
+}
+
 static void test_text(void **state) {
     (void)state;
     struct text text = {0};
@@ -379,14 +417,14 @@ static void test_words_and_names(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_error_prefix),    cmocka_unit_test(test_halton),
-        cmocka_unit_test(test_added_channels),  cmocka_unit_test(test_parallel_for),
-        cmocka_unit_test(test_layers),          cmocka_unit_test(test_exr_round_trip),
-        cmocka_unit_test(test_png_round_trip),  cmocka_unit_test(test_file_refusals),
-        cmocka_unit_test(test_options),         cmocka_unit_test(test_foreign_names),
-        cmocka_unit_test(test_long_layers),     cmocka_unit_test(test_text),
-        cmocka_unit_test(test_whole_files),     cmocka_unit_test(test_settings),
-        cmocka_unit_test(test_words_and_names),
+        cmocka_unit_test(test_error_prefix),   cmocka_unit_test(test_halton),
+        cmocka_unit_test(test_added_channels), cmocka_unit_test(test_parallel_for),
+        cmocka_unit_test(test_layers),         cmocka_unit_test(test_exr_round_trip),
+        cmocka_unit_test(test_png_round_trip), cmocka_unit_test(test_file_refusals),
+        cmocka_unit_test(test_options),        cmocka_unit_test(test_option_help),
+        cmocka_unit_test(test_foreign_names),  cmocka_unit_test(test_long_layers),
+        cmocka_unit_test(test_text),           cmocka_unit_test(test_whole_files),
+        cmocka_unit_test(test_settings),       cmocka_unit_test(test_words_and_names),
     };
     return cmocka_run_group_tests_name("base", tests, NULL, NULL);
 }

@@ -9,6 +9,7 @@
 #include "metrics/flip/flip.h"
 #include "metrics/flip/hdr_flip.h"
 #include "metrics/heat_map.h"
+#include "metrics/label.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"
 #include "metrics/quantile.h"
@@ -229,6 +230,7 @@ static void test_colour_spaces(void **state) {
     (void)state;
     check_near("sRGB 188/255", (double)srgb_decode(188 / 255.f), 0.502886, 1e-5);
     check_near("sRGB of 0.18", (double)srgb_encode(.18f), 0.461356, 1e-5);
+    check_near("sRGB of 0.002, below the curve", (double)srgb_encode(.002f), .02584, 1e-6);
     const float rgb[] = {.8f, .1f, .35f};
     float there[3], back[3];
     rgb_to_ycxcz(rgb, there);
@@ -491,6 +493,68 @@ static void test_heat_map_scale(void **state) {
     bitmap_free(&picture);
 }
 
+/* The rectangle of what is not black: left, top, right, bottom, the last two behind it. */
+static void find_drawn(const struct bitmap *picture, int first_row, int box[4]) {
+    box[0] = picture->width, box[1] = picture->height, box[2] = box[3] = 0;
+    for (int y = first_row; y < picture->height; y++)
+        for (int x = 0; x < picture->width; x++) {
+            if (!picture->rgba[4 * (y * picture->width + x)])
+                continue;
+            box[0] = x < box[0] ? x : box[0];
+            box[1] = y < box[1] ? y : box[1];
+            box[2] = x >= box[2] ? x + 1 : box[2];
+            box[3] = y >= box[3] ? y + 1 : box[3];
+        }
+}
+
+static void check_box(const char *what, const int box[4], int left, int top, int right,
+                      int bottom) {
+    printf("    %-24s %d %d %d %d\n", what, box[0], box[1], box[2], box[3]);
+    assert_true(box[0] == left && box[1] == top && box[2] == right && box[3] == bottom);
+}
+
+/* Letters of 5 dots, one dot apart; a z fills its five rows from the third on, and is cut at borders. */
+static void test_label(void **state) {
+    (void)state;
+    struct bitmap picture = {30, 20, calloc(30 * 20, 4)};
+    int box[4];
+    assert_int_equal(label_width("zz", 1), 12);
+    assert_int_equal(label_width("z", 3), 18);
+    label_draw(&picture, 3, 2, 2, "zz");
+    find_drawn(&picture, 0, box);
+    check_box("two letters", box, 3, 6, 25, 16);
+    memset(picture.rgba, 0, 30 * 20 * 4);
+    label_draw(&picture, 26, -3, 2, "z");
+    find_drawn(&picture, 0, box);
+    check_box("a letter at the corner", box, 26, 1, 30, 11);
+    bitmap_free(&picture);
+}
+
+/* Each value fills a square; below lie the bar, its numbers and the title. */
+static void test_heat_map_layout(void **state) {
+    (void)state;
+    static const float values[6] = {1, .5f, .25f, .5f, .75f, .5f};
+    struct heat_map map = {.title = "z", .width = 3, .height = 2, .values = values, .top = 1};
+    struct bitmap picture;
+    unsigned char expected[3];
+    int box[4], zoom = 85;
+    heat_map_draw(&map, &picture);
+    assert_int_equal(picture.width, 256);
+    assert_int_equal(picture.height, 2 * zoom + 38);
+    for (int i = 0; i < 6; i++) {
+        int left = i % 3 * zoom, top = i / 3 * zoom;
+        heat_map_color(&map, values[i], expected);
+        for (int y = top; y < top + zoom; y++)
+            for (int x = left; x < left + zoom; x++)
+                assert_memory_equal(picture.rgba + 4 * (y * 256 + x), expected, 3);
+    }
+    heat_map_color(&map, 1 - .5f / 220, expected); /* the middle of the bar's last pixel */
+    assert_memory_equal(picture.rgba + 4 * ((2 * zoom + 8) * 256 + 256 - 19), expected, 3);
+    find_drawn(&picture, 2 * zoom + 23, box);
+    check_box("title", box, 18, 2 * zoom + 29, 23, 2 * zoom + 34);
+    bitmap_free(&picture);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_errors_by_hand),
@@ -510,6 +574,8 @@ int main(void) {
         cmocka_unit_test(test_encoded_layer),
         cmocka_unit_test(test_heat_map),
         cmocka_unit_test(test_heat_map_scale),
+        cmocka_unit_test(test_label),
+        cmocka_unit_test(test_heat_map_layout),
     };
     return cmocka_run_group_tests_name("metrics", tests, NULL, NULL);
 }

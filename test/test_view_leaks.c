@@ -17,6 +17,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <dirent.h>
 #include <dlfcn.h>
 #include <link.h>
 #include <malloc.h>
@@ -266,9 +267,48 @@ static void test_kept(void **state) {
     assert_int_equal(gpu_memory_total(), 0);
 }
 
+/* Each file of the folder, one after another: shown or refused, and the next is opened. */
+static int open_all(const char *folder) {
+    struct dirent **entries;
+    int count = scandir(folder, &entries, NULL, alphasort), opened = 0;
+    for (int i = 0; i < count; i++) {
+        char path[700];
+        snprintf(path, sizeof path, "%s/%s", folder, entries[i]->d_name);
+        if (entries[i]->d_name[0] != '.') {
+            load(path);
+            opened++;
+        }
+        free(entries[i]);
+    }
+    free(entries);
+    return opened;
+}
+
+/* The files of strangers that fuzzing begins with, or those of the folder MANYLIGHT_STRANGERS; a scene that
+ * is whole is shown after them. */
+static void test_strangers(void **state) {
+    (void)state;
+    const char *folder = getenv("MANYLIGHT_STRANGERS");
+    if (!stage.server)
+        skip();
+    struct viewer_desc desc = {.width = 100, .height = 90, .debug = true};
+    renderer_settings_init(&desc.settings);
+    check_ok("cheap", settings_assign(&desc.settings, "vpls=64 vals=4 map-size=16 rsm-size=16 "
+                                                      "shadow-size=16 interleave=4"));
+    check_ok("viewer", viewer_begin(&viewer, &desc));
+    int count = open_all(folder ? folder : "test/fuzz/seeds/scene");
+    load("scenes/cornell-box.glb");
+    printf("    %d files opened; then %s is shown, %.0f MiB at most\n", count,
+           viewer.document.scene.path, mem_most_resident());
+    assert_true(count > 0 && viewer.has_scene);
+    assert_string_equal(viewer.document.scene.path, "scenes/cornell-box.glb");
+    viewer_end(&viewer);
+}
+
 int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_no_interface),
-                                       cmocka_unit_test(test_kept)};
+                                       cmocka_unit_test(test_kept),
+                                       cmocka_unit_test(test_strangers)};
     if (argc > 1)
         rounds = atoi(argv[1]);
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);

@@ -54,7 +54,8 @@ static bool start_server(void) {
     snprintf(number, sizeof number, "%s/display", stage.folder);
     remove(number);
     snprintf(command, sizeof command,
-             "Xvfb -displayfd 3 -screen 0 800x800x24 -nolisten tcp -fbdir %s 3>%s 2>/dev/null",
+             "Xvfb -displayfd 3 -noreset -screen 0 800x800x24 -nolisten tcp -fbdir %s 3>%s "
+             "2>/dev/null",
              stage.folder, number);
     stage.server = spawn(command);
     for (int i = 0; i < 100 && !strchr(text, '\n'); i++) {
