@@ -1,4 +1,4 @@
-# manylight: make demo | test | test-all | asan | tsan | fuzz | coverage | mutants | lint | analyze | bench | chart | accuracy | convergence | stability | portable | deps | install | clean
+# manylight: make demo | test | test-all | asan | tsan | fuzz | coverage | mutants | lint | analyze | bench | chart | accuracy | direct | convergence | stability | portable | deps | install | clean
 #
 # A plain `make` only builds ./manylight. `make demo` and `make test` first install what is missing.
 
@@ -54,7 +54,7 @@ GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
-.PHONY: all demo test test-all tests asan tsan fuzz fuzzers coverage mutants lint analyze bench chart accuracy convergence stability portable deps install clean FORCE
+.PHONY: all demo test test-all tests asan tsan fuzz fuzzers coverage mutants lint analyze bench chart accuracy direct convergence stability portable deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -244,6 +244,14 @@ accuracy: all
 	./manylight bench curves $(filter-out %/atrium.glb,$(OWN_SCENES)) --size $(CURVES_SIZE) \
 	    $(NOISE_OF_SMALL) --cache $(REFERENCE_CACHE) --csv $(BENCH_RESULTS)/curves.csv
 	./manylight bench chart $(BENCH_RESULTS)/curves.csv -o $(BENCH_PLOTS)
+
+# What is seen of lamps, by each method of direct light, and the tables of soft shadows.
+direct: all
+	@mkdir -p $(BENCH_RESULTS)
+	./manylight bench direct --cache $(REFERENCE_CACHE) --csv $(BENCH_RESULTS)/direct.csv $(BENCH_OPTIONS)
+	./manylight bench direct scenes/table.glb --size 400x400 --cache $(REFERENCE_CACHE) --tables --variant vssm:direct=vssm \
+	    --csv $(BENCH_RESULTS)/direct-tables.csv
+	./manylight bench chart $(BENCH_RESULTS)/direct.csv -o $(BENCH_PLOTS)
 
 # How the mean of passes converges: minutes of the boxes, a quarter of an hour of CPU time for each large scene.
 CONVERGENCE_RUN = ./manylight bench passes --size 200x200 --cache $(REFERENCE_CACHE) $(BENCH_OPTIONS)

@@ -9,14 +9,14 @@
 
 /* --- Table 5.1: MIP maps and summed area tables, from one light to many ---------------------------- */
 
-enum { SIZES = 4, COUNTS = 3, FILTERS = 2 };
+enum { SIZES = 3, COUNTS = 3, FILTERS = 2 };
 
-static const int sizes[SIZES] = {128, 256, 512, 1024}, counts[COUNTS] = {1, 10, 20};
+static const int sizes[SIZES] = {128, 256, 512}, counts[COUNTS] = {1, 10, 20};
 
-/* Frames a second on a GeForce 8800 GTX, K = 4. */
+/* Frames a second on a GeForce 8800 GTX, K = 4; there is a row more, of 1024 texels, where its memory ran out. */
 static const double published_fps[FILTERS][SIZES][COUNTS] = {
-    {{258, 48, 28}, {228, 44, 25}, {189, 38, 20}, {110, 24, 5}},
-    {{128, 15, 8.8}, {110, 13, 7.5}, {89, 11, 6}, {52, 3, 1.5}},
+    {{258, 48, 28}, {228, 44, 25}, {189, 38, 20}},
+    {{128, 15, 8.8}, {110, 13, 7.5}, {89, 11, 6}},
 };
 
 /* Sums of Fourier series are not built: those of moments stand for them. */
@@ -58,14 +58,15 @@ static bool time_filter(struct bench *bench, int filter, int count, double ms[SI
         ok = add_subject(bench, &stage, filters[filter], sizes[i], &list);
     ok = ok && bench_time(bench, &list, TRUTH_NONE);
     for (int i = 0; ok && i < SIZES; i++)
-        ms[i] = results_value(&bench->results, first + i, "clock", NULL);
+        ms[i] = results_value(&bench->results, first + i, gl.software ? "cpu" : "clock", NULL);
     emitters_free(&stage.emitters);
     free(list.items);
     return ok;
 }
 
 static void print_lights(double ms[FILTERS][COUNTS][SIZES]) {
-    printf("Table 5.1: a frame, in brackets the thesis's\n  %-8s %-8s", "texels", "lights");
+    printf("Table 5.1: a frame%s, in brackets the thesis's\n  %-8s %-8s",
+           gl.software ? ", CPU time" : "", "texels", "lights");
     printf(" %10s %10s %18s %18s %18s\n", "MIP ms", "SAT ms", "SAT over MIP", "MIP over 1 light",
            "SAT over 1 light");
     for (int s = 0; s < SIZES; s++)
@@ -156,5 +157,5 @@ static bool time_shares(struct bench *bench) {
 bool direct_tables(struct bench *bench) {
     if (bench->stage->emitters.count == 0)
         return error_set("%s has no lamp for the tables", bench->stage->name);
-    return time_lights(bench) && time_shares(bench);
+    return time_shares(bench) && time_lights(bench);
 }
