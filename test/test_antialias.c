@@ -191,10 +191,38 @@ static void test_layers(void **state) {
     check_layers("scenes/atrium.glb", .75, .9);
 }
 
+/* --- further points ---------------------------------------------------------------------------- */
+
+/* All VPLs at what lists have, and a quarter elsewhere, blurred over as many pixels. */
+#define DETAIL "interleave=2 blur-radius=1 detail=1 detail-share=1 clamp=disk vpls=64 samples=8 "
+
+/* Things thinner than a pixel are lit as they are, not as what lies beside or behind them. */
+static void test_further_points(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/atrium.glb");
+    struct image fine = render_stage(&stage, "unshadowed", SMOOTH "samples=1", SIZE * FINER);
+    struct image truth = shrink(&fine);
+    struct image without = render_stage(&stage, "unshadowed", DETAIL "further-points=off", SIZE);
+    struct image with = render_stage(&stage, "unshadowed", DETAIL, SIZE);
+    double before = relative_rmse(&without, &truth, "indirect"),
+           after = relative_rmse(&with, &truth, "indirect");
+    printf("    error of indirect light %.4f without further points, %.4f with them\n", before,
+           after);
+    check_at_most("their ratio", after / before, .9);
+    check_at_most("R - albedo (direct + indirect)", worst_of_sum(&with), 1e-4);
+    image_free(&fine);
+    image_free(&truth);
+    image_free(&without);
+    image_free(&with);
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_coverage),
         cmocka_unit_test(test_layers),
+        cmocka_unit_test(test_further_points),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -17,7 +17,7 @@ struct detail_bench {
     struct stage stage;
     struct renderer renderer;
     struct detail_pass detail;
-    GLuint texels[SIZE * SIZE], counts[LISTS * LISTS * PIXEL_GRADES];
+    GLuint texels[SIZE * SIZE], counts[LISTS * LISTS * LIST_KINDS];
 };
 
 static void open_bench(struct detail_bench *bench, const char *scene, const char *settings,
@@ -75,7 +75,7 @@ static void test_lists(void **state) {
     make_stripes(&gbuffer);
     list_pixels(&bench, &gbuffer);
     int smooth_listed = 0, stripes_left = 0, listed = 0, misplaced = 0, counted = 0;
-    static GLuint pixels[SIZE * SIZE];
+    static GLuint pixels[2 * SIZE * SIZE];
     gl.GetTextureImage(bench.detail.lists.pixels.id, 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
                        sizeof pixels, pixels);
     for (int i = 0; i < SIZE * SIZE; i++) {
@@ -88,7 +88,7 @@ static void test_lists(void **state) {
             misplaced +=
                 pixels[(code >> 16 & 0x7fff) * SIZE + (code & 0xffff) - 1] != (GLuint)(x | y << 16);
     }
-    for (int i = 0; i < LISTS * LISTS * PIXEL_GRADES; i++)
+    for (int i = 0; i < LISTS * LISTS * LIST_KINDS; i++)
         counted += (int)bench.counts[i];
     printf("    listed %d, on the plane %d, not of the stripes %d, misplaced %d\n", listed,
            smooth_listed, stripes_left, misplaced);
@@ -127,10 +127,10 @@ static void test_grades(void **state) {
     close_bench(&bench);
 }
 
-static void fill(struct irradiance *irradiance, int interleave, float value) {
+static void fill(struct irradiance *irradiance, int height, int interleave, float value) {
     const float color[4] = {value, value, value, 1};
     check_ok("irradiance",
-             irradiance_init(irradiance, "constant", GL_RGBA32F, SIZE, SIZE, interleave));
+             irradiance_init(irradiance, "constant", GL_RGBA32F, SIZE, height, interleave));
     gl.ClearTexImage(irradiance->texture.id, 0, GL_RGBA, GL_FLOAT, color);
 }
 
@@ -143,8 +143,8 @@ static void test_blur_conserves(void **state) {
     open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .5f);
     make_stripes(&gbuffer);
     list_pixels(&bench, &gbuffer);
-    fill(&source, 8, .75f);
-    fill(&detail, LISTS, .75f);
+    fill(&source, SIZE, 8, .75f);
+    fill(&detail, pixel_lists_height(SIZE, LISTS), LISTS, .75f);
     for (int square = 0; square < 2; square++) {
         struct blur_pass blur;
         check_ok("blur", blur_pass_init(&blur, &(struct blur_desc){.width = SIZE,

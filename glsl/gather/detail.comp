@@ -1,13 +1,17 @@
-// Lists the pixels that have few like neighbours where the blur looks for them: by grade and place in the
-// pattern, row by row of its tile, from its begin and from its end, so that a draw finds them side by side. The
-// order within a list is that of arrival; no pixel's light depends on it.
+// Lists the pixels that have few like neighbours where the blur looks for them, and pixels' further points: by grade
+// and place in the pattern, row by row of its tile, from the begin and the end of its first half and from the begin of
+// its second, so that a draw finds them side by side. The order within a list is that of arrival; no pixel's light
+// depends on it.
 #include "lib/gbuffer.glsl"
 #include "gather/list_texel.glsl"
+#include "picture/picks.glsl"
 #include "shared/detail.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(r32ui, binding = IMAGE_LISTED_PIXELS) writeonly uniform uimage2D listed_pixels;
 layout(r32ui, binding = IMAGE_LIST_TEXELS) writeonly uniform uimage2D list_texels;
+layout(r32ui, binding = IMAGE_FURTHER_TEXELS) writeonly uniform uimage2D further_texels;
+layout(binding = UNIT_SAMPLE_PICKS) uniform usampler2D sample_picks;
 layout(std430, binding = STORAGE_LIST_COUNTS) buffer list_counts {
     uint counts[PIXEL_LISTS_MAX];
 };
@@ -28,12 +32,18 @@ int like_neighbours(surface s, ivec2 pixel, ivec2 size) {
 }
 
 // A list's next texel.
-ivec2 next_texel(ivec2 pixel, int grade) {
+ivec2 next_texel(ivec2 pixel, int list) {
     int n = params.pattern.n;
     ivec2 place = pixel % n, tile = params.pattern.tile;
-    int at = int(atomicAdd(counts[(grade * n + place.y) * n + place.x], 1u));
-    at = grade == PIXEL_GRADE_DETAIL ? tile.x * tile.y - 1 - at : at;
+    int at = int(atomicAdd(counts[(list * n + place.y) * n + place.x], 1u)), half_tile = tile.x * tile.y / 2;
+    at = list == PIXEL_GRADE_DETAIL ? half_tile - 1 - at : list == LIST_FURTHER ? half_tile + at : at;
     return place * tile + ivec2(at % tile.x, at / tile.x);
+}
+
+void list_further_point(ivec2 pixel) {
+    ivec2 texel = next_texel(pixel, LIST_FURTHER);
+    imageStore(listed_pixels, texel, uvec4(pixel.x | pixel.y << 16));
+    imageStore(further_texels, pixel, uvec4(list_texel_code(texel, 0)));
 }
 
 void main() {
@@ -50,4 +60,7 @@ void main() {
         code = list_texel_code(texel, grade);
     }
     imageStore(list_texels, pixel, uvec4(code));
+    uvec2 picks = texelFetch(sample_picks, min(pixel, textureSize(sample_picks, 0) - 1), 0).rg;
+    if (picks_further_point(picks))
+        list_further_point(pixel);
 }

@@ -111,7 +111,7 @@ void main() {
     ivec2 pixel;
     if (!receiver_pixel(params.pattern, slot.zw, pixel))
         return;
-    surface s = gbuffer_surface(pixel);
+    surface s = receiver_surface(pixel);
     if (!s.present)
         return;
     for (int i = 0; i < pick_count; i++) {

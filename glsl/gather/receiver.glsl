@@ -1,11 +1,15 @@
-// The pixel that a texel of a tile gathers for: of all pixels the one at its place in the pattern, but not those
-// that lists have, or the one that a list has there.
+// What a texel of a tile gathers for: of all pixels the one at its place in the pattern, but not those that lists
+// have, or the pixel or the further point of one that a list has there.
+#include "lib/gbuffer.glsl"
 #include "lib/interleaving.glsl"
 
 #if RECEIVERS == RECEIVERS_LISTED
-layout(binding = UNIT_LISTED_PIXELS) uniform usampler2D listed_pixels;
+#include "lib/further_point.glsl"
 
-flat in ivec2 listed; // where this tile has the list, row by row: begin, end
+layout(binding = UNIT_LISTED_PIXELS) uniform usampler2D listed_pixels;
+layout(binding = UNIT_FURTHER_POINTS) uniform usampler2D further_points;
+
+flat in ivec3 listed; // where this tile has the list, row by row: begin, end; which list it is
 
 // False outside the list.
 bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
@@ -14,6 +18,21 @@ bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
     pixel = ivec2(code & 0xffffu, code >> 16);
     int at = within.y * pattern.tile.x + within.x;
     return at >= listed.x && at < listed.y;
+}
+
+surface further_surface(ivec2 pixel) {
+    further_point p = further_point_unpack(texelFetch(further_points, pixel, 0));
+    vec2 ndc = (vec2(pixel) + 0.5 + p.place) / vec2(gbuffer_size()) * 2.0 - 1.0;
+    return surface(true, view_position(camera, ndc, p.depth), p.normal);
+}
+
+surface receiver_surface(ivec2 pixel) {
+    surface s;
+    if (listed.z == LIST_FURTHER)
+        s = further_surface(pixel);
+    else
+        s = gbuffer_surface(pixel);
+    return s;
 }
 #else
 #if RECEIVERS == RECEIVERS_OTHERS
@@ -27,5 +46,9 @@ bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
 #else
     return true;
 #endif
+}
+
+surface receiver_surface(ivec2 pixel) {
+    return gbuffer_surface(pixel);
 }
 #endif

@@ -1,9 +1,14 @@
-// Gives each sample of the pixel to the neighbour whose surface it lies on [Chajdas et al. 2011 §3].
+// Gives each sample of the pixel to the neighbour whose surface it lies on [Chajdas et al. 2011 §3], and finds a
+// further point to shade where it lies on none's.
+#include "lib/further_point.glsl"
 #include "lib/gbuffer.glsl"
 #include "picture/picks.glsl"
 #include "shared/antialias.h"
 
 layout(binding = UNIT_SAMPLE_DEPTH) uniform sampler2DMSArray sample_depths;
+layout(binding = UNIT_SAMPLE_NORMAL) uniform sampler2DMSArray sample_normals;
+
+layout(rgba32ui, binding = IMAGE_FURTHER_POINTS) writeonly uniform uimage2D further_points;
 
 layout(location = TARGET_RESULT) out uvec2 picks;
 
@@ -12,32 +17,46 @@ const float PLANE_TOLERANCE = 0.1;
 // A neighbour far off in depth along its own plane is less likely than a near one: a silhouette's plane
 // holds the line of sight, and with it whatever lies behind.
 const float APART_WEIGHT = 0.1;
+// The same of normals: a thin thing's rim is as near to its face as to itself.
+const float UNLIKE_WEIGHT = 1.0;
+// From here on no neighbour's surface is the sample's.
+const float UNLIKELY = 0.3;
 
 float sample_depth(ivec2 pixel, int i) {
     return texelFetch(sample_depths, ivec3(pixel, i / SAMPLES_PER_LAYER), i % SAMPLES_PER_LAYER).r;
 }
 
-// What a pixel sees, taken as a plane, across which depth is linear in the picture (shared/view.h).
-struct plane {
-    float depth;  // at the pixel's centre; 0 where it sees nothing
-    vec2 slope;   // of the depth, by a pixel along x and y
-    float across; // the change of depth that leaves the plane by a pixel's width
-};
-
-plane plane_of(ivec2 pixel) {
-    float depth = gbuffer_depth(pixel);
-    surface s = gbuffer_surface(pixel);
-    vec2 pixels = 2.0 / vec2(gbuffer_size());
-    vec3 along = vec3(dot(s.normal, camera.right) * pixels.x, dot(s.normal, camera.up) * pixels.y,
-                      length(camera.right) * pixels.x);
-    vec3 ray = (s.position - camera.origin) * (depth / camera.near); // forward + aside
-    float steep = dot(s.normal, camera.orthographic ? camera.forward : ray);
-    steep = steep < 0.0 ? min(steep, -1e-6) : max(steep, 1e-6);
-    vec3 change = along / steep * (camera.orthographic ? 1.0 / camera.far : depth);
-    return plane(depth, s.present ? change.xy : vec2(0.0), s.present ? abs(change.z) : 0.0);
+vec3 sample_normal(ivec2 pixel, int i) {
+    ivec3 texel = ivec3(pixel, i / SAMPLES_PER_LAYER);
+    return octahedral_decode(texelFetch(sample_normals, texel, i % SAMPLES_PER_LAYER).rg);
 }
 
-// Distance from the plane at a place of the picture, pixels from the pixel's centre; over `across`.
+// What a point of the picture sees, taken as a plane, across which depth is linear in the picture (shared/view.h).
+struct plane {
+    float depth;  // there; 0 where it sees nothing
+    vec2 slope;   // of the depth, by a pixel along x and y
+    float across; // the change of depth that leaves the plane by a pixel's width
+    vec3 normal;
+};
+
+// At a place of the picture, pixels.
+plane plane_at(vec2 place, float depth, vec3 normal) {
+    vec2 pixels = 2.0 / vec2(gbuffer_size()), ndc = place * pixels - 1.0;
+    vec3 along = vec3(dot(normal, camera.right) * pixels.x, dot(normal, camera.up) * pixels.y,
+                      length(camera.right) * pixels.x);
+    vec3 ray = camera.orthographic ? camera.forward : camera.forward + ndc.x * camera.right + ndc.y * camera.up;
+    float steep = dot(normal, ray);
+    steep = steep < 0.0 ? min(steep, -1e-6) : max(steep, 1e-6);
+    vec3 change = along / steep * (camera.orthographic ? 1.0 / camera.far : depth);
+    return plane(depth, change.xy, abs(change.z), normal);
+}
+
+plane plane_of(ivec2 pixel) {
+    vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, ivec3(pixel, 0), 0).rg);
+    return plane_at(vec2(pixel) + 0.5, gbuffer_depth(pixel), normal);
+}
+
+// Distance from the plane at a place of the picture, pixels from the plane's point; over `across`.
 float off_plane(plane p, vec2 place, float depth) {
     return abs(p.depth + dot(p.slope, place) - depth);
 }
@@ -48,32 +67,78 @@ float apart(float a, float b) {
     return (camera.orthographic ? abs(a - b) * camera.far : abs(a / max(b, 1e-30) - 1.0)) / width;
 }
 
-void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy), last = gbuffer_size() - 1;
+// How unlikely it is that a sample lies on the plane.
+float unlikelihood(plane p, vec2 place, float depth, vec3 normal) {
+    return off_plane(p, place, depth) / p.across + APART_WEIGHT * apart(p.depth, depth) +
+           UNLIKE_WEIGHT * (1.0 - dot(p.normal, normal));
+}
+
+// The pixel's samples, and for each the neighbour that it most likely lies on.
+float depth[SAMPLES], least[SAMPLES];
+vec3 normal[SAMPLES];
+uint best[SAMPLES];
+
+// Whether one of them lies off what the pixel's centre sees.
+bool read_depths(ivec2 pixel) {
     plane center = plane_of(pixel);
-    float depth[SAMPLES], least[SAMPLES];
-    uint best[SAMPLES];
     bool edge = false;
     for (int i = 0; i < SAMPLES; i++) {
         depth[i] = sample_depth(pixel, i);
+        normal[i] = vec3(0.0);
         least[i] = 1e30;
         best[i] = PICK_NOTHING;
-        float off = off_plane(center, params.places[i].xy, depth[i]);
-        edge = edge || off > PLANE_TOLERANCE * center.across;
+        edge = edge || off_plane(center, params.places[i].xy, depth[i]) > PLANE_TOLERANCE * center.across;
     }
+    return edge;
+}
+
+// Of the neighbours, the pixel itself first.
+void try_neighbour(ivec2 pixel, uint pick) {
+    ivec2 offset = clamp(pixel + pick_offset(pick), ivec2(0), gbuffer_size() - 1) - pixel;
+    plane p = plane_of(pixel + offset);
+    for (int i = 0; i < SAMPLES; i++) {
+        float unlikely = unlikelihood(p, params.places[i].xy - vec2(offset), depth[i], normal[i]);
+        bool better = p.depth > 0.0 && depth[i] > 0.0 && unlikely < least[i];
+        least[i] = better ? unlikely : least[i];
+        best[i] = better ? pick : best[i];
+    }
+}
+
+// The sample that lies off all neighbours' surfaces most; -1 where none does.
+int most_unlikely() {
+    float most = UNLIKELY;
+    int found = -1;
+    for (int i = 0; i < SAMPLES; i++) {
+        bool more = best[i] != PICK_NOTHING && least[i] > most;
+        most = more ? least[i] : most;
+        found = more ? i : found;
+    }
+    return found;
+}
+
+// That sample is the further point, and others that rather lie on its surface are lit as it.
+void take_further_point(ivec2 pixel, int chosen) {
+    vec2 place = params.places[chosen].xy;
+    further_point point = further_point(depth[chosen], normal[chosen], place, best[chosen]);
+    imageStore(further_points, pixel, further_point_pack(point));
+    plane p = plane_at(vec2(pixel) + 0.5 + place, point.depth, point.normal);
+    for (int i = 0; i < SAMPLES; i++) {
+        float unlikely = unlikelihood(p, params.places[i].xy - place, depth[i], normal[i]);
+        best[i] = depth[i] > 0.0 && unlikely < least[i] ? PICK_FURTHER : best[i];
+    }
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    bool edge = read_depths(pixel);
     // Most pixels have no edge, and a loop that no pixel enters is left where a branch would cost.
-    uint picks_to_try = edge ? 9u : 0u;
-    for (uint pick = 0u; pick < picks_to_try; pick++) {
-        ivec2 offset = clamp(pixel + pick_offset(pick), ivec2(0), last) - pixel;
-        plane p = plane_of(pixel + offset);
-        for (int i = 0; i < SAMPLES; i++) {
-            vec2 place = params.places[i].xy - vec2(offset);
-            float off = off_plane(p, place, depth[i]) / p.across +
-                        APART_WEIGHT * apart(p.depth, depth[i]);
-            bool better = p.depth > 0.0 && depth[i] > 0.0 && off < least[i];
-            least[i] = better ? off : least[i];
-            best[i] = better ? pick : best[i];
-        }
+    for (bool look = edge; look; look = false) {
+        for (int i = 0; i < SAMPLES; i++)
+            normal[i] = sample_normal(pixel, i);
+        for (uint pick = 0u; pick < 9u; pick++)
+            try_neighbour(pixel, pick);
+        for (int chosen = most_unlikely(); chosen >= 0; chosen = -1)
+            take_further_point(pixel, chosen);
     }
     picks = uvec2(0u);
     for (int i = 0; i < SAMPLES; i++)

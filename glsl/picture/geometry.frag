@@ -12,7 +12,11 @@ layout(binding = UNIT_EMISSION) uniform sampler2D emission_texture;
 layout(location = TARGET_GBUFFER_EMISSION) out vec4 emitted;
 #endif
 
+#ifdef NORMAL_ONLY
+centroid in vec3 surface_normal;
+#else
 in vec3 surface_normal;
+#endif
 in vec2 surface_uv;
 in vec4 surface_color;
 #ifdef HAS_GLOSS
@@ -21,10 +25,12 @@ in vec4 surface_color;
 
 #ifndef DEPTH_ONLY
 layout(location = TARGET_GBUFFER_NORMAL) out vec2 normal_code;
+#ifndef NORMAL_ONLY
 layout(location = TARGET_GBUFFER_ALBEDO) out vec4 albedo_root;
 #endif
 #if defined(HAS_GLOSS) && !defined(LIGHT_VIEW)
 layout(location = TARGET_GBUFFER_GLOSS) out vec4 gloss_code; // lib/gloss.glsl
+#endif
 #endif
 
 void main() {
@@ -70,7 +76,7 @@ void main() {
     gloss_code = gloss_encode(gloss);
 #endif
 #endif
-#ifndef DEPTH_ONLY
+#if !defined(DEPTH_ONLY) && !defined(NORMAL_ONLY)
     albedo_root = vec4(sqrt(clamp(color.rgb, 0.0, 1.0)), 1.0);
 #endif
 }

@@ -13,6 +13,12 @@ layout(binding = UNIT_SAMPLE_PICKS) uniform usampler2D sample_picks;
 #ifdef HAS_GLOSS
 layout(binding = UNIT_DIRECT_SPECULAR) uniform sampler2D direct_speculars;
 #endif
+layout(binding = UNIT_FURTHER_POINTS) uniform usampler2D further_points;
+#ifdef HAS_FURTHER_POINTS
+#include "gather/list_texel.glsl"
+layout(binding = UNIT_FURTHER_TEXELS) uniform usampler2D further_texels;
+layout(binding = UNIT_FURTHER_IRRADIANCE) uniform sampler2D further_irradiance;
+#endif
 #ifdef HAS_RADIANCE
 layout(binding = UNIT_RADIANCE) uniform sampler2D radiances;
 #endif
@@ -89,27 +95,43 @@ vec3 radiance_of(vec3 albedo, vec3 received, ivec2 texel) {
     return through_medium(radiance, texel);
 }
 
+// At a sample's pixel, or at the further point of the pixel that has the sample.
+vec3 irradiance_at(ivec2 texel, bool is_further, ivec2 pixel) {
+    vec3 irradiance = vec3(0.0);
+#ifdef HAS_IRRADIANCE
+    irradiance = texelFetch(irradiances, texel, 0).rgb;
+#endif
+#ifdef HAS_FURTHER_POINTS
+    // A loop and no branch, which a software rasteriser would execute for all.
+    for (bool has = is_further; has; has = false) {
+        ivec2 listed = list_texel_of(texelFetch(further_texels, pixel, 0).r);
+        irradiance = texelFetch(further_irradiance, listed, 0).rgb;
+    }
+#endif
+    return irradiance;
+}
+
 seen seen_from(ivec2 pixel) {
     uvec2 picks = texelFetch(sample_picks, min(pixel, textureSize(sample_picks, 0) - 1), 0).rg;
     ivec2 last = gbuffer_size() - 1;
     int count = picks == uvec2(0u) ? 1 : params.samples;
     seen sum = seen(0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 weights = vec3(0.0);
+    uint stand_in = 0u;
+    for (bool has = picks_further_point(picks); has; has = false)
+        stand_in = texelFetch(further_points, pixel, 0).w;
     for (int i = 0; i < count; i++) {
         uint pick = pick_of(picks, i);
         if (pick == PICK_NOTHING) {
             sum.radiance += through_medium(background(pixel), pixel);
             continue;
         }
-        ivec2 texel = clamp(pixel + pick_offset(pick), ivec2(0), last);
+        bool is_further = pick == PICK_FURTHER;
+        ivec2 texel = clamp(pixel + pick_offset(is_further ? stand_in : pick), ivec2(0), last);
         float present = gbuffer_depth(texel) > 0.0 ? 1.0 : 0.0;
         vec3 albedo = albedo_fetch(albedos, ivec3(texel, 0));
         vec3 direct = texelFetch(directs, texel, 0).rgb;
-#ifdef HAS_IRRADIANCE
-        vec3 indirect = params.indirect * texelFetch(irradiances, texel, 0).rgb;
-#else
-        vec3 indirect = vec3(0.0);
-#endif
+        vec3 indirect = params.indirect * irradiance_at(texel, is_further, pixel);
         vec3 weight = (albedo + LEAST_WEIGHT) * present;
         weights += weight;
         sum.coverage += present;

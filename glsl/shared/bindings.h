@@ -24,6 +24,8 @@
 #define IMAGE_LIST_TEXELS 1
 #define IMAGE_SUMS 2
 #define IMAGE_DEPTH_BOUNDS 3
+#define IMAGE_FURTHER_TEXELS 4
+#define IMAGE_FURTHER_POINTS 5
 
 /* Texture units. GL promises 96, and 16 to a stage. Maps of lights' views have LIGHT_MAP_KINDS each
  * (shared/light.h). */
@@ -80,6 +82,10 @@
 #define UNIT_LOBES 60
 #define UNIT_DIRECT_SPECULAR 61
 #define UNIT_LAYER_SUMS 62 /* LAYERS of them: shared/composite.h */
+#define UNIT_SAMPLE_NORMAL 71
+#define UNIT_FURTHER_POINTS 72
+#define UNIT_FURTHER_TEXELS 73
+#define UNIT_FURTHER_IRRADIANCE 74
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0

@@ -12,11 +12,14 @@ struct interleaving {
 };
 STD140_SIZE(interleaving, 16)
 
-/* Lists of pixels, one a grade and place of the pattern, which has at most 8 x 8. */
+/* Lists of what gathers by itself, one a kind and place of the pattern, which has at most 8 x 8: pixels of each
+ * grade, and further points of pixels. */
 #define PIXEL_GRADE_EDGE 0   /* beside a straight edge: half of the neighbours are like */
 #define PIXEL_GRADE_DETAIL 1 /* fewer are */
 #define PIXEL_GRADES 2
-#define PIXEL_LISTS_MAX (64 * PIXEL_GRADES)
+#define LIST_FURTHER 2 /* after the grades' */
+#define LIST_KINDS 3
+#define PIXEL_LISTS_MAX (64 * LIST_KINDS)
 
 /* Of a draw of a tile, RECEIVERS: all pixels of its place in the pattern, those of a list, or all but those. */
 #define RECEIVERS_ALL 0

@@ -168,6 +168,10 @@ void irradiance_free(struct irradiance *irradiance) {
     *irradiance = (struct irradiance){0};
 }
 
+int pixel_lists_height(int height, int interleave) {
+    return 2 * ((height + interleave - 1) / interleave) * interleave;
+}
+
 void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, int receivers) {
     if (receivers == RECEIVERS_OTHERS)
         pass_add_texture(state, UNIT_LIST_TEXELS, lists->texels.id);
@@ -177,8 +181,8 @@ void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, 
     pass_add_block(state, BLOCK_LIST_COUNTS, &lists->counts);
 }
 
-void pixel_lists_draw(const struct pixel_lists *lists, int grade, GLuint program) {
+void pixel_lists_draw(const struct pixel_lists *lists, int list, GLuint program) {
     gl.ProgramUniform4i(program, LOCATION_TILE, lists->tile_width, lists->tile_height,
-                        lists->interleave, grade);
+                        lists->interleave, list);
     pass_draw(GL_TRIANGLES, 6, 1);
 }

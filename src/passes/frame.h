@@ -28,6 +28,9 @@ struct frame {
     const struct geometry *geometry;       /* for views of other lights */
     float bounds_min[3], bounds_max[3];    /* of the scene, metres */
     float radius;                          /* of its bounding sphere, metres */
+    /* Of the camera's pixels: which surfaces their samples see (passes/picture/antialias.h), and the further
+     * points of those whose samples have one (lib/further_point.glsl). */
+    const struct texture *picks, *further_points;
     int pass; /* of those whose mean the picture is: others lights and samples in each; 0: the first, or
                  the only one */
     float irradiance_scale; /* stored irradiance = W/m2 times this: a power of two that
@@ -124,13 +127,17 @@ struct irradiance {
     int interleave, tile_width, tile_height;
 };
 
-/* Some pixels of a picture, as a list for each grade (PIXEL_GRADE_...) and place of the n x n pattern. */
+/* Some pixels of a picture and further points of some, as a list for each grade (PIXEL_GRADE_...) or of points
+ * (LIST_FURTHER) and place of the n x n pattern. */
 struct pixel_lists {
-    struct texture pixels; /* R32UI, x | y << 16, in tiles; a list fills its tile row by row: of one
-                              grade from its begin, of the other from its end */
-    struct texture texels; /* R32UI, of each pixel of the picture its texel in the lists
+    struct texture
+        pixels; /* R32UI, x | y << 16, in tiles, twice as high as a picture's; a list fills its tile
+                              row by row: of one grade from its begin, of the other from the end of its first
+                              half, of points from there on */
+    struct texture texels;         /* R32UI, of each pixel of the picture its texel in the lists
                               (gather/list_texel.glsl); 0 where it is not listed */
-    struct buffer counts;  /* of the lists: uint */
+    struct texture further_texels; /* likewise of its further point */
+    struct buffer counts;          /* of the lists: uint */
     int interleave, tile_width, tile_height;
 };
 
@@ -143,6 +150,9 @@ struct pixel_lists {
  * are of the picture's size; radiance and in_scatter times irradiance_scale. */
 struct contribution {
     const struct irradiance *irradiance;
+    const struct irradiance
+        *further_irradiance; /* likewise at pixels' further points, and the texel of each in */
+    const struct texture *further_texels; /* it, gather/list_texel.glsl; both or none */
     const struct texture *radiance;
     const struct texture *in_scatter, *transmittance; /* both or none */
 };
@@ -184,10 +194,13 @@ bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum fo
                      int height, int interleave);
 void irradiance_free(struct irradiance *irradiance);
 
+/* Of the tiles of lists over a picture of that height, all of them. */
+int pixel_lists_height(int height, int interleave);
+
 /* What a pass over such RECEIVERS_ binds, for gather/receiver.glsl; lists are not read for all. And the draw
- * of one place's list of a grade, after LOCATION_SLOT is set. */
+ * of one place's list of a kind, after LOCATION_SLOT is set. */
 void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, int receivers);
-void pixel_lists_draw(const struct pixel_lists *lists, int grade, GLuint program);
+void pixel_lists_draw(const struct pixel_lists *lists, int list, GLuint program);
 
 /* For shaders. */
 struct interleaving irradiance_pattern(const struct irradiance *irradiance);

@@ -45,6 +45,11 @@ static const struct picture_settings *picture_of(const struct renderer *renderer
     return settings_of(&renderer->desc.settings, &picture_part);
 }
 
+/* Passes have samples of their own in each. */
+static const struct antialias_pass *antialias_of(const struct renderer *renderer) {
+    return renderer->pass > 0 ? &renderer->refining.centers : &renderer->antialias;
+}
+
 struct frame renderer_frame(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     struct frame frame = {
@@ -58,6 +63,8 @@ struct frame renderer_frame(struct renderer *renderer) {
         .groups = renderer->starts.groups,
         .geometry = desc->geometry,
         .radius = desc->geometry->radius,
+        .picks = &antialias_of(renderer)->picks,
+        .further_points = &antialias_of(renderer)->further_points,
         .pass = renderer->pass,
         .irradiance_scale = renderer_irradiance_scale(renderer),
     };
@@ -90,8 +97,7 @@ static struct contribution last_contribution(const struct renderer *renderer) {
 }
 
 struct composite_inputs renderer_composite_inputs(const struct renderer *renderer) {
-    const struct antialias_pass *antialias =
-        renderer->pass > 0 ? &renderer->refining.centers : &renderer->antialias;
+    const struct antialias_pass *antialias = antialias_of(renderer);
     return (struct composite_inputs){
         .gbuffer = &renderer->gbuffer,
         .direct =
@@ -99,7 +105,6 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
         .direct_specular = skylight_specular(&renderer->skylight, direct_specular(renderer)),
         .contribution = last_contribution(renderer),
         .sky = renderer->desc.emitters.sky,
-        .picks = &antialias->picks,
         .samples = antialias->samples,
         .exposure = renderer_exposure(renderer),
         .tone_map = (enum tone_map)picture_of(renderer)->tone_map,
@@ -131,6 +136,8 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
     struct frame direct = frame_of_direct(renderer, frame);
     render_lights(renderer, frame);
     geometry_pass_render_camera(&renderer->geometry, frame, &renderer->gbuffer);
+    if (renderer->pass == 0)
+        antialias_pass_render(&renderer->antialias, frame, &renderer->gbuffer);
     renderer->direct->render_view(renderer->direct_state, &direct, &renderer->gbuffer);
     skylight_render_view(&renderer->skylight, frame, &renderer->gbuffer,
                          renderer->direct->light(renderer->direct_state),
@@ -139,8 +146,6 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
         refining->technique->render_view(refining->state, frame, &renderer->gbuffer);
     else
         renderer->technique->render_view(renderer->technique_state, frame, &renderer->gbuffer);
-    if (renderer->pass == 0)
-        antialias_pass_render(&renderer->antialias, frame, &renderer->gbuffer);
 }
 
 static void begin_pass(struct renderer *renderer, int pass) {

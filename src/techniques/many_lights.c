@@ -34,10 +34,11 @@ static int blur_radius(const struct settings *settings) {
     return blur->radius < 0 ? gather->interleave / 2 : blur->radius;
 }
 
-static void fill_grade_slots(const struct gather_settings *gather, int slots[PIXEL_GRADES]) {
+static void fill_list_slots(const struct gather_settings *gather, int slots[LIST_KINDS]) {
     int all = gather->detail * gather->detail;
     slots[PIXEL_GRADE_EDGE] = 1;
     slots[PIXEL_GRADE_DETAIL] = gather->detail_times < all ? gather->detail_times : all;
+    slots[LIST_FURTHER] = gather->further_points ? 1 : 0;
 }
 
 /* Half the blur's radius away: farther off an edge it finds enough on one side.
@@ -49,7 +50,7 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     struct gather_desc gather_desc = lights->gather.desc;
     gather_desc.interleave = gather->detail;
     gather_desc.receivers = RECEIVERS_LISTED;
-    fill_grade_slots(gather, gather_desc.grade_slots);
+    fill_list_slots(gather, gather_desc.list_slots);
     gather_desc.share = false;
     return !lights->has_detail ||
            (detail_pass_init(&lights->detail,
@@ -121,7 +122,7 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
         .rsm_size = own_lights->rsm_size,
         .lights = *desc->lights,
     };
-    fill_grade_slots(own, near_field.grade_slots);
+    fill_list_slots(own, near_field.list_slots);
     return !lights->has_near_field || near_field_pass_init(&lights->near_field, &near_field);
 }
 
@@ -141,7 +142,7 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
     };
     const struct gather_desc *listed = &lights->detail_gather.desc;
     for (int grade = 0; lights->has_detail && grade < PIXEL_GRADES; grade++) {
-        float slots = (float)listed->grade_slots[grade],
+        float slots = (float)listed->list_slots[grade],
               places = sqrtf(slots) / (float)listed->interleave;
         blur.grade_radius[grade] = .5f / places;
         blur.grade_weight[grade] = places * places * (float)(n * n);
@@ -344,10 +345,15 @@ float many_lights_caster_bend(const struct settings *settings) {
 }
 
 struct contribution many_lights_contribution(const struct many_lights *lights) {
-    return (struct contribution){
+    struct contribution contribution = {
         .irradiance = lights->has_blur ? &lights->blur.blurred : &lights->gather.irradiance,
         .radiance = lights->has_gloss ? &lights->gloss_blur.blurred.texture : NULL,
     };
+    if (lights->has_detail && lights->detail_gather.desc.list_slots[LIST_FURTHER] > 0) {
+        contribution.further_irradiance = &lights->detail_gather.irradiance;
+        contribution.further_texels = &lights->detail.lists.further_texels;
+    }
+    return contribution;
 }
 
 /* Those of faces have names of their own where there are both kinds. */

@@ -43,6 +43,7 @@ struct gather_settings {
     int detail; /* n of pixels with few like neighbours; 0: as all others */
     int detail_times;
     float detail_share;
+    bool further_points;
     int gloss, gloss_interleave; /* SPECULAR_... - 1 */
 };
 

@@ -87,6 +87,9 @@ static const struct option gather_table[] = {
      .help =
          "such are pixels of whose four neighbours, half the blur's radius away, fewer than this\n"
          "share lie on the same surface; .5 leaves out straight edges"},
+    {"further-points", 0, OPTION_FLAG, ROW(gather, further_points), 1,
+     .help = "with detail: a pixel that shows what no pixel near sees at its centre gathers there, "
+             "too"},
     {NULL},
 };
 

@@ -14,13 +14,14 @@ static bool init_picture(struct texture *texture, const char *label, int width, 
 
 static bool init_lists(struct pixel_lists *lists, const struct detail_desc *desc) {
     int n = desc->interleave;
-    assert(n * n * PIXEL_GRADES <= PIXEL_LISTS_MAX);
+    assert(n * n * LIST_KINDS <= PIXEL_LISTS_MAX);
     lists->interleave = n;
     lists->tile_width = (desc->width + n - 1) / n;
-    lists->tile_height = (desc->height + n - 1) / n;
+    lists->tile_height = pixel_lists_height(desc->height, n) / n;
     return init_picture(&lists->pixels, "listed pixels", lists->tile_width * n,
                         lists->tile_height * n) &&
            init_picture(&lists->texels, "list texels", desc->width, desc->height) &&
+           init_picture(&lists->further_texels, "further texels", desc->width, desc->height) &&
            buffer_init(&lists->counts, "list counts", PIXEL_LISTS_MAX * sizeof(GLuint), NULL);
 }
 
@@ -38,6 +39,7 @@ void detail_pass_free(struct detail_pass *pass) {
     program_free(&pass->program);
     texture_free(&pass->lists.pixels);
     texture_free(&pass->lists.texels);
+    texture_free(&pass->lists.further_texels);
     buffer_free(&pass->lists.counts);
     buffer_free(&pass->params);
     *pass = (struct detail_pass){0};
@@ -65,17 +67,20 @@ static void write_params(const struct detail_pass *pass) {
 void detail_pass_render(const struct detail_pass *pass, const struct frame *frame,
                         const struct gbuffer *gbuffer) {
     write_params(pass);
-    pass_begin(frame->timers,
-               &(struct pass_state){
-                   .name = "detail",
-                   .program = pass->program,
-                   .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
-                                {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
-                   .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
-                   .storages = {{STORAGE_LIST_COUNTS, &pass->lists.counts}},
-                   .images = {{IMAGE_LISTED_PIXELS, &pass->lists.pixels, 0, GL_WRITE_ONLY},
-                              {IMAGE_LIST_TEXELS, &pass->lists.texels, 0, GL_WRITE_ONLY}},
-               });
+    pass_begin(
+        frame->timers,
+        &(struct pass_state){
+            .name = "detail",
+            .program = pass->program,
+            .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                         {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                         {UNIT_SAMPLE_PICKS, frame->picks->id}},
+            .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+            .storages = {{STORAGE_LIST_COUNTS, &pass->lists.counts}},
+            .images = {{IMAGE_LISTED_PIXELS, &pass->lists.pixels, 0, GL_WRITE_ONLY},
+                       {IMAGE_LIST_TEXELS, &pass->lists.texels, 0, GL_WRITE_ONLY},
+                       {IMAGE_FURTHER_TEXELS, &pass->lists.further_texels, 0, GL_WRITE_ONLY}},
+        });
     pass_dispatch((pass->desc.width + 7) / 8, (pass->desc.height + 7) / 8, 1);
     /* Later passes fetch the lists, and read their lengths as uniforms. */
     gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT);

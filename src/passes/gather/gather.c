@@ -31,11 +31,14 @@ static bool init_program(GLuint *program, const struct gather_desc *desc, enum g
 }
 
 bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) {
+    int height = desc->receivers == RECEIVERS_LISTED
+                     ? pixel_lists_height(desc->height, desc->interleave)
+                     : desc->height;
     *pass = (struct gather_pass){.desc = *desc};
     if (init_program(&pass->program, desc, desc->clamp) &&
         (!desc->further || init_program(&pass->further_program, desc, GATHER_CLAMP_DISK)) &&
-        irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, desc->width,
-                        desc->height, desc->interleave) &&
+        irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, desc->width, height,
+                        desc->interleave) &&
         buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL) &&
         buffer_init(&pass->lookup_params, "lookup parameters", sizeof(struct lookup_params), NULL))
         return true;
@@ -82,24 +85,24 @@ static GLuint program_for(const struct gather_pass *pass, const struct gather_in
     return inputs->further ? pass->further_program : pass->program;
 }
 
-/* VPLs first .. last for the tile of a slot, or for its list of a grade. */
+/* VPLs first .. last for the tile of a slot, or for one of its lists. */
 static void draw_runs(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
-                      int grade, int first, int last) {
+                      int list, int first, int last) {
     int n = pass->desc.interleave;
     GLuint program = program_for(pass, inputs);
     for (struct vpl_run run = {.next = first}; vpl_run_next(&run, inputs->vpls, last);) {
         gl.ProgramUniform4i(program, LOCATION_SLOT, run.first, run.count, slot % n, slot / n);
         gl.ProgramUniform1i(program, LOCATION_FIRST_MAP, run.block - inputs->first);
         if (pass->desc.receivers == RECEIVERS_LISTED)
-            pixel_lists_draw(inputs->lists, grade, program);
+            pixel_lists_draw(inputs->lists, list, program);
         else
             pass_draw_fullscreen(1);
     }
 }
 
-/* Slot s of S has VPLs s N / S .. (s + 1) N / S; a grade may take those of `side` slots side by side. */
+/* Slot s of S has VPLs s N / S .. (s + 1) N / S; a list may take those of `side` slots side by side. */
 static void draw_slot(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
-                      int grade, int side) {
+                      int list, int side) {
     const struct irradiance *target = &pass->irradiance;
     int n = pass->desc.interleave, slots = n * n, total = inputs->vpls->count;
     int begin = slot / side * side, end = begin + side < slots ? begin + side : slots;
@@ -115,7 +118,7 @@ static void draw_slot(const struct gather_pass *pass, const struct gather_inputs
     pass_viewport(slot % n * target->tile_width, slot / n * target->tile_height, target->tile_width,
                   target->tile_height);
     gl.ProgramUniform1f(program_for(pass, inputs), LOCATION_SLOT_WEIGHT, weight);
-    draw_runs(pass, inputs, slot, grade, first, last);
+    draw_runs(pass, inputs, slot, list, first, last);
 }
 
 void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,
@@ -138,12 +141,16 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
     if (pass->desc.share)
         pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, inputs->blocks->texture.id);
     pixel_lists_add(&state, inputs->lists, pass->desc.receivers);
+    if (pass->desc.receivers == RECEIVERS_LISTED)
+        pass_add_texture(&state, UNIT_FURTHER_POINTS, frame->further_points->id);
     visibility_add(&state, &pass->desc.visibility, &pass->lookup_params, &inputs->visibility);
     write_params(pass, frame, inputs);
     pass_begin(frame->timers, &state);
     bool listed = pass->desc.receivers == RECEIVERS_LISTED;
-    for (int slot = 0; slot < pass->desc.interleave * pass->desc.interleave; slot++)
-        for (int grade = 0; grade < (listed ? PIXEL_GRADES : 1); grade++)
-            draw_slot(pass, inputs, slot, grade, listed ? pass->desc.grade_slots[grade] : 1);
+    for (int list = 0; list < (listed ? LIST_KINDS : 1); list++) {
+        int side = listed ? pass->desc.list_slots[list] : 1;
+        for (int slot = 0; side > 0 && slot < pass->desc.interleave * pass->desc.interleave; slot++)
+            draw_slot(pass, inputs, slot, list, side);
+    }
     pass_end(frame->timers);
 }

@@ -28,9 +28,9 @@ struct gather_desc {
     bool map_per_vpl; /* map i - first of the draw belongs to VPL i; else map C(i) */
     bool share;       /* visibility comes by blocks */
     int receivers;    /* RECEIVERS_LISTED: pixels of lists, whose pattern is interleave */
-    int grade_slots
-        [PIXEL_GRADES]; /* of those: of the pattern's slots, as many side by side as pixels of the
-                                      grade take */
+    int list_slots
+        [LIST_KINDS]; /* of those: of the pattern's slots, as many side by side as what is on
+                                   the list takes; 0: it does not gather */
     struct visibility_desc visibility;
     enum gather_clamp clamp;
     float sphere;      /* radius of balls, over the distance within which ten VPLs lie */

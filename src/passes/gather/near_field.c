@@ -166,9 +166,9 @@ static int pick_lights(const struct near_field_pass *pass, const struct frame *f
     return picked + each;
 }
 
-/* A tile of a slot of the pattern, or its list of a grade, with the samples of `side` slots side by side. */
+/* A tile of a slot of the pattern, or one of its lists, with the samples of `side` slots side by side. */
 struct near_draw {
-    int slot, grade, side;
+    int slot, list, side;
     int picked; /* lights */
 };
 
@@ -187,7 +187,7 @@ static void draw_tile(const struct near_field_pass *pass, GLuint program,
     gl.ProgramUniform2fv(program, LOCATION_PICKS, draw.picked,
                          pass->picks[slot * pass->desc.lights.lights]);
     if (inputs->of_lists)
-        pixel_lists_draw(inputs->lists, draw.grade, program);
+        pixel_lists_draw(inputs->lists, draw.list, program);
     else
         pass_draw_fullscreen(1);
 }
@@ -217,18 +217,20 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
                     inputs->of_lists    ? RECEIVERS_LISTED
                     : pass->desc.listed ? RECEIVERS_OTHERS
                                         : RECEIVERS_ALL);
+    if (inputs->of_lists)
+        pass_add_texture(&state, UNIT_FURTHER_POINTS, frame->further_points->id);
     write_params(pass, frame, irradiance_pattern(irradiance));
     int slots = irradiance->interleave * irradiance->interleave, picked = 0;
     for (int g = 0; g < frame->layout.groups; g++)
         picked = pick_lights(pass, frame, frame->groups[g], slots, picked);
     pass_begin(frame->timers, &state);
     bool listed = inputs->of_lists;
-    for (int slot = 0; slot < slots; slot++)
-        for (int grade = 0; grade < (listed ? PIXEL_GRADES : 1); grade++)
-            draw_tile(pass, state.program, inputs,
-                      (struct near_draw){.slot = slot,
-                                         .grade = grade,
-                                         .side = listed ? pass->desc.grade_slots[grade] : 1,
-                                         .picked = picked});
+    for (int list = 0; list < (listed ? LIST_KINDS : 1); list++) {
+        int side = listed ? pass->desc.list_slots[list] : 1;
+        for (int slot = 0; side > 0 && slot < slots; slot++)
+            draw_tile(
+                pass, state.program, inputs,
+                (struct near_draw){.slot = slot, .list = list, .side = side, .picked = picked});
+    }
     pass_end(frame->timers);
 }

@@ -16,9 +16,9 @@
 struct near_field_desc {
     int samples; /* that the n x n pixels of a pattern share out */
     bool listed; /* pixels of lists come by themselves, and not with all others */
-    int grade_slots
-        [PIXEL_GRADES]; /* those of a grade take the samples of so many slots side by side */
-    int rsm_size;       /* as lights' settings have it */
+    int list_slots
+        [LIST_KINDS]; /* what is on a list takes the samples of so many slots side by side; 0: none */
+    int rsm_size;     /* as lights' settings have it */
     struct light_layout lights;
 };
 

@@ -12,44 +12,54 @@ static bool init_programs(struct antialias_pass *pass) {
     snprintf(samples, sizeof samples, "SAMPLES %d", pass->samples);
     return program_init(&pass->solid_program,
                         &(struct program_desc){.vertex = "picture/geometry.vert",
-                                               .fragment = "picture/depth_only.frag",
-                                               .defines = "DEPTH_ONLY;SAMPLE_LAYERS"}) &&
+                                               .fragment = "picture/sample_normal.frag",
+                                               .defines = "SAMPLE_LAYERS"}) &&
            program_init(&pass->masked_program,
                         &(struct program_desc){.vertex = "picture/geometry.vert",
                                                .fragment = "picture/geometry.frag",
-                                               .defines = "DEPTH_ONLY;SAMPLE_LAYERS"}) &&
+                                               .defines = "NORMAL_ONLY;SAMPLE_LAYERS"}) &&
            program_init(&pass->pick_program,
                         &(struct program_desc){.vertex = "fullscreen.vert",
                                                .fragment = "picture/antialias.frag",
                                                .defines = samples});
 }
 
-static bool init_depths(struct antialias_pass *pass) {
-    return texture_init(&pass->depths,
-                        &(struct texture_desc){
-                            .label = "sample depth",
-                            .target = GL_TEXTURE_2D_MULTISAMPLE_ARRAY,
-                            .format = GL_DEPTH_COMPONENT32F,
-                            .width = pass->desc.width,
-                            .height = pass->desc.height,
-                            .layers = pass->layers,
-                            .samples = SAMPLES_PER_LAYER,
-                        }) &&
+static bool init_layers(const struct antialias_pass *pass, struct texture *texture,
+                        const char *label, GLenum format) {
+    return texture_init(texture, &(struct texture_desc){
+                                     .label = label,
+                                     .target = GL_TEXTURE_2D_MULTISAMPLE_ARRAY,
+                                     .format = format,
+                                     .width = pass->desc.width,
+                                     .height = pass->desc.height,
+                                     .layers = pass->layers,
+                                     .samples = SAMPLES_PER_LAYER,
+                                 });
+}
+
+static bool init_samples(struct antialias_pass *pass) {
+    return init_layers(pass, &pass->depths, "sample depths", GL_DEPTH_COMPONENT32F) &&
+           init_layers(pass, &pass->normals, "sample normals", GL_RG16) &&
            framebuffer_init(
-               &pass->depth_framebuffer,
-               &(struct framebuffer_desc){.label = "sample depth", .depth = &pass->depths});
+               &pass->sample_framebuffer,
+               &(struct framebuffer_desc){.label = "samples",
+                                          .colors = {[TARGET_GBUFFER_NORMAL] = &pass->normals},
+                                          .depth = &pass->depths});
+}
+
+static bool init_picture(const struct antialias_pass *pass, struct texture *texture,
+                         const char *label, GLenum format) {
+    bool all = pass->samples > 1;
+    return texture_init(texture, &(struct texture_desc){.label = label,
+                                                        .format = format,
+                                                        .width = all ? pass->desc.width : 1,
+                                                        .height = all ? pass->desc.height : 1});
 }
 
 static bool init_picks(struct antialias_pass *pass) {
     static const GLuint itself[4] = {0};
-    bool all = pass->samples > 1;
-    if (!texture_init(&pass->picks,
-                      &(struct texture_desc){
-                          .label = "picks of samples",
-                          .format = GL_RG32UI,
-                          .width = all ? pass->desc.width : 1,
-                          .height = all ? pass->desc.height : 1,
-                      }) ||
+    if (!init_picture(pass, &pass->picks, "picks of samples", GL_RG32UI) ||
+        !init_picture(pass, &pass->further_points, "further points", GL_RGBA32UI) ||
         !framebuffer_init(
             &pass->pick_framebuffer,
             &(struct framebuffer_desc){.label = "picks of samples", .colors = {&pass->picks}}))
@@ -70,7 +80,7 @@ static void layer_shift(int i, int n, float shift[2]) {
 /* The driver tells where it puts samples for the framebuffer that is bound. */
 static bool init_params(struct antialias_pass *pass) {
     struct antialias_params params = {0};
-    gl.BindFramebuffer(GL_FRAMEBUFFER, pass->depth_framebuffer);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, pass->sample_framebuffer);
     for (int layer = 0; layer < pass->layers; layer++) {
         float shift[2];
         layer_shift(layer, pass->layers, shift);
@@ -94,7 +104,7 @@ bool antialias_pass_init(struct antialias_pass *pass, const struct antialias_des
     pass->layers = (desc->samples + SAMPLES_PER_LAYER - 1) / SAMPLES_PER_LAYER;
     pass->samples = desc->samples > 1 ? pass->layers * SAMPLES_PER_LAYER : 1;
     if (init_picks(pass) &&
-        (pass->samples == 1 || (init_programs(pass) && init_depths(pass) && init_params(pass))))
+        (pass->samples == 1 || (init_programs(pass) && init_samples(pass) && init_params(pass))))
         return true;
     antialias_pass_free(pass);
     return false;
@@ -104,21 +114,23 @@ void antialias_pass_free(struct antialias_pass *pass) {
     program_free(&pass->solid_program);
     program_free(&pass->masked_program);
     program_free(&pass->pick_program);
-    framebuffer_free(&pass->depth_framebuffer);
+    framebuffer_free(&pass->sample_framebuffer);
     framebuffer_free(&pass->pick_framebuffer);
     texture_free(&pass->depths);
+    texture_free(&pass->normals);
     texture_free(&pass->picks);
+    texture_free(&pass->further_points);
     buffer_free(&pass->params);
     *pass = (struct antialias_pass){0};
 }
 
 /* The same surfaces as the G-buffer's. Where no fragment can be discarded a rasteriser is several
  * times faster, so masks go apart. */
-static void render_depths(const struct antialias_pass *pass, const struct frame *frame) {
+static void render_samples(const struct antialias_pass *pass, const struct frame *frame) {
     struct pass_state state = {
-        .name = "sample depths",
+        .name = "samples",
         .program = pass->solid_program,
-        .framebuffer = pass->depth_framebuffer,
+        .framebuffer = pass->sample_framebuffer,
         .vertex_array = frame->scene->shaded_vertices,
         .width = pass->desc.width,
         .height = pass->desc.height,
@@ -126,7 +138,7 @@ static void render_depths(const struct antialias_pass *pass, const struct frame 
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
     pass_begin(frame->timers, &state);
-    framebuffer_clear_depth(pass->depth_framebuffer, 0);
+    framebuffer_clear_depth(pass->sample_framebuffer, 0);
     scene_gpu_draw_solid(frame->scene, true, pass->layers);
     state.cull_back = true;
     pass_set_state(&state);
@@ -151,10 +163,13 @@ static void render_picks(const struct antialias_pass *pass, const struct frame *
                    .height = pass->desc.height,
                    .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                                 {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                                {UNIT_SAMPLE_DEPTH, pass->depths.id}},
+                                {UNIT_SAMPLE_DEPTH, pass->depths.id},
+                                {UNIT_SAMPLE_NORMAL, pass->normals.id}},
                    .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+                   .images = {{IMAGE_FURTHER_POINTS, &pass->further_points, 0, GL_WRITE_ONLY}},
                });
     pass_draw_fullscreen(1);
+    gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     pass_end(frame->timers);
 }
 
@@ -163,7 +178,7 @@ void antialias_pass_render(const struct antialias_pass *pass, const struct frame
     if (pass->samples == 1)
         return;
     timer_begin(frame->timers, "antialias");
-    render_depths(pass, frame);
+    render_samples(pass, frame);
     render_picks(pass, frame, gbuffer);
     timer_end(frame->timers);
 }

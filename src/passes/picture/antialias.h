@@ -19,11 +19,12 @@ struct antialias_desc {
 struct antialias_pass {
     struct antialias_desc desc;
     GLuint solid_program, masked_program, pick_program;
-    int layers, samples;   /* drawn: whole layers, or the one centre */
-    struct texture depths; /* D32F, a layer of four samples after another */
-    struct texture
-        picks; /* RG32UI, four bits a sample: picture/picks.glsl; 0 = itself; 1 x 1 if samples is 1 */
-    GLuint depth_framebuffer, pick_framebuffer;
+    int layers, samples; /* drawn: whole layers, or the one centre */
+    struct texture depths,
+        normals;          /* D32F; RG16, octahedral: a layer of four samples after another */
+    struct texture picks; /* RG32UI, picture/picks.glsl; 0 = itself; 1 x 1 if samples is 1 */
+    struct texture further_points; /* RGBA32UI, lib/further_point.glsl; likewise */
+    GLuint sample_framebuffer, pick_framebuffer;
     struct buffer params;
 };
 

@@ -14,13 +14,16 @@
 unsigned composite_kinds(const struct contribution *contribution) {
     return (contribution->irradiance ? HAS_IRRADIANCE : 0U) |
            (contribution->radiance ? HAS_RADIANCE : 0U) |
-           (contribution->in_scatter ? HAS_MEDIUM : 0U);
+           (contribution->in_scatter ? HAS_MEDIUM : 0U) |
+           (contribution->further_irradiance ? HAS_FURTHER_POINTS : 0U);
 }
 
 static bool init_programs(struct composite_pass *pass) {
     unsigned has = pass->desc.contributes;
-    char defines[96];
-    snprintf(defines, sizeof defines, "%s%s%s%s%s%s", has & HAS_IRRADIANCE ? "HAS_IRRADIANCE;" : "",
+    char defines[120];
+    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s",
+             has & HAS_IRRADIANCE ? "HAS_IRRADIANCE;" : "",
+             has & HAS_FURTHER_POINTS ? "HAS_FURTHER_POINTS;" : "",
              has & HAS_RADIANCE ? "HAS_RADIANCE;" : "", has & HAS_MEDIUM ? "HAS_MEDIUM;" : "",
              pass->desc.has_sky ? "HAS_SKY;" : "", pass->desc.has_emission ? "HAS_EMISSION;" : "",
              pass->desc.has_gloss ? "HAS_GLOSS;" : "");
@@ -60,6 +63,11 @@ void composite_pass_free(struct composite_pass *pass) {
 static void add_contribution(struct pass_state *state, const struct contribution *contribution) {
     if (contribution->irradiance)
         pass_add_texture(state, UNIT_IRRADIANCE, contribution->irradiance->texture.id);
+    if (contribution->further_irradiance) {
+        pass_add_texture(state, UNIT_FURTHER_IRRADIANCE,
+                         contribution->further_irradiance->texture.id);
+        pass_add_texture(state, UNIT_FURTHER_TEXELS, contribution->further_texels->id);
+    }
     if (contribution->radiance)
         pass_add_texture(state, UNIT_RADIANCE, contribution->radiance->id);
     if (contribution->in_scatter) {
@@ -94,7 +102,8 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
                      {UNIT_GBUFFER_NORMAL, inputs->gbuffer->normal.id},
                      {UNIT_GBUFFER_ALBEDO, inputs->gbuffer->albedo.id},
                      {UNIT_DIRECT, inputs->direct->id},
-                     {UNIT_SAMPLE_PICKS, inputs->picks->id}},
+                     {UNIT_SAMPLE_PICKS, frame->picks->id},
+                     {UNIT_FURTHER_POINTS, frame->further_points->id}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
     if (pass->desc.has_sky)

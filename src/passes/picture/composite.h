@@ -8,7 +8,7 @@
 enum tone_map { TONE_MAP_CLAMP, TONE_MAP_FILMIC };
 
 /* What a technique contributes: bits. */
-enum { HAS_IRRADIANCE = 1, HAS_RADIANCE = 2, HAS_MEDIUM = 4 };
+enum { HAS_IRRADIANCE = 1, HAS_RADIANCE = 2, HAS_MEDIUM = 4, HAS_FURTHER_POINTS = 8 };
 
 struct environment;
 
@@ -28,14 +28,13 @@ struct composite_pass {
     struct buffer params;
 };
 
-/* What the picture is made of. The picks of the pixels' samples are passes/picture/antialias.h's. */
+/* What the picture is made of, beside the frame's picks and further points. */
 struct composite_inputs {
     const struct gbuffer *gbuffer;
     const struct texture *direct;          /* direct/direct.h */
     const struct texture *direct_specular; /* where has_gloss */
     struct contribution contribution;
     const struct environment *sky; /* where it is seen; NULL: nothing is, behind all surfaces */
-    const struct texture *picks;
     int samples;
     float exposure; /* EV */
     enum tone_map tone_map;
