@@ -39,7 +39,7 @@ static bool init_layers(const struct antialias_pass *pass, struct texture *textu
 
 static bool init_samples(struct antialias_pass *pass) {
     return init_layers(pass, &pass->depths, "sample depths", GL_DEPTH_COMPONENT32F) &&
-           init_layers(pass, &pass->normals, "sample normals", GL_RG16) &&
+           init_layers(pass, &pass->normals, "sample normals", GL_RG8) &&
            framebuffer_init(
                &pass->sample_framebuffer,
                &(struct framebuffer_desc){.label = "samples",
