@@ -1,0 +1,162 @@
+/* The first time, with mouse and keys: start without arguments, click a scene, hold it against the
+ * truth, find the cheapest setting below 5 % error, save a command line; in at most ten clicks.
+ *
+ *     build/test/test_view_walk [SHEET.jpg]     writes what was on screen after each step, too
+ */
+#define _XOPEN_SOURCE 700
+#include "view_stage.h"
+
+#include "base/file/image_file.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PICTURE_WIDTH = 440, PICTURE_HEIGHT = 740, STEPS_MAX = 6, COLUMNS = 3 };
+
+static const char *sheet_path;
+static struct bitmap steps[STEPS_MAX];
+static int step_count, click_count;
+
+/* Where no widget explains itself. */
+static void keep(void) {
+    xdo("mousemove 30 %d", PICTURE_HEIGHT - 60);
+    pause_ms(1200);
+    steps[step_count++] = read_screen();
+}
+
+/* Waits for what may take minutes on a busy machine. */
+static void wait_for(const char *name) {
+    for (int i = 0; i < 400 && !is_on_screen(name); i++)
+        ;
+}
+
+/* Until more is seen in the middle of the picture than a word on a ground. */
+static void wait_for_picture(void) {
+    for (int i = 0; i < 300; i++) {
+        struct bitmap screen = read_screen();
+        int changes = 0;
+        for (int x = 1; x < PICTURE_WIDTH; x++)
+            changes += memcmp(pixel(&screen, x, 500), pixel(&screen, x - 1, 500), 3) != 0;
+        bitmap_free(&screen);
+        if (changes > PICTURE_WIDTH / 4)
+            return;
+        pause_ms(300);
+    }
+    fail_msg("no picture came");
+}
+
+static void click_on(const char *name) {
+    press(name);
+    click_count++;
+}
+
+static void test_start(void **state) {
+    (void)state;
+    char arguments[64];
+    snprintf(arguments, sizeof arguments, "--size %dx%d", PICTURE_WIDTH, PICTURE_HEIGHT);
+    start_empty_viewer(arguments);
+    if (sheet_path)
+        pause_ms(20000); /* all pictures are there */
+    keep();
+    click_on("cornell-box");
+    wait_for_scene("cornell-box.glb");
+    wait_for("Chart speed and accuracy");
+    wait_for_picture();
+    pause_ms(sheet_path ? 3000 : 500);
+    keep();
+}
+
+static void test_truth(void **state) {
+    (void)state;
+    need_viewer();
+    click_on("Chart speed and accuracy");
+    wait_for("Take the cheapest below 5 %");
+    keep();
+    int y = PICTURE_HEIGHT / 2;
+    xdo("mousemove %d %d sleep .2 mousedown 1 sleep .2 mousemove %d %d sleep .3 mouseup 1 sleep .5",
+        PICTURE_WIDTH / 2, y, PICTURE_WIDTH * 3 / 4, y);
+    click_count++;
+    keep();
+}
+
+static void test_cheapest(void **state) {
+    (void)state;
+    need_viewer();
+    click_on("Take the cheapest below 5 %");
+    pause_ms(sheet_path ? 8000 : 1000);
+    keep();
+}
+
+/* The picture by the script that was saved is the one left of the wipe. */
+static void test_save(void **state) {
+    (void)state;
+    need_viewer();
+    click_on("Settings");
+    click_on("Save command line");
+    keep();
+    struct bitmap shown = screenshot();
+    char path[700];
+    assert_int_equal(shell("cd %s && mkdir -p bin && ln -sf %s bin/manylight && PATH=bin:$PATH sh "
+                           "./manylight.settings.sh >render.log",
+                           stage.folder, stage.binary),
+                     0);
+    snprintf(path, sizeof path, "%s/picture.png", stage.folder);
+    struct bitmap made = read_bitmap(path);
+    int different = 0;
+    for (int py = 0; py < PICTURE_HEIGHT; py++)
+        for (int px = 0; px < PICTURE_WIDTH * 3 / 4 - 20; px++)
+            different += memcmp(pixel(&made, px, py), pixel(&shown, px, py), 3) != 0;
+    printf("    %d clicks; the saved command's picture: %d pixels differ\n", click_count,
+           different);
+    assert_int_equal(different, 0);
+    assert_true(click_count <= 10);
+    bitmap_free(&made);
+    bitmap_free(&shown);
+    end_viewer();
+}
+
+/* Half as large, beside each other. */
+static void paste(struct bitmap *sheet, const struct bitmap *step, int left, int top) {
+    for (int y = 0; y < step->height / 2; y++)
+        for (int x = 0; x < step->width / 2; x++)
+            for (int c = 0; c < 4; c++) {
+                int sum = 0;
+                for (int i = 0; i < 4; i++)
+                    sum += pixel(step, 2 * x + i % 2, 2 * y + i / 2)[c];
+                sheet->rgba[4 * ((top + y) * sheet->width + left + x) + c] =
+                    (unsigned char)(sum / 4);
+            }
+}
+
+static void write_sheet(void) {
+    int width = steps[0].width / 2, height = steps[0].height / 2;
+    int rows = (step_count + COLUMNS - 1) / COLUMNS;
+    struct bitmap sheet = {COLUMNS * (width + 8) - 8, rows * (height + 8) - 8, NULL};
+    sheet.rgba = calloc((size_t)sheet.width * (size_t)sheet.height, 4);
+    memset(sheet.rgba, 255, (size_t)sheet.width * (size_t)sheet.height * 4);
+    for (int i = 0; i < step_count; i++)
+        paste(&sheet, &steps[i], i % COLUMNS * (width + 8), i / COLUMNS * (height + 8));
+    check_ok(sheet_path, bitmap_write(&sheet, sheet_path));
+    bitmap_free(&sheet);
+}
+
+static int close_walk(void **state) {
+    if (sheet_path && step_count == STEPS_MAX)
+        write_sheet();
+    for (int i = 0; i < step_count; i++)
+        bitmap_free(&steps[i]);
+    return close_view_stage(state);
+}
+
+int main(int argc, char **argv) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_start),
+        cmocka_unit_test(test_truth),
+        cmocka_unit_test(test_cheapest),
+        cmocka_unit_test(test_save),
+    };
+    sheet_path = argc > 1 ? argv[1] : NULL;
+    return cmocka_run_group_tests(tests, open_view_stage, close_walk);
+}
