@@ -36,7 +36,7 @@ float develop_exposure(const struct image *image) {
                   log2(brightest / values[count - 1 - count / 20]));
     }
     free(values);
-    return (float)(round(4 * fmin(fmax(ev, -30), 30)) / 4);
+    return (float)(round(4 * fmin(fmax(ev, -30), 30)) / 4 + 0.); /* no -0 */
 }
 
 /* As glsl/picture/display.glsl has it. */

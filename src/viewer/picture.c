@@ -289,12 +289,20 @@ bool viewer_reference_fits(const struct viewer *viewer) {
     return fits;
 }
 
+/* Whether what was rendered is the picture at rest, and not the smaller one before it. */
+static bool is_full(const struct viewer *viewer) {
+    const struct renderer_desc *desc = &viewer->shown.renderer.desc;
+    int width, height;
+    viewer_full_size(viewer, &width, &height);
+    return desc->width == width && desc->height == height;
+}
+
 /* Errors of a picture at rest. */
 static void measure(struct viewer *viewer, bool all) {
     struct shown *shown = &viewer->shown;
     struct compare *compare = &shown->compare;
-    if (!shown->right || (shown->moving && !viewer_is_scripted(viewer)) ||
-        (compare->measured && !all))
+    bool at_rest = !shown->moving && !shown->dirty && is_full(viewer);
+    if (!shown->right || (!at_rest && !viewer_is_scripted(viewer)) || (compare->measured && !all))
         return;
     note_reference_view(viewer);
     if (!compare_measure(compare, &shown->renderer, shown->layer, all))

@@ -242,7 +242,7 @@ bool ui_list_item(uint32_t patch, const char *name, const char *middle, const ch
     bool clicked = ImGui::Selectable(name, chosen);
     look_mark(name);
     ImGui::Unindent(left);
-    float columns[] = {.55F * width, width};
+    float columns[] = {.68F * width, width};
     const char *texts[] = {middle, right};
     for (int i = 0; i < 2; i++)
         list->AddText(
