@@ -184,7 +184,7 @@ static vec3s from_found_light(const struct emission *emission, const struct hit 
 /* Where a path is: the surface, and what its first surface reflects of radiance that leaves this one. */
 struct place {
     struct hit x;
-    bool is_first;
+    bool is_first, is_shining; /* the first surface is not matt */
     struct reflected share;
 };
 
@@ -193,8 +193,7 @@ static void add_light(const struct place *place, const struct reflected *light,
                       struct reflected *sum) {
     const struct hit *x = &place->x;
     if (place->is_first) {
-        sum->diffuse = glms_vec3_add(sum->diffuse, light->diffuse);
-        sum->specular = glms_vec3_add(sum->specular, light->specular);
+        *sum = *light;
         return;
     }
     vec3s diffuse = glms_vec3_mul(place->share.diffuse, x->brdf.albedo);
@@ -202,8 +201,9 @@ static void add_light(const struct place *place, const struct reflected *light,
     if (!x->brdf.matt)
         sum->diffuse =
             glms_vec3_add(sum->diffuse, glms_vec3_mul(place->share.diffuse, light->specular));
-    sum->specular =
-        glms_vec3_add(sum->specular, glms_vec3_mul(place->share.specular, hit_radiance(x, light)));
+    if (place->is_shining)
+        sum->specular = glms_vec3_add(sum->specular,
+                                      glms_vec3_mul(place->share.specular, hit_radiance(x, light)));
 }
 
 /* Whether there is a next vertex: the path did not leave the scene or run into its own surface, nor
@@ -229,7 +229,7 @@ struct reflected path_indirect(const struct path_scene *scene, const struct ligh
     const struct ray_scene *rays = scene->rays;
     const struct emission *emission = scene->emission;
     struct reflected sum = {0};
-    struct place place = {*first, .is_first = true};
+    struct place place = {*first, .is_first = true, .is_shining = !first->brdf.matt};
     struct step step, next;
     bool has_next = false; /* taken already, in search of lights */
     for (int bounce = 0; bounce < scene->bounces; bounce++) {
@@ -247,7 +247,9 @@ struct reflected path_indirect(const struct path_scene *scene, const struct ligh
             }
         }
         light.diffuse = glms_vec3_add(light.diffuse, glms_vec3_mul(step.share.diffuse, along));
-        light.specular = glms_vec3_add(light.specular, glms_vec3_mul(step.share.specular, along));
+        if (!place.x.brdf.matt)
+            light.specular =
+                glms_vec3_add(light.specular, glms_vec3_mul(step.share.specular, along));
         add_light(&place, &light, &sum);
         if (ends)
             break;

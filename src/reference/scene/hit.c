@@ -78,7 +78,7 @@ static struct brdf reflection_at(const struct hit_table *table, const struct mat
                                  const struct corners *corners) {
     vec3s color = glms_vec3(base_color(table, material, corners));
     float metalness = material->metalness, roughness = material->roughness;
-    if (table->materials == MATERIALS_DIFFUSE)
+    if (!table->has_gloss)
         return brdf_lambertian(color);
     if (material->metal_roughness_texture >= 0) {
         const struct scene_texture *texture =
