@@ -94,7 +94,7 @@ static void switch_technique(int round) {
     viewer.wish.technique = technique_of(round);
     check_ok("VALs", settings_assign(&viewer.wish.settings, round % 2 ? "vals=5" : "vals=4"));
     viewer_touch(&viewer);
-    turn(1);
+    turn(2);
 }
 
 static void switch_scene(int round) {
@@ -126,6 +126,29 @@ static void play(int round) {
     viewer_go_to(&viewer, .07 * round);
     turn(1);
     viewer.wish.play.on = false;
+}
+
+/* One more, of another type, and away again. */
+static void change_lights(int round) {
+    viewer_add_light(&viewer, (enum emitter_type)(round % 4));
+    turn(2);
+    viewer_retype_light(&viewer, (enum emitter_type)((round + 1) % 4));
+    turn(2);
+    viewer_remove_light(&viewer);
+    turn(2);
+}
+
+static void look_closely(int round) {
+    viewer.shown.compare.mode = COMPARE_TECHNIQUE;
+    viewer.shown.compare.technique = technique_of(round);
+    viewer_touch(&viewer);
+    viewer.look.inspects = round % 2;
+    look_step_layout(&viewer);
+    look_scroll(&viewer, round);
+    views_keep(&viewer, round % SESSION_VIEWS);
+    turn(3);
+    views_go(&viewer, (round + 1) % SESSION_VIEWS);
+    turn(2);
 }
 
 static void minimise(int round) {
@@ -164,6 +187,7 @@ static void go_back(void) {
     viewer.wish.settings = viewer.desc.settings;
     viewer.shown.compare.mode = COMPARE_OFF;
     viewer_forget_truth(&viewer);
+    viewer.look = (struct look){0};
     viewer.shown.choice.output = "normal"; /* whatever output was shown, one canvas is there */
     viewer.shown.recompose = true;
     window_set_size(viewer.host.window, PANEL + 100, 90);
@@ -262,6 +286,8 @@ static void test_kept(void **state) {
     check_kept("minimised and back", minimise, 2);
     check_kept("truths traced", trace, 2);
     check_kept("charts", chart, 3);
+    check_kept("lights", change_lights, 8);
+    check_kept("looking closely", look_closely, 6);
     viewer_end(&viewer);
     assert_int_equal(gpu_memory_object_count(), 0);
     assert_int_equal(gpu_memory_total(), 0);
