@@ -76,14 +76,14 @@ static void test_size(void **state) {
     printf("    the handle of the width: %.0f %.0f\n", (double)at[0], (double)at[1]);
     xdo("mousemove %.0f %.0f sleep .5 mousedown 1 sleep .5 mousemove %.0f %.0f sleep .8 mouseup 1 "
         "sleep .8",
-        (double)at[0], (double)at[1], (double)at[0] + 20, (double)at[1]);
+        (double)at[0], (double)at[1], (double)at[0] - 24, (double)at[1]);
     struct emitters after = saved_lights(text, sizeof text);
     printf("    %.4g m wide, then %.4g m\n", (double)before.items[1].size[0],
            (double)after.items[1].size[0]);
-    assert_true(after.items[1].size[0] > 1.2F * before.items[1].size[0]);
+    assert_true(after.items[1].size[0] < .85F * before.items[1].size[0]);
     assert_true(after.items[1].size[1] == before.items[1].size[1]);
     assert_memory_equal(after.items[1].position, before.items[1].position, 12);
-    check_picture("a light that was made wider", text);
+    check_picture("a light that was made narrower", text);
     emitters_free(&before);
     emitters_free(&after);
 }

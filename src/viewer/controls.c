@@ -201,12 +201,16 @@ void controls_draw_help(void) {
 
 /* --- what lies on the picture: the light's handles, the wipe --- */
 
+static struct light_stage light_stage(const struct viewer *viewer) {
+    return (struct light_stage){&viewer->placed.orbit.camera, &viewer->document.geometry,
+                                &viewer->shown.picture, viewer->host.input->scale};
+}
+
 static bool drag_light(struct viewer *viewer) {
+    struct light_stage stage = light_stage(viewer);
     bool moved;
     if (!viewer_has_light(viewer))
         return false;
-    struct light_stage stage = {&viewer->placed.orbit.camera, &viewer->document.geometry,
-                                &viewer->shown.picture, viewer->host.input->scale};
     bool held = light_tool_update(&viewer->hand.light_tool, &stage, viewer->host.input,
                                   &viewer->placed.emitters, &viewer->placed.chosen_light, &moved);
     if (moved)
@@ -214,22 +218,40 @@ static bool drag_light(struct viewer *viewer) {
     return held;
 }
 
+static bool is_near_split(const struct viewer *viewer, double x) {
+    const struct compare *compare = &viewer->shown.compare;
+    const struct rectangle *picture = &viewer->shown.picture;
+    double reach = 7 * (double)viewer->host.input->scale;
+    double line = picture->x + (double)compare->split * picture->width;
+    return viewer->shown.right && !compare->only_right && viewer->look.layout == SCREEN_WIPE &&
+           fabs(x - line) < reach;
+}
+
 static bool drag_split(struct viewer *viewer) {
     const struct input *input = viewer->host.input;
     const struct rectangle *picture = &viewer->shown.picture;
-    struct compare *compare = &viewer->shown.compare;
     double x = (input->x - picture->x) / picture->width;
-    double reach = 7 * (double)input->scale / picture->width;
-    double press_x = (input->press_x - picture->x) / picture->width;
-    bool near_line = fabs(press_x - (double)compare->split) < reach;
-    bool wipes = viewer->shown.right && !compare->only_right && viewer->look.layout == SCREEN_WIPE;
-    if (input->pressed[BUTTON_LEFT] && wipes && near_line)
+    if (input->pressed[BUTTON_LEFT] && is_near_split(viewer, input->press_x))
         viewer->hand.drags_split = true;
     if (!input->held[BUTTON_LEFT])
         viewer->hand.drags_split = false;
     if (viewer->hand.drags_split)
-        compare->split = (float)fmin(fmax(x, 0), 1);
+        viewer->shown.compare.split = (float)fmin(fmax(x, 0), 1);
     return viewer->hand.drags_split;
+}
+
+/* The mouse tells what it can hold. */
+static void show_cursor(const struct viewer *viewer) {
+    const struct input *input = viewer->host.input;
+    struct light_stage stage = light_stage(viewer);
+    if (ui_wants_mouse() && !viewer->hand.drags_split)
+        return;
+    if (viewer_has_light(viewer) &&
+        light_tool_is_under(&viewer->hand.light_tool, &stage, input, &viewer->placed.emitters,
+                            viewer->placed.chosen_light))
+        ui_show_cursor(UI_CURSOR_HAND);
+    else if (viewer->hand.drags_split || is_near_split(viewer, input->x))
+        ui_show_cursor(UI_CURSOR_SIDEWAYS);
 }
 
 /* --- clicks --- */
@@ -314,6 +336,7 @@ void controls_update(struct viewer *viewer, double seconds) {
     if (!viewer->has_scene || viewer->shown.picture.width == 0)
         return;
     use_mouse(viewer);
+    show_cursor(viewer);
     if (!ui_wants_keys())
         camera_hand_fly(viewer, seconds);
 }

@@ -124,10 +124,8 @@ static bool locate(const struct light_stage *stage, const struct emitter *light,
 
 /* --- dragging --------------------------------------------------------------------------------- */
 
-static bool is_under(const struct light_stage *stage, const struct input *input,
-                     const float at[2]) {
-    return hypot(input->press_x - (double)at[0], input->press_y - (double)at[1]) <
-           REACH * (double)stage->scale;
+static bool is_near(const struct light_stage *stage, double x, double y, const float at[2]) {
+    return hypot(x - (double)at[0], y - (double)at[1]) < REACH * (double)stage->scale;
 }
 
 /* The point under the mouse at the same depth as another one. */
@@ -210,32 +208,49 @@ static bool drag(const struct light_tool *tool, const struct light_stage *stage,
 }
 
 /* The smaller handles lie on the larger one. */
-static enum light_handle handle_under(const struct light_stage *stage, const struct input *input,
-                                      const struct emitter *light) {
+static enum light_handle handle_at(const struct light_stage *stage, double x, double y,
+                                   const struct emitter *light) {
     float at[2];
     for (enum light_handle handle = HANDLE_COUNT - 1; handle > HANDLE_NONE; handle--)
-        if (locate(stage, light, handle, at) && is_under(stage, input, at))
+        if (locate(stage, light, handle, at) && is_near(stage, x, y, at))
             return handle;
     return HANDLE_NONE;
+}
+
+/* Another light whose mark is there; -1 = none. */
+static int light_at(const struct light_stage *stage, double x, double y,
+                    const struct emitters *lights) {
+    float at[2];
+    for (int i = 0; i < lights->count; i++)
+        if (locate(stage, &lights->items[i], HANDLE_POSITION, at) && is_near(stage, x, y, at))
+            return i;
+    return -1;
+}
+
+bool light_tool_is_under(const struct light_tool *tool, const struct light_stage *stage,
+                         const struct input *input, const struct emitters *lights, int chosen) {
+    return tool->shown &&
+           (tool->held != HANDLE_NONE ||
+            handle_at(stage, input->x, input->y, &lights->items[chosen]) != HANDLE_NONE ||
+            light_at(stage, input->x, input->y, lights) >= 0);
 }
 
 bool light_tool_update(struct light_tool *tool, const struct light_stage *stage,
                        const struct input *input, struct emitters *lights, int *chosen,
                        bool *moved) {
-    float at[2];
     *moved = false;
     if (!tool->shown || !input->held[BUTTON_LEFT])
         tool->held = HANDLE_NONE;
     if (!tool->shown)
         return false;
     if (input->pressed[BUTTON_LEFT] && tool->held == HANDLE_NONE) {
-        tool->held = handle_under(stage, input, &lights->items[*chosen]);
-        for (int i = 0; i < lights->count && tool->held == HANDLE_NONE; i++)
-            if (locate(stage, &lights->items[i], HANDLE_POSITION, at) &&
-                is_under(stage, input, at)) {
-                *chosen = i;
-                tool->held = HANDLE_POSITION;
-            }
+        double x = input->press_x, y = input->press_y;
+        tool->held = handle_at(stage, x, y, &lights->items[*chosen]);
+        int other = tool->held == HANDLE_NONE ? light_at(stage, x, y, lights) : -1;
+        if (other >= 0) {
+            *chosen = other;
+            tool->held = HANDLE_POSITION;
+        }
     }
     if (tool->held != HANDLE_NONE)
         *moved = drag(tool, stage, input, &lights->items[*chosen]);

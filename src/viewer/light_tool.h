@@ -39,6 +39,10 @@ bool light_tool_update(struct light_tool *tool, const struct light_stage *stage,
                        const struct input *input, struct emitters *lights, int *chosen,
                        bool *moved);
 
+/* Whether the mouse is on a handle, or holds one. */
+bool light_tool_is_under(const struct light_tool *tool, const struct light_stage *stage,
+                         const struct input *input, const struct emitters *lights, int chosen);
+
 void light_tool_draw(const struct light_tool *tool, const struct light_stage *stage,
                      const struct emitters *lights, int chosen);
 

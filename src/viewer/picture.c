@@ -37,6 +37,8 @@ static void take_wishes_back(struct viewer *viewer) {
     renderer_settings_copy_but_samples(&viewer->wish.settings, &desc->settings);
     emitters_free(&viewer->placed.emitters);
     viewer->placed.emitters = emitters_copy(&desc->emitters);
+    if (viewer->placed.chosen_light >= desc->emitters.count)
+        viewer->placed.chosen_light = 0;
 }
 
 /* What is wanted of the renderer, where it differs from what it has. */

@@ -209,6 +209,11 @@ bool ui_close_popup(void) {
     return open;
 }
 
+void ui_show_cursor(ui_cursor cursor) {
+    ImGui::SetMouseCursor(cursor == UI_CURSOR_HAND ? ImGuiMouseCursor_Hand
+                                                   : ImGuiMouseCursor_ResizeEW);
+}
+
 float ui_line_height(void) {
     return look.normal->FontSize;
 }

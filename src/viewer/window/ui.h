@@ -35,6 +35,10 @@ bool ui_wants_keys(void);
 /* Closes the list of choices that is open; whether there was one. */
 bool ui_close_popup(void);
 
+/* In place of the arrow, until the next frame. */
+enum ui_cursor { UI_CURSOR_HAND, UI_CURSOR_SIDEWAYS };
+void ui_show_cursor(enum ui_cursor cursor);
+
 /* The unit of the layout: pixels a line of text takes. */
 float ui_line_height(void);
 
