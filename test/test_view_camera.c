@@ -71,8 +71,7 @@ static struct camera camera_of(const char *text) {
 
 static struct camera saved_camera(void) {
     char text[600];
-    settle();
-    press_in_settings("Save");
+    save_settings();
     read_setting("camera", text, sizeof text);
     printf("    %s\n", text);
     return camera_of(text);

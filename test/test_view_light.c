@@ -15,7 +15,7 @@
 static struct emitters saved_lights(char *text, size_t size) {
     struct scene scene;
     struct emitters emitters = {0};
-    press_in_settings("Save");
+    save_settings();
     read_setting("light", text, size);
     printf("    %s\n", text);
     check_ok(BOX, scene_load(&scene, BOX));

@@ -189,6 +189,16 @@ void press_in_settings(const char *button) {
     pause_ms(400);
 }
 
+void save_settings(void) {
+    char path[700];
+    snprintf(path, sizeof path, "%s/manylight.settings", stage.folder);
+    settle();
+    remove(path);
+    press_in_settings("Save");
+    for (int i = 0; i < 100 && access(path, R_OK) != 0; i++)
+        pause_ms(50);
+}
+
 void read_setting(const char *key, char *value, size_t size) {
     char path[700], line[600];
     size_t length = strlen(key);

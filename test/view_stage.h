@@ -68,6 +68,9 @@ void rest_mouse(void);
 /* One of the buttons of the section of settings. */
 void press_in_settings(const char *button);
 
+/* Saves what all that was asked for so far has come to. */
+void save_settings(void);
+
 /* The value of a line "key = value" of the settings that were saved; "" = there is none. */
 void read_setting(const char *key, char *value, size_t size);
 
