@@ -169,7 +169,7 @@ static void test_turn(void **state) {
     struct environment sky = make_sky(paint_sunny), turned = make_sky(paint_sunny);
     for (int i = 0; i < WIDTH * HEIGHT; i++)
         glm_vec3_copy(sky.texels[i], turned.texels[i - i % WIDTH + (i + WIDTH * 3 / 4) % WIDTH]);
-    sky.turn = GLM_PI_2f;
+    sky.turn = 90;
     sky.strength = 2;
     struct sky_light lights[SKY_LIGHTS_MAX], others[SKY_LIGHTS_MAX];
     int count = environment_fit(lights, &sky, SKY_FIT_RECTANGLES, 30);

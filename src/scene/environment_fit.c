@@ -365,7 +365,7 @@ int environment_fit(struct sky_light *lights, const struct environment *environm
 struct sky_light sky_light_turned(const struct sky_light *light,
                                   const struct environment *environment) {
     struct sky_light turned = *light;
-    float sine = sinf(environment->turn), cosine = cosf(environment->turn);
+    float turn = glm_rad(environment->turn), sine = sinf(turn), cosine = cosf(turn);
     for (int i = 0; i < 4; i++) {
         turned.corners[i][0] = cosine * light->corners[i][0] + sine * light->corners[i][2];
         turned.corners[i][2] = cosine * light->corners[i][2] - sine * light->corners[i][0];
