@@ -31,7 +31,8 @@ SHADERS := $(sort $(shell find glsl -type f -name '[!.]*') \
 TESTS := $(patsubst test/%.c,$(BUILD)/test/%,$(sort $(wildcard test/test_*.c)))
 SCENE_TOOL_SOURCES := $(sort $(shell find scenes -name '*.c'))
 SCENE_TOOL := $(BUILD)/scenes/make_scenes
-SCENE_NAMES := atrium cornell-box three-lights cornell-animal sphere metaballs moving-spot door creatures character table gloss materials plant
+SCENE_NAMES := atrium cornell-box three-lights cornell-animal sphere metaballs moving-spot door creatures character table gloss materials plant courtyard
+SKY_NAMES := day overcast
 SCENES := $(BUILD)/scenes/made
 
 # Debian's packages; OpenGL itself (libEGL, libOSMesa) is opened at run time.
@@ -134,9 +135,9 @@ $(BUILD)/%_embedded.o: $(BUILD)/%_embedded.c
 
 # --- scenes ---------------------------------------------------------------------------------------
 
-# Every build runs its own tool on the one folder: the tool leaves files that would not change alone.
+# Every build runs its own tool on the one folder: the tool leaves scenes that would not change alone.
 # A scene that went missing is made again.
-$(SCENES): $(SCENE_TOOL) $(if $(filter-out $(wildcard scenes/*.glb scenes/failures),$(SCENE_NAMES:%=scenes/%.glb) scenes/failures),FORCE)
+$(SCENES): $(SCENE_TOOL) $(if $(filter-out $(wildcard scenes/*.glb scenes/*.hdr scenes/failures),$(SCENE_NAMES:%=scenes/%.glb) $(SKY_NAMES:%=scenes/%.hdr) scenes/failures),FORCE)
 	@mkdir -p scenes/failures
 	$(SCENE_TOOL) scenes
 	@touch $@
@@ -404,7 +405,7 @@ analyze: all
 
 install: all
 	install -D -m 755 manylight $(DESTDIR)$(PREFIX)/bin/manylight
-	install -D -m 644 -t $(DESTDIR)$(PREFIX)/share/manylight/scenes scenes/*.glb
+	install -D -m 644 -t $(DESTDIR)$(PREFIX)/share/manylight/scenes scenes/*.glb scenes/*.hdr
 
 clean:
-	rm -rf build manylight scenes/*.glb scenes/failures
+	rm -rf build manylight scenes/*.glb scenes/*.hdr scenes/failures

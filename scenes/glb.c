@@ -428,7 +428,10 @@ static void compose_json(const struct glb *glb, struct text *json) {
     for (int i = 0, roots = 0; i < glb->node_count; i++)
         if (glb->hierarchy[i].parent < 0)
             text_print(json, "%s%d", roots++ ? "," : "", i);
-    text_print(json, "]}]");
+    text_print(json, "]");
+    if (glb->environment)
+        text_print(json, ",\"extras\":{\"environment\":\"%s\"}", glb->environment);
+    text_print(json, "}]");
     append_nodes(glb, json);
     append_array(json, "meshes", &glb->meshes);
     append_array(json, "materials", &glb->materials);

@@ -1,9 +1,12 @@
-/* make_scenes OUTDIR [NAME...]: writes the scenes named, or all, as OUTDIR/NAME.glb. The folders
- * are there: OUTDIR, and OUTDIR/failures where those are asked for. */
+/* make_scenes OUTDIR [NAME...]: writes the scenes named, or all, as OUTDIR/NAME.glb, and the skies as
+ * OUTDIR/NAME.hdr. The folders are there: OUTDIR, and OUTDIR/failures where those are asked for. */
 #include "scenes.h"
+#include "skies/skies.h"
 
 #include "base/error.h"
+#include "base/file/image_file.h"
 #include "base/memory.h"
+#include "scene/environment.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,6 +30,7 @@ static const struct scene_maker {
     {"gloss", make_gloss},
     {"materials", make_materials},
     {"plant", make_plant},
+    {"courtyard", make_courtyard},
     {"failures/room", make_room},
     {"failures/table-legs", make_table_legs},
     {"failures/contact", make_contact},
@@ -52,6 +56,32 @@ static const struct scene_maker {
 };
 enum { MAKER_COUNT = sizeof makers / sizeof makers[0] };
 
+static const struct sky_maker {
+    const char *name;
+    sky_painter paint;
+} sky_makers[] = {
+    {"day", paint_day},
+    {"overcast", paint_overcast},
+};
+enum { SKY_MAKER_COUNT = sizeof sky_makers / sizeof sky_makers[0] };
+
+static bool write_sky(const struct sky_maker *maker, const char *folder) {
+    struct environment sky = {.width = 256, .height = 128, .strength = 1};
+    struct image image;
+    image_init(&image, sky.width, sky.height, "R G B");
+    for (int y = 0; y < sky.height; y++)
+        for (int x = 0; x < sky.width; x++) {
+            float direction[3];
+            environment_direction(&sky, x + .5, y + .5, direction);
+            maker->paint(direction, image_at(&image, x, y));
+        }
+    char *path = mem_printf("%s/%s.hdr", folder, maker->name);
+    bool ok = image_write(&image, path);
+    free(path);
+    image_free(&image);
+    return ok;
+}
+
 static bool write_scene(const struct scene_maker *maker, const char *folder) {
     struct glb glb;
     glb_init(&glb, maker->name);
@@ -63,22 +93,31 @@ static bool write_scene(const struct scene_maker *maker, const char *folder) {
     return ok;
 }
 
-static const struct scene_maker *find_maker(const char *name) {
+static bool write_named(const char *name, const char *folder) {
     for (int i = 0; i < MAKER_COUNT; i++)
         if (strcmp(makers[i].name, name) == 0)
-            return &makers[i];
-    error_set("no scene is called '%s'", name);
-    return NULL;
+            return write_scene(&makers[i], folder);
+    for (int i = 0; i < SKY_MAKER_COUNT; i++)
+        if (strcmp(sky_makers[i].name, name) == 0)
+            return write_sky(&sky_makers[i], folder);
+    return error_set("no scene is called '%s'", name);
+}
+
+static bool write_all(const char *folder) {
+    for (int i = 0; i < MAKER_COUNT; i++)
+        if (!write_scene(&makers[i], folder))
+            return false;
+    for (int i = 0; i < SKY_MAKER_COUNT; i++)
+        if (!write_sky(&sky_makers[i], folder))
+            return false;
+    return true;
 }
 
 static bool write_scenes(const char *folder, char **names, int name_count) {
-    for (int i = 0; i < name_count; i++) {
-        const struct scene_maker *maker = find_maker(names[i]);
-        if (!maker || !write_scene(maker, folder))
-            return false;
-    }
-    for (int i = 0; i < MAKER_COUNT && name_count == 0; i++)
-        if (!write_scene(&makers[i], folder))
+    if (name_count == 0)
+        return write_all(folder);
+    for (int i = 0; i < name_count; i++)
+        if (!write_named(names[i], folder))
             return false;
     return true;
 }

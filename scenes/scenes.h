@@ -18,6 +18,7 @@ void make_table(struct glb *glb);
 void make_gloss(struct glb *glb);
 void make_materials(struct glb *glb);
 void make_plant(struct glb *glb);
+void make_courtyard(struct glb *glb);
 
 /* scenes/boxes/failures.c */
 void make_room(struct glb *glb);

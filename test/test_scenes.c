@@ -35,6 +35,7 @@ static const struct expectation {
     {"table", 1038, 0, 5, {-3, 0, -2}, {3, 3, 3}, "|floor|wall|lamp|"},
     {"gloss", 17832, 0, 14, {-2, 0, -2}, {2, 2.6f, 2}, WALLS},
     {"materials", 42, 0, 17, {-3, -.3f, -.3f}, {3, 4.3f, 0}, "|wall|dome|wrap|alpha|lamp|"},
+    {"courtyard", 156, 0, 4, {-4.3F, -.2F, -3.3F}, {4.3F, 4, 3.3F}, ""},
     {"sphere", 20172, 0, 1, {-1.0f, -1.0f, -1.0f}, {1.0f, 1.0f, 1.0f}, ""},
 };
 enum { SCENE_COUNT = sizeof expectations / sizeof expectations[0] };
@@ -140,6 +141,14 @@ static void check_mesh(const struct expectation *expected, const struct scene *s
     surface_free(&welded);
 }
 
+static int lights_of(const struct expectation *expected) {
+    if (strcmp(expected->name, "courtyard") == 0)
+        return 0;
+    if (strcmp(expected->name, "materials") == 0)
+        return 6;
+    return strcmp(expected->name, "three-lights") == 0 ? 3 : 1;
+}
+
 static void check_scene(const struct expectation *expected, const char *path) {
     struct scene scene;
     check_ok(path, scene_load(&scene, path));
@@ -152,9 +161,8 @@ static void check_scene(const struct expectation *expected, const char *path) {
     check_near(expected->name, triangles, expected->triangles, expected->tolerance);
     check_materials(expected, &scene);
     assert_int_equal(camera_node_count(&scene), 1);
-    bool has_three = strcmp(expected->name, "three-lights") == 0;
-    bool has_six = strcmp(expected->name, "materials") == 0;
-    assert_int_equal(emitter_node_count(&scene), has_three ? 3 : has_six ? 6 : 1);
+    assert_int_equal(emitter_node_count(&scene), lights_of(expected));
+    assert_int_equal(scene.environment != NULL, strcmp(expected->name, "courtyard") == 0);
     scene_free(&scene);
 }
 
