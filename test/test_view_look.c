@@ -187,6 +187,9 @@ static void test_pick(void **state) {
         skip();
     start_viewer(BOX, "");
     settle();
+    press("Quality"); /* closed, it leaves room for what is told of the surface */
+    press("Picture");
+    press("Surface");
     xdo("mousemove 150 640 sleep .2 click 1 sleep 1");
     find_text("position ", first, sizeof first);
     for (int i = 0; i < 4; i++) {
