@@ -176,7 +176,7 @@ static void take(struct cube *cube, const struct area *area) {
             cube->taken[area->face][y][x] = true;
 }
 
-/* By one side, that which adds most; false where none adds more than its share. All that is black is one. */
+/* By one side, that which adds most; false where none adds its share. */
 static bool grow(const struct cube *cube, struct area *area, double share) {
     double own = energy_of(cube, area), most = -1;
     struct area best = *area;
@@ -185,7 +185,7 @@ static bool grow(const struct cube *cube, struct area *area, double share) {
         if (!is_free(cube, &next))
             continue;
         double added = fmax(energy_of(cube, &next), 0);
-        if (added > most && (added > share * (own + added) || own + added <= 0)) {
+        if (added > most && added >= share * (own + added)) {
             most = added;
             best = next;
         }
@@ -228,7 +228,7 @@ static struct seed *find_seeds(const struct cube *cube) {
     return seeds;
 }
 
-/* Returns how many there are, or count + 1 where there are more. */
+/* Returns how many there are, or count + 1 where there are more. What is black is no light. */
 static int grow_all(struct cube *cube, const struct seed *seeds, double share, struct area *areas,
                     int count) {
     int found = 0;
@@ -238,6 +238,8 @@ static int grow_all(struct cube *cube, const struct seed *seeds, double share, s
         struct area area = {seed->face, seed->x, seed->y, seed->x + 1, seed->y + 1};
         if (cube->taken[seed->face][seed->y][seed->x])
             continue;
+        if (isinf(seed->brightness))
+            break;
         if (found == count)
             return count + 1;
         while (grow(cube, &area, share))
@@ -264,6 +266,8 @@ static int fit_rectangles(struct cube *cube, struct area *areas, int count) {
             break;
     }
     found = grow_all(cube, seeds, exp(low) / N, areas, count);
+    if (found > count) /* with black between: a light a face */
+        found = grow_all(cube, seeds, 0, areas, count);
     free(seeds);
     return found;
 }
