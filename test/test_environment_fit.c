@@ -61,17 +61,18 @@ static void add_energy(const struct sky_light *lights, int count, double energy[
             energy[c] += (double)(lights[i].radiance[c] * lights[i].solid_angle);
 }
 
+static const char *const fits[] = {"rectangles", "median cut", "even parts"};
+
 static void test_conservation(void **state) {
     (void)state;
     for (size_t s = 0; s < sizeof skies / sizeof *skies; s++)
-        for (int fit = 0; fit < 2; fit++)
+        for (int fit = 0; fit < 3; fit++)
             for (int wanted = SKY_LIGHTS_MIN; wanted < 100; wanted = 5 * wanted) {
                 struct sky_light lights[SKY_LIGHTS_MAX];
                 struct environment sky = make_sky(skies[s].paint);
                 int count = environment_fit(lights, &sky, (enum sky_fit)fit, wanted);
                 double got[3] = {0}, expected[3] = {0};
-                printf("  %s, %s: %d lights of %d\n", skies[s].name,
-                       fit ? "median cut" : "rectangles", count, wanted);
+                printf("  %s, %s: %d lights of %d\n", skies[s].name, fits[fit], count, wanted);
                 assert_true(count >= 1 && count <= wanted);
                 if (wanted > 6 && s < 3)
                     assert_true(count > .6 * wanted);
@@ -120,7 +121,7 @@ static void test_even_sky(void **state) {
     static const float normals[4][3] = {
         {0, 1, 0}, {.6F, .8F, 0}, {-.36F, .48F, -.8F}, {0, -.6F, .8F}};
     struct environment sky = make_sky(paint_even);
-    for (int fit = 0; fit < 2; fit++)
+    for (int fit = 0; fit < 3; fit++)
         for (int wanted = 6; wanted <= 96; wanted *= 2) {
             struct sky_light lights[SKY_LIGHTS_MAX];
             int count = environment_fit(lights, &sky, (enum sky_fit)fit, wanted);
@@ -149,13 +150,13 @@ static void middle_of(const struct sky_light *light, float middle[3]) {
 static void test_sun(void **state) {
     (void)state;
     struct environment sky = make_sky(paint_sunny);
-    for (int fit = 0; fit < 2; fit++) {
+    for (int fit = 0; fit < 3; fit++) {
         struct sky_light lights[SKY_LIGHTS_MAX];
         float middle[3];
         environment_fit(lights, &sky, (enum sky_fit)fit, 30);
         middle_of(&lights[0], middle);
-        printf("  %s: %g sr of %g\n", fit ? "median cut" : "rectangles",
-               (double)lights[0].solid_angle, (double)lights[0].radiance[0]);
+        printf("  %s: %g sr of %g\n", fits[fit], (double)lights[0].solid_angle,
+               (double)lights[0].radiance[0]);
         check_near("cosine to the sun", (double)glm_vec3_dot(middle, (float *)sun), 1, 2e-3);
         if (fit == 0) /* the sun has 9.4e-3 */
             check_at_most("as small as a few texels", (double)lights[0].solid_angle, .02);

@@ -9,8 +9,9 @@ static const char *const fit_names[] = {"rectangles", "median-cut", NULL};
 static const struct option table[] = {
     {"lights", 0, OPTION_INT, ROW(lights), 30, SKY_LIGHTS_MIN, SKY_LIGHTS_MAX,
      .help = "area lights that stand for an environment, at most"},
-    {"fit", 0, OPTION_CHOICE, ROW(fit), SKY_FIT_MEDIAN_CUT, .choices = fit_names,
-     .help = "how they are found: rectangles that grow from the brightest texel, or median cut"},
+    {"fit", 0, OPTION_CHOICE, ROW(fit), SKY_FIT_EVEN, .choices = fit_names,
+     .help = "how they are found: rectangles that grow from the brightest texel, median cut, or\n"
+             "parts that are as even as may be"},
     {"sky-size", 0, OPTION_INT, ROW(map_size), 256, 16, 4096,
      .help = "shadow map of such a light, texels a side"},
     {"sky-block", 0, OPTION_INT, ROW(block), 7, 1, 64,

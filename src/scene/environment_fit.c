@@ -14,10 +14,11 @@ struct area {
     int face, x, y, x_end, y_end;
 };
 
-/* Six faces of texels, and of each what lies left of and below a corner. */
+/* Six faces of texels, and of each what lies left of and below a corner: by luminance. */
 struct cube {
     double energy[6][N][N][3]; /* radiance times solid angle, W/m2 */
     double sums[6][SIDE_SUMS][SIDE_SUMS];
+    double squares[6][SIDE_SUMS][SIDE_SUMS]; /* of radiance, times solid angle */
     bool taken[6][N][N];
 };
 
@@ -124,18 +125,25 @@ static double luminance(const double rgb[3]) {
 static void sum_up(struct cube *cube) {
     for (int face = 0; face < 6; face++)
         for (int y = 0; y < N; y++) {
-            double row = 0;
+            double row = 0, row_squares = 0;
             for (int x = 0; x < N; x++) {
-                row += luminance(cube->energy[face][y][x]);
+                double energy = luminance(cube->energy[face][y][x]);
+                struct area texel = {face, x, y, x + 1, y + 1};
+                row += energy;
+                row_squares += energy * energy / solid_angle(&texel);
                 cube->sums[face][y + 1][x + 1] = cube->sums[face][y][x + 1] + row;
+                cube->squares[face][y + 1][x + 1] = cube->squares[face][y][x + 1] + row_squares;
             }
         }
 }
 
-static double energy_of(const struct cube *cube, const struct area *area) {
-    const double(*sums)[SIDE_SUMS] = cube->sums[area->face];
+static double sum_of(const double (*sums)[SIDE_SUMS], const struct area *area) {
     return sums[area->y_end][area->x_end] - sums[area->y_end][area->x] -
            sums[area->y][area->x_end] + sums[area->y][area->x];
+}
+
+static double energy_of(const struct cube *cube, const struct area *area) {
+    return sum_of(cube->sums[area->face], area);
 }
 
 /* --- growing ---------------------------------------------------------------------------------- */
@@ -272,42 +280,84 @@ static int fit_rectangles(struct cube *cube, struct area *areas, int count) {
     return found;
 }
 
-/* --- median cut ------------------------------------------------------------------------------- */
+/* --- cutting ---------------------------------------------------------------------------------- */
 
-/* Two, where the energy is halved best. */
-static void cut(const struct cube *cube, struct area *area, struct area *rest) {
-    bool across = area->x_end - area->x >= area->y_end - area->y;
-    int first = across ? area->x : area->y, end = across ? area->x_end : area->y_end;
-    double whole = energy_of(cube, area), least = INFINITY;
-    int best = first + 1;
-    for (int at = first + 1; at < end; at++) {
-        struct area part = *area;
-        *(across ? &part.x_end : &part.y_end) = at;
-        double off = fabs(energy_of(cube, &part) - whole / 2);
-        if (off < least) {
-            least = off;
-            best = at;
-        }
-    }
-    *rest = *area;
-    *(across ? &rest->x : &rest->y) = best;
-    *(across ? &area->x_end : &area->y_end) = best;
+/* What it costs to have an area even: energy that is not where it was, at most, times how far it may have moved,
+ * squared; and a share of all of it, for what hides a wide light is known at a few points of it. A strip is as wide
+ * as it is long. */
+static double spread_of(const struct cube *cube, const struct area *area) {
+    static const double least_share = .1;
+    double wide = area->x_end - area->x, high = area->y_end - area->y;
+    double angle = solid_angle(area), energy = energy_of(cube, area);
+    double squares = sum_of(cube->squares[area->face], area);
+    double moved = sqrt(fmax(squares * angle - energy * energy, 0));
+    return (moved + least_share * energy) * angle * (wide / high + high / wide) / 2;
 }
 
-static int fit_halves(const struct cube *cube, struct area *areas, int count) {
+/* How bad a cut in two is. */
+static double cost_of_halves(const struct cube *cube, const struct area parts[2]) {
+    return fabs(energy_of(cube, &parts[0]) - energy_of(cube, &parts[1]));
+}
+
+static double cost_of_parts(const struct cube *cube, const struct area parts[2]) {
+    return spread_of(cube, &parts[0]) + spread_of(cube, &parts[1]);
+}
+
+/* The best of all cuts across one side. */
+static double cut_across(const struct cube *cube, const struct area *area, bool across,
+                         double (*cost)(const struct cube *, const struct area[2]),
+                         struct area best[2]) {
+    int first = across ? area->x : area->y, end = across ? area->x_end : area->y_end;
+    double least = INFINITY;
+    for (int at = first + 1; at < end; at++) {
+        struct area parts[2] = {*area, *area};
+        *(across ? &parts[0].x_end : &parts[0].y_end) = at;
+        *(across ? &parts[1].x : &parts[1].y) = at;
+        double value = cost(cube, parts);
+        if (value < least) {
+            least = value;
+            memcpy(best, parts, sizeof parts);
+        }
+    }
+    return least;
+}
+
+static void cut_in_halves(const struct cube *cube, const struct area *area, struct area parts[2]) {
+    bool across = area->x_end - area->x >= area->y_end - area->y;
+    cut_across(cube, area, across, cost_of_halves, parts);
+}
+
+static void cut_in_even_parts(const struct cube *cube, const struct area *area,
+                              struct area parts[2]) {
+    struct area upright[2];
+    double across = cut_across(cube, area, true, cost_of_parts, parts);
+    if (cut_across(cube, area, false, cost_of_parts, upright) < across)
+        memcpy(parts, upright, sizeof upright);
+}
+
+/* How faces are cut: that which costs most next. */
+static const struct cutting {
+    double (*cost)(const struct cube *, const struct area *);
+    void (*cut)(const struct cube *, const struct area *, struct area parts[2]);
+} median_cut = {energy_of, cut_in_halves}, even_cut = {spread_of, cut_in_even_parts};
+
+static int cut_faces(const struct cube *cube, const struct cutting *cutting, struct area *areas,
+                     int count) {
     int found = 6;
     for (int face = 0; face < 6; face++)
         areas[face] = (struct area){face, 0, 0, N, N};
     for (; found < count; found++) {
-        int most = -1;
+        struct area *most = NULL, parts[2];
         for (int i = 0; i < found; i++) {
             bool single = areas[i].x_end - areas[i].x == 1 && areas[i].y_end - areas[i].y == 1;
-            if (!single && (most < 0 || energy_of(cube, &areas[i]) > energy_of(cube, &areas[most])))
-                most = i;
+            if (!single && (!most || cutting->cost(cube, &areas[i]) > cutting->cost(cube, most)))
+                most = &areas[i];
         }
-        if (most < 0)
+        if (!most)
             break;
-        cut(cube, &areas[most], &areas[found]);
+        cutting->cut(cube, most, parts);
+        *most = parts[0];
+        areas[found] = parts[1];
     }
     return found;
 }
@@ -354,8 +404,9 @@ int environment_fit(struct sky_light *lights, const struct environment *environm
     struct area areas[SKY_LIGHTS_MAX];
     draw_map(cube, environment);
     sum_up(cube);
-    int found = fit == SKY_FIT_RECTANGLES ? fit_rectangles(cube, areas, count)
-                                          : fit_halves(cube, areas, count);
+    int found = fit == SKY_FIT_RECTANGLES
+                    ? fit_rectangles(cube, areas, count)
+                    : cut_faces(cube, fit == SKY_FIT_EVEN ? &even_cut : &median_cut, areas, count);
     int kept = 0;
     for (int i = 0; i < found; i++) {
         lights[kept] = light_of(cube, &areas[i]);
