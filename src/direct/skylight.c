@@ -4,7 +4,7 @@
 
 #define ROW(name) offsetof(struct skylight_settings, name)
 
-static const char *const fit_names[] = {"rectangles", "median-cut", NULL};
+static const char *const fit_names[] = {"rectangles", "median-cut", "even", NULL};
 
 static const struct option table[] = {
     {"lights", 0, OPTION_INT, ROW(lights), 30, SKY_LIGHTS_MIN, SKY_LIGHTS_MAX,
