@@ -47,6 +47,7 @@ struct shown {
     const struct vpl_buffer *vpls;
     const struct val_output *vals;
     const struct texture *texture; /* what is drawn, or the ground for marks */
+    const struct texture *depth;   /* of normals: whether a surface is there */
     int width, height, layers;     /* of one layer in its own size, and how many */
 };
 
@@ -56,6 +57,8 @@ static const struct texture *texture_of(const struct renderer *renderer,
     switch (output->kind) {
     case OUTPUT_IRRADIANCE:
         return &((const struct irradiance *)output->source)->texture;
+    case OUTPUT_NORMAL:
+        return &((const struct gbuffer *)output->source)->normal;
     case OUTPUT_MAP_DEPTH:
         return &((const struct depth_maps *)output->source)->depth;
     case OUTPUT_VPLS:
@@ -82,6 +85,8 @@ static bool find(struct shown *shown, const struct renderer *renderer, const cha
                             .width = texture->desc.width,
                             .height = texture->desc.height,
                             .layers = texture->desc.layers};
+    if (shown->kind == OUTPUT_NORMAL)
+        shown->depth = &((const struct gbuffer *)output->source)->depth;
     if (shown->kind == OUTPUT_VISIBILITY)
         shown->layers = shown->vals->maps.views->count;
     return true;
@@ -137,7 +142,7 @@ static bool fit_canvas(struct inspect *inspect, int width, int height) {
 }
 
 static void draw_texture(const struct inspect *inspect, const struct frame *frame,
-                         const struct gbuffer *gbuffer, const struct texture *source) {
+                         const struct texture *source, const struct texture *depth) {
     bool plane = source->desc.target == GL_TEXTURE_2D;
     pass_set_state(&(struct pass_state){
         .name = "inspect",
@@ -146,7 +151,7 @@ static void draw_texture(const struct inspect *inspect, const struct frame *fram
         .width = inspect->canvas.desc.width,
         .height = inspect->canvas.desc.height,
         .textures = {{plane ? UNIT_INSPECTED_PLANE : UNIT_INSPECTED_LAYERS, source->id},
-                     {UNIT_GBUFFER_DEPTH, gbuffer->depth.id}},
+                     {UNIT_GBUFFER_DEPTH, depth ? depth->id : 0}},
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_LIGHTS, frame->lights},
                    {BLOCK_PASS, &inspect->params}},
@@ -257,7 +262,7 @@ bool inspect_draw(struct inspect *inspect, struct renderer *renderer,
     if (visibility)
         draw_visibility(inspect, &frame, &renderer->gbuffer, shown.vals);
     else
-        draw_texture(inspect, &frame, &renderer->gbuffer, shown.texture);
+        draw_texture(inspect, &frame, shown.texture, shown.depth);
     if (shown.kind == OUTPUT_VPLS || shown.kind == OUTPUT_VALS || (visibility && !whole))
         draw_marks(inspect, renderer, &frame, &shown, choice);
     return true;

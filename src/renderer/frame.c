@@ -238,7 +238,7 @@ float renderer_exposure(const struct renderer *renderer) {
 void renderer_outputs(const struct renderer *renderer, struct output_list *outputs) {
     const struct irradiance *irradiance = renderer_contribution(renderer).irradiance;
     const struct output rows[] = {
-        {"normal", "G-buffer: world normals as colours", OUTPUT_NORMAL, &renderer->gbuffer.normal},
+        {"normal", "G-buffer: world normals as colours", OUTPUT_NORMAL, &renderer->gbuffer},
         {"albedo", "G-buffer: the surfaces' own colours", OUTPUT_ALBEDO, &renderer->gbuffer.albedo},
         {"depth", "G-buffer: near is bright", OUTPUT_DEPTH, &renderer->gbuffer.depth},
     };

@@ -362,7 +362,7 @@ static void add_rsm(const struct many_lights *lights, int kind, struct output_li
     bool faces = kind == LIGHT_MAP_FACE && lights->rsm[LIGHT_MAP_SINGLE].layers > 0;
     const struct output rows[] = {
         {faces ? "rsm-faces-normal" : "rsm-normal", "reflective shadow map: what a light sees",
-         OUTPUT_NORMAL, &rsm->normal},
+         OUTPUT_NORMAL, rsm},
         {faces ? "rsm-faces-albedo" : "rsm-albedo",
          "reflective shadow map: the surfaces' own colours", OUTPUT_ALBEDO, &rsm->albedo},
         {faces ? "rsm-faces-depth" : "rsm-depth",

@@ -8,7 +8,7 @@
 
 /* What is shown of an output, and what its source is. */
 enum output_kind {
-    OUTPUT_NORMAL,       /* struct texture: layers of world normals, octahedral */
+    OUTPUT_NORMAL,       /* struct gbuffer: its layers of world normals, where a surface is */
     OUTPUT_ALBEDO,       /* struct texture: layers, square root of the albedo */
     OUTPUT_DEPTH,        /* struct texture: layers, reversed depth from the camera */
     OUTPUT_SINGLE_DEPTH, /* struct texture: a layer for each light of one view */
