@@ -16,7 +16,7 @@ static const struct option table[] = {
      .help = "texels that it looks at to find what hides the light"},
     {"ways", 0, OPTION_INT, offsetof(struct pcss_settings, ways), 32, 0, 1024,
      .help = "points of a light to which it follows a way where casters lie at many distances"},
-    {"spread", 0, OPTION_FLOAT, offsetof(struct pcss_settings, spread), .1, 0, 100,
+    {"spread", 0, OPTION_FLOAT, offsetof(struct pcss_settings, spread), .04, 0, 100,
      .help = "these do: the standard deviation of their distances, over the mean"},
     {"nearest", 0, OPTION_FLOAT, offsetof(struct pcss_settings, nearest), .2, .01, .99,
      .help = "where the search ends, of the receiver's distance from the light"},

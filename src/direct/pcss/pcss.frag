@@ -18,6 +18,7 @@ layout(binding = UNIT_MAP_DEPTH) uniform sampler2DArray depth_maps;
 const bool IS_SUN = PROJECTION == PROJECTION_ORTHOGRAPHIC;
 const float KERNEL_MIN = 0.75; // of a texel's width, from the middle: a smaller one would show steps
 const float OFFSET = 1.0 / 3.0; // of what a receiver is lifted by where no plane is compared
+const float ROUGH = 0.02;       // of a way: distances that differ less are the receiver's own facets, or a contact
 const int PLACES = 8;           // of a way that is followed
 // Casters are as deep as so many gaps between two places there, so that none is stepped over.
 const float CASTER_DEPTH = 2.0;
@@ -119,8 +120,8 @@ float hidden_at(shape s, place x, texel found) {
 }
 
 struct casters {
-    float mean;    // t of what hides the light; 0 where nothing does
-    bool is_apart; // it lies at many distances; or there is something in front that hides nothing
+    float mean;  // t of what hides the light; 0 where nothing does
+    float apart; // how surely it lies at many distances, 0 to 1; 1 where something in front hides nothing
 };
 
 casters search(light l, shape s, place x, float reach) {
@@ -136,7 +137,8 @@ casters search(light l, shape s, place x, float reach) {
         before += blocked ? 1.0 : 0.0;
     }
     float mean = sum / max(count, 1.0), variance = squares / max(count, 1.0) - mean * mean;
-    return casters(mean, count > 0.0 ? variance > SPREAD * SPREAD * mean * mean : before > 0.0);
+    float spread = max(sqrt(max(variance, 0.0)) - ROUGH, 0.0) / max(mean, 1e-6);
+    return casters(mean, count > 0.0 ? clamp(spread / max(SPREAD, 1e-6) - 1.0, 0.0, 1.0) : min(before, 1.0));
 }
 
 // Whether the way to a point of the light is within a caster: a little behind what the map has there [Agrawala et
@@ -189,7 +191,7 @@ float arriving(surface at, light l, vec3 direction) {
     casters c = search(l, s, x, reach);
     float t = c.mean;
     // As counts and not branches: a software rasteriser leaves a loop that no pixel is in.
-    int ways = c.is_apart ? WAYS : 0, taps = t > 0.0 && ways == 0 ? FILTER_TAPS : 0;
+    int ways = c.apart > 0.0 ? WAYS : 0, taps = t > 0.0 && (ways == 0 || c.apart < 1.0) ? FILTER_TAPS : 0;
     float width = texel_width * (IS_SUN ? 1.0 : 1.0 - t);
     vec2 widen = max(vec2(1.0), KERNEL_MIN * width / (max(t, 1e-6) * vec2(length(s.right), length(s.up))));
     // What is in front and yet hides nothing, as a thing close to the light, tells nothing of what is behind it.
@@ -201,6 +203,6 @@ float arriving(surface at, light l, vec3 direction) {
         else if (hidden_at(s, x, found) > 0.0)
             blocked += 1.0;
     }
-    float share = followed(l, s, x, reach, ways);
-    return ways > 0 ? share : taps > 0 ? free / max(free + blocked, 1.0) : 1.0;
+    float at_one = taps > 0 ? free / max(free + blocked, 1.0) : 1.0;
+    return ways > 0 ? mix(at_one, followed(l, s, x, reach, ways), c.apart) : at_one;
 }
