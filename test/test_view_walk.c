@@ -21,7 +21,7 @@ static int step_count, click_count;
 
 /* Where no widget explains itself. */
 static void keep(void) {
-    xdo("mousemove 30 %d", PICTURE_HEIGHT - 60);
+    xdo("mousemove %d %d", PICTURE_WIDTH - 40, PICTURE_HEIGHT - 60);
     pause_ms(1200);
     steps[step_count++] = read_screen();
 }
