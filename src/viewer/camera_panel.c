@@ -39,7 +39,7 @@ static void draw_speed(struct viewer *viewer) {
 static void draw_views(struct viewer *viewer) {
     int shown = 0;
     for (int i = 0; i < SESSION_VIEWS; i++) {
-        char name[16];
+        char name[24];
         snprintf(name, sizeof name, "view %d", i + 1);
         if (!*viewer->placed.views[i])
             continue;
