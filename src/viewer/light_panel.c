@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { NAME_SIZE = SCENE_NAME_SIZE + 16};
+enum { NAME_SIZE = SCENE_NAME_SIZE + 16 };
 
 /* Which of those that shine. */
 static void draw_choice(struct viewer *viewer) {
