@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 #include <imgui_internal.h>
+#include <string>
 
 /* The colours of the viewer. Only the accent is saturated: the picture is to be looked at. */
 constexpr ImU32 ground = IM_COL32(24, 26, 31, 255), raised = IM_COL32(42, 46, 54, 255),
@@ -26,7 +27,7 @@ extern struct look {
     } rest;        /* of the mouse, on an item */
     ImGuiID typed; /* the slider whose value is to be typed from the next frame on */
     bool notes_places;
-    ImGuiTextBuffer places;
+    std::string places;
 } look;
 
 inline float units(float of_line) {
@@ -38,7 +39,8 @@ ImU32 look_color(ui_tone tone);
 /* A tooltip for the last item, where the mouse rests on it. */
 void look_explain(const char *help);
 
-/* Notes where the last item lies, for ui_places. */
+/* Notes where something lies, or the last item, for ui_places. */
+void look_note(float left, float top, ImVec2 size, const char *name);
 void look_mark(const char *name);
 
 #endif

@@ -131,14 +131,19 @@ void look_explain(const char *help) {
     ImGui::EndTooltip();
 }
 
+void look_note(float left, float top, ImVec2 size, const char *name) {
+    char place[128];
+    if (!look.notes_places)
+        return;
+    snprintf(place, sizeof place, "%.0f %.0f %.0f %.0f ", left, top, size.x, size.y);
+    look.places.append(place).append(name).append("\n");
+}
+
 void look_mark(const char *name) {
     ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
     ImVec2 middle((least.x + most.x) / 2, (least.y + most.y) / 2);
-    if (!look.notes_places || !ImGui::GetCurrentWindow()->ClipRect.Contains(middle))
-        return;
-    ImGuiTextBuffer &places = look.places;
-    places.appendf("%.0f %.0f %.0f %.0f %s\n", least.x, least.y, most.x - least.x, most.y - least.y,
-                   name);
+    if (ImGui::GetCurrentWindow()->ClipRect.Contains(middle))
+        look_note(least.x, least.y, {most.x - least.x, most.y - least.y}, name);
 }
 
 bool ui_init(void *native_window, float scale) {

@@ -53,9 +53,7 @@ void ui_draw_label(float x, float y, float align, const char *text) {
     canvas()->AddRectFilled(ImVec2(left, y), ImVec2(left + size.x + 2 * pad, y + size.y + pad),
                             see_through, units(.2F));
     canvas()->AddText(ImVec2(left + pad, y + pad / 2), text_color, text);
-    if (look.notes_places)
-        look.places.appendf("%.0f %.0f %.0f %.0f %s\n", left, y, size.x + 2 * pad, size.y + pad,
-                            text);
+    look_note(left, y, {size.x + 2 * pad, size.y + pad}, text);
 }
 
 void ui_draw_text(float x, float y, float align, enum ui_tone tone, const char *text) {
