@@ -1,6 +1,7 @@
 /* A courtyard under a sky and nothing else: walls that leave a piece of it, a roof on posts along one of them, and
  * blocks in the open and below the roof. */
 #include "scenes.h"
+#include "shapes/placing.h"
 #include "shapes/shapes.h"
 
 static void add_pieces(struct glb *glb, const char *name, const float albedo[3],
@@ -8,8 +9,7 @@ static void add_pieces(struct glb *glb, const char *name, const float albedo[3],
     struct surface surface = {0};
     for (int i = 0; i < count; i++)
         add_box(&surface, boxes[i][0], boxes[i][1]);
-    glb_add_mesh(glb, name, &surface, glb_add_material(glb, name, albedo, GLB_SINGLE_SIDED), NULL);
-    surface_free(&surface);
+    place_surface(glb, name, glb_add_material(glb, name, albedo, GLB_SINGLE_SIDED), &surface);
 }
 
 void make_courtyard(struct glb *glb) {

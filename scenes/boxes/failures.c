@@ -157,17 +157,10 @@ void make_val_plane(struct glb *glb) {
               (const float[]){0.9f, 0.9f, -0.3f});
 }
 
-/* On the room's axis, of half as many rings as it has sides. */
+/* On the room's axis. */
 static void place_ball(const struct set *set, int material, float radius, float height, int rings) {
-    enum { RINGS_MAX = 24 };
-    struct lathe_point profile[RINGS_MAX + 1];
-    for (int i = 0; i <= rings; i++) {
-        float angle = GLM_PIf * (float)i / (float)rings;
-        profile[i] = (struct lathe_point){.radius = i % rings ? radius * sinf(angle) : 0.0f,
-                                          .y = height - radius * cosf(angle)};
-    }
     struct surface ball = {0};
-    add_lathe(&ball, profile, rings + 1, 2 * rings, 0);
+    add_ball(&ball, (const float[]){0.0f, height, 0.0f}, radius, rings);
     add_piece(set, "ball", material, &ball);
 }
 

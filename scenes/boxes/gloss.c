@@ -1,6 +1,7 @@
 /* A room with balls of metal and of plastic, from smooth on the left to rough on the right, under a lamp; and
  * thin rails, whose glints flicker where a method samples them too seldom. */
 #include "scenes.h"
+#include "shapes/placing.h"
 #include "shapes/shapes.h"
 
 #include <cglm/cglm.h>
@@ -9,31 +10,10 @@ enum { ROUGHNESSES = 4 };
 
 static const float roughnesses[ROUGHNESSES] = {.1F, .3F, .6F, 1};
 
-static void add_piece(struct glb *glb, const char *name, int material, struct surface *surface) {
-    glb_add_mesh(glb, name, surface, material, NULL);
-    surface_free(surface);
-}
-
-static void place_quad(struct glb *glb, const char *name, int material, const float corners[4][3]) {
-    struct surface surface = {0};
-    add_quad(&surface, corners[0], corners[1], corners[2], corners[3]);
-    add_piece(glb, name, material, &surface);
-}
-
 static void place_ball(struct glb *glb, const char *name, int material, const float center[3]) {
-    enum { RINGS = 24 };
-    static const float radius = .34F;
-    struct lathe_point profile[RINGS + 1];
     struct surface ball = {0};
-    for (int i = 0; i <= RINGS; i++) {
-        float angle = GLM_PIf * (float)i / RINGS;
-        profile[i] = (struct lathe_point){.radius = i % RINGS ? radius * sinf(angle) : 0,
-                                          .y = -radius * cosf(angle)};
-    }
-    add_lathe(&ball, profile, RINGS + 1, 2 * RINGS, 0);
-    for (uint32_t i = 0; i < ball.vertex_count; i++)
-        glm_vec3_add(ball.position[i], (float *)center, ball.position[i]);
-    add_piece(glb, name, material, &ball);
+    add_ball(&ball, center, .34F, 24);
+    place_surface(glb, name, material, &ball);
 }
 
 /* From wall to wall. */
@@ -47,7 +27,7 @@ static void place_rail(struct glb *glb, int material, float height) {
         glm_vec3_copy((vec3){p[1], height - p[0], p[2] - 1.7F}, p);
         glm_vec3_copy((vec3){n[1], -n[0], n[2]}, n);
     }
-    add_piece(glb, "rail", material, &rail);
+    place_surface(glb, "rail", material, &rail);
 }
 
 static void place_room(struct glb *glb) {
@@ -80,11 +60,9 @@ void make_gloss(struct glb *glb) {
         place_ball(glb, "metal ball", metal, (const float[]){x, 1.06F, -.9F});
         place_ball(glb, "plastic ball", plastic, (const float[]){x, .34F, .3F});
     }
-    struct surface shelf = {0};
-    add_box(&shelf, (const float[]){-1.8F, .66F, -1.3F}, (const float[]){1.8F, .72F, -.5F});
-    add_piece(glb, "shelf",
+    place_box(glb, "shelf",
               glb_add_material(glb, "wood", (const float[]){.5F, .33F, .2F}, GLB_SINGLE_SIDED),
-              &shelf);
+              (const float[]){-1.8F, .66F, -1.3F}, (const float[]){1.8F, .72F, -.5F});
     int rail = glb_add_glossy(glb, "steel", steel, 1, .2F);
     for (int i = 0; i < 3; i++)
         place_rail(glb, rail, 1.75F + .16F * (float)i);

@@ -3,18 +3,8 @@
 #include "scenes.h"
 
 #include "atrium/furnishing.h"
+#include "shapes/placing.h"
 #include "shapes/shapes.h"
-
-static void add_piece(struct glb *glb, const char *name, int material, struct surface *surface) {
-    glb_add_mesh(glb, name, surface, material, NULL);
-    surface_free(surface);
-}
-
-static void place_quad(struct glb *glb, const char *name, int material, const float corners[4][3]) {
-    struct surface surface = {0};
-    add_quad(&surface, corners[0], corners[1], corners[2], corners[3]);
-    add_piece(glb, name, material, &surface);
-}
 
 static void place_room(struct glb *glb, int white) {
     place_quad(glb, "floor", white,
@@ -38,11 +28,11 @@ static void place_plant(struct glb *glb, int clay, int green) {
     add_lathe(&piece, pot, 4, 24, 0);
     add_copy(&surface, &piece, 0, foot);
     surface_free(&piece);
-    add_piece(glb, "pot", clay, &surface);
+    place_surface(glb, "pot", clay, &surface);
     add_plant(&piece, &tuft);
     add_copy(&leaves, &piece, 0, top);
     surface_free(&piece);
-    add_piece(glb, "leaves", green, &leaves);
+    place_surface(glb, "leaves", green, &leaves);
 }
 
 /* Pickets of two centimetres, and two rails. */
@@ -55,7 +45,7 @@ static void place_fence(struct glb *glb, int wood) {
     }
     add_box(&fence, (const float[]){.51F, .15F, .15F}, (const float[]){.53F, .19F, 1.4F});
     add_box(&fence, (const float[]){.51F, .7F, .15F}, (const float[]){.53F, .74F, 1.4F});
-    add_piece(glb, "fence", wood, &fence);
+    place_surface(glb, "fence", wood, &fence);
 }
 
 void make_plant(struct glb *glb) {

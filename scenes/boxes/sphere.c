@@ -5,10 +5,10 @@
  * geometry term between any two points of a sphere is 1 / (4 R^2).
  */
 #include "scenes.h"
+#include "shapes/placing.h"
 #include "shapes/shapes.h"
 
 #include <cglm/cglm.h>
-#include <stddef.h>
 
 /* 12 n^2 = 20172 triangles: faces lie within 0.04 % of the sphere. */
 enum { SQUARES_PER_SIDE = 41 };
@@ -17,8 +17,7 @@ void make_sphere(struct glb *glb) {
     int half = glb_add_material(glb, "half", (const float[]){0.5f, 0.5f, 0.5f}, GLB_SINGLE_SIDED);
     struct surface surface = {0};
     add_sphere_inside(&surface, SQUARES_PER_SIDE);
-    glb_add_mesh(glb, "sphere", &surface, half, NULL);
-    surface_free(&surface);
+    place_surface(glb, "sphere", half, &surface);
     /* Off the centre, so that the picture sees the wall at many angles. */
     glb_add_camera(glb, (const float[]){0.2f, 0.1f, 0.6f}, (const float[]){-0.3f, -0.1f, -1.0f},
                    75.0, 0.01, 10.0);

@@ -1,42 +1,8 @@
 /* A table under a rectangular lamp: the penumbra of its top, of its legs where they stand, and of what
  * lies and stands on it. The lamp is an emissive surface, as Blender writes one. */
 #include "scenes.h"
+#include "shapes/placing.h"
 #include "shapes/shapes.h"
-
-#include <cglm/cglm.h>
-
-static void add_piece(struct glb *glb, const char *name, int material, struct surface *surface) {
-    glb_add_mesh(glb, name, surface, material, NULL);
-    surface_free(surface);
-}
-
-static void place_quad(struct glb *glb, const char *name, int material, const float corners[4][3]) {
-    struct surface surface = {0};
-    add_quad(&surface, corners[0], corners[1], corners[2], corners[3]);
-    add_piece(glb, name, material, &surface);
-}
-
-static void place_box(struct glb *glb, const char *name, int material, const float low[3],
-                      const float high[3]) {
-    struct surface surface = {0};
-    add_box(&surface, low, high);
-    add_piece(glb, name, material, &surface);
-}
-
-static void place_ball(struct glb *glb, int material, float radius, const float center[3]) {
-    enum { RINGS = 16 };
-    struct lathe_point profile[RINGS + 1];
-    struct surface ball = {0};
-    for (int i = 0; i <= RINGS; i++) {
-        float angle = GLM_PIf * (float)i / RINGS;
-        profile[i] = (struct lathe_point){.radius = i % RINGS ? radius * sinf(angle) : 0,
-                                          .y = -radius * cosf(angle)};
-    }
-    add_lathe(&ball, profile, RINGS + 1, 32, 0);
-    for (uint32_t i = 0; i < ball.vertex_count; i++)
-        glm_vec3_add(ball.position[i], (float *)center, ball.position[i]);
-    add_piece(glb, "ball", material, &ball);
-}
 
 static void place_table(struct glb *glb, int wood) {
     place_box(glb, "top", wood, (const float[]){-.8F, .72F, -.45F},
@@ -61,7 +27,9 @@ void make_table(struct glb *glb) {
                (const float[4][3]){
                    {-.4F, 2.2F, -.2F}, {.4F, 2.2F, -.2F}, {.4F, 2.2F, .2F}, {-.4F, 2.2F, .2F}});
     place_table(glb, wood);
-    place_ball(glb, red, .15F, (const float[]){.35F, .91F, .05F});
+    struct surface ball = {0};
+    add_ball(&ball, (const float[]){.35F, .91F, .05F}, .15F, 16);
+    place_surface(glb, "ball", red, &ball);
     place_box(glb, "book", white, (const float[]){-.5F, .76F, -.2F},
               (const float[]){-.2F, .8F, .2F});
     glb_add_camera(glb, (const float[]){1.7F, 1.9F, 2.9F}, (const float[]){-1.7F, -1.35F, -3}, 40,

@@ -1,5 +1,6 @@
 /* Scenes in which little moves, but all of the indirect light with it. */
 #include "scenes.h"
+#include "shapes/placing.h"
 #include "shapes/shapes.h"
 
 #include <cglm/cglm.h>
@@ -26,14 +27,6 @@ void make_moving_spot(struct glb *glb) {
 
 enum { WHITE, BLUE, RED };
 
-static void add_named_box(struct glb *glb, const char *name, int material, const float low[3],
-                          const float high[3]) {
-    struct surface surface = {0};
-    add_box(&surface, low, high);
-    glb_add_mesh(glb, name, &surface, material, NULL);
-    surface_free(&surface);
-}
-
 /* Two rooms of 4 x 3 x 4 m with a wall between them at x = 0, all of boxes 0.2 m thick. */
 static void add_rooms(struct glb *glb) {
     static const struct {
@@ -52,7 +45,7 @@ static void add_rooms(struct glb *glb) {
         {"wall above the door", WHITE, {-0.1f, 2.2f, -0.6f}, {0.1f, 3.0f, 0.6f}},
     };
     for (size_t i = 0; i < sizeof boxes / sizeof boxes[0]; i++)
-        add_named_box(glb, boxes[i].name, boxes[i].material, boxes[i].low, boxes[i].high);
+        place_box(glb, boxes[i].name, boxes[i].material, boxes[i].low, boxes[i].high);
 }
 
 /* A door between a lit and a dark room, shut at 0 s, wide open at 5 s and shut at 10 s. It lies

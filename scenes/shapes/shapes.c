@@ -1,7 +1,10 @@
 #include "shapes/shapes.h"
 
+#include "base/memory.h"
+
 #include <cglm/cglm.h>
 #include <math.h>
+#include <stdlib.h>
 
 void add_quad(struct surface *surface, const float a[3], const float b[3], const float c[3],
               const float d[3]) {
@@ -157,6 +160,20 @@ void add_lathe(struct surface *surface, const struct lathe_point *profile, int c
                 surface_add_triangle(surface, low, high + 2, low + 2);
         }
     }
+}
+
+void add_ball(struct surface *surface, const float center[3], float radius, int rings) {
+    struct lathe_point *profile = mem_alloc((size_t)rings + 1, sizeof *profile);
+    uint32_t first = surface->vertex_count;
+    for (int i = 0; i <= rings; i++) {
+        float angle = GLM_PIf * (float)i / (float)rings;
+        profile[i] = (struct lathe_point){.radius = i % rings ? radius * sinf(angle) : 0,
+                                          .y = -radius * cosf(angle)};
+    }
+    add_lathe(surface, profile, rings + 1, 2 * rings, 0);
+    for (uint32_t i = first; i < surface->vertex_count; i++)
+        glm_vec3_add(surface->position[i], (float *)center, surface->position[i]);
+    free(profile);
 }
 
 void add_moulding(struct surface *surface, const float (*profile)[2], int count, float length) {

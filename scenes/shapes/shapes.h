@@ -28,6 +28,9 @@ struct lathe_point {
 void add_lathe(struct surface *surface, const struct lathe_point *profile, int count, int segments,
                int lobes);
 
+/* A sphere, of twice as many segments as rings. */
+void add_ball(struct surface *surface, const float center[3], float radius, int rings);
+
 /* A straight moulding along x from -length/2 to length/2. The profile (z, y) goes counter-clockwise
  * seen from -x, where z runs to the right; all of it can be seen from its first point. */
 void add_moulding(struct surface *surface, const float (*profile)[2], int count, float length);
