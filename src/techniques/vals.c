@@ -1,0 +1,245 @@
+#include "techniques/vals.h"
+
+enum visibility_kind { VISIBILITY_CSSM, VISIBILITY_HARD, VISIBILITY_PCSS, VISIBILITY_RAY };
+
+#define ROW(name) offsetof(struct vals_settings, name)
+
+static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
+static const char *const visibility_names[] = {"cssm", "hard", "pcss", "ray", NULL};
+
+static const struct option table[] = {
+    {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024, .help = "virtual area lights (clusters), M"},
+    {"bounce-vals", 0, OPTION_INT, ROW(bounce_vals), 60, 1, 1024,
+     .help = "and of those of further bounces (lights.bounces)"},
+    {"iterations", 0, OPTION_INT, ROW(iterations), 5, 1, 64, .help = "k-means iterations"},
+    {"start", 0, OPTION_CHOICE, ROW(start), 0, .choices = start_names,
+     .help = "where k-means begins: the same seeds each frame, the last frame's centres, or those "
+             "with empty\nclusters seeded again; frames then depend on the ones before"},
+    {"weight-position", 0, OPTION_FLOAT, ROW(weight_position), .25, 0, 1000,
+     .help = "clustering weight of distance, w_x"},
+    {"weight-normal", 0, OPTION_FLOAT, ROW(weight_normal), .3, 0, 1000,
+     .help = "clustering weight of the angle between normals, w_alpha"},
+    {"visibility", 0, OPTION_CHOICE, ROW(visibility), VISIBILITY_RAY, .choices = visibility_names,
+     .help = "lookup in a VAL's map: soft by convolution, hard, percentage-closer soft, or along "
+             "the ray\n"
+             "to each VPL, where blocks of pixels take percentage-closer soft"},
+    {"visibility-block", 0, OPTION_INT, ROW(visibility_block), 7, 0, 64,
+     .help = "pixels a side of a block that shares its visibility; 0 = each looks itself up;\n"
+             "blocks that are no multiple of interleave blur better"},
+    {NULL},
+};
+
+const struct settings_part vals_part = {"clustered", "virtual area lights", table,
+                                        sizeof(struct vals_settings)};
+
+static void free_set(struct val_set *set) {
+    cluster_pass_free(&set->cluster);
+    paraboloid_pass_free(&set->paraboloid);
+    basis_pass_free(&set->basis);
+    block_visibility_pass_free(&set->blocks);
+}
+
+static bool init_cluster(struct val_set *set, const struct settings *settings, int vpl_count) {
+    const struct vals_settings *own = settings_of(settings, &vals_part);
+    const struct map_settings *map = settings_of(settings, &map_part);
+    return cluster_pass_init(&set->cluster, &(struct cluster_desc){
+                                                .vpl_count = vpl_count,
+                                                .val_count = set->visibility.map_count,
+                                                .start = (enum cluster_start)own->start,
+                                                .iterations = own->iterations,
+                                                .weight_position = own->weight_position,
+                                                .weight_normal = own->weight_normal,
+                                                .near_clip = map->near_clip,
+                                            });
+}
+
+static bool init_maps(struct val_set *set, const struct technique_desc *desc) {
+    const struct settings *settings = desc->settings;
+    const struct lookup_settings *lookup = settings_of(settings, &lookup_part);
+    const struct map_settings *map = settings_of(settings, &map_part);
+    return paraboloid_pass_init(&set->paraboloid,
+                                &(struct paraboloid_desc){
+                                    .casters = desc->casters,
+                                    .caster = many_lights_caster(settings),
+                                    .bend = many_lights_caster_bend(desc->settings),
+                                    .size = map->size,
+                                    .count = set->visibility.map_count,
+                                }) &&
+           (!set->convolve || basis_pass_init(&set->basis, &(struct basis_desc){
+                                                               .size = map->size,
+                                                               .count = set->visibility.map_count,
+                                                               .terms = lookup->terms,
+                                                           }));
+}
+
+static bool init_blocks(struct val_set *set, const struct technique_desc *desc) {
+    const struct vals_settings *own = settings_of(desc->settings, &vals_part);
+    return !set->share ||
+           block_visibility_pass_init(&set->blocks, &(struct block_visibility_desc){
+                                                        .width = desc->width,
+                                                        .height = desc->height,
+                                                        .block = own->visibility_block,
+                                                        .visibility = set->visibility,
+                                                    });
+}
+
+/* A ray ends at a VPL: a VAL as a whole has none. */
+static enum visibility_lookup lookup_of_val(enum visibility_lookup lookup) {
+    return lookup == VISIBILITY_LOOKUP_RAY ? VISIBILITY_LOOKUP_PCSS : lookup;
+}
+
+enum visibility_lookup vals_lookup(const struct settings *settings) {
+    static const enum visibility_lookup lookups[] = {
+        [VISIBILITY_CSSM] = VISIBILITY_LOOKUP_CSSM,
+        [VISIBILITY_HARD] = VISIBILITY_LOOKUP_HARD,
+        [VISIBILITY_PCSS] = VISIBILITY_LOOKUP_PCSS,
+        [VISIBILITY_RAY] = VISIBILITY_LOOKUP_RAY,
+    };
+    const struct vals_settings *own = settings_of(settings, &vals_part);
+    return lookups[own->visibility];
+}
+
+static bool init_set(struct val_set *set, const struct technique_desc *desc, int vpl_count,
+                     int val_count) {
+    const struct vals_settings *own = settings_of(desc->settings, &vals_part);
+    enum visibility_lookup lookup = vals_lookup(desc->settings);
+    set->convolve = lookup == VISIBILITY_LOOKUP_CSSM;
+    set->share = own->visibility_block > 0;
+    set->visibility = many_lights_lookup(desc->settings, lookup_of_val(lookup), val_count);
+    return init_cluster(set, desc->settings, vpl_count) && init_maps(set, desc) &&
+           init_blocks(set, desc);
+}
+
+static struct visibility_inputs maps_of(const struct val_set *set) {
+    return (struct visibility_inputs){
+        .views = &set->cluster.views,
+        .depth = &set->paraboloid.maps,
+        .bases = set->convolve ? &set->basis.maps : NULL,
+    };
+}
+
+/* Where the last means are changes from frame to frame. */
+static void find_centers(struct vals *vals) {
+    const struct val_targets *centers = cluster_pass_centers(&vals->first.cluster);
+    vals->output.positions = &centers->position;
+    vals->output.normals = &centers->normal;
+    vals->output.fluxes = &centers->flux;
+}
+
+bool vals_init(struct vals *vals, const struct technique_desc *desc) {
+    const struct vals_settings *own = settings_of(desc->settings, &vals_part);
+    const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
+    if (!init_set(&vals->first, desc, lights->vpls, own->vals) ||
+        (lights->bounces > 1 && !init_set(&vals->further, desc, lights->points, own->bounce_vals)))
+        return false;
+    vals->output = (struct val_output){
+        .extremes = &vals->first.cluster.extremes,
+        .visibility = &vals->first.visibility,
+        .maps = maps_of(&vals->first),
+    };
+    find_centers(vals);
+    return true;
+}
+
+void vals_free(struct vals *vals) {
+    free_set(&vals->first);
+    free_set(&vals->further);
+}
+
+/* Those of another size, beside the ones that are there. */
+static bool init_blocks_anew(struct block_visibility_pass *fresh,
+                             const struct block_visibility_pass *old, int width, int height) {
+    struct block_visibility_desc desc = old->desc;
+    desc.width = width;
+    desc.height = height;
+    return !old->program || block_visibility_pass_init(fresh, &desc);
+}
+
+static void replace_blocks(struct val_set *set, const struct block_visibility_pass *fresh) {
+    block_visibility_pass_free(&set->blocks);
+    set->blocks = *fresh;
+}
+
+bool vals_resize(struct vals *vals, struct many_lights *lights, int width, int height) {
+    struct block_visibility_pass first = {0}, further = {0};
+    if (!init_blocks_anew(&first, &vals->first.blocks, width, height) ||
+        !init_blocks_anew(&further, &vals->further.blocks, width, height) ||
+        !many_lights_resize(lights, width, height)) {
+        block_visibility_pass_free(&first);
+        block_visibility_pass_free(&further);
+        return false;
+    }
+    replace_blocks(&vals->first, &first);
+    replace_blocks(&vals->further, &further);
+    return true;
+}
+
+static void render_set(struct val_set *set, const struct frame *frame,
+                       const struct vpl_buffer *vpls) {
+    cluster_pass_render(&set->cluster, frame, vpls);
+    timer_begin(frame->timers, "maps");
+    paraboloid_pass_render(&set->paraboloid, frame, &set->cluster.views);
+    if (set->convolve)
+        basis_pass_render(&set->basis, frame, &set->paraboloid.maps.depth);
+    timer_end(frame->timers);
+}
+
+/* The points' VALs are those of the second bounce: later ones light the same surfaces. */
+static void render_bounce(struct vals *vals, struct many_lights *lights, const struct frame *frame,
+                          int bounce) {
+    struct val_set *further = &vals->further, *from = bounce == 2 ? &vals->first : further;
+    struct bounce_inputs inputs = {.vpls = &from->cluster.vpls, .visibility = maps_of(from)};
+    if (bounce == 2)
+        bounce_pass_pick(&lights->bounce, frame, &inputs);
+    bounce_pass_begin(&lights->bounce);
+    bounce_pass_gather(&lights->bounce, frame, &inputs);
+    many_lights_end_bounce(lights, frame, bounce);
+    if (bounce == 2)
+        render_set(further, frame, &lights->bounce.vpls);
+    else
+        cluster_pass_map(&further->cluster, &lights->bounce.vpls);
+}
+
+void vals_render(struct vals *vals, struct many_lights *lights, const struct frame *frame) {
+    render_set(&vals->first, frame, &lights->vpls);
+    for (int bounce = 2; bounce <= lights->bounces; bounce++)
+        render_bounce(vals, lights, frame, bounce);
+    find_centers(vals);
+}
+
+struct gather_inputs vals_render_blocks(const struct val_set *set, const struct frame *frame,
+                                        const struct gbuffer *gbuffer) {
+    struct gather_inputs inputs = {.visibility = maps_of(set), .blocks = &set->blocks.blocks};
+    if (set->share)
+        block_visibility_pass_render(&set->blocks, frame, gbuffer, &inputs.visibility);
+    return inputs;
+}
+
+static void add_bases(const struct basis_maps *maps, struct output_list *outputs) {
+    const struct output rows[] = {
+        {"basis-cos", "Fourier bases cos c_k z of the depth maps; three terms as RGB", OUTPUT_BASIS,
+         &maps->cos},
+        {"basis-sin", "Fourier bases sin c_k z; three terms as RGB", OUTPUT_BASIS, &maps->sin},
+        {"basis-z-cos", "z cos c_k z, for the mean depth of blockers", OUTPUT_SIGNED_BASIS,
+         &maps->z_cos},
+        {"basis-z-sin", "z sin c_k z, for the mean depth of blockers", OUTPUT_SIGNED_BASIS,
+         &maps->z_sin},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        output_add(outputs, &rows[i]);
+}
+
+void vals_outputs(const struct vals *vals, struct output_list *outputs) {
+    const struct output rows[] = {
+        {"val", "clusters: VPLs in the colour of their VAL, with its rectangle and normal",
+         OUTPUT_VALS, &vals->output},
+        {"val-depth", "paraboloid depth maps from the VALs", OUTPUT_MAP_DEPTH,
+         &vals->first.paraboloid.maps},
+        {"visibility", "the soft shadow of each VAL alone [Dong 2009 Fig. 9]", OUTPUT_VISIBILITY,
+         &vals->output},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        output_add(outputs, &rows[i]);
+    if (vals->first.convolve)
+        add_bases(&vals->first.basis.maps, outputs);
+}

@@ -1,0 +1,60 @@
+/* Virtual area lights, for all techniques to which they say what light arrives [Dong 2009 §5]: clusters of
+ * VPLs, maps of what is seen from each, and which part of a VAL's light arrives at blocks of pixels. */
+#ifndef TECHNIQUES_VALS_H
+#define TECHNIQUES_VALS_H
+
+#include "passes/lights/cluster.h"
+#include "passes/visibility/basis.h"
+#include "passes/visibility/block_visibility.h"
+#include "passes/visibility/paraboloid.h"
+#include "techniques/many_lights.h"
+
+struct vals_settings {
+    int vals; /* M */
+    int bounce_vals;
+    int iterations;
+    int start;                            /* enum cluster_start */
+    float weight_position, weight_normal; /* w_x, w_alpha */
+    int visibility;                       /* enum visibility_kind */
+    int visibility_block;                 /* pixels a side; 0 = each pixel looks itself up */
+};
+
+/* Called as the technique that they were made for: "clustered". */
+extern const struct settings_part vals_part;
+
+/* Those of some VPLs. */
+struct val_set {
+    struct cluster_pass cluster; /* has the VPLs with their VALs' numbers */
+    struct paraboloid_pass paraboloid;
+    struct basis_pass basis;
+    struct block_visibility_pass blocks; /* where share */
+    bool convolve, share;
+    struct visibility_desc visibility; /* of a VAL as a whole */
+};
+
+struct vals {
+    struct val_set first, further; /* of the first bounce; of further ones, where there are any */
+    struct val_output output;      /* of the first */
+};
+
+/* How a pixel asks for a VPL's visibility. */
+enum visibility_lookup vals_lookup(const struct settings *settings);
+
+/* Like a technique's; what a failed init leaves is to be freed. */
+bool vals_init(struct vals *vals, const struct technique_desc *desc);
+void vals_free(struct vals *vals);
+
+/* As technique->resize, of the lights too. */
+bool vals_resize(struct vals *vals, struct many_lights *lights, int width, int height);
+
+/* Of all bounces, which are made with it: after many_lights_render_vpls. */
+void vals_render(struct vals *vals, struct many_lights *lights, const struct frame *frame);
+
+/* Visibility by blocks, where it is shared; and what a gather of lights reads beside them: maps, blocks. */
+struct gather_inputs vals_render_blocks(const struct val_set *set, const struct frame *frame,
+                                        const struct gbuffer *gbuffer);
+
+/* As technique->outputs. */
+void vals_outputs(const struct vals *vals, struct output_list *outputs);
+
+#endif
