@@ -100,10 +100,10 @@ static void test_one_vpl(void **state) {
     const double cosines = height * height / distance2, unit = 2 / (GLM_PI * GLM_PI);
     const double values[] = {cosines / distance2, 2, cosines / (distance2 + 0.3 / GLM_PI)};
     static const char *const names[] = {"unbounded", "clamped", "disk"};
-    desc.clamp_value = 2;
-    for (int bound = VPL_SUM_UNBOUNDED; bound <= VPL_SUM_DISK; bound++) {
+    desc.term.clamp_value = 2;
+    for (int bound = GEOMETRY_UNBOUNDED; bound <= GEOMETRY_DISK; bound++) {
         struct image image;
-        desc.bound = (enum vpl_sum_bound)bound;
+        desc.term.bound = (enum geometry_bound)bound;
         desc.unshadowed = false;
         check_ok("sum", vpl_sum_render(&desc, &image));
         check_near(names[bound], image_at(&image, 2, 2)[CHANNEL_INDIRECT], unit * values[bound],

@@ -35,15 +35,15 @@ static bool show(void *user, double done) {
     return true;
 }
 
-static const enum vpl_sum_bound bounds[] = {
-    [GATHER_CLAMP_NONE] = VPL_SUM_UNBOUNDED,
-    [GATHER_CLAMP_VALUE] = VPL_SUM_CLAMPED,
-    [GATHER_CLAMP_DISK] = VPL_SUM_DISK,
-    [GATHER_CLAMP_NEAR] = VPL_SUM_DISK,
+static const enum geometry_bound bounds[] = {
+    [GATHER_CLAMP_NONE] = GEOMETRY_UNBOUNDED,
+    [GATHER_CLAMP_VALUE] = GEOMETRY_CLAMPED,
+    [GATHER_CLAMP_DISK] = GEOMETRY_DISK,
+    [GATHER_CLAMP_NEAR] = GEOMETRY_DISK,
 };
 
-bool picture_trace(const struct measure_desc *desc, struct progress *progress,
-                   struct image *image) {
+bool picture_trace(const struct measure_desc *desc, const struct vpl_sum_cuts *cuts,
+                   struct progress *progress, struct image *image) {
     const struct stage *stage = desc->stage;
     struct lights lights;
     *image = (struct image){0};
@@ -61,8 +61,9 @@ bool picture_trace(const struct measure_desc *desc, struct progress *progress,
                                .vpl_count = lights.vpl_count,
                                .width = desc->width,
                                .height = desc->height,
-                               .bound = bounds[gather->clamp],
-                               .clamp_value = gather->clamp_value / (radius * radius),
+                               .term = {.bound = bounds[gather->clamp],
+                                        .clamp_value = gather->clamp_value / (radius * radius)},
+                               .cuts = cuts,
                                .materials = surface->materials,
                                .progress = show,
                                .user = progress},

@@ -11,6 +11,7 @@
 #define CHANNELS_OF_PATH_TRACER                                                                    \
     CHANNELS_COMMON " standard_error.R standard_error.G standard_error.B "                         \
                     "emitted.R emitted.G emitted.B"
+#define CHANNELS_OF_CUTS CHANNELS_COMMON " bound.R bound.G bound.B nodes.R nodes.G nodes.B"
 #define CHANNELS_OF_SEEN                                                                           \
     "unshadowed.R unshadowed.G unshadowed.B visibility.R visibility.G visibility.B"
 #define CHANNELS_OF_GLOSS                                                                          \
@@ -36,6 +37,13 @@ enum film_channel {
     CHANNEL_UNSHADOWED = CHANNEL_PATH_TRACER_END, /* direct light if nothing hid the lights */
     CHANNEL_VISIBILITY = 26, /* the share of the lights seen: reference/seen.h */
     CHANNEL_END = 29,
+};
+
+/* The same, of the sum over VPLs by cuts. */
+enum cut_channel {
+    CHANNEL_BOUND = CHANNEL_COMMON_END, /* the indirect layer is off the whole sum's by no more */
+    CHANNEL_NODES = 20,                 /* how many lights of the tree are summed */
+    CHANNEL_CUTS_END = 23,
 };
 
 /* The same, from where the layers of gloss begin: radiance, W/(sr m2). */

@@ -12,14 +12,15 @@
 #include "base/image.h"
 #include "scene/camera.h"
 #include "scene/mesh/geometry.h"
+#include "reference/geometry_term.h"
 #include "scene/emitter.h"
 #include "shared/vpl.h"
 
-/* How the geometry term cos_i cos_x / d^2 is bounded near a VPL. */
-enum vpl_sum_bound {
-    VPL_SUM_UNBOUNDED,
-    VPL_SUM_CLAMPED, /* at most clamp_value */
-    VPL_SUM_DISK,    /* cos_i cos_x / (d^2 + area / pi): a disk [Prutkin 2012, eq. 2] */
+/* Lightcuts in place of the whole sum at each pixel [Walter et al. 2005]: fewer lights and rays, and
+ * an error that is known to be below a bound. */
+struct vpl_sum_cuts {
+    float tolerance; /* of a node's error, over the sum; 0: the whole sum, to the last bit */
+    uint32_t seed;   /* of the choice of representatives */
 };
 
 /* Zero is the default of all but the first five. */
@@ -31,9 +32,9 @@ struct vpl_sum_desc {
     int vpl_count;
     struct emitters emitters; /* for the direct layer; may be none */
     int width, height;        /* default 800 */
-    enum vpl_sum_bound bound;
-    float clamp_value; /* 1/m2 */
-    bool unshadowed;   /* V = 1 */
+    struct geometry_term term;
+    bool unshadowed;                 /* V = 1 */
+    const struct vpl_sum_cuts *cuts; /* NULL: none, each pixel sums all VPLs */
     /* Rays end this far above a VPL's surface, metres: as far as its position may be off. Default:
      * a thousandth of the scene's radius. */
     float vpl_clearance;
@@ -44,7 +45,7 @@ struct vpl_sum_desc {
     void *user;
 };
 
-/* Renders into a new image with CHANNELS_COMMON. Error: Embree's own, or "cancelled"; the image is
+/* Renders into a new image with CHANNELS_COMMON, or CHANNELS_OF_CUTS. Error: Embree's own, or "cancelled"; the image is
  * then zeroed. */
 bool vpl_sum_render(const struct vpl_sum_desc *desc, struct image *image);
 

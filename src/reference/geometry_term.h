@@ -1,0 +1,35 @@
+/* The geometry term between a receiver and a virtual point light, cos_i cos_x / d^2, and how it is
+ * bounded where the two are near. It grows with the cosines and falls with distance and area, so that
+ * bounds of these bound it too. */
+#ifndef REFERENCE_GEOMETRY_TERM_H
+#define REFERENCE_GEOMETRY_TERM_H
+
+#include <cglm/struct.h>
+#include <math.h>
+
+enum geometry_bound {
+    GEOMETRY_UNBOUNDED,
+    GEOMETRY_CLAMPED, /* at most clamp_value */
+    GEOMETRY_DISK,    /* cos_i cos_x / (d^2 + area / pi): a disk [Prutkin 2012, eq. 2] */
+};
+
+struct geometry_term {
+    enum geometry_bound bound;
+    float clamp_value; /* 1/m2 */
+};
+
+/* Of the product of both cosines, the squared distance in m2, and the VPL's area in m2. */
+static inline float geometry_term(const struct geometry_term *term, float cosines, float distance2,
+                                  float area) {
+    switch (term->bound) {
+    case GEOMETRY_CLAMPED:
+        return fminf(cosines / distance2, term->clamp_value);
+    case GEOMETRY_DISK:
+        return cosines / (distance2 + area * GLM_1_PIf);
+    case GEOMETRY_UNBOUNDED:
+        break;
+    }
+    return cosines / distance2;
+}
+
+#endif
