@@ -6,14 +6,18 @@
 #include "gather/near_field.glsl"
 #include "gather/receiver.glsl"
 #include "gather/sphere.glsl"
+#if CUTS
+#include "gather/cut.glsl"
+#else
 #include "lib/vpl_block.glsl"
+#endif
 #include "visibility/visibility.glsl"
 #include "shared/gather.h"
 #if SHARE_VISIBILITY
 #include "gather/block.glsl"
 #endif
 
-// First VPL and count within the block; the tile's place in the pattern.
+// First VPL and count within the block, or with CUTS the set; the tile's place in the pattern.
 layout(location = LOCATION_SLOT) uniform ivec4 slot;
 // Samples taken of N: their sum stands for all.
 layout(location = LOCATION_SLOT_WEIGHT) uniform float weight;
@@ -60,6 +64,25 @@ float geometry_term(vec3 to_vpl, vec3 normal, vpl light, out float back) {
     return cosines * far / (distance2 * distance2);
 #endif
 }
+
+// The lights that the pixel takes: first and past the last.
+#if CUTS
+ivec2 lights_of(ivec2 pixel) {
+    return ivec2(0, cut_open(pixel, params.cut_block));
+}
+
+vpl light_at(int i) {
+    return cut_light(i, slot.x);
+}
+#else
+ivec2 lights_of(ivec2 pixel) {
+    return ivec2(slot.x, slot.x + slot.y);
+}
+
+vpl light_at(int i) {
+    return vpl_in_block(i);
+}
+#endif
 
 // The map that knows the VPL's visibility.
 int map_of(int i, vpl light) {
@@ -121,7 +144,7 @@ vec3 light_together(surface s, int first, int last, inout float random) {
     const light_group none = light_group(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0);
     light_group redder = none, greener = none;
     for (int i = first; i < last; i++) {
-        vpl light = vpl_in_block(i);
+        vpl light = light_at(i);
         vec3 back, own = unshadowed(light, s, back);
         float red = light.flux.r > light.flux.g ? 1.0 : 0.0, map = float(map_of(i, light));
         group_add(redder, own * red, back * red, light.position, map, random);
@@ -134,20 +157,20 @@ vec3 light_of_slot(surface s, ivec2 pixel) {
     vec3 sum = vec3(0.0);
     // A lattice: pixels side by side have numbers far apart.
     float random = fract(dot(vec2(pixel), vec2(0.7548776662, 0.5698402910)));
-    int last = slot.x + slot.y;
-    for (int i = slot.x; i < last; i += TOGETHER)
-        sum += light_together(s, i, min(i + TOGETHER, last), random);
+    ivec2 lights = lights_of(pixel);
+    for (int i = lights.x; i < lights.y; i += TOGETHER)
+        sum += light_together(s, i, min(i + TOGETHER, lights.y), random);
     return sum;
 }
 #else
 vec3 light_of_slot(surface s, ivec2 pixel) {
     vec3 sum = vec3(0.0), back;
-    int last = slot.x + slot.y;
+    ivec2 lights = lights_of(pixel);
 #if SHARE_VISIBILITY
     ivec2 block;
     if (nearest_block(s, pixel, block)) {
-        for (int i = slot.x; i < last; i++) {
-            vpl light = vpl_in_block(i);
+        for (int i = lights.x; i < lights.y; i++) {
+            vpl light = light_at(i);
             ivec3 texel = ivec3(block, map_of(i, light));
 #if SPECULAR
             vec3 arriving = unshadowed(light, s, back);
@@ -156,13 +179,13 @@ vec3 light_of_slot(surface s, ivec2 pixel) {
             sum += unshadowed(light, s, back) * texelFetch(block_visibilities, texel, 0).r;
 #endif
         }
-        last = slot.x;
+        lights.y = lights.x;
     }
 #endif
     // Loops and no branches: a software rasteriser leaves a loop that no pixel is in, but executes both
     // sides of a branch.
-    for (int i = slot.x; i < last; i++) {
-        vpl light = vpl_in_block(i);
+    for (int i = lights.x; i < lights.y; i++) {
+        vpl light = light_at(i);
         vec3 arriving = unshadowed(light, s, back);
         float visible = 1.0;
         for (int lit = arriving + back != vec3(0.0) ? 1 : 0; lit > 0; lit--)

@@ -20,12 +20,15 @@
 /* Storages and images, which shaders write. GL promises 8 each to compute shaders. */
 #define STORAGE_LIST_COUNTS 0
 #define STORAGE_SERIES_RANGES 1
+#define STORAGE_TREE_KEYS 2
 #define IMAGE_LISTED_PIXELS 0
 #define IMAGE_LIST_TEXELS 1
 #define IMAGE_SUMS 2
 #define IMAGE_DEPTH_BOUNDS 3
 #define IMAGE_FURTHER_TEXELS 4
 #define IMAGE_FURTHER_POINTS 5
+#define IMAGE_TREE_NODES 6
+#define IMAGE_CUTS 7
 
 /* Texture units. GL promises 96, and 16 to a stage. Maps of lights' views have LIGHT_MAP_KINDS each
  * (shared/light.h). */
@@ -86,6 +89,9 @@
 #define UNIT_FURTHER_POINTS 72
 #define UNIT_FURTHER_TEXELS 73
 #define UNIT_FURTHER_IRRADIANCE 74
+#define UNIT_TREE_NODES 75
+#define UNIT_TREE_PICKS 76
+#define UNIT_CUTS 77
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0
@@ -127,6 +133,7 @@
 #define LOCATION_TILE 6
 #define LOCATION_SET_BACK 7
 #define LOCATION_PICK_COUNT 8
-#define LOCATION_PICKS 9 /* LIGHTS_MAX of them (shared/light.h) */
+#define LOCATION_TREE_STEP 9
+#define LOCATION_PICKS 10 /* LIGHTS_MAX of them (shared/light.h) */
 
 #endif

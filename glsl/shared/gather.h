@@ -17,7 +17,8 @@ struct gather_params {
     int block;         /* pixels a side of a block that shares its visibility */
     float unoccluded;  /* of its reach, within which a blocked VPL takes nothing back */
     float sphere2;     /* squared radius of a VPL's ball, over the area that it stands for */
-    int unused0, unused1;
+    int cut_block; /* pixels a side of a block that shares a cut */
+    int unused;
 };
 PASS_BLOCK(gather_params, 48)
 

@@ -65,6 +65,22 @@ struct vpl_buffer {
     GLuint spread_framebuffer;
 };
 
+/* A binary tree over VPLs (shared/vpl_tree.h), and the VPL that stands for each node, as many times as there are sets
+ * of pixels: R32UI, a layer a set. */
+struct vpl_tree {
+    struct texture nodes, picks;
+    GLuint vpls; /* buffer texture over the VPLs */
+    int leaves, sets;
+};
+
+/* Of each block of block x block pixels a cut through a tree: R32UI, a layer with the counts of nodes, and a layer for
+ * each node. */
+struct vpl_cuts {
+    struct texture texture;
+    const struct vpl_tree *tree;
+    int block;
+};
+
 /* Up to MAP_VIEWS_MAX paraboloid views (shared/map_view.h). */
 struct map_views {
     struct buffer buffer;

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "reference/sampler.h"
 #include "reference/vector.h"
+#include "reference/warp.h"
 
 #include <stdlib.h>
 
@@ -186,7 +187,7 @@ static float greatest_square(struct interval x) {
 
 /* The greatest cosine between a direction of the cone and a vector of the box. */
 static float greatest_cosine(const struct light_extent *cone, vec3s low, vec3s high) {
-    vec3s x_axis = glms_vec3_normalize(glms_vec3_ortho(cone->axis));
+    vec3s x_axis = warp_perpendicular(cone->axis);
     struct interval z = project(cone->axis, low, high), x = project(x_axis, low, high),
                     y = project(glms_vec3_cross(cone->axis, x_axis), low, high);
     float along = z.high + rounding * (z.high - z.low);

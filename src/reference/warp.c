@@ -2,15 +2,26 @@
 
 #include <math.h>
 
-/* right * x + up * y + axis * z in an orthonormal frame about the axis: [Duff et al. 2017, Building
- * an Orthonormal Basis, Revisited]. */
-static vec3s about_axis(vec3s axis, float x, float y, float z) {
+/* An orthonormal frame about an axis [Duff et al. 2017]. */
+struct frame {
+    vec3s right, up;
+};
+
+static struct frame frame_about(vec3s axis) {
     float sign = copysignf(1, axis.z);
     float a = -1 / (sign + axis.z), b = axis.x * axis.y * a;
-    vec3s right = {{1 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x}};
-    vec3s up = {{b, sign + axis.y * axis.y * a, -axis.y}};
-    return glms_vec3_add(glms_vec3_scale(axis, z),
-                         glms_vec3_add(glms_vec3_scale(right, x), glms_vec3_scale(up, y)));
+    return (struct frame){{{1 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x}},
+                          {{b, sign + axis.y * axis.y * a, -axis.y}}};
+}
+
+vec3s warp_perpendicular(vec3s axis) {
+    return frame_about(axis).right;
+}
+
+static vec3s about_axis(vec3s axis, float x, float y, float z) {
+    struct frame frame = frame_about(axis);
+    return glms_vec3_add(glms_vec3_scale(axis, z), glms_vec3_add(glms_vec3_scale(frame.right, x),
+                                                                 glms_vec3_scale(frame.up, y)));
 }
 
 static vec3s at_radius(vec3s axis, float radius, float turn, float height) {

@@ -4,6 +4,9 @@
 
 #include <cglm/struct.h>
 
+/* A unit vector perpendicular to a unit vector, the same as glsl/lib/tangent.glsl's. */
+vec3s warp_perpendicular(vec3s axis);
+
 /* A unit direction with density cos / pi about the normal. */
 vec3s warp_to_cosine(vec2s sample, vec3s normal);
 

@@ -75,6 +75,7 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
         .interleave = own->interleave,
         .map_per_vpl = visibility->map_per_vpl,
         .share = visibility->share,
+        .cuts = visibility->cuts,
         .visibility = many_lights_lookup(desc->settings, visibility->lookup, visibility->map_count),
         .clamp = (enum gather_clamp)own->clamp,
         .clamp_value = own->clamp_value,
@@ -99,6 +100,7 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
     gather.interleave = n;
     gather.receivers = RECEIVERS_ALL;
     gather.take_back = 0;
+    gather.cuts = false;
     gather.specular = own->gloss + 1;
     lights->has_gloss = desc->gloss;
     return !desc->gloss || (gather_pass_init(&lights->gloss_gather, &gather) &&

@@ -104,7 +104,8 @@ struct many_lights {
 struct many_lights_visibility {
     enum visibility_lookup lookup;
     int map_count;
-    bool map_per_vpl, share; /* as in struct gather_desc */
+    bool map_per_vpl, share; /* as in struct gather_desc, as is: */
+    bool cuts;               /* but what is reflected as by a mirror takes VPLs */
 };
 
 /* The settings of a lookup. */

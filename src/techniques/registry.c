@@ -8,6 +8,7 @@
 #define TECHNIQUES(X)                                                                              \
     X(clustered)                                                                                   \
     X(instant_radiosity)                                                                           \
+    X(lightcuts)                                                                                   \
     X(unshadowed)
 
 #ifndef MORE_TECHNIQUES

@@ -15,10 +15,11 @@
 static bool init_program(GLuint *program, const struct gather_desc *desc, enum gather_clamp clamp) {
     char *lookup = visibility_defines(&desc->visibility);
     bool take_back = clamp == desc->clamp && desc->take_back > 0;
-    char *defines = mem_printf(
-        "%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d;RECEIVERS %d;TAKE_BACK %d;"
-        "SPECULAR %d",
-        lookup, clamp, desc->map_per_vpl, desc->share, desc->receivers, take_back, desc->specular);
+    char *defines =
+        mem_printf("%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d;RECEIVERS %d;TAKE_BACK %d;"
+                   "SPECULAR %d;CUTS %d",
+                   lookup, clamp, desc->map_per_vpl, desc->share, desc->receivers, take_back,
+                   desc->specular, desc->cuts);
     bool ok =
         program_init(program, &(struct program_desc){.vertex = desc->receivers == RECEIVERS_LISTED
                                                                    ? "gather/listed.vert"
@@ -75,6 +76,7 @@ static void write_params(const struct gather_pass *pass, const struct frame *fra
         .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
         .block = desc->share ? inputs->blocks->block : 1,
         .block_apart = block_apart,
+        .cut_block = desc->cuts ? inputs->cuts->block : 1,
         .sphere2 = neighbours / (float)GLM_PI * desc->sphere * desc->sphere,
         .unoccluded = powf((float)(frame->pass + 1), -desc->take_back),
     };
@@ -85,6 +87,18 @@ static GLuint program_for(const struct gather_pass *pass, const struct gather_in
     return inputs->further ? pass->further_program : pass->program;
 }
 
+static void draw_tile(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
+                      int list) {
+    const struct irradiance *target = &pass->irradiance;
+    int n = pass->desc.interleave;
+    pass_viewport(slot % n * target->tile_width, slot / n * target->tile_height, target->tile_width,
+                  target->tile_height);
+    if (pass->desc.receivers == RECEIVERS_LISTED)
+        pixel_lists_draw(inputs->lists, list, program_for(pass, inputs));
+    else
+        pass_draw_fullscreen(1);
+}
+
 /* VPLs first .. last for the tile of a slot, or for one of its lists. */
 static void draw_runs(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
                       int list, int first, int last) {
@@ -93,17 +107,13 @@ static void draw_runs(const struct gather_pass *pass, const struct gather_inputs
     for (struct vpl_run run = {.next = first}; vpl_run_next(&run, inputs->vpls, last);) {
         gl.ProgramUniform4i(program, LOCATION_SLOT, run.first, run.count, slot % n, slot / n);
         gl.ProgramUniform1i(program, LOCATION_FIRST_MAP, run.block - inputs->first);
-        if (pass->desc.receivers == RECEIVERS_LISTED)
-            pixel_lists_draw(inputs->lists, list, program);
-        else
-            pass_draw_fullscreen(1);
+        draw_tile(pass, inputs, slot, list);
     }
 }
 
 /* Slot s of S has VPLs s N / S .. (s + 1) N / S; a list may take those of `side` slots side by side. */
 static void draw_slot(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
                       int list, int side) {
-    const struct irradiance *target = &pass->irradiance;
     int n = pass->desc.interleave, slots = n * n, total = inputs->vpls->count;
     int begin = slot / side * side, end = begin + side < slots ? begin + side : slots;
     int first = (int)((long)begin * total / slots), last = (int)((long)end * total / slots);
@@ -115,10 +125,37 @@ static void draw_slot(const struct gather_pass *pass, const struct gather_inputs
         last = range_last;
     if (first >= last)
         return;
-    pass_viewport(slot % n * target->tile_width, slot / n * target->tile_height, target->tile_width,
-                  target->tile_height);
     gl.ProgramUniform1f(program_for(pass, inputs), LOCATION_SLOT_WEIGHT, weight);
     draw_runs(pass, inputs, slot, list, first, last);
+}
+
+/* The cuts of a slot's set; a list may take those of `side` slots side by side. */
+static void draw_cuts(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
+                      int list, int side) {
+    int n = pass->desc.interleave, sets = inputs->cuts->tree->sets;
+    GLuint program = program_for(pass, inputs);
+    gl.ProgramUniform1f(program, LOCATION_SLOT_WEIGHT, 1 / (float)side);
+    for (int i = 0; i < side; i++) {
+        gl.ProgramUniform4i(program, LOCATION_SLOT, (slot / side * side + i) % sets, 0, slot % n,
+                            slot / n);
+        draw_tile(pass, inputs, slot, list);
+    }
+}
+
+static void add_cuts(struct pass_state *state, const struct vpl_cuts *cuts) {
+    pass_add_texture(state, UNIT_CUTS, cuts->texture.id);
+    pass_add_texture(state, UNIT_TREE_NODES, cuts->tree->nodes.id);
+    pass_add_texture(state, UNIT_TREE_PICKS, cuts->tree->picks.id);
+    pass_add_texture(state, UNIT_VPLS, cuts->tree->vpls);
+}
+
+static void draw_all(const struct gather_pass *pass, const struct gather_inputs *inputs) {
+    bool listed = pass->desc.receivers == RECEIVERS_LISTED;
+    for (int list = 0; list < (listed ? LIST_KINDS : 1); list++) {
+        int side = listed ? pass->desc.list_slots[list] : 1;
+        for (int slot = 0; side > 0 && slot < pass->desc.interleave * pass->desc.interleave; slot++)
+            (pass->desc.cuts ? draw_cuts : draw_slot)(pass, inputs, slot, list, side);
+    }
 }
 
 void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,
@@ -143,14 +180,11 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
     pixel_lists_add(&state, inputs->lists, pass->desc.receivers);
     if (pass->desc.receivers == RECEIVERS_LISTED)
         pass_add_texture(&state, UNIT_FURTHER_POINTS, frame->further_points->id);
+    if (pass->desc.cuts)
+        add_cuts(&state, inputs->cuts);
     visibility_add(&state, &pass->desc.visibility, &pass->lookup_params, &inputs->visibility);
     write_params(pass, frame, inputs);
     pass_begin(frame->timers, &state);
-    bool listed = pass->desc.receivers == RECEIVERS_LISTED;
-    for (int list = 0; list < (listed ? LIST_KINDS : 1); list++) {
-        int side = listed ? pass->desc.list_slots[list] : 1;
-        for (int slot = 0; side > 0 && slot < pass->desc.interleave * pass->desc.interleave; slot++)
-            draw_slot(pass, inputs, slot, list, side);
-    }
+    draw_all(pass, inputs);
     pass_end(frame->timers);
 }

@@ -27,7 +27,8 @@ struct gather_desc {
     int interleave;   /* n; 1 = all VPLs at each pixel */
     bool map_per_vpl; /* map i - first of the draw belongs to VPL i; else map C(i) */
     bool share;       /* visibility comes by blocks */
-    int receivers;    /* RECEIVERS_LISTED: pixels of lists, whose pattern is interleave */
+    bool cuts; /* each pixel takes its block's cut; a slot is a set of pixels (struct vpl_tree) */
+    int receivers; /* RECEIVERS_LISTED: pixels of lists, whose pattern is interleave */
     int list_slots
         [LIST_KINDS]; /* of those: of the pattern's slots, as many side by side as what is on
                                    the list takes; 0: it does not gather */
@@ -63,6 +64,7 @@ struct gather_inputs {
     bool further;     /* they are of further bounces: bounded as disks, whatever desc.clamp */
     struct visibility_inputs visibility;     /* unless VISIBILITY_LOOKUP_NONE */
     const struct block_visibilities *blocks; /* where desc.share */
+    const struct vpl_cuts *cuts;             /* where desc.cuts */
     const struct pixel_lists *lists;         /* unless desc.receivers is RECEIVERS_ALL */
 };
 

@@ -1,0 +1,23 @@
+// A node of a tree over VPLs.
+#include "shared/vpl_tree.h"
+
+// A box of places and a cone of normals.
+struct tree_extent {
+    vec3 low, high, axis;
+    float cosine; // of the cone's half angle; -1: all directions
+};
+
+struct tree_node {
+    tree_extent extent;
+    float near2, area;
+    vec3 flux;
+    float power;
+};
+
+ivec3 tree_texel(int node, int row) {
+    return ivec3(node % TREE_COLUMNS, node / TREE_COLUMNS, row);
+}
+
+tree_node tree_node_of_rows(vec4 low, vec4 high, vec4 cone, vec4 flux) {
+    return tree_node(tree_extent(low.xyz, high.xyz, cone.xyz, cone.w), low.w, high.w, flux.rgb, flux.w);
+}
