@@ -34,7 +34,8 @@ static double surface_area(const struct geometry *geometry) {
 static void check_form_factors(const struct stage *stage, int count) {
     struct surface_points points;
     double area = 0, least = INFINITY, most = 0;
-    surface_points_init(&points, &stage->scene, &stage->geometry, count, 0);
+    surface_points_init(
+        &points, &(struct surface_points_desc){&stage->scene, &stage->geometry, count, 0, false});
     struct surface_place *places = mem_alloc((size_t)count, sizeof *places);
     for (int i = 0; i < count; i++) {
         places[i] = surface_points_place(&points, &stage->geometry, i);
@@ -95,7 +96,8 @@ static void test_sides(void **state) {
     for (int sides = 1; sides <= 2; sides++) {
         for (int m = 0; m < stage.scene.material_count; m++)
             stage.scene.materials[m].double_sided = sides == 2;
-        surface_points_init(&points, &stage.scene, &stage.geometry, 4096, 4096);
+        surface_points_init(&points, &(struct surface_points_desc){&stage.scene, &stage.geometry,
+                                                                   4096, 4096, false});
         double front = area_of(&points, &stage.geometry, false, &fronts);
         double back = area_of(&points, &stage.geometry, true, &backs);
         printf("  %d sides: %d points in front, %d behind\n", sides, fronts, backs);
@@ -106,7 +108,8 @@ static void test_sides(void **state) {
     for (int m = 0; m < stage.scene.material_count; m++)
         for (int c = 0; c < 3; c++)
             stage.scene.materials[m].base_color[c] = 0;
-    surface_points_init(&points, &stage.scene, &stage.geometry, 256, 0);
+    surface_points_init(
+        &points, &(struct surface_points_desc){&stage.scene, &stage.geometry, 256, 0, false});
     check_near("area of a black scene", area_of(&points, &stage.geometry, false, &fronts), 0, 0);
     surface_points_free(&points);
     stage_free(&stage);
@@ -123,7 +126,8 @@ static void test_plain(void **state) {
     for (uint32_t i = 0; i < floor->vertex_count; i++)
         for (int c = 0; c < 3; c++)
             geometry->position[floor->first_vertex + i][c] *= 100;
-    surface_points_init(&points, &stage.scene, geometry, 4096, 0);
+    surface_points_init(&points,
+                        &(struct surface_points_desc){&stage.scene, geometry, 4096, 0, false});
     int on_plain = 0;
     for (int i = 0; i < points.count; i++)
         on_plain += points.items[i].part == 0;
@@ -275,7 +279,8 @@ static void test_metaballs(void **state) {
     struct surface_points points;
     double still = 0, area = 0;
     open_stage(&stage, "scenes/metaballs.glb");
-    surface_points_init(&points, &stage.scene, &stage.geometry, 4096, 0);
+    surface_points_init(
+        &points, &(struct surface_points_desc){&stage.scene, &stage.geometry, 4096, 0, false});
     for (int p = 0; p < stage.geometry.part_count; p++) {
         const struct geometry_part *part = &stage.geometry.parts[p];
         for (uint32_t k = 0; !part->dynamic && k < part->index_count; k += 3)

@@ -92,6 +92,8 @@
 #define UNIT_TREE_NODES 75
 #define UNIT_TREE_PICKS 76
 #define UNIT_CUTS 77
+#define UNIT_CASTER_POINTS 78
+#define UNIT_COARSE_DEPTH 79
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0

@@ -6,7 +6,7 @@
 #include "lib/tangent.glsl"
 #include "lib/vpl_input.glsl"
 #include "lib/vpl_spread.glsl"
-#include "shared/paraboloid.h"
+#include "shared/vpl_views.h"
 
 void main() {
     vpl v = vpl_input();

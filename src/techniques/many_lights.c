@@ -24,6 +24,15 @@ struct visibility_desc many_lights_lookup(const struct settings *settings,
     };
 }
 
+static struct visibility_desc lookup_of(const struct settings *settings,
+                                        enum visibility_lookup lookup,
+                                        const struct many_lights_visibility *visibility) {
+    struct visibility_desc desc = many_lights_lookup(settings, lookup, visibility->map_count);
+    if (visibility->map_size)
+        desc.map_size = visibility->map_size;
+    return desc;
+}
+
 /* 15 degrees: with no more than a pixel to each side the blur is as sharp as the lobe, and within fewer
  * degrees it finds no neighbours on small round things. */
 static const float gloss_cosine = .966F;
@@ -76,7 +85,7 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
         .map_per_vpl = visibility->map_per_vpl,
         .share = visibility->share,
         .cuts = visibility->cuts,
-        .visibility = many_lights_lookup(desc->settings, visibility->lookup, visibility->map_count),
+        .visibility = lookup_of(desc->settings, visibility->lookup, visibility),
         .clamp = (enum gather_clamp)own->clamp,
         .clamp_value = own->clamp_value,
         .sphere = own->sphere,
@@ -170,9 +179,8 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
                                 .geometry = desc->geometry,
                                 .count = own->points,
                                 .map_per_vpl = visibility->map_per_vpl,
-                                .visibility = many_lights_lookup(desc->settings,
-                                                                 bounce_lookup(visibility->lookup),
-                                                                 visibility->map_count),
+                                .visibility = lookup_of(
+                                    desc->settings, bounce_lookup(visibility->lookup), visibility),
                             });
 }
 

@@ -106,6 +106,7 @@ struct many_lights_visibility {
     int map_count;
     bool map_per_vpl, share; /* as in struct gather_desc, as is: */
     bool cuts;               /* but what is reflected as by a mirror takes VPLs */
+    int map_size;            /* 0: as the settings have it */
 };
 
 /* The settings of a lookup. */

@@ -66,7 +66,8 @@ static bool init_points(struct vpl_buffer *points, GLuint *texture, const char *
 bool bounce_pass_init(struct bounce_pass *pass, const struct bounce_desc *desc) {
     *pass = (struct bounce_pass){.desc = *desc};
     int candidates = candidate_count(pass);
-    surface_points_init(&pass->candidates, desc->scene, desc->geometry, candidates, 0);
+    surface_points_init(&pass->candidates, &(struct surface_points_desc){
+                                               desc->scene, desc->geometry, candidates, 0, false});
     pass->room = mem_alloc((size_t)candidates, sizeof *pass->room);
     if (init_programs(pass) && init_targets(pass) &&
         init_points(&pass->places, &pass->place_texture, "candidates of points", candidates) &&
@@ -109,8 +110,10 @@ void bounce_pass_free(struct bounce_pass *pass) {
 static void deal_again(struct bounce_pass *pass, const struct frame *frame) {
     int count = candidate_count(pass);
     surface_points_free(&pass->candidates);
-    surface_points_init(&pass->candidates, pass->desc.scene, frame->geometry, count,
-                        (uint32_t)frame->pass * (uint32_t)count);
+    uint32_t first = (uint32_t)frame->pass * (uint32_t)count;
+    surface_points_init(
+        &pass->candidates,
+        &(struct surface_points_desc){pass->desc.scene, frame->geometry, count, first, false});
     pass->dealt_pass = frame->pass;
     pass->pose = 0;
 }

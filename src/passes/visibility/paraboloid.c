@@ -4,12 +4,10 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/map_view.h"
 #include "shared/paraboloid.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Simplified casters come before what they stand for by up to their error, and would shadow it: maps
  * have them farther off by this much of the error. */
@@ -58,12 +56,7 @@ bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_
     *pass = (struct paraboloid_pass){.desc = *desc};
     if (caster_pool_acquire(desc->casters, &pass->caster, &desc->caster) &&
         init_pair(pass->opaque_programs, false, desc->planes) &&
-        init_pair(pass->masked_programs, true, desc->planes) &&
-        program_init(&pass->views_program,
-                     &(struct program_desc){.vertex = "visibility/vpl_views.vert"}) &&
-        init_maps(pass, desc) &&
-        buffer_init(&pass->views.buffer, "map views", MAP_VIEWS_MAX * sizeof(struct map_view),
-                    NULL) &&
+        init_pair(pass->masked_programs, true, desc->planes) && init_maps(pass, desc) &&
         buffer_init(&pass->params, "map parameters", sizeof(struct paraboloid_params), NULL))
         return true;
     paraboloid_pass_free(pass);
@@ -76,40 +69,21 @@ void paraboloid_pass_free(struct paraboloid_pass *pass) {
         program_free(&pass->opaque_programs[l]);
         program_free(&pass->masked_programs[l]);
     }
-    program_free(&pass->views_program);
     framebuffer_free(&pass->framebuffer);
     texture_free(&pass->maps.depth);
     texture_free(&pass->maps.normal);
-    buffer_free(&pass->views.buffer);
     buffer_free(&pass->params);
     *pass = (struct paraboloid_pass){0};
 }
 
-static void write_params(const struct paraboloid_pass *pass, const struct frame *frame) {
+static void write_params(const struct paraboloid_pass *pass) {
     struct paraboloid_params params = {
-        .near_clip = pass->desc.near_clip,
         .map_size = (float)pass->maps.size,
         .pieces = sqrtf((float)pass->maps.size / (16 * pass->desc.bend)),
         .long_edge = pass->caster->caster.long_edge,
         .set_back = set_back * pass->caster->caster.error,
     };
-    memcpy(params.bounds_min, frame->bounds_min, sizeof frame->bounds_min);
-    memcpy(params.bounds_max, frame->bounds_max, sizeof frame->bounds_max);
     buffer_write(&pass->params, 0, sizeof params, &params);
-}
-
-void paraboloid_pass_view_vpls(struct paraboloid_pass *pass, const struct frame *frame,
-                               const struct vpl_buffer *vpls, int first, int count) {
-    write_params(pass, frame);
-    pass->views.count = count;
-    pass_set_state(&(struct pass_state){
-        .name = "depth maps",
-        .program = pass->views_program,
-        .vertex_array = vpls->vertices,
-        .textures = {{UNIT_VPL_SPREAD, vpls->spread.id}},
-        .blocks = {{BLOCK_PASS, &pass->params}},
-    });
-    pass_feedback(pass->views.buffer.id, first, count);
 }
 
 static void draw_casters(const struct paraboloid_pass *pass, struct pass_state *state,
@@ -138,7 +112,7 @@ void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct fra
         .clip_distances = 2,
         .blocks = {{BLOCK_MAPS, &views->buffer}, {BLOCK_PASS, &pass->params}},
     };
-    write_params(pass, frame);
+    write_params(pass);
     pass_begin(frame->timers, &state);
     framebuffer_clear_depth(pass->framebuffer, 1);
     for (int l = 0; l < 2; l++)

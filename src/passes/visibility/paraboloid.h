@@ -11,27 +11,20 @@ struct paraboloid_desc {
     struct caster_desc caster;   /* which of them the maps show */
     float bend; /* how far edges of long casters may stray from their true place, texels */
     int size, count;
-    bool planes;     /* the maps tell how casters are tilted, too */
-    float near_clip; /* over the spread of VPLs; for views made here from them */
+    bool planes; /* the maps tell how casters are tilted, too */
 };
 
 struct paraboloid_pass {
     struct paraboloid_desc desc;
     const struct caster_gpu *caster;
     GLuint opaque_programs[2], masked_programs[2]; /* at caster_length */
-    GLuint views_program;
     GLuint framebuffer;
     struct depth_maps maps;
-    struct map_views views; /* made by paraboloid_pass_view_vpls */
     struct buffer params;
 };
 
 bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_desc *desc);
 void paraboloid_pass_free(struct paraboloid_pass *pass);
-
-/* Fills pass->views with the views from VPLs first .. first + count. */
-void paraboloid_pass_view_vpls(struct paraboloid_pass *pass, const struct frame *frame,
-                               const struct vpl_buffer *vpls, int first, int count);
 
 /* Draws the first views->count maps. Timer "depth maps". */
 void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct frame *frame,

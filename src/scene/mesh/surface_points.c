@@ -46,8 +46,8 @@ static double total(const struct running_sums *sums, int part_count) {
     return count ? sums->ends[count - 1] : 0;
 }
 
-static int sides_of(const struct scene *scene, const struct geometry_part *part) {
-    return part_material(scene, part)->double_sided ? 2 : 1;
+static int sides_of(const struct surface_points_desc *desc, const struct geometry_part *part) {
+    return !desc->casters && part_material(desc->scene, part)->double_sided ? 2 : 1;
 }
 
 /* All triangles' own. */
@@ -61,17 +61,18 @@ static double *measure_areas(const struct geometry *geometry) {
     return areas;
 }
 
-/* No side of a triangle counts for more than the cap; dynamic parts count for nothing. */
-static void sum_up(struct running_sums *sums, const struct scene *scene,
-                   const struct geometry *geometry, const double *areas, double cap) {
+/* No side of a triangle counts for more than the cap. */
+static void sum_up(struct running_sums *sums, const struct surface_points_desc *desc,
+                   const double *areas, double cap) {
+    const struct geometry *geometry = desc->geometry;
     double sum = 0;
     uint32_t at = 0;
     for (int p = 0; p < geometry->part_count; p++) {
         const struct geometry_part *part = &geometry->parts[p];
-        int sides = sides_of(scene, part);
+        int sides = part->dynamic && !desc->casters ? 0 : sides_of(desc, part);
         sums->first[p] = at;
         for (uint32_t t = 0; t < part->index_count / 3; t++, at++)
-            sums->ends[at] = sum += part->dynamic ? 0 : sides * fmin(areas[at], cap);
+            sums->ends[at] = sum += sides * fmin(areas[at], cap);
     }
     sums->first[geometry->part_count] = at;
 }
@@ -79,17 +80,17 @@ static void sum_up(struct running_sums *sums, const struct scene *scene,
 /* Each round lowers the cap to the largest share of what the one before left. They are enough for a
  * plain of two triangles 10^10 times as large as the rest, and end where there are too few triangles
  * for any to have less than that share. */
-static void init_sums(struct running_sums *sums, const struct scene *scene,
-                      const struct geometry *geometry) {
+static void init_sums(struct running_sums *sums, const struct surface_points_desc *desc) {
     enum { ROUNDS = 16 };
+    const struct geometry *geometry = desc->geometry;
     double *areas = measure_areas(geometry);
     *sums = (struct running_sums){
         .ends = mem_alloc(geometry->index_count / 3, sizeof *sums->ends),
         .first = mem_alloc((size_t)geometry->part_count + 1, sizeof *sums->first),
     };
-    sum_up(sums, scene, geometry, areas, INFINITY);
+    sum_up(sums, desc, areas, INFINITY);
     for (int round = 0; round < ROUNDS; round++)
-        sum_up(sums, scene, geometry, areas, largest_share * total(sums, geometry->part_count));
+        sum_up(sums, desc, areas, largest_share * total(sums, geometry->part_count));
     free(areas);
 }
 
@@ -131,22 +132,25 @@ static struct corners corners_of(const struct surface_point *point,
     return corners;
 }
 
-/* What the point reflects, but for holes and black surfaces. */
-static bool find_albedo(struct surface_point *point, const struct scene *scene,
-                        const struct geometry *geometry, const float srgb_to_linear[256]) {
-    const struct material *material = part_material(scene, &geometry->parts[point->part]);
+/* What the point reflects, but for holes and, unless they are casters, black surfaces. */
+static bool find_albedo(struct surface_point *point, const struct surface_points_desc *desc,
+                        const float srgb_to_linear[256]) {
+    const struct geometry *geometry = desc->geometry;
+    const struct material *material = part_material(desc->scene, &geometry->parts[point->part]);
+    if (desc->casters && !material->alpha_mask)
+        return true;
     struct corners corners = corners_of(point, geometry);
-    vec4s color = corners_base_color(&corners, scene, geometry, srgb_to_linear, material);
+    vec4s color = corners_base_color(&corners, desc->scene, geometry, srgb_to_linear, material);
     point->albedo = glms_vec3_clamp(glms_vec3(color), 0, 1);
     bool hole = material->alpha_mask && color.a < material->alpha_cutoff;
-    return !hole && glms_vec3_max(point->albedo) > 0;
+    return !hole && (desc->casters || glms_vec3_max(point->albedo) > 0);
 }
 
 /* The place of a value in the sums. What is left of it within its triangle's span says which side,
  * and is one of the two numbers of the place within: triangles of many points have even ones. */
 static void locate(struct surface_point *point, const struct running_sums *sums,
-                   const struct scene *scene, const struct geometry *geometry, double value,
-                   double y) {
+                   const struct surface_points_desc *desc, double value, double y) {
+    const struct geometry *geometry = desc->geometry;
     uint32_t at = find(sums->ends, sums->first[geometry->part_count], value);
     double begin = at ? sums->ends[at - 1] : 0, span = sums->ends[at] - begin;
     double rest = fmin(fmax((value - begin) / span, 0), 1 - 1e-12);
@@ -154,7 +158,7 @@ static void locate(struct surface_point *point, const struct running_sums *sums,
     while (sums->first[p + 1] <= at)
         p++;
     const struct geometry_part *part = &geometry->parts[p];
-    int sides = sides_of(scene, part);
+    int sides = sides_of(desc, part);
     *point = (struct surface_point){
         .part = p, .triangle = at - sums->first[p], .back = sides * rest >= 1};
     /* The inverse of how many there are on its side, but for the number of all. */
@@ -162,23 +166,21 @@ static void locate(struct surface_point *point, const struct running_sums *sums,
     set_weights(point, fmod(sides * rest, 1), y);
 }
 
-void surface_points_init(struct surface_points *points, const struct scene *scene,
-                         const struct geometry *geometry, int count, uint32_t first) {
+void surface_points_init(struct surface_points *points, const struct surface_points_desc *desc) {
     enum { TRIES = 8 }; /* for each point: after them the rest stays black */
     struct running_sums sums;
     float srgb_to_linear[256];
-    *points =
-        (struct surface_points){scene, count, mem_alloc((size_t)count, sizeof *points->items)};
+    int count = desc->count;
+    *points = (struct surface_points){count, mem_alloc((size_t)count, sizeof *points->items)};
     texture_decode_table(srgb_to_linear);
-    init_sums(&sums, scene, geometry);
-    double all = total(&sums, geometry->part_count);
+    init_sums(&sums, desc);
+    double all = total(&sums, desc->geometry->part_count);
     int found = 0, tried = 0;
     for (; found < count && tried < TRIES * count && all > 0; tried++) {
-        uint32_t number = 1 + first * TRIES + (uint32_t)tried;
+        uint32_t number = 1 + desc->first * TRIES + (uint32_t)tried;
         struct surface_point *point = &points->items[found];
-        locate(point, &sums, scene, geometry, radical_inverse(2, number) * all,
-               radical_inverse(3, number));
-        found += find_albedo(point, scene, geometry, srgb_to_linear);
+        locate(point, &sums, desc, radical_inverse(2, number) * all, radical_inverse(3, number));
+        found += find_albedo(point, desc, srgb_to_linear);
     }
     for (int i = 0; i < found; i++)
         points->items[i].share *= (float)(all / tried);
@@ -195,7 +197,7 @@ void surface_points_free(struct surface_points *points) {
 struct surface_place surface_points_place(const struct surface_points *points,
                                           const struct geometry *geometry, int i) {
     const struct surface_point *point = &points->items[i];
-    if (glms_vec3_max(point->albedo) <= 0)
+    if (point->share <= 0)
         return (struct surface_place){.area = 0};
     struct corners corners = corners_of(point, geometry);
     vec3s normal = glms_vec3_normalize(corners_vector(&corners, geometry->normal));

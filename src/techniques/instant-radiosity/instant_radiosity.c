@@ -1,9 +1,8 @@
 /* Instant radiosity with a hard paraboloid shadow map per VPL [Keller 1997; Dong 2009 §7, Fig. 10]:
- * the brute force that clustered visibility approximates. Maps are drawn in batches, so that N is
- * bounded by time and not by memory. */
+ * the brute force that clustered visibility approximates. */
 #include "base/memory.h"
 #include "passes/visibility/paraboloid.h"
-#include "techniques/many_lights.h"
+#include "techniques/vpl_maps.h"
 
 #include <stdlib.h>
 
@@ -23,6 +22,7 @@ static const struct settings_part own_part = {"instant-radiosity", "a map per VP
 struct instant_radiosity {
     struct many_lights lights;
     struct paraboloid_pass paraboloid;
+    struct vpl_maps maps;
 };
 
 static void free_state(void *state) {
@@ -30,8 +30,16 @@ static void free_state(void *state) {
     if (technique) {
         many_lights_free(&technique->lights);
         paraboloid_pass_free(&technique->paraboloid);
+        vpl_maps_free(&technique->maps);
     }
     free(technique);
+}
+
+static void render_maps(void *state, const struct frame *frame, const struct map_views *views,
+                        int first) {
+    const struct instant_radiosity *technique = state;
+    (void)first;
+    paraboloid_pass_render(&technique->paraboloid, frame, views);
 }
 
 static bool init(void **state, const struct technique_desc *desc) {
@@ -55,8 +63,10 @@ static bool init(void **state, const struct technique_desc *desc) {
                                     .size = map->size,
                                     .count = batch,
                                     .planes = true,
-                                    .near_clip = map->near_clip,
-                                });
+                                }) &&
+           vpl_maps_init(&technique->maps,
+                         &(struct vpl_maps_desc){map->near_clip, &technique->paraboloid.maps,
+                                                 render_maps, technique});
 }
 
 static bool resize(void *state, int width, int height) {
@@ -64,67 +74,14 @@ static bool resize(void *state, int width, int height) {
     return many_lights_resize(&technique->lights, width, height);
 }
 
-/* The maps of a batch of VPLs: only one batch is kept. Returns how many they are; 0 after the last.
- */
-static int render_batch(struct instant_radiosity *technique, const struct frame *frame,
-                        const struct vpl_buffer *vpls, int first) {
-    struct paraboloid_pass *paraboloid = &technique->paraboloid;
-    int rest = vpls->count - first, batch = paraboloid->desc.count;
-    int count = rest < batch ? rest : batch;
-    if (count > 0) {
-        paraboloid_pass_view_vpls(paraboloid, frame, vpls, first, count);
-        paraboloid_pass_render(paraboloid, frame, &paraboloid->views);
-    }
-    return count;
-}
-
-static struct visibility_inputs batch_maps(const struct instant_radiosity *technique) {
-    return (struct visibility_inputs){.views = &technique->paraboloid.views,
-                                      .depth = &technique->paraboloid.maps};
-}
-
-static void render_bounce(struct instant_radiosity *technique, const struct frame *frame,
-                          int bounce) {
-    struct many_lights *lights = &technique->lights;
-    const struct vpl_buffer *vpls = bounce == 2 ? &lights->vpls : &lights->bounce.vpls;
-    bounce_pass_begin(&lights->bounce);
-    for (int first = 0, count; (count = render_batch(technique, frame, vpls, first)) > 0;
-         first += count) {
-        struct bounce_inputs inputs = {vpls, first, count, batch_maps(technique)};
-        if (bounce == 2 && first == 0)
-            bounce_pass_pick(&lights->bounce, frame, &inputs);
-        bounce_pass_gather(&lights->bounce, frame, &inputs);
-    }
-    many_lights_end_bounce(lights, frame, bounce);
-}
-
 static void render_lights(void *state, const struct frame *frame) {
     struct instant_radiosity *technique = state;
-    many_lights_render_vpls(&technique->lights, frame);
-    for (int bounce = 2; bounce <= technique->lights.bounces; bounce++)
-        render_bounce(technique, frame, bounce);
-}
-
-static void gather(struct instant_radiosity *technique, const struct vpl_buffer *vpls, bool further,
-                   const struct frame *frame, const struct gbuffer *gbuffer) {
-    for (int first = 0, count; (count = render_batch(technique, frame, vpls, first)) > 0;
-         first += count)
-        many_lights_gather(&technique->lights, frame, gbuffer,
-                           &(struct gather_inputs){.vpls = vpls,
-                                                   .first = first,
-                                                   .count = count,
-                                                   .further = further,
-                                                   .visibility = batch_maps(technique)});
+    vpl_maps_render_lights(&technique->maps, &technique->lights, frame);
 }
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct instant_radiosity *technique = state;
-    struct many_lights *lights = &technique->lights;
-    many_lights_begin(lights, frame, gbuffer);
-    gather(technique, &lights->vpls, false, frame, gbuffer);
-    if (lights->bounces > 1)
-        gather(technique, &lights->bounce.vpls, true, frame, gbuffer);
-    many_lights_finish(lights, frame, gbuffer);
+    vpl_maps_render_view(&technique->maps, &technique->lights, frame, gbuffer);
 }
 
 static struct contribution contribution(const void *state) {

@@ -1,0 +1,31 @@
+/* The points of imperfect shadow maps, and how they are drawn. */
+#ifndef SHARED_SPLAT_H
+#define SHARED_SPLAT_H
+
+#include "shared/types.h"
+
+#define CASTER_POINT_ROWS 2
+
+/* Stands for a disk. */
+struct caster_point {
+    vec3 position; /* metres */
+    float radius;  /* of one of all points, metres; 0: there is none */
+    vec3 normal;   /* unit */
+    float unused;
+};
+STD140_SIZE(caster_point, 16 * CASTER_POINT_ROWS)
+
+#define SPLAT_DISK 0
+#define SPLAT_SQUARE 1
+
+struct splat_params {
+    int first; /* VPL of the first map */
+    int points; /* of a map */
+    int sets;   /* of so many points each, which VPLs take in turn */
+    float map_size; /* texels */
+    float scale;    /* radius of what is drawn, over that of the disk whose area a point stands for */
+    float unused0, unused1, unused2;
+};
+PASS_BLOCK(splat_params, 32)
+
+#endif

@@ -1,0 +1,127 @@
+#include "techniques/imperfect-shadow-maps/fill.h"
+
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+
+#define FOLDER "techniques/imperfect-shadow-maps/"
+
+static bool init_program(GLuint *program, const char *fragment, const char *defines) {
+    return program_init(
+        program,
+        &(struct program_desc){.vertex = "layers.vert", .fragment = fragment, .defines = defines});
+}
+
+/* Of level l + 1. */
+static int level_size(const struct fill_pass *pass, int l) {
+    int size = pass->maps.size >> (l + 1);
+    return size > 1 ? size : 1;
+}
+
+static bool init_level(const struct fill_pass *pass, int l, const char *label,
+                       struct texture *texture, GLuint *framebuffer) {
+    return texture_init(texture, &(struct texture_desc){.label = label,
+                                                        .target = GL_TEXTURE_2D_ARRAY,
+                                                        .format = GL_R16,
+                                                        .width = level_size(pass, l),
+                                                        .height = level_size(pass, l),
+                                                        .layers = pass->maps.count}) &&
+           framebuffer_init(framebuffer,
+                            &(struct framebuffer_desc){.label = label, .colors = {texture}});
+}
+
+static bool init_levels(struct fill_pass *pass) {
+    bool ok = true;
+    for (int l = 0; ok && l < FILL_LEVELS; l++)
+        ok = init_level(pass, l, "pulled depth", &pass->pulled[l], &pass->pulled_framebuffers[l]);
+    for (int l = 0; ok && l < FILL_LEVELS - 1; l++)
+        ok = init_level(pass, l, "pushed depth", &pass->pushed[l], &pass->pushed_framebuffers[l]);
+    return ok;
+}
+
+static bool init_maps(struct fill_pass *pass) {
+    struct depth_maps *maps = &pass->maps;
+    return texture_init(&maps->depth, &(struct texture_desc){.label = "filled depth",
+                                                             .target = GL_TEXTURE_2D_ARRAY,
+                                                             .format = GL_DEPTH_COMPONENT16,
+                                                             .width = maps->size,
+                                                             .height = maps->size,
+                                                             .layers = maps->count}) &&
+           framebuffer_init(&pass->framebuffer, &(struct framebuffer_desc){.label = "filled depth",
+                                                                           .depth = &maps->depth});
+}
+
+bool fill_pass_init(struct fill_pass *pass, int size, int count) {
+    *pass = (struct fill_pass){.maps = {.size = size, .count = count}};
+    if (init_program(&pass->pull_program, FOLDER "pull.frag", NULL) &&
+        init_program(&pass->push_program, FOLDER "push.frag", "TO_MAP 0") &&
+        init_program(&pass->map_program, FOLDER "push.frag", "TO_MAP 1") && init_levels(pass) &&
+        init_maps(pass) &&
+        buffer_init(&pass->params, "fill parameters", sizeof(struct fill_params), NULL))
+        return true;
+    fill_pass_free(pass);
+    return false;
+}
+
+void fill_pass_free(struct fill_pass *pass) {
+    program_free(&pass->pull_program);
+    program_free(&pass->push_program);
+    program_free(&pass->map_program);
+    for (int l = 0; l < FILL_LEVELS; l++) {
+        framebuffer_free(&pass->pulled_framebuffers[l]);
+        framebuffer_free(&pass->pushed_framebuffers[l]);
+        texture_free(&pass->pulled[l]);
+        texture_free(&pass->pushed[l]);
+    }
+    framebuffer_free(&pass->framebuffer);
+    texture_free(&pass->maps.depth);
+    buffer_free(&pass->params);
+    *pass = (struct fill_pass){0};
+}
+
+/* One step: from fine texels of a level, and from coarse ones or 0. */
+static void draw_step(const struct fill_pass *pass, struct pass_state state,
+                      const struct map_views *views, GLuint coarse, struct fill_params params) {
+    params.map_size = (float)pass->maps.size;
+    buffer_write(&pass->params, 0, sizeof params, &params);
+    state.name = "fill";
+    state.height = state.width;
+    pass_add_block(&state, BLOCK_MAPS, &views->buffer);
+    pass_add_block(&state, BLOCK_PASS, &pass->params);
+    if (coarse)
+        pass_add_texture(&state, UNIT_COARSE_DEPTH, coarse);
+    pass_set_state(&state);
+    gl.ProgramUniform1i(state.program, LOCATION_FIRST_LAYER, 0);
+    pass_draw_fullscreen(views->count);
+}
+
+void fill_pass_render(struct fill_pass *pass, const struct frame *frame,
+                      const struct depth_maps *holes, const struct map_views *views, float radius) {
+    timer_begin(frame->timers, "fill");
+    for (int l = 0; l < FILL_LEVELS; l++) {
+        GLuint fine = l == 0 ? holes->depth.id : pass->pulled[l - 1].id;
+        draw_step(pass,
+                  (struct pass_state){.program = pass->pull_program,
+                                      .framebuffer = pass->pulled_framebuffers[l],
+                                      .width = level_size(pass, l),
+                                      .textures = {{UNIT_MAP_DEPTH, fine}}},
+                  views, 0, (struct fill_params){.level = l, .radius = radius});
+    }
+    GLuint coarse = pass->pulled[FILL_LEVELS - 1].id;
+    for (int l = FILL_LEVELS - 2; l >= 0; coarse = pass->pushed[l].id, l--)
+        draw_step(pass,
+                  (struct pass_state){.program = pass->push_program,
+                                      .framebuffer = pass->pushed_framebuffers[l],
+                                      .width = level_size(pass, l),
+                                      .textures = {{UNIT_MAP_DEPTH, pass->pulled[l].id}}},
+                  views, coarse, (struct fill_params){.level = l + 1, .radius = radius});
+    framebuffer_clear_depth(pass->framebuffer, 1);
+    draw_step(pass,
+              (struct pass_state){.program = pass->map_program,
+                                  .framebuffer = pass->framebuffer,
+                                  .width = pass->maps.size,
+                                  .depth = PASS_DEPTH_LESS,
+                                  .textures = {{UNIT_MAP_DEPTH, holes->depth.id}}},
+              views, coarse, (struct fill_params){.level = 0, .radius = radius});
+    timer_end(frame->timers);
+}

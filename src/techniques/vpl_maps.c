@@ -1,0 +1,76 @@
+#include "techniques/vpl_maps.h"
+
+bool vpl_maps_init(struct vpl_maps *maps, const struct vpl_maps_desc *desc) {
+    *maps = (struct vpl_maps){.desc = *desc};
+    return vpl_views_pass_init(&maps->views, desc->near_clip);
+}
+
+void vpl_maps_free(struct vpl_maps *maps) {
+    vpl_views_pass_free(&maps->views);
+    *maps = (struct vpl_maps){0};
+}
+
+int vpl_maps_render_batch(struct vpl_maps *maps, const struct frame *frame,
+                          const struct vpl_buffer *vpls, int first) {
+    int rest = vpls->count - first, batch = maps->desc.maps->count;
+    int count = rest < batch ? rest : batch;
+    if (count <= 0 || (maps->held == vpls && maps->held_first == first))
+        return count > 0 ? count : 0;
+    vpl_views_pass_render(&maps->views, frame, vpls, first, count);
+    maps->desc.render(maps->desc.state, frame, &maps->views.views, first);
+    maps->held = vpls;
+    maps->held_first = first;
+    return count;
+}
+
+static struct visibility_inputs batch_inputs(const struct vpl_maps *maps) {
+    return (struct visibility_inputs){.views = &maps->views.views, .depth = maps->desc.maps};
+}
+
+static void render_bounce(struct vpl_maps *maps, struct many_lights *lights,
+                          const struct frame *frame, int bounce) {
+    const struct vpl_buffer *vpls = bounce == 2 ? &lights->vpls : &lights->bounce.vpls;
+    bounce_pass_begin(&lights->bounce);
+    for (int first = 0, count; (count = vpl_maps_render_batch(maps, frame, vpls, first)) > 0;
+         first += count) {
+        struct bounce_inputs inputs = {vpls, first, count, batch_inputs(maps)};
+        if (bounce == 2 && first == 0)
+            bounce_pass_pick(&lights->bounce, frame, &inputs);
+        bounce_pass_gather(&lights->bounce, frame, &inputs);
+    }
+    many_lights_end_bounce(lights, frame, bounce);
+    /* The points' spread, which their near clip is measured by, is another now. */
+    maps->held = NULL;
+}
+
+void vpl_maps_render_lights(struct vpl_maps *maps, struct many_lights *lights,
+                            const struct frame *frame) {
+    many_lights_render_vpls(lights, frame);
+    maps->held = NULL;
+    for (int bounce = 2; bounce <= lights->bounces; bounce++)
+        render_bounce(maps, lights, frame, bounce);
+    if (lights->bounces == 1 && lights->vpls.count <= maps->desc.maps->count)
+        vpl_maps_render_batch(maps, frame, &lights->vpls, 0);
+}
+
+static void gather(struct vpl_maps *maps, const struct many_lights *lights,
+                   const struct vpl_buffer *vpls, bool further, const struct frame *frame,
+                   const struct gbuffer *gbuffer) {
+    for (int first = 0, count; (count = vpl_maps_render_batch(maps, frame, vpls, first)) > 0;
+         first += count)
+        many_lights_gather(lights, frame, gbuffer,
+                           &(struct gather_inputs){.vpls = vpls,
+                                                   .first = first,
+                                                   .count = count,
+                                                   .further = further,
+                                                   .visibility = batch_inputs(maps)});
+}
+
+void vpl_maps_render_view(struct vpl_maps *maps, const struct many_lights *lights,
+                          const struct frame *frame, const struct gbuffer *gbuffer) {
+    many_lights_begin(lights, frame, gbuffer);
+    gather(maps, lights, &lights->vpls, false, frame, gbuffer);
+    if (lights->bounces > 1)
+        gather(maps, lights, &lights->bounce.vpls, true, frame, gbuffer);
+    many_lights_finish(lights, frame, gbuffer);
+}

@@ -1,0 +1,43 @@
+/* A map for each VPL: what techniques share that have one. They differ in how maps are made.
+ *
+ * Maps are made in batches, so that N is bounded by time and not by memory. The last batch stays: where
+ * it is all of them, and only the camera moves, they need not be made again.
+ */
+#ifndef TECHNIQUES_VPL_MAPS_H
+#define TECHNIQUES_VPL_MAPS_H
+
+#include "passes/visibility/vpl_views.h"
+#include "techniques/many_lights.h"
+
+struct vpl_maps_desc {
+    float near_clip;               /* as of struct vpl_views_pass */
+    const struct depth_maps *maps; /* of a batch */
+    /* Fills the first views->count maps, which are those of VPLs first .. */
+    void (*render)(void *state, const struct frame *frame, const struct map_views *views,
+                   int first);
+    void *state;
+};
+
+struct vpl_maps {
+    struct vpl_maps_desc desc;
+    struct vpl_views_pass views;
+    const struct vpl_buffer *held; /* whose maps are there, from held_first on; NULL: none are */
+    int held_first;
+};
+
+bool vpl_maps_init(struct vpl_maps *maps, const struct vpl_maps_desc *desc);
+void vpl_maps_free(struct vpl_maps *maps);
+
+/* As technique->render_lights: RSM and VPLs of all bounces; and their maps, where one batch is all. */
+void vpl_maps_render_lights(struct vpl_maps *maps, struct many_lights *lights,
+                            const struct frame *frame);
+
+/* Makes the maps of VPLs first .. of the next batch. Returns how many they are; 0 after the last. */
+int vpl_maps_render_batch(struct vpl_maps *maps, const struct frame *frame,
+                          const struct vpl_buffer *vpls, int first);
+
+/* As technique->render_view. */
+void vpl_maps_render_view(struct vpl_maps *maps, const struct many_lights *lights,
+                          const struct frame *frame, const struct gbuffer *gbuffer);
+
+#endif

@@ -1,0 +1,335 @@
+/* Imperfect shadow maps: the points that they are made of, what one of them hides, how holes are closed, and that
+ * they become maps of triangles. */
+#include "render_support.h"
+
+#include "base/memory.h"
+#include "scene/mesh/surface_points.h"
+#include "shared/map_view.h"
+#include "shared/vpl.h"
+#include "techniques/imperfect-shadow-maps/fill.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char name[] = "imperfect-shadow-maps";
+
+/* --- points ----------------------------------------------------------------------------------- */
+
+static double area_of(const struct geometry *geometry) {
+    double area = 0;
+    for (uint32_t k = 0; k < geometry->index_count; k += 3) {
+        vec3s p[3];
+        for (int i = 0; i < 3; i++)
+            p[i] = to_vec3s(geometry->position[geometry->indices[k + (uint32_t)i]]);
+        area += (double)glms_vec3_norm(
+                    glms_vec3_cross(glms_vec3_sub(p[1], p[0]), glms_vec3_sub(p[2], p[0]))) /
+                2;
+    }
+    return area;
+}
+
+/* All surfaces hide light, once: black ones too, of one side or of two, and metaballs. */
+static void check_points(const char *path, bool black, bool double_sided) {
+    struct stage stage;
+    struct surface_points points;
+    double area = 0;
+    open_stage(&stage, path);
+    for (int m = 0; m < stage.scene.material_count; m++) {
+        stage.scene.materials[m].double_sided = double_sided;
+        for (int c = 0; c < 3 && black; c++)
+            stage.scene.materials[m].base_color[c] = 0;
+    }
+    surface_points_init(&points, &(struct surface_points_desc){.scene = &stage.scene,
+                                                               .geometry = &stage.geometry,
+                                                               .count = 4096,
+                                                               .first = 4096,
+                                                               .casters = true});
+    for (int i = 0; i < points.count; i++)
+        area += (double)surface_points_place(&points, &stage.geometry, i).area;
+    check_near(path, area / area_of(&stage.geometry), 1, .01);
+    surface_points_free(&points);
+    stage_free(&stage);
+}
+
+static void test_points(void **state) {
+    (void)state;
+    check_points("scenes/cornell-box.glb", true, false);
+    check_points("scenes/cornell-box.glb", false, true);
+    check_points("scenes/metaballs.glb", false, false);
+}
+
+/* --- what a point hides ----------------------------------------------------------------------- */
+
+/* Inside a sphere, where 256 disks of .15 of their points' radius hardly overlap: A cos / d^2 each. */
+static double disks_solid_angle(const struct surface_points *points,
+                                const struct geometry *geometry, const struct vpl *vpl,
+                                float scale) {
+    vec3s from = to_vec3s(vpl->position), axis = to_vec3s(vpl->normal);
+    double sum = 0;
+    for (int i = 0; i < points->count; i++) {
+        struct surface_place place = surface_points_place(points, geometry, i);
+        vec3s to = glms_vec3_sub(place.position, from);
+        float d = glms_vec3_norm(to), radius = scale * sqrtf(place.area / GLM_PIf);
+        float facing = fabsf(glms_vec3_dot(place.normal, to)) / d;
+        if (d > radius && glms_vec3_dot(axis, to) > 0)
+            sum += (double)(place.area * scale * scale * facing / (d * d));
+    }
+    return sum;
+}
+
+/* Of the texels that show something: the projection is the stereographic one. */
+static double map_solid_angle(const float *depths, int size) {
+    double sum = 0, side = 2. / size;
+    for (int i = 0; i < size * size; i++) {
+        double x = (i % size + .5) * side - 1, y = (i / size + .5) * side - 1, p2 = x * x + y * y;
+        if (depths[i] < 1 && p2 < 1)
+            sum += 4 / ((1 + p2) * (1 + p2)) * side * side;
+    }
+    return sum;
+}
+
+static float *read_depths(const struct depth_maps *maps) {
+    int texels = maps->size * maps->size * maps->count;
+    float *depths = mem_alloc((size_t)texels, sizeof *depths);
+    gl.GetTextureImage(maps->depth.id, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                       texels * (GLsizei)sizeof *depths, depths);
+    return depths;
+}
+
+static void test_solid_angle(void **state) {
+    (void)state;
+    enum { VPLS = 16, POINTS = 256, SIZE = 256 };
+    struct stage stage;
+    struct renderer renderer;
+    struct output_list outputs;
+    struct surface_points points;
+    open_stage(&stage, "scenes/sphere.glb");
+    struct renderer_desc desc =
+        desc_of(&stage, name,
+                "vpls=16 interleave=4 imperfect-shadow-maps.size=256 sets=1 "
+                "imperfect-shadow-maps.points=256 imperfect-shadow-maps.scale=.15 "
+                "imperfect-shadow-maps.near-clip=0",
+                16, 16);
+    open_renderer(&renderer, &desc);
+    renderer_outputs(&renderer, &outputs);
+    const struct output *output = output_find(&outputs, "vpl-depth");
+    assert_non_null(output);
+    float *depths = read_depths(output->source);
+    struct vpl *vpls = read_vpls(&renderer);
+    surface_points_init(&points, &(struct surface_points_desc){.scene = &stage.scene,
+                                                               .geometry = &stage.geometry,
+                                                               .count = POINTS,
+                                                               .casters = true});
+    double shown = 0, exact = 0;
+    for (int i = 0; i < VPLS; i++) {
+        double map = map_solid_angle(&depths[i * SIZE * SIZE], SIZE);
+        double disks = disks_solid_angle(&points, &stage.geometry, &vpls[i], .15f);
+        check_near("solid angle of a map's disks, over their own", map / disks, 1, .2);
+        shown += map;
+        exact += disks;
+    }
+    check_near("of all maps", shown / exact, 1, .05);
+    surface_points_free(&points);
+    free(depths);
+    free(vpls);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* --- pull and push ---------------------------------------------------------------------------- */
+
+enum { SIDE = 32, MAPS = 2, TEXELS = SIDE * SIDE };
+
+/* Maps that a test makes by hand, and what the pass makes of them. */
+struct filling {
+    struct renderer *renderer;
+    float radius;
+    float before[MAPS][TEXELS], after[MAPS][TEXELS];
+};
+
+static void run_filling(struct filling *filling) {
+    struct fill_pass fill;
+    struct texture holes;
+    struct map_view views[MAP_VIEWS_MAX] = {{.z_far = 1}, {.z_far = 1}};
+    struct map_views block = {.count = MAPS};
+    struct depth_maps maps = {.size = SIDE, .count = MAPS};
+    check_ok("fill", fill_pass_init(&fill, SIDE, MAPS));
+    check_ok("holes", texture_init(&holes, &(struct texture_desc){.label = "holes",
+                                                                  .target = GL_TEXTURE_2D_ARRAY,
+                                                                  .format = GL_DEPTH_COMPONENT16,
+                                                                  .width = SIDE,
+                                                                  .height = SIDE,
+                                                                  .layers = MAPS}));
+    check_ok("views", buffer_init(&block.buffer, "views", sizeof views, views));
+    gl.TextureSubImage3D(holes.id, 0, 0, 0, 0, SIDE, SIDE, MAPS, GL_DEPTH_COMPONENT, GL_FLOAT,
+                         filling->before);
+    struct frame frame = renderer_frame(filling->renderer);
+    maps.depth = holes;
+    fill_pass_render(&fill, &frame, &maps, &block, filling->radius);
+    float *depths = read_depths(&fill.maps);
+    memcpy(filling->after, depths, sizeof filling->after);
+    free(depths);
+    buffer_free(&block.buffer);
+    texture_free(&holes);
+    fill_pass_free(&fill);
+}
+
+/* The greatest difference from a depth, over a map. */
+static double farthest_from(const float depths[TEXELS], float depth) {
+    double worst = 0;
+    for (int i = 0; i < TEXELS; i++)
+        worst = fmax(worst, fabs((double)(depths[i] - depth)));
+    return worst;
+}
+
+/* A wall of points that reach a few texels: what is missing comes back, what is empty stays so, and neither map
+ * knows of the other. */
+static void check_wall(struct filling *filling) {
+    srand(5);
+    for (int i = 0; i < TEXELS; i++) {
+        filling->before[0][i] = rand() % 5 == 0 ? 1 : .5f;
+        filling->before[1][i] = 1;
+    }
+    filling->radius = .12F;
+    run_filling(filling);
+    check_at_most("a wall with holes, filled, from the wall", farthest_from(filling->after[0], .5f),
+                  1e-4);
+    check_at_most("an empty map, filled, from an empty one", farthest_from(filling->after[1], 1),
+                  0);
+    /* What shows through a hole is behind by more than points of a surface are. */
+    for (int i = 0; i < TEXELS; i++)
+        filling->before[0][i] = filling->before[0][i] < 1 ? .2f : .9f;
+    filling->radius = .04F;
+    run_filling(filling);
+    check_at_most("a wall before another, from it", farthest_from(filling->after[0], .2f), 1e-4);
+}
+
+/* Points as small as texels leave no holes: what is empty is a gap. */
+static void check_gaps(struct filling *filling) {
+    for (int i = 0; i < TEXELS; i++)
+        filling->before[0][i] = filling->before[1][i] = i % SIDE % 8 < 3 ? 1 : .5f;
+    filling->radius = .01F;
+    run_filling(filling);
+    double worst = 0;
+    for (int i = 0; i < TEXELS; i++)
+        worst = fmax(worst, fabs((double)(filling->after[0][i] - filling->before[0][i])));
+    check_at_most("gaps between dense points, from themselves", worst, 1e-4);
+}
+
+/* It brings nearer, but not before what is there. */
+static void check_nearer(struct filling *filling) {
+    for (int i = 0; i < TEXELS; i++) {
+        filling->before[0][i] = .3f + .4f * (float)rand() / (float)RAND_MAX;
+        filling->before[1][i] = rand() % 3 ? 1 : filling->before[0][i];
+    }
+    filling->radius = .1F;
+    run_filling(filling);
+    double farther = 0, nearest = 1;
+    for (int k = 0; k < MAPS; k++)
+        for (int i = 0; i < TEXELS; i++) {
+            farther = fmax(farther, (double)(filling->after[k][i] - filling->before[k][i]));
+            nearest = fmin(nearest, (double)filling->after[k][i]);
+        }
+    check_at_most("farther than before", farther, 1e-4);
+    check_near("nearest of all", nearest, .3, .01);
+}
+
+static void test_filling(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=1 interleave=1", 16, 16);
+    open_renderer(&renderer, &desc);
+    struct filling *filling = mem_alloc(1, sizeof *filling);
+    filling->renderer = &renderer;
+    check_wall(filling);
+    check_gaps(filling);
+    check_nearer(filling);
+    free(filling);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* --- pictures --------------------------------------------------------------------------------- */
+
+static double error_against(const struct image *truth, const struct stage *stage,
+                            const char *technique, const char *settings) {
+    struct image image = render_stage(stage, technique, settings, 64);
+    double error = relative_rmse(&image, truth, "indirect");
+    printf("  %s %s: %.4f\n", technique, settings, error);
+    image_free(&image);
+    return error;
+}
+
+/* With more points and texels they become the maps of triangles; with few they are better than none. */
+static void test_converges(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-box.glb");
+#define PLAIN "vpls=64 interleave=1 "
+#define MAP(size, points)                                                                          \
+    PLAIN "imperfect-shadow-maps.size=" #size " imperfect-shadow-maps.points=" #points " sets=8 "
+    struct image truth = render_stage(&stage, "instant-radiosity", PLAIN, 64);
+    double none = error_against(&truth, &stage, "unshadowed", PLAIN);
+    double few = error_against(&truth, &stage, name, MAP(64, 256));
+    double some = error_against(&truth, &stage, name, MAP(64, 2048));
+    double many = error_against(&truth, &stage, name, MAP(256, 32768));
+    double square = error_against(&truth, &stage, name, MAP(64, 2048) "shape=square");
+    double filled = error_against(&truth, &stage, name, MAP(64, 2048) "shape=filled");
+    check_at_most("few points, over no maps", few / none, .8);
+    check_at_most("more points, over few", some / few, .6);
+    check_at_most("more texels and points, over some", many / some, .7);
+    check_at_most("many points", many, .02);
+    check_at_most("squares, over no maps", square / none, 1);
+    check_at_most("filled ones", filled / none, 1);
+    image_free(&truth);
+    stage_free(&stage);
+}
+
+/* Nothing is hidden from anything inside a sphere. */
+static void test_sphere(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/sphere.glb");
+    struct image truth = render_stage(&stage, "unshadowed", "clamp=none", 64);
+    check_at_most("inside a sphere, against no visibility",
+                  error_against(&truth, &stage, name, "clamp=none"), .01);
+    image_free(&truth);
+    stage_free(&stage);
+}
+
+/* Points of metaballs are dealt anew, and yet a frame depends on its own time alone. */
+static void test_frames(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    struct image again;
+    open_stage(&stage, "scenes/metaballs.glb");
+    struct renderer_desc desc =
+        desc_of(&stage, name, "vpls=64 sets=4 imperfect-shadow-maps.points=512", 32, 32);
+    struct image fresh = render_layers(&desc);
+    open_renderer(&renderer, &desc);
+    for (int back = 0; back < 2; back++) {
+        check_ok("pose", geometry_pose(&stage.geometry, &stage.scene, back ? 0 : 1.5));
+        check_ok("moved", renderer_follow(&renderer, &desc));
+        renderer_render(&renderer);
+    }
+    check_ok("layers", renderer_read_layers(&renderer, &again));
+    check_at_most("there and back", relative_rmse(&again, &fresh, "indirect"), 0);
+    image_free(&fresh);
+    image_free(&again);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_points),  cmocka_unit_test(test_solid_angle),
+        cmocka_unit_test(test_filling), cmocka_unit_test(test_converges),
+        cmocka_unit_test(test_sphere),  cmocka_unit_test(test_frames),
+    };
+    return cmocka_run_group_tests_name("imperfect", tests, open_group_context, close_group_context);
+}
