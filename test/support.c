@@ -1,8 +1,9 @@
-#define _POSIX_C_SOURCE 200809L
+#define _GNU_SOURCE
 #include "support.h"
 
 #include "base/error.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -51,6 +52,9 @@ const char *scratch(const char *file_name) {
     const char *build = getenv("MANYLIGHT_BUILD");
     char folder[256];
     snprintf(folder, sizeof folder, "%s/scratch", build ? build : "build");
+    mkdir(folder, 0777);
+    size_t length = strlen(folder);
+    snprintf(folder + length, sizeof folder - length, "/%s", program_invocation_short_name);
     mkdir(folder, 0777);
     char *path = paths[next++ % 8];
     snprintf(path, sizeof paths[0], "%s/%s", folder, file_name);
