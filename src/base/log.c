@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 static enum log_level current_level = LOG_NORMAL;
+static _Thread_local bool is_silent;
 static log_listener *listening;
 static void *listening_context;
 
@@ -13,6 +14,10 @@ void log_set_level(enum log_level level) {
 
 enum log_level log_get_level(void) {
     return current_level;
+}
+
+void log_tell_of_thread(bool tells) {
+    is_silent = !tells;
 }
 
 void log_set_listener(log_listener *listener, void *context) {
@@ -27,7 +32,7 @@ static void print(const char *label, const char *format, va_list args) {
 }
 
 void log_detail(const char *format, ...) {
-    if (current_level < LOG_VERBOSE)
+    if (is_silent || current_level < LOG_VERBOSE)
         return;
     va_list args;
     va_start(args, format);
@@ -45,6 +50,8 @@ static void tell(bool is_warning, const char *format, va_list args) {
 
 void log_note(const char *format, ...) {
     va_list args;
+    if (is_silent)
+        return;
     va_start(args, format);
     if (current_level >= LOG_NORMAL)
         print("note: ", format, args);
@@ -56,6 +63,8 @@ void log_note(const char *format, ...) {
 
 void log_warning(const char *format, ...) {
     va_list args;
+    if (is_silent)
+        return;
     va_start(args, format);
     print("warning: ", format, args);
     va_end(args);

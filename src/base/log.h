@@ -10,6 +10,9 @@ enum log_level { LOG_QUIET, LOG_NORMAL, LOG_VERBOSE };
 void log_set_level(enum log_level level);
 enum log_level log_get_level(void);
 
+/* Whether what this thread does is told to anybody at all; true at first. For work that nobody has asked for. */
+void log_tell_of_thread(bool tells);
+
 /* Gets notes and warnings as well, from any thread, however quiet stderr is. NULL: nobody. */
 typedef void log_listener(void *context, bool is_warning, const char *message);
 void log_set_listener(log_listener *listener, void *context);

@@ -17,8 +17,8 @@ static int ascending(const void *a, const void *b) {
     return (*x > *y) - (*x < *y);
 }
 
-/* The median of what is not black tells the middle, unless the lights would then be white all over. */
-float develop_exposure(const struct image *image) {
+/* How bright each pixel is that is not black, in an array for free(); how many they are. */
+static double *read_luminances(const struct image *image, size_t *number) {
     int channels[3];
     size_t pixels = (size_t)image->width * (size_t)image->height, count = 0;
     double *values = mem_alloc(pixels, sizeof *values);
@@ -29,7 +29,20 @@ float develop_exposure(const struct image *image) {
             values[count] = luminance(rgb);
             count += isfinite(values[count]) && values[count] > 1e-6;
         }
-    double ev = 0;
+    *number = count;
+    return values;
+}
+
+bool develop_is_black(const struct image *image) {
+    size_t count;
+    free(read_luminances(image, &count));
+    return count == 0;
+}
+
+/* The median of what is not black tells the middle, unless the lights would then be white all over. */
+float develop_exposure(const struct image *image) {
+    size_t count;
+    double *values = read_luminances(image, &count), ev = 0;
     if (count > 0) {
         qsort(values, count, sizeof *values, ascending);
         ev = fmin(log2(middle_grey / values[count / 2]),

@@ -8,6 +8,9 @@
  * 0 of a black one. */
 float develop_exposure(const struct image *image);
 
+/* Whether nothing is seen that shines or is lit. */
+bool develop_is_black(const struct image *image);
+
 /* By the filmic tone map; the caller frees the bitmap. */
 void develop_picture(const struct image *image, float exposure, struct bitmap *bitmap);
 

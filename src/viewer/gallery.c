@@ -4,8 +4,10 @@
 #include "base/file/file.h"
 #include "base/file/folder.h"
 #include "base/file/image_file.h"
+#include "base/log.h"
 #include "base/memory.h"
 #include "measure/picture.h"
+#include "scene/animation.h"
 #include "scene/hash.h"
 #include "viewer/develop.h"
 
@@ -94,6 +96,7 @@ static bool go_on(void *user, const struct path_tracer_progress *progress) {
     return !atomic_load(&gallery->cancelled);
 }
 
+/* As the scene begins; where nothing is seen then, as behind a door that is shut, in the middle of its clip. */
 static bool trace(struct gallery *gallery, const char *path, struct image *image) {
     struct stage stage;
     const struct path_tracer_desc desc = {
@@ -109,6 +112,11 @@ static bool trace(struct gallery *gallery, const char *path, struct image *image
     if (!stage_init(&stage, &(struct stage_desc){.path = path}))
         return false;
     bool ok = picture_trace_paths(&stage, &desc, image, NULL);
+    double duration = scene_duration(&stage.scene);
+    if (ok && duration > 0 && develop_is_black(image)) {
+        image_free(image);
+        ok = stage_pose(&stage, duration / 2) && picture_trace_paths(&stage, &desc, image, NULL);
+    }
     stage_free(&stage);
     return ok;
 }
@@ -129,6 +137,7 @@ static bool make_picture(struct gallery *gallery, const struct gallery_item *ite
 
 static void *make_all(void *context) {
     struct gallery *gallery = context;
+    log_tell_of_thread(false);
     for (int i = 0; i < gallery->count && !atomic_load(&gallery->cancelled); i++) {
         struct gallery_item *item = &gallery->items[i];
         bool ok = item->picture && make_picture(gallery, item);
