@@ -89,8 +89,7 @@ static void test_zoom(void **state) {
     (void)state;
     start_viewer(BOX, "");
     struct camera before = saved_camera();
-    xdo("mousemove %d %d sleep .3 click 4 sleep .2 click 4 sleep .2 click 4 sleep .3", MOUSE_X,
-        MOUSE_Y);
+    xdo("mousemove %d %d click 4 click 4 click 4", MOUSE_X, MOUSE_Y);
     struct camera after = saved_camera();
     vec3 origin, direction, way;
     ray_of(&before, origin, direction);
@@ -107,8 +106,8 @@ static void test_circle(void **state) {
     need_viewer();
     vec3 o1, d1, o2, d2, between, across;
     struct camera before = saved_camera();
-    xdo("mousemove %d %d sleep .3 mousedown 1 sleep .3 mousemove %d %d sleep .5 mouseup 1", MOUSE_X,
-        MOUSE_Y, MOUSE_X + 40, MOUSE_Y - 30);
+    xdo("mousemove %d %d mousedown 1 mousemove %d %d mouseup 1", MOUSE_X, MOUSE_Y, MOUSE_X + 40,
+        MOUSE_Y - 30);
     struct camera after = saved_camera();
     ray_of(&before, o1, d1);
     ray_of(&after, o2, d2);
@@ -124,10 +123,10 @@ static void test_views(void **state) {
     (void)state;
     need_viewer();
     struct camera kept = saved_camera();
-    xdo("mousemove %d %d sleep .2 key ctrl+3 sleep .4 key r sleep .5", WIDTH / 2, HEIGHT / 2);
+    xdo("mousemove %d %d key ctrl+3 key r", WIDTH / 2, HEIGHT / 2);
     struct camera home = saved_camera();
     assert_false(cameras_same(&kept, &home));
-    xdo("key alt+3 sleep .5");
+    xdo("key alt+3");
     struct camera again = saved_camera();
     assert_true(cameras_same(&kept, &again));
     char view[600], camera[600], arguments[700];
@@ -142,13 +141,13 @@ static void test_views(void **state) {
 static void test_frame(void **state) {
     (void)state;
     need_viewer();
-    xdo("key r sleep .5");
+    xdo("key r");
     struct camera home = saved_camera();
-    xdo("mousemove %d %d sleep .3 key f sleep .5", WIDTH / 4, HEIGHT / 2);
+    xdo("mousemove %d %d key f", WIDTH / 4, HEIGHT / 2);
     struct camera framed = saved_camera();
     assert_true(glm_vec3_distance(home.eye, framed.eye) > .2F);
     assert_true(glm_vec3_distance(home.forward, framed.forward) < 1e-6F);
-    xdo("key r sleep .3 keydown shift sleep .3 click 4 sleep .3 keyup shift");
+    xdo("key r keydown shift click 4 keyup shift");
     struct camera lens = saved_camera();
     printf("    field of view %.4g, then %.4g degrees\n", (double)glm_deg(home.fov_y),
            (double)glm_deg(lens.fov_y));
@@ -176,8 +175,8 @@ static void test_steps(void **state) {
     setenv("PATH", with, 1);
     start_viewer(MOVING, "");
     setenv("PATH", old, 1);
-    settle();
-    xdo("key period sleep .4 key period sleep .4 key period sleep .4 key comma sleep .4");
+    sync_viewer();
+    xdo("key period key period key period key comma");
     check_same("three frames on and one back", MOVING " --time 0.08");
     press(">");
     check_same("by its button", MOVING " --time 0.12");

@@ -37,7 +37,7 @@ static void test_add(void **state) {
     check_picture("the scene's light", "0");
     press("Light");
     press("+ area");
-    settle();
+    sync_viewer();
     press("Light");
     struct emitters lights = saved_lights(text, sizeof text);
     assert_int_equal(lights.count, 2);
@@ -74,9 +74,8 @@ static void test_size(void **state) {
     struct emitters before = saved_lights(text, sizeof text);
     find_handle(&before.items[1], at);
     printf("    the handle of the width: %.0f %.0f\n", (double)at[0], (double)at[1]);
-    xdo("mousemove %.0f %.0f sleep .5 mousedown 1 sleep .5 mousemove %.0f %.0f sleep .8 mouseup 1 "
-        "sleep .8",
-        (double)at[0], (double)at[1], (double)at[0] - 24, (double)at[1]);
+    xdo("mousemove %.0f %.0f mousedown 1 mousemove %.0f %.0f mouseup 1", (double)at[0],
+        (double)at[1], (double)at[0] - 24, (double)at[1]);
     struct emitters after = saved_lights(text, sizeof text);
     printf("    %.4g m wide, then %.4g m\n", (double)before.items[1].size[0],
            (double)after.items[1].size[0]);
@@ -97,7 +96,7 @@ static void test_type(void **state) {
     press("Light");
     press("type");
     press("point");
-    settle();
+    sync_viewer();
     press("Light");
     struct emitters after = saved_lights(text, sizeof text);
     assert_int_equal(after.items[1].type, EMITTER_POINT);
@@ -115,7 +114,7 @@ static void test_remove(void **state) {
     need_viewer();
     press("Light");
     press("Remove this light");
-    settle();
+    sync_viewer();
     press("Light");
     struct emitters lights = saved_lights(text, sizeof text);
     assert_int_equal(lights.count, 1);

@@ -56,8 +56,9 @@ static void begin(void) {
     render_reference("", path, sizeof path);
     snprintf(arguments, sizeof arguments, "--technique unshadowed --reference %s", path);
     start_viewer(BOX, arguments);
-    settle();
-    xdo("key F3 sleep .3 key F3 sleep .4"); /* no times */
+    sync_viewer();
+    xdo("key F3 key F3"); /* no times */
+    sync_viewer();
 }
 
 /* Left of the wipe, each pixel is a square of four. */
@@ -72,8 +73,8 @@ static void test_enlarged(void **state) {
     printf("    %-48s %d pixels wrong\n", "twice as large", wrong);
     assert_int_equal(wrong, 0);
     bitmap_free(&screen);
-    xdo("mousemove %d %d sleep .3 key z sleep .6 mousemove %d 30 sleep .5", WIDTH / 4, HEIGHT / 2,
-        WIDTH - 10);
+    xdo("mousemove %d %d key z mousemove %d 30", WIDTH / 4, HEIGHT / 2, WIDTH - 10);
+    sync_viewer();
     screen = read_screen();
     wrong = 0;
     /* What was under the mouse stays there. */
@@ -85,17 +86,17 @@ static void test_enlarged(void **state) {
     assert_int_equal(wrong, 0);
     bitmap_free(&left);
     bitmap_free(&screen);
-    xdo("key z sleep .5");
+    xdo("key z");
 }
 
 static void test_layouts(void **state) {
     (void)state;
     need_viewer();
     struct bitmap left = render_small("--technique unshadowed"), right = render_small("");
-    xdo("key v sleep .6");
+    xdo("key v");
     struct bitmap beside = screenshot();
     assert_int_equal(beside.width, 2 * SMALL_WIDTH);
-    xdo("key v sleep .6");
+    xdo("key v");
     struct bitmap difference = screenshot();
     int wrong = 0, apart = 0, wrong_beside = 0;
     for (int y = 0; y < SMALL_HEIGHT; y++)
@@ -114,7 +115,7 @@ static void test_layouts(void **state) {
     assert_int_equal(wrong_beside, 0);
     assert_int_equal(wrong, 0);
     assert_true(apart > SMALL_WIDTH * SMALL_HEIGHT / 20);
-    xdo("key v sleep .5"); /* the wipe again */
+    xdo("key v"); /* the wipe again */
     bitmap_free(&left);
     bitmap_free(&right);
     bitmap_free(&beside);
@@ -142,7 +143,8 @@ static void test_inspector(void **state) {
     (void)state;
     char reference[700], own[700], command[1600], text[200];
     need_viewer();
-    xdo("key i sleep .3 mousemove %d %d sleep 1", WIDTH / 4 + 1, HEIGHT / 2 + 201);
+    xdo("key i mousemove %d %d", WIDTH / 4 + 1, HEIGHT / 2 + 201);
+    sync_viewer();
     snprintf(reference, sizeof reference, "%s/reference.exr", stage.folder);
     snprintf(own, sizeof own, "%s/own.exr", stage.folder);
     snprintf(command, sizeof command,
@@ -152,7 +154,8 @@ static void test_inspector(void **state) {
     const int x = (WIDTH / 4 + 1) / 2, y = (HEIGHT / 2 + 201) / 2;
     check_values("left ", own, x, y);
     check_values("right ", reference, x, y);
-    xdo("key i sleep .5");
+    xdo("key i");
+    sync_viewer();
     find_text("left ", text, sizeof text);
     assert_string_equal(text, "");
 }
@@ -164,15 +167,13 @@ static void test_view(void **state) {
     need_viewer();
     find_text("reference", text, sizeof text);
     assert_string_equal(text, "reference");
-    xdo("mousemove 40 600 sleep .3 click 4 sleep .5");
-    settle();
-    pause_ms(300);
+    xdo("mousemove 40 600 click 4");
+    sync_viewer();
     find_text("reference", text, sizeof text);
     printf("    moved: %s\n", text);
     assert_string_equal(text, "reference of another view");
-    xdo("key r sleep .5");
-    settle();
-    pause_ms(300);
+    xdo("key r");
+    sync_viewer();
     find_text("reference", text, sizeof text);
     printf("    back: %s\n", text);
     assert_string_equal(text, "reference");
@@ -186,17 +187,16 @@ static void test_pick(void **state) {
     if (!stage.server)
         skip();
     start_viewer(BOX, "");
-    settle();
+    sync_viewer();
     press("Quality"); /* closed, it leaves room for what is told of the surface */
     press("Picture");
     press("Surface");
-    xdo("mousemove 150 640 sleep .2 click 1 sleep 1");
+    xdo("mousemove 150 640 click 1");
+    sync_viewer();
     find_text("position ", first, sizeof first);
     for (int i = 0; i < 4; i++) {
-        xdo("mousemove 60 300 sleep .2 mousedown 1 sleep .2 mousemove %d 300 sleep .4 mouseup 1",
-            i % 2 ? 53 : 67);
-        settle();
-        pause_ms(500);
+        xdo("mousemove 60 300 mousedown 1 mousemove %d 300 mouseup 1", i % 2 ? 53 : 67);
+        sync_viewer();
         find_text("position ", text, sizeof text);
         printf("    %s, after a turn %s\n", first, text);
         assert_true(strlen(text) > 12);
@@ -211,7 +211,7 @@ static void test_normals(void **state) {
     if (!stage.server)
         skip();
     start_viewer(BOX, "");
-    settle();
+    sync_viewer();
     press("output");
     press("normal");
     struct bitmap normals = screenshot();

@@ -13,36 +13,39 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PICTURE_WIDTH = 440, PICTURE_HEIGHT = 740, STEPS_MAX = 6, COLUMNS = 3 };
+enum { SHEET_WIDTH = 440, STEPS_MAX = 6, COLUMNS = 3 };
 
 static const char *sheet_path;
+static int width = WIDTH; /* of the picture */
 static struct bitmap steps[STEPS_MAX];
 static int step_count, click_count;
 
 /* Where no widget explains itself. */
 static void keep(void) {
-    xdo("mousemove %d %d", PICTURE_WIDTH - 40, PICTURE_HEIGHT - 60);
-    pause_ms(1200);
+    xdo("mousemove %d %d", width - 40, HEIGHT - 60);
+    sync_viewer();
+    if (sheet_path)
+        pause_ms(1200); /* what was explained goes */
     steps[step_count++] = read_screen();
 }
 
 /* Waits for what may take minutes on a busy machine. */
 static void wait_for(const char *name) {
-    for (int i = 0; i < 400 && !is_on_screen(name); i++)
-        ;
+    for (int i = 0; i < 1200 && !is_on_screen(name); i++)
+        pause_ms(100);
 }
 
 /* Until more is seen in the middle of the picture than a word on a ground. */
 static void wait_for_picture(void) {
-    for (int i = 0; i < 300; i++) {
+    for (int i = 0; i < 1200; i++) {
         struct bitmap screen = read_screen();
         int changes = 0;
-        for (int x = 1; x < PICTURE_WIDTH; x++)
+        for (int x = 1; x < width; x++)
             changes += memcmp(pixel(&screen, x, 500), pixel(&screen, x - 1, 500), 3) != 0;
         bitmap_free(&screen);
-        if (changes > PICTURE_WIDTH / 4)
+        if (changes > width / 4)
             return;
-        pause_ms(300);
+        pause_ms(100);
     }
     fail_msg("no picture came");
 }
@@ -55,7 +58,7 @@ static void click_on(const char *name) {
 static void test_start(void **state) {
     (void)state;
     char arguments[64];
-    snprintf(arguments, sizeof arguments, "--size %dx%d", PICTURE_WIDTH, PICTURE_HEIGHT);
+    snprintf(arguments, sizeof arguments, "--size %dx%d", width, HEIGHT);
     start_empty_viewer(arguments);
     if (sheet_path)
         pause_ms(20000); /* all pictures are there */
@@ -64,7 +67,6 @@ static void test_start(void **state) {
     wait_for_scene("cornell-box.glb");
     wait_for("Chart speed and accuracy");
     wait_for_picture();
-    pause_ms(sheet_path ? 3000 : 500);
     keep();
 }
 
@@ -74,9 +76,8 @@ static void test_truth(void **state) {
     click_on("Chart speed and accuracy");
     wait_for("Take the cheapest below 5 %");
     keep();
-    int y = PICTURE_HEIGHT / 2;
-    xdo("mousemove %d %d sleep .5 mousedown 1 sleep 1 mousemove %d %d sleep 1 mouseup 1 sleep 1",
-        PICTURE_WIDTH / 2, y, PICTURE_WIDTH * 3 / 4, y);
+    int y = HEIGHT / 2;
+    xdo("mousemove %d %d mousedown 1 mousemove %d %d mouseup 1", width / 2, y, width * 3 / 4, y);
     click_count++;
     keep();
 }
@@ -85,7 +86,6 @@ static void test_cheapest(void **state) {
     (void)state;
     need_viewer();
     click_on("Take the cheapest below 5 %");
-    pause_ms(sheet_path ? 8000 : 1000);
     keep();
 }
 
@@ -105,8 +105,8 @@ static void test_save(void **state) {
     snprintf(path, sizeof path, "%s/picture.png", stage.folder);
     struct bitmap made = read_bitmap(path);
     int different = 0;
-    for (int py = 0; py < PICTURE_HEIGHT; py++)
-        for (int px = 0; px < PICTURE_WIDTH / 2 - 20; px++)
+    for (int py = 0; py < HEIGHT; py++)
+        for (int px = 0; px < width / 2 - 20; px++)
             different += memcmp(pixel(&made, px, py), pixel(&shown, px, py), 3) != 0;
     printf("    %d clicks; the saved command's picture: %d pixels differ\n", click_count,
            different);
@@ -131,13 +131,13 @@ static void paste(struct bitmap *sheet, const struct bitmap *step, int left, int
 }
 
 static void write_sheet(void) {
-    int width = steps[0].width / 2, height = steps[0].height / 2;
+    int wide = steps[0].width / 2, high = steps[0].height / 2;
     int rows = (step_count + COLUMNS - 1) / COLUMNS;
-    struct bitmap sheet = {COLUMNS * (width + 8) - 8, rows * (height + 8) - 8, NULL};
+    struct bitmap sheet = {COLUMNS * (wide + 8) - 8, rows * (high + 8) - 8, NULL};
     sheet.rgba = calloc((size_t)sheet.width * (size_t)sheet.height, 4);
     memset(sheet.rgba, 255, (size_t)sheet.width * (size_t)sheet.height * 4);
     for (int i = 0; i < step_count; i++)
-        paste(&sheet, &steps[i], i % COLUMNS * (width + 8), i / COLUMNS * (height + 8));
+        paste(&sheet, &steps[i], i % COLUMNS * (wide + 8), i / COLUMNS * (high + 8));
     check_ok(sheet_path, bitmap_write(&sheet, sheet_path));
     bitmap_free(&sheet);
 }
@@ -158,5 +158,6 @@ int main(int argc, char **argv) {
         cmocka_unit_test(test_save),
     };
     sheet_path = argc > 1 ? argv[1] : NULL;
+    width = sheet_path ? SHEET_WIDTH : WIDTH;
     return cmocka_run_group_tests(tests, open_view_stage, close_walk);
 }

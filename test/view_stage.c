@@ -141,26 +141,38 @@ static bool read_place(const char *name, int *x, int *y) {
     return found;
 }
 
+void sync_viewer(void) {
+    char path[700];
+    snprintf(path, sizeof path, "%s/places", stage.folder);
+    remove(path);
+    xdo("key F9");
+    for (int i = 0; i < 12000 && access(path, R_OK) != 0; i++) {
+        if (waitpid(stage.viewer, NULL, WNOHANG) != 0) {
+            stage.viewer = 0;
+            fail_msg("the viewer has ended");
+        }
+        pause_ms(10);
+    }
+    if (access(path, R_OK) != 0)
+        fail_with_screen("the viewer does not come to rest");
+}
+
 bool is_on_screen(const char *name) {
     int x, y;
-    pause_ms(300);
+    sync_viewer();
     return read_place(name, &x, &y);
 }
 
-/* Two readings that agree: nothing moves any more. What is not there after a while may be above or below
- * what the panel shows. */
+/* What is not there after a moment may be above or below what the panel shows. */
 void find_place(const char *name, int *x, int *y) {
-    int before = -1;
     for (int i = 0; i < 200; i++) {
-        if (read_place(name, x, y)) {
-            if (before == *x + 10000 * *y)
-                return;
-            before = *x + 10000 * *y;
-        } else if (i >= 24 && i % 8 == 0) {
-            xdo("mousemove %d %d click --repeat %d %d sleep .2", WIDTH + PANEL - 6, HEIGHT / 2,
-                i == 24 ? 40 : 3, i == 24 ? 4 : 5);
-        }
-        pause_ms(80);
+        sync_viewer();
+        if (read_place(name, x, y))
+            return;
+        if (i >= 3 && i % 3 == 0)
+            xdo("mousemove %d %d click --repeat %d --delay 1 %d", WIDTH + PANEL - 6, HEIGHT / 2,
+                i == 3 ? 40 : 3, i == 3 ? 4 : 5);
+        pause_ms(50);
     }
     char why[200];
     snprintf(why, sizeof why, "no widget is called '%s'", name);
@@ -174,11 +186,11 @@ void press(const char *name) {
 }
 
 void rest_mouse(void) {
-    xdo("mousemove %d %d sleep .3", WIDTH / 2, HEIGHT / 2);
+    xdo("mousemove %d %d", WIDTH / 2, HEIGHT / 2);
 }
 
 void click(int x, int y) {
-    xdo("mousemove %d %d sleep .3 mousedown 1 sleep .3 mouseup 1 sleep .3", x, y);
+    xdo("mousemove %d %d click 1", x, y);
 }
 
 void press_in_settings(const char *button) {
@@ -186,13 +198,13 @@ void press_in_settings(const char *button) {
         press("Settings");
     press(button);
     rest_mouse();
-    pause_ms(400);
+    sync_viewer();
 }
 
 void save_settings(void) {
     char path[700];
     snprintf(path, sizeof path, "%s/manylight.settings", stage.folder);
-    settle();
+    sync_viewer();
     remove(path);
     press_in_settings("Save");
     for (int i = 0; i < 100 && access(path, R_OK) != 0; i++)
@@ -252,20 +264,16 @@ struct bitmap screenshot(void) {
     snprintf(exr, sizeof exr, "%s/manylight-0001.exr", stage.folder);
     remove(png);
     remove(exr);
+    sync_viewer();
     xdo("key F12");
-    for (int i = 0; i < 300 && access(exr, R_OK) != 0; i++)
-        pause_ms(50);
+    for (int i = 0; i < 1500 && access(exr, R_OK) != 0; i++)
+        pause_ms(10);
     if (access(exr, R_OK) != 0)
         fail_with_screen("no screenshot came");
     struct bitmap bitmap = read_bitmap(png);
     remove(png);
     remove(exr);
     return bitmap;
-}
-
-void settle(void) {
-    struct bitmap shown = screenshot();
-    bitmap_free(&shown);
 }
 
 void check_same(const char *what, const char *arguments) {
@@ -281,10 +289,10 @@ void check_same(const char *what, const char *arguments) {
 /* --- the viewer --- */
 
 void wait_for_scene(const char *file) {
-    for (int i = 0; i < 200 && shell("xdotool search --name '%s - manylight'", file); i++)
-        pause_ms(50);
-    xdo("mousemove %d %d", WIDTH / 2, HEIGHT / 2);
-    pause_ms(500);
+    for (int i = 0; i < 2000 && shell("xdotool search --name '%s - manylight'", file); i++)
+        pause_ms(20);
+    rest_mouse();
+    sync_viewer();
 }
 
 static void spawn_viewer(const char *arguments) {
@@ -301,6 +309,12 @@ static void spawn_viewer(const char *arguments) {
     stage.viewer = spawn(line);
 }
 
+/* Before it there is nobody to take a key. */
+static void wait_for_window(void) {
+    for (int i = 0; i < 2000 && shell("xdotool search --name manylight"); i++)
+        pause_ms(20);
+}
+
 void start_viewer(const char *scene, const char *arguments) {
     char all[1500];
     const char *slash = strrchr(scene, '/');
@@ -313,6 +327,7 @@ void start_viewer(const char *scene, const char *arguments) {
 void start_empty_viewer(const char *arguments) {
     int x, y;
     spawn_viewer(arguments);
+    wait_for_window();
     find_place("Open a file ...", &x, &y);
 }
 
@@ -325,8 +340,8 @@ void end_viewer(void) {
     char log[700], output[4096];
     int status = -1;
     xdo("key ctrl+q");
-    for (int i = 0; i < 100 && waitpid(stage.viewer, &status, WNOHANG) == 0; i++)
-        pause_ms(50);
+    for (int i = 0; i < 500 && waitpid(stage.viewer, &status, WNOHANG) == 0; i++)
+        pause_ms(10);
     assert_true(WIFEXITED(status));
     assert_int_equal(WEXITSTATUS(status), 0);
     stage.viewer = 0;
@@ -338,9 +353,9 @@ void end_viewer(void) {
 
 void open_by_panel(const char *path) {
     press("open");
-    xdo("keydown ctrl sleep .5 key a sleep .5 keyup ctrl sleep .2");
-    xdo("type --delay 15 %s/%s", stage.here, path);
-    xdo("key Return sleep .5");
+    xdo("key ctrl+a");
+    xdo("type --delay 1 %s/%s", stage.here, path);
+    xdo("key Return");
     rest_mouse();
 }
 

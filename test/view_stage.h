@@ -48,7 +48,10 @@ void pause_ms(long ms);
 /* The status of a shell command; a failure is printed. */
 int shell(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Input events. */
+/* Waits until all that was asked for so far is shown, and the viewer has told where its widgets are. */
+void sync_viewer(void);
+
+/* Input events: the viewer takes them one after another, however fast they come. */
 #define xdo(...) assert_int_equal(shell("xdotool " __VA_ARGS__), 0)
 void click(int x, int y);
 
@@ -88,9 +91,6 @@ struct bitmap offscreen(const char *arguments);
 
 /* Presses F12 and takes the picture that comes. */
 struct bitmap screenshot(void);
-
-/* Waits until all that was asked for so far is shown. */
-void settle(void);
 
 /* What the viewer has is, bit for bit, what is rendered offscreen. */
 void check_same(const char *what, const char *arguments);

@@ -36,11 +36,29 @@ static void tell_start(struct viewer *viewer) {
     viewer->picture_shown = viewer->shown.frame_count > 0;
 }
 
-/* For scripts that press widgets: where each of them is, whenever one has moved. */
+/* Whether all that was asked for is shown; what goes on by itself has no end to wait for. */
+static bool is_settled(const struct viewer *viewer) {
+    const struct shown *shown = &viewer->shown;
+    if (viewer->wish.play.on || viewer->recorder.on || viewer_is_charting(viewer))
+        return true;
+    bool pending = shown->dirty || shown->recompose || shown->moving || shown->coarse ||
+                   viewer_is_refining(viewer);
+    return atomic_load(&viewer->loader.state) == LOADER_IDLE && !(viewer->has_scene && pending);
+}
+
+/* For scripts that press widgets: where each of them is, whenever one has moved. F9 asks for them when all
+ * that happened before it is shown. */
 static void write_places(struct viewer *viewer) {
+    const struct input *input = viewer->host.input;
     const char *path = viewer->desc.places, *places = ui_places();
-    if (!path || (viewer->panel.places && strcmp(viewer->panel.places, places) == 0))
+    if (!path)
         return;
+    for (int i = 0; i < input->key_count; i++)
+        viewer->panel.places_asked |= input->keys[i] == KEY_F9;
+    bool known = viewer->panel.places && strcmp(viewer->panel.places, places) == 0;
+    if (viewer->panel.places_asked ? !is_settled(viewer) : known)
+        return;
+    viewer->panel.places_asked = false;
     free(viewer->panel.places);
     viewer->panel.places = mem_strdup(places);
     if (!output_file_write(path, places, strlen(places)))
@@ -130,13 +148,14 @@ static void update(struct viewer *viewer) {
 }
 
 bool viewer_turn(struct viewer *viewer) {
-    viewer->host.input = window_poll(viewer->host.window, waiting_time(viewer));
+    viewer->host.input =
+        window_poll(viewer->host.window, waiting_time(viewer), ui_is_opening_field());
     viewer->done |= viewer->host.input->close;
     if (viewer->host.input->width == 0 || !is_awake(viewer)) {
         viewer->hand.last_update = window_time();
         return true;
     }
-    ui_frame_begin(viewer->host.input->taps, viewer->host.input->tap_count);
+    ui_frame_begin(viewer->host.input);
     lay_out(viewer);
     /* The window shows itself before the scene takes its time. */
     bool ok = !viewer->window_shown || viewer_poll_loader(viewer);
@@ -177,7 +196,7 @@ static bool open_window(struct viewer *viewer) {
     if (desc->full_screen)
         window_toggle_full_screen(viewer->host.window);
     viewer->host.context = context_adopt(window_getproc, desc->debug);
-    viewer->host.input = window_poll(viewer->host.window, 0);
+    viewer->host.input = window_poll(viewer->host.window, 0, false);
     return viewer->host.context &&
            ui_init(window_native(viewer->host.window), viewer->host.input->scale) &&
            screen_init(&viewer->host.screen) && inspect_init(&viewer->shown.inspect);

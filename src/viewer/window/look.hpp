@@ -24,8 +24,9 @@ extern struct look {
     struct {
         ImVec2 at;
         double since;
-    } rest;        /* of the mouse, on an item */
-    ImGuiID typed; /* the slider whose value is to be typed from the next frame on */
+    } rest;           /* of the mouse, on an item */
+    ImGuiID typed;    /* the slider whose value is to be typed from the next frame on */
+    int typed_frames; /* for which that has been so */
     bool notes_places;
     std::string places;
 } look;

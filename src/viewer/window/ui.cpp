@@ -3,12 +3,14 @@
 
 extern "C" {
 #include "base/error.h"
+#include "viewer/window/window.h"
 }
 
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -156,7 +158,7 @@ bool ui_init(void *native_window, float scale) {
     load_fonts();
     set_sizes(ImGui::GetStyle());
     set_colors(ImGui::GetStyle());
-    if (ImGui_ImplGlfw_InitForOpenGL(static_cast<GLFWwindow *>(native_window), true) &&
+    if (ImGui_ImplGlfw_InitForOpenGL(static_cast<GLFWwindow *>(native_window), false) &&
         ImGui_ImplOpenGL3_Init("#version 450 core"))
         return true;
     return error_set("the user interface cannot use this OpenGL");
@@ -173,16 +175,36 @@ void ui_free(void) {
     ImGui::DestroyContext();
 }
 
-void ui_frame_begin(const int *taps, int tap_count) {
-    ImGuiIO &io = ImGui::GetIO();
+/* In place of what the backend has polled, which knows no order. */
+static void take_input(ImGuiIO &io, const struct input *input) {
+    bool held = false;
+    for (int i = 0; i < BUTTON_COUNT; i++) {
+        io.MouseDown[i] = input->held[i];
+        held |= input->held[i];
+    }
+    ImVec2 scale = io.DisplayFramebufferScale;
+    io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
+    if ((input->inside || held) && scale.x > 0 && scale.y > 0)
+        io.MousePos = ImVec2((float)input->x / scale.x, (float)input->y / scale.y);
+    io.MouseWheel = (float)input->scroll;
+    std::copy_n(input->down, std::min(input->down_count, IM_ARRAYSIZE(io.KeysDown)), io.KeysDown);
+    io.KeyCtrl = input->control;
+    io.KeyShift = input->shift;
+    io.KeyAlt = input->alt;
+    for (int i = 0; i < input->text_count; i++)
+        io.AddInputCharacter(input->text[i]);
+}
+
+void ui_frame_begin(const struct input *input) {
     look.places.clear();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    for (int i = 0; i < tap_count; i++)
-        io.KeysDown[taps[i]] = true;
+    take_input(ImGui::GetIO(), input);
     ImGui::NewFrame();
-    for (int i = 0; i < tap_count; i++)
-        io.KeysDown[taps[i]] = false;
+    /* A row that is not there any more opens nothing. */
+    look.typed_frames = look.typed ? look.typed_frames + 1 : 0;
+    if (look.typed_frames > 4)
+        look.typed = 0;
 }
 
 void ui_frame_end(void) {
@@ -204,6 +226,10 @@ bool ui_wants_mouse(void) {
 
 bool ui_wants_keys(void) {
     return ImGui::GetIO().WantTextInput;
+}
+
+bool ui_is_opening_field(void) {
+    return look.typed != 0;
 }
 
 bool ui_close_popup(void) {

@@ -13,14 +13,14 @@
 extern "C" {
 #endif
 
-/* For a window whose context is current. Takes the window's events after its own callbacks. Error:
- * the graphics driver. */
+struct input; /* viewer/window/window.h */
+
+/* For a window whose context is current. Error: the graphics driver. */
 bool ui_init(void *native_window, float scale);
 void ui_free(void); /* accepts what was not begun, or failed half-way */
 
-/* All widgets lie between these. taps: keys that were pressed and released since the last frame,
- * which a slow frame would miss. end draws them into the window's framebuffer. */
-void ui_frame_begin(const int *taps, int tap_count);
+/* All widgets lie between these. end draws them into the window's framebuffer. */
+void ui_frame_begin(const struct input *input);
 void ui_frame_end(void);
 
 /* From then on, where the widgets whose middle can be seen lie, by name: a line "x y width height name" for
@@ -31,6 +31,9 @@ const char *ui_places(void);
 /* Whether the mouse is over a widget, or text is typed into one: then it is not the picture's. */
 bool ui_wants_mouse(void);
 bool ui_wants_keys(void);
+
+/* Whether a click has begun to open a field to type in, which takes some frames: what is typed is to wait. */
+bool ui_is_opening_field(void);
 
 /* Closes the list of choices that is open; whether there was one. */
 bool ui_close_popup(void);

@@ -12,11 +12,11 @@
 struct window {
     GLFWwindow *handle;
     struct input input;
-    /* What callbacks collect until the next poll. */
+    /* What callbacks collect: in order, and what has none until the next poll. */
+    struct events events;
     struct input next;
-    float scale;               /* that is asked for; 0 = the monitor's */
-    int last_code;             /* the key pressed since the last poll, GLFW's code */
-    double cursor_x, cursor_y; /* of the last event, in screen coordinates */
+    float scale; /* that is asked for; 0 = the monitor's */
+    bool down[GLFW_KEY_LAST + 1];
     /* Where to come back to from full screen, in screen coordinates. */
     int x, y, width, height;
 };
@@ -42,19 +42,23 @@ static int key_with(int key, int modifiers) {
            (modifiers & GLFW_MOD_ALT ? KEY_WITH_ALT : 0);
 }
 
+static void add(GLFWwindow *handle, const struct event *event) {
+    struct window *window = glfwGetWindowUserPointer(handle);
+    events_add(&window->events, event);
+}
+
+/* A key that is held comes again and again, which tells nothing new; what it types comes as text. */
 static void on_key(GLFWwindow *handle, int code, int scancode, int action, int modifiers) {
     (void)scancode;
-    struct window *window = glfwGetWindowUserPointer(handle);
-    struct input *next = &window->next;
-    int key = key_of(code);
-    next->any = true;
-    next->key_held[key] = action != GLFW_RELEASE;
-    if (action == GLFW_PRESS)
-        window->last_code = code;
-    if (action == GLFW_RELEASE && code == window->last_code && next->tap_count < INPUT_KEYS_MAX)
-        next->taps[next->tap_count++] = code;
-    if (action == GLFW_PRESS && key && next->key_count < INPUT_KEYS_MAX)
-        next->keys[next->key_count++] = key_with(key, modifiers);
+    if (action != GLFW_REPEAT)
+        add(handle, &(struct event){.kind = EVENT_KEY,
+                                    .code = code,
+                                    .modifiers = modifiers,
+                                    .down = action == GLFW_PRESS});
+}
+
+static void on_text(GLFWwindow *handle, unsigned character) {
+    add(handle, &(struct event){.kind = EVENT_TEXT, .code = (int)character});
 }
 
 /* From the system's own units, which may be several pixels, to pixels. */
@@ -68,52 +72,21 @@ static void to_pixels(GLFWwindow *handle, double *x, double *y) {
     }
 }
 
-static bool was_pressed(const struct input *input) {
-    for (int i = 0; i < BUTTON_COUNT; i++)
-        if (input->pressed[i])
-            return true;
-    return false;
-}
-
-/* Since the last poll; a drag begins where the button was pressed. */
-static void read_motion(const struct window *window, struct input *input) {
-    bool pressed = was_pressed(input);
-    glfwGetCursorPos(window->handle, &input->x, &input->y);
-    to_pixels(window->handle, &input->x, &input->y);
-    input->dx = input->x - (pressed ? input->press_x : window->input.x);
-    input->dy = input->y - (pressed ? input->press_y : window->input.y);
-}
-
 static void on_button(GLFWwindow *handle, int button, int action, int modifiers) {
     (void)modifiers;
-    struct window *window = glfwGetWindowUserPointer(handle);
-    struct input *next = &window->next;
-    if (button >= BUTTON_COUNT)
-        return;
-    next->any = true;
-    next->held[button] = action == GLFW_PRESS;
-    if (action == GLFW_PRESS) {
-        /* Where the mouse was then, which glfwGetCursorPos does not know. */
-        next->press_x = window->cursor_x;
-        next->press_y = window->cursor_y;
-        to_pixels(handle, &next->press_x, &next->press_y);
-    }
-    next->pressed[button] |= action == GLFW_PRESS;
-    next->released[button] |= action == GLFW_RELEASE;
+    if (button < BUTTON_COUNT)
+        add(handle,
+            &(struct event){.kind = EVENT_BUTTON, .code = button, .down = action == GLFW_PRESS});
 }
 
 static void on_scroll(GLFWwindow *handle, double x, double y) {
     (void)x;
-    struct input *next = &((struct window *)glfwGetWindowUserPointer(handle))->next;
-    next->any = true;
-    next->scroll += y;
+    add(handle, &(struct event){.kind = EVENT_SCROLL, .y = y});
 }
 
 static void on_cursor(GLFWwindow *handle, double x, double y) {
-    struct window *window = glfwGetWindowUserPointer(handle);
-    window->next.any = true;
-    window->cursor_x = x;
-    window->cursor_y = y;
+    to_pixels(handle, &x, &y);
+    add(handle, &(struct event){.kind = EVENT_CURSOR, .x = x, .y = y});
 }
 
 static void on_refresh(GLFWwindow *handle) {
@@ -132,6 +105,7 @@ static void on_drop(GLFWwindow *handle, int count, const char **paths) {
 static void set_callbacks(struct window *window) {
     glfwSetWindowUserPointer(window->handle, window);
     glfwSetKeyCallback(window->handle, on_key);
+    glfwSetCharCallback(window->handle, on_text);
     glfwSetMouseButtonCallback(window->handle, on_button);
     glfwSetScrollCallback(window->handle, on_scroll);
     glfwSetCursorPosCallback(window->handle, on_cursor);
@@ -172,6 +146,8 @@ struct window *window_create(const struct window_desc *desc) {
     glfwMakeContextCurrent(window->handle);
     glfwSwapInterval(1);
     set_callbacks(window);
+    glfwGetCursorPos(window->handle, &window->next.x, &window->next.y);
+    to_pixels(window->handle, &window->next.x, &window->next.y);
     return window;
 }
 
@@ -183,6 +159,7 @@ void window_free(struct window *window) {
     glfwTerminate();
     free(window->input.dropped);
     free(window->next.dropped);
+    events_free(&window->events);
     free(window);
 }
 
@@ -194,42 +171,98 @@ void *window_native(struct window *window) {
     return window->handle;
 }
 
-static bool either(GLFWwindow *handle, int left, int right) {
-    return glfwGetKey(handle, left) == GLFW_PRESS || glfwGetKey(handle, right) == GLFW_PRESS;
+/* --- a turn --- */
+
+static void take_key(struct window *window, const struct event *event) {
+    struct input *input = &window->next;
+    int key = key_of(event->code);
+    if (event->code >= 0 && event->code <= GLFW_KEY_LAST)
+        window->down[event->code] = event->down;
+    input->key_held[key] = event->down;
+    if (event->down && key)
+        input->keys[input->key_count++] = key_with(key, event->modifiers);
 }
 
-const struct input *window_poll(struct window *window, double wait) {
-    if (wait > 0)
+static void take_button(struct input *input, const struct event *event) {
+    input->held[event->code] = event->down;
+    (event->down ? input->pressed : input->released)[event->code] = true;
+    if (event->down) {
+        input->press_x = input->x;
+        input->press_y = input->y;
+    }
+}
+
+static void take(struct window *window, const struct event *event) {
+    struct input *input = &window->next;
+    input->any = true;
+    switch (event->kind) {
+    case EVENT_KEY:
+        take_key(window, event);
+        break;
+    case EVENT_TEXT:
+        input->text[input->text_count++] = (unsigned)event->code;
+        break;
+    case EVENT_BUTTON:
+        take_button(input, event);
+        break;
+    case EVENT_CURSOR:
+        input->dx = event->x - input->x;
+        input->dy = event->y - input->y;
+        input->x = event->x;
+        input->y = event->y;
+        break;
+    case EVENT_SCROLL:
+        input->scroll = event->y;
+        break;
+    }
+}
+
+/* What is held goes on, what happened is over. */
+static struct input next_of(const struct input *input) {
+    struct input next = {
+        .x = input->x, .y = input->y, .press_x = input->press_x, .press_y = input->press_y};
+    memcpy(next.held, input->held, sizeof next.held);
+    memcpy(next.key_held, input->key_held, sizeof next.key_held);
+    return next;
+}
+
+static bool either(const struct window *window, int left, int right) {
+    return window->down[left] || window->down[right];
+}
+
+/* What the system tells at any time. */
+static void read_state(struct window *window, struct input *input) {
+    GLFWwindow *handle = window->handle;
+    float scale_y;
+    glfwGetFramebufferSize(handle, &input->width, &input->height);
+    glfwGetWindowContentScale(handle, &input->scale, &scale_y);
+    if (window->scale > 0)
+        input->scale = window->scale;
+    if (glfwGetWindowAttrib(handle, GLFW_ICONIFIED))
+        input->width = input->height = 0;
+    input->inside = glfwGetWindowAttrib(handle, GLFW_HOVERED);
+    input->close = glfwWindowShouldClose(handle);
+}
+
+const struct input *window_poll(struct window *window, double wait, bool holds) {
+    if (wait > 0 && !holds && window->events.count == 0)
         glfwWaitEventsTimeout(wait);
     else
         glfwPollEvents();
     struct input *input = &window->next;
-    glfwGetFramebufferSize(window->handle, &input->width, &input->height);
-    float scale_y;
-    glfwGetWindowContentScale(window->handle, &input->scale, &scale_y);
-    if (window->scale > 0)
-        input->scale = window->scale;
-    if (glfwGetWindowAttrib(window->handle, GLFW_ICONIFIED))
-        input->width = input->height = 0;
-    read_motion(window, input);
-    input->shift = either(window->handle, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-    input->control = either(window->handle, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
-    input->alt = either(window->handle, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
-    input->close = glfwWindowShouldClose(window->handle);
-
+    int count = holds ? 0 : events_of_turn(&window->events);
+    for (int i = 0; i < count; i++)
+        take(window, &window->events.items[i]);
+    events_drop(&window->events, count);
+    read_state(window, input);
+    input->shift = either(window, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    input->control = either(window, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    input->alt = either(window, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+    input->down = window->down;
+    input->down_count = GLFW_KEY_LAST + 1;
     free(window->input.dropped);
     window->input = *input;
-    for (int i = 0; i < BUTTON_COUNT; i++)
-        window->input.held[i] |= input->pressed[i];
-    window->last_code = GLFW_KEY_UNKNOWN;
-    /* What is held goes on, what happened is over. */
-    bool held[BUTTON_COUNT];
-    memcpy(held, input->held, sizeof held);
-    *input = (struct input){0};
-    memcpy(input->held, held, sizeof input->held);
-    input->press_x = window->input.press_x;
-    input->press_y = window->input.press_y;
-    memcpy(input->key_held, window->input.key_held, sizeof input->key_held);
+    *input = next_of(input);
     return &window->input;
 }
 

@@ -3,7 +3,7 @@
 #ifndef VIEWER_WINDOW_WINDOW_H
 #define VIEWER_WINDOW_WINDOW_H
 
-#include <stdbool.h>
+#include "viewer/window/events.h"
 
 /* Letters, digits and punctuation are their own ASCII characters, letters in upper case. */
 enum window_key {
@@ -32,22 +32,23 @@ enum window_key {
 
 enum window_button { BUTTON_LEFT, BUTTON_RIGHT, BUTTON_MIDDLE, BUTTON_COUNT };
 
-enum { INPUT_KEYS_MAX = 32 };
-
-/* What happened between two polls. Positions are in pixels of the framebuffer, y down. */
+/* What happened in a turn: as much as has no order (viewer/window/events.h). Positions are in pixels of
+ * the framebuffer, y down. */
 struct input {
     int width, height; /* of the framebuffer; 0 while minimised */
     float scale;       /* of widgets: 2 = twice as many pixels an inch */
     double x, y, dx, dy, scroll;
     double press_x, press_y; /* where a button was pressed last */
-    /* A button that was pressed and released since the last poll counts as held in this one. */
+    bool inside;             /* the mouse is over the window */
     bool held[BUTTON_COUNT], pressed[BUTTON_COUNT], released[BUTTON_COUNT];
     bool shift, control, alt;
     bool key_held[KEY_COUNT];
-    int keys[INPUT_KEYS_MAX]; /* pressed, in order */
+    int keys[EVENTS_OF_TURN]; /* pressed, in order */
     int key_count;
-    int taps[INPUT_KEYS_MAX]; /* keys pressed and released again, in the system's own codes */
-    int tap_count;
+    unsigned text[EVENTS_OF_TURN]; /* characters typed */
+    int text_count;
+    const bool *down; /* whether each key is held, by the system's own codes */
+    int down_count;
     char *dropped; /* a file's path, or NULL */
     bool any;      /* anything at all happened */
     bool close;    /* asked for by the window manager */
@@ -75,9 +76,9 @@ void *window_getproc(const char *name);
 /* GLFW's own, for the user interface. */
 void *window_native(struct window *window);
 
-/* Handles what has happened; waits up to so many seconds for something to happen first. Valid until
- * the next poll. */
-const struct input *window_poll(struct window *window, double wait);
+/* What happened in the next turn; where nothing has yet, waits up to so many seconds for it. holds: what
+ * happened is kept for later turns. Valid until the next poll. */
+const struct input *window_poll(struct window *window, double wait, bool holds);
 
 /* Ends a window_poll that waits; from any thread. */
 void window_wake(void);
