@@ -32,16 +32,22 @@ const float INVERSE_PI = 0.31830988618;
 #include "gather/specular.glsl"
 #endif
 
+#if CLAMP >= 5
+#include "gather/rectangle.glsl"
+#endif
+
 // cos_i cos_x / d^2, bounded as the setting says: near a VPL the point light is no longer the patch
 // that it stands for.
 //
 // The near field counts as unoccluded, within the VPL's reach: with TAKE_BACK `back` is what of it is wrong
 // where the VPL does not arrive, but for what lies within a smaller reach, which bounds it. The mean over VPLs
 // is then biased by the smaller reach alone, while the larger one bounds the light of VPLs that arrive.
-float geometry_term(vec3 to_vpl, vec3 normal, vpl light, out float back) {
+float geometry_term(int i, vec3 to_vpl, vec3 normal, vpl light, out float back) {
     back = 0.0;
 #if CLAMP == 4
     return sphere_term(to_vpl, normal, light.normal, params.sphere2 * light.area);
+#elif CLAMP >= 5
+    return rectangle_term(i, to_vpl, normal, light);
 #endif
     float distance2 = dot(to_vpl, to_vpl);
     float cosines = max(dot(normal, to_vpl), 0.0) * max(-dot(light.normal, to_vpl), 0.0);
@@ -95,14 +101,14 @@ int map_of(int i, vpl light) {
 
 // Irradiance times pi, or with SPECULAR reflected radiance times pi, from a VPL where it arrives, and what it takes back
 // where it does not. What is reflected of near VPLs counts as unoccluded, as the near field does.
-vec3 unshadowed(vpl light, surface s, out vec3 back) {
+vec3 unshadowed(int i, vpl light, surface s, out vec3 back) {
     float share;
 #if SPECULAR
     vec3 to_vpl = light.position - s.position, reflected = specular_light(light, s, light.area * weight);
     back = -reflected * near_share(dot(to_vpl, to_vpl), light.area, light.reach);
     return reflected;
 #endif
-    vec3 light_there = light.flux * geometry_term(light.position - s.position, s.normal, light, share);
+    vec3 light_there = light.flux * geometry_term(i, light.position - s.position, s.normal, light, share);
     back = light.flux * share;
     return light_there;
 }
@@ -145,7 +151,7 @@ vec3 light_together(surface s, int first, int last, inout float random) {
     light_group redder = none, greener = none;
     for (int i = first; i < last; i++) {
         vpl light = light_at(i);
-        vec3 back, own = unshadowed(light, s, back);
+        vec3 back, own = unshadowed(i, light, s, back);
         float red = light.flux.r > light.flux.g ? 1.0 : 0.0, map = float(map_of(i, light));
         group_add(redder, own * red, back * red, light.position, map, random);
         group_add(greener, own * (1.0 - red), back * (1.0 - red), light.position, map, random);
@@ -173,10 +179,10 @@ vec3 light_of_slot(surface s, ivec2 pixel) {
             vpl light = light_at(i);
             ivec3 texel = ivec3(block, map_of(i, light));
 #if SPECULAR
-            vec3 arriving = unshadowed(light, s, back);
+            vec3 arriving = unshadowed(i, light, s, back);
             sum += mix(-back, arriving, texelFetch(block_visibilities, texel, 0).r);
 #else
-            sum += unshadowed(light, s, back) * texelFetch(block_visibilities, texel, 0).r;
+            sum += unshadowed(i, light, s, back) * texelFetch(block_visibilities, texel, 0).r;
 #endif
         }
         lights.y = lights.x;
@@ -186,7 +192,7 @@ vec3 light_of_slot(surface s, ivec2 pixel) {
     // sides of a branch.
     for (int i = lights.x; i < lights.y; i++) {
         vpl light = light_at(i);
-        vec3 arriving = unshadowed(light, s, back);
+        vec3 arriving = unshadowed(i, light, s, back);
         float visible = 1.0;
         for (int lit = arriving + back != vec3(0.0) ? 1 : 0; lit > 0; lit--)
             visible = visibility_from(map_of(i, light), s.position, s.normal, light.position);

@@ -5,6 +5,6 @@
 
 void main() {
     vpl v = vpl_input();
-    v.val = float(nearest_val(v.position, v.normal));
+    v.val = float(nearest_val(v));
     vpl_output(v);
 }

@@ -10,5 +10,5 @@ void main() {
     point_position = v.position;
     point_normal = v.normal;
     point_flux = v.flux;
-    gl_Position = v.reach > 0.0 ? val_pixel(nearest_val(v.position, v.normal)) : vec4(0.0, 0.0, 2.0, 1.0);
+    gl_Position = v.reach > 0.0 ? val_pixel(nearest_val(v)) : vec4(0.0, 0.0, 2.0, 1.0);
 }

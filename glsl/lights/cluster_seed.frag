@@ -9,5 +9,5 @@ void main() {
     vpl seed = seed_vpl(int(gl_FragCoord.x));
     val_position = vec4(seed.position, 0.0);
     val_normal = vec4(seed.normal, 0.0);
-    val_flux = vec4(0.0);
+    val_flux = vec4(seed.flux, 0.0);
 }

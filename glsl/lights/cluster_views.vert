@@ -12,14 +12,14 @@
 layout(binding = UNIT_VAL_EXTREMES) uniform sampler2D val_extremes;
 
 // spacing: of the VPLs there, metres.
-vec3 on_surface(int k, vec3 center, vec3 mean, out float spacing) {
+vec3 on_surface(int k, vec3 center, out float spacing) {
     vec3 foot = center;
     float least = 1e30, weight_position = position_weight();
     spacing = 0.0;
     for (int i = 0; i < params.vpl_count; i++) {
         vpl v = vpl_at(i);
         bool lights = int(v.val) == k && v.reach > 0.0;
-        float d = val_distance(weight_position, v.position, v.normal, center, mean);
+        float d = val_distance(weight_position, v, k);
         if (lights && d < least) {
             least = d;
             foot = center + v.normal * max(dot(v.position - center, v.normal), 0.0);
@@ -33,7 +33,7 @@ void main() {
     ivec2 k = ivec2(gl_VertexID, 0);
     vec3 normal = texelFetch(val_normals, k, 0).xyz;
     float spacing;
-    vec3 center = on_surface(gl_VertexID, texelFetch(val_positions, k, 0).xyz, normal, spacing);
+    vec3 center = on_surface(gl_VertexID, texelFetch(val_positions, k, 0).xyz, spacing);
     vec4 extremes = texelFetch(val_extremes, k, 0);
     vec2 sides = max(extremes.xy + extremes.zw, vec2(0.0));
     float z_far = farthest_corner(center, params.bounds_min, params.bounds_max);

@@ -1,29 +1,43 @@
-// The clustering criterion [Dong 2009 §5.1]: d = w_x |x - c| + w_alpha angle(n, m). Distances are taken over
-// the spread of the VPLs, so that neither units nor what no light reaches count.
+// The clustering criterion, of lengths [Dong 2009 §5.1] or of squares [Prutkin 2012, eq. 1]:
+//     d = w_x |x - c| + w_alpha angle(n, m)
+//     d = w_d |x - c|^2 + w_n (1 - n m) + w_Phi |Phi / |Phi| - Phi_c / |Phi_c||^2
+// Distances are taken over the spread of the VPLs, so that neither units nor what no light reaches count.
 #include "shared/cluster.h"
+#include "shared/vpl.h"
 #include "lib/vpl_spread.glsl"
 
 layout(binding = UNIT_VAL_POSITION) uniform sampler2D val_positions; // xyz, count
 layout(binding = UNIT_VAL_NORMAL) uniform sampler2D val_normals;
+#if METRIC == CLUSTER_METRIC_SQUARES
+layout(binding = UNIT_VAL_FLUX) uniform sampler2D val_fluxes;
+#endif
 
 // 1/m.
 float position_weight() {
     return params.weight_position / vpl_spread();
 }
 
-float val_distance(float weight_position, vec3 position, vec3 normal, vec3 center, vec3 mean) {
-    float angle = acos(clamp(dot(normal, mean), -1.0, 1.0));
-    return weight_position * distance(position, center) + params.weight_normal * angle;
+float val_distance(float weight_position, vpl v, int k) {
+    ivec2 texel = ivec2(k, 0);
+    vec3 center = texelFetch(val_positions, texel, 0).xyz, mean = texelFetch(val_normals, texel, 0).xyz;
+#if METRIC == CLUSTER_METRIC_SQUARES
+    vec3 flux = texelFetch(val_fluxes, texel, 0).rgb;
+    vec3 apart = weight_position * (v.position - center);
+    vec3 hues_apart = v.flux / max(length(v.flux), 1e-30) - flux / max(length(flux), 1e-30);
+    return dot(apart, apart) + params.weight_normal * (1.0 - dot(v.normal, mean)) +
+           params.weight_flux * dot(hues_apart, hues_apart);
+#else
+    float angle = acos(clamp(dot(v.normal, mean), -1.0, 1.0));
+    return weight_position * distance(v.position, center) + params.weight_normal * angle;
+#endif
 }
 
 // The VAL with the least distance; the first of equals.
-int nearest_val(vec3 position, vec3 normal) {
+int nearest_val(vpl v) {
     int nearest = 0;
     float least = 1e30, weight_position = position_weight();
     for (int k = 0; k < params.val_count; k++) {
-        vec3 center = texelFetch(val_positions, ivec2(k, 0), 0).xyz;
-        vec3 mean = texelFetch(val_normals, ivec2(k, 0), 0).xyz;
-        float d = val_distance(weight_position, position, normal, center, mean);
+        float d = val_distance(weight_position, v, k);
         if (d < least) {
             least = d;
             nearest = k;

@@ -16,6 +16,7 @@
 #define BLOCK_LIST_COUNTS 9
 #define BLOCK_SERIES_RANGES 10
 #define BLOCK_SKY 11
+#define BLOCK_LIGHT_RECTANGLES 12
 
 /* Storages and images, which shaders write. GL promises 8 each to compute shaders. */
 #define STORAGE_LIST_COUNTS 0
@@ -94,6 +95,8 @@
 #define UNIT_CUTS 77
 #define UNIT_CASTER_POINTS 78
 #define UNIT_COARSE_DEPTH 79
+#define UNIT_SUM_SQUARES 80
+#define UNIT_SUM_PRODUCTS 81
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0
@@ -122,6 +125,8 @@
 #define TARGET_VAL_POSITION 0 /* likewise of sums over a VAL's VPLs */
 #define TARGET_VAL_NORMAL 1
 #define TARGET_VAL_FLUX 2
+#define TARGET_SUM_SQUARES 0
+#define TARGET_SUM_PRODUCTS 1
 #define TARGET_BOUNCE_LAST 0
 #define TARGET_BOUNCE_SUM 1
 

@@ -4,15 +4,22 @@
 
 #include "shared/types.h"
 
+/* The criterion, METRIC: lengths and angles [Dong 2009 §5.1], or squares of them and of hues, with means
+ * weighted by flux [Prutkin 2012, eq. 1]. */
+#define CLUSTER_METRIC_LENGTHS 0
+#define CLUSTER_METRIC_SQUARES 1
+
 struct cluster_params {
     float weight_position; /* w_x */
-    float weight_normal;   /* w_alpha over pi, 1/rad */
+    float weight_normal;   /* of lengths: w_alpha over pi, 1/rad */
     int val_count, vpl_count;
     vec3 bounds_min; /* metres */
     float near_clip; /* over the spread of VPLs */
     vec3 bounds_max;
     BOOL reseed; /* empty clusters begin again */
+    float weight_flux; /* of squares: w_Phi */
+    float unused0, unused1, unused2;
 };
-PASS_BLOCK(cluster_params, 48)
+PASS_BLOCK(cluster_params, 64)
 
 #endif

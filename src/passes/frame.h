@@ -81,6 +81,12 @@ struct vpl_cuts {
     int block;
 };
 
+/* Of clusters of VPLs, M x 1 RGBA32F: position and count, normal, flux (W). */
+struct val_targets {
+    struct texture position, normal, flux;
+    GLuint framebuffer;
+};
+
 /* Up to MAP_VIEWS_MAX paraboloid views (shared/map_view.h). */
 struct map_views {
     struct buffer buffer;

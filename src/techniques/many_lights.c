@@ -126,7 +126,8 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
 static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc) {
     const struct lights_settings *own_lights = settings_of(desc->settings, &lights_part);
     const struct gather_settings *own = settings_of(desc->settings, &gather_part);
-    lights->has_near_field = own->clamp == GATHER_CLAMP_NEAR;
+    lights->has_near_field =
+        own->clamp == GATHER_CLAMP_NEAR || own->clamp == GATHER_CLAMP_RECTANGLE_NEAR;
     struct near_field_desc near_field = {
         .samples = own->near_samples,
         .listed = lights->has_detail,
@@ -290,6 +291,18 @@ void many_lights_end_bounce(const struct many_lights *lights, const struct frame
                             int bounce) {
     bounce_pass_reflect(&lights->bounce, frame, bounce == lights->bounces);
     vpl_pass_measure_spread(&lights->vpl, &lights->bounce.vpls);
+}
+
+void many_lights_render_unshadowed_bounces(struct many_lights *lights, const struct frame *frame) {
+    struct bounce_inputs inputs = {.vpls = &lights->vpls};
+    if (lights->bounces > 1)
+        bounce_pass_pick(&lights->bounce, frame, &inputs);
+    for (int bounce = 2; bounce <= lights->bounces; bounce++) {
+        bounce_pass_begin(&lights->bounce);
+        bounce_pass_gather(&lights->bounce, frame, &inputs);
+        many_lights_end_bounce(lights, frame, bounce);
+        inputs.vpls = &lights->bounce.vpls;
+    }
 }
 
 void many_lights_begin(const struct many_lights *lights, const struct frame *frame,

@@ -139,6 +139,9 @@ void many_lights_render_vpls(struct many_lights *lights, const struct frame *fra
 void many_lights_end_bounce(const struct many_lights *lights, const struct frame *frame,
                             int bounce);
 
+/* All further bounces, where nothing says what light arrives. */
+void many_lights_render_unshadowed_bounces(struct many_lights *lights, const struct frame *frame);
+
 /* The gather: begins at zero, and then adds VPLs in as many calls as the technique likes. */
 void many_lights_begin(const struct many_lights *lights, const struct frame *frame,
                        const struct gbuffer *gbuffer);

@@ -6,6 +6,7 @@
 
 /* A technique is entered by its line here; those of tests come by MORE_TECHNIQUES. */
 #define TECHNIQUES(X)                                                                              \
+    X(cluster_lights)                                                                              \
     X(clustered)                                                                                   \
     X(imperfect_shadow_maps)                                                                       \
     X(instant_radiosity)                                                                           \

@@ -49,6 +49,7 @@ static bool init_cluster(struct val_set *set, const struct settings *settings, i
                                                 .iterations = own->iterations,
                                                 .weight_position = own->weight_position,
                                                 .weight_normal = own->weight_normal,
+                                                .has_views = true,
                                                 .near_clip = map->near_clip,
                                             });
 }
@@ -197,7 +198,7 @@ static void render_bounce(struct vals *vals, struct many_lights *lights, const s
     if (bounce == 2)
         render_set(further, frame, &lights->bounce.vpls);
     else
-        cluster_pass_map(&further->cluster, &lights->bounce.vpls);
+        cluster_pass_map(&further->cluster, &lights->bounce.vpls, &further->cluster.vpls);
 }
 
 void vals_render(struct vals *vals, struct many_lights *lights, const struct frame *frame) {

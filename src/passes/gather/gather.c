@@ -31,13 +31,20 @@ static bool init_program(GLuint *program, const struct gather_desc *desc, enum g
     return ok;
 }
 
+/* Near fields are the first bounce's. */
+static enum gather_clamp further_clamp(enum gather_clamp clamp) {
+    bool rectangles = clamp == GATHER_CLAMP_RECTANGLE || clamp == GATHER_CLAMP_RECTANGLE_NEAR;
+    return rectangles ? GATHER_CLAMP_RECTANGLE : GATHER_CLAMP_DISK;
+}
+
 bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) {
     int height = desc->receivers == RECEIVERS_LISTED
                      ? pixel_lists_height(desc->height, desc->interleave)
                      : desc->height;
     *pass = (struct gather_pass){.desc = *desc};
     if (init_program(&pass->program, desc, desc->clamp) &&
-        (!desc->further || init_program(&pass->further_program, desc, GATHER_CLAMP_DISK)) &&
+        (!desc->further ||
+         init_program(&pass->further_program, desc, further_clamp(desc->clamp))) &&
         irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, desc->width, height,
                         desc->interleave) &&
         buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL) &&
@@ -177,6 +184,8 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
         pass_add_texture(&state, UNIT_GBUFFER_GLOSS, gbuffer->gloss.id);
     if (pass->desc.share)
         pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, inputs->blocks->texture.id);
+    if (inputs->rectangles)
+        pass_add_block(&state, BLOCK_LIGHT_RECTANGLES, inputs->rectangles);
     pixel_lists_add(&state, inputs->lists, pass->desc.receivers);
     if (pass->desc.receivers == RECEIVERS_LISTED)
         pass_add_texture(&state, UNIT_FURTHER_POINTS, frame->further_points->id);

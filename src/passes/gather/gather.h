@@ -20,6 +20,10 @@ enum gather_clamp {
     GATHER_CLAMP_DISK,
     GATHER_CLAMP_NEAR,
     GATHER_CLAMP_SPHERE,
+    /* The lights are rectangles, which need no bound; likewise without their near field. None of a
+     * user's choices. */
+    GATHER_CLAMP_RECTANGLE,
+    GATHER_CLAMP_RECTANGLE_NEAR,
 };
 
 struct gather_desc {
@@ -61,7 +65,10 @@ void gather_pass_clear(const struct gather_pass *pass);
 struct gather_inputs {
     const struct vpl_buffer *vpls;
     int first, count; /* of the VPLs; all of them where count is 0 */
-    bool further;     /* they are of further bounces: bounded as disks, whatever desc.clamp */
+    bool
+        further; /* they are of further bounces, and no near field is theirs: bounded as disks, unless
+                     they are rectangles */
+    const struct buffer *rectangles;         /* of the lights, with GATHER_CLAMP_RECTANGLE */
     struct visibility_inputs visibility;     /* unless VISIBILITY_LOOKUP_NONE */
     const struct block_visibilities *blocks; /* where desc.share */
     const struct vpl_cuts *cuts;             /* where desc.cuts */

@@ -6,9 +6,9 @@
 #include "shared/cluster.h"
 #include "shared/map_view.h"
 
-#include <cglm/util.h>
 #include "shared/vpl.h"
 
+#include <cglm/util.h>
 #include <math.h>
 #include <string.h>
 
@@ -36,7 +36,10 @@ static void free_targets(struct val_targets *targets) {
 }
 
 static bool init_programs(struct cluster_pass *pass) {
-    const struct {
+    const char *defines = pass->desc.metric == CLUSTER_METRIC_SQUARES
+                              ? "METRIC CLUSTER_METRIC_SQUARES"
+                              : "METRIC CLUSTER_METRIC_LENGTHS";
+    struct {
         GLuint *program;
         struct program_desc desc;
     } rows[] = {
@@ -47,30 +50,38 @@ static bool init_programs(struct cluster_pass *pass) {
         {&pass->divide_program,
          {.vertex = "fullscreen.vert", .fragment = "lights/cluster_divide.frag"}},
         {&pass->map_program, {.vertex = "lights/cluster_map.vert"}},
+        /* Of views: */
         {&pass->extent_program,
          {.vertex = "lights/cluster_extent.vert", .fragment = "lights/cluster_extent.frag"}},
         {&pass->views_program, {.vertex = "lights/cluster_views.vert"}},
     };
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+    size_t count = sizeof rows / sizeof *rows;
+    for (size_t i = 0; i < (pass->desc.has_views ? count : count - 2); i++) {
+        rows[i].desc.defines = defines;
         if (!program_init(rows[i].program, &rows[i].desc))
             return false;
+    }
     return true;
+}
+
+static bool init_views(struct cluster_pass *pass) {
+    pass->views.count = pass->desc.val_count;
+    return !pass->desc.has_views ||
+           (init_row(&pass->extremes, "VALs", pass->desc.val_count) &&
+            framebuffer_init(
+                &pass->extremes_framebuffer,
+                &(struct framebuffer_desc){.label = "VAL extremes", .colors = {&pass->extremes}}) &&
+            buffer_init(&pass->views.buffer, "map views", MAP_VIEWS_MAX * sizeof(struct map_view),
+                        NULL));
 }
 
 bool cluster_pass_init(struct cluster_pass *pass, const struct cluster_desc *desc) {
     *pass = (struct cluster_pass){.desc = *desc};
     int count = desc->val_count;
     gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &pass->vpl_texture);
-    pass->views.count = count;
     if (init_programs(pass) && init_targets(&pass->centers[0], count) &&
         init_targets(&pass->centers[1], count) && init_targets(&pass->sums, count) &&
-        init_row(&pass->extremes, "VALs", count) &&
-        framebuffer_init(
-            &pass->extremes_framebuffer,
-            &(struct framebuffer_desc){.label = "VAL extremes", .colors = {&pass->extremes}}) &&
-        vpl_buffer_init(&pass->vpls, "VPLs", desc->vpl_count) &&
-        buffer_init(&pass->views.buffer, "map views", MAP_VIEWS_MAX * sizeof(struct map_view),
-                    NULL) &&
+        init_views(pass) && vpl_buffer_init(&pass->vpls, "VPLs", desc->vpl_count) &&
         buffer_init(&pass->params, "cluster parameters", sizeof(struct cluster_params), NULL))
         return true;
     cluster_pass_free(pass);
@@ -97,9 +108,11 @@ void cluster_pass_free(struct cluster_pass *pass) {
 
 static void write_params(const struct cluster_pass *pass, const struct frame *frame) {
     const struct cluster_desc *desc = &pass->desc;
+    bool squares = desc->metric == CLUSTER_METRIC_SQUARES;
     struct cluster_params params = {
         .weight_position = desc->weight_position,
-        .weight_normal = desc->weight_normal / (float)GLM_PI,
+        .weight_normal = squares ? desc->weight_normal : desc->weight_normal / (float)GLM_PI,
+        .weight_flux = desc->weight_flux,
         .val_count = desc->val_count,
         .vpl_count = desc->vpl_count,
         .near_clip = desc->near_clip,
@@ -122,6 +135,7 @@ static struct pass_state row_state(const struct cluster_pass *pass, GLuint progr
         .textures = {{UNIT_VPLS, pass->vpl_texture},
                      {UNIT_VAL_POSITION, centers->position.id},
                      {UNIT_VAL_NORMAL, centers->normal.id},
+                     {UNIT_VAL_FLUX, centers->flux.id},
                      {UNIT_VPL_SPREAD, pass->vpl_spread}},
         .blocks = {{BLOCK_PASS, &pass->params}},
     };
@@ -173,6 +187,14 @@ const struct val_targets *cluster_pass_centers(const struct cluster_pass *pass) 
     return &pass->centers[pass->last];
 }
 
+void cluster_pass_map(const struct cluster_pass *pass, const struct vpl_buffer *vpls,
+                      const struct vpl_buffer *to) {
+    struct pass_state state = row_state(pass, pass->map_program, 0, cluster_pass_centers(pass));
+    state.vertex_array = vpls->vertices;
+    pass_set_state(&state);
+    pass_feedback(to->buffer.id, 0, vpls->count);
+}
+
 /* k-means; afterwards pass->last is where the means are. */
 static void find_centers(struct cluster_pass *pass, const struct vpl_buffer *vpls) {
     gl.TextureBuffer(pass->vpl_texture, GL_RGBA32F, vpls->buffer.id);
@@ -181,26 +203,16 @@ static void find_centers(struct cluster_pass *pass, const struct vpl_buffer *vpl
         seed(pass);
     pass->started = true;
     for (int i = 0; i < pass->desc.iterations; i++) {
+        if (pass->desc.means_of_map && i == pass->desc.iterations - 1)
+            cluster_pass_map(pass, vpls, &pass->vpls);
         int next = 1 - pass->last;
         iterate(pass, vpls, &pass->centers[pass->last], &pass->centers[next]);
         pass->last = next;
     }
 }
 
-void cluster_pass_map(const struct cluster_pass *pass, const struct vpl_buffer *vpls) {
-    struct pass_state state = row_state(pass, pass->map_program, 0, cluster_pass_centers(pass));
-    state.vertex_array = vpls->vertices;
-    pass_set_state(&state);
-    pass_feedback(pass->vpls.buffer.id, 0, vpls->count);
-}
-
-void cluster_pass_render(struct cluster_pass *pass, const struct frame *frame,
-                         const struct vpl_buffer *vpls) {
-    timer_begin(frame->timers, "clustering");
-    write_params(pass, frame);
-    find_centers(pass, vpls);
+static void render_views(const struct cluster_pass *pass) {
     const struct val_targets *centers = cluster_pass_centers(pass);
-    cluster_pass_map(pass, vpls);
     clear(pass->extremes_framebuffer, 1, -1e30f);
     scatter(pass, pass->extent_program, pass->extremes_framebuffer, PASS_BLEND_MAX, &pass->vpls,
             centers);
@@ -210,5 +222,16 @@ void cluster_pass_render(struct cluster_pass *pass, const struct frame *frame,
     pass_add_texture(&state, UNIT_VAL_EXTREMES, pass->extremes.id);
     pass_set_state(&state);
     pass_feedback(pass->views.buffer.id, 0, pass->desc.val_count);
+}
+
+void cluster_pass_render(struct cluster_pass *pass, const struct frame *frame,
+                         const struct vpl_buffer *vpls) {
+    timer_begin(frame->timers, "clustering");
+    write_params(pass, frame);
+    find_centers(pass, vpls);
+    if (!pass->desc.means_of_map)
+        cluster_pass_map(pass, vpls, &pass->vpls);
+    if (pass->desc.has_views)
+        render_views(pass);
     timer_end(frame->timers);
 }

@@ -1,9 +1,9 @@
-/* k-means of VPLs into virtual area lights on the GPU [Dong 2009 §5, §6].
+/* k-means of VPLs into virtual area lights on the GPU [Dong 2009 §5, §6; Prutkin 2012 §4].
  *
  * Each iteration draws the N VPLs as points: the vertex shader finds the nearest of M centres and
  * scatters the VPL to that VAL's pixel with additive blending; a second draw divides by the count.
  * The start is VPL k N / M, the same each frame, so that VALs move smoothly when the light does
- * (§5.2). A last pass writes C(i); MAX blending finds the bounding rectangles. The papers leave the
+ * (§5.2). A last pass writes C(i); for views MAX blending finds the bounding rectangles. The papers leave the
  * scale of the criterion open: distances are taken over the spread of the VPLs and angles over pi. VPLs
  * without flux take no part.
  */
@@ -22,14 +22,12 @@ struct cluster_desc {
     int vpl_count, val_count;
     enum cluster_start start;
     int iterations;
-    float weight_position, weight_normal; /* w_x, w_alpha */
-    float near_clip;                      /* of the VALs' maps, over the spread of VPLs */
-};
-
-/* M x 1 RGBA32F: position and count, normal, flux (W). */
-struct val_targets {
-    struct texture position, normal, flux;
-    GLuint framebuffer;
+    int metric;                           /* CLUSTER_METRIC_... (shared/cluster.h) */
+    float weight_position, weight_normal; /* w_x, w_alpha; or w_d, w_n */
+    float weight_flux;                    /* w_Phi */
+    bool means_of_map; /* the last means are those of C(i); else C(i) is what they are nearest to */
+    bool has_views;    /* the clusters are VALs, which see: */
+    float near_clip;   /* of their maps, over the spread of VPLs */
 };
 
 struct cluster_pass {
@@ -44,19 +42,20 @@ struct cluster_pass {
     GLuint vpl_texture;     /* buffer texture over the VPLs that come in */
     GLuint vpl_spread;      /* theirs */
     struct vpl_buffer vpls; /* the VPLs with C(i) */
-    struct map_views views; /* one a VAL */
+    struct map_views views; /* one a VAL, where they have any */
     struct buffer params;
 };
 
 bool cluster_pass_init(struct cluster_pass *pass, const struct cluster_desc *desc);
 void cluster_pass_free(struct cluster_pass *pass);
 
-/* From VPLs to pass->vpls, pass->views and the VALs' targets. Timer "clustering". */
+/* From VPLs to pass->vpls, the VALs' targets and pass->views. Timer "clustering". */
 void cluster_pass_render(struct cluster_pass *pass, const struct frame *frame,
                          const struct vpl_buffer *vpls);
 
-/* C(i) anew, of the same points with other light: to pass->vpls. */
-void cluster_pass_map(const struct cluster_pass *pass, const struct vpl_buffer *vpls);
+/* C(i) of other lights among the same surfaces; pass->vpls may be the target. */
+void cluster_pass_map(const struct cluster_pass *pass, const struct vpl_buffer *vpls,
+                      const struct vpl_buffer *to);
 
 /* The targets that hold the last means. */
 const struct val_targets *cluster_pass_centers(const struct cluster_pass *pass);

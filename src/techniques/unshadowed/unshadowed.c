@@ -24,15 +24,7 @@ static bool resize(void *state, int width, int height) {
 static void render_lights(void *state, const struct frame *frame) {
     struct many_lights *lights = state;
     many_lights_render_vpls(lights, frame);
-    struct bounce_inputs inputs = {.vpls = &lights->vpls};
-    if (lights->bounces > 1)
-        bounce_pass_pick(&lights->bounce, frame, &inputs);
-    for (int bounce = 2; bounce <= lights->bounces; bounce++) {
-        bounce_pass_begin(&lights->bounce);
-        bounce_pass_gather(&lights->bounce, frame, &inputs);
-        many_lights_end_bounce(lights, frame, bounce);
-        inputs.vpls = &lights->bounce.vpls;
-    }
+    many_lights_render_unshadowed_bounces(lights, frame);
 }
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {

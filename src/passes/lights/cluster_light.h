@@ -1,0 +1,34 @@
+/* Area lights that stand for clusters of VPLs [Prutkin 2012 §5], from the clusters' sums on the GPU.
+ *
+ * A second scatter of the VPLs adds up second moments; then vertex j becomes light j, in the place of all
+ * VPLs of its cluster: their mean position and normal and the sum of their fluxes, with the rectangle of the
+ * same moments or a disk of the same area. The paper leaves open how "spatial extent" is told.
+ */
+#ifndef PASSES_CLUSTER_LIGHT_H
+#define PASSES_CLUSTER_LIGHT_H
+
+#include "passes/frame.h"
+
+struct cluster_light_desc {
+    int count; /* J */
+    int form;  /* LIGHT_FORM_... (shared/light_rectangle.h) */
+};
+
+struct cluster_light_pass {
+    struct cluster_light_desc desc;
+    GLuint moment_program, light_program, rectangle_program;
+    struct texture squares, products; /* J x 1, RGBA32F */
+    GLuint framebuffer;
+    struct vpl_buffer lights;
+    struct buffer rectangles; /* struct light_rectangle, for BLOCK_LIGHT_RECTANGLES */
+};
+
+bool cluster_light_pass_init(struct cluster_light_pass *pass,
+                             const struct cluster_light_desc *desc);
+void cluster_light_pass_free(struct cluster_light_pass *pass);
+
+/* From VPLs with C(i), and the means of those clusters. Timer "lights of clusters". */
+void cluster_light_pass_render(const struct cluster_light_pass *pass, const struct frame *frame,
+                               const struct vpl_buffer *vpls, const struct val_targets *means);
+
+#endif

@@ -1,0 +1,248 @@
+/* Clusters of VPLs as area lights [Prutkin 2012]: some tens of lights that each pixel takes all of, so that
+ * nothing is interleaved or blurred. As rectangles they are lit from by Lambert's formula, as disks by the
+ * paper's. The paper has no visibility; here VALs may give it, as it proposes. */
+#include "base/error.h"
+#include "base/memory.h"
+#include "passes/lights/cluster_light.h"
+#include "shared/cluster.h"
+#include "shared/light_rectangle.h"
+#include "shared/near_field.h"
+#include "techniques/vals.h"
+
+#include <stdlib.h>
+
+enum light_visibility { LIGHT_VISIBILITY_VALS, LIGHT_VISIBILITY_NONE };
+
+struct cluster_lights_settings {
+    int lights; /* J */
+    int form;   /* LIGHT_FORM_... */
+    int visibility;
+    int iterations, start;
+    float weight_position, weight_normal, weight_flux; /* w_d, w_n, w_Phi */
+    int near;
+    int interleave;
+};
+
+#define ROW(name) offsetof(struct cluster_lights_settings, name)
+
+static const char *const form_names[] = {"rectangle", "disk", NULL};
+static const char *const visibility_names[] = {"vals", "none", NULL};
+static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
+
+static const struct option table[] = {
+    {"area-lights", 0, OPTION_INT, ROW(lights), 128, 1, LIGHT_RECTANGLES_MAX,
+     .help = "area lights (clusters of VPLs), J"},
+    {"form", 0, OPTION_CHOICE, ROW(form), LIGHT_FORM_RECTANGLE, .choices = form_names,
+     .help = "of their shapes: of the same second moments, or as published"},
+    {"shadows", 0, OPTION_CHOICE, ROW(visibility), LIGHT_VISIBILITY_VALS,
+     .choices = visibility_names,
+     .help = "what says which light arrives: virtual area lights (clustered.vals of them), or "
+             "nothing,\nas published"},
+    {"steps", 0, OPTION_INT, ROW(iterations), 5, 1, 64, .help = "k-means iterations"},
+    {"begin", 0, OPTION_CHOICE, ROW(start), 0, .choices = start_names,
+     .help = "where k-means begins, as clustered.start"},
+    {"weight-distance", 0, OPTION_FLOAT, ROW(weight_position), 1, 0, 1000,
+     .help = "clustering weight of squared distance, w_d"},
+    {"weight-facing", 0, OPTION_FLOAT, ROW(weight_normal), .1f, 0, 1000,
+     .help = "clustering weight of normals, w_n"},
+    {"weight-hue", 0, OPTION_FLOAT, ROW(weight_flux), 0, 0, 1000,
+     .help = "clustering weight of hues, w_Phi"},
+    {"near", 0, OPTION_INT, ROW(near), 256, 0, NEAR_SAMPLES_MAX,
+     .help = "samples of the near field at each pixel, which takes the place of what is near of "
+             "rectangles;\n0 = none"},
+    {"pattern", 0, OPTION_INT, ROW(interleave), 1, 1, 16,
+     .help = "each pixel of n x n takes its share of the lights; 1 = all, and no blur"},
+    {NULL},
+};
+
+static const struct settings_part own_part = {"cluster-lights", "area lights of clusters", table,
+                                              sizeof(struct cluster_lights_settings)};
+
+/* The area lights of some VPLs. */
+struct light_set {
+    struct cluster_pass cluster;
+    struct cluster_light_pass shape;
+    struct vpl_buffer lights; /* with their VALs' numbers */
+};
+
+struct cluster_lights {
+    struct many_lights lights;
+    struct vals vals;
+    struct light_set first, further;
+    bool has_vals;
+};
+
+static void free_set(struct light_set *set) {
+    cluster_pass_free(&set->cluster);
+    cluster_light_pass_free(&set->shape);
+    vpl_buffer_free(&set->lights);
+}
+
+static void free_state(void *state) {
+    struct cluster_lights *technique = state;
+    if (technique) {
+        many_lights_free(&technique->lights);
+        vals_free(&technique->vals);
+        free_set(&technique->first);
+        free_set(&technique->further);
+    }
+    free(technique);
+}
+
+static bool init_set(struct light_set *set, const struct settings *settings, int vpl_count) {
+    const struct cluster_lights_settings *own = settings_of(settings, &own_part);
+    return cluster_pass_init(&set->cluster,
+                             &(struct cluster_desc){
+                                 .vpl_count = vpl_count,
+                                 .val_count = own->lights,
+                                 .start = (enum cluster_start)own->start,
+                                 .iterations = own->iterations,
+                                 .metric = CLUSTER_METRIC_SQUARES,
+                                 .weight_position = own->weight_position,
+                                 .weight_normal = own->weight_normal,
+                                 .weight_flux = own->weight_flux,
+                                 .means_of_map = true,
+                             }) &&
+           cluster_light_pass_init(&set->shape,
+                                   &(struct cluster_light_desc){own->lights, own->form}) &&
+           vpl_buffer_init(&set->lights, "lights of clusters", own->lights);
+}
+
+static enum gather_clamp clamp_of(const struct cluster_lights_settings *own) {
+    if (own->form == LIGHT_FORM_DISK)
+        return GATHER_CLAMP_DISK;
+    return own->near > 0 ? GATHER_CLAMP_RECTANGLE_NEAR : GATHER_CLAMP_RECTANGLE;
+}
+
+/* The gather of many lights, but each pixel takes all of them. */
+static struct settings gather_settings(const struct settings *settings) {
+    const struct cluster_lights_settings *own = settings_of(settings, &own_part);
+    struct settings changed = *settings;
+    struct gather_settings *gather = settings_edit(&changed, &gather_part);
+    gather->interleave = own->interleave;
+    gather->detail = 0;
+    gather->clamp = clamp_of(own);
+    gather->near_samples = own->near;
+    struct blur_settings *blur = settings_edit(&changed, &blur_part);
+    blur->radius = own->interleave > 1 ? -1 : 0;
+    return changed;
+}
+
+static bool init(void **state, const struct technique_desc *desc) {
+    const struct cluster_lights_settings *own = settings_of(desc->settings, &own_part);
+    const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
+    struct cluster_lights *technique = *state = mem_alloc(1, sizeof *technique);
+    struct settings settings = gather_settings(desc->settings);
+    struct technique_desc with_settings = *desc;
+    with_settings.settings = &settings;
+    struct many_lights_visibility visibility = {VISIBILITY_LOOKUP_NONE, .map_count = 1};
+    technique->has_vals = own->visibility == LIGHT_VISIBILITY_VALS;
+    if (technique->has_vals) {
+        if (!vals_init(&technique->vals, desc))
+            return false;
+        visibility.lookup = vals_lookup(desc->settings);
+        visibility.map_count = technique->vals.first.visibility.map_count;
+        visibility.share = technique->vals.first.share;
+    }
+    return init_set(&technique->first, desc->settings, lights->vpls) &&
+           (lights->bounces == 1 ||
+            init_set(&technique->further, desc->settings, lights->points)) &&
+           many_lights_init(&technique->lights, &with_settings, &visibility);
+}
+
+static bool check(const struct settings *settings) {
+    const struct cluster_lights_settings *own = settings_of(settings, &own_part);
+    int places = own->interleave * own->interleave;
+    return own->lights >= places ||
+           error_set("pattern=%d needs at least %d lights, and area-lights=%d", own->interleave,
+                     places, own->lights);
+}
+
+static bool resize(void *state, int width, int height) {
+    struct cluster_lights *technique = state;
+    return vals_resize(&technique->vals, &technique->lights, width, height);
+}
+
+/* VALs are of the VPLs: a light has the one that it is nearest to. */
+static void render_set(struct light_set *set, const struct frame *frame,
+                       const struct vpl_buffer *vpls, const struct val_set *vals) {
+    cluster_pass_render(&set->cluster, frame, vpls);
+    cluster_light_pass_render(&set->shape, frame, &set->cluster.vpls,
+                              cluster_pass_centers(&set->cluster));
+    if (vals)
+        cluster_pass_map(&vals->cluster, &set->shape.lights, &set->lights);
+}
+
+static void render_lights(void *state, const struct frame *frame) {
+    struct cluster_lights *technique = state;
+    struct many_lights *lights = &technique->lights;
+    bool has_vals = technique->has_vals;
+    many_lights_render_vpls(lights, frame);
+    if (has_vals)
+        vals_render(&technique->vals, lights, frame);
+    else
+        many_lights_render_unshadowed_bounces(lights, frame);
+    render_set(&technique->first, frame, &lights->vpls, has_vals ? &technique->vals.first : NULL);
+    if (lights->bounces > 1)
+        render_set(&technique->further, frame, &lights->bounce.vpls,
+                   has_vals ? &technique->vals.further : NULL);
+}
+
+static void gather(const struct cluster_lights *technique, bool further, const struct frame *frame,
+                   const struct gbuffer *gbuffer) {
+    const struct light_set *set = further ? &technique->further : &technique->first;
+    const struct val_set *vals = further ? &technique->vals.further : &technique->vals.first;
+    struct gather_inputs inputs = {0};
+    if (technique->has_vals)
+        inputs = vals_render_blocks(vals, frame, gbuffer);
+    inputs.vpls = technique->has_vals ? &set->lights : &set->shape.lights;
+    inputs.rectangles = &set->shape.rectangles;
+    inputs.further = further;
+    many_lights_gather(&technique->lights, frame, gbuffer, &inputs);
+}
+
+static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
+    struct cluster_lights *technique = state;
+    many_lights_begin(&technique->lights, frame, gbuffer);
+    gather(technique, false, frame, gbuffer);
+    if (technique->lights.bounces > 1)
+        gather(technique, true, frame, gbuffer);
+    many_lights_finish(&technique->lights, frame, gbuffer);
+}
+
+static struct contribution contribution(const void *state) {
+    const struct cluster_lights *technique = state;
+    return many_lights_contribution(&technique->lights);
+}
+
+static void outputs(const void *state, struct output_list *outputs) {
+    const struct cluster_lights *technique = state;
+    const struct vpl_buffer *vpls =
+        technique->has_vals ? &technique->vals.first.cluster.vpls : &technique->lights.vpls;
+    many_lights_outputs(&technique->lights, vpls, outputs);
+    if (technique->has_vals)
+        vals_outputs(&technique->vals, outputs);
+}
+
+static const struct settings_part *const parts[] = {&lights_part, &own_part,    &vals_part,
+                                                    &map_part,    &lookup_part, &caster_part,
+                                                    &gather_part, &blur_part,   NULL};
+
+static const struct preset presets[] = {MANY_LIGHTS_FAST, {NULL}};
+
+extern const struct technique cluster_lights_technique;
+const struct technique cluster_lights_technique = {
+    .name = "cluster-lights",
+    .help = "clusters of VPLs as area lights, all at each pixel",
+    .parts = parts,
+    .presets = presets,
+    .refinement = &many_lights_refinement,
+    .check = check,
+    .init = init,
+    .free = free_state,
+    .resize = resize,
+    .render_lights = render_lights,
+    .render_view = render_view,
+    .contribution = contribution,
+    .outputs = outputs,
+};
