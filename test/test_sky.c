@@ -200,7 +200,7 @@ static void test_courtyard(void **state) {
     struct image got = render_stage(&stage, "clustered", "", SIZE);
     double mean = layer_mean(&truth, "direct");
     check_near("direct light, mean", layer_mean(&got, "direct"), mean, .08 * mean);
-    check_at_most("direct light, relative RMSE", relative_rmse(&got, &truth, "direct"), .4);
+    check_at_most("direct light, relative RMSE", relative_rmse(&got, &truth, "direct"), .2);
     mean = layer_mean(&truth, "indirect");
     check_near("indirect light, mean", layer_mean(&got, "indirect"), mean, .3 * mean);
     image_free(&truth);

@@ -53,7 +53,7 @@ blocks blocks_of(surface s, ivec2 pixel) {
     return b;
 }
 
-// What they say of four lights: the mean, and how far they disagree; where none speaks, by all.
+// What they say of four lights: the mean, and how far they disagree; those that do not speak might say anything.
 vec4 visibility_of_blocks(blocks b, int layer, out vec4 apart) {
     vec4 sum = vec4(0.0), least = vec4(1.0), most = vec4(0.0);
     float weight = 0.0;
@@ -65,9 +65,11 @@ vec4 visibility_of_blocks(blocks b, int layer, out vec4 apart) {
         least = speaks ? min(least, v) : least;
         most = speaks ? max(most, v) : most;
     }
-    apart = weight > 0.0 ? most - least : vec4(1.0);
+    apart = weight > 0.0 ? most - least + max(1.0 - weight, 0.0) : vec4(1.0);
     return sum / max(weight, 1e-6);
 }
+
+const int LAYERS_TOGETHER = 8; // as many lights as a mask has bits
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -88,18 +90,31 @@ void main() {
     vec3 shining = vec3(0.0);
     lobe o = lobe_of(gbuffer_shine(s, pixel));
 #endif
-    for (int layer = 0; layer < layers; layer++) {
-        vec4 shares = sky_shares(s.normal, layer), apart;
-        vec4 visible = visibility_of_blocks(b, layer, apart);
-        for (int k = 0; k < 4; k++) {
-            vec4 radiance = sky_radiance(4 * layer + k);
-            // A loop and no branch: a software rasteriser leaves a loop that no pixel is in.
-            for (int ask = shares[k] * radiance.a * apart[k] > params.disagree * all ? 1 : 0; ask > 0; ask--)
-                visible[k] = sky_visibility(4 * layer + k, s.position, s.normal);
-            sum += radiance.rgb * (shares[k] * visible[k]);
+    for (int first = 0; first < layers; first += LAYERS_TOGETHER) {
+        // A mask and a loop over its bits, no branch in the loop over lights: a software rasteriser runs what a branch
+        // leaves out for all pixels.
+        uint asked = 0u;
+        for (int layer = first; layer < min(first + LAYERS_TOGETHER, layers); layer++) {
+            vec4 shares = sky_shares(s.normal, layer), apart;
+            vec4 visible = visibility_of_blocks(b, layer, apart);
+            for (int k = 0; k < 4; k++) {
+                vec4 radiance = sky_radiance(4 * layer + k);
+                bool ask = shares[k] * radiance.a * apart[k] > params.disagree * all;
+                visible[k] = ask ? 0.0 : visible[k];
+                asked |= ask ? 1u << (4 * (layer - first) + k) : 0u;
+                sum += radiance.rgb * (shares[k] * visible[k]);
 #ifdef HAS_GLOSS
-            if (4 * layer + k < params.count)
-                shining += radiance.rgb * (sky_shine(o, 4 * layer + k) * visible[k]);
+                if (4 * layer + k < params.count)
+                    shining += radiance.rgb * (sky_shine(o, 4 * layer + k) * visible[k]);
+#endif
+            }
+        }
+        for (; asked != 0u; asked &= asked - 1u) {
+            int i = 4 * first + findLSB(asked);
+            vec3 seen = sky_radiance(i).rgb * sky_visibility(i, s.position, s.normal);
+            sum += seen * sky_shares(s.normal, i / 4)[i % 4];
+#ifdef HAS_GLOSS
+            shining += seen * sky_shine(o, i);
 #endif
         }
     }

@@ -22,47 +22,49 @@ const int PLACES = 8;
 // that are seen from above: measured, both are least near this.
 const float CASTER_DEPTH = 2.0;
 
-struct sky_receiver {
-    vec3 position, normal;
-    vec2 texel; // metres
-};
-
 // Point k in the light, in units of its half sides: a sequence whose every part is even.
 vec2 sky_point(int k) {
     return fract(float(k) * vec2(0.75487767, 0.56984029) + 0.5) * 2.0 - 1.0;
 }
 
-// How far a surface lies above a place, which is relative to the receiver, its z metres towards the light; 0 where
-// it is no higher above the receiver's plane than its own texels' doubt.
-float sky_cover(int i, sky_view v, sky_receiver x, vec3 place) {
-    ivec2 size = textureSize(sky_maps, 0).xy;
-    ivec2 texel = ivec2(floor(((x.position.xy + place.xy) / v.half_size * 0.5 + 0.5) * vec2(size)));
-    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, size)))
-        return 0.0;
-    float depth = texelFetch(sky_maps, ivec3(texel, i), 0).r * v.far;
-    vec2 center = ((vec2(texel) + 0.5) / vec2(size) * 2.0 - 1.0) * v.half_size;
-    vec3 there = vec3(center - x.position.xy, x.position.z - depth);
-    float height = dot(x.normal, vec3(there.xy, -there.z));
-    return height > params.bias * x.texel.x ? there.z - place.z : 0.0;
+// A light's map as seen from a receiver, in texels across and metres along.
+struct sky_field {
+    vec2 place;       // the receiver's
+    float height;     // its, over the far plane
+    float rise;       // of map depth 0 over 1
+    vec4 above_plane; // over the receiver's plane, by a texel, its map depth and 1
+};
+
+// How far a surface lies above a place `up` above the receiver; 0 where it is no higher above the receiver's plane than
+// its own texels' doubt.
+float sky_cover(int i, sky_field f, ivec2 size, vec2 place, float up) {
+    ivec2 texel = ivec2(floor(place));
+    bool outside = texel != clamp(texel, ivec2(0), size - 1);
+    float depth = texelFetch(sky_maps, ivec3(texel, i), 0).r;
+    float cover = f.height - depth * f.rise - up;
+    return outside || dot(f.above_plane, vec4(texel, depth, 1.0)) < 0.0 ? 0.0 : cover;
 }
 
 float sky_visibility(int i, vec3 position, vec3 normal) {
     sky_view v = sky_view_at(i);
     mat3 to_view = transpose(mat3(v.right, v.up, v.forward));
-    sky_receiver x;
-    x.position = to_view * (position - v.origin);
-    x.normal = to_view * normal;
-    x.texel = 2.0 * v.half_size / vec2(textureSize(sky_maps, 0).xy);
+    vec3 at = to_view * (position - v.origin), across = to_view * normal;
+    ivec2 size = textureSize(sky_maps, 0).xy;
+    vec2 texels = 0.5 * vec2(size) / v.half_size; // a metre
+    sky_field f = sky_field(at.xy * texels + 0.5 * vec2(size), at.z, v.far, vec4(0.0));
+    vec2 slope = across.xy / texels;
+    f.above_plane = vec4(slope, across.z * v.far, dot(slope, 0.5 - f.place) - across.z * at.z - params.bias / texels.x);
     float seen = 0.0, above = 0.0;
     for (int k = 0; k < WAYS; k++) {
-        vec3 way = vec3(v.sides * sky_point(k), 1.0);
-        bool counts = dot(x.normal, vec3(way.xy, -1.0)) > 0.0;
+        vec2 way = v.sides * sky_point(k);
+        bool counts = dot(across.xy, way) > across.z;
         bool hidden = false;
         float jitter = fract(float(k) * 0.61803399);
         for (int n = 0; n < PLACES && !hidden; n++) {
             float share = (float(n) + jitter) / float(PLACES);
-            float cover = sky_cover(i, v, x, way * (share * share * x.position.z));
-            float depth = CASTER_DEPTH * 2.0 * share / float(PLACES) * x.position.z;
+            float up = share * share * at.z;
+            float cover = sky_cover(i, f, size, f.place + way * texels * up, up);
+            float depth = CASTER_DEPTH * 2.0 * share / float(PLACES) * at.z;
             hidden = cover > 0.0 && cover < depth;
         }
         seen += counts && !hidden ? 1.0 : 0.0;
