@@ -1,6 +1,6 @@
 // Which share of a sky's light a receiver sees, by the light's map: of ways to points of the light, those that
 // meet nothing. A way is followed through what the map has there: a place of it that lies a little below a surface
-// is within a caster. Each way has places of its own, the closer the nearer to the receiver.
+// is within a caster. Each way begins at the receiver and has places of its own, the closer the nearer to it.
 //
 // All is in the view's frame: x right, y up, z away from the light, metres; t: metres towards the light.
 #include "lib/sky.glsl"
@@ -16,9 +16,10 @@ vec4 sky_shares(vec3 normal, int layer) {
     return textureLod(sky_share_table, vec3(place, layer), 0.0);
 }
 
-const int PLACES = 8;
-// Casters are as deep as this many gaps between two places there, so that no wall is stepped over. Where the map
-// does not know what lies below a surface, light is lost below things as thin as a table, or comes through walls
+const int PLACES = 16;
+// Casters are as deep as this many gaps between two places there, so that no wall is stepped over; or as far as a way
+// and the map's own ray through a place stay within a texel of each other, which for a sun is all the way. Where the
+// map does not know what lies below a surface, light is lost below things as thin as a table, or comes through walls
 // that are seen from above: measured, both are least near this.
 const float CASTER_DEPTH = 2.0;
 
@@ -59,12 +60,12 @@ float sky_visibility(int i, vec3 position, vec3 normal) {
         vec2 way = v.sides * sky_point(k);
         bool counts = dot(across.xy, way) > across.z;
         bool hidden = false;
-        float jitter = fract(float(k) * 0.61803399);
+        float jitter = fract(float(k) * 0.61803399) - 1.0, beside = 1.0 / (texels.x * length(way));
         for (int n = 0; n < PLACES && !hidden; n++) {
-            float share = (float(n) + jitter) / float(PLACES);
+            float share = max(float(n) + jitter, 0.0) / float(PLACES - 1);
             float up = share * share * at.z;
             float cover = sky_cover(i, f, size, f.place + way * texels * up, up);
-            float depth = CASTER_DEPTH * 2.0 * share / float(PLACES) * at.z;
+            float depth = max(CASTER_DEPTH * 2.0 * share / float(PLACES - 1) * at.z, beside);
             hidden = cover > 0.0 && cover < depth;
         }
         seen += counts && !hidden ? 1.0 : 0.0;

@@ -7,7 +7,7 @@
 static const char *const fit_names[] = {"rectangles", "median-cut", "even", NULL};
 
 static const struct option table[] = {
-    {"lights", 0, OPTION_INT, ROW(lights), 30, SKY_LIGHTS_MIN, SKY_LIGHTS_MAX,
+    {"lights", 0, OPTION_INT, ROW(lights), 60, SKY_LIGHTS_MIN, SKY_LIGHTS_MAX,
      .help = "area lights that stand for an environment, at most"},
     {"fit", 0, OPTION_CHOICE, ROW(fit), SKY_FIT_EVEN, .choices = fit_names,
      .help = "how they are found: rectangles that grow from the brightest texel, median cut, or\n"
@@ -17,7 +17,7 @@ static const struct option table[] = {
     {"sky-block", 0, OPTION_INT, ROW(block), 7, 1, 64,
      .help = "pixels a side of a block that shares its visibility"},
     {"sky-ways", 0, OPTION_INT, ROW(ways), 16, 1, 256,
-     .help = "ways to points of a light that a lookup follows, eight texels each"},
+     .help = "ways to points of a light that a lookup follows, sixteen texels each"},
     {"sky-bias", 0, OPTION_FLOAT, ROW(bias), .5, 0, 100,
      .help = "what is lower above a receiver's plane hides nothing, in texels"},
     {"disagree", 0, OPTION_FLOAT, ROW(disagree), .02, 0, 2,
