@@ -284,12 +284,13 @@ struct cut {
 static void find_cuts(struct bench *bench, int nodes, float tolerance,
                       struct cut cuts[BLOCKS][BLOCKS]) {
     struct vpl_cut_pass pass;
-    static GLuint texels[1 + CUT_NODES_MAX][BLOCKS][BLOCKS];
+    static GLuint texels[2 * (1 + CUT_NODES_MAX)][BLOCKS][BLOCKS];
     check_ok("cuts", vpl_cut_pass_init(&pass, &(struct vpl_cut_desc){
                                                   .width = SIZE,
                                                   .height = SIZE,
                                                   .block = BLOCK,
                                                   .nodes = nodes,
+                                                  .detail_nodes = nodes,
                                                   .tolerance = tolerance,
                                                   .clamp = GATHER_CLAMP_DISK,
                                               }));

@@ -1,5 +1,6 @@
-// The cut of a block of pixels: nodes that stand for every VPL once, of which the one with the greatest bound is split
-// while there is room, and until none is off by more than the tolerance at any of the block's points.
+// The cuts of a block of pixels, a coarse and a finer one: nodes that stand for every VPL once, of which the one with the
+// greatest bound is split while there is room, and until none is off by more than the tolerance at any of the block's
+// points.
 #include "lib/gbuffer.glsl"
 #include "lib/vpl_texels.glsl"
 #include "lib/vpl_tree_nodes.glsl"
@@ -70,23 +71,29 @@ int greatest(int count) {
     return found;
 }
 
-int find_cut(tree_extent extent, tree_extent middle) {
-    tree_node root = tree_node_at(1);
-    if (root.power == 0.0)
-        return 0;
-    float sum = place_node(0, 1, root, extent, middle);
-    int count = 1;
-    while (count < params.nodes) {
-        int at = greatest(count), node = nodes[at];
-        if (bounds[at] <= params.tolerance * sum)
-            break;
+struct cut_state {
+    int count;
+    float sum; // of what the nodes give
+};
+
+// Splits nodes until there are so many, or none needs to be.
+void refine(inout cut_state cut, int most, tree_extent extent, tree_extent middle) {
+    while (cut.count < most) {
+        int at = greatest(cut.count), node = nodes[at];
+        if (bounds[at] <= params.tolerance * cut.sum)
+            return;
         tree_node left = tree_node_at(2 * node), right = tree_node_at(2 * node + 1);
-        sum -= estimates[at];
-        sum += place_node(at, 2 * node, left, extent, middle);
+        cut.sum -= estimates[at];
+        cut.sum += place_node(at, 2 * node, left, extent, middle);
         if (right.power > 0.0)
-            sum += place_node(count++, 2 * node + 1, right, extent, middle);
+            cut.sum += place_node(cut.count++, 2 * node + 1, right, extent, middle);
     }
-    return count;
+}
+
+void store(ivec2 block, int layer, int count) {
+    imageStore(cuts, ivec3(block, layer), uvec4(count));
+    for (int i = 0; i < count; i++)
+        imageStore(cuts, ivec3(block, layer + i + 1), uvec4(nodes[i]));
 }
 
 void main() {
@@ -94,8 +101,14 @@ void main() {
     if (any(greaterThanEqual(block, params.blocks)))
         return;
     tree_extent extent, middle;
-    int count = block_extent(block, extent, middle) ? find_cut(extent, middle) : 0;
-    imageStore(cuts, ivec3(block, 0), uvec4(count));
-    for (int i = 0; i < count; i++)
-        imageStore(cuts, ivec3(block, i + 1), uvec4(nodes[i]));
+    tree_node root = tree_node_at(1);
+    cut_state cut = cut_state(0, 0.0);
+    if (block_extent(block, extent, middle) && root.power > 0.0)
+        cut = cut_state(1, place_node(0, 1, root, extent, middle));
+    if (cut.count > 0)
+        refine(cut, params.nodes, extent, middle);
+    store(block, 0, cut.count);
+    if (cut.count > 0)
+        refine(cut, params.more_nodes, extent, middle);
+    store(block, params.nodes + 1, cut.count);
 }

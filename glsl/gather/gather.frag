@@ -74,7 +74,7 @@ float geometry_term(int i, vec3 to_vpl, vec3 normal, vpl light, out float back) 
 // The lights that the pixel takes: first and past the last.
 #if CUTS
 ivec2 lights_of(ivec2 pixel) {
-    return ivec2(0, cut_open(pixel, params.cut_block));
+    return ivec2(0, cut_open(pixel, params.cut_block, params.cut_layer));
 }
 
 vpl light_at(int i) {

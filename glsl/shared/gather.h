@@ -18,7 +18,7 @@ struct gather_params {
     float unoccluded;  /* of its reach, within which a blocked VPL takes nothing back */
     float sphere2;     /* squared radius of a VPL's ball, over the area that it stands for */
     int cut_block; /* pixels a side of a block that shares a cut */
-    int unused;
+    int cut_layer; /* the first of the cuts that are read */
 };
 PASS_BLOCK(gather_params, 48)
 

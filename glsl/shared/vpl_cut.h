@@ -12,9 +12,9 @@ struct vpl_cut_params {
     int block;    /* pixels a side */
     int leaves;   /* of the tree */
     int nodes;    /* of a cut, at most */
+    int more_nodes; /* the same of a further one of each block */
     float tolerance;
     float clamp_at; /* as in gather_params */
-    int unused;
 };
 STD140_SIZE(vpl_cut_params, 32)
 

@@ -73,12 +73,12 @@ struct vpl_tree {
     int leaves, sets;
 };
 
-/* Of each block of block x block pixels a cut through a tree: R32UI, a layer with the counts of nodes, and a layer for
- * each node. */
+/* Of each block of block x block pixels two cuts through a tree, the second for pixels of lists: R32UI, of each cut a
+ * layer with the counts of nodes, and a layer for each node. */
 struct vpl_cuts {
     struct texture texture;
     const struct vpl_tree *tree;
-    int block;
+    int block, detail_layer; /* where the second begins */
 };
 
 /* Of clusters of VPLs, M x 1 RGBA32F: position and count, normal, flux (W). */

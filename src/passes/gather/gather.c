@@ -77,6 +77,7 @@ static const float block_apart = 0.008f;
 static void write_params(const struct gather_pass *pass, const struct frame *frame,
                          const struct gather_inputs *inputs) {
     const struct gather_desc *desc = &pass->desc;
+    bool listed = desc->receivers == RECEIVERS_LISTED;
     struct gather_params params = {
         .pattern = irradiance_pattern(&pass->irradiance),
         .scale = frame->irradiance_scale,
@@ -84,6 +85,7 @@ static void write_params(const struct gather_pass *pass, const struct frame *fra
         .block = desc->share ? inputs->blocks->block : 1,
         .block_apart = block_apart,
         .cut_block = desc->cuts ? inputs->cuts->block : 1,
+        .cut_layer = desc->cuts && listed ? inputs->cuts->detail_layer : 0,
         .sphere2 = neighbours / (float)GLM_PI * desc->sphere * desc->sphere,
         .unoccluded = powf((float)(frame->pass + 1), -desc->take_back),
     };

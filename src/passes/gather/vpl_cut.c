@@ -18,6 +18,7 @@ static bool init_program(GLuint *program, int clamp) {
 
 static bool init_cuts(struct vpl_cuts *cuts, const struct vpl_cut_desc *desc) {
     cuts->block = desc->block;
+    cuts->detail_layer = 1 + desc->nodes;
     return texture_init(&cuts->texture,
                         &(struct texture_desc){
                             .label = "cuts",
@@ -25,12 +26,12 @@ static bool init_cuts(struct vpl_cuts *cuts, const struct vpl_cut_desc *desc) {
                             .format = GL_R32UI,
                             .width = (desc->width + desc->block - 1) / desc->block,
                             .height = (desc->height + desc->block - 1) / desc->block,
-                            .layers = 1 + desc->nodes,
+                            .layers = 2 + desc->nodes + desc->detail_nodes,
                         });
 }
 
 bool vpl_cut_pass_init(struct vpl_cut_pass *pass, const struct vpl_cut_desc *desc) {
-    assert(desc->nodes <= CUT_NODES_MAX);
+    assert(desc->nodes <= desc->detail_nodes && desc->detail_nodes <= CUT_NODES_MAX);
     *pass = (struct vpl_cut_pass){.desc = *desc};
     if (init_program(&pass->program, desc->clamp) &&
         (!desc->further || init_program(&pass->further_program, desc->further_clamp)) &&
@@ -56,6 +57,7 @@ static void write_params(const struct vpl_cut_pass *pass, const struct frame *fr
         .block = desc->block,
         .leaves = pass->cuts.tree->leaves,
         .nodes = desc->nodes,
+        .more_nodes = desc->detail_nodes,
         .tolerance = desc->tolerance,
         .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
     };

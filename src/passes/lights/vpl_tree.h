@@ -2,7 +2,7 @@
  * then level by level what holds all VPLs below a node, and the one that stands for them [Walter et al. 2005; Lin and
  * Yuksel 2020].
  *
- * Nodes light with the sum of their VPLs' fluxes. Pixels come in sets, each with VPLs of its own to stand for nodes,
+ * Nodes light with the power of all their VPLs. Pixels come in sets, each with VPLs of its own to stand for nodes,
  * picked by flux: the mean over pixels side by side is that of many VPLs. Cost: N log^2 N to sort, and sets x N.
  */
 #ifndef PASSES_VPL_TREE_H

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 struct lightcuts_settings {
-    int nodes, block;
+    int nodes, detail_nodes, block;
     float tolerance;
 };
 
@@ -18,6 +18,8 @@ struct lightcuts_settings {
 static const struct option table[] = {
     {"nodes", 0, OPTION_INT, ROW(nodes), 32, 1, CUT_NODES_MAX,
      .help = "of the tree of VPLs in a block's cut, at most"},
+    {"detail-nodes", 0, OPTION_INT, ROW(detail_nodes), 64, 1, CUT_NODES_MAX,
+     .help = "the same of pixels of detail (gather.detail), not below the others"},
     {"tolerance", 0, OPTION_FLOAT, ROW(tolerance), .02, 0, 1,
      .help =
          "none is off by more than this share of the unshadowed sum, as far as they are enough"},
@@ -60,17 +62,20 @@ static bool init_cut(struct lightcuts *technique, const struct technique_desc *d
     const struct lightcuts_settings *own = settings_of(desc->settings, &own_part);
     const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
     const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
-    return vpl_cut_pass_init(&technique->cut, &(struct vpl_cut_desc){
-                                                  .width = desc->width,
-                                                  .height = desc->height,
-                                                  .block = own->block,
-                                                  .nodes = own->nodes,
-                                                  .tolerance = own->tolerance,
-                                                  .clamp = gather->clamp,
-                                                  .clamp_value = gather->clamp_value,
-                                                  .further = lights->bounces > 1,
-                                                  .further_clamp = GATHER_CLAMP_DISK,
-                                              });
+    return vpl_cut_pass_init(
+        &technique->cut,
+        &(struct vpl_cut_desc){
+            .width = desc->width,
+            .height = desc->height,
+            .block = own->block,
+            .nodes = own->nodes,
+            .detail_nodes = own->nodes > own->detail_nodes ? own->nodes : own->detail_nodes,
+            .tolerance = own->tolerance,
+            .clamp = gather->clamp,
+            .clamp_value = gather->clamp_value,
+            .further = lights->bounces > 1,
+            .further_clamp = GATHER_CLAMP_DISK,
+        });
 }
 
 static bool init(void **state, const struct technique_desc *desc) {
