@@ -208,8 +208,8 @@ void panel_draw(struct viewer *viewer) {
     } sections[] = {
         {"Quality", true, panel_draw_technique},  {"Truth", true, panel_draw_truth},
         {"Picture", true, draw_picture},          {"Compare", false, panel_draw_compare},
-        {"Light", false, light_panel_draw},       {"Camera", false, camera_panel_draw},
-        {"Look closely", false, look_panel_draw}, {"Surface", false, draw_surface},
+        {"Light", false, panel_draw_light},       {"Camera", false, panel_draw_camera},
+        {"Look closely", false, panel_draw_look}, {"Surface", false, draw_surface},
         {"Settings", false, panel_draw_session},
     };
     ui_area_begin("panel", UI_PANEL, (float)area->width, 0,

@@ -435,10 +435,10 @@ bool start_has_news(struct start *start);
 /* Lets the user choose a file. */
 void viewer_ask_file(struct viewer *viewer);
 
-/* --- viewer/camera_panel.c, viewer/light_panel.c, viewer/look_panel.c, viewer/panel.c, viewer/overlay.c --- */
-void camera_panel_draw(struct viewer *viewer);
-void light_panel_draw(struct viewer *viewer);
-void look_panel_draw(struct viewer *viewer);
+/* --- viewer/panel_camera.c, viewer/panel_light.c, viewer/panel_look.c, viewer/panel.c, viewer/overlay.c --- */
+void panel_draw_camera(struct viewer *viewer);
+void panel_draw_light(struct viewer *viewer);
+void panel_draw_look(struct viewer *viewer);
 void panel_draw(struct viewer *viewer);
 void overlay_draw(struct viewer *viewer);
 

@@ -159,7 +159,7 @@ static void draw_light(struct viewer *viewer) {
         viewer_touch_light(viewer);
 }
 
-void light_panel_draw(struct viewer *viewer) {
+void panel_draw_light(struct viewer *viewer) {
     if (viewer_has_light(viewer))
         draw_light(viewer);
     ui_space();

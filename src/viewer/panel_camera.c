@@ -52,7 +52,7 @@ static void draw_views(struct viewer *viewer) {
         views_keep(viewer, views_free(viewer));
 }
 
-void camera_panel_draw(struct viewer *viewer) {
+void panel_draw_camera(struct viewer *viewer) {
     draw_lens(viewer);
     draw_speed(viewer);
     ui_space();

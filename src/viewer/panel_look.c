@@ -3,7 +3,7 @@
 
 #include "viewer/window/ui.h"
 
-void look_panel_draw(struct viewer *viewer) {
+void panel_draw_look(struct viewer *viewer) {
     static const char *const layouts[] = {"wipe", "beside", "difference"};
     static const char *const zooms[] = {"fit", "1:1"};
     struct look *look = &viewer->look;
