@@ -144,6 +144,33 @@ static void test_dialog(void **state) {
     end_viewer();
 }
 
+/* The letters of a name are drawn, where a font has them: two names of one letter each look different. */
+static void test_letters(void **state) {
+    (void)state;
+    need_viewer();
+    if (shell("cd /usr/share/fonts && test -n \"$(ls */*/NotoSansCJK-Regular.ttc "
+              "*/*/wqy-microhei.ttc */*/DroidSansFallbackFull.ttf 2>/dev/null)\"") != 0)
+        skip();
+    static const char *const names[] = {"\xe6\x9d\xb1.glb", "\xe4\xba\xac.glb"};
+    int x, y[2], different = 0;
+    for (int i = 0; i < 2; i++)
+        assert_int_equal(shell("cp %s/scenes/sphere.glb %s/%s", stage.here, stage.folder, names[i]),
+                         0);
+    xdo("key ctrl+o mousemove 4 4");
+    for (int i = 0; i < 2; i++)
+        find_place(names[i], &x, &y[i]);
+    sync_viewer(); /* their letters come a frame later */
+    struct bitmap screen = read_screen();
+    for (int row = -7; row < 7; row++)
+        for (int column = 0; column < screen.width; column++)
+            different += memcmp(pixel(&screen, column, y[0] + row),
+                                pixel(&screen, column, y[1] + row), 3) != 0;
+    printf("    %d pixels differ between two letters\n", different);
+    assert_true(different > 20);
+    bitmap_free(&screen);
+    xdo("key Escape");
+}
+
 /* The desktop's own, where there is one. */
 static void test_desktop_dialog(void **state) {
     (void)state;
@@ -187,10 +214,10 @@ static void test_options(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_small_picture), cmocka_unit_test(test_gallery),
-        cmocka_unit_test(test_click),         cmocka_unit_test(test_exposure),
-        cmocka_unit_test(test_dialog),        cmocka_unit_test(test_desktop_dialog),
-        cmocka_unit_test(test_options),
+        cmocka_unit_test(test_small_picture),  cmocka_unit_test(test_gallery),
+        cmocka_unit_test(test_click),          cmocka_unit_test(test_exposure),
+        cmocka_unit_test(test_letters),        cmocka_unit_test(test_dialog),
+        cmocka_unit_test(test_desktop_dialog), cmocka_unit_test(test_options),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

@@ -27,6 +27,10 @@ extern struct look {
     } rest;           /* of the mouse, on an item */
     ImGuiID typed;    /* the slider whose value is to be typed from the next frame on */
     int typed_frames; /* for which that has been so */
+    ImFontGlyphRangesBuilder wanted; /* letters that texts have had */
+    ImVector<ImWchar> letters; /* that the fonts were asked for, as ranges; which live as long */
+    bool has_more_letters;     /* than our own words need */
+    bool lacks_letters;        /* and some that the fonts were not asked for */
     bool notes_places;
     std::string places;
 } look;
@@ -36,6 +40,13 @@ inline float units(float of_line) {
 }
 
 ImU32 look_color(ui_tone tone);
+
+/* Reads the fonts with all letters wanted; and again, between frames, where some are lacking. */
+void look_load_fonts(void);
+void look_follow_letters(void);
+
+/* The text itself, whose letters the fonts will have in the next frame. */
+const char *look_read(const char *text);
 
 /* A tooltip for the last item, where the mouse rests on it. */
 void look_explain(const char *help);

@@ -15,7 +15,6 @@ extern "C" {
 #include <cstdarg>
 #include <cstdio>
 #include <string>
-#include <unistd.h>
 
 struct look look;
 
@@ -23,29 +22,6 @@ namespace {
 
 ImVec4 color(ImU32 packed) {
     return ImGui::ColorConvertU32ToFloat4(packed);
-}
-
-/* Fonts where the systems that we know keep them; without any, ImGui's own small one. */
-void load_fonts() {
-    static const char *const files[] = {
-        "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-        "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
-        "/usr/share/fonts/TTF/DejaVuSans.ttf",
-        "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
-        "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
-    };
-    static const ImWchar ranges[] = {0x20,   0xff,   0x0394, 0x03c9, 0x2010, 0x2027, 0x2080, 0x208e,
-                                     0x2190, 0x21ff, 0x2212, 0x2212, 0x25a0, 0x25ff, 0};
-    ImGuiIO &io = ImGui::GetIO();
-    ImFontConfig config;
-    config.OversampleH = 2;
-    for (const char *file : files)
-        if (!look.normal && access(file, R_OK) == 0) {
-            look.normal = io.Fonts->AddFontFromFileTTF(file, 14 * look.scale, &config, ranges);
-            look.title = io.Fonts->AddFontFromFileTTF(file, 19 * look.scale, &config, ranges);
-        }
-    if (!look.normal)
-        look.normal = look.title = io.Fonts->AddFontDefault();
 }
 
 void set_sizes(ImGuiStyle &style) {
@@ -126,7 +102,7 @@ void look_explain(const char *help) {
         return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(units(22));
-    std::string text = help; /* its lines are a terminal's */
+    std::string text = look_read(help); /* its lines are a terminal's */
     std::replace(text.begin(), text.end(), '\n', ' ');
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
@@ -155,7 +131,7 @@ bool ui_init(void *native_window, float scale) {
     ImGuiIO &io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
-    load_fonts();
+    look_load_fonts();
     set_sizes(ImGui::GetStyle());
     set_colors(ImGui::GetStyle());
     if (ImGui_ImplGlfw_InitForOpenGL(static_cast<GLFWwindow *>(native_window), false) &&
@@ -168,6 +144,8 @@ void ui_free(void) {
     if (!ImGui::GetCurrentContext())
         return;
     look.places.clear();
+    look.letters.clear();
+    look.wanted.Clear();
     if (ImGui::GetIO().BackendRendererUserData)
         ImGui_ImplOpenGL3_Shutdown();
     if (ImGui::GetIO().BackendPlatformUserData)
@@ -197,6 +175,7 @@ static void take_input(ImGuiIO &io, const struct input *input) {
 
 void ui_frame_begin(const struct input *input) {
     look.places.clear();
+    look_follow_letters();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     take_input(ImGui::GetIO(), input);
@@ -331,7 +310,7 @@ void ui_text(ui_tone tone, const char *format, ...) {
     ImGui::PushStyleColor(ImGuiCol_Text, look_color(tone));
     ImGui::PushFont(tone == UI_TITLE ? look.title : look.normal);
     ImGui::PushTextWrapPos(look.in_dialog ? units(40) : 0);
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(look_read(text));
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
     ImGui::PopStyleColor();
@@ -344,9 +323,9 @@ void ui_value(const char *name, const char *format, ...) {
     std::vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     ImGui::PushStyleColor(ImGuiCol_Text, dim);
-    ImGui::TextUnformatted(name);
+    ImGui::TextUnformatted(look_read(name));
     ImGui::PopStyleColor();
-    float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text).x;
+    float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(look_read(text)).x;
     ImGui::SameLine(right > units(5) ? right : units(5));
     ImGui::TextUnformatted(text);
 }

@@ -44,11 +44,11 @@ void ui_draw_rectangle(float x, float y, float width, float height, uint32_t pac
 }
 
 float ui_label_width(const char *text) {
-    return ImGui::CalcTextSize(text).x + 2 * units(.35F);
+    return ImGui::CalcTextSize(look_read(text)).x + 2 * units(.35F);
 }
 
 void ui_draw_label(float x, float y, float align, const char *text) {
-    ImVec2 size = ImGui::CalcTextSize(text);
+    ImVec2 size = ImGui::CalcTextSize(look_read(text));
     float pad = units(.35F), left = x - align * (size.x + 2 * pad);
     canvas()->AddRectFilled(ImVec2(left, y), ImVec2(left + size.x + 2 * pad, y + size.y + pad),
                             see_through, units(.2F));
@@ -61,5 +61,5 @@ void ui_draw_text(float x, float y, float align, enum ui_tone tone, const char *
 }
 
 void ui_tooltip(const char *text) {
-    ImGui::SetTooltip("%s", text);
+    ImGui::SetTooltip("%s", look_read(text));
 }

@@ -105,13 +105,14 @@ ui_result ui_float(const ui_row *row, float *value, float minimum, float maximum
 ui_result ui_choice(const ui_row *row, int *value, const char *const *names, int count) {
     row_begin(row);
     bool changed = false;
-    bool open = ImGui::BeginCombo("##", *value >= 0 && *value < count ? names[*value] : "",
-                                  ImGuiComboFlags_HeightLargest);
+    bool open =
+        ImGui::BeginCombo("##", *value >= 0 && *value < count ? look_read(names[*value]) : "",
+                          ImGuiComboFlags_HeightLargest);
     look_mark(row->name);
     for (int i = 0; open && i < count; i++) {
         ImGui::PushID(i);
         ImGui::PushStyleColor(ImGuiCol_Text, i == *value ? accent : text_color);
-        if (ImGui::Selectable(names[i], i == *value)) {
+        if (ImGui::Selectable(look_read(names[i]), i == *value)) {
             changed = i != *value;
             *value = i;
         }
@@ -155,6 +156,7 @@ bool ui_scrub(const char *id, float *value, float most) {
 
 ui_result ui_text_field(const ui_row *row, char *text, size_t size, const char *hint) {
     row_begin(row);
+    look_read(text);
     bool entered =
         ImGui::InputTextWithHint("##", hint, text, size, ImGuiInputTextFlags_EnterReturnsTrue);
     look_mark(row->name);
@@ -178,7 +180,7 @@ bool ui_wide_button(const char *name, const char *help) {
 }
 
 bool ui_line(const char *name) {
-    bool clicked = ImGui::Selectable(name);
+    bool clicked = ImGui::Selectable(look_read(name));
     look_mark(name);
     return clicked;
 }
@@ -198,7 +200,7 @@ bool ui_tile(const char *name, unsigned texture, float width, float height, cons
     if (ImGui::IsItemHovered())
         list->AddRect(at, end, accent, units(.25F), 0, units(.12F));
     ImGui::PushClipRect(at, ImVec2(end.x, end.y + 2 * units(1)), true);
-    list->AddText(ImVec2(at.x, end.y + units(.2F)), text_color, name);
+    list->AddText(ImVec2(at.x, end.y + units(.2F)), text_color, look_read(name));
     ImGui::PopClipRect();
     return clicked;
 }
@@ -239,7 +241,7 @@ bool ui_list_item(uint32_t patch, const char *name, const char *middle, const ch
     list->AddRectFilled(ImVec2(at.x, at.y + (height - size) / 2),
                         ImVec2(at.x + size, at.y + (height + size) / 2), patch, units(.15F));
     ImGui::Indent(left);
-    bool clicked = ImGui::Selectable(name, chosen);
+    bool clicked = ImGui::Selectable(look_read(name), chosen);
     look_mark(name);
     ImGui::Unindent(left);
     float columns[] = {.68F * width, width};
