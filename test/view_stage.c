@@ -141,19 +141,30 @@ static bool read_place(const char *name, int *x, int *y) {
     return found;
 }
 
-void sync_viewer(void) {
-    char path[700];
+/* How often the viewer has told that all is shown. */
+static int count_answers(void) {
+    char path[700], line[300];
+    int count = 0;
     snprintf(path, sizeof path, "%s/places", stage.folder);
-    remove(path);
+    FILE *file = fopen(path, "r");
+    while (file && fgets(line, sizeof line, file))
+        sscanf(line, "0 0 0 0 answered %d", &count);
+    if (file)
+        fclose(file);
+    return count;
+}
+
+void sync_viewer(void) {
     xdo("key F9");
-    for (int i = 0; i < 12000 && access(path, R_OK) != 0; i++) {
+    stage.questions++;
+    for (int i = 0; i < 12000 && count_answers() < stage.questions; i++) {
         if (waitpid(stage.viewer, NULL, WNOHANG) != 0) {
             stage.viewer = 0;
             fail_msg("the viewer has ended");
         }
         pause_ms(10);
     }
-    if (access(path, R_OK) != 0)
+    if (count_answers() < stage.questions)
         fail_with_screen("the viewer does not come to rest");
 }
 
@@ -289,10 +300,18 @@ void check_same(const char *what, const char *arguments) {
 /* --- the viewer --- */
 
 void wait_for_scene(const char *file) {
-    for (int i = 0; i < 2000 && shell("xdotool search --name '%s - manylight'", file); i++)
+    for (int i = 0; i < 2000 && shell("xdotool search --onlyvisible --name '%s - manylight'", file);
+         i++)
         pause_ms(20);
     rest_mouse();
     sync_viewer();
+}
+
+/* Another viewer's. */
+static void remove_places(void) {
+    char path[700];
+    snprintf(path, sizeof path, "%s/places", stage.folder);
+    remove(path);
 }
 
 static void spawn_viewer(const char *arguments) {
@@ -306,12 +325,14 @@ static void spawn_viewer(const char *arguments) {
              ">viewer.log 2>&1",
              stage.folder, stage.binary, arguments);
     snprintf(line, sizeof line, "sh -c '%s'", command);
+    remove_places();
+    stage.questions = 0;
     stage.viewer = spawn(line);
 }
 
 /* Before it there is nobody to take a key. */
 static void wait_for_window(void) {
-    for (int i = 0; i < 2000 && shell("xdotool search --name manylight"); i++)
+    for (int i = 0; i < 2000 && shell("xdotool search --onlyvisible --name manylight"); i++)
         pause_ms(20);
 }
 

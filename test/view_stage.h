@@ -17,6 +17,7 @@ enum { WIDTH = 240, HEIGHT = 740, PANEL = 340 };
 
 struct view_stage {
     pid_t server, viewer; /* 0: none */
+    int questions;        /* put to this viewer */
     char display[16], screen[640], here[256], folder[600], binary[512];
 };
 

@@ -40,9 +40,8 @@ static const struct option options[] = {
     {"full-screen", 0, OPTION_FLAG, offsetof(struct values, viewer.full_screen),
      .help = "F11 goes back to a window"},
     {"places", 0, OPTION_TEXT, offsetof(struct values, viewer.places), .value_name = "FILE",
-     .help =
-         "keep there where the panel's widgets are, \"x y width height name\", for scripts; F9\n"
-         "writes it when all that happened before is shown"},
+     .help = "keep there where the panel's widgets are, \"x y width height name\", for scripts;\n"
+             "the last line counts how often F9 was pressed and all before it has been shown"},
     {"glsl", 0, OPTION_TEXT, offsetof(struct values, viewer.glsl), .value_name = "DIR",
      .help =
          "read the shaders from this folder, a glsl/ with src/ beside it, not from the binary; F5\n"

@@ -46,23 +46,25 @@ static bool is_settled(const struct viewer *viewer) {
     return atomic_load(&viewer->loader.state) == LOADER_IDLE && !(viewer->has_scene && pending);
 }
 
-/* For scripts that press widgets: where each of them is, whenever one has moved. F9 asks for them when all
- * that happened before it is shown. */
+/* For scripts that press widgets: where each of them is, whenever one has moved. F9 asks whether all that
+ * happened before it is shown; the last line counts those that were answered. */
 static void write_places(struct viewer *viewer) {
     const struct input *input = viewer->host.input;
-    const char *path = viewer->desc.places, *places = ui_places();
-    if (!path)
+    struct panel *panel = &viewer->panel;
+    if (!viewer->desc.places)
         return;
     for (int i = 0; i < input->key_count; i++)
-        viewer->panel.places_asked |= input->keys[i] == KEY_F9;
-    bool known = viewer->panel.places && strcmp(viewer->panel.places, places) == 0;
-    if (viewer->panel.places_asked ? !is_settled(viewer) : known)
-        return;
-    viewer->panel.places_asked = false;
-    free(viewer->panel.places);
-    viewer->panel.places = mem_strdup(places);
-    if (!output_file_write(path, places, strlen(places)))
+        panel->places_asked += input->keys[i] == KEY_F9;
+    if (is_settled(viewer)) {
+        panel->places_answered += panel->places_asked;
+        panel->places_asked = 0;
+    }
+    char *places = mem_printf("%s0 0 0 0 answered %d\n", ui_places(), panel->places_answered);
+    bool known = panel->places && strcmp(panel->places, places) == 0;
+    if (!known && !output_file_write(viewer->desc.places, places, strlen(places)))
         viewer_tell_error(viewer);
+    free(panel->places);
+    panel->places = places;
 }
 
 static void draw(struct viewer *viewer) {

@@ -51,9 +51,7 @@ struct viewer_desc {
     float scale;            /* of text and widgets; 0 = the monitor's */
     bool full_screen;
     bool auto_exposure; /* each scene is exposed by itself when it is opened */
-    const char *
-        places; /* file that tells where the widgets are, for scripts, which F9 asks for when all is
-                           shown; NULL = none */
+    const char *places; /* file that tells where the widgets are, for scripts; NULL = none */
 };
 
 /* The window, and what there is for all of its life. */
@@ -129,9 +127,9 @@ struct panel {
     bool is_open, help;
     enum overlay_kind { OVERLAY_LINE, OVERLAY_TABLE, OVERLAY_NONE, OVERLAY_KINDS } overlay;
     char scene_path[512], reference_path[512], session_path[512];
-    bool edits_right; /* the settings shown are the right picture's */
-    char *places;     /* as they were written last; NULL = not yet */
-    bool places_asked;
+    bool edits_right;                  /* the settings shown are the right picture's */
+    char *places;                      /* as they were written last; NULL = not yet */
+    int places_asked, places_answered; /* how often */
 };
 
 /* The empty window, and the way to files: viewer/start.c. */
