@@ -109,6 +109,46 @@ static void test_error(void **state) {
     truth_pause(&viewer.tracing.truth, false);
 }
 
+/* Measured while the window goes on; its value stays when another map is drawn, and comes back with the picture. */
+static void test_flip(void **state) {
+    (void)state;
+    struct compare *compare = &viewer.shown.compare;
+    struct image frame = {0}, shown;
+    const int flip = (int)(metric_find("ldr-flip") - metrics);
+    if (!stage.server)
+        skip();
+    truth_pause(&viewer.tracing.truth, true);
+    rest();
+    compare->flip = true;
+    compare->measured = false;
+    turn_until(compare->is_known[flip]);
+    check_ok("layers", renderer_read_layers(&viewer.shown.renderer, &frame));
+    check_ok("picture", layer_extract(&shown, &frame, ""));
+    const struct comparison comparison = {.test = &shown,
+                                          .reference = &compare->reference.layer,
+                                          .pixels_per_degree = (float)DEFAULT_PIXELS_PER_DEGREE};
+    double by_hand = metric_measure(&metrics[flip], &comparison, NULL);
+    check_near(metrics[flip].name, compare->values[flip], by_hand, 1e-9);
+    compare->heat = true;
+    compare->heat_drawn = false;
+    turn_until(compare->heat_map.id);
+    assert_true(compare->is_known[flip]);
+    compare->heat_metric = flip;
+    compare->heat_drawn = false;
+    turn_until(compare->heat_scale.title == metrics[flip].name && compare->heat_map.id);
+    compare->heat = false;
+    viewer_touch(&viewer);
+    turn();
+    turn();
+    rest();
+    turn_until(compare->is_known[flip]);
+    assert_true(compare->values[flip] == by_hand);
+    compare->flip = false;
+    truth_pause(&viewer.tracing.truth, false);
+    image_free(&frame);
+    image_free(&shown);
+}
+
 /* Another view ends the tracing; taken back, it is the traced one again. */
 static void test_other_view(void **state) {
     (void)state;
@@ -183,9 +223,10 @@ static void test_end(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_trace),      cmocka_unit_test(test_error),
-        cmocka_unit_test(test_other_view), cmocka_unit_test(test_chart),
-        cmocka_unit_test(test_take),       cmocka_unit_test(test_end),
+        cmocka_unit_test(test_trace), cmocka_unit_test(test_error),
+        cmocka_unit_test(test_flip),  cmocka_unit_test(test_other_view),
+        cmocka_unit_test(test_chart), cmocka_unit_test(test_take),
+        cmocka_unit_test(test_end),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

@@ -16,6 +16,7 @@ void compare_forget(struct compare *compare) {
 
 void compare_free(struct compare *compare) {
     compare_forget(compare);
+    measuring_stop(&compare->measuring);
     reference_free(&compare->reference);
     texture_free(&compare->heat_map);
 }
@@ -109,20 +110,18 @@ static bool upload_heat_map(struct compare *compare, const struct bitmap *bitmap
     return true;
 }
 
-static bool draw_heat_map(struct compare *compare, const struct comparison *comparison) {
+/* By the errors of each pixel. */
+static bool draw_heat_map(struct compare *compare, int width, int height, const float *values) {
     const struct metric *metric = &metrics[compare->heat_metric];
-    int width = comparison->reference->width, height = comparison->reference->height;
-    size_t count = (size_t)width * (size_t)height;
-    float *values = mem_alloc(count, sizeof *values);
     struct bitmap picture;
-    compare->values[compare->heat_metric] = metric_measure(metric, comparison, values);
-    compare->is_known[compare->heat_metric] = true;
     struct heat_map map = {
         .title = metric->name,
         .width = width,
         .height = height,
         .values = values,
-        .top = metric->range == RANGE_UNIT ? 1 : heat_map_fit_top(values, count),
+        .top = metric->range == RANGE_UNIT
+                   ? 1
+                   : heat_map_fit_top(values, (size_t)width * (size_t)height),
         .is_signed = metric->range == RANGE_SIGNED,
     };
     heat_map_draw_values(&map, &picture);
@@ -130,24 +129,54 @@ static bool draw_heat_map(struct compare *compare, const struct comparison *comp
     compare->heat_scale = map;
     bool ok = upload_heat_map(compare, &picture);
     bitmap_free(&picture);
+    return ok;
+}
+
+/* Where the metric looks at neighbourhoods there is no map until it has been measured. */
+static bool draw_heat(struct compare *compare, const struct comparison *comparison) {
+    int width = comparison->reference->width, height = comparison->reference->height;
+    compare->heat_drawn = true;
+    texture_free(&compare->heat_map);
+    if (!compare->heat || measuring_is_slow(compare->heat_metric))
+        return true;
+    float *values = mem_alloc((size_t)width * (size_t)height, sizeof *values);
+    metric_measure(&metrics[compare->heat_metric], comparison, values);
+    bool ok = draw_heat_map(compare, width, height, values);
     free(values);
     return ok;
 }
 
-static bool measure(struct compare *compare, const struct comparison *comparison, bool all) {
+static void forget_slow(struct compare *compare) {
+    for (int i = 0; i < METRIC_COUNT; i++)
+        compare->is_known[i] &= !measuring_is_slow(i);
+}
+
+static bool measure(struct compare *compare, const struct comparison *comparison,
+                    void (*wake)(void)) {
     const struct image *test = comparison->test, *reference = comparison->reference;
+    bool wants_map = compare->heat && measuring_is_slow(compare->heat_metric);
     if (test->width != reference->width || test->height != reference->height)
         return error_set("the reference is %dx%d, the picture %dx%d", reference->width,
                          reference->height, test->width, test->height);
-    for (int i = 0; i < METRIC_COUNT; i++) {
-        compare->is_known[i] = all || metrics[i].pixel_error;
-        if (compare->is_known[i])
+    if (!compare->measured)
+        forget_slow(compare);
+    for (int i = 0; i < METRIC_COUNT && !compare->measured; i++)
+        if (!measuring_is_slow(i)) {
+            compare->is_known[i] = true;
             compare->values[i] = metric_measure(&metrics[i], comparison, NULL);
-    }
-    return !compare->heat || draw_heat_map(compare, comparison);
+        }
+    bool wants_slow = wants_map || (compare->flip && !compare->measured);
+    if (!draw_heat(compare, comparison))
+        return false;
+    compare->measures_again =
+        (wants_slow || !compare->measured) && measuring_cancel(&compare->measuring);
+    return !wants_slow || compare->measures_again ||
+           measuring_start(&compare->measuring, comparison, wants_map ? compare->heat_metric : -1,
+                           wake);
 }
 
-bool compare_measure(struct compare *compare, struct renderer *renderer, int layer, bool all) {
+bool compare_measure(struct compare *compare, struct renderer *renderer, int layer,
+                     void (*wake)(void)) {
     struct image left, right = {0};
     bool ok = read_layer(renderer, layer, &left);
     if (ok && compare->mode == COMPARE_TECHNIQUE)
@@ -157,8 +186,8 @@ bool compare_measure(struct compare *compare, struct renderer *renderer, int lay
         .reference = compare->mode == COMPARE_TECHNIQUE ? &right : &compare->reference.layer,
         .pixels_per_degree = (float)DEFAULT_PIXELS_PER_DEGREE,
     };
-    ok = ok && measure(compare, &comparison, all);
-    compare->measured = true;
+    ok = ok && measure(compare, &comparison, wake);
+    compare->measured = compare->heat_drawn = true;
     if (!ok) {
         memset(compare->is_known, 0, sizeof compare->is_known);
         compare->heat = false;
@@ -166,4 +195,23 @@ bool compare_measure(struct compare *compare, struct renderer *renderer, int lay
     image_free(&left);
     image_free(&right);
     return ok;
+}
+
+/* Of a picture that is not shown any more it is dropped. */
+bool compare_follow_measuring(struct compare *compare) {
+    struct measuring *measuring = &compare->measuring;
+    if (!measuring_has_news(measuring))
+        return false;
+    bool is_shown = compare->measured && compare->mode != COMPARE_OFF && !compare->measures_again;
+    for (int i = 0; i < METRIC_COUNT && is_shown; i++)
+        if (measuring_is_slow(i)) {
+            compare->is_known[i] = true;
+            compare->values[i] = measuring->values[i];
+        }
+    if (is_shown && measuring->map && compare->heat && compare->heat_metric == measuring->map_of)
+        draw_heat_map(compare, measuring->test.width, measuring->test.height, measuring->map);
+    measuring_stop(measuring);
+    compare->measured &= !compare->measures_again;
+    compare->measures_again = false;
+    return is_shown;
 }

@@ -6,6 +6,7 @@
 #include "metrics/heat_map.h"
 #include "metrics/metric.h"
 #include "renderer/renderer.h"
+#include "viewer/measuring.h"
 #include "viewer/reference.h"
 
 enum compare_mode { COMPARE_OFF, COMPARE_TECHNIQUE, COMPARE_REFERENCE, COMPARE_MODES };
@@ -16,6 +17,8 @@ struct compare {
     bool only_right; /* toggled: the right picture alone */
     bool heat;       /* the errors as a map, in place of the left picture */
     int heat_metric; /* of metrics */
+    bool
+        flip; /* metrics that look at neighbourhoods, too: they follow when the picture has rested */
 
     /* COMPARE_TECHNIQUE: the right picture's own. */
     const struct technique *technique;
@@ -27,8 +30,11 @@ struct compare {
 
     /* Of the left picture against the right one, when it rested last. */
     bool measured;
+    bool heat_drawn; /* and its map, or it will be when the metric has been measured */
     double values[METRIC_COUNT];
     bool is_known[METRIC_COUNT]; /* those that look at single pixels always are */
+    struct measuring measuring;  /* the others */
+    bool measures_again;         /* when what is measured, of an older picture, has ended */
     struct heat_map heat_scale;  /* without values */
     struct texture heat_map;
 };
@@ -51,8 +57,13 @@ bool compare_render(struct compare *compare);
 const struct texture *compare_compose(struct compare *compare, const struct renderer *renderer,
                                       int layer);
 
-/* Measures the errors, with metrics of whole neighbourhoods (FLIP) if asked to, and draws the map.
- * Error: the sizes differ, or a value is not finite. */
-bool compare_measure(struct compare *compare, struct renderer *renderer, int layer, bool all);
+/* Measures the errors, and draws the map; begins with the metrics of whole neighbourhoods where those are
+ * wanted. wake: called from another thread when those are there, and compare_follow_measuring is to
+ * take them. Error: the sizes differ, or a value is not finite. */
+bool compare_measure(struct compare *compare, struct renderer *renderer, int layer,
+                     void (*wake)(void));
+
+/* Takes what has been measured; whether there was something. */
+bool compare_follow_measuring(struct compare *compare);
 
 #endif

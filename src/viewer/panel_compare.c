@@ -10,7 +10,7 @@ static void draw_errors(struct viewer *viewer) {
         if (compare->measured && compare->is_known[i])
             ui_value(metrics[i].name, "%.5g", compare->values[i]);
         else
-            ui_value(metrics[i].name, "-");
+            ui_value(metrics[i].name, "%s", measuring_is_slow(i) && compare->flip ? "..." : "-");
     }
     ui_space();
     struct ui_row heat = {.name = "heat map", .help = "errors in place of the left picture"},
@@ -19,9 +19,11 @@ static void draw_errors(struct viewer *viewer) {
     if (compare->heat && ui_choice(&metric, &compare->heat_metric, names, METRIC_COUNT))
         result = UI_CHANGED;
     if (result)
+        compare->heat_drawn = false;
+    if (ui_flag(&(struct ui_row){.name = "FLIP",
+                                 .help = "looks at neighbourhoods: comes a while after the others"},
+                &compare->flip))
         compare->measured = false;
-    if (ui_wide_button("Measure FLIP too", "looks at neighbourhoods, and takes its time"))
-        viewer_measure_all(viewer);
 }
 
 void panel_draw_compare(struct viewer *viewer) {

@@ -300,14 +300,15 @@ static bool is_full(const struct viewer *viewer) {
 }
 
 /* Errors of a picture at rest. */
-static void measure(struct viewer *viewer, bool all) {
+static void measure(struct viewer *viewer) {
     struct shown *shown = &viewer->shown;
     struct compare *compare = &shown->compare;
     bool at_rest = !shown->moving && !shown->dirty && is_full(viewer);
-    if (!shown->right || (!at_rest && !viewer_is_scripted(viewer)) || (compare->measured && !all))
+    if (!shown->right || (!at_rest && !viewer_is_scripted(viewer)) ||
+        (compare->measured && compare->heat_drawn))
         return;
     note_reference_view(viewer);
-    if (!compare_measure(compare, &shown->renderer, shown->layer, all))
+    if (!compare_measure(compare, &shown->renderer, shown->layer, window_wake))
         viewer_tell_error(viewer);
     shown->recompose = true; /* reading layers used the display's framebuffer state */
 }
@@ -337,13 +338,11 @@ bool viewer_update_picture(struct viewer *viewer) {
     if (!render(viewer) || !refine(viewer))
         return false;
     compose(viewer);
-    measure(viewer, false);
+    measure(viewer);
+    if (compare_follow_measuring(&viewer->shown.compare))
+        viewer->shown.recompose = true;
     follow_pick(viewer);
     return true;
-}
-
-void viewer_measure_all(struct viewer *viewer) {
-    measure(viewer, true);
 }
 
 void viewer_step_output(struct viewer *viewer, int step) {

@@ -95,6 +95,7 @@ static bool has_news(struct viewer *viewer) {
     double newest = count > 0 ? recent[count - 1].time : 0;
     bool news = atomic_load(&viewer->loader.state) != LOADER_IDLE || count != host->message_count ||
                 newest != host->newest_message || truth_has_news(&viewer->tracing.truth) ||
+                measuring_has_news(&viewer->shown.compare.measuring) ||
                 start_has_news(&viewer->start);
     host->message_count = count;
     host->newest_message = newest;

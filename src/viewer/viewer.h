@@ -228,9 +228,6 @@ bool viewer_load_reference(struct viewer *viewer, const char *path);
 /* Whether the picture is of what the reference is of: the view that it was first compared with. */
 bool viewer_reference_fits(const struct viewer *viewer);
 
-/* FLIP too, which takes its time. */
-void viewer_measure_all(struct viewer *viewer);
-
 /* What is drawn into the window, where has_scene and left. */
 struct screen_pictures viewer_pictures(const struct viewer *viewer);
 
