@@ -58,7 +58,7 @@ static void test_usage_errors(void **state) {
         {"a.glb -o picture", "picture: no extension"},
         {"a.glb -o picture.xyz", "picture.xyz"},
         {"a.glb -o b.png --technique radiosity",
-         "no technique is called 'radiosity' (there are clustered, instant-radiosity"},
+         "no technique is called 'radiosity' (there are cluster-lights, clustered, "},
         {"a.glb -o b.png --size 0x10", "1 to 16384"},
         {"a.glb -o b.png --size 10", "size"},
         {"a.glb -o b.png --set vpls=0", "vpls: '0' is not a whole number from 1 to 65536"},

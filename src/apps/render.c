@@ -6,7 +6,7 @@
 #include "apps/frames.h"
 #include "apps/interrupt.h"
 #include "base/progress.h"
-#include "measure/stage.h"
+#include "measure/quality.h"
 #include "apps/stats.h"
 
 #include "base/error.h"
@@ -30,8 +30,8 @@ struct values {
     int size[2];
     int layer;
     const char *frames, *glsl, *aov;
-    int passes, first_pass;
-    float fps;
+    int quality, passes, first_pass;
+    float max_error, fps;
     bool skip_existing, stats;
 };
 
@@ -40,6 +40,14 @@ static const struct option options[] = {
      .help = "picture to write; the extension picks the format; repeatable"},
     {"size", 0, OPTION_SIZE, offsetof(struct values, size), 800, 1, 16384,
      .help = "of the picture, pixels"},
+    {"quality", 0, OPTION_CHOICE, offsetof(struct values, quality), QUALITY_NORMAL,
+     .choices = quality_names,
+     .help = "of the picture: settings and passes by one word; --set and --passes win"},
+    {"max-error", 0, OPTION_FLOAT, offsetof(struct values, max_error), 0, 0, 1, .value_name = "X%",
+     .help =
+         "the cheapest quality or number of passes that errs no more: relative RMSE of indirect\n"
+         "light, told from some 9,000 pixels that are path-traced first, at --time; 0 = by\n"
+         "--quality"},
     TECHNIQUE_OPTIONS(struct values, technique),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, layer), .choices = shown_layer_names,
      .help = "light that PNG, JPEG and the like show; EXR has all layers"},
@@ -54,10 +62,10 @@ static const struct option options[] = {
              "frame's number"},
     {"fps", 0, OPTION_FLOAT, offsetof(struct values, fps), 25, .001, 1e6,
      .help = "frames per second"},
-    {"passes", 0, OPTION_INT, offsetof(struct values, passes), 1, 1, 1000000,
+    {"passes", 0, OPTION_INT, offsetof(struct values, passes), 0, 0, 1000000,
      .help =
          "the mean of so many passes, each with lights and places in the pixels of its own: it\n"
-         "goes on converging"},
+         "goes on converging; 0 = by --quality: 64 of final, else 1"},
     {"first-pass", 0, OPTION_INT, offsetof(struct values, first_pass), 0, 0, 1000000,
      .help = "the number of the first of them: passes split between processes, as EXR, and put\n"
              "together by manylight average, make the same mean"},
@@ -246,9 +254,34 @@ static bool render(const struct values *values, const struct frames *frames,
     return ok;
 }
 
+/* What --max-error comes to, at the time of frame 0: frames split between processes are made alike. */
+static bool find_quality(struct values *values, struct renderer_desc *desc, struct stage *stage) {
+    struct measure_desc measure = measure_default(stage, values->size[0], values->size[1]);
+    const struct text_list *texts = &values->technique.settings;
+    bool one_pass = values->passes > 0 || values->aov;
+    struct quality_found found;
+    measure.technique = desc->technique;
+    measure.direct = desc->direct;
+    struct quality_desc wanted = {&measure, texts->items, texts->count, (double)values->max_error,
+                                  one_pass ? 1 : QUALITY_MOST_PASSES};
+    if (!stage_pose(stage, (double)values->stage.time) || !quality_find(&wanted, &found))
+        return false;
+    char *what = quality_describe(&found.choice);
+    (found.reached ? log_note : log_warning)("%s: %s, which errs %.1f %%%s", stage->name, what,
+                                             100 * found.error,
+                                             found.reached ? "" : "; nothing errs less");
+    free(what);
+    if (values->passes == 0)
+        values->passes = found.choice.passes;
+    desc->progressive = has_mean(values);
+    return quality_settings(&found.choice, desc->technique, texts->items, texts->count,
+                            &desc->settings) &&
+           stage_pose(stage, 0);
+}
+
 /* Files are checked before long work, of a sequence by its first frame. The stage begins at time 0,
  * whatever the frames: so all of them come out of the same renderer. */
-static bool render_scene(const struct values *values, const struct frames *frames,
+static bool render_scene(struct values *values, const struct frames *frames,
                          struct renderer_desc *desc) {
     struct stage_desc at_0 = values->stage;
     struct stage stage;
@@ -261,10 +294,30 @@ static bool render_scene(const struct values *values, const struct frames *frame
     desc->emitters = stage.emitters;
     desc->camera = stage.camera;
     context = context_create(&values->context);
-    bool ok = context && render(values, frames, desc, &stage);
+    bool ok = context && (values->max_error == 0 || find_quality(values, desc, &stage)) &&
+              render(values, frames, desc, &stage);
     context_free(context);
     stage_free(&stage);
     return ok;
+}
+
+/* All that must be right before anything is opened. --max-error takes the normal quality for the while. */
+static bool resolve(struct values *values, const struct frames *frames,
+                    struct renderer_desc *desc) {
+    const struct technique_values *named = &values->technique;
+    struct quality_choice choice = quality_named((enum quality)values->quality);
+    if (values->max_error > 0 && values->quality != QUALITY_NORMAL)
+        return error_set("--quality and --max-error exclude each other");
+    if (values->passes == 0 && values->max_error == 0)
+        values->passes = choice.passes;
+    desc->width = values->size[0];
+    desc->height = values->size[1];
+    desc->progressive = has_mean(values);
+    desc->timed = values->stats;
+    return check_outputs(values, frames->count) &&
+           technique_values_resolve(named, &desc->technique, &desc->direct, &desc->settings) &&
+           quality_settings(&choice, desc->technique, named->settings.items, named->settings.count,
+                            &desc->settings);
 }
 
 int app_render(int argc, char **argv) {
@@ -273,16 +326,9 @@ int app_render(int argc, char **argv) {
     int count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, &values.stage.path, &count, &status))
         return status;
-    struct renderer_desc desc = {
-        .width = values.size[0],
-        .height = values.size[1],
-        .progressive = has_mean(&values),
-        .timed = values.stats,
-    };
+    struct renderer_desc desc = {0};
     if (!frames_parse(&frames, values.frames ? values.frames : "0") ||
-        !check_outputs(&values, frames.count) ||
-        !technique_values_resolve(&values.technique, &desc.technique, &desc.direct,
-                                  &desc.settings)) {
+        !resolve(&values, &frames, &desc)) {
         frames_free(&frames);
         return arguments_misuse(argv[0]);
     }

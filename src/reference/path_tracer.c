@@ -24,7 +24,8 @@ enum { FIRST_PASS_SAMPLES = 32, EXPECTED_SAMPLES = 256 };
 enum { PATHS_PER_SAMPLE = 4, FEW_SAMPLES = 16 };
 
 struct tracer {
-    struct path_tracer_desc desc; /* resolved */
+    struct path_tracer_desc
+        desc; /* resolved; width and height are those of the picture that comes out */
     struct ray_scene rays;
     struct primary_rays primary;
     struct emission emission;
@@ -122,7 +123,8 @@ static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
     struct sampler sampler = {.seed = sampler_hash(pixel_seed, (uint32_t)stream),
                               .index = i / FILM_STREAMS};
     vec2s jitter = sampler_next(&sampler), at = desc->centers ? (vec2s){{0.5f, 0.5f}} : jitter;
-    float x = (float)px + at.x, y = (float)py + at.y;
+    struct pixel pixel = path_tracer_pixel(desc->every, px, py);
+    float x = (float)pixel.x + at.x, y = (float)pixel.y + at.y;
     struct hit hit;
     if (!primary_hit(&tracer->primary, x, y, &hit)) {
         film_pixel_add_background(&sums->pixel, background(tracer, x, y));
@@ -266,7 +268,8 @@ static void develop_row(void *context, int row) {
             film_seen_develop(seen_at(tracer, x, row), pixel_at(tracer, x, row), channels);
         if (tracer->gloss)
             film_gloss_develop(gloss_at(tracer, x, row), samples, &channels[gloss_channel(tracer)]);
-        if (primary_hit(&tracer->primary, (float)x + 0.5f, (float)row + 0.5f, &center))
+        struct pixel pixel = path_tracer_pixel(tracer->desc.every, x, row);
+        if (primary_hit(&tracer->primary, (float)pixel.x + 0.5f, (float)pixel.y + 0.5f, &center))
             channels[CHANNEL_DEPTH] = primary_depth(&tracer->primary, center.position);
     }
 }
@@ -309,6 +312,10 @@ static struct path_tracer_desc resolve(const struct path_tracer_desc *desc) {
         resolved.width = 800;
     if (resolved.height == 0)
         resolved.height = 800;
+    if (resolved.every == 0)
+        resolved.every = 1;
+    assert(resolved.width >= resolved.every && resolved.height >= resolved.every &&
+           (resolved.every == 1 || !resolved.denoise));
     if (resolved.noise == 0)
         resolved.noise = 0.01;
     if (resolved.paths == 0)
@@ -355,17 +362,24 @@ static bool check_memory(const struct path_tracer_desc *desc) {
            error_prefix("a reference of %dx%d", desc->width, desc->height);
 }
 
+struct pixel path_tracer_pixel(int every, int x, int y) {
+    uint32_t chance = sampler_hash((uint32_t)x, (uint32_t)y), n = (uint32_t)every;
+    return (struct pixel){x * every + (int)(chance % n), y * every + (int)(chance / n % n)};
+}
+
 bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image,
                         struct path_tracer_progress *reached) {
     struct tracer tracer = {.desc = resolve(desc), .image = image};
     struct hit_table table;
     *image = (struct image){0};
     desc = &tracer.desc;
+    tracer.primary = (struct primary_rays){&tracer.rays, desc->camera, desc->width, desc->height};
+    tracer.desc.width /= desc->every;
+    tracer.desc.height /= desc->every;
     if (!check_memory(desc))
         return false;
     hit_table_init(&table, desc->scene, desc->geometry, (enum materials)desc->materials);
     emission_init(&tracer.emission, &desc->emitters, desc->geometry, &table, LIGHT_VERTEX_COUNT);
-    tracer.primary = (struct primary_rays){&tracer.rays, desc->camera, desc->width, desc->height};
     size_t pixels = (size_t)desc->width * (size_t)desc->height;
     tracer.pixels = mem_alloc(pixels, sizeof *tracer.pixels);
     tracer.seen = desc->seen ? mem_alloc(pixels, sizeof *tracer.seen) : NULL;

@@ -37,9 +37,10 @@ struct path_tracer_desc {
     const struct camera *camera;
     struct emitters emitters; /* one at least, or the sky */
     int width, height;        /* default 800 */
-    int bounces;              /* 0 = direct light only */
-    int samples;              /* per pixel; 0 = until noise is reached */
-    int paths; /* of indirect light from each sample; default 1 below 16 samples, else 4 */
+    int every; /* default 1; n: only one pixel of each n x n, path_tracer_pixel, in a picture so much smaller */
+    int bounces; /* 0 = direct light only */
+    int samples; /* per pixel; 0 = until noise is reached */
+    int paths;   /* of indirect light from each sample; default 1 below 16 samples, else 4 */
     double
         noise; /* standard error of the indirect layer, RMS over its mean, of direct light of lights with
                      a size, and of specular light over the beauty's mean; default 0.01 */
@@ -56,6 +57,13 @@ struct path_tracer_desc {
     void (*show)(void *user, const struct image *image, const struct path_tracer_progress *reached);
     void *user;
 };
+
+/* Where the pixel x, y of a picture of every n x n lies in the whole one: anywhere in its square, by
+ * chance. */
+struct pixel {
+    int x, y;
+};
+struct pixel path_tracer_pixel(int every, int x, int y);
 
 /* Renders into a new image with CHANNELS_OF_PATH_TRACER, CHANNELS_OF_SEEN where asked for, and CHANNELS_OF_GLOSS
  * where some surface has it; reached, unless NULL, tells samples and

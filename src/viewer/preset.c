@@ -4,7 +4,7 @@
 
 const char *preset_title(const struct preset *preset) {
     static const char *const titles[][2] = {
-        {"draft", "Draft"}, {"fast", "Balanced"}, {"fine", "Fine"}, {"paper", "Published"}};
+        {"draft", "Draft"}, {"fast", "Normal"}, {"fine", "High"}, {"paper", "Published"}};
     for (size_t i = 0; i < sizeof titles / sizeof *titles; i++)
         if (strcmp(preset->name, titles[i][0]) == 0)
             return titles[i][1];

@@ -1,0 +1,53 @@
+/* How a picture is made where the user names no settings, but how good it has to be.
+ *
+ * Qualities are choices by name. An error asked for is looked for on a ladder of choices, each dearer than
+ * the one before: the first whose picture errs no more is taken, as estimate.h tells it of this very scene and
+ * camera. What is chosen so depends on no clock: it is the same on every machine.
+ */
+#ifndef MEASURE_QUALITY_H
+#define MEASURE_QUALITY_H
+
+#include "measure/measure.h"
+
+enum quality { QUALITY_DRAFT, QUALITY_NORMAL, QUALITY_HIGH, QUALITY_FINAL };
+
+/* For option tables: "draft", "normal", "high", "final", NULL. */
+extern const char *const quality_names[];
+
+struct quality_choice {
+    const char *settings; /* as renderer_settings_assign's; "" = as they are */
+    int passes;           /* of renderer_add_pass */
+};
+
+struct quality_choice quality_named(enum quality quality);
+
+/* "path=fine", "64 passes"; the caller frees it. */
+char *quality_describe(const struct quality_choice *choice);
+
+/* Where a ladder ends that nothing else ends. */
+enum { QUALITY_MOST_PASSES = 256 };
+
+struct quality_desc {
+    /* Stage, size, technique and direct method; its settings do not count. */
+    const struct measure_desc *measure;
+    const char *const *texts; /* settings that are given, and win: as renderer_settings_assign's */
+    int text_count;
+    double error;    /* relative RMSE of the indirect layer */
+    int most_passes; /* of a picture; 1: no means */
+};
+
+struct quality_found {
+    struct quality_choice choice;
+    double error; /* as estimated */
+    bool reached; /* else it is the best there is */
+};
+
+/* With a context. Error: of the tracer or a renderer. */
+bool quality_find(const struct quality_desc *desc, struct quality_found *found);
+
+/* The settings of a choice, but for those that are given; a path= among those takes the choice's place. Error: of a
+ * name or a value, or the technique has no such preset. */
+bool quality_settings(const struct quality_choice *choice, const struct technique *technique,
+                      const char *const *texts, int count, struct settings *settings);
+
+#endif

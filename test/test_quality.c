@@ -1,0 +1,198 @@
+/* How good a picture has to be: errors told from some of its pixels, and what is chosen by them. */
+#include "render_support.h"
+
+#include "base/error.h"
+#include "measure/estimate.h"
+#include "measure/picture.h"
+#include "measure/quality.h"
+#include "measure/truth.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIDE = 96 };
+
+struct box {
+    struct context *context;
+    struct stage stage;
+    struct measure_desc measure;
+};
+
+static int open_box(void **state) {
+    static struct box box;
+    box.context = open_context(CONTEXT_AUTO);
+    open_stage(&box.stage, "scenes/cornell-box.glb");
+    box.measure = measure_default(&box.stage, SIDE / 2, SIDE / 2);
+    *state = &box;
+    return 0;
+}
+
+static int close_box(void **state) {
+    struct box *box = *state;
+    stage_free(&box->stage);
+    context_free(box->context);
+    return 0;
+}
+
+static struct image trace(const struct box *box, int every, int samples) {
+    struct image image;
+    check_ok(
+        "trace",
+        picture_trace_paths(
+            &box->stage,
+            &(struct path_tracer_desc){
+                .width = SIDE, .height = SIDE, .every = every, .bounces = 1, .samples = samples},
+            &image, NULL));
+    return image;
+}
+
+/* Each pixel lies in its square, and all places of a square are taken. */
+static void test_places(void **state) {
+    (void)state;
+    enum { EVERY = 3, SQUARES = 60 };
+    int counts[EVERY * EVERY] = {0};
+    for (int y = 0; y < SQUARES; y++)
+        for (int x = 0; x < SQUARES; x++) {
+            struct pixel pixel = path_tracer_pixel(EVERY, x, y);
+            int dx = pixel.x - x * EVERY, dy = pixel.y - y * EVERY;
+            assert_in_range(dx, 0, EVERY - 1);
+            assert_in_range(dy, 0, EVERY - 1);
+            counts[dy * EVERY + dx]++;
+        }
+    for (int i = 0; i < EVERY * EVERY; i++) /* 3600 / 9, and a spread of 19 */
+        check_near("a place's share of the squares", counts[i], 400, 80);
+    struct pixel same = path_tracer_pixel(1, 5, 7);
+    assert_int_equal(same.x, 5);
+    assert_int_equal(same.y, 7);
+}
+
+/* Some of the pixels are those of the whole picture, within the noise of both. */
+static void test_some_pixels(void **state) {
+    enum { EVERY = 4, SAMPLES = 64 };
+    struct image all = trace(*state, 1, SAMPLES), some = trace(*state, EVERY, SAMPLES);
+    int layer[3];
+    assert_int_equal(some.width, SIDE / EVERY);
+    assert_true(image_find_layer(&all, "indirect", layer));
+    double difference = 0, sum = 0;
+    for (int y = 0; y < some.height; y++)
+        for (int x = 0; x < some.width; x++) {
+            struct pixel at = path_tracer_pixel(EVERY, x, y);
+            for (int c = 0; c < 3; c++) {
+                double a = (double)image_at(&all, at.x, at.y)[layer[c]];
+                double b = (double)image_at(&some, x, y)[layer[c]];
+                difference += (a - b) * (a - b);
+                sum += a;
+            }
+        }
+    double values = 3.0 * some.width * some.height;
+    check_at_most("some pixels, relative RMSE", sqrt(difference / values) / (sum / values),
+                  2 * (truth_noise(&all) + truth_noise(&some)));
+    image_free(&all);
+    image_free(&some);
+}
+
+/* The error that some pixels tell is that of all of them. */
+static void test_estimate(void **state) {
+    struct box *box = *state;
+    struct measure_desc measure = box->measure;
+    struct estimate estimate;
+    struct renderer renderer;
+    struct image picture, truth = trace(box, 1, 256);
+    measure.width = measure.height = 2 * SIDE; /* of which a quarter of the pixels is traced */
+    double error;
+    check_ok("estimate", estimate_init(&estimate, &measure, .03));
+    assert_int_equal(estimate.every, 2);
+    check_ok("renderer", measure_start(&renderer, &measure));
+    renderer_render(&renderer);
+    check_ok("error", estimate_error(&estimate, &renderer, &error));
+    image_free(&truth);
+    check_ok("truth", picture_trace_paths(
+                          &box->stage,
+                          &(struct path_tracer_desc){
+                              .width = 2 * SIDE, .height = 2 * SIDE, .bounces = 1, .samples = 128},
+                          &truth, NULL));
+    check_ok("layers", renderer_read_layers(&renderer, &picture));
+    double all = relative_rmse(&picture, &truth, "indirect");
+    check_near("of a quarter of the pixels", error, all, .15 * all);
+    image_free(&picture);
+    image_free(&truth);
+    renderer_free(&renderer);
+    estimate_free(&estimate);
+}
+
+static struct quality_found find(const struct box *box, const char *text, double error,
+                                 int most_passes) {
+    struct quality_found found;
+    struct quality_desc desc = {&box->measure, &text, 1, error, most_passes};
+    check_ok("find", quality_find(&desc, &found));
+    char *what = quality_describe(&found.choice);
+    printf("    %g %% asked for: %s, %.2f %%\n", 100 * error, what, 100 * found.error);
+    free(what);
+    return found;
+}
+
+/* The less it may err, the dearer it gets, and what does not go says so. */
+static void test_ladder(void **state) {
+    const char *small = "vpls=256 vals=8 map.size=64";
+    struct quality_found draft = find(*state, small, .5, 1), none = find(*state, small, .03, 1);
+    assert_string_equal(draft.choice.settings, "path=draft");
+    assert_true(draft.reached);
+    assert_false(none.reached);
+    check_at_most("the best there is", none.error, draft.error);
+    struct quality_found passes = find(*state, small, .9 * none.error, 8);
+    assert_in_range(passes.choice.passes, 4, 8);
+    check_at_most("passes", passes.error, none.error);
+}
+
+/* What is given wins, and a preset that is given is the only one. */
+static void test_given(void **state) {
+    struct box *box = *state;
+    struct settings settings;
+    const char *vals = "vals=5", *path = "path=fine";
+    struct quality_choice draft = quality_named(QUALITY_DRAFT);
+    check_ok("settings", quality_settings(&draft, technique_default, &vals, 1, &settings));
+    assert_int_equal((int)settings_number(&settings, "vals"), 5);
+    assert_int_equal((int)settings_number(&settings, "vpls"), 512);
+    check_ok("settings", quality_settings(&draft, technique_default, &path, 1, &settings));
+    assert_int_equal((int)settings_number(&settings, "vpls"), 1024);
+    assert_string_equal(find(box, "path=fine vals=4 map.size=64 vpls=256", .5, 1).choice.settings,
+                        "");
+    assert_false(quality_settings(&draft, technique_find("unshadowed"), &vals, 1, &settings));
+    printf("    %s\n", error_get());
+}
+
+/* The words, in a shell. */
+static void test_words(void **state) {
+    (void)state;
+    static const struct {
+        const char *arguments;
+        int status;
+        const char *says;
+    } cases[] = {
+        {"--quality draft --max-error 5%", 2, "--quality and --max-error exclude each other"},
+        {"--quality better", 2, "quality: 'better' is not one of draft, normal, high, final"},
+        {"--max-error 200%", 2, "max-error"},
+        {"--max-error 90% --set vpls=64,vals=4", 0, "cornell-box: path=draft, which errs"},
+        {"--max-error 2% --passes 1 --set vpls=64,vals=4,detail=0", 0, "nothing errs less"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char command[1024], output[4096];
+        snprintf(command, sizeof command, "%s render scenes/cornell-box.glb -o %s --size 40x40 %s",
+                 binary_path(), scratch("q.png"), cases[i].arguments);
+        int status = run_command(command, output, sizeof output);
+        printf("    %s\n    -> %d %s", cases[i].arguments, status, output);
+        assert_int_equal(status, cases[i].status);
+        assert_non_null(strstr(output, cases[i].says));
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_places),   cmocka_unit_test(test_some_pixels),
+        cmocka_unit_test(test_estimate), cmocka_unit_test(test_ladder),
+        cmocka_unit_test(test_given),    cmocka_unit_test(test_words),
+    };
+    return cmocka_run_group_tests_name("quality", tests, open_box, close_box);
+}
