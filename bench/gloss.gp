@@ -10,7 +10,7 @@ set xlabel 'roughness'
 set ylabel 'relative RMSE of indirect.specular over a ball'
 set logscale y
 set xrange [0:1.05]
-set yrange [.2:10]
+set yrange [.1:10]
 csv = 'bench/results/gloss-200-llvmpipe.csv'
 rows(name, material) = sprintf("< grep '^\"%s\",%s' %s", name, material, csv)
 do for [kind in "svg png"] {
@@ -22,8 +22,8 @@ do for [kind in "svg png"] {
     set output 'bench/plots/gloss.'.kind
     plot rows('points', 'metal') using 3:4 with linespoints lc rgb '#b5341b' pt 7 title 'VPLs as points, metal', \
          rows('points', 'plastic') using 3:4 with linespoints lc rgb '#b5341b' pt 6 dt 2 title 'plastic', \
-         rows('balls, a quarter of the VPLs each', 'metal') using 3:4 with linespoints lc rgb '#1b3a6b' pt 5 title 'as balls, a quarter at each pixel, metal', \
+         rows('balls, a quarter of the VPLs each', 'metal') using 3:4 with linespoints lc rgb '#1b3a6b' pt 5 title 'VPLs as balls, metal', \
          rows('balls, a quarter of the VPLs each', 'plastic') using 3:4 with linespoints lc rgb '#1b3a6b' pt 4 dt 2 title 'plastic', \
-         rows('balls, all VPLs each', 'metal') using 3:4 with linespoints lc rgb '#2f7d4f' pt 9 title 'as balls, all at each pixel, metal', \
-         rows('balls, all VPLs each', 'plastic') using 3:4 with linespoints lc rgb '#2f7d4f' pt 8 dt 2 title 'plastic'
+         rows('points and rays (default)', 'metal') using 3:4 with linespoints lc rgb '#2f7d4f' pt 9 title 'points and rays, metal', \
+         rows('points and rays (default)', 'plastic') using 3:4 with linespoints lc rgb '#2f7d4f' pt 8 dt 2 title 'plastic'
 }

@@ -1,12 +1,13 @@
-// For test_gloss.c: reflection towards the eye of a direction of light, and of whole lights.
+// For test_gloss.c: reflection towards the eye of a direction of light, directions that its lobe samples, and whole
+// lights.
 #include "lib/light.glsl"
 #include "lib/unshadowed_shine.glsl"
 
 layout(local_size_x = 1) in;
 
 struct question {
-    vec4 f0_and_alpha, normal, to_eye;
-    vec4 to_light; // or the place, and the light's number
+    vec4 f0_and_alpha, normal, to_eye; // normal.w: a direction is to be sampled
+    vec4 to_light; // or the sample's place; or the place, and the light's number
 };
 layout(std430, binding = 0) readonly buffer question_storage {
     question questions[];
@@ -26,6 +27,7 @@ void main() {
     vec3 direction = l.type == LIGHT_TYPE_DIRECTIONAL ? l.direction : -to_light * inversesqrt(distance2);
     answers[i].rgb = l.radiance * unshadowed_shine(l, s, q.to_light.xyz, direction, distance2);
 #else
-    answers[i].rgb = specular_brdf(s, q.to_light.xyz);
+    vec3 to_light = q.normal.w > 0.0 ? lobe_sample(s, q.to_light.xy) : q.to_light.xyz;
+    answers[i] = vec4(q.normal.w > 0.0 ? to_light : specular_brdf(s, to_light), lobe_density(s, to_light));
 #endif
 }

@@ -11,6 +11,10 @@ layout(binding = UNIT_LIST_TEXELS) uniform usampler2D list_texels;
 layout(binding = UNIT_DETAIL_IRRADIANCE) uniform sampler2D detail_irradiance;
 #endif
 
+#if GLOSS
+#include "lib/gbuffer_shine.glsl"
+#endif
+
 layout(location = TARGET_RESULT) out uvec4 packed_tap;
 
 void main() {
@@ -25,6 +29,10 @@ void main() {
         grade = 1 + list_grade_of(code);
         irradiance = texelFetch(detail_irradiance, list_texel_of(code), 0).rgb;
     }
+#endif
+#if GLOSS
+    float roughness = gloss_decode(texelFetch(gbuffer_glosses, ivec3(pixel, 0), 0)).a;
+    grade = is_smooth(roughness * roughness) ? 1 : 0;
 #endif
     packed_tap = blur_tap_pack(blur_tap(depth > 0.0 ? view_linear_depth(camera, depth) : 0.0,
                                         blur_tap_normal_code(normal), irradiance, grade));

@@ -2,7 +2,9 @@
 //     L = Phi / pi  f_r  cos_x  cos_i / (d^2 + r^2 / 2)
 // A point's mirror image would be a spot in the picture: SPHERE spreads the light over the ball around the VPL that
 // holds the patch that the pixel's VPLs stand for [Hašan et al. 2009]. The lobe is as much wider as the ball is.
+// With RAYS a point gives no more than what rays do not find better (gather/gloss_rays.frag).
 #include "lib/gbuffer_shine.glsl"
+#include "gather/gloss_share.glsl"
 
 shine receiver_shine = shine(vec3(0.0), vec3(0.0), 1.0, vec3(0.0), vec3(0.0)); // of the pixel at hand
 
@@ -14,6 +16,10 @@ vec3 specular_light(vpl light, surface s, float area) {
     if (cosine <= 0.0 || receiver_shine.f90 == vec3(0.0))
         return vec3(0.0);
     shine seen = receiver_shine;
+#if SPECULAR == SPECULAR_RAYS
+    gloss_samples there = gloss_samples_at(seen, direction, cosine, distance2, params.gloss_rays, area);
+    return light.flux * specular_brdf(seen, direction) * (cosine / distance2 * gloss_share(there.vpls, there.rays));
+#endif
 #if SPECULAR == SPECULAR_SPHERE
     // Half vectors turn by half of what directions do.
     float radius2 = params.sphere2 * area / distance2;

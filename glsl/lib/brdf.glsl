@@ -1,4 +1,5 @@
 // The specular part of glTF's metallic-roughness model, the same as reference/brdf.c.
+#include "lib/tangent.glsl"
 #include "shared/brdf.h"
 
 // A surface towards the eye.
@@ -32,4 +33,32 @@ vec3 specular_brdf(shine s, vec3 to_light) {
     float rest = max(1.0 - dot(s.to_eye, h), 0.0);
     float w = rest * rest * rest * rest * rest;
     return mix(s.f0, s.f90, w) * (n_l * visibility / (3.14159265358979 * across * across));
+}
+
+// --- directions sampled by the lobe -------------------------------------------------------------
+
+// The direction with its part across the normal squeezed.
+vec3 squeeze(vec3 normal, vec3 direction, float alpha) {
+    float along = max(dot(normal, direction), 0.0);
+    return normalize(normal * ((1.0 - alpha) * along) + direction * alpha);
+}
+
+// Where one of the microfacets' normals that the eye sees mirrors it [Heitz 2018]; may lie below the horizon.
+vec3 lobe_sample(shine s, vec2 place) {
+    vec3 seen_from = squeeze(s.normal, s.to_eye, s.alpha), right = cross(s.normal, seen_from);
+    right = dot(right, right) > 0.0 ? normalize(right) : perpendicular(s.normal);
+    vec3 up = cross(seen_from, right);
+    float radius = sqrt(place.x), turn = 6.28318530718 * place.y, x = radius * cos(turn);
+    float y = mix(sqrt(max(1.0 - x * x, 0.0)), radius * sin(turn), 0.5 * (1.0 + dot(s.normal, seen_from)));
+    vec3 h = right * x + up * y + seen_from * sqrt(max(1.0 - x * x - y * y, 0.0));
+    h = squeeze(s.normal, h, s.alpha);
+    return normalize(2.0 * dot(s.to_eye, h) * h - s.to_eye);
+}
+
+// Its density, 1/sr.
+float lobe_density(shine s, vec3 to_light) {
+    vec3 h = normalize(s.to_eye + to_light), aside = cross(s.normal, h);
+    float n_h = dot(s.normal, h), n_v = dot(s.normal, s.to_eye);
+    float across = dot(aside, aside) / s.alpha + n_h * n_h * s.alpha;
+    return 0.5 / (3.14159265358979 * across * across * (n_v + smith_root(s.alpha, n_v)));
 }

@@ -28,7 +28,7 @@ layout(location = TARGET_GBUFFER_NORMAL) out vec2 normal_code;
 #ifndef NORMAL_ONLY
 layout(location = TARGET_GBUFFER_ALBEDO) out vec4 albedo_root;
 #endif
-#if defined(HAS_GLOSS) && !defined(LIGHT_VIEW)
+#ifdef HAS_GLOSS
 layout(location = TARGET_GBUFFER_GLOSS) out vec4 gloss_code; // lib/gloss.glsl
 #endif
 #endif
@@ -72,9 +72,10 @@ void main() {
     color.rgb = diffuse_and_gloss(color.rgb, gloss);
 #ifdef LIGHT_VIEW
     color.rgb += evenly_reflected(gloss);
-#else
-    gloss_code = gloss_encode(gloss);
+    if (!gl_FrontFacing && !material.double_sided)
+        color.rgb = gloss.rgb = vec3(0.0);
 #endif
+    gloss_code = gloss_encode(gloss);
 #endif
 #if !defined(DEPTH_ONLY) && !defined(NORMAL_ONLY)
     albedo_root = vec4(sqrt(clamp(color.rgb, 0.0, 1.0)), 1.0);

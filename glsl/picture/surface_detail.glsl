@@ -42,10 +42,3 @@ vec3 diffuse_and_gloss(vec3 base, out vec4 gloss) {
     gloss = vec4(mix(f0, base, metal_rough.x), metal_rough.y);
     return base * ((1.0 - metal_rough.x) * (1.0 - mix(outer_f0, material.specular_f90, BRDF_MEAN_SCHLICK)));
 }
-
-// The share of light that the specular part reflects, all together: VPLs send it evenly. Within .005 of the BRDF's
-// for metals.
-vec3 evenly_reflected(vec4 gloss) {
-    float r = gloss.a;
-    return gloss.rgb * (1.0 - r * r * (r * (2.176 - 1.29 * r) - 0.293));
-}

@@ -97,6 +97,7 @@
 #define UNIT_COARSE_DEPTH 79
 #define UNIT_SUM_SQUARES 80
 #define UNIT_SUM_PRODUCTS 81
+#define UNIT_RSM_GLOSS 82
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0

@@ -4,10 +4,12 @@
 
 #include "shared/interleaving.h"
 
-/* What is gathered: irradiance, or what reflects as by a mirror, of VPLs as points or as balls. */
+/* What is gathered: irradiance, or what reflects as by a mirror, of VPLs as points, as balls, or as points as
+ * far as rays do not find the same light better. */
 #define SPECULAR_NONE 0
 #define SPECULAR_POINT 1
 #define SPECULAR_SPHERE 2
+#define SPECULAR_RAYS 3
 
 struct gather_params {
     STRUCT(interleaving) pattern;
@@ -17,9 +19,11 @@ struct gather_params {
     int block;         /* pixels a side of a block that shares its visibility */
     float unoccluded;  /* of its reach, within which a blocked VPL takes nothing back */
     float sphere2;     /* squared radius of a VPL's ball, over the area that it stands for */
-    int cut_block; /* pixels a side of a block that shares a cut */
-    int cut_layer; /* the first of the cuts that are read */
+    int cut_block;     /* pixels a side of a block that shares a cut */
+    int cut_layer;     /* the first of the cuts that are read */
+    int gloss_rays;    /* of a pixel */
+    int unused0, unused1, unused2;
 };
-PASS_BLOCK(gather_params, 48)
+PASS_BLOCK(gather_params, 64)
 
 #endif

@@ -6,9 +6,13 @@ bool framebuffer_init(GLuint *framebuffer, const struct framebuffer_desc *desc) 
     GLenum buffers[FRAMEBUFFER_COLORS_MAX];
     int count = 0;
     gl.CreateFramebuffers(1, framebuffer);
-    for (; count < FRAMEBUFFER_COLORS_MAX && desc->colors[count]; count++) {
-        buffers[count] = GL_COLOR_ATTACHMENT0 + (GLenum)count;
-        gl.NamedFramebufferTexture(*framebuffer, buffers[count], desc->colors[count]->id, 0);
+    for (int i = 0; i < FRAMEBUFFER_COLORS_MAX; i++) {
+        buffers[i] = GL_NONE;
+        if (!desc->colors[i])
+            continue;
+        buffers[i] = GL_COLOR_ATTACHMENT0 + (GLenum)i;
+        gl.NamedFramebufferTexture(*framebuffer, buffers[i], desc->colors[i]->id, 0);
+        count = i + 1;
     }
     if (desc->depth)
         gl.NamedFramebufferTexture(*framebuffer, GL_DEPTH_ATTACHMENT, desc->depth->id, 0);

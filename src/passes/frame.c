@@ -1,11 +1,14 @@
 #include "passes/frame.h"
 
+#include "base/deal.h"
+#include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/vertex_array.h"
 #include "shared/vpl.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 static bool init_layer(struct texture *texture, const char *label, const char *part, GLenum format,
                        const struct gbuffer *gbuffer) {
@@ -25,13 +28,13 @@ bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc) {
     const char *label = desc->label;
     *gbuffer =
         (struct gbuffer){.width = desc->width, .height = desc->height, .layers = desc->layers};
-    bool has_emission = desc->has_emission || desc->has_gloss;
-    const struct texture *emission = has_emission ? &gbuffer->emission : NULL;
+    const struct texture *emission = desc->has_emission ? &gbuffer->emission : NULL;
     const struct texture *gloss = desc->has_gloss ? &gbuffer->gloss : NULL;
     if (init_layer(&gbuffer->normal, label, "normal", GL_RG16, gbuffer) &&
         init_layer(&gbuffer->albedo, label, "albedo", GL_RGB10_A2, gbuffer) &&
         init_layer(&gbuffer->depth, label, "depth", GL_DEPTH_COMPONENT32F, gbuffer) &&
-        (!has_emission || init_layer(&gbuffer->emission, label, "emission", GL_RGBA16F, gbuffer)) &&
+        (!desc->has_emission ||
+         init_layer(&gbuffer->emission, label, "emission", GL_RGBA16F, gbuffer)) &&
         (!desc->has_gloss || init_layer(&gbuffer->gloss, label, "gloss", GL_RGBA8, gbuffer)) &&
         framebuffer_init(
             &gbuffer->framebuffer,
@@ -166,6 +169,51 @@ void irradiance_free(struct irradiance *irradiance) {
     framebuffer_free(&irradiance->framebuffer);
     texture_free(&irradiance->texture);
     *irradiance = (struct irradiance){0};
+}
+
+enum { SLOTS_MAX = 16 * 16 }; /* of a pattern */
+
+void light_picks_init(struct light_picks *picks, const struct light_layout *layout) {
+    *picks = (struct light_picks){.stride = layout->lights};
+    picks->items = mem_alloc((size_t)(SLOTS_MAX * layout->lights), sizeof *picks->items);
+}
+
+void light_picks_free(struct light_picks *picks) {
+    free(picks->items);
+    *picks = (struct light_picks){0};
+}
+
+/* As few of the group for each slot as show all; they follow those that are picked already. Returned is how many
+ * there are. */
+static int deal_group(const struct light_picks *picks, const struct frame *frame,
+                      struct light_group group, int slots, int picked) {
+    double fluxes[LIGHTS_MAX];
+    struct dealt dealt[SLOTS_MAX + LIGHTS_MAX];
+    int counts[LIGHTS_MAX];
+    for (int i = 0; i < group.count; i++)
+        fluxes[i] = emitter_flux(&frame->emitters->items[group.first + i], frame->radius);
+    int each = (group.count + slots - 1) / slots;
+    deal(fluxes, group.count, dealt, slots * each, counts);
+    for (int slot = 0; slot < slots; slot++)
+        for (int i = 0; i < each; i++) {
+            int light = dealt[slot + i * slots].taker;
+            float *pick = picks->items[slot * picks->stride + picked + i];
+            pick[0] = (float)(group.first + light);
+            pick[1] = (float)slots / (float)counts[light];
+        }
+    return picked + each;
+}
+
+int light_picks_deal(const struct light_picks *picks, const struct frame *frame, int slots) {
+    int picked = 0;
+    for (int g = 0; g < frame->layout.groups; g++)
+        picked = deal_group(picks, frame, frame->groups[g], slots, picked);
+    return picked;
+}
+
+void light_picks_set(const struct light_picks *picks, int slot, int count, GLuint program) {
+    gl.ProgramUniform1i(program, LOCATION_PICK_COUNT, count);
+    gl.ProgramUniform2fv(program, LOCATION_PICKS, count, picks->items[slot * picks->stride]);
 }
 
 int pixel_lists_height(int height, int interleave) {

@@ -45,9 +45,10 @@ struct frame {
  *   depth   D32F      reversed (shared/view.h); 0 where nothing is
  *   emission RGBA16F  radiance times irradiance_scale; the camera's, of a scene with emissive materials
  *                     or such as are not plain
- *   gloss   RGBA8     what is reflected as by a mirror (lib/gloss.glsl); the camera's, of a scene whose
- *                     materials are not plain (scene/material.h). The normal is then the bent one, and
- *                     albedo the diffuse part's
+ *   gloss   RGBA8     what is reflected as by a mirror (lib/gloss.glsl), of a scene whose materials are not
+ *                     plain (scene/material.h): the camera's, and the lights' where rays ask for it. The
+ *                     normal is then the bent one; albedo the diffuse part's, of lights' views with
+ *                     what the rest reflects, as if evenly
  */
 struct gbuffer {
     struct texture normal, albedo, depth, emission, gloss;
@@ -185,8 +186,7 @@ int frame_target_views(const struct frame *frame, GLuint program, int kind);
 struct gbuffer_desc {
     const char *label;
     int width, height, layers;
-    bool has_emission;
-    bool has_gloss; /* which has emission too */
+    bool has_emission, has_gloss;
 };
 
 bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc);
@@ -215,6 +215,22 @@ bool vpl_run_next(struct vpl_run *run, const struct vpl_buffer *vpls, int last);
 bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum format, int width,
                      int height, int interleave);
 void irradiance_free(struct irradiance *irradiance);
+
+/* Which lights each slot of a pattern takes, and each one's weight there: of a group of many, one stands
+ * for all. */
+struct light_picks {
+    float (*items)[2]; /* of each slot: a light's number and weight */
+    int stride;        /* room for a slot's */
+};
+
+void light_picks_init(struct light_picks *picks, const struct light_layout *layout);
+void light_picks_free(struct light_picks *picks);
+
+/* Deals the frame's lights out to that many slots, by their flux; returns how many each takes. */
+int light_picks_deal(const struct light_picks *picks, const struct frame *frame, int slots);
+
+/* Sets the slot's, so many, at LOCATION_PICK_COUNT and LOCATION_PICKS. */
+void light_picks_set(const struct light_picks *picks, int slot, int count, GLuint program);
 
 /* Of the tiles of lists over a picture of that height, all of them. */
 int pixel_lists_height(int height, int interleave);

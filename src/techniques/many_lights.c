@@ -1,6 +1,7 @@
 #include "techniques/many_lights.h"
 
 #include "base/error.h"
+#include "shared/gather.h"
 
 #include <math.h>
 
@@ -101,7 +102,8 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
 
 /* Gloss is sharper than what is diffuse: each pixel takes more VPLs, and is blurred less. It is no
  * share of light that the near field could take: near VPLs are bounded as disks. */
-static bool init_gloss(struct many_lights *lights, const struct technique_desc *desc) {
+static bool init_gloss(struct many_lights *lights, const struct technique_desc *desc,
+                       const struct many_lights_visibility *visibility) {
     const struct gather_settings *own = settings_of(desc->settings, &gather_part);
     const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
     struct gather_desc gather = lights->gather.desc;
@@ -111,16 +113,29 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
     gather.take_back = 0;
     gather.cuts = false;
     gather.specular = own->gloss + 1;
+    gather.gloss_rays = own->gloss_rays;
+    bool rays = gather.specular == SPECULAR_RAYS;
+    const struct gloss_rays_desc of_rays = {
+        .rays = own->gloss_rays,
+        .has_maps = !visibility->map_per_vpl && gather.visibility.lookup != VISIBILITY_LOOKUP_NONE,
+        .visibility = gather.visibility,
+        .lights = *desc->lights,
+    };
+    const struct blur_desc of_blur = {
+        .width = desc->width,
+        .height = desc->height,
+        .radius = n / 2,
+        .distance = blur->distance,
+        .cosine = gloss_cosine,
+        .gloss = rays,
+        .grade_radius = {.5F, .5F},
+        .grade_weight = {1, 1},
+        .square = true,
+    };
     lights->has_gloss = desc->gloss;
     return !desc->gloss || (gather_pass_init(&lights->gloss_gather, &gather) &&
-                            blur_pass_init(&lights->gloss_blur, &(struct blur_desc){
-                                                                    .width = desc->width,
-                                                                    .height = desc->height,
-                                                                    .radius = n / 2,
-                                                                    .distance = blur->distance,
-                                                                    .cosine = gloss_cosine,
-                                                                    .square = true,
-                                                                }));
+                            (!rays || gloss_rays_pass_init(&lights->gloss_rays, &of_rays)) &&
+                            blur_pass_init(&lights->gloss_blur, &of_blur));
 }
 
 static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc) {
@@ -193,13 +208,15 @@ bool many_lights_check(const struct settings *settings) {
                                                gather->interleave, places, lights->vpls);
 }
 
-static bool init_rsm(struct many_lights *lights, const struct light_layout *layout, int size) {
-    bool ok = true;
+static bool init_rsm(struct many_lights *lights, const struct technique_desc *desc, int size) {
+    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
+    const struct light_layout *layout = desc->lights;
+    bool ok = true, has_gloss = desc->gloss && gather->gloss + 1 == SPECULAR_RAYS;
     for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++) {
         int texels = light_map_size(kind, size), layers = layout->views[kind];
         ok = layers == 0 ||
              gbuffer_init(&lights->rsm[kind],
-                          &(struct gbuffer_desc){"rsm", texels, texels, layers, false, false});
+                          &(struct gbuffer_desc){"rsm", texels, texels, layers, false, has_gloss});
     }
     return ok;
 }
@@ -209,12 +226,13 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
     const struct lights_settings *own = settings_of(desc->settings, &lights_part);
     const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
     *lights = (struct many_lights){0};
-    if (init_rsm(lights, desc->lights, own->rsm_size) &&
+    if (init_rsm(lights, desc, own->rsm_size) &&
         geometry_pass_init(&lights->geometry, &(struct geometry_desc){.has_gloss = desc->gloss}) &&
         vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) &&
         init_bounces(lights, desc, visibility) && init_gather(lights, desc, visibility) &&
-        init_gloss(lights, desc) && init_near_field(lights, desc) && init_blur(lights, desc))
+        init_gloss(lights, desc, visibility) && init_near_field(lights, desc) &&
+        init_blur(lights, desc))
         return true;
     many_lights_free(lights);
     return false;
@@ -232,6 +250,7 @@ void many_lights_free(struct many_lights *lights) {
     detail_pass_free(&lights->detail);
     gather_pass_free(&lights->detail_gather);
     gather_pass_free(&lights->gloss_gather);
+    gloss_rays_pass_free(&lights->gloss_rays);
     blur_pass_free(&lights->gloss_blur);
     blur_pass_free(&lights->blur);
 }
@@ -325,6 +344,13 @@ void many_lights_gather(const struct many_lights *lights, const struct frame *fr
         gather_pass_render(&lights->detail_gather, frame, gbuffer, &with_lists);
     if (lights->has_gloss)
         gather_pass_render(&lights->gloss_gather, frame, gbuffer, &with_lists);
+    if (lights->gloss_rays.program && inputs->first == 0 && !inputs->further)
+        gloss_rays_pass_render(
+            &lights->gloss_rays, frame, gbuffer,
+            &(struct gloss_rays_inputs){.rsm = lights->rsm,
+                                        .shares = &lights->vpl.shares,
+                                        .radiance = &lights->gloss_gather.irradiance,
+                                        .visibility = inputs->visibility});
 }
 
 static void add_near_field(const struct many_lights *lights, const struct frame *frame,

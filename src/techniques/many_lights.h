@@ -7,6 +7,7 @@
 #include "passes/gather/detail.h"
 #include "passes/gather/gather.h"
 #include "passes/picture/geometry.h"
+#include "passes/gather/gloss_rays.h"
 #include "passes/gather/near_field.h"
 #include "passes/lights/bounce.h"
 #include "passes/lights/vpl.h"
@@ -44,7 +45,7 @@ struct gather_settings {
     int detail_times;
     float detail_share;
     bool further_points;
-    int gloss, gloss_interleave; /* SPECULAR_... - 1 */
+    int gloss, gloss_interleave, gloss_rays; /* SPECULAR_... - 1 */
 };
 
 struct blur_settings {
@@ -95,6 +96,7 @@ struct many_lights {
     struct gather_pass detail_gather;
     bool has_gloss; /* materials are not all plain: what reflects as by a mirror is gathered, too */
     struct gather_pass gloss_gather;
+    struct gloss_rays_pass gloss_rays; /* gloss=rays */
     struct blur_pass gloss_blur;
     bool has_blur; /* what is gathered in tiles is put in order by it, too; else it is the result */
     struct blur_pass blur;

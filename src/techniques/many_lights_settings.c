@@ -51,7 +51,7 @@ static const struct option lookup_table[] = {
 
 static const char *const clamp_names[] = {"none", "value", "disk", "near", "sphere", NULL};
 
-static const char *const gloss_names[] = {"point", "sphere", NULL};
+static const char *const gloss_names[] = {"point", "sphere", "rays", NULL};
 
 static const struct option gather_table[] = {
     {"interleave", 0, OPTION_INT, ROW(gather, interleave), 8, 1, 16,
@@ -71,9 +71,13 @@ static const struct option gather_table[] = {
          "power; 0 = they do not"},
     {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 1024, 1, 1024,
      .help = "clamp=near: samples of the near field that n x n pixels share out"},
-    {"gloss", 0, OPTION_CHOICE, ROW(gather, gloss), SPECULAR_SPHERE - 1, .choices = gloss_names,
-     .help = "as what VPLs are reflected: points, whose images are spots, or the balls that hold\n"
-             "what they stand for"},
+    {"gloss", 0, OPTION_CHOICE, ROW(gather, gloss), SPECULAR_RAYS - 1, .choices = gloss_names,
+     .help =
+         "as what VPLs are reflected: points, whose images are spots, the balls that hold what\n"
+         "they stand for, or points as far as rays through the lights' maps do not find the same\n"
+         "light better"},
+    {"gloss-rays", 0, OPTION_INT, ROW(gather, gloss_rays), 4, 1, 256,
+     .help = "gloss=rays: of each pixel"},
     {"gloss-interleave", 0, OPTION_INT, ROW(gather, gloss_interleave), 2, 1, 16,
      .help = "n of what is reflected as by a mirror; at most that of interleave"},
     {"detail", 0, OPTION_INT, ROW(gather, detail), 4, 0, 8,

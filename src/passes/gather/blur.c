@@ -9,7 +9,9 @@ static bool init_programs(struct blur_pass *pass) {
     struct program_desc half = desc, pack = desc;
     half.defines = "PACK 1";
     pack.fragment = "gather/blur_pack.frag";
-    pack.defines = pass->desc.detail ? "DETAIL 1" : "DETAIL 0";
+    pack.defines = pass->desc.gloss    ? "DETAIL 0;GLOSS 1"
+                   : pass->desc.detail ? "DETAIL 1;GLOSS 0"
+                                       : "DETAIL 0;GLOSS 0";
     return program_init(&pass->pack_program, &pack) && program_init(&pass->half_program, &half) &&
            program_init(&pass->program, &desc);
 }
@@ -73,6 +75,8 @@ static void pack(const struct blur_pass *pass, const struct frame *frame,
                      {UNIT_IRRADIANCE, inputs->source->texture.id}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params[0]}},
     };
+    if (pass->desc.gloss)
+        pass_add_texture(&state, UNIT_GBUFFER_GLOSS, gbuffer->gloss.id);
     if (inputs->lists) {
         pass_add_texture(&state, UNIT_LIST_TEXELS, inputs->lists->texels.id);
         pass_add_texture(&state, UNIT_DETAIL_IRRADIANCE, inputs->detail->texture.id);

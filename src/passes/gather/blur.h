@@ -18,6 +18,7 @@ struct blur_desc {
     bool detail;                      /* there are pixels of lists */
     float grade_radius[PIXEL_GRADES]; /* theirs, smaller */
     float grade_weight[PIXEL_GRADES]; /* how many times as many lights as others they have */
+    bool gloss;  /* what is smooth, of a G-buffer with gloss, is of the first grade */
     bool square; /* over all taps of the square at once, as published; else along x, then y */
 };
 

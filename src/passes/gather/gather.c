@@ -12,14 +12,15 @@
 #include <math.h>
 #include <stdlib.h>
 
-static bool init_program(GLuint *program, const struct gather_desc *desc, enum gather_clamp clamp) {
+static bool init_program(GLuint *program, const struct gather_desc *desc, enum gather_clamp clamp,
+                         int specular) {
     char *lookup = visibility_defines(&desc->visibility);
     bool take_back = clamp == desc->clamp && desc->take_back > 0;
     char *defines =
         mem_printf("%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d;RECEIVERS %d;TAKE_BACK %d;"
                    "SPECULAR %d;CUTS %d",
                    lookup, clamp, desc->map_per_vpl, desc->share, desc->receivers, take_back,
-                   desc->specular, desc->cuts);
+                   specular, desc->cuts);
     bool ok =
         program_init(program, &(struct program_desc){.vertex = desc->receivers == RECEIVERS_LISTED
                                                                    ? "gather/listed.vert"
@@ -37,14 +38,19 @@ static enum gather_clamp further_clamp(enum gather_clamp clamp) {
     return rectangles ? GATHER_CLAMP_RECTANGLE : GATHER_CLAMP_DISK;
 }
 
+/* No ray finds what further bounces light: there VPLs are balls. */
+static int further_specular(int specular) {
+    return specular == SPECULAR_RAYS ? SPECULAR_SPHERE : specular;
+}
+
 bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) {
     int height = desc->receivers == RECEIVERS_LISTED
                      ? pixel_lists_height(desc->height, desc->interleave)
                      : desc->height;
     *pass = (struct gather_pass){.desc = *desc};
-    if (init_program(&pass->program, desc, desc->clamp) &&
-        (!desc->further ||
-         init_program(&pass->further_program, desc, further_clamp(desc->clamp))) &&
+    if (init_program(&pass->program, desc, desc->clamp, desc->specular) &&
+        (!desc->further || init_program(&pass->further_program, desc, further_clamp(desc->clamp),
+                                        further_specular(desc->specular))) &&
         irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, desc->width, height,
                         desc->interleave) &&
         buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL) &&
@@ -87,6 +93,7 @@ static void write_params(const struct gather_pass *pass, const struct frame *fra
         .cut_block = desc->cuts ? inputs->cuts->block : 1,
         .cut_layer = desc->cuts && listed ? inputs->cuts->detail_layer : 0,
         .sphere2 = neighbours / (float)GLM_PI * desc->sphere * desc->sphere,
+        .gloss_rays = desc->gloss_rays,
         .unoccluded = powf((float)(frame->pass + 1), -desc->take_back),
     };
     buffer_write(&pass->params, 0, sizeof params, &params);

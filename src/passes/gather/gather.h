@@ -41,8 +41,9 @@ struct gather_desc {
     float sphere;      /* radius of balls, over the distance within which ten VPLs lie */
     float clamp_value; /* of the bounded geometry term, times the squared scene radius */
     bool further;      /* VPLs of further bounces come too */
-    int specular; /* SPECULAR_...: radiance towards the eye in irradiance's place, of a G-buffer
+    int specular;   /* SPECULAR_...: radiance towards the eye in irradiance's place, of a G-buffer
                           with gloss */
+    int gloss_rays; /* of SPECULAR_RAYS: of each pixel */
     float
         take_back; /* > 0, of GATHER_CLAMP_NEAR with a map per VPL: blocked VPLs take the near field back,
                           but within a share of its reach that falls as the number of the pass to this power */

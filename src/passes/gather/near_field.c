@@ -1,6 +1,5 @@
 #include "passes/gather/near_field.h"
 
-#include "base/deal.h"
 #include "base/halton.h"
 #include "base/memory.h"
 #include "gl/framebuffer.h"
@@ -10,8 +9,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-
-enum { SLOTS_MAX = 16 * 16 }; /* of a pattern */
 
 /* Of each of n x n pixels. */
 static int share_of_samples(const struct near_field_desc *desc, int n) {
@@ -83,7 +80,7 @@ static bool init_lights(struct near_field_pass *pass, int kind) {
 
 bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_desc *desc) {
     *pass = (struct near_field_pass){.desc = *desc};
-    pass->picks = mem_alloc((size_t)(SLOTS_MAX * desc->lights.lights), sizeof *pass->picks);
+    light_picks_init(&pass->picks, &desc->lights);
     bool ok =
         init_programs(pass) &&
         buffer_init(&pass->samples, "near field samples",
@@ -106,7 +103,7 @@ void near_field_pass_free(struct near_field_pass *pass) {
     }
     buffer_free(&pass->samples);
     buffer_free(&pass->params);
-    free(pass->picks);
+    light_picks_free(&pass->picks);
     *pass = (struct near_field_pass){0};
 }
 
@@ -145,27 +142,6 @@ void near_field_pass_render_lights(struct near_field_pass *pass, const struct fr
     timer_end(frame->timers);
 }
 
-/* The lights of one group, for all slots: by their flux, as few each as show all.
- * Follow those that are picked already; returned is how many there are. */
-static int pick_lights(const struct near_field_pass *pass, const struct frame *frame,
-                       struct light_group group, int slots, int picked) {
-    double fluxes[LIGHTS_MAX];
-    struct dealt dealt[SLOTS_MAX + LIGHTS_MAX];
-    int counts[LIGHTS_MAX], stride = pass->desc.lights.lights;
-    for (int i = 0; i < group.count; i++)
-        fluxes[i] = emitter_flux(&frame->emitters->items[group.first + i], frame->radius);
-    int each = (group.count + slots - 1) / slots;
-    deal(fluxes, group.count, dealt, slots * each, counts);
-    for (int slot = 0; slot < slots; slot++)
-        for (int i = 0; i < each; i++) {
-            int light = dealt[slot + i * slots].taker;
-            float *pick = pass->picks[slot * stride + picked + i];
-            pick[0] = (float)(group.first + light);
-            pick[1] = (float)slots / (float)counts[light];
-        }
-    return picked + each;
-}
-
 /* A tile of a slot of the pattern, or one of its lists, with the samples of `side` slots side by side. */
 struct near_draw {
     int slot, list, side;
@@ -183,9 +159,7 @@ static void draw_tile(const struct near_field_pass *pass, GLuint program,
                   irradiance->tile_width, irradiance->tile_height);
     gl.ProgramUniform4i(program, LOCATION_SLOT, slot / draw.side % patterns * samples, samples,
                         slot % n, slot / n);
-    gl.ProgramUniform1i(program, LOCATION_PICK_COUNT, draw.picked);
-    gl.ProgramUniform2fv(program, LOCATION_PICKS, draw.picked,
-                         pass->picks[slot * pass->desc.lights.lights]);
+    light_picks_set(&pass->picks, slot, draw.picked, program);
     if (inputs->of_lists)
         pixel_lists_draw(inputs->lists, draw.list, program);
     else
@@ -220,9 +194,8 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
     if (inputs->of_lists)
         pass_add_texture(&state, UNIT_FURTHER_POINTS, frame->further_points->id);
     write_params(pass, frame, irradiance_pattern(irradiance));
-    int slots = irradiance->interleave * irradiance->interleave, picked = 0;
-    for (int g = 0; g < frame->layout.groups; g++)
-        picked = pick_lights(pass, frame, frame->groups[g], slots, picked);
+    int slots = irradiance->interleave * irradiance->interleave;
+    int picked = light_picks_deal(&pass->picks, frame, slots);
     pass_begin(frame->timers, &state);
     bool listed = inputs->of_lists;
     for (int list = 0; list < (listed ? LIST_KINDS : 1); list++) {

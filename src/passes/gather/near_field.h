@@ -29,8 +29,8 @@ struct near_field_pass {
                                                glsl/gather/near_light.glsl */
     GLuint lights_framebuffers[LIGHT_MAP_KINDS];
     struct buffer samples, params;
-    float (*picks)[2]; /* of each slot of a pattern, lights: a light's number and weight */
-    bool sampled;      /* the samples are there, and those of that pass */
+    struct light_picks picks;
+    bool sampled; /* the samples are there, and those of that pass */
     int sampled_pass;
 };
 

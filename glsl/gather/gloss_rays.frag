@@ -1,0 +1,135 @@
+// What a surface that is not matt reflects of the light that rays find, sampled by its lobe, in the lights' maps:
+//     L = 1/n sum_j  f_r cos_x / p(l_j)  rho I cos_y / (pi d^2)  share_j
+// A draw fills one tile, whose pixels take the same lights, as in the near field.
+#include "lib/gbuffer_shine.glsl"
+#include "gather/receiver.glsl"
+#include "gather/gloss_share.glsl"
+#include "gather/light_march.glsl"
+#include "gather/near_field.glsl"
+#include "lib/vpl_shares.glsl"
+#include "shared/gloss_rays.h"
+#include "shared/vpl.h"
+#if VAL_COUNT > 0
+#include "visibility/visibility.glsl"
+#endif
+
+layout(binding = UNIT_RSM_GLOSS) uniform sampler2DArray rsm_glosses[LIGHT_MAP_KINDS];
+
+layout(location = LOCATION_SLOT) uniform ivec4 slot; // the tile's place in the pattern, in its last two
+// The lights that this tile takes, and each one's weight: of a group of many one stands for all.
+layout(location = LOCATION_PICK_COUNT) uniform int pick_count;
+layout(location = LOCATION_PICKS) uniform vec2 picks[LIGHTS];
+
+layout(location = TARGET_RESULT) out vec4 radiance;
+
+// Until the ray has left the scene, metres: well behind a wall that bounds it.
+float farthest(vec3 origin, vec3 direction) {
+    vec3 a = (params.bounds_min - origin) / direction, b = (params.bounds_max - origin) / direction;
+    vec3 leaves = max(a, b);
+    float beyond = 0.05 * distance(params.bounds_min, params.bounds_max);
+    return max(min(min(leaves.x, leaves.y), leaves.z), 0.0) + beyond;
+}
+
+// Two numbers of [0, 1) for each pixel and ray: neighbours' lie far apart, and so do one pixel's.
+vec2 sample_of(ivec2 pixel, int ray) {
+    const vec2 STEP = vec2(0.7548776662, 0.5698402910);
+    vec2 shift = vec2(dot(vec2(pixel), STEP), dot(vec2(pixel), vec2(0.8191725134, 0.6710436067)));
+    return fract(fract(shift) + float(params.first + ray) * STEP);
+}
+
+vec4 hit_gloss(march_hit hit) {
+    ivec3 place = ivec3(hit.texel, hit.seen_by.layer);
+    return gloss_decode(hit.seen_by.kind == LIGHT_MAP_FACE ? texelFetch(rsm_glosses[LIGHT_MAP_FACE], place, 0)
+                                                          : texelFetch(rsm_glosses[LIGHT_MAP_SINGLE], place, 0));
+}
+
+// What of the light's irradiance the hit surface sends to the receiver, 1/sr times the light's cosine there. Few rays of a
+// rough receiver would find a highlight, as spots: its lobe is as much wider as the receiver's is [Kaplanyan and
+// Dachsbacher 2013].
+vec3 hit_reflects(march_hit hit, vec3 to_light, vec3 to_receiver, float cosine, float receiver_alpha) {
+    vec4 gloss = hit_gloss(hit);
+    vec3 matt = max(rsm_albedo(hit.seen_by, hit.texel) - evenly_reflected(gloss), 0.0);
+    float alpha = min(length(vec2(gloss.a * gloss.a, receiver_alpha)), 1.0);
+    shine s = shine(gloss.rgb, reflectance_grazing(gloss.rgb), alpha, hit.end.normal,
+                    facing(hit.end.normal, to_receiver));
+    return matt * (cosine / 3.14159265) + (gloss.rgb == vec3(0.0) ? vec3(0.0) : specular_brdf(s, to_light));
+}
+
+// The radiance of the hit surface, and the area that a VPL has there, over the solid angle that it stands for.
+vec3 sent_back(light l, march_hit hit, vec3 to_receiver, float receiver_alpha, out float area) {
+    bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
+    vec3 from_light = hit.end.position - l.position;
+    float distance2 = directional ? 1.0 : dot(from_light, from_light);
+    vec3 incoming = directional ? l.direction : from_light * inversesqrt(distance2);
+    float cosine = max(dot(hit.end.normal, -incoming), 0.0);
+    vec3 power = directional ? l.intensity : light_intensity(l, incoming);
+    area = distance2 / max(cosine, VPL_COSINE_MIN);
+    return hit_reflects(hit, -incoming, to_receiver, cosine, receiver_alpha) * power / distance2;
+}
+
+// What VALs know to hide the hit surface: that is seldom lit, as what is lit has stopped the ray.
+float arrives(surface s, surface end) {
+#if VAL_COUNT > 0
+    int nearest = 0;
+    float least = 1e30;
+    for (int k = 0; k < VAL_COUNT; k++) {
+        map_view v = map_view_at(k);
+        float apart = distance(v.center, end.position) * (1.5 - dot(v.axis, end.normal));
+        nearest = apart < least ? k : nearest;
+        least = min(apart, least);
+    }
+    return visibility_from(nearest, s.position, s.normal, end.position);
+#else
+    return 1.0;
+#endif
+}
+
+vec3 from_light(surface s, shine seen, vec3 direction, float far, int index, float jitter) {
+    light l = light_at(index);
+    light_view v = light_view_at(light_view_index(l, s.position - l.position));
+    vec3 origin = s.position + s.normal * (1.5 * march_texel(v, s.position));
+    march_hit hit = light_march(l, origin, direction, far, jitter);
+    if (!hit.found)
+        return vec3(0.0);
+    float area;
+    vec3 sent = sent_back(l, hit, -direction, seen.alpha, area);
+    vec3 path = hit.end.position - s.position;
+    float distance2 = dot(path, path);
+    vpl_share shares = vpl_share_at(index);
+    area *= shares.measure;
+    // As of VPLs, what is near counts as unoccluded.
+    float near = near_share(distance2, area, shares.reach);
+    gloss_samples there = gloss_samples_at(seen, direction, -dot(hit.end.normal, direction), distance2, params.rays,
+                                           area * params.vpl_weight);
+    return sent * (gloss_share(there.rays, there.vpls) * mix(arrives(s, hit.end), 1.0, near));
+}
+
+void main() {
+    radiance = vec4(0.0);
+    ivec2 pixel;
+    if (!receiver_pixel(params.pattern, slot.zw, pixel))
+        return;
+    surface s = receiver_surface(pixel);
+    if (!s.present)
+        return;
+    shine seen = gbuffer_shine(s, pixel);
+    if (seen.f90 == vec3(0.0))
+        return;
+    bool all_lights = is_smooth(seen.alpha);
+    int count = all_lights ? light_count : pick_count;
+    for (int ray = 0; ray < params.rays; ray++) {
+        vec2 place = sample_of(pixel, ray);
+        vec3 direction = lobe_sample(seen, place);
+        float density = lobe_density(seen, direction);
+        if (dot(direction, s.normal) <= 0.0 || density <= 0.0)
+            continue;
+        float far = farthest(s.position, direction);
+        vec3 share = specular_brdf(seen, direction) / density, sum = vec3(0.0);
+        for (int i = 0; i < count; i++) {
+            vec2 pick = all_lights ? vec2(float(i), 1.0) : picks[i];
+            sum += pick.y * from_light(s, seen, direction, far, int(pick.x), fract(17.0 * (place.x + place.y)));
+        }
+        radiance.rgb += sum * share;
+    }
+    radiance.rgb *= params.scale / float(params.rays);
+}

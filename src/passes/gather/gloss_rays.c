@@ -1,0 +1,101 @@
+#include "passes/gather/gloss_rays.h"
+
+#include "base/memory.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/gloss_rays.h"
+#include "shared/lookup.h"
+
+#include <cglm/vec3.h>
+#include <stdlib.h>
+
+static bool init_program(struct gloss_rays_pass *pass) {
+    const struct light_layout *lights = &pass->desc.lights;
+    int kinds = (lights->views[LIGHT_MAP_SINGLE] > 0) << LIGHT_MAP_SINGLE |
+                (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
+    int room = lights->lights > 0 ? lights->lights : 1; /* GLSL has no empty arrays */
+    char *lookup = visibility_defines(&pass->desc.visibility);
+    char *defines =
+        mem_printf("%s;LIGHTS %d;MAP_KINDS %d;RECEIVERS %d;VAL_COUNT %d", lookup, room, kinds,
+                   RECEIVERS_ALL, pass->desc.has_maps ? pass->desc.visibility.map_count : 0);
+    bool ok = program_init(&pass->program, &(struct program_desc){
+                                               .vertex = "fullscreen.vert",
+                                               .fragment = "gather/gloss_rays.frag",
+                                               .defines = defines,
+                                           });
+    free(lookup);
+    free(defines);
+    return ok;
+}
+
+bool gloss_rays_pass_init(struct gloss_rays_pass *pass, const struct gloss_rays_desc *desc) {
+    *pass = (struct gloss_rays_pass){.desc = *desc};
+    light_picks_init(&pass->picks, &desc->lights);
+    if (init_program(pass) &&
+        buffer_init(&pass->params, "parameters of rays", sizeof(struct gloss_rays_params), NULL) &&
+        buffer_init(&pass->lookup_params, "lookup parameters", sizeof(struct lookup_params), NULL))
+        return true;
+    gloss_rays_pass_free(pass);
+    return false;
+}
+
+void gloss_rays_pass_free(struct gloss_rays_pass *pass) {
+    program_free(&pass->program);
+    buffer_free(&pass->params);
+    buffer_free(&pass->lookup_params);
+    light_picks_free(&pass->picks);
+    *pass = (struct gloss_rays_pass){0};
+}
+
+static void write_params(const struct gloss_rays_pass *pass, const struct frame *frame,
+                         const struct irradiance *radiance) {
+    int slots = radiance->interleave * radiance->interleave;
+    struct gloss_rays_params params = {
+        .pattern = irradiance_pattern(radiance),
+        .scale = frame->irradiance_scale,
+        .rays = pass->desc.rays,
+        .first = frame->pass * pass->desc.rays,
+        .vpl_weight = (float)slots,
+    };
+    glm_vec3_copy((float *)frame->bounds_min, params.bounds_min);
+    glm_vec3_copy((float *)frame->bounds_max, params.bounds_max);
+    buffer_write(&pass->params, 0, sizeof params, &params);
+}
+
+void gloss_rays_pass_render(const struct gloss_rays_pass *pass, const struct frame *frame,
+                            const struct gbuffer *gbuffer, const struct gloss_rays_inputs *inputs) {
+    const struct irradiance *radiance = inputs->radiance;
+    struct pass_state state = {
+        .name = "rays of gloss",
+        .program = pass->program,
+        .framebuffer = radiance->framebuffer,
+        .width = radiance->texture.desc.width,
+        .height = radiance->texture.desc.height,
+        .blend = PASS_BLEND_ADD,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                     {UNIT_GBUFFER_GLOSS, gbuffer->gloss.id}},
+        .blocks = {{BLOCK_VIEW, frame->view},
+                   {BLOCK_LIGHTS, frame->lights},
+                   {BLOCK_VPL_SHARES, inputs->shares},
+                   {BLOCK_PASS, &pass->params}},
+    };
+    int n = radiance->interleave;
+    rsm_add(&state, inputs->rsm);
+    for (GLuint kind = 0; kind < LIGHT_MAP_KINDS; kind++) /* as rsm_add */
+        pass_add_texture(&state, UNIT_RSM_GLOSS + kind,
+                         inputs->rsm[inputs->rsm[kind].layers ? kind : !kind].gloss.id);
+    if (pass->desc.has_maps)
+        visibility_add(&state, &pass->desc.visibility, &pass->lookup_params, &inputs->visibility);
+    write_params(pass, frame, radiance);
+    int picked = light_picks_deal(&pass->picks, frame, n * n);
+    pass_begin(frame->timers, &state);
+    for (int slot = 0; slot < n * n; slot++) {
+        pass_viewport(slot % n * radiance->tile_width, slot / n * radiance->tile_height,
+                      radiance->tile_width, radiance->tile_height);
+        gl.ProgramUniform4i(pass->program, LOCATION_SLOT, 0, 0, slot % n, slot / n);
+        light_picks_set(&pass->picks, slot, picked, pass->program);
+        pass_draw_fullscreen(1);
+    }
+    pass_end(frame->timers);
+}
