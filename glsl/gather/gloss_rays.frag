@@ -67,7 +67,7 @@ vec3 sent_back(light l, march_hit hit, vec3 to_receiver, float receiver_alpha, o
     return hit_reflects(hit, -incoming, to_receiver, cosine, receiver_alpha) * power / distance2;
 }
 
-// What VALs know to hide the hit surface: that is seldom lit, as what is lit has stopped the ray.
+// What VALs know to hide the end of a ray that was in the dark in between.
 float arrives(surface s, surface end) {
 #if VAL_COUNT > 0
     int nearest = 0;
@@ -97,11 +97,12 @@ vec3 from_light(surface s, shine seen, vec3 direction, float far, int index, flo
     float distance2 = dot(path, path);
     vpl_share shares = vpl_share_at(index);
     area *= shares.measure;
-    // As of VPLs, what is near counts as unoccluded.
-    float near = near_share(distance2, area, shares.reach);
+    float visible = 1.0;
+    for (int dark = hit.in_light ? 0 : 1; dark > 0; dark--) // what is near counts as unoccluded, as of VPLs
+        visible = mix(arrives(s, hit.end), 1.0, near_share(distance2, area, shares.reach));
     gloss_samples there = gloss_samples_at(seen, direction, -dot(hit.end.normal, direction), distance2, params.rays,
                                            area * params.vpl_weight);
-    return sent * (gloss_share(there.rays, there.vpls) * mix(arrives(s, hit.end), 1.0, near));
+    return sent * (gloss_share(there.rays, there.vpls) * visible);
 }
 
 void main() {

@@ -39,6 +39,7 @@ float march_texel(light_view v, vec3 position) {
 
 struct march_hit {
     bool found;
+    bool in_light; // all of the ray was: nothing hides its end
     surface end;
     light_view seen_by;
     ivec2 texel;
@@ -46,7 +47,7 @@ struct march_hit {
 };
 
 // Whether the ray goes through the surface that the look's texel has, and not past its edge.
-bool march_meets(march_look look, vec3 position, out march_hit hit) {
+bool march_meets(march_look look, vec3 position, inout march_hit hit) {
     hit.seen_by = light_view_at(look.view_index);
     hit.texel = look.texel;
     hit.end = rsm_surface(hit.seen_by, look.texel);
@@ -72,6 +73,7 @@ march_hit light_march(light l, vec3 origin, vec3 direction, float farthest, floa
     float last = 0.0;
     march_hit hit;
     hit.found = false;
+    hit.in_light = !was_behind;
     for (int i = 0; i < MARCH_STEPS; i++) {
         float next = march_distance((float(i) + jitter + 1e-3) / float(MARCH_STEPS), farthest, from, to);
         bool is_behind = march_look_at(l, origin + next * direction).behind > 0.0;
@@ -94,6 +96,7 @@ march_hit light_march(light l, vec3 origin, vec3 direction, float farthest, floa
             }
             hit.found = false;
         }
+        hit.in_light = hit.in_light && !is_behind;
         was_behind = is_behind;
         last = next;
     }

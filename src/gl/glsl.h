@@ -11,7 +11,7 @@
 
 #include <stdbool.h>
 
-enum { GLSL_FILES_MAX = 64 };
+enum { GLSL_FILES_MAX = 128 };
 
 struct glsl_source {
     char *text;
