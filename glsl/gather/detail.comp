@@ -16,7 +16,8 @@ layout(std430, binding = STORAGE_LIST_COUNTS) buffer list_counts {
     uint counts[PIXEL_LISTS_MAX];
 };
 
-// Of the four pixels diagonally around it those that lie on the same surface: beside a straight edge two.
+// Of the four pixels diagonally around it those that lie on the same surface: beside a straight edge two, at a corner
+// three.
 int like_neighbours(surface s, ivec2 pixel, ivec2 size) {
     int like = 0;
     float height = view_height(camera, gbuffer_depth(pixel)), reach = params.distance * height;

@@ -14,7 +14,7 @@ STD140_SIZE(interleaving, 16)
 
 /* Lists of what gathers by itself, one a kind and place of the pattern, which has at most 8 x 8: pixels of each
  * grade, and further points of pixels. */
-#define PIXEL_GRADE_EDGE 0   /* beside a straight edge: half of the neighbours are like */
+#define PIXEL_GRADE_EDGE 0   /* at an edge or a corner: two or three of four neighbours are like */
 #define PIXEL_GRADE_DETAIL 1 /* fewer are */
 #define PIXEL_GRADES 2
 #define LIST_FURTHER 2 /* after the grades' */

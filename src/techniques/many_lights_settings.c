@@ -87,10 +87,10 @@ static const struct option gather_table[] = {
     {"detail-times", 0, OPTION_INT, ROW(gather, detail_times), 4, 1, 64,
      .help =
          "as many times as many VPLs again for those of whose neighbours fewer than two are like"},
-    {"detail-share", 0, OPTION_FLOAT, ROW(gather, detail_share), .75, 0, 1,
+    {"detail-share", 0, OPTION_FLOAT, ROW(gather, detail_share), 1, 0, 1,
      .help =
          "such are pixels of whose four neighbours, half the blur's radius away, fewer than this\n"
-         "share lie on the same surface; .5 leaves out straight edges"},
+         "share lie on the same surface; .75 leaves out corners, .5 straight edges too"},
     {"further-points", 0, OPTION_FLAG, ROW(gather, further_points), 1,
      .help = "with detail: a pixel that shows what no pixel near sees at its centre gathers there, "
              "too"},
