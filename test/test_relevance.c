@@ -59,6 +59,7 @@ static const struct {
     {"clustered", CHEAP "visibility=pcss clamp=disk blur.radius=0 caster.long=0"},
     {"clustered", CHEAP "visibility=hard detail=0"},
     {"instant-radiosity", CHEAP},
+    {"lightcuts", CHEAP "detail=0"},
 };
 
 static bool is_row_before(const struct relevance *row) {

@@ -7,7 +7,7 @@
 
 /* Every pixel takes every VPL and looks its own visibility up: in a small picture interleaving,
  * blur and blocks would hide all else; blocks of one pixel are a lookup for each VAL, not for each
- * of its VPLs. The frame has them. Edges are at pixel centres, as in the reference. */
+ * of its VPLs. The frames have them. Edges are at pixel centres, as in the reference. */
 #define EVERY_VPL "interleave=1,near-samples=1024,blur-radius=0,samples=1"
 
 const char *const failure_columns[FAILURE_COLUMNS] = {
@@ -16,6 +16,7 @@ const char *const failure_columns[FAILURE_COLUMNS] = {
     "instant-radiosity:technique=instant-radiosity," EVERY_VPL,
     "unshadowed:technique=unshadowed," EVERY_VPL,
     "frame:technique=clustered,samples=1",
+    "lightcuts:technique=lightcuts,samples=1",
 };
 
 #define OWN(name) "scenes/failures/" name ".glb"

@@ -6,8 +6,8 @@
 
 /* Passes whose cost goes with the lights; that of the others goes with the pixels. */
 static bool goes_with_lights(const char *path) {
-    static const char *const names[] = {"shadow map", "rsm",        "vpls",
-                                        "near light", "clustering", "maps"};
+    static const char *const names[] = {"shadow map", "rsm",  "vpls", "near light",
+                                        "clustering", "maps", "tree"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strstr(path, names[i]))
             return true;

@@ -24,6 +24,8 @@ const struct relevance relevances[] = {
     {"gather.detail-times", "gather.detail>0"},
     {"gather.detail-share", "blur.radius!=0"},
     {"gather.detail-share", "gather.detail>0"},
+    {"lightcuts.detail-nodes", "blur.radius!=0"},
+    {"lightcuts.detail-nodes", "gather.detail>0"},
     {"blur.separable", "blur.radius!=0"},
     {"blur.distance", "blur.radius!=0"},
     {"caster.bend", "caster.long>0"},
