@@ -12,8 +12,8 @@
 /* A debug context of that kind that is current; the test is skipped where there is none. */
 struct context *open_context(enum context_kind kind);
 
-/* For cmocka_run_group_tests: one context for all tests of the group, and at its end no GL message
- * and nothing left in GPU memory. */
+/* For cmocka_run_group_tests: one context for all tests of the group; the program fails where OpenGL had
+ * something to say, or an object or a byte of GPU memory is left at its end. */
 int open_group_context(void **state);
 int close_group_context(void **state);
 

@@ -175,6 +175,13 @@ bool program_init(GLuint *program, const struct program_desc *desc) {
     return cached != NULL;
 }
 
+int program_use_count(void) {
+    int count = 0;
+    for (int i = 0; i < gl.programs->count; i++)
+        count += gl.programs->entries[i].uses;
+    return count;
+}
+
 void program_free(GLuint *program) {
     if (!*program)
         return;

@@ -21,6 +21,9 @@ struct program_desc {
 bool program_init(GLuint *program, const struct program_desc *desc);
 void program_free(GLuint *program);
 
+/* How many programs of the current context nobody has freed. */
+int program_use_count(void);
+
 /* For contexts: what they keep. Freed without the programs, which end with the context; accepts
  * NULL.
  */
