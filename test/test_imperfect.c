@@ -110,7 +110,7 @@ static void test_solid_angle(void **state) {
         desc_of(&stage, name,
                 "vpls=16 interleave=4 imperfect-shadow-maps.size=256 sets=1 "
                 "imperfect-shadow-maps.points=256 imperfect-shadow-maps.scale=.15 "
-                "imperfect-shadow-maps.near-clip=0",
+                "near-clip=0",
                 16, 16);
     open_renderer(&renderer, &desc);
     renderer_outputs(&renderer, &outputs);

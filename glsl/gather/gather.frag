@@ -3,16 +3,14 @@
 // A draw fills one tile: the pixels of one place in the interleaving pattern, which share their VPLs
 // [Segovia et al. 2006].
 #include "lib/gbuffer.glsl"
-#include "gather/near_field.glsl"
 #include "gather/receiver.glsl"
-#include "gather/sphere.glsl"
 #if CUTS
 #include "gather/cut.glsl"
 #else
 #include "lib/vpl_block.glsl"
 #endif
 #include "visibility/visibility.glsl"
-#include "shared/gather.h"
+#include "gather/geometry_term.glsl"
 #if SHARE_VISIBILITY
 #include "gather/block.glsl"
 #endif
@@ -36,38 +34,13 @@ const float INVERSE_PI = 0.31830988618;
 #include "gather/rectangle.glsl"
 #endif
 
-// cos_i cos_x / d^2, bounded as the setting says: near a VPL the point light is no longer the patch
-// that it stands for.
-//
-// The near field counts as unoccluded, within the VPL's reach: with TAKE_BACK `back` is what of it is wrong
-// where the VPL does not arrive, but for what lies within a smaller reach, which bounds it. The mean over VPLs
-// is then biased by the smaller reach alone, while the larger one bounds the light of VPLs that arrive.
-float geometry_term(int i, vec3 to_vpl, vec3 normal, vpl light, out float back) {
+// Of light i: what geometry_term has of points and balls, or of its rectangle.
+float light_term(int i, vec3 to_light, vec3 normal, vpl light, out float back) {
+#if CLAMP >= 5
     back = 0.0;
-#if CLAMP == 4
-    return sphere_term(to_vpl, normal, light.normal, params.sphere2 * light.area);
-#elif CLAMP >= 5
-    return rectangle_term(i, to_vpl, normal, light);
-#endif
-    float distance2 = dot(to_vpl, to_vpl);
-    float cosines = max(dot(normal, to_vpl), 0.0) * max(-dot(light.normal, to_vpl), 0.0);
-    if (cosines <= 0.0)
-        return 0.0;
-#if CLAMP == 0
-    return cosines / (distance2 * distance2);
-#elif CLAMP == 1
-    return min(cosines / (distance2 * distance2), params.clamp_at);
-#elif CLAMP == 2
-    // The form factor of a disk of the VPL's area, facing the receiver.
-    return cosines / (distance2 * (distance2 + light.area * INVERSE_PI));
+    return rectangle_term(i, to_light, normal, light);
 #else
-    // The near field comes from the reflective shadow map.
-    float far = 1.0 - near_share(distance2, light.area, light.reach);
-#if TAKE_BACK
-    float bounded = 1.0 - near_share(distance2, light.area, light.reach * params.unoccluded);
-    back = cosines * max(bounded - far, 0.0) / (distance2 * distance2);
-#endif
-    return cosines * far / (distance2 * distance2);
+    return geometry_term(to_light, normal, light, back);
 #endif
 }
 
@@ -108,7 +81,7 @@ vec3 unshadowed(int i, vpl light, surface s, out vec3 back) {
     back = -reflected * near_share(dot(to_vpl, to_vpl), light.area, light.reach);
     return reflected;
 #endif
-    vec3 light_there = light.flux * geometry_term(i, light.position - s.position, s.normal, light, share);
+    vec3 light_there = light.flux * light_term(i, light.position - s.position, s.normal, light, share);
     back = light.flux * share;
     return light_there;
 }

@@ -110,6 +110,7 @@
 #define ATTRIBUTE_VPL_NORMAL 1
 #define ATTRIBUTE_VPL_FLUX 2
 #define ATTRIBUTE_VPL_POINT 0
+#define ATTRIBUTE_ROW_PLACE 0
 
 /* Targets: the one of most shaders, and those of shaders that write several. */
 #define TARGET_RESULT 0

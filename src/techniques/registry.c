@@ -11,6 +11,7 @@
     X(imperfect_shadow_maps)                                                                       \
     X(instant_radiosity)                                                                           \
     X(lightcuts)                                                                                   \
+    X(row_column)                                                                                  \
     X(unshadowed)
 
 #ifndef MORE_TECHNIQUES

@@ -23,7 +23,11 @@ int vpl_maps_render_batch(struct vpl_maps *maps, const struct frame *frame,
     return count;
 }
 
-static struct visibility_inputs batch_inputs(const struct vpl_maps *maps) {
+void vpl_maps_drop(struct vpl_maps *maps) {
+    maps->held = NULL;
+}
+
+struct visibility_inputs vpl_maps_inputs(const struct vpl_maps *maps) {
     return (struct visibility_inputs){.views = &maps->views.views, .depth = maps->desc.maps};
 }
 
@@ -33,29 +37,34 @@ static void render_bounce(struct vpl_maps *maps, struct many_lights *lights,
     bounce_pass_begin(&lights->bounce);
     for (int first = 0, count; (count = vpl_maps_render_batch(maps, frame, vpls, first)) > 0;
          first += count) {
-        struct bounce_inputs inputs = {vpls, first, count, batch_inputs(maps)};
+        struct bounce_inputs inputs = {vpls, first, count, vpl_maps_inputs(maps)};
         if (bounce == 2 && first == 0)
             bounce_pass_pick(&lights->bounce, frame, &inputs);
         bounce_pass_gather(&lights->bounce, frame, &inputs);
     }
     many_lights_end_bounce(lights, frame, bounce);
     /* The points' spread, which their near clip is measured by, is another now. */
-    maps->held = NULL;
+    vpl_maps_drop(maps);
+}
+
+void vpl_maps_render_vpls(struct vpl_maps *maps, struct many_lights *lights,
+                          const struct frame *frame) {
+    many_lights_render_vpls(lights, frame);
+    vpl_maps_drop(maps);
+    for (int bounce = 2; bounce <= lights->bounces; bounce++)
+        render_bounce(maps, lights, frame, bounce);
 }
 
 void vpl_maps_render_lights(struct vpl_maps *maps, struct many_lights *lights,
                             const struct frame *frame) {
-    many_lights_render_vpls(lights, frame);
-    maps->held = NULL;
-    for (int bounce = 2; bounce <= lights->bounces; bounce++)
-        render_bounce(maps, lights, frame, bounce);
+    vpl_maps_render_vpls(maps, lights, frame);
     if (lights->bounces == 1 && lights->vpls.count <= maps->desc.maps->count)
         vpl_maps_render_batch(maps, frame, &lights->vpls, 0);
 }
 
-static void gather(struct vpl_maps *maps, const struct many_lights *lights,
-                   const struct vpl_buffer *vpls, bool further, const struct frame *frame,
-                   const struct gbuffer *gbuffer) {
+void vpl_maps_gather(struct vpl_maps *maps, const struct many_lights *lights,
+                     const struct vpl_buffer *vpls, bool further, const struct frame *frame,
+                     const struct gbuffer *gbuffer) {
     for (int first = 0, count; (count = vpl_maps_render_batch(maps, frame, vpls, first)) > 0;
          first += count)
         many_lights_gather(lights, frame, gbuffer,
@@ -63,14 +72,14 @@ static void gather(struct vpl_maps *maps, const struct many_lights *lights,
                                                    .first = first,
                                                    .count = count,
                                                    .further = further,
-                                                   .visibility = batch_inputs(maps)});
+                                                   .visibility = vpl_maps_inputs(maps)});
 }
 
 void vpl_maps_render_view(struct vpl_maps *maps, const struct many_lights *lights,
                           const struct frame *frame, const struct gbuffer *gbuffer) {
     many_lights_begin(lights, frame, gbuffer);
-    gather(maps, lights, &lights->vpls, false, frame, gbuffer);
+    vpl_maps_gather(maps, lights, &lights->vpls, false, frame, gbuffer);
     if (lights->bounces > 1)
-        gather(maps, lights, &lights->bounce.vpls, true, frame, gbuffer);
+        vpl_maps_gather(maps, lights, &lights->bounce.vpls, true, frame, gbuffer);
     many_lights_finish(lights, frame, gbuffer);
 }

@@ -28,13 +28,28 @@ struct vpl_maps {
 bool vpl_maps_init(struct vpl_maps *maps, const struct vpl_maps_desc *desc);
 void vpl_maps_free(struct vpl_maps *maps);
 
-/* As technique->render_lights: RSM and VPLs of all bounces; and their maps, where one batch is all. */
+/* RSM and VPLs of all bounces; no maps are held then. */
+void vpl_maps_render_vpls(struct vpl_maps *maps, struct many_lights *lights,
+                          const struct frame *frame);
+
+/* As technique->render_lights: the same, and the VPLs' maps, where one batch is all. */
 void vpl_maps_render_lights(struct vpl_maps *maps, struct many_lights *lights,
                             const struct frame *frame);
 
 /* Makes the maps of VPLs first .. of the next batch. Returns how many they are; 0 after the last. */
 int vpl_maps_render_batch(struct vpl_maps *maps, const struct frame *frame,
                           const struct vpl_buffer *vpls, int first);
+
+/* What is looked up then. */
+struct visibility_inputs vpl_maps_inputs(const struct vpl_maps *maps);
+
+/* For VPLs that have changed: none is held. */
+void vpl_maps_drop(struct vpl_maps *maps);
+
+/* Gathers the light of such VPLs, batch by batch. */
+void vpl_maps_gather(struct vpl_maps *maps, const struct many_lights *lights,
+                     const struct vpl_buffer *vpls, bool further, const struct frame *frame,
+                     const struct gbuffer *gbuffer);
 
 /* As technique->render_view. */
 void vpl_maps_render_view(struct vpl_maps *maps, const struct many_lights *lights,

@@ -80,8 +80,8 @@ static const float neighbours = 10;
 /* A pixel this far off a block's plane, over the picture's height there, looks itself up. */
 static const float block_apart = 0.008f;
 
-static void write_params(const struct gather_pass *pass, const struct frame *frame,
-                         const struct gather_inputs *inputs) {
+void gather_pass_write_params(const struct gather_pass *pass, const struct frame *frame,
+                              const struct gather_inputs *inputs) {
     const struct gather_desc *desc = &pass->desc;
     bool listed = desc->receivers == RECEIVERS_LISTED;
     struct gather_params params = {
@@ -201,7 +201,7 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
     if (pass->desc.cuts)
         add_cuts(&state, inputs->cuts);
     visibility_add(&state, &pass->desc.visibility, &pass->lookup_params, &inputs->visibility);
-    write_params(pass, frame, inputs);
+    gather_pass_write_params(pass, frame, inputs);
     pass_begin(frame->timers, &state);
     draw_all(pass, inputs);
     pass_end(frame->timers);

@@ -76,6 +76,10 @@ struct gather_inputs {
     const struct pixel_lists *lists;         /* unless desc.receivers is RECEIVERS_ALL */
 };
 
+/* Fills pass->params, for others who take light as it does (gather/geometry_term.glsl). */
+void gather_pass_write_params(const struct gather_pass *pass, const struct frame *frame,
+                              const struct gather_inputs *inputs);
+
 /* Adds the VPLs' light to pass->irradiance. Timer "gather", "gather of detail" or
  * "gather of gloss". */
 void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,

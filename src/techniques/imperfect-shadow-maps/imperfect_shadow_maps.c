@@ -12,7 +12,7 @@
 
 struct imperfect_settings {
     int size, points, sets, shape;
-    float scale, near_clip;
+    float scale, set_back;
 };
 
 #define ROW(name) offsetof(struct imperfect_settings, name)
@@ -31,9 +31,8 @@ static const struct option table[] = {
          "or such with the holes between them closed by pull and push, as published"},
     {"scale", 0, OPTION_FLOAT, ROW(scale), 1, .01, 8,
      .help = "radius of what is drawn, over that of what a point stands for"},
-    {"near-clip", 0, OPTION_FLOAT, ROW(near_clip), .025, 0, 1,
-     .help = "points nearer to a VPL are ignored, over the spread of the VPLs; at most their\n"
-             "spacing there"},
+    {"set-back", 0, OPTION_FLOAT, ROW(set_back), 0, 0, 8,
+     .help = "how far disks are set back, over their radius"},
     {NULL},
 };
 
@@ -75,6 +74,7 @@ static const struct depth_maps *final_maps(const struct imperfect *technique) {
 static bool init(void **state, const struct technique_desc *desc) {
     const struct imperfect_settings *own = settings_of(desc->settings, &own_part);
     const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
+    const struct map_settings *map = settings_of(desc->settings, &map_part);
     struct imperfect *technique = *state = mem_alloc(1, sizeof *technique);
     int batch = lights->vpls < MAP_VIEWS_MAX ? lights->vpls : MAP_VIEWS_MAX;
     enum visibility_lookup lookup =
@@ -86,6 +86,7 @@ static bool init(void **state, const struct technique_desc *desc) {
         .size = own->size,
         .count = batch,
         .scale = own->scale,
+        .set_back = own->set_back,
         .shape = own->shape == SHAPE_DISK ? SPLAT_DISK : SPLAT_SQUARE,
     };
     technique->filled = own->shape == SHAPE_FILLED;
@@ -93,7 +94,7 @@ static bool init(void **state, const struct technique_desc *desc) {
            splat_pass_init(&technique->splat, &splat) &&
            (!technique->filled || fill_pass_init(&technique->fill, own->size, batch)) &&
            vpl_maps_init(&technique->maps,
-                         &(struct vpl_maps_desc){own->near_clip, final_maps(technique), render_maps,
+                         &(struct vpl_maps_desc){map->near_clip, final_maps(technique), render_maps,
                                                  technique});
 }
 
@@ -124,8 +125,8 @@ static void outputs(const void *state, struct output_list *outputs) {
                                          OUTPUT_MAP_DEPTH, final_maps(technique)});
 }
 
-static const struct settings_part *const parts[] = {&lights_part, &own_part,  &lookup_part,
-                                                    &gather_part, &blur_part, NULL};
+static const struct settings_part *const parts[] = {
+    &lights_part, &own_part, &map_part, &lookup_part, &gather_part, &blur_part, NULL};
 
 static const struct preset presets[] = {
     MANY_LIGHTS_FAST,

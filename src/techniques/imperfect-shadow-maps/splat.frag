@@ -21,7 +21,8 @@ void main() {
     if (!inside)
         discard;
     float distance = place_and_depth.z * radius_and_unit.y;
-    gl_FragDepth = clamp(met, 0.5 * distance, 2.0 * distance) / radius_and_unit.y;
+    float behind = params.set_back * radius_and_unit.x;
+    gl_FragDepth = (clamp(met, 0.5 * distance, 2.0 * distance) + behind) / radius_and_unit.y;
     normal_code = octahedral_encode(normal);
 }
 #else

@@ -1,0 +1,22 @@
+// The rows of the matrix of pixels x VPLs: fragment (i, j) is the light that pixel j has of VPL i, as the gather takes it,
+// where the pixel's map sees the VPL.
+#include "gather/geometry_term.glsl"
+#include "lib/vpl_texels.glsl"
+#include "visibility/visibility.glsl"
+
+// The columns of the VPLs begin at x, those of the maps' pixels at y.
+layout(location = LOCATION_SLOT) uniform ivec4 first;
+
+layout(location = TARGET_RESULT) out vec4 light;
+
+void main() {
+    ivec2 texel = ivec2(gl_FragCoord.xy) - first.xy;
+    vpl v = vpl_at(texel.x);
+    map_view pixel = map_view_at(texel.y);
+    float back;
+    vec3 arriving = v.flux * geometry_term(v.position - pixel.center, pixel.axis, v, back);
+    float visible = 1.0;
+    for (int lit = arriving != vec3(0.0) ? 1 : 0; lit > 0; lit--)
+        visible = visibility(texel.y, v.position, v.normal);
+    light = vec4(arriving * visible, 0.0);
+}
