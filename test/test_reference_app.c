@@ -35,6 +35,8 @@ static void test_usage(void **state) {
         {"scenes/sphere.glb -o x.exr --technique vpl-raytraced --denoise", "--denoise is for", 2},
         {"scenes/sphere.glb -o x.exr --technique lightcuts --tolerance -1%",
          "'-1%' is not a number from 0 to 1", 2},
+        {"scenes/sphere.glb -o x.exr --technique vpl-raytraced --compensation 4",
+         "--compensation is for", 2},
         {"scenes/sphere.glb -o x.exr --set vpls=64", "vpl-raytraced and lightcuts", 2},
         {"no-such.glb -o x.exr", "no-such.glb", 1},
         {"scenes/sphere.glb -o x.exr --light sun", "no light 'sun'", 1},

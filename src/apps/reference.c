@@ -6,6 +6,7 @@
 #include "base/progress.h"
 #include "measure/stage.h"
 #include "measure/picture.h"
+#include "techniques/many_lights.h"
 #include "metrics/quantile.h"
 #include "reference/channels.h"
 #include "scene/material.h"
@@ -31,7 +32,7 @@ struct values {
     struct text_list settings;
     const char *output;
     float noise, tolerance;
-    int technique;
+    int technique, compensation;
 };
 
 OPTION_ASSERT_SIZE(struct path_tracer_desc, width, height);
@@ -49,6 +50,10 @@ static const struct option options[] = {
      .value_name = "X%",
      .help = "lightcuts: no node of a cut is off by more than this share of a pixel's sum; 0 = all "
              "VPLs"},
+    {"compensation", 0, OPTION_INT, offsetof(struct values, compensation), 0, 0, 1e6,
+     .help = "vpl-raytraced and lightcuts with --set clamp=value: so many rays of each pixel find "
+             "what\n"
+             "the bound takes, which makes the sum exact on average; 0 = none"},
     {"set", 0, OPTION_LIST, offsetof(struct values, settings), .value_name = "KEY=VALUE",
      .help = "a setting of the VPLs (manylight render --help): vpls, seed, clamp ...; repeatable"},
     {"bounces", 0, OPTION_INT, offsetof(struct values, tracer.bounces), 1, 0, 1000,
@@ -160,13 +165,15 @@ static bool trace_vpls(const struct values *values, const struct stage *stage,
                        struct measure_desc *desc, struct image *image) {
     struct context *context = context_create(&values->context);
     struct vpl_sum_cuts cuts = {.tolerance = values->tolerance, .seed = values->tracer.seed};
+    struct vpl_sum_compensation compensation = {values->compensation, values->tracer.seed};
     bool cut = values->technique == TECHNIQUE_LIGHTCUTS;
     struct progress progress;
     if (!context)
         return false;
     desc->stage = stage;
     progress_start(&progress);
-    bool ok = picture_trace(desc, cut ? &cuts : NULL, &progress, image);
+    bool ok = picture_trace(desc, cut ? &cuts : NULL, compensation.rays ? &compensation : NULL,
+                            &progress, image);
     double seconds = progress_end(&progress);
     if (ok)
         log_note("VPLs summed in %.1f s", seconds);
@@ -176,12 +183,20 @@ static bool trace_vpls(const struct values *values, const struct stage *stage,
     return ok;
 }
 
+static bool check_compensation(const struct values *values, const struct measure_desc *desc) {
+    const struct gather_settings *gather = settings_of(&desc->settings, &gather_part);
+    return values->compensation == 0 ||
+           (values->technique != TECHNIQUE_PATH && gather->clamp == GATHER_CLAMP_VALUE) ||
+           error_set("--compensation is for --technique vpl-raytraced and lightcuts with "
+                     "--set clamp=value");
+}
+
 static bool parse_settings(const struct values *values, struct measure_desc *desc) {
     *desc = measure_default(NULL, values->tracer.width, values->tracer.height);
     if (values->technique == TECHNIQUE_PATH && values->settings.count)
         return error_set("--set is for --technique vpl-raytraced and lightcuts");
     return measure_assign_all(desc, values->settings.items, values->settings.count) &&
-           measure_check(desc);
+           measure_check(desc) && check_compensation(values, desc);
 }
 
 int app_reference(int argc, char **argv) {

@@ -97,10 +97,11 @@ static bool trace_centers(const struct run *run, const struct measure_desc *desc
 static bool need(struct run *run, int standard) {
     struct image *image = &run->standards[standard];
     struct measure_desc exact = *run->desc;
-    return image->pixels || (standard == TRUTH     ? truth_get(run->truth, run->desc, image)
-                             : standard == CENTERS ? trace_centers(run, run->desc, image)
-                                                   : measure_assign(&exact, HARD) &&
-                                                         picture_trace(&exact, NULL, NULL, image));
+    return image->pixels ||
+           (standard == TRUTH ? truth_get(run->truth, run->desc, image)
+            : standard == CENTERS
+                ? trace_centers(run, run->desc, image)
+                : measure_assign(&exact, HARD) && picture_trace(&exact, NULL, NULL, NULL, image));
 }
 
 static bool add_errors(struct run *run, unsigned against, const struct image *picture) {
@@ -119,7 +120,7 @@ static bool measure_picture(struct run *run, const struct step *step,
     struct image picture = {0};
     log_note("%s: %s %s", desc->stage->name, desc->variant, desc->point);
     bool ok = !step->settings ? trace_centers(run, desc, &picture)
-              : step->traced  ? picture_trace(desc, NULL, NULL, &picture)
+              : step->traced  ? picture_trace(desc, NULL, NULL, NULL, &picture)
                               : picture_render(desc, &picture);
     if (ok) {
         results_begin(run->results, desc);

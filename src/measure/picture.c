@@ -35,15 +35,17 @@ static bool show(void *user, double done) {
     return true;
 }
 
+/* Of shapes of light that only the gather knows, the disk. */
 static const enum geometry_bound bounds[] = {
-    [GATHER_CLAMP_NONE] = GEOMETRY_UNBOUNDED,
-    [GATHER_CLAMP_VALUE] = GEOMETRY_CLAMPED,
-    [GATHER_CLAMP_DISK] = GEOMETRY_DISK,
-    [GATHER_CLAMP_NEAR] = GEOMETRY_DISK,
+    [GATHER_CLAMP_NONE] = GEOMETRY_UNBOUNDED,      [GATHER_CLAMP_VALUE] = GEOMETRY_CLAMPED,
+    [GATHER_CLAMP_DISK] = GEOMETRY_DISK,           [GATHER_CLAMP_NEAR] = GEOMETRY_DISK,
+    [GATHER_CLAMP_SPHERE] = GEOMETRY_DISK,         [GATHER_CLAMP_RECTANGLE] = GEOMETRY_DISK,
+    [GATHER_CLAMP_RECTANGLE_NEAR] = GEOMETRY_DISK,
 };
 
 bool picture_trace(const struct measure_desc *desc, const struct vpl_sum_cuts *cuts,
-                   struct progress *progress, struct image *image) {
+                   const struct vpl_sum_compensation *compensation, struct progress *progress,
+                   struct image *image) {
     const struct stage *stage = desc->stage;
     struct lights lights;
     *image = (struct image){0};
@@ -64,6 +66,7 @@ bool picture_trace(const struct measure_desc *desc, const struct vpl_sum_cuts *c
                                .term = {.bound = bounds[gather->clamp],
                                         .clamp_value = gather->clamp_value / (radius * radius)},
                                .cuts = cuts,
+                               .compensation = compensation,
                                .materials = surface->materials,
                                .progress = show,
                                .user = progress},

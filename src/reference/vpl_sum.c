@@ -3,6 +3,7 @@
 #include "reference/scene/emission.h"
 #include "reference/channels.h"
 #include "reference/light_cut.h"
+#include "reference/residual.h"
 #include "reference/rows.h"
 #include "reference/vector.h"
 #include "reference/primary.h"
@@ -109,6 +110,13 @@ static vec3s indirect_light(const struct summation *summation, const struct hit 
     return indirect;
 }
 
+static vec3s taken_light(const struct summation *summation, const struct hit *x, uint32_t pixel) {
+    const struct vpl_sum_compensation *compensation = summation->desc.compensation;
+    const struct residual residual = {&summation->rays, &summation->emission,
+                                      summation->desc.term.clamp_value, compensation->rays};
+    return residual_light(&residual, x, sampler_hash(compensation->seed, pixel));
+}
+
 /* Places on lights with a size, the same for all pixels: without noise, with steps in penumbrae. */
 static struct reflected direct_light(const struct summation *summation, const struct hit *x) {
     enum { PLACES = 64 };
@@ -124,6 +132,9 @@ static void render_pixel(const struct summation *summation, int px, int py, stru
         return;
     float *channels = image_at(summation->image, px, py);
     vec3s indirect = indirect_light(summation, &hit, cut, channels);
+    if (summation->desc.compensation)
+        indirect = glms_vec3_add(
+            indirect, taken_light(summation, &hit, (uint32_t)(py * summation->desc.width + px)));
     vec3s direct = direct_light(summation, &hit).diffuse, albedo = hit.brdf.albedo;
     write(&channels[CHANNEL_BEAUTY], glms_vec3_mul(albedo, glms_vec3_add(direct, indirect)));
     channels[CHANNEL_ALPHA] = 1;
@@ -150,7 +161,8 @@ static bool report(void *context, double done) {
 static struct vpl_sum_desc resolve(const struct vpl_sum_desc *desc) {
     struct vpl_sum_desc resolved = *desc;
     assert(desc->scene && desc->geometry && desc->camera && (desc->vpls || desc->vpl_count == 0));
-    assert(desc->term.bound != GEOMETRY_CLAMPED || desc->term.clamp_value > 0);
+    assert(desc->term.bound != GEOMETRY_CLAMPED || desc->term.clamp_value >= 0);
+    assert(!desc->compensation || desc->term.bound == GEOMETRY_CLAMPED);
     if (resolved.width == 0)
         resolved.width = 800;
     if (resolved.height == 0)

@@ -23,6 +23,12 @@ struct vpl_sum_cuts {
     uint32_t seed;   /* of the choice of representatives */
 };
 
+/* What the bound takes is added, found by rays (reference/residual.h): the sum is then without bias. */
+struct vpl_sum_compensation {
+    int rays;      /* of a pixel */
+    uint32_t seed; /* another one, another noise */
+};
+
 /* Zero is the default of all but the first five. */
 struct vpl_sum_desc {
     const struct scene *scene; /* its materials and textures */
@@ -33,8 +39,9 @@ struct vpl_sum_desc {
     struct emitters emitters; /* for the direct layer; may be none */
     int width, height;        /* default 800 */
     struct geometry_term term;
-    bool unshadowed;                 /* V = 1 */
-    const struct vpl_sum_cuts *cuts; /* NULL: none, each pixel sums all VPLs */
+    bool unshadowed;                                 /* V = 1 */
+    const struct vpl_sum_cuts *cuts;                 /* NULL: none, each pixel sums all VPLs */
+    const struct vpl_sum_compensation *compensation; /* of GEOMETRY_CLAMPED; NULL: none */
     /* Rays end this far above a VPL's surface, metres: as far as its position may be off. Default:
      * a thousandth of the scene's radius. */
     float vpl_clearance;
