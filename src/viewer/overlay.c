@@ -127,8 +127,8 @@ static void draw_busy(const struct viewer *viewer) {
 }
 
 static void draw_help(struct viewer *viewer) {
-    float x = (float)viewer->shown.area.width / 2, y = (float)viewer->shown.area.height / 2;
-    ui_area_begin("help", UI_DIALOG, x, y, 0, 0);
+    const struct input *input = viewer->host.input;
+    ui_page_begin("help", (float)input->width, (float)input->height, 48, 62);
     ui_text(UI_TITLE, "Keys and mouse");
     ui_separator();
     controls_draw_help();

@@ -89,11 +89,8 @@ static void take(struct viewer *viewer, char *path) {
 static void draw_dialog(struct viewer *viewer) {
     struct file_dialog *dialog = &viewer->start.dialog;
     const struct input *input = viewer->host.input;
-    float line = ui_line_height(), width = (float)input->width, height = (float)input->height;
-    float w = width < 44 * line ? width - 2 * line : 42 * line;
-    float h = height < 34 * line ? height - 2 * line : 32 * line;
     int clicked = -1;
-    ui_area_begin("files", UI_PAGE, (width - w) / 2, (height - h) / 2, w, h);
+    ui_page_begin("files", (float)input->width, (float)input->height, 42, 32);
     ui_text(UI_TITLE, "Open");
     ui_text(UI_DIM, "%s", dialog->folder);
     bool closes = ui_button("Cancel", "Esc");

@@ -257,6 +257,14 @@ void ui_area_begin(const char *id, ui_area kind, float x, float y, float width, 
     ImGui::PopStyleColor();
 }
 
+void ui_page_begin(const char *id, float window_width, float window_height, float lines_wide,
+                   float lines_high) {
+    float width = std::min(units(lines_wide), window_width - units(2));
+    float height = std::min(units(lines_high), window_height - units(2));
+    ui_area_begin(id, UI_PAGE, (window_width - width) / 2, (window_height - height) / 2, width,
+                  height);
+}
+
 void ui_area_end(void) {
     ImGui::End();
 }

@@ -59,6 +59,11 @@ enum ui_area {
 void ui_area_begin(const char *id, enum ui_area kind, float x, float y, float width, float height);
 void ui_area_end(void);
 
+/* A UI_PAGE in the middle of a window of that size: so many lines wide and high, or as much as there is room
+ * for. ui_area_end ends it. */
+void ui_page_begin(const char *id, float window_width, float window_height, float lines_wide,
+                   float lines_high);
+
 /* A heading that opens and closes; whether it is open. */
 bool ui_section(const char *title, bool open_at_first);
 
