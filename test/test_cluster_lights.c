@@ -299,8 +299,9 @@ static void test_sums(void **state) {
         moved = fmax(moved, (double)glm_vec3_distance(lights[i].position, turned[i].position));
         grown = fmax(grown, fabs((double)(lights[i].area / turned[i].area) - 1));
     }
-    check_at_most("light moved by another order, metres", moved, 1e-4);
-    check_at_most("and grown", grown, 1e-3);
+    /* Rounding may decide about a point between two clusters: one of some 400. */
+    check_at_most("light moved by another order, metres", moved, 2e-3);
+    check_at_most("and grown", grown, 1e-2);
     free(vpls);
 }
 
@@ -358,11 +359,102 @@ static void test_falls(void **state) {
     check_falls("scenes/metaballs.glb", .06);
 }
 
+/* --- as published ----------------------------------------------------------------------------- */
+
+enum { PIXELS = 256 };
+
+/* A renderer's area lights, and what its camera sees, here and there. */
+struct published {
+    struct vpl *vpls, lights[LIGHT_RECTANGLES_MAX];
+    int vpl_count, light_count;
+    vec3 positions[PIXELS], normals[PIXELS];
+};
+
+static void see_pixels(struct published *p, const struct renderer *renderer,
+                       const struct image *layers) {
+    int channel = image_find_channel(layers, "normal.X");
+    for (int i = 0; i < PIXELS; i++) {
+        int x = (int)(radical_inverse(2, (uint32_t)i) * layers->width);
+        int y = (int)(radical_inverse(3, (uint32_t)i) * layers->height);
+        pixel_position(renderer, layers, x, y, p->positions[i]);
+        glm_vec3_copy((float *)image_at(layers, x, y) + channel, p->normals[i]);
+    }
+}
+
+static void open_published(struct published *p, const struct stage *stage, const char *settings) {
+    struct renderer_desc desc = desc_of(stage, "cluster-lights", settings, 64, 64);
+    struct renderer renderer;
+    struct output_list outputs;
+    struct image layers;
+    open_renderer(&renderer, &desc);
+    check_ok("layers", renderer_read_layers(&renderer, &layers));
+    renderer_outputs(&renderer, &outputs);
+    const struct vpl_buffer *lights = output_find(&outputs, "light")->source;
+    p->vpl_count = output_vpls(&outputs)->count;
+    p->vpls = read_vpls(&renderer);
+    p->light_count = lights->count;
+    buffer_read(&lights->buffer, 0, (size_t)lights->count * sizeof *p->lights, p->lights);
+    see_pixels(p, &renderer, &layers);
+    image_free(&layers);
+    renderer_free(&renderer);
+}
+
+/* What a light gives to the pixels where nothing is between. */
+static double importance(const struct published *p, const struct vpl *light) {
+    double sum = 0;
+    for (int j = 0; j < PIXELS; j++) {
+        vec3 to;
+        glm_vec3_sub((float *)light->position, (float *)p->positions[j], to);
+        double d2 = (double)glm_vec3_norm2(to);
+        double cosines = fmax((double)glm_vec3_dot((float *)p->normals[j], to), 0) *
+                         fmax(-(double)glm_vec3_dot((float *)light->normal, to), 0);
+        sum += fmin(cosines / (d2 * d2), 5);
+    }
+    return sum * (double)glm_vec3_norm((float *)light->flux);
+}
+
+/* As many lights of equal importance would be as even. */
+static double even_count(const struct published *p) {
+    double sum = 0, squares = 0;
+    for (int i = 0; i < p->light_count; i++) {
+        double of_light = importance(p, &p->lights[i]);
+        sum += of_light;
+        squares += of_light * of_light;
+    }
+    return sum * sum / squares;
+}
+
+/* Table 1 of [Prutkin 2012] has 75 of 256 clusters in use in its box. */
+static void test_published(void **state) {
+    (void)state;
+    static struct published paper, even;
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    open_published(&paper, &stage, "path=paper");
+    open_published(&even, &stage, "path=paper cluster-lights.seeds=even");
+    int used = 0;
+    for (int i = 0; i < paper.light_count; i++)
+        used += glm_vec3_norm(paper.lights[i].flux) > 0;
+    printf("  clusters in use: %d of %d\n", used, paper.light_count);
+    assert_true(used > 64);
+    for (int c = 0; c < 3; c++)
+        check_near("flux of all lights over that of all VPLs",
+                   summed_flux(paper.lights, paper.light_count, c) /
+                       summed_flux(paper.vpls, paper.vpl_count, c),
+                   1, 1e-4);
+    check_at_most("lights of equal importance, of even seeds over those by importance",
+                  even_count(&even) / even_count(&paper), .9);
+    free(paper.vpls);
+    free(even.vpls);
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_squares),  cmocka_unit_test(test_any),
-        cmocka_unit_test(test_sides),    cmocka_unit_test(test_sums),
-        cmocka_unit_test(test_one_each), cmocka_unit_test(test_falls),
+        cmocka_unit_test(test_squares),   cmocka_unit_test(test_any),
+        cmocka_unit_test(test_sides),     cmocka_unit_test(test_sums),
+        cmocka_unit_test(test_one_each),  cmocka_unit_test(test_falls),
+        cmocka_unit_test(test_published),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -87,8 +87,13 @@ vec3 unshadowed(int i, vpl light, surface s, out vec3 back) {
 }
 
 #if RECEIVERS == RECEIVERS_LISTED
-// VPLs of which two ask for all: most of the time goes there.
+// VPLs of which two ask for all: most of the time goes there. Of rectangles, which each stand for several VPLs and whose
+// answers nothing blurs, there are fewer.
+#if CLAMP >= 5
+const int TOGETHER = 4;
+#else
 const int TOGETHER = 12;
+#endif
 
 // Those of much the same hue, of which one, taken by its light, asks for the visibility of all: on average
 // each counts as if it had asked. Where red light and green shared an answer, shadows would be of neither's
@@ -147,15 +152,24 @@ vec3 light_of_slot(surface s, ivec2 pixel) {
     ivec2 lights = lights_of(pixel);
 #if SHARE_VISIBILITY
     ivec2 block;
+#if CLAMP >= 5
+    vec4 shares;
+    if (block_shares(s, pixel, block, shares)) {
+#else
     if (nearest_block(s, pixel, block)) {
+#endif
         for (int i = lights.x; i < lights.y; i++) {
             vpl light = light_at(i);
-            ivec3 texel = ivec3(block, map_of(i, light));
+#if CLAMP >= 5
+            float visible = shared_visibility(block, shares, map_of(i, light));
+#else
+            float visible = texelFetch(block_visibilities, ivec3(block, map_of(i, light)), 0).r;
+#endif
 #if SPECULAR
             vec3 arriving = unshadowed(i, light, s, back);
-            sum += mix(-back, arriving, texelFetch(block_visibilities, texel, 0).r);
+            sum += mix(-back, arriving, visible);
 #else
-            sum += unshadowed(i, light, s, back) * texelFetch(block_visibilities, texel, 0).r;
+            sum += unshadowed(i, light, s, back) * visible;
 #endif
         }
         lights.y = lights.x;

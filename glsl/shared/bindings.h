@@ -98,6 +98,9 @@
 #define UNIT_SUM_SQUARES 80
 #define UNIT_SUM_PRODUCTS 81
 #define UNIT_RSM_GLOSS 82
+#define UNIT_IMPORTANCE 84
+#define UNIT_VPL_NUMBERS 85
+#define UNIT_SEEDS 86
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0

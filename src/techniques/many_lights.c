@@ -51,6 +51,11 @@ static void fill_list_slots(const struct gather_settings *gather, int slots[LIST
     slots[LIST_FURTHER] = gather->further_points ? 1 : 0;
 }
 
+static int detail_radius(const struct settings *settings) {
+    int radius = blur_radius(settings);
+    return radius > 0 ? (radius + 1) / 2 : 2;
+}
+
 /* Half the blur's radius away: farther off an edge it finds enough on one side.
  *
  * What is listed looks itself up: a block of pixels does not speak for it. */
@@ -62,18 +67,17 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     gather_desc.receivers = RECEIVERS_LISTED;
     fill_list_slots(gather, gather_desc.list_slots);
     gather_desc.share = false;
-    return !lights->has_detail ||
-           (detail_pass_init(&lights->detail,
-                             &(struct detail_desc){
-                                 .width = desc->width,
-                                 .height = desc->height,
-                                 .interleave = gather->detail,
-                                 .radius = (blur_radius(desc->settings) + 1) / 2,
-                                 .distance = blur->distance,
-                                 .cosine = blur->cosine,
-                                 .share = gather->detail_share,
-                             }) &&
-            gather_pass_init(&lights->detail_gather, &gather_desc));
+    return !lights->has_detail || (detail_pass_init(&lights->detail,
+                                                    &(struct detail_desc){
+                                                        .width = desc->width,
+                                                        .height = desc->height,
+                                                        .interleave = gather->detail,
+                                                        .radius = detail_radius(desc->settings),
+                                                        .distance = blur->distance,
+                                                        .cosine = blur->cosine,
+                                                        .share = gather->detail_share,
+                                                    }) &&
+                                   gather_pass_init(&lights->detail_gather, &gather_desc));
 }
 
 static bool init_gather(struct many_lights *lights, const struct technique_desc *desc,
@@ -93,9 +97,12 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
         .take_back = own->take_back,
         .further = lights->bounces > 1,
     };
-    /* Where all pixels gather as much, or none is blurred, none needs more. */
+    /* Where each takes all lights, those that are listed ask for their own visibility alone; else, where all
+     * gather as much, or none is blurred, none needs more. */
     lights->has_detail =
-        own->detail > 0 && own->detail < own->interleave && blur_radius(desc->settings) > 0;
+        own->detail > 0 &&
+        (own->interleave == 1 ? own->detail == 1
+                              : own->detail < own->interleave && blur_radius(desc->settings) > 0);
     gather_desc.receivers = lights->has_detail ? RECEIVERS_OTHERS : RECEIVERS_ALL;
     return gather_pass_init(&lights->gather, &gather_desc) && init_detail(lights, desc);
 }
@@ -165,7 +172,7 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
         .detail = lights->has_detail,
         .distance = own->distance,
         .cosine = own->cosine,
-        .square = !own->separable,
+        .square = !own->separable || radius == 0,
     };
     const struct gather_desc *listed = &lights->detail_gather.desc;
     for (int grade = 0; lights->has_detail && grade < PIXEL_GRADES; grade++) {
@@ -174,7 +181,7 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
         blur.grade_radius[grade] = .5f / places;
         blur.grade_weight[grade] = places * places * (float)(n * n);
     }
-    lights->has_blur = n > 1 || radius > 0;
+    lights->has_blur = n > 1 || radius > 0 || lights->has_detail;
     return !lights->has_blur || blur_pass_init(&lights->blur, &blur);
 }
 

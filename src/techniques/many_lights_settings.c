@@ -83,7 +83,8 @@ static const struct option gather_table[] = {
     {"detail", 0, OPTION_INT, ROW(gather, detail), 4, 0, 8,
      .help =
          "n, less than interleave, of pixels that the blur finds few neighbours for: they take\n"
-         "more VPLs each, their own lookups and a smaller blur; 0 = as all others"},
+         "more VPLs each, their own lookups and a smaller blur; with interleave=1 1 = their own\n"
+         "lookups alone; 0 = as all others"},
     {"detail-times", 0, OPTION_INT, ROW(gather, detail_times), 4, 1, 64,
      .help =
          "as many times as many VPLs again for those of whose neighbours fewer than two are like"},

@@ -9,7 +9,7 @@
 #include "shared/vpl.h"
 
 #include <cglm/util.h>
-#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static bool init_row(struct texture *texture, const char *label, int count) {
@@ -36,9 +36,9 @@ static void free_targets(struct val_targets *targets) {
 }
 
 static bool init_programs(struct cluster_pass *pass) {
-    const char *defines = pass->desc.metric == CLUSTER_METRIC_SQUARES
-                              ? "METRIC CLUSTER_METRIC_SQUARES"
-                              : "METRIC CLUSTER_METRIC_LENGTHS";
+    char defines[64];
+    snprintf(defines, sizeof defines, "METRIC %d;SEEDED %d", pass->desc.metric,
+             pass->desc.seeds != NULL);
     struct {
         GLuint *program;
         struct program_desc desc;
@@ -141,8 +141,14 @@ static struct pass_state row_state(const struct cluster_pass *pass, GLuint progr
     };
 }
 
+/* Where a shader reads seeds (lights/val_seed.glsl). */
+static void add_seeds(struct pass_state *state, const struct cluster_pass *pass) {
+    if (pass->desc.seeds)
+        pass_add_texture(state, UNIT_SEEDS, pass->desc.seeds->id);
+}
+
 static void seed(const struct cluster_pass *pass) {
-    pass_set_state(&(struct pass_state){
+    struct pass_state state = {
         .name = "clustering",
         .program = pass->seed_program,
         .framebuffer = pass->centers[pass->last].framebuffer,
@@ -150,7 +156,9 @@ static void seed(const struct cluster_pass *pass) {
         .height = 1,
         .textures = {{UNIT_VPLS, pass->vpl_texture}},
         .blocks = {{BLOCK_PASS, &pass->params}},
-    });
+    };
+    add_seeds(&state, pass);
+    pass_set_state(&state);
     pass_draw_fullscreen(1);
 }
 
@@ -179,6 +187,7 @@ static void iterate(const struct cluster_pass *pass, const struct vpl_buffer *vp
     pass_add_texture(&state, UNIT_SUM_POSITION, pass->sums.position.id);
     pass_add_texture(&state, UNIT_SUM_NORMAL, pass->sums.normal.id);
     pass_add_texture(&state, UNIT_SUM_FLUX, pass->sums.flux.id);
+    add_seeds(&state, pass);
     pass_set_state(&state);
     pass_draw_fullscreen(1);
 }

@@ -21,6 +21,8 @@ enum cluster_start {
 struct cluster_desc {
     int vpl_count, val_count;
     enum cluster_start start;
+    const struct texture
+        *seeds; /* val_count x 1, R32F: numbers of VPLs, -1 for the usual one's; NULL */
     int iterations;
     int metric;                           /* CLUSTER_METRIC_... (shared/cluster.h) */
     float weight_position, weight_normal; /* w_x, w_alpha; or w_d, w_n */

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "passes/lights/cluster_light.h"
+#include "passes/lights/importance.h"
 #include "shared/cluster.h"
 #include "shared/light_rectangle.h"
 #include "shared/near_field.h"
@@ -11,13 +12,15 @@
 
 #include <stdlib.h>
 
+enum light_seeds { LIGHT_SEEDS_EVEN, LIGHT_SEEDS_IMPORTANCE };
+
 enum light_visibility { LIGHT_VISIBILITY_VALS, LIGHT_VISIBILITY_NONE };
 
 struct cluster_lights_settings {
     int lights; /* J */
     int form;   /* LIGHT_FORM_... */
     int visibility;
-    int iterations, start;
+    int iterations, start, seeds;
     float weight_position, weight_normal, weight_flux; /* w_d, w_n, w_Phi */
     int near;
     int interleave;
@@ -27,6 +30,7 @@ struct cluster_lights_settings {
 
 static const char *const form_names[] = {"rectangle", "disk", NULL};
 static const char *const visibility_names[] = {"vals", "none", NULL};
+static const char *const seed_names[] = {"even", "importance", NULL};
 static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
 
 static const struct option table[] = {
@@ -41,6 +45,9 @@ static const struct option table[] = {
     {"steps", 0, OPTION_INT, ROW(iterations), 5, 1, 64, .help = "k-means iterations"},
     {"begin", 0, OPTION_CHOICE, ROW(start), 0, .choices = start_names,
      .help = "where k-means begins, as clustered.start"},
+    {"seeds", 0, OPTION_CHOICE, ROW(seeds), LIGHT_SEEDS_EVEN, .choices = seed_names,
+     .help = "the VPLs where clusters begin: even, or by what they would give to the picture, "
+             "unoccluded"},
     {"weight-distance", 0, OPTION_FLOAT, ROW(weight_position), 1, 0, 1000,
      .help = "clustering weight of squared distance, w_d"},
     {"weight-facing", 0, OPTION_FLOAT, ROW(weight_normal), .1f, 0, 1000,
@@ -69,7 +76,8 @@ struct cluster_lights {
     struct many_lights lights;
     struct vals vals;
     struct light_set first, further;
-    bool has_vals;
+    struct importance_pass importance; /* of the first bounce's */
+    bool has_vals, by_importance;
 };
 
 static void free_set(struct light_set *set) {
@@ -85,17 +93,20 @@ static void free_state(void *state) {
         vals_free(&technique->vals);
         free_set(&technique->first);
         free_set(&technique->further);
+        importance_pass_free(&technique->importance);
     }
     free(technique);
 }
 
-static bool init_set(struct light_set *set, const struct settings *settings, int vpl_count) {
+static bool init_set(struct light_set *set, const struct settings *settings, int vpl_count,
+                     const struct texture *seeds) {
     const struct cluster_lights_settings *own = settings_of(settings, &own_part);
     return cluster_pass_init(&set->cluster,
                              &(struct cluster_desc){
                                  .vpl_count = vpl_count,
                                  .val_count = own->lights,
                                  .start = (enum cluster_start)own->start,
+                                 .seeds = seeds,
                                  .iterations = own->iterations,
                                  .metric = CLUSTER_METRIC_SQUARES,
                                  .weight_position = own->weight_position,
@@ -114,18 +125,30 @@ static enum gather_clamp clamp_of(const struct cluster_lights_settings *own) {
     return own->near > 0 ? GATHER_CLAMP_RECTANGLE_NEAR : GATHER_CLAMP_RECTANGLE;
 }
 
-/* The gather of many lights, but each pixel takes all of them. */
+/* The gather of many lights, but each pixel takes all of them; those that are listed look themselves up. */
 static struct settings gather_settings(const struct settings *settings) {
     const struct cluster_lights_settings *own = settings_of(settings, &own_part);
     struct settings changed = *settings;
     struct gather_settings *gather = settings_edit(&changed, &gather_part);
     gather->interleave = own->interleave;
-    gather->detail = 0;
+    gather->detail = own->interleave == 1 && gather->detail > 0 ? 1 : 0;
     gather->clamp = clamp_of(own);
     gather->near_samples = own->near;
     struct blur_settings *blur = settings_edit(&changed, &blur_part);
     blur->radius = own->interleave > 1 ? -1 : 0;
     return changed;
+}
+
+static bool init_first(struct cluster_lights *technique, const struct technique_desc *desc) {
+    const struct cluster_lights_settings *own = settings_of(desc->settings, &own_part);
+    const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
+    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
+    technique->by_importance = own->seeds == LIGHT_SEEDS_IMPORTANCE;
+    struct importance_desc importance = {.count = own->lights, .clamp_value = gather->clamp_value};
+    return (!technique->by_importance ||
+            importance_pass_init(&technique->importance, &importance)) &&
+           init_set(&technique->first, desc->settings, lights->vpls,
+                    technique->by_importance ? &technique->importance.seeds : NULL);
 }
 
 static bool init(void **state, const struct technique_desc *desc) {
@@ -144,9 +167,9 @@ static bool init(void **state, const struct technique_desc *desc) {
         visibility.map_count = technique->vals.first.visibility.map_count;
         visibility.share = technique->vals.first.share;
     }
-    return init_set(&technique->first, desc->settings, lights->vpls) &&
+    return init_first(technique, desc) &&
            (lights->bounces == 1 ||
-            init_set(&technique->further, desc->settings, lights->points)) &&
+            init_set(&technique->further, desc->settings, lights->points, NULL)) &&
            many_lights_init(&technique->lights, &with_settings, &visibility);
 }
 
@@ -173,19 +196,24 @@ static void render_set(struct light_set *set, const struct frame *frame,
         cluster_pass_map(&vals->cluster, &set->shape.lights, &set->lights);
 }
 
+static void render_first(struct cluster_lights *technique, const struct frame *frame) {
+    const struct val_set *vals = technique->has_vals ? &technique->vals.first : NULL;
+    render_set(&technique->first, frame, &technique->lights.vpls, vals);
+}
+
 static void render_lights(void *state, const struct frame *frame) {
     struct cluster_lights *technique = state;
     struct many_lights *lights = &technique->lights;
-    bool has_vals = technique->has_vals;
     many_lights_render_vpls(lights, frame);
-    if (has_vals)
+    if (technique->has_vals)
         vals_render(&technique->vals, lights, frame);
     else
         many_lights_render_unshadowed_bounces(lights, frame);
-    render_set(&technique->first, frame, &lights->vpls, has_vals ? &technique->vals.first : NULL);
+    if (!technique->by_importance)
+        render_first(technique, frame);
     if (lights->bounces > 1)
         render_set(&technique->further, frame, &lights->bounce.vpls,
-                   has_vals ? &technique->vals.further : NULL);
+                   technique->has_vals ? &technique->vals.further : NULL);
 }
 
 static void gather(const struct cluster_lights *technique, bool further, const struct frame *frame,
@@ -203,6 +231,11 @@ static void gather(const struct cluster_lights *technique, bool further, const s
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct cluster_lights *technique = state;
+    if (technique->by_importance) {
+        importance_pass_render(&technique->importance, frame, gbuffer, &technique->lights.vpls,
+                               technique->lights.vpl.vertices);
+        render_first(technique, frame);
+    }
     many_lights_begin(&technique->lights, frame, gbuffer);
     gather(technique, false, frame, gbuffer);
     if (technique->lights.bounces > 1)
@@ -220,6 +253,8 @@ static void outputs(const void *state, struct output_list *outputs) {
     const struct vpl_buffer *vpls =
         technique->has_vals ? &technique->vals.first.cluster.vpls : &technique->lights.vpls;
     many_lights_outputs(&technique->lights, vpls, outputs);
+    output_add(outputs, &(struct output){"light", "area lights of clusters, at their middles",
+                                         OUTPUT_VPLS, &technique->first.shape.lights});
     if (technique->has_vals)
         vals_outputs(&technique->vals, outputs);
 }
@@ -228,7 +263,13 @@ static const struct settings_part *const parts[] = {&lights_part, &own_part,    
                                                     &map_part,    &lookup_part, &caster_part,
                                                     &gather_part, &blur_part,   NULL};
 
-static const struct preset presets[] = {MANY_LIGHTS_FAST, {NULL}};
+static const struct preset presets[] = {
+    MANY_LIGHTS_FAST,
+    {"paper", "as published: disks, one iteration a frame from seeds by importance, no visibility",
+     "cluster-lights.form=disk cluster-lights.area-lights=256 cluster-lights.steps=1 "
+     "cluster-lights.begin=reseed cluster-lights.seeds=importance cluster-lights.shadows=none "
+     "cluster-lights.weight-facing=10 cluster-lights.near=0 lights.vpls=16384"},
+    {NULL}};
 
 extern const struct technique cluster_lights_technique;
 const struct technique cluster_lights_technique = {

@@ -1,0 +1,17 @@
+/* passes/lights/importance.h to its shaders. */
+#ifndef SHARED_IMPORTANCE_H
+#define SHARED_IMPORTANCE_H
+
+#include "shared/types.h"
+
+#define IMPORTANCE_SIDE 64    /* cells of the light's domain, along either side */
+#define IMPORTANCE_LEVELS 7   /* down from all of it to a cell */
+#define IMPORTANCE_PIXELS 256 /* of the picture, that a VPL is asked about */
+
+struct importance_params {
+    float clamp_at; /* of the geometry term, 1/m2 */
+    int unused0, unused1, unused2;
+};
+PASS_BLOCK(importance_params, 16)
+
+#endif

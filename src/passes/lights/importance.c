@@ -1,0 +1,117 @@
+#include "passes/lights/importance.h"
+
+#include "gl/framebuffer.h"
+#include "gl/program.h"
+#include "shared/importance.h"
+
+static_assert(IMPORTANCE_SIDE == 1 << (IMPORTANCE_LEVELS - 1), "levels down to one cell");
+
+static bool init_programs(struct importance_pass *pass) {
+    struct program_desc value = {.vertex = "lights/importance.vert",
+                                 .fragment = "lights/importance.frag",
+                                 .defines = "NUMBERS 0"};
+    struct program_desc number = value;
+    number.defines = "NUMBERS 1";
+    return program_init(&pass->value_program, &value) &&
+           program_init(&pass->number_program, &number) &&
+           program_init(&pass->seed_program,
+                        &(struct program_desc){.vertex = "fullscreen.vert",
+                                               .fragment = "lights/importance_seed.frag"});
+}
+
+static bool init_target(struct texture *texture, GLuint *framebuffer,
+                        const struct texture_desc *desc) {
+    return texture_init(texture, desc) &&
+           framebuffer_init(framebuffer,
+                            &(struct framebuffer_desc){.label = desc->label, .colors = {texture}});
+}
+
+static bool init_targets(struct importance_pass *pass) {
+    struct texture_desc cells = {.label = "importance",
+                                 .format = GL_R32F,
+                                 .width = IMPORTANCE_SIDE,
+                                 .height = IMPORTANCE_SIDE};
+    struct texture_desc pyramid = cells, row = cells;
+    pyramid.levels = IMPORTANCE_LEVELS;
+    pyramid.filter = FILTER_TRILINEAR;
+    row.width = pass->desc.count;
+    row.height = 1;
+    return init_target(&pass->values, &pass->value_framebuffer, &pyramid) &&
+           init_target(&pass->numbers, &pass->number_framebuffer, &cells) &&
+           init_target(&pass->seeds, &pass->seed_framebuffer, &row);
+}
+
+bool importance_pass_init(struct importance_pass *pass, const struct importance_desc *desc) {
+    *pass = (struct importance_pass){.desc = *desc};
+    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &pass->vpl_texture);
+    if (init_programs(pass) && init_targets(pass) &&
+        buffer_init(&pass->params, "importance parameters", sizeof(struct importance_params), NULL))
+        return true;
+    importance_pass_free(pass);
+    return false;
+}
+
+void importance_pass_free(struct importance_pass *pass) {
+    program_free(&pass->value_program);
+    program_free(&pass->number_program);
+    program_free(&pass->seed_program);
+    if (pass->vpl_texture)
+        gl.DeleteTextures(1, &pass->vpl_texture);
+    framebuffer_free(&pass->value_framebuffer);
+    framebuffer_free(&pass->number_framebuffer);
+    framebuffer_free(&pass->seed_framebuffer);
+    texture_free(&pass->values);
+    texture_free(&pass->numbers);
+    texture_free(&pass->seeds);
+    buffer_free(&pass->params);
+    *pass = (struct importance_pass){0};
+}
+
+/* VPLs as points, onto the cells. */
+static void scatter(const struct pass_state *common, GLuint program, GLuint framebuffer,
+                    enum pass_blend blend, int count) {
+    struct pass_state state = *common;
+    state.program = program;
+    state.framebuffer = framebuffer;
+    state.blend = blend;
+    framebuffer_clear_color(framebuffer, TARGET_RESULT, (float[]){0, 0, 0, 0});
+    pass_set_state(&state);
+    pass_draw(GL_POINTS, count, 1);
+}
+
+static void warp(const struct importance_pass *pass) {
+    gl.GenerateTextureMipmap(pass->values.id);
+    pass_set_state(&(struct pass_state){
+        .name = "importance",
+        .program = pass->seed_program,
+        .framebuffer = pass->seed_framebuffer,
+        .width = pass->desc.count,
+        .height = 1,
+        .textures = {{UNIT_IMPORTANCE, pass->values.id}, {UNIT_VPL_NUMBERS, pass->numbers.id}},
+    });
+    pass_draw_fullscreen(1);
+}
+
+void importance_pass_render(const struct importance_pass *pass, const struct frame *frame,
+                            const struct gbuffer *gbuffer, const struct vpl_buffer *vpls,
+                            GLuint points) {
+    struct importance_params params = {.clamp_at = pass->desc.clamp_value /
+                                                   (frame->radius * frame->radius)};
+    struct pass_state cells = {
+        .name = "importance",
+        .vertex_array = points,
+        .width = IMPORTANCE_SIDE,
+        .height = IMPORTANCE_SIDE,
+        .textures = {{UNIT_VPLS, pass->vpl_texture},
+                     {UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+    };
+    timer_begin(frame->timers, "importance");
+    buffer_write(&pass->params, 0, sizeof params, &params);
+    gl.TextureBuffer(pass->vpl_texture, GL_RGBA32F, vpls->buffer.id);
+    scatter(&cells, pass->value_program, pass->value_framebuffer, PASS_BLEND_ADD, vpls->count);
+    scatter(&cells, pass->number_program, pass->number_framebuffer, PASS_BLEND_OFF, vpls->count);
+    warp(pass);
+    timer_end(frame->timers);
+}
