@@ -7,7 +7,7 @@
 #if CUTS
 #include "gather/cut.glsl"
 #else
-#include "lib/vpl_block.glsl"
+#include "lib/vpl_texels.glsl"
 #endif
 #include "visibility/visibility.glsl"
 #include "gather/geometry_term.glsl"
@@ -15,11 +15,11 @@
 #include "gather/block.glsl"
 #endif
 
-// First VPL and count within the block, or with CUTS the set; the tile's place in the pattern.
+// First VPL and count, or with CUTS the set; the tile's place in the pattern.
 layout(location = LOCATION_SLOT) uniform ivec4 slot;
 // Samples taken of N: their sum stands for all.
 layout(location = LOCATION_SLOT_WEIGHT) uniform float weight;
-// Which map the block's first VPL has, where each VPL has its own.
+// Where each VPL has its own map: the map's number is the VPL's and this.
 layout(location = LOCATION_FIRST_MAP) uniform int first_map;
 
 layout(location = TARGET_RESULT) out vec4 irradiance;
@@ -59,7 +59,7 @@ ivec2 lights_of(ivec2 pixel) {
 }
 
 vpl light_at(int i) {
-    return vpl_in_block(i);
+    return vpl_at(i);
 }
 #endif
 

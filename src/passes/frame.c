@@ -99,6 +99,8 @@ bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {
         vpl_buffer_free(vpls);
         return false;
     }
+    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &vpls->texels);
+    gl.TextureBuffer(vpls->texels, GL_RGBA32F, vpls->buffer.id);
     gl.CreateVertexArrays(1, &vpls->vertices);
     add_attribute(vpls, ATTRIBUTE_VPL_POSITION, offsetof(struct vpl, position));
     add_attribute(vpls, ATTRIBUTE_VPL_NORMAL, offsetof(struct vpl, normal));
@@ -110,6 +112,8 @@ void vpl_buffer_free(struct vpl_buffer *vpls) {
     framebuffer_free(&vpls->spread_framebuffer);
     texture_free(&vpls->spread);
     vertex_array_free(&vpls->vertices);
+    if (vpls->texels)
+        gl.DeleteTextures(1, &vpls->texels);
     buffer_free(&vpls->buffer);
     *vpls = (struct vpl_buffer){0};
 }

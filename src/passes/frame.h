@@ -61,6 +61,7 @@ struct gbuffer {
 struct vpl_buffer {
     struct buffer buffer;
     GLuint vertices; /* vertex array: position 0, normal 1, flux 2 */
+    GLuint texels;   /* buffer texture: lib/vpl_texels.glsl */
     int count;
     struct texture spread; /* a pixel, RGBA32F: lib/vpl_spread.glsl */
     GLuint spread_framebuffer;

@@ -115,18 +115,6 @@ static void draw_tile(const struct gather_pass *pass, const struct gather_inputs
         pass_draw_fullscreen(1);
 }
 
-/* VPLs first .. last for the tile of a slot, or for one of its lists. */
-static void draw_runs(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
-                      int list, int first, int last) {
-    int n = pass->desc.interleave;
-    GLuint program = program_for(pass, inputs);
-    for (struct vpl_run run = {.next = first}; vpl_run_next(&run, inputs->vpls, last);) {
-        gl.ProgramUniform4i(program, LOCATION_SLOT, run.first, run.count, slot % n, slot / n);
-        gl.ProgramUniform1i(program, LOCATION_FIRST_MAP, run.block - inputs->first);
-        draw_tile(pass, inputs, slot, list);
-    }
-}
-
 /* Slot s of S has VPLs s N / S .. (s + 1) N / S; a list may take those of `side` slots side by side. */
 static void draw_slot(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
                       int list, int side) {
@@ -141,8 +129,11 @@ static void draw_slot(const struct gather_pass *pass, const struct gather_inputs
         last = range_last;
     if (first >= last)
         return;
-    gl.ProgramUniform1f(program_for(pass, inputs), LOCATION_SLOT_WEIGHT, weight);
-    draw_runs(pass, inputs, slot, list, first, last);
+    GLuint program = program_for(pass, inputs);
+    gl.ProgramUniform1f(program, LOCATION_SLOT_WEIGHT, weight);
+    gl.ProgramUniform4i(program, LOCATION_SLOT, first, last - first, slot % n, slot / n);
+    gl.ProgramUniform1i(program, LOCATION_FIRST_MAP, -inputs->first);
+    draw_tile(pass, inputs, slot, list);
 }
 
 /* The cuts of a slot's set; a list may take those of `side` slots side by side. */
@@ -162,7 +153,6 @@ static void add_cuts(struct pass_state *state, const struct vpl_cuts *cuts) {
     pass_add_texture(state, UNIT_CUTS, cuts->texture.id);
     pass_add_texture(state, UNIT_TREE_NODES, cuts->tree->nodes.id);
     pass_add_texture(state, UNIT_TREE_PICKS, cuts->tree->picks.id);
-    pass_add_texture(state, UNIT_VPLS, cuts->tree->vpls);
 }
 
 static void draw_all(const struct gather_pass *pass, const struct gather_inputs *inputs) {
@@ -195,6 +185,8 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
         pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, inputs->blocks->texture.id);
     if (inputs->rectangles)
         pass_add_block(&state, BLOCK_LIGHT_RECTANGLES, inputs->rectangles);
+    pass_add_texture(&state, UNIT_VPLS,
+                     pass->desc.cuts ? inputs->cuts->tree->vpls : inputs->vpls->texels);
     pixel_lists_add(&state, inputs->lists, pass->desc.receivers);
     if (pass->desc.receivers == RECEIVERS_LISTED)
         pass_add_texture(&state, UNIT_FURTHER_POINTS, frame->further_points->id);

@@ -55,14 +55,6 @@ static bool init_targets(struct bounce_pass *pass) {
            framebuffer_init(&pass->framebuffer, &desc);
 }
 
-static bool init_points(struct vpl_buffer *points, GLuint *texture, const char *label, int count) {
-    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, texture);
-    if (!vpl_buffer_init(points, label, count))
-        return false;
-    gl.TextureBuffer(*texture, GL_RGBA32F, points->buffer.id);
-    return true;
-}
-
 bool bounce_pass_init(struct bounce_pass *pass, const struct bounce_desc *desc) {
     *pass = (struct bounce_pass){.desc = *desc};
     int candidates = candidate_count(pass);
@@ -70,19 +62,13 @@ bool bounce_pass_init(struct bounce_pass *pass, const struct bounce_desc *desc) 
                                                desc->scene, desc->geometry, candidates, 0, false});
     pass->room = mem_alloc((size_t)candidates, sizeof *pass->room);
     if (init_programs(pass) && init_targets(pass) &&
-        init_points(&pass->places, &pass->place_texture, "candidates of points", candidates) &&
-        init_points(&pass->points, &pass->point_texture, "surface points", desc->count) &&
+        vpl_buffer_init(&pass->places, "candidates of points", candidates) &&
+        vpl_buffer_init(&pass->points, "surface points", desc->count) &&
         vpl_buffer_init(&pass->vpls, "VPLs of bounces", desc->count) &&
         buffer_init(&pass->lookup_params, "lookup parameters", sizeof(struct lookup_params), NULL))
         return true;
     bounce_pass_free(pass);
     return false;
-}
-
-static void free_points(struct vpl_buffer *points, GLuint *texture) {
-    if (*texture)
-        gl.DeleteTextures(1, texture);
-    vpl_buffer_free(points);
 }
 
 void bounce_pass_free(struct bounce_pass *pass) {
@@ -92,8 +78,8 @@ void bounce_pass_free(struct bounce_pass *pass) {
     program_free(&pass->reflect_program);
     surface_points_free(&pass->candidates);
     free(pass->room);
-    free_points(&pass->places, &pass->place_texture);
-    free_points(&pass->points, &pass->point_texture);
+    vpl_buffer_free(&pass->places);
+    vpl_buffer_free(&pass->points);
     framebuffer_free(&pass->candidate_framebuffer);
     framebuffer_free(&pass->framebuffer);
     texture_free(&pass->candidate_light);
@@ -168,7 +154,7 @@ static void light_candidates(const struct bounce_pass *pass, const struct bounce
                .program = pass->candidate_program,
                .framebuffer = pass->candidate_framebuffer,
                .height = BOUNCE_CANDIDATES,
-               .textures = {{UNIT_VPLS, pass->place_texture}},
+               .textures = {{UNIT_VPLS, pass->places.texels}},
            },
            inputs, BOUNCE_PICKING_VPLS);
 }
@@ -182,7 +168,7 @@ void bounce_pass_pick(struct bounce_pass *pass, const struct frame *frame,
     pass_set_state(&(struct pass_state){
         .name = "bounces",
         .program = pass->pick_program,
-        .textures = {{UNIT_VPLS, pass->place_texture}, {UNIT_IRRADIANCE, pass->candidate_light.id}},
+        .textures = {{UNIT_VPLS, pass->places.texels}, {UNIT_IRRADIANCE, pass->candidate_light.id}},
     });
     pass_feedback(pass->points.buffer.id, 0, pass->desc.count);
     framebuffer_clear_color(pass->framebuffer, TARGET_BOUNCE_SUM, none);
@@ -202,7 +188,7 @@ void bounce_pass_gather(const struct bounce_pass *pass, const struct frame *fram
                .program = pass->gather_program,
                .framebuffer = pass->framebuffer,
                .height = BOUNCE_ROWS,
-               .textures = {{UNIT_VPLS, pass->point_texture}},
+               .textures = {{UNIT_VPLS, pass->points.texels}},
            },
            inputs, inputs->vpls->count);
     timer_end(frame->timers);

@@ -34,13 +34,12 @@ struct bounce_desc {
 struct bounce_pass {
     struct bounce_desc desc;
     GLuint candidate_program, pick_program, gather_program, reflect_program;
-    struct surface_points candidates;    /* those of a point after those of the one before */
-    int dealt_pass;                      /* that they are those of */
-    unsigned pose;                       /* that they were uploaded for; 0: none */
-    struct vpl *room;                    /* for what is uploaded */
-    struct vpl_buffer places, points;    /* the candidates and the points: flux is the albedo */
-    GLuint place_texture, point_texture; /* buffer textures over them */
-    struct texture candidate_light;      /* P x BOUNCE_CANDIDATES, RGBA32F: irradiance */
+    struct surface_points candidates; /* those of a point after those of the one before */
+    int dealt_pass;                   /* that they are those of */
+    unsigned pose;                    /* that they were uploaded for; 0: none */
+    struct vpl *room;                 /* for what is uploaded */
+    struct vpl_buffer places, points; /* the candidates and the points: flux is the albedo */
+    struct texture candidate_light;   /* P x BOUNCE_CANDIDATES, RGBA32F: irradiance */
     struct texture last, sum; /* P x BOUNCE_ROWS, RGBA32F: irradiance of the last bounce, of all */
     GLuint candidate_framebuffer, framebuffer;
     struct vpl_buffer vpls; /* what the points reflect; C(i) = 0 */

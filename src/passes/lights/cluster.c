@@ -78,7 +78,6 @@ static bool init_views(struct cluster_pass *pass) {
 bool cluster_pass_init(struct cluster_pass *pass, const struct cluster_desc *desc) {
     *pass = (struct cluster_pass){.desc = *desc};
     int count = desc->val_count;
-    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &pass->vpl_texture);
     if (init_programs(pass) && init_targets(&pass->centers[0], count) &&
         init_targets(&pass->centers[1], count) && init_targets(&pass->sums, count) &&
         init_views(pass) && vpl_buffer_init(&pass->vpls, "VPLs", desc->vpl_count) &&
@@ -98,8 +97,6 @@ void cluster_pass_free(struct cluster_pass *pass) {
     free_targets(&pass->sums);
     framebuffer_free(&pass->extremes_framebuffer);
     texture_free(&pass->extremes);
-    if (pass->vpl_texture)
-        gl.DeleteTextures(1, &pass->vpl_texture);
     vpl_buffer_free(&pass->vpls);
     buffer_free(&pass->views.buffer);
     buffer_free(&pass->params);
@@ -132,7 +129,7 @@ static struct pass_state row_state(const struct cluster_pass *pass, GLuint progr
         .framebuffer = framebuffer,
         .width = pass->desc.val_count,
         .height = 1,
-        .textures = {{UNIT_VPLS, pass->vpl_texture},
+        .textures = {{UNIT_VPLS, pass->vpl_texels},
                      {UNIT_VAL_POSITION, centers->position.id},
                      {UNIT_VAL_NORMAL, centers->normal.id},
                      {UNIT_VAL_FLUX, centers->flux.id},
@@ -154,7 +151,7 @@ static void seed(const struct cluster_pass *pass) {
         .framebuffer = pass->centers[pass->last].framebuffer,
         .width = pass->desc.val_count,
         .height = 1,
-        .textures = {{UNIT_VPLS, pass->vpl_texture}},
+        .textures = {{UNIT_VPLS, pass->vpl_texels}},
         .blocks = {{BLOCK_PASS, &pass->params}},
     };
     add_seeds(&state, pass);
@@ -206,7 +203,7 @@ void cluster_pass_map(const struct cluster_pass *pass, const struct vpl_buffer *
 
 /* k-means; afterwards pass->last is where the means are. */
 static void find_centers(struct cluster_pass *pass, const struct vpl_buffer *vpls) {
-    gl.TextureBuffer(pass->vpl_texture, GL_RGBA32F, vpls->buffer.id);
+    pass->vpl_texels = vpls->texels;
     pass->vpl_spread = vpls->spread.id;
     if (pass->desc.start == CLUSTER_START_SEEDS || !pass->started)
         seed(pass);
@@ -220,13 +217,13 @@ static void find_centers(struct cluster_pass *pass, const struct vpl_buffer *vpl
     }
 }
 
-static void render_views(const struct cluster_pass *pass) {
+static void render_views(struct cluster_pass *pass) {
     const struct val_targets *centers = cluster_pass_centers(pass);
     clear(pass->extremes_framebuffer, 1, -1e30f);
     scatter(pass, pass->extent_program, pass->extremes_framebuffer, PASS_BLEND_MAX, &pass->vpls,
             centers);
 
-    gl.TextureBuffer(pass->vpl_texture, GL_RGBA32F, pass->vpls.buffer.id);
+    pass->vpl_texels = pass->vpls.texels;
     struct pass_state state = row_state(pass, pass->views_program, 0, centers);
     pass_add_texture(&state, UNIT_VAL_EXTREMES, pass->extremes.id);
     pass_set_state(&state);

@@ -41,7 +41,7 @@ struct cluster_pass {
     bool started; /* they are there */
     struct texture extremes;
     GLuint extremes_framebuffer;
-    GLuint vpl_texture;     /* buffer texture over the VPLs that come in */
+    GLuint vpl_texels;      /* of the VPLs that are read: those that come in, then its own */
     GLuint vpl_spread;      /* theirs */
     struct vpl_buffer vpls; /* the VPLs with C(i) */
     struct map_views views; /* one a VAL, where they have any */
