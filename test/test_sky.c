@@ -191,6 +191,26 @@ static void test_day(void **state) {
     stage_free(&stage);
 }
 
+/* A sun casts sharper shadows than one small map can hold. */
+static void test_maps_of_sun(void **state) {
+    (void)state;
+    static const char *const settings[] = {"sky-size=32 sun-maps=1", "sky-size=32 sun-maps=4"};
+    struct stage stage;
+    open_stage(&stage, "scenes/table.glb");
+    set_sky(&stage, paint_day);
+    struct image truth = trace_stage(&stage, SIZE, 256);
+    double errors[2];
+    for (int i = 0; i < 2; i++) {
+        struct image got = render_stage(&stage, "unshadowed", settings[i], SIZE);
+        errors[i] = relative_rmse(&got, &truth, "direct");
+        printf("  %s\n    %-48s %g\n", settings[i], "direct light, relative RMSE", errors[i]);
+        image_free(&got);
+    }
+    check_at_most("of the one map's error", errors[1] / errors[0], .85);
+    image_free(&truth);
+    stage_free(&stage);
+}
+
 /* Below a roof between walls, by the scene's own sky. Reflected light is a quarter too dark: most VPLs lie outside. */
 static void test_courtyard(void **state) {
     (void)state;
@@ -292,8 +312,9 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_floor),     cmocka_unit_test(test_convex_body),
         cmocka_unit_test(test_wall),      cmocka_unit_test(test_day),
-        cmocka_unit_test(test_courtyard), cmocka_unit_test(test_sum),
-        cmocka_unit_test(test_black),     cmocka_unit_test(test_passes),
+        cmocka_unit_test(test_courtyard), cmocka_unit_test(test_maps_of_sun),
+        cmocka_unit_test(test_sum),       cmocka_unit_test(test_black),
+        cmocka_unit_test(test_passes),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -5,6 +5,7 @@
 // All is in the view's frame: x right, y up, z away from the light, metres; t: metres towards the light.
 #include "lib/sky.glsl"
 #include "shared/sky_light.h"
+#include "visibility/sky_maps.glsl"
 
 layout(binding = UNIT_SKY_MAPS) uniform sampler2DArray sky_maps;
 layout(binding = UNIT_SKY_SHARES) uniform sampler2DArray sky_share_table; // visibility/sky_shares.frag
@@ -30,6 +31,7 @@ vec2 sky_point(int k) {
 
 // A light's map as seen from a receiver, in texels across and metres along.
 struct sky_field {
+    sky_maps_of maps;
     vec2 place;       // the receiver's
     float height;     // its, over the far plane
     float rise;       // of map depth 0 over 1
@@ -38,10 +40,12 @@ struct sky_field {
 
 // How far a surface lies above a place `up` above the receiver; 0 where it is no higher above the receiver's plane than
 // its own texels' doubt.
-float sky_cover(int i, sky_field f, ivec2 size, vec2 place, float up) {
-    ivec2 texel = ivec2(floor(place));
-    bool outside = texel != clamp(texel, ivec2(0), size - 1);
-    float depth = texelFetch(sky_maps, ivec3(texel, i), 0).r;
+float sky_cover(sky_field f, vec2 place, float up) {
+    ivec2 side = textureSize(sky_maps, 0).xy, texel = ivec2(floor(place));
+    bool outside = texel != clamp(texel, ivec2(0), side * f.maps.side - 1);
+    ivec2 map = SUNS > 0 ? ivec2(floor(place / vec2(side))) : ivec2(0);
+    int layer = f.maps.first + map.y * f.maps.side + map.x;
+    float depth = texelFetch(sky_maps, ivec3(texel - map * side, layer), 0).r;
     float cover = f.height - depth * f.rise - up;
     return outside || dot(f.above_plane, vec4(texel, depth, 1.0)) < 0.0 ? 0.0 : cover;
 }
@@ -50,9 +54,10 @@ float sky_visibility(int i, vec3 position, vec3 normal) {
     sky_view v = sky_view_at(i);
     mat3 to_view = transpose(mat3(v.right, v.up, v.forward));
     vec3 at = to_view * (position - v.origin), across = to_view * normal;
-    ivec2 size = textureSize(sky_maps, 0).xy;
-    vec2 texels = 0.5 * vec2(size) / v.half_size; // a metre
-    sky_field f = sky_field(at.xy * texels + 0.5 * vec2(size), at.z, v.far, vec4(0.0));
+    sky_maps_of maps = sky_maps_at(i);
+    vec2 size = vec2(textureSize(sky_maps, 0).xy * maps.side);
+    vec2 texels = 0.5 * size / v.half_size; // a metre
+    sky_field f = sky_field(maps, at.xy * texels + 0.5 * size, at.z, v.far, vec4(0.0));
     vec2 slope = across.xy / texels;
     f.above_plane = vec4(slope, across.z * v.far, dot(slope, 0.5 - f.place) - across.z * at.z - params.bias / texels.x);
     float seen = 0.0, above = 0.0;
@@ -64,7 +69,7 @@ float sky_visibility(int i, vec3 position, vec3 normal) {
         for (int n = 0; n < PLACES && !hidden; n++) {
             float share = max(float(n) + jitter, 0.0) / float(PLACES - 1);
             float up = share * share * at.z;
-            float cover = sky_cover(i, f, size, f.place + way * texels * up, up);
+            float cover = sky_cover(f, f.place + way * texels * up, up);
             float depth = max(CASTER_DEPTH * 2.0 * share / float(PLACES - 1) * at.z, beside);
             hidden = cover > 0.0 && cover < depth;
         }

@@ -14,11 +14,13 @@ static const struct option table[] = {
              "parts that are as even as may be"},
     {"sky-size", 0, OPTION_INT, ROW(map_size), 256, 16, 4096,
      .help = "shadow map of such a light, texels a side"},
+    {"sun-maps", 0, OPTION_INT, ROW(sun_maps), 4, 1, 8,
+     .help = "of a narrow light that is a good share of all, so many a side"},
     {"sky-block", 0, OPTION_INT, ROW(block), 7, 1, 64,
      .help = "pixels a side of a block that shares its visibility"},
     {"sky-ways", 0, OPTION_INT, ROW(ways), 16, 1, 256,
      .help = "ways to points of a light that a lookup follows, sixteen texels each"},
-    {"sky-bias", 0, OPTION_FLOAT, ROW(bias), .5, 0, 100,
+    {"sky-bias", 0, OPTION_FLOAT, ROW(bias), .2, 0, 100,
      .help = "what is lower above a receiver's plane hides nothing, in texels"},
     {"disagree", 0, OPTION_FLOAT, ROW(disagree), .02, 0, 2,
      .help = "pixels between blocks that disagree about more than this share of the sky's light\n"
@@ -34,15 +36,16 @@ static const struct caster_desc caster = {.error = .00055F, .long_count = 500};
 
 bool skylight_init(struct skylight *skylight, const struct skylight_desc *desc) {
     const struct skylight_settings *own = settings_of(desc->settings, &sky_part);
+    const struct sky_map_layout layout = {
+        .size = own->map_size, .count = desc->count, .suns = desc->suns, .sun_maps = own->sun_maps};
     *skylight = (struct skylight){.count = desc->count};
     if (desc->count == 0 ||
         (sky_map_pass_init(&skylight->maps, &(struct sky_map_desc){.casters = desc->casters,
                                                                    .caster = caster,
-                                                                   .size = own->map_size,
-                                                                   .count = desc->count}) &&
+                                                                   .layout = layout}) &&
          sky_light_pass_init(&skylight->light, &(struct sky_light_desc){.width = desc->width,
                                                                         .height = desc->height,
-                                                                        .count = desc->count,
+                                                                        .maps = layout,
                                                                         .block = own->block,
                                                                         .ways = own->ways,
                                                                         .bias = own->bias,

@@ -10,6 +10,7 @@
 struct skylight_settings {
     int lights, fit; /* enum sky_fit */
     int map_size;    /* texels a side */
+    int sun_maps;    /* of a sun, a side */
     int block;       /* pixels a side */
     int ways;
     float bias, disagree;
@@ -22,6 +23,7 @@ struct skylight_desc {
     struct caster_pool *casters;
     int width, height;
     int count;  /* of lights; 0: there is no sky */
+    int suns;   /* the first ones */
     bool gloss; /* the G-buffer has it */
 };
 

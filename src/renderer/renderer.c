@@ -68,6 +68,7 @@ static bool init_sky(struct renderer *renderer) {
                                                  .width = desc->width,
                                                  .height = desc->height,
                                                  .count = renderer->plan.sky.count,
+                                                 .suns = sky_lights_suns(&renderer->plan.sky),
                                                  .gloss = has_gloss(desc)});
 }
 
@@ -417,6 +418,7 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
     if (!light_layouts_same(&plan->layout, &renderer->plan.layout))
         parts |= PART_DIRECT;
     if (plan->sky.count != renderer->plan.sky.count ||
+        sky_lights_suns(&plan->sky) != sky_lights_suns(&renderer->plan.sky) ||
         !settings_same(&desc->settings, &old->settings, &sky_part))
         parts |= PART_SKY;
     if (!light_layouts_same(&plan->start_layout, &renderer->plan.start_layout))

@@ -1,5 +1,6 @@
 #include "scene/sky.h"
 
+#include "base/memory.h"
 #include "scene/view.h"
 
 #include <cglm/cglm.h>
@@ -75,6 +76,27 @@ void sky_lights_group(struct sky_groups *groups, const struct sky_lights *lights
             }
         join(groups, powers, lights->count, to, from);
     }
+}
+
+int sky_lights_suns(const struct sky_lights *lights) {
+    static const float widest = .01F, least_share = .05F; /* sr */
+    float all = 0;
+    int suns = 0;
+    for (int i = 0; i < lights->count; i++)
+        all += power_of(&lights->items[i]);
+    while (suns < SKY_SUNS_MAX && suns < lights->count &&
+           lights->items[suns].solid_angle < widest &&
+           power_of(&lights->items[suns]) >= least_share * all)
+        suns++;
+    return suns;
+}
+
+int sky_map_layers(const struct sky_map_layout *layout) {
+    return layout->count + layout->suns * (layout->sun_maps * layout->sun_maps - 1);
+}
+
+char *sky_map_defines(const struct sky_map_layout *layout) {
+    return mem_printf("SUNS %d;SUN_MAPS %d", layout->suns, layout->sun_maps);
 }
 
 static struct emitter towards(const float direction[3]) {

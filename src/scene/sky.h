@@ -15,6 +15,22 @@ struct sky_lights {
 void sky_lights_fit(struct sky_lights *lights, const struct environment *sky, enum sky_fit fit,
                     int count);
 
+/* How many of the first are suns: narrow, and a good share of all light. At most SKY_SUNS_MAX. */
+enum { SKY_SUNS_MAX = 4 };
+int sky_lights_suns(const struct sky_lights *lights);
+
+/* A map a light, or of each of the first ones, the suns, sun_maps^2, which part it. */
+struct sky_map_layout {
+    int size;        /* of a map, texels a side */
+    int count, suns; /* of lights */
+    int sun_maps;    /* a side */
+};
+
+int sky_map_layers(const struct sky_map_layout *layout);
+
+/* Definitions for glsl/visibility/sky_maps.glsl; to be freed. */
+char *sky_map_defines(const struct sky_map_layout *layout);
+
 /* Some of them that stand together: each light's group, from 0. */
 struct sky_groups {
     int of[SKY_LIGHTS_MAX];

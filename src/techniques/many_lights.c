@@ -145,15 +145,25 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
                             blur_pass_init(&lights->gloss_blur, &of_blur));
 }
 
+/* Many views share the texels of a few: a dozen directions of a sky need not cost as much as the picture. */
+static int rsm_size(const struct technique_desc *desc) {
+    static const int full_views = 4;
+    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    int size = own->rsm_size, views = desc->lights->views[LIGHT_MAP_SINGLE];
+    if (views <= full_views)
+        return size;
+    int shared = (int)((float)size * sqrtf((float)full_views / (float)views));
+    return shared > RSM_SIZE_MIN ? shared : RSM_SIZE_MIN;
+}
+
 static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc) {
-    const struct lights_settings *own_lights = settings_of(desc->settings, &lights_part);
     const struct gather_settings *own = settings_of(desc->settings, &gather_part);
     lights->has_near_field =
         own->clamp == GATHER_CLAMP_NEAR || own->clamp == GATHER_CLAMP_RECTANGLE_NEAR;
     struct near_field_desc near_field = {
         .samples = own->near_samples,
         .listed = lights->has_detail,
-        .rsm_size = own_lights->rsm_size,
+        .rsm_size = rsm_size(desc),
         .lights = *desc->lights,
     };
     fill_list_slots(own, near_field.list_slots);
@@ -233,7 +243,7 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
     const struct lights_settings *own = settings_of(desc->settings, &lights_part);
     const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
     *lights = (struct many_lights){0};
-    if (init_rsm(lights, desc, own->rsm_size) &&
+    if (init_rsm(lights, desc, rsm_size(desc)) &&
         geometry_pass_init(&lights->geometry, &(struct geometry_desc){.has_gloss = desc->gloss}) &&
         vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) &&

@@ -19,6 +19,8 @@
  * of the spread of the VPLs, of the picture's height at a pixel's depth, or of the root of the
  * surfaces' area: neither units nor a plain around a room change what a setting means. */
 
+enum { RSM_SIZE_MIN = 16 };
+
 struct lights_settings {
     int vpls; /* N */
     int seed, rsm_size;

@@ -9,8 +9,9 @@ static const struct option lights_table[] = {
     {"vpls", 0, OPTION_INT, ROW(lights, vpls), 1024, 1, 65536, .help = "virtual point lights, N"},
     {"seed", 0, OPTION_INT, ROW(lights, seed), 0, 0, 1e9,
      .help = "another set of VPLs; 0 = Halton's points as they are"},
-    {"rsm-size", 0, OPTION_INT, ROW(lights, rsm_size), 512, 16, 8192,
-     .help = "reflective shadow map, texels a side"},
+    {"rsm-size", 0, OPTION_INT, ROW(lights, rsm_size), 512, RSM_SIZE_MIN, 8192,
+     .help =
+         "reflective shadow map, texels a side; more than four of them have the texels of four"},
     {"bounces", 0, OPTION_INT, ROW(lights, bounces), 1, 1, 8,
      .help = "of indirect light; those after the first by way of points of all surfaces"},
     {"surface-points", 0, OPTION_INT, ROW(lights, points), 1024, VPL_PARTNERS_MAX, 16384,

@@ -11,7 +11,8 @@
 static const float apart = .008F; /* as the gather's blocks */
 
 static bool init_programs(struct sky_light_pass *pass) {
-    char *defines = mem_printf("WAYS %d", pass->desc.ways);
+    char *maps = sky_map_defines(&pass->desc.maps);
+    char *defines = mem_printf("%s;WAYS %d", maps, pass->desc.ways);
     char *light_defines = mem_printf("%s%s", defines, pass->desc.gloss ? ";HAS_GLOSS" : "");
     bool ok = program_init(&pass->share_program,
                            &(struct program_desc){.vertex = "layers.vert",
@@ -24,6 +25,7 @@ static bool init_programs(struct sky_light_pass *pass) {
                            &(struct program_desc){.vertex = "fullscreen.vert",
                                                   .fragment = "visibility/sky_light.frag",
                                                   .defines = light_defines});
+    free(maps);
     free(defines);
     free(light_defines);
     return ok;
@@ -31,7 +33,7 @@ static bool init_programs(struct sky_light_pass *pass) {
 
 /* Each layer has four. */
 static int layers(const struct sky_light_desc *desc) {
-    return (desc->count + 3) / 4;
+    return (desc->maps.count + 3) / 4;
 }
 
 static bool init_shares(struct sky_light_pass *pass) {
@@ -86,7 +88,7 @@ static void free_targets(struct sky_light_pass *pass) {
 
 bool sky_light_pass_init(struct sky_light_pass *pass, const struct sky_light_desc *desc) {
     *pass = (struct sky_light_pass){.desc = *desc};
-    struct sky_light_params params = {.count = desc->count,
+    struct sky_light_params params = {.count = desc->maps.count,
                                       .block = desc->block,
                                       .bias = desc->bias,
                                       .apart = apart,

@@ -5,15 +5,16 @@
 #define PASSES_SKY_LIGHT_H
 
 #include "passes/frame.h"
+#include "scene/sky.h"
 
 struct sky_light_desc {
     int width, height; /* of the picture */
-    int count;         /* of lights */
-    int block;         /* pixels a side of a block that shares its visibility */
-    int ways;          /* to points of a light that a lookup follows */
-    float bias;        /* texels: what is no higher above a receiver's plane hides nothing */
-    float disagree;    /* of all light: where blocks do by more, a pixel looks itself up */
-    bool gloss;        /* the G-buffer has it */
+    struct sky_map_layout maps;
+    int block;      /* pixels a side of a block that shares its visibility */
+    int ways;       /* to points of a light that a lookup follows */
+    float bias;     /* texels: what is no higher above a receiver's plane hides nothing */
+    float disagree; /* of all light: where blocks do by more, a pixel looks itself up */
+    bool gloss;     /* the G-buffer has it */
 };
 
 struct sky_light_pass {

@@ -1,30 +1,43 @@
 #include "passes/visibility/sky_map.h"
 
+#include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/bindings.h"
 
+#include <stdlib.h>
+
 /* Simplified casters come before what they stand for by up to their error, and would shadow it: maps
  * have them farther off by this much of the error. */
 static const float set_back = .5F;
 
+static bool init_programs(struct sky_map_pass *pass) {
+    char *defines = sky_map_defines(&pass->desc.layout);
+    char *masked_defines = mem_printf("%s;MASKED", defines);
+    bool ok = program_init(&pass->opaque_program,
+                           &(struct program_desc){.vertex = "visibility/sky_map.vert",
+                                                  .fragment = "picture/depth_only.frag",
+                                                  .defines = defines}) &&
+              program_init(&pass->masked_program,
+                           &(struct program_desc){.vertex = "visibility/sky_map.vert",
+                                                  .fragment = "visibility/sky_map.frag",
+                                                  .defines = masked_defines});
+    free(defines);
+    free(masked_defines);
+    return ok;
+}
+
 bool sky_map_pass_init(struct sky_map_pass *pass, const struct sky_map_desc *desc) {
     *pass = (struct sky_map_pass){.desc = *desc};
-    if (caster_pool_acquire(desc->casters, &pass->caster, &desc->caster) &&
-        program_init(&pass->opaque_program,
-                     &(struct program_desc){.vertex = "visibility/sky_map.vert",
-                                            .fragment = "picture/depth_only.frag"}) &&
-        program_init(&pass->masked_program,
-                     &(struct program_desc){.vertex = "visibility/sky_map.vert",
-                                            .fragment = "visibility/sky_map.frag",
-                                            .defines = "MASKED"}) &&
-        texture_init(&pass->maps, &(struct texture_desc){.label = "sky maps",
-                                                         .target = GL_TEXTURE_2D_ARRAY,
-                                                         .format = GL_DEPTH_COMPONENT16,
-                                                         .width = desc->size,
-                                                         .height = desc->size,
-                                                         .layers = desc->count}) &&
+    if (caster_pool_acquire(desc->casters, &pass->caster, &desc->caster) && init_programs(pass) &&
+        texture_init(&pass->maps,
+                     &(struct texture_desc){.label = "sky maps",
+                                            .target = GL_TEXTURE_2D_ARRAY,
+                                            .format = GL_DEPTH_COMPONENT16,
+                                            .width = desc->layout.size,
+                                            .height = desc->layout.size,
+                                            .layers = sky_map_layers(&desc->layout)}) &&
         framebuffer_init(&pass->framebuffer,
                          &(struct framebuffer_desc){.label = "sky maps", .depth = &pass->maps}))
         return true;
@@ -54,23 +67,24 @@ void sky_map_pass_render(const struct sky_map_pass *pass, const struct frame *fr
         .program = pass->opaque_program,
         .framebuffer = pass->framebuffer,
         .vertex_array = pass->caster->vertices,
-        .width = pass->desc.size,
-        .height = pass->desc.size,
+        .width = pass->desc.layout.size,
+        .height = pass->desc.layout.size,
         .depth = PASS_DEPTH_LESS,
         .blocks = {{BLOCK_SKY, lights}},
     };
+    int count = sky_map_layers(&pass->desc.layout);
     pass_begin(frame->timers, &state);
     framebuffer_clear_depth(pass->framebuffer, 1);
     begin(pass, &state, pass->opaque_program);
     for (int l = 0; l < 2; l++)
-        caster_gpu_draw_opaque(pass->caster, &(struct caster_draw){(enum caster_length)l,
-                                                                   GL_TRIANGLES, pass->desc.count});
+        caster_gpu_draw_opaque(pass->caster,
+                               &(struct caster_draw){(enum caster_length)l, GL_TRIANGLES, count});
     if (caster_gpu_has_masked(pass->caster)) {
         begin(pass, &state, pass->masked_program);
         for (int l = 0; l < 2; l++)
             caster_gpu_draw_masked(
                 pass->caster, frame->scene,
-                &(struct caster_draw){(enum caster_length)l, GL_TRIANGLES, pass->desc.count});
+                &(struct caster_draw){(enum caster_length)l, GL_TRIANGLES, count});
     }
     pass_end(frame->timers);
 }

@@ -5,11 +5,12 @@
 
 #include "passes/frame.h"
 #include "scene/gpu/caster_pool.h"
+#include "scene/sky.h"
 
 struct sky_map_desc {
     struct caster_pool *casters; /* must outlive the pass */
     struct caster_desc caster;   /* which of them the maps show */
-    int size, count;
+    struct sky_map_layout layout;
 };
 
 struct sky_map_pass {
