@@ -17,6 +17,7 @@ const char *const failure_columns[FAILURE_COLUMNS] = {
     "unshadowed:technique=unshadowed," EVERY_VPL,
     "frame:technique=clustered,samples=1",
     "lightcuts:technique=lightcuts,samples=1",
+    "cluster-lights:technique=cluster-lights,visibility-block=1,samples=1",
 };
 
 #define OWN(name) "scenes/failures/" name ".glb"
