@@ -23,7 +23,7 @@ enum pass_blend {
 /* Channels of colour, as bits. */
 enum { PASS_RED = 1, PASS_GREEN = 2, PASS_BLUE = 4, PASS_ALPHA = 8 };
 
-enum { PASS_TEXTURES_MAX = 16, PASS_BLOCKS_MAX = 6, PASS_STORAGES_MAX = 4, PASS_IMAGES_MAX = 4 };
+enum { PASS_TEXTURES_MAX = 16, PASS_BLOCKS_MAX = 8, PASS_STORAGES_MAX = 4, PASS_IMAGES_MAX = 4 };
 
 /* Numbers are those of shared/bindings.h. Lists end with the first empty row. */
 struct pass_texture {
