@@ -256,7 +256,7 @@ static void test_refusals(void **state) {
         {"average @/a.exr @/plain.exr -o @/x.exr", "does not tell its passes", 1},
         {"average @/a.exr @/small.exr -o @/x.exr", "pixels", 1},
         {RENDER "--passes 2 --aov val -o @/x.exr", "aov", 2},
-        {RENDER "--passes 0 -o @/x.exr", "passes", 2},
+        {RENDER "--passes -1 -o @/x.exr", "passes", 2},
     };
     char output[8192];
     manylight(RENDER "-o @/plain.exr", output, sizeof output);
