@@ -23,7 +23,7 @@ void main() {
     if (!s.present)
         return;
     float most = 0.0, sum = 0.0, arriving = 0.0;
-    for (int k = 0; k < MAP_COUNT; k++) {
+    for (int k = 0; k < textureSize(val_fluxes, 0).x; k++) {
         float light = unshadowed(k, s);
         if (light <= 0.0)
             continue;

@@ -7,6 +7,7 @@
 #include "apps/interrupt.h"
 #include "base/progress.h"
 #include "measure/quality.h"
+#include "apps/in_time.h"
 #include "apps/stats.h"
 
 #include "base/error.h"
@@ -31,8 +32,10 @@ struct values {
     int layer;
     const char *frames, *glsl, *aov;
     int quality, passes, first_pass;
-    float max_error, fps;
+    float max_error, budget, fps;
     bool skip_existing, stats;
+    struct in_time in_time; /* where budget */
+    char *choice;           /* which quality was chosen, and why */
 };
 
 static const struct option options[] = {
@@ -48,6 +51,12 @@ static const struct option options[] = {
          "the cheapest quality or number of passes that errs no more: relative RMSE of indirect\n"
          "light, told from some 9,000 pixels that are path-traced first, at --time; 0 = by\n"
          "--quality"},
+    {"budget", 0, OPTION_FLOAT, offsetof(struct values, budget), 0, 0, 1e6, .value_name = "Xms",
+     .unit = "ms",
+     .help =
+         "what a frame may take, milliseconds of this machine: settings that are not given are\n"
+         "chosen anew for each frame by how long those before it took, the first by trying.\n"
+         "Frames then depend on the machine and on the frames before them; 0 = they do not"},
     TECHNIQUE_OPTIONS(struct values, technique),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, layer), .choices = shown_layer_names,
      .help = "light that PNG, JPEG and the like show; EXR has all layers"},
@@ -96,7 +105,8 @@ static const struct arguments arguments = {
     .summary =
         "Renders a glTF scene offscreen. EXR and PFM get linear radiance, EXR with all layers;\n"
         "PNG, JPEG and the like get the picture as a display shows it. Each frame depends on its\n"
-        "time alone, and its files appear when they are whole, synced and read back: a sequence\n"
+        "time alone (but with --budget), and its files appear when they are whole, synced and read "
+        "back: a sequence\n"
         "may be split between processes, killed, and taken up again. Ctrl-C ends it after the\n"
         "frame at hand, Ctrl-\\ at once.",
     .options = options,
@@ -198,11 +208,14 @@ static bool is_there(const struct values *values, struct renderer *renderer, con
     return false;
 }
 
-static bool render_frame(const struct values *values, struct renderer *renderer,
-                         struct stage *stage, int frame) {
+static bool render_frame(struct values *values, struct renderer *renderer, struct stage *stage,
+                         int frame) {
     double time = (double)values->stage.time + frame / (double)values->fps;
     if (!stage_pose(stage, time) || !stage_show(stage, renderer))
         return false;
+    if (values->budget > 0)
+        return in_time_render(&values->in_time, renderer, stage, time) &&
+               each_output(values, renderer, frame, write_output);
     for (int i = 0; has_mean(values) && i < values->passes; i++)
         renderer_add_pass(renderer, values->first_pass + i);
     if (!has_mean(values))
@@ -210,7 +223,7 @@ static bool render_frame(const struct values *values, struct renderer *renderer,
     return each_output(values, renderer, frame, write_output);
 }
 
-static bool render_frames(const struct values *values, const struct frames *frames,
+static bool render_frames(struct values *values, const struct frames *frames,
                           struct renderer *renderer, struct stage *stage) {
     struct progress progress;
     int done = 0, skipped = 0;
@@ -240,7 +253,24 @@ static bool render_frames(const struct values *values, const struct frames *fram
     return ok;
 }
 
-static bool render(const struct values *values, const struct frames *frames,
+/* Which quality was chosen, and why. */
+static void print_choice(const struct values *values) {
+    struct quality_choice named = quality_named((enum quality)values->quality);
+    char *text = values->budget > 0      ? in_time_describe(&values->in_time)
+                 : values->max_error > 0 ? mem_strdup(values->choice)
+                                         : quality_describe(&named);
+    printf("chosen ");
+    if (values->budget > 0)
+        printf("by --budget %gms", (double)values->budget);
+    else if (values->max_error > 0)
+        printf("by --max-error %g%%", 100 * (double)values->max_error);
+    else
+        printf("by --quality %s", quality_names[values->quality]);
+    printf(": %s\n", text);
+    free(text);
+}
+
+static bool render(struct values *values, const struct frames *frames,
                    const struct renderer_desc *desc, struct stage *stage) {
     struct renderer renderer;
     if (!renderer_init(&renderer, desc))
@@ -248,6 +278,7 @@ static bool render(const struct values *values, const struct frames *frames,
     bool ok = aov_check(&renderer, values->aov) && render_frames(values, frames, &renderer, stage);
     if (ok && values->stats) {
         renderer_render(&renderer); /* the first frame also compiled */
+        print_choice(values);
         stats_print(&renderer);
     }
     renderer_free(&renderer);
@@ -267,9 +298,9 @@ static bool find_quality(struct values *values, struct renderer_desc *desc, stru
     if (!stage_pose(stage, (double)values->stage.time) || !quality_find(&wanted, &found))
         return false;
     char *what = quality_describe(&found.choice);
-    (found.reached ? log_note : log_warning)("%s: %s, which errs %.1f %%%s", stage->name, what,
-                                             100 * found.error,
-                                             found.reached ? "" : "; nothing errs less");
+    values->choice = mem_printf("%s, which errs %.1f %%%s", what, 100 * found.error,
+                                found.reached ? "" : "; nothing errs less");
+    (found.reached ? log_note : log_warning)("%s: %s", stage->name, values->choice);
     free(what);
     if (values->passes == 0)
         values->passes = found.choice.passes;
@@ -301,19 +332,34 @@ static bool render_scene(struct values *values, const struct frames *frames,
     return ok;
 }
 
-/* All that must be right before anything is opened. --max-error takes the normal quality for the while. */
+/* A choice has one reason. */
+static bool check_choice(const struct values *values) {
+    bool named = values->quality != QUALITY_NORMAL, told = values->max_error > 0;
+    if (named && told)
+        return error_set("--quality and --max-error exclude each other");
+    if (values->budget > 0 && (named || told || has_mean(values)))
+        return error_set("--budget excludes --quality, --max-error and --passes");
+    const struct text_list *texts = &values->technique.settings;
+    return values->budget == 0 || !quality_is_preset(texts->items, texts->count) ||
+           error_set("--budget excludes path=, which sets what it would choose");
+}
+
+/* All that must be right before anything is opened. --max-error and --budget take the normal quality for the
+ * while. */
 static bool resolve(struct values *values, const struct frames *frames,
                     struct renderer_desc *desc) {
     const struct technique_values *named = &values->technique;
     struct quality_choice choice = quality_named((enum quality)values->quality);
-    if (values->max_error > 0 && values->quality != QUALITY_NORMAL)
-        return error_set("--quality and --max-error exclude each other");
+    if (!check_choice(values))
+        return false;
     if (values->passes == 0 && values->max_error == 0)
         values->passes = choice.passes;
     desc->width = values->size[0];
     desc->height = values->size[1];
     desc->progressive = has_mean(values);
-    desc->timed = values->stats;
+    desc->timed = values->stats || values->budget > 0;
+    values->in_time.texts = &named->settings;
+    time_budget_init(&values->in_time.budget, (double)values->budget);
     return check_outputs(values, frames->count) &&
            technique_values_resolve(named, &desc->technique, &desc->direct, &desc->settings) &&
            quality_settings(&choice, desc->technique, named->settings.items, named->settings.count,
@@ -338,6 +384,7 @@ int app_render(int argc, char **argv) {
         interrupts_hold();
     bool ok = render_scene(&values, &frames, &desc);
     frames_free(&frames);
+    free(values.choice);
     if (ok)
         return STATUS_OK;
     status = arguments_fail(argv[0]);

@@ -95,6 +95,8 @@ static bool parse_float(const char *text, const struct option *option, float *va
     if (end > text && strcmp(end, "%") == 0) {
         number /= 100;
         end++;
+    } else if (end > text && option->unit && strcmp(end, option->unit) == 0) {
+        end += strlen(option->unit);
     }
     if (end == text || *end || !isfinite(number) || number < option->minimum ||
         number > option->maximum)

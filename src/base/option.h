@@ -40,6 +40,7 @@ struct option {
     double default_value, minimum, maximum;
     const char *const *choices; /* OPTION_CHOICE: null-terminated */
     const char *value_name;     /* in --help: "FILE"; NULL = by type */
+    const char *unit;           /* may stand behind a number: "ms"; NULL = none */
     const char *help;
 };
 

@@ -48,7 +48,7 @@ static bool is_preset(const struct word *word) {
     return word->length > 5 && strncmp(word->at, "path=", 5) == 0;
 }
 
-static bool names_preset(const char *const *texts, int count) {
+bool quality_is_preset(const char *const *texts, int count) {
     for (int i = 0; i < count; i++)
         for (struct word word = {.at = texts[i]}; word_next(&word);)
             if (is_preset(&word))
@@ -58,7 +58,7 @@ static bool names_preset(const char *const *texts, int count) {
 
 bool quality_settings(const struct quality_choice *choice, const struct technique *technique,
                       const char *const *texts, int count, struct settings *settings) {
-    const char *all[TEXT_LIST_MAX + 1] = {names_preset(texts, count) ? "" : choice->settings};
+    const char *all[TEXT_LIST_MAX + 1] = {quality_is_preset(texts, count) ? "" : choice->settings};
     for (int i = 0; i < count; i++)
         all[i + 1] = texts[i];
     renderer_settings_init(settings);
@@ -133,7 +133,7 @@ static bool try_passes(struct climb *climb) {
 /* Of a preset that is given there is one rung. */
 static bool is_rung(struct climb *climb, const struct quality_choice *choice) {
     const struct quality_desc *desc = climb->desc;
-    return (!*choice->settings || !names_preset(desc->texts, desc->text_count)) &&
+    return (!*choice->settings || !quality_is_preset(desc->texts, desc->text_count)) &&
            set(climb, choice);
 }
 

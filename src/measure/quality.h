@@ -45,6 +45,9 @@ struct quality_found {
 /* With a context. Error: of the tracer or a renderer. */
 bool quality_find(const struct quality_desc *desc, struct quality_found *found);
 
+/* Whether settings that are given name a preset, path=. */
+bool quality_is_preset(const char *const *texts, int count);
+
 /* The settings of a choice, but for those that are given; a path= among those takes the choice's place. Error: of a
  * name or a value, or the technique has no such preset. */
 bool quality_settings(const struct quality_choice *choice, const struct technique *technique,

@@ -8,10 +8,12 @@
 char *visibility_defines(const struct visibility_desc *desc) {
     int terms = desc->basis_terms > 0 ? desc->basis_terms : 1;
     bool jacobian = desc->lookup != VISIBILITY_LOOKUP_CSSM || desc->filter_jacobian;
+    /* Other programs serve any number of maps. */
+    int count = desc->lookup == VISIBILITY_LOOKUP_CSSM ? desc->map_count : 0;
     return mem_printf("FILTER %d;MAP_COUNT %d;BASIS_TERMS %d;BASIS_GROUPS %d;JACOBIAN %d;"
                       "SHARPEN %d;FILTER_TAPS %d;SEARCH_TAPS %d",
-                      desc->lookup, desc->map_count, terms, (terms + 3) / 4, jacobian,
-                      desc->sharpen_a > 0, desc->taps, (desc->taps + 1) / 2);
+                      desc->lookup, count, terms, (terms + 3) / 4, jacobian, desc->sharpen_a > 0,
+                      desc->taps, (desc->taps + 1) / 2);
 }
 
 static void add_maps(struct pass_state *state, const struct visibility_desc *desc,

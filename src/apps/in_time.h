@@ -1,0 +1,25 @@
+/* Frames in the time that they may take. */
+#ifndef APPS_IN_TIME_H
+#define APPS_IN_TIME_H
+
+#include "base/option.h"
+#include "measure/stage.h"
+#include "measure/time_budget.h"
+
+struct in_time {
+    struct time_budget budget;
+    const struct text_list *texts; /* settings that are given, and win */
+    bool started;
+    int level; /* that the renderer has, where started */
+};
+
+/* Draws the stage, posed at that time, at the budget's level, and lets the budget choose the next one's by how
+ * long that took. The first frame is drawn until it takes what it may. The renderer is of the stage, and
+ * timed. Error: of the settings or the renderer, which must then be freed. */
+bool in_time_render(struct in_time *in_time, struct renderer *renderer, struct stage *stage,
+                    double time);
+
+/* "level 31 of 72: lights.vpls=...", of the next frame; the caller frees it. */
+char *in_time_describe(const struct in_time *in_time);
+
+#endif

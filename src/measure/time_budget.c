@@ -1,0 +1,165 @@
+#include "measure/time_budget.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+
+/* --- levels --- */
+
+/* Between two rows, numbers go from one to the other by ratio; grades are the lower row's. */
+static const struct row {
+    int level;
+    struct {
+        int vpls, vals, map, near_samples, block, rsm;
+    } numbers;
+    struct {
+        int interleave, detail, detail_times, samples;
+        double detail_share;
+    } grades;
+} rows[] = {
+    {0, {64, 2, 16, 64, 21, 128}, {8, 0, 1, 1, .5}},
+    {16, {256, 6, 64, 128, 11, 256}, {8, 0, 1, 4, .5}},
+    {26, {512, 12, 128, 256, 7, 384}, {8, 0, 1, 8, .5}}, /* draft */
+    {36, {768, 20, 192, 512, 7, 512}, {8, 4, 1, 8, .5}},
+    {44, {1024, 30, 256, 1024, 7, 512}, {8, 4, 4, 8, 1}}, /* the defaults */
+    {52, {1024, 60, 256, 1024, 7, 512}, {8, 2, 1, 8, 1}}, /* path=fine */
+    {60, {1024, 80, 320, 1024, 7, 512}, {4, 1, 1, 16, 1}},
+    {TIME_BUDGET_LEVELS - 1, {1024, 120, 512, 1024, 7, 512}, {2, 1, 1, 16, 1}},
+};
+
+/* The last row that begins at the level or before, but the very last. */
+static const struct row *row_of(int level) {
+    const struct row *row = rows, *last = rows + sizeof rows / sizeof *rows - 2;
+    while (row < last && row[1].level <= level)
+        row++;
+    return row;
+}
+
+static int between(int low, int high, double share) {
+    return (int)lround(low * pow((double)high / low, share));
+}
+
+char *time_budget_settings(int level) {
+    const struct row *a = row_of(level), *b = a + 1;
+    double share = (double)(level - a->level) / (b->level - a->level);
+    const struct row *grade = level >= b->level ? b : a;
+    return mem_printf(
+        "lights.vpls=%d lights.rsm-size=%d clustered.vals=%d map.size=%d gather.near-samples=%d "
+        "clustered.visibility-block=%d gather.interleave=%d gather.detail=%d "
+        "gather.detail-times=%d picture.samples=%d gather.detail-share=%g",
+        between(a->numbers.vpls, b->numbers.vpls, share),
+        between(a->numbers.rsm, b->numbers.rsm, share),
+        between(a->numbers.vals, b->numbers.vals, share),
+        between(a->numbers.map, b->numbers.map, share),
+        between(a->numbers.near_samples, b->numbers.near_samples, share),
+        between(a->numbers.block, b->numbers.block, share), grade->grades.interleave,
+        grade->grades.detail, grade->grades.detail_times, grade->grades.samples,
+        grade->grades.detail_share);
+}
+
+/* --- the choice of one --- */
+
+/* A frame may take so much more than the target, and so much less before a dearer level is tried;
+ * logarithms of ratios. */
+static const double above = .05, below = -.09;
+
+/* What is aimed at, likewise. */
+static const double aim = -.02;
+
+/* Beyond that, one frame is enough to tell. */
+static const double clear = .2;
+
+/* By so much frames of a level must become faster before what was too slow is tried again. */
+static const double changed = .15;
+
+/* Of a level, as long as none has been measured; and between which bounds it may lie. */
+static const double growth_usual = .06, growth_least = .02, growth_most = .25;
+
+enum { STEP_MOST = 24, LEVEL_FIRST = 26, PATIENCE_FIRST = 12, PATIENCE_MOST = 400 };
+
+void time_budget_init(struct time_budget *budget, double target) {
+    *budget = (struct time_budget){.target = target,
+                                   .level = LEVEL_FIRST,
+                                   .before = -1,
+                                   .growth = growth_usual,
+                                   .too_slow = TIME_BUDGET_LEVELS,
+                                   .patience = PATIENCE_FIRST};
+}
+
+/* The middle one of the last three; of fewer the last, as one frame in three may be disturbed. */
+static double typical(const struct time_budget *budget) {
+    const double *s = budget->samples;
+    if (budget->count < TIME_BUDGET_SAMPLES)
+        return s[budget->count - 1];
+    return fmax(fmin(s[0], s[1]), fmin(fmax(s[0], s[1]), s[2]));
+}
+
+static double off_target(const struct time_budget *budget) {
+    return log(typical(budget) / budget->target);
+}
+
+static double clamped(double value, double least, double most) {
+    return fmin(fmax(value, least), most);
+}
+
+/* How dear a level is, from the last two that were measured. */
+static void learn_growth(struct time_budget *budget, double ms) {
+    int apart = budget->level - budget->before;
+    if (budget->before >= 0 && apart != 0)
+        budget->growth = clamped(log(ms / budget->before_ms) / apart, growth_least, growth_most);
+}
+
+/* What was too slow once need not be so for ever: scenes change. */
+static void note_slow(struct time_budget *budget) {
+    bool again = budget->level == budget->too_slow;
+    int longer = 2 * budget->patience < PATIENCE_MOST ? 2 * budget->patience : PATIENCE_MOST;
+    budget->patience = again ? longer : PATIENCE_FIRST;
+    budget->wait = budget->patience;
+    budget->too_slow = budget->level;
+}
+
+static void wait_for_slow(struct time_budget *budget) {
+    if (budget->count == TIME_BUDGET_SAMPLES)
+        budget->first_ms = typical(budget);
+    bool faster =
+        budget->count > TIME_BUDGET_SAMPLES && log(typical(budget) / budget->first_ms) < -changed;
+    budget->wait = faster || budget->wait == 0 ? 0 : budget->wait - 1;
+}
+
+/* The level that takes what is aimed at, by the growth. */
+static int wanted_level(const struct time_budget *budget) {
+    double steps = floor((aim - off_target(budget)) / budget->growth);
+    int level = budget->level + (int)clamped(steps, -STEP_MOST, STEP_MOST);
+    int top = budget->wait > 0 ? budget->too_slow - 1 : TIME_BUDGET_LEVELS - 1;
+    return level < 0 ? 0 : level < top ? level : top;
+}
+
+static bool is_within(double off) {
+    return off <= above && off >= below;
+}
+
+bool time_budget_add(struct time_budget *budget, double ms) {
+    budget->samples[budget->count++ % TIME_BUDGET_SAMPLES] = ms;
+    if (budget->count == 1)
+        learn_growth(budget, ms);
+    wait_for_slow(budget);
+    double off = off_target(budget);
+    bool told = budget->count >= TIME_BUDGET_SAMPLES || fabs(off) > clear;
+    if (is_within(off) || !told)
+        return false;
+    if (off > above)
+        note_slow(budget);
+    int level = wanted_level(budget);
+    if (level == budget->level)
+        return false;
+    budget->before = budget->level;
+    budget->before_ms = typical(budget);
+    budget->level = level;
+    budget->count = 0;
+    return true;
+}
+
+bool time_budget_holds(const struct time_budget *budget) {
+    return budget->count > 0 &&
+           (is_within(off_target(budget)) || wanted_level(budget) == budget->level);
+}
