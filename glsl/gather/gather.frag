@@ -124,7 +124,7 @@ vec3 group_light(light_group group, surface s) {
 }
 
 // Irradiance times pi of the VPLs first .. last.
-vec3 light_together(surface s, int first, int last, inout float random) {
+vec3 light_together(surface s, int first, int last, float random) {
     const light_group none = light_group(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0);
     light_group redder = none, greener = none;
     for (int i = first; i < last; i++) {
@@ -139,11 +139,13 @@ vec3 light_together(surface s, int first, int last, inout float random) {
 
 vec3 light_of_slot(surface s, ivec2 pixel) {
     vec3 sum = vec3(0.0);
-    // A lattice: pixels side by side have numbers far apart.
+    // A lattice: pixels side by side have numbers far apart. Each group has its own, as one has no digits for more.
     float random = fract(dot(vec2(pixel), vec2(0.7548776662, 0.5698402910)));
     ivec2 lights = lights_of(pixel);
-    for (int i = lights.x; i < lights.y; i += TOGETHER)
+    for (int i = lights.x; i < lights.y; i += TOGETHER) {
         sum += light_together(s, i, min(i + TOGETHER, lights.y), random);
+        random = fract(random + 0.6180339887);
+    }
     return sum;
 }
 #else
