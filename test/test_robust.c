@@ -165,7 +165,7 @@ static void test_scale(void **state) {
             check_finite("scaled", &scaled);
             /* What rounding of other numbers does to shadows' edges. */
             check_at_most("the scene at another scale, relative RMSE",
-                          relative_rmse(&scaled, &plain, ""), .01);
+                          relative_rmse(&scaled, &plain, ""), .002);
             image_free(&scaled);
             stage_free(&stage);
         }

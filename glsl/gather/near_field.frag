@@ -54,7 +54,7 @@ vec3 sample_light(surface receiver, light l, int index, vec2 ndc, float reach) {
     seen = light_view_at(other);
     v = seen.view;
     if (other != index) {
-        vec4 clip = v.world_to_clip * vec4(l.position + ray, 1.0);
+        vec4 clip = v.world_to_clip * vec4(ray, 0.0);
         ndc = clip.xy / clip.w;
     }
 #endif

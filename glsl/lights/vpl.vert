@@ -47,7 +47,7 @@ void main() {
     if (!directional) {
         direction = sample_direction(l, halton);
         view = light_view_at(light_view_index(l, direction));
-        vec4 clip = view.view.world_to_clip * vec4(l.position + direction, 1.0);
+        vec4 clip = view.view.world_to_clip * vec4(direction, 0.0);
         ndc = clip.xy / clip.w;
     }
     ivec2 size = rsm_size(view.kind);
