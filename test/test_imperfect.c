@@ -109,7 +109,7 @@ static void test_solid_angle(void **state) {
     struct renderer_desc desc =
         desc_of(&stage, name,
                 "vpls=16 interleave=4 imperfect-shadow-maps.size=256 sets=1 "
-                "imperfect-shadow-maps.points=256 imperfect-shadow-maps.scale=.15 "
+                "imperfect-shadow-maps.map-points=256 imperfect-shadow-maps.scale=.15 "
                 "near-clip=0",
                 16, 16);
     open_renderer(&renderer, &desc);
@@ -271,7 +271,8 @@ static void test_converges(void **state) {
     open_stage(&stage, "scenes/cornell-box.glb");
 #define PLAIN "vpls=64 interleave=1 "
 #define MAP(size, points)                                                                          \
-    PLAIN "imperfect-shadow-maps.size=" #size " imperfect-shadow-maps.points=" #points " sets=8 "
+    PLAIN "imperfect-shadow-maps.size=" #size " imperfect-shadow-maps.map-points=" #points         \
+          " sets=8 "
     struct image truth = render_stage(&stage, "instant-radiosity", PLAIN, 64);
     double none = error_against(&truth, &stage, "unshadowed", PLAIN);
     double few = error_against(&truth, &stage, name, MAP(64, 256));
@@ -309,7 +310,7 @@ static void test_frames(void **state) {
     struct image again;
     open_stage(&stage, "scenes/metaballs.glb");
     struct renderer_desc desc =
-        desc_of(&stage, name, "vpls=64 sets=4 imperfect-shadow-maps.points=512", 32, 32);
+        desc_of(&stage, name, "vpls=64 sets=4 imperfect-shadow-maps.map-points=512", 32, 32);
     struct image fresh = render_layers(&desc);
     open_renderer(&renderer, &desc);
     for (int back = 0; back < 2; back++) {

@@ -23,7 +23,7 @@ static const char *const shape_names[] = {"disk", "square", "filled", NULL};
 
 static const struct option table[] = {
     {"size", 0, OPTION_INT, ROW(size), 64, 8, 1024, .help = "of a VPL's map, texels a side"},
-    {"points", 0, OPTION_INT, ROW(points), 4096, 16, 262144, .help = "that a map is made of"},
+    {"map-points", 0, OPTION_INT, ROW(points), 4096, 16, 262144, .help = "that a map is made of"},
     {"sets", 0, OPTION_INT, ROW(sets), 64, 1, 1024, .help = "of points, which VPLs take in turn"},
     {"shape", 0, OPTION_CHOICE, ROW(shape), SHAPE_DISK, .choices = shape_names,
      .help =
