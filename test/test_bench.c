@@ -272,6 +272,27 @@ static void test_budget(void **state) {
     free(text);
 }
 
+/* What is chosen for an error is no slower than all that errs no more, and errs as was told. Bounds are loose:
+ * 32 x 32 pixels, 10 % noise. */
+static void test_quality(void **state) {
+    (void)state;
+    char arguments[1024];
+    const char *csv = scratch("quality.csv");
+    snprintf(arguments, sizeof arguments,
+             "quality scenes/cornell-box.glb --size 32x32 --noise .1 --cache %s --csv %s -q "
+             "--passes 4 --set vpls=64,map.size=32,vals=4",
+             scratch("bench-cache"), csv);
+    check_runs(arguments);
+    double told = number_of(output, "error=30%", 0), error = number_of(output, "error=30%", 1);
+    check_near("told over measured", told / error, 1, .4);
+    check_near("of the error asked for", number_of(output, "error=30%", 2), error / 30, .01);
+    check_at_most("CPU ms of 30 %", number_of(output, "error=30%", 3),
+                  1.5 * number_of(output, "error=2%", 3));
+    char *text = read_text(csv);
+    check_csv(text);
+    free(text);
+}
+
 /* Soft shadows see of a lamp what the tracer sees, hard ones less; and what is seen of it is drawn. */
 static void test_direct(void **state) {
     (void)state;
@@ -319,7 +340,7 @@ static void test_vpl_raytraced(void **state) {
 static void test_help(void **state) {
     (void)state;
     static const char *const modes[] = {"times",    "sweep",    "scaling", "budget", "curves",
-                                        "temporal", "failures", "direct",  "chart"};
+                                        "temporal", "failures", "direct",  "chart",  "quality"};
     check_runs("--help");
     enum { MODES = sizeof modes / sizeof *modes };
     for (int i = 0; i < MODES; i++)
@@ -363,12 +384,12 @@ static void test_refusals(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_times),         cmocka_unit_test(test_sweep_and_cache),
-        cmocka_unit_test(test_chart),         cmocka_unit_test(test_front),
-        cmocka_unit_test(test_other_charts),  cmocka_unit_test(test_scaling),
-        cmocka_unit_test(test_budget),        cmocka_unit_test(test_direct),
-        cmocka_unit_test(test_vpl_raytraced), cmocka_unit_test(test_help),
-        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_times),        cmocka_unit_test(test_sweep_and_cache),
+        cmocka_unit_test(test_chart),        cmocka_unit_test(test_front),
+        cmocka_unit_test(test_other_charts), cmocka_unit_test(test_scaling),
+        cmocka_unit_test(test_budget),       cmocka_unit_test(test_quality),
+        cmocka_unit_test(test_direct),       cmocka_unit_test(test_vpl_raytraced),
+        cmocka_unit_test(test_help),         cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -57,18 +57,25 @@ static bool take_pixels(const struct estimate *estimate, const struct image *pic
     return true;
 }
 
-bool estimate_error(const struct estimate *estimate, struct renderer *renderer, double *error) {
-    struct image picture = {0}, pixels = {0}, truth = {0};
-    bool ok = renderer_read_layers(renderer, &picture) &&
-              take_pixels(estimate, &picture, &pixels) &&
+bool estimate_picture_error(const struct estimate *estimate, const struct image *picture,
+                            double *error) {
+    struct image pixels = {0}, truth = {0};
+    bool ok = take_pixels(estimate, picture, &pixels) &&
               layer_extract(&truth, &estimate->truth, "indirect");
     if (ok) {
         struct comparison comparison = {.test = &pixels, .reference = &truth};
         double with_noise = metric_measure(metric_find("relative-rmse"), &comparison, NULL);
         *error = sqrt(fmax(with_noise * with_noise - estimate->noise * estimate->noise, 0));
     }
-    image_free(&picture);
     image_free(&pixels);
     image_free(&truth);
+    return ok;
+}
+
+bool estimate_error(const struct estimate *estimate, struct renderer *renderer, double *error) {
+    struct image picture = {0};
+    bool ok = renderer_read_layers(renderer, &picture) &&
+              estimate_picture_error(estimate, &picture, error);
+    image_free(&picture);
     return ok;
 }

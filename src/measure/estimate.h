@@ -23,4 +23,8 @@ void estimate_free(struct estimate *estimate);
  * taken off as squares. Error: out of memory, the context is lost, or a value is not finite. */
 bool estimate_error(const struct estimate *estimate, struct renderer *renderer, double *error);
 
+/* The same of a picture with all layers. */
+bool estimate_picture_error(const struct estimate *estimate, const struct image *picture,
+                            double *error);
+
 #endif

@@ -13,7 +13,7 @@ const char *const quality_names[] = {"draft", "normal", "high", "final", NULL};
 
 /* Each is on the front of error against CPU time in some of six scenes, and behind it in none of them by much
  * (bench/PARSIMONY.md). Cheapest first. */
-static const struct quality_choice ladder[] = {
+static const struct quality_choice frames[] = {
     {"path=draft", 1},
     {"gather.detail=0", 1},
     {"", 1},
@@ -22,8 +22,6 @@ static const struct quality_choice ladder[] = {
     {"gather.interleave=2 gather.detail=1 clustered.vals=60 picture.samples=16", 1},
     {"gather.interleave=2 gather.detail=1 clustered.vals=120 map.size=512 picture.samples=16", 1},
 };
-
-enum { RUNGS = sizeof ladder / sizeof *ladder };
 
 /* Fewer passes than that are worse than one of as much time. */
 enum { FEWEST_PASSES = 4 };
@@ -37,6 +35,21 @@ struct quality_choice quality_named(enum quality quality) {
         [QUALITY_FINAL] = {"", 64},
     };
     return qualities[quality];
+}
+
+int quality_ladder(struct quality_choice choices[QUALITY_CHOICES_MAX], int most_passes) {
+    int count = sizeof frames / sizeof *frames;
+    struct quality_choice mean = quality_named(QUALITY_FINAL);
+    memcpy(choices, frames, sizeof frames);
+    for (mean.passes = FEWEST_PASSES; mean.passes <= most_passes; mean.passes *= 2)
+        choices[count++] = mean;
+    return count;
+}
+
+/* Half the error asked for adds an eighth to it, which is taken off; less than two percent takes longer than the
+ * passes that would be saved. */
+double quality_noise(double error) {
+    return fmax(error / 2, .02);
 }
 
 char *quality_describe(const struct quality_choice *choice) {
@@ -138,22 +151,21 @@ static bool is_rung(struct climb *climb, const struct quality_choice *choice) {
 }
 
 static bool climb_up(struct climb *climb) {
+    struct quality_choice choices[QUALITY_CHOICES_MAX];
     const struct quality_choice final = quality_named(QUALITY_FINAL);
-    for (int i = 0; i < RUNGS && !climb->best->reached; i++)
-        if (is_rung(climb, &ladder[i]) && !try_frame(climb, &ladder[i]))
+    int count = quality_ladder(choices, climb->desc->most_passes), i = 0;
+    for (; i < count && choices[i].passes == 1 && !climb->best->reached; i++)
+        if (is_rung(climb, &choices[i]) && !try_frame(climb, &choices[i]))
             return false;
-    return climb->best->reached || climb->desc->most_passes < FEWEST_PASSES ||
-           (set(climb, &final) && try_passes(climb));
+    return climb->best->reached || i == count || (set(climb, &final) && try_passes(climb));
 }
 
 bool quality_find(const struct quality_desc *desc, struct quality_found *found) {
-    /* Half the error asked for adds an eighth to it, which is taken off; less than two percent takes
-     * longer than the passes that would be saved. */
-    double noise = fmax(desc->error / 2, .02);
     const struct quality_choice normal = quality_named(QUALITY_NORMAL);
     struct climb climb = {.desc = desc, .measure = *desc->measure, .best = found};
     *found = (struct quality_found){normal, INFINITY, false};
-    bool ok = set(&climb, &normal) && estimate_init(&climb.estimate, &climb.measure, noise) &&
+    bool ok = set(&climb, &normal) &&
+              estimate_init(&climb.estimate, &climb.measure, quality_noise(desc->error)) &&
               climb_up(&climb);
     estimate_free(&climb.estimate);
     return ok;

@@ -13,8 +13,8 @@
 #include <unistd.h>
 
 static const struct bench_mode *const modes[] = {
-    &bench_times,  &bench_sweep,    &bench_scaling,  &bench_budget, &bench_curves,
-    &bench_passes, &bench_temporal, &bench_failures, &bench_direct, &bench_chart,
+    &bench_times,   &bench_sweep,    &bench_scaling,  &bench_budget, &bench_curves, &bench_passes,
+    &bench_quality, &bench_temporal, &bench_failures, &bench_direct, &bench_chart,
 };
 
 enum { MODES = sizeof modes / sizeof *modes };
@@ -122,6 +122,9 @@ static const struct option options[] = {
      .help = "of a path-traced reference: standard error over mean"},
     {"cache", 0, OPTION_TEXT, VALUE(cache), .value_name = "DIR",
      .help = "where references are kept [$XDG_CACHE_HOME/manylight]"},
+    {"truth", 0, OPTION_TEXT, VALUE(truth), .value_name = "FILE",
+     .help =
+         "a reference to measure against, of the scene in this size, in place of one of the cache"},
     {"output", 'o', OPTION_TEXT, VALUE(output), .value_name = "DIR", .help = "where pictures go"},
     {"csv", 0, OPTION_TEXT, VALUE(csv), .value_name = "FILE",
      .help = "write all figures, a row each"},

@@ -13,7 +13,7 @@ struct bench_values {
     struct common_values common;
     struct context_desc context;
     struct text_list variants, settings, axes;
-    const char *csv, *cache, *output;
+    const char *csv, *cache, *output, *truth;
     int size[2], frames, warm_up, passes, reference;
     float noise;
     bool tracer, tables;
@@ -48,7 +48,7 @@ struct bench_mode {
 };
 
 extern const struct bench_mode bench_times, bench_sweep, bench_scaling, bench_budget, bench_curves,
-    bench_passes, bench_temporal, bench_failures, bench_direct, bench_chart;
+    bench_passes, bench_quality, bench_temporal, bench_failures, bench_direct, bench_chart;
 
 /* The options of modes that use OpenGL. */
 #define BENCH_CONTEXT " csv context device gl-debug"

@@ -1,0 +1,46 @@
+/* manylight bench quality: whether --max-error is right, and as cheap as it can be. */
+#include "apps/bench/bench.h"
+
+#include "base/file/image_file.h"
+#include "measure/quality_check.h"
+
+static bool check(struct bench *bench, const struct measure_desc *measure) {
+    const struct bench_values *values = &bench->values;
+    struct truth_desc desc = bench_truth(bench, TRUTH_PATH);
+    struct image truth;
+    bool ok = values->truth ? image_read(&truth, values->truth) : truth_get(&desc, measure, &truth);
+    if (!ok)
+        return false;
+    ok =
+        quality_check(&bench->results,
+                      &(struct quality_check_desc){measure, values->settings.items,
+                                                   values->settings.count, &truth, values->passes});
+    image_free(&truth);
+    return ok;
+}
+
+static bool measure(struct bench *bench, const struct measure_list *subjects) {
+    bool ok = true;
+    for (int i = 0; ok && i < subjects->count; i++)
+        ok = check(bench, &subjects->items[i]);
+    return ok;
+}
+
+const struct bench_mode bench_quality = {
+    .name = "quality",
+    .help =
+        "render --max-error: errors told against measured, times against the fastest's\n"
+        "Draws all that --max-error may choose, and fixed settings beside it; then, for 2, 4, 8,\n"
+        "16 and 30 %, what is chosen, which error was told of it and which it has without the\n"
+        "truth's noise; that over the error asked for, and its CPU time over that of the\n"
+        "fastest of all that errs no more.\n"
+        "Without SCENE: the paper's four scenes.",
+    .options = "size set light noise cache passes truth" BENCH_CONTEXT,
+    .measure = measure,
+    .tables = {{"--max-error",
+                {{"told %", "told", NULL},
+                 {"error %", "error", NULL},
+                 {"of asked", "of-asked", NULL},
+                 {"CPU ms", "cpu", NULL},
+                 {"of fastest", "of-fastest", NULL}}}},
+};

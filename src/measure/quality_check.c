@@ -1,0 +1,263 @@
+#include "measure/quality_check.h"
+
+#include "base/clock.h"
+#include "base/log.h"
+#include "base/memory.h"
+#include "measure/estimate.h"
+#include "measure/truth.h"
+#include "metrics/layer.h"
+#include "metrics/metric.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* What users might set instead. */
+static const struct fixed {
+    const char *technique; /* NULL: as the desc has it */
+    struct quality_choice choice;
+} others[] = {
+    {NULL, {"gather.detail=0 clustered.vals=8", 1}},
+    {NULL, {"clustered.vals=8", 1}},
+    {NULL, {"clustered.vals=16", 1}},
+    {NULL, {"clustered.vals=60", 1}},
+    {NULL, {"gather.interleave=4", 1}},
+    {NULL, {"lights.vpls=2048", 1}},
+    {NULL, {"gather.interleave=4 gather.detail=2 clustered.vals=60", 1}},
+    {NULL, {"picture.samples=16", 1}},
+    {"unshadowed", {"", 1}},
+    {"instant-radiosity", {"", 1}},
+    {"imperfect-shadow-maps", {"", 1}},
+    {"lightcuts", {"", 1}},
+};
+
+static const double asked[] = {.02, .04, .08, .16, .3};
+
+enum {
+    OTHERS = sizeof others / sizeof *others,
+    ASKED = sizeof asked / sizeof *asked,
+    TRIED_MAX = QUALITY_CHOICES_MAX + OTHERS,
+    TIMED = 2,
+};
+
+/* A choice, drawn. */
+struct tried {
+    struct quality_choice choice;
+    const struct technique *technique;
+    struct image picture; /* of the ladder's */
+    double error, ms, cpu;
+};
+
+struct check {
+    const struct quality_check_desc *desc;
+    struct results *results;
+    struct image truth; /* its indirect layer */
+    double noise;
+    struct tried tried[TRIED_MAX];
+    int count, ladder; /* the first ones are the ladder's */
+};
+
+static double without_noise(double error, double noise) {
+    return sqrt(fmax(error * error - noise * noise, 0));
+}
+
+static bool measure_error(struct check *check, struct tried *tried) {
+    struct image layer;
+    if (!layer_extract(&layer, &tried->picture, "indirect"))
+        return false;
+    struct comparison comparison = {.test = &layer, .reference = &check->truth};
+    double error = metric_measure(metric_find("relative-rmse"), &comparison, NULL);
+    tried->error = without_noise(error, check->noise);
+    image_free(&layer);
+    return true;
+}
+
+/* --- drawing --- */
+
+static bool start(struct check *check, const struct tried *tried, struct renderer *renderer) {
+    const struct quality_check_desc *desc = check->desc;
+    struct measure_desc measure = *desc->measure;
+    measure.technique = tried->technique;
+    if (!quality_settings(&tried->choice, measure.technique, desc->texts, desc->text_count,
+                          &measure.settings) ||
+        !measure_start(renderer, &measure))
+        return false;
+    renderer->timers.enabled = false;
+    return true;
+}
+
+/* The first one compiles. The least CPU time of some is what the others would have had alone. */
+static void time_frames(struct renderer *renderer, struct tried *tried) {
+    renderer_render(renderer);
+    for (int i = 0; i < TIMED; i++) {
+        gl.Finish();
+        double clock = clock_ms(), cpu = clock_cpu_ms();
+        renderer_render(renderer);
+        gl.Finish();
+        clock = clock_ms() - clock;
+        cpu = clock_cpu_ms() - cpu;
+        tried->ms = i ? fmin(tried->ms, clock) : clock;
+        tried->cpu = i ? fmin(tried->cpu, cpu) : cpu;
+    }
+}
+
+static bool try_frame(struct check *check, struct tried *tried) {
+    struct renderer renderer;
+    if (!start(check, tried, &renderer))
+        return false;
+    time_frames(&renderer, tried);
+    bool ok = renderer_read_layers(&renderer, &tried->picture) && measure_error(check, tried);
+    renderer_free(&renderer);
+    return ok;
+}
+
+/* One mean, at each number of passes on its way to the last. */
+static bool try_means(struct check *check, struct tried *tried, int count) {
+    struct renderer renderer;
+    double ms = 0, cpu = 0;
+    int done = 0;
+    if (count == 0)
+        return true;
+    bool ok = start(check, tried, &renderer);
+    if (!ok)
+        return false;
+    struct renderer_desc progressive = renderer.desc;
+    progressive.progressive = true;
+    ok = renderer_follow(&renderer, &progressive);
+    renderer.timers.enabled = false;
+    for (int pass = 0; ok && pass < 2; pass++) /* compiles */
+        renderer_add_pass(&renderer, pass);
+    for (int i = 0; ok && i < count; i++) {
+        gl.Finish();
+        ms -= clock_ms(), cpu -= clock_cpu_ms();
+        while (done < tried[i].choice.passes)
+            renderer_add_pass(&renderer, done++);
+        gl.Finish();
+        ms += clock_ms(), cpu += clock_cpu_ms();
+        tried[i].ms = ms;
+        tried[i].cpu = cpu;
+        ok = renderer_read_layers(&renderer, &tried[i].picture) && measure_error(check, &tried[i]);
+    }
+    renderer_free(&renderer);
+    return ok;
+}
+
+static void list_choices(struct check *check) {
+    struct quality_choice choices[QUALITY_CHOICES_MAX];
+    const struct technique *technique = check->desc->measure->technique;
+    check->ladder = quality_ladder(choices, check->desc->most_passes);
+    for (int i = 0; i < check->ladder; i++)
+        check->tried[check->count++] = (struct tried){.choice = choices[i], .technique = technique};
+    for (int i = 0; i < OTHERS; i++)
+        check->tried[check->count++] = (struct tried){
+            .choice = others[i].choice,
+            .technique = others[i].technique ? technique_find(others[i].technique) : technique};
+}
+
+static bool try_all(struct check *check) {
+    bool ok = true;
+    for (int i = 0; ok && i < check->count; i++) {
+        struct tried *tried = &check->tried[i];
+        int means = check->ladder - i;
+        if (i < check->ladder && tried->choice.passes > 1) {
+            ok = try_means(check, tried, means);
+            i += means - 1;
+        } else {
+            ok = try_frame(check, tried);
+            log_note("%s: %s %s errs %.1f %%", check->desc->measure->stage->name,
+                     tried->technique->name, tried->choice.settings, 100 * tried->error);
+        }
+        if (i >= check->ladder)
+            image_free(&tried->picture);
+    }
+    return ok;
+}
+
+/* --- telling --- */
+
+/* point NULL: as the choice is described. */
+static void begin(struct check *check, const struct tried *tried, const char *variant,
+                  const char *point) {
+    struct measure_desc measure = *check->desc->measure;
+    char *what = quality_describe(&tried->choice);
+    measure.technique = tried->technique;
+    quality_settings(&tried->choice, measure.technique, check->desc->texts, check->desc->text_count,
+                     &measure.settings);
+    snprintf(measure.variant, sizeof measure.variant, "%s", variant);
+    bool own = tried->technique == check->desc->measure->technique;
+    snprintf(measure.point, sizeof measure.point, "%s",
+             point ? point
+             : own ? what
+                   : tried->technique->name);
+    results_begin(check->results, &measure);
+    results_add(check->results, "error", truth_names[TRUTH_PATH], "%", 100 * tried->error);
+    results_add(check->results, "clock", "", "ms", tried->ms);
+    results_add(check->results, "cpu", "", "ms", tried->cpu);
+    free(what);
+}
+
+/* The fastest that errs no more. */
+static double fastest(const struct check *check, double error) {
+    double least = INFINITY;
+    for (int i = 0; i < check->count; i++)
+        if (check->tried[i].error <= error)
+            least = fmin(least, check->tried[i].cpu);
+    return least;
+}
+
+/* As quality_find does: the first that is told to err no more, or else that which is told to err least. */
+static bool choose(struct check *check, const struct estimate *estimate, double error,
+                   const struct tried **chosen, double *told) {
+    *told = INFINITY;
+    for (int i = 0; i<check->ladder && * told> error; i++) {
+        double now;
+        if (!estimate_picture_error(estimate, &check->tried[i].picture, &now))
+            return false;
+        if (now < *told) {
+            *told = now;
+            *chosen = &check->tried[i];
+        }
+    }
+    return true;
+}
+
+static bool ask(struct check *check, double error) {
+    struct estimate estimate;
+    const struct tried *chosen = NULL;
+    double told;
+    char point[32];
+    if (!estimate_init(&estimate, check->desc->measure, quality_noise(error)))
+        return false;
+    bool ok = choose(check, &estimate, error, &chosen, &told);
+    if (ok) {
+        snprintf(point, sizeof point, "error=%g%%", 100 * error);
+        begin(check, chosen, "automatic", point);
+        results_add(check->results, "told", "", "%", 100 * told);
+        results_add(check->results, "of-asked", "", "1", chosen->error / error);
+        results_add(check->results, "of-fastest", "", "1",
+                    chosen->cpu / fastest(check, chosen->error));
+    }
+    estimate_free(&estimate);
+    return ok;
+}
+
+static bool tell(struct check *check) {
+    bool ok = true;
+    for (int i = 0; i < check->count; i++)
+        begin(check, &check->tried[i], i < check->ladder ? "ladder" : "fixed", NULL);
+    for (int i = 0; ok && i < ASKED; i++)
+        ok = ask(check, asked[i]);
+    return ok;
+}
+
+bool quality_check(struct results *results, const struct quality_check_desc *desc) {
+    struct check check = {.desc = desc, .results = results, .noise = truth_noise(desc->truth)};
+    if (!layer_extract(&check.truth, desc->truth, "indirect"))
+        return false;
+    list_choices(&check);
+    bool ok = try_all(&check) && tell(&check);
+    for (int i = 0; i < check.count; i++)
+        image_free(&check.tried[i].picture);
+    image_free(&check.truth);
+    return ok;
+}

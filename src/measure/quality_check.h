@@ -1,0 +1,24 @@
+/* Whether errors are as they are told, and what is chosen by them as cheap as it can be. */
+#ifndef MEASURE_QUALITY_CHECK_H
+#define MEASURE_QUALITY_CHECK_H
+
+#include "measure/quality.h"
+#include "measure/results.h"
+
+struct quality_check_desc {
+    const struct measure_desc *measure; /* as quality_desc's, with settings */
+    const char *const *texts;
+    int text_count;
+    const struct image *truth; /* of all pixels */
+    int most_passes;
+};
+
+/* Draws each choice of the quality ladder, and fixed settings and techniques beside it: a subject each, of variant
+ * "ladder" or "fixed", with its "error" (relative RMSE of the indirect layer, the truth's noise taken off),
+ * "clock" and "cpu". Then, of variant "automatic", one for each error that may be asked for ("error=8%"), with what the
+ * ladder's choice has; besides "told", the error that was told of it, "of-asked", its error over the one
+ * asked for, and "of-fastest", its CPU time over that of the fastest that errs no more. Error: of a renderer or
+ * the tracer. */
+bool quality_check(struct results *results, const struct quality_check_desc *desc);
+
+#endif
