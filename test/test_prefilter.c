@@ -11,6 +11,7 @@
 #include "passes/visibility/sums.h"
 #include "shared/depth_bounds.h"
 #include "shared/lookup.h"
+#include "shared/series_range.h"
 #include "shared/sums.h"
 
 #include <math.h>
@@ -101,8 +102,10 @@ static void check_sums(int size, int moments) {
     size_t count = (size_t)((size + 1) * (size + 1) * LAYERS_TESTED * moments);
     uint32_t *sums = mem_alloc(count, sizeof *sums);
     open_depths(&depths, size);
-    check_ok("pass", sums_pass_init(&pass, &(struct sums_desc){size, LAYERS_TESTED, moments}));
-    sums_pass_render(&pass, &frame, &depths.map);
+    check_ok("pass",
+             sums_pass_init(&pass, &(struct sums_desc){
+                                       .size = size, .count = LAYERS_TESTED, .moments = moments}));
+    sums_pass_render(&pass, &frame, &depths.map, NULL);
     gl.GetTextureImage(pass.maps.sums.id, 0, moments == 2 ? GL_RG_INTEGER : GL_RGBA_INTEGER,
                        GL_UNSIGNED_INT, (GLsizei)(count * sizeof *sums), sums);
     double total = 0;
@@ -121,6 +124,78 @@ static void test_sums(void **state) {
     check_sums(16, 2);
     check_sums(301, 2);
     check_sums(301, 4);
+}
+
+/* --- sums of Fourier bases -------------------------------------------------------------------- */
+
+enum { TERMS = 5, GROUPS = 2, BASIS_KINDS = 5 }; /* a group is not full */
+
+/* cos, sin, and both times the argument, of term k; and that alone. */
+static double basis_of(const struct series_range *range, double z, int kind, int k) {
+    double beyond = fmax(z - (double)range->nearest, 0);
+    double a = (double)range->scale * beyond / (beyond + (double)range->knee);
+    double angle = acos(-1) * (2 * k + 1) * a;
+    return (kind == 4 ? 1 : kind % 2 ? sin(angle) : cos(angle)) * (kind < 2 ? 1 : a);
+}
+
+/* The farthest that the mean over a box is from that of its texels, of any base. */
+static double box_error(const struct depths *depths, const uint32_t *sums,
+                        const struct series_range *range, const int box[4]) {
+    int side = depths->size + 1, layer = 1; /* all of it depths */
+    double worst = 0, texels = (box[2] - box[0]) * (box[3] - box[1]);
+    for (int i = 0; i < (BASIS_KINDS - 1) * TERMS + 1; i++) {
+        int kind = i / TERMS, k = i % TERMS, table = kind * GROUPS + k / 4;
+        const uint32_t *at =
+            sums + (size_t)(table * LAYERS_TESTED + layer) * (size_t)(side * side) * 4;
+#define TABLE_AT(x, y) at[((y)*side + (x)) * 4 + k % 4]
+        uint32_t sum = TABLE_AT(box[2], box[3]) - TABLE_AT(box[0], box[3]) -
+                       TABLE_AT(box[2], box[1]) + TABLE_AT(box[0], box[1]);
+        double expected = 0;
+        for (int y = box[1]; y < box[3]; y++)
+            for (int x = box[0]; x < box[2]; x++)
+                expected += basis_of(range, depth_at(depths, x, y, layer), kind, k) / texels;
+        worst = fmax(worst, fabs(2 * sum / (texels * SUM_BASIS_ONE) - 1 - expected));
+    }
+    return worst;
+}
+
+/* As exact as a texel's twelve bits, in boxes of all widths: that of all texels wraps in no table. */
+static void test_basis_sums(void **state) {
+    (void)state;
+    enum { SIZE = 300, SIDE = SIZE + 1 };
+    static const int boxes[][4] = {{0, 0, SIZE, SIZE},
+                                   {7, 3, 8, 4},
+                                   {299, 299, 300, 300},
+                                   {17, 200, 217, 205},
+                                   {1, 0, 299, 300}};
+    struct depths depths;
+    struct basis_pass basis;
+    struct sums_pass pass;
+    struct timers timers;
+    struct frame frame = untimed_frame(&timers);
+    struct series_range ranges[LAYERS_TESTED];
+    open_depths(&depths, SIZE);
+    check_ok("ranges", basis_pass_init(&basis, &(struct basis_desc){.size = SIZE,
+                                                                    .count = LAYERS_TESTED,
+                                                                    .terms = TERMS,
+                                                                    .ranges_alone = true}));
+    check_ok("sums",
+             sums_pass_init(
+                 &pass, &(struct sums_desc){.size = SIZE, .count = LAYERS_TESTED, .terms = TERMS}));
+    basis_pass_render(&basis, &frame, &depths.map);
+    sums_pass_render(&pass, &frame, &depths.map, &basis.maps.ranges);
+    buffer_read(&basis.maps.ranges, 0, sizeof ranges, ranges);
+    size_t count = (size_t)pass.maps.sums.desc.layers * SIDE * SIDE * 4;
+    uint32_t *sums = mem_alloc(count, sizeof *sums);
+    gl.GetTextureImage(pass.maps.sums.id, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
+                       (GLsizei)(count * sizeof *sums), sums);
+    for (size_t i = 0; i < sizeof boxes / sizeof *boxes; i++)
+        check_at_most("mean of a box", box_error(&depths, sums, &ranges[1], boxes[i]),
+                      1.01 / SUM_BASIS_ONE);
+    basis_pass_free(&basis);
+    sums_pass_free(&pass);
+    close_depths(&depths);
+    free(sums);
 }
 
 /* --- bounds ----------------------------------------------------------------------------------- */
@@ -285,9 +360,9 @@ static int close_tests(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sums),       cmocka_unit_test(test_bounds),
-        cmocka_unit_test(test_two_depths), cmocka_unit_test(test_bleeding),
-        cmocka_unit_test(test_steps),
+        cmocka_unit_test(test_sums),     cmocka_unit_test(test_basis_sums),
+        cmocka_unit_test(test_bounds),   cmocka_unit_test(test_two_depths),
+        cmocka_unit_test(test_bleeding), cmocka_unit_test(test_steps),
     };
     return cmocka_run_group_tests_name("prefilter", tests, open_tests, close_tests);
 }

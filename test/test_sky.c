@@ -14,7 +14,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { SIZE = 80 };
+enum { SIZE = 80, SKY_WIDTH = 128, SKY_HEIGHT = 64 };
+
+/* The only one that is bright in one of the skies. */
+enum { TEXEL_COLUMN = 70, TEXEL_ROW = 14, TEXEL_RADIANCE = 1000 };
 
 static void paint_even(const float direction[3], float radiance[3]) {
     (void)direction;
@@ -34,13 +37,12 @@ static void paint_day(const float direction[3], float radiance[3]) {
 /* The scene's sky instead of its own, and no other light. */
 static void set_sky(struct stage *stage,
                     void (*paint)(const float direction[3], float radiance[3])) {
-    enum { WIDTH = 128, HEIGHT = 64 };
     struct environment *sky = mem_alloc(1, sizeof *sky);
-    *sky = (struct environment){.width = WIDTH, .height = HEIGHT, .strength = 1};
-    sky->texels = mem_alloc(WIDTH * HEIGHT, sizeof *sky->texels);
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+    *sky = (struct environment){.width = SKY_WIDTH, .height = SKY_HEIGHT, .strength = 1};
+    sky->texels = mem_alloc(SKY_WIDTH * SKY_HEIGHT, sizeof *sky->texels);
+    for (int i = 0; i < SKY_WIDTH * SKY_HEIGHT; i++) {
         float direction[3];
-        environment_direction(sky, i % WIDTH + .5, i / WIDTH + .5, direction);
+        environment_direction(sky, i % SKY_WIDTH + .5, i / SKY_WIDTH + .5, direction);
         paint(direction, sky->texels[i]);
     }
     environment_free(stage->scene.environment);
@@ -211,6 +213,45 @@ static void test_maps_of_sun(void **state) {
     stage_free(&stage);
 }
 
+/* A sky of one bright texel is a sun: the direct light of a directional light of L times its solid angle, of its width. */
+static void paint_texel(const float direction[3], float radiance[3]) {
+    const struct environment sky = {.width = SKY_WIDTH, .height = SKY_HEIGHT};
+    int column, row;
+    environment_texel(&sky, direction, &column, &row);
+    glm_vec3_broadcast(column == TEXEL_COLUMN && row == TEXEL_ROW ? TEXEL_RADIANCE : 0, radiance);
+}
+
+static void test_texel(void **state) {
+    (void)state;
+    struct stage stage;
+    struct emitter sun = {.type = EMITTER_DIRECTIONAL, .number = -1};
+    float towards[3];
+    open_stage(&stage, "scenes/table.glb");
+    set_sky(&stage, paint_texel);
+    const struct environment *sky = stage.scene.environment;
+    double solid_angle = environment_solid_angle(sky, TEXEL_ROW);
+    environment_direction(sky, TEXEL_COLUMN + .5, TEXEL_ROW + .5, towards);
+    struct image got = render_stage(&stage, "unshadowed", "sky-block=1", SIZE);
+    struct image truth = trace_stage(&stage, SIZE, 64);
+    glm_vec3_negate(towards);
+    emitter_aim(&sun, towards);
+    glm_vec3_broadcast((float)(TEXEL_RADIANCE * solid_angle), sun.intensity);
+    sun.size[0] = (float)(2 * sqrt(solid_angle / GLM_PI));
+    struct emitters scene_own = stage.emitters;
+    stage.emitters = (struct emitters){.items = &sun, .count = 1};
+    struct image traced = trace_stage(&stage, SIZE, 64);
+    stage.emitters = scene_own;
+    double mean = layer_mean(&traced, "direct");
+    printf("    %g sr, %g W/m2\n", solid_angle, (double)sun.intensity[0]);
+    check_near("rays, beside those of a sun", layer_mean(&truth, "direct"), mean, .01 * mean);
+    check_near("mean, beside a sun", layer_mean(&got, "direct"), mean, .02 * mean);
+    check_at_most("relative RMSE, beside a sun", relative_rmse(&got, &traced, "direct"), .04);
+    image_free(&got);
+    image_free(&truth);
+    image_free(&traced);
+    stage_free(&stage);
+}
+
 /* Below a roof between walls, by the scene's own sky. Reflected light is a quarter too dark: most VPLs lie outside. */
 static void test_courtyard(void **state) {
     (void)state;
@@ -313,8 +354,8 @@ int main(void) {
         cmocka_unit_test(test_floor),     cmocka_unit_test(test_convex_body),
         cmocka_unit_test(test_wall),      cmocka_unit_test(test_day),
         cmocka_unit_test(test_courtyard), cmocka_unit_test(test_maps_of_sun),
-        cmocka_unit_test(test_sum),       cmocka_unit_test(test_black),
-        cmocka_unit_test(test_passes),
+        cmocka_unit_test(test_texel),     cmocka_unit_test(test_sum),
+        cmocka_unit_test(test_black),     cmocka_unit_test(test_passes),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -134,11 +134,12 @@ static const struct {
     const char *method, *settings;
     double bounds[4];
 } rows[] = {
-    {"samples", "points=64 shadow-size=1024", {.02, .012, .022, .007}},
+    {"samples", "samples.points=64 shadow-size=1024", {.02, .012, .022, .007}},
     {"pcss", "shadow-size=1024", {.02, .02, .02, .015}},
     {"vssm", "shadow-size=1024", {.009, .006, .01, .007}},
     {"msm", "shadow-size=1024", {.014, .009, .015, .008}},
     {"cssm", "shadow-size=1024", {.04, .05, .1, .06}},
+    {"cssm", "shadow-size=1024 cssm.prefilter=sat", {.022, .018, .022, .013}},
 };
 
 static void test_stands(void **state) {
@@ -147,6 +148,29 @@ static void test_stands(void **state) {
         for (size_t s = 0; s < sizeof stands / sizeof *stands; s++)
             check_at_most(stands[s].what, stand_error(&stands[s], rows[r].method, rows[r].settings),
                           rows[r].bounds[s]);
+}
+
+/* What a method has more of makes it truer. */
+static void test_more(void **state) {
+    (void)state;
+    static const struct {
+        const char *method, *few, *many;
+    } steps[] = {
+        {"samples", "samples.points=4 shadow-size=512", "samples.points=64 shadow-size=512"},
+        {"samples", "samples.points=16 shadow-size=64", "samples.points=16 shadow-size=512"},
+        {"pcss", "light-taps=6 shadow-size=512", "light-taps=96 shadow-size=512"},
+        {"pcss", "light-taps=96 shadow-size=32", "light-taps=96 shadow-size=512"},
+        {"vssm", "texels=64", "texels=512"},
+        {"msm", "texels=64", "texels=512"},
+        {"cssm", "texels=64", "texels=512"},
+        {"cssm", "texels=512 harmonics=2", "texels=512 harmonics=8"},
+        {"cssm", "texels=512 prefilter=sat harmonics=2", "texels=512 prefilter=sat harmonics=8"},
+    };
+    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+        double few = stand_error(&stands[0], steps[i].method, steps[i].few);
+        check_at_most(steps[i].many, stand_error(&stands[0], steps[i].method, steps[i].many),
+                      .8 * few);
+    }
 }
 
 /* --- a table ---------------------------------------------------------------------------------- */
@@ -278,7 +302,7 @@ static struct image render_lights(struct stage *stage, const char *light, const 
     struct renderer renderer;
     check_ok(light, emitters_from_text(&stage->emitters, &stage->scene, light, 0));
     struct image layers =
-        render_method(stage, method, "points=4 shadow-size=256 vpls=64 vals=4", &renderer);
+        render_method(stage, method, "samples.points=4 shadow-size=256 vpls=64 vals=4", &renderer);
     renderer_free(&renderer);
     return layers;
 }
@@ -420,10 +444,10 @@ static void test_idle_casters(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stands),       cmocka_unit_test(test_table),
-        cmocka_unit_test(test_types),        cmocka_unit_test(test_extremes),
-        cmocka_unit_test(test_limits),       cmocka_unit_test(test_scale_and_turns),
-        cmocka_unit_test(test_idle_casters),
+        cmocka_unit_test(test_stands),          cmocka_unit_test(test_more),
+        cmocka_unit_test(test_table),           cmocka_unit_test(test_types),
+        cmocka_unit_test(test_extremes),        cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_scale_and_turns), cmocka_unit_test(test_idle_casters),
     };
     return cmocka_run_group_tests_name("soft shadows", tests, open_group_context,
                                        close_group_context);

@@ -87,6 +87,35 @@ static void test_size(void **state) {
     emitters_free(&after);
 }
 
+/* Ctrl and a click let a number be typed where there is a slider. */
+static void enter(const char *row, const char *number) {
+    int x, y;
+    find_place(row, &x, &y);
+    xdo("mousemove %d %d keydown ctrl click 1 keyup ctrl type --delay 1 %s", x, y, number);
+    xdo("key Return");
+    sync_viewer();
+}
+
+/* The chosen light's watts, and its colour, of which the green is what lies in the row's middle: its power stays. */
+static void test_power_and_color(void **state) {
+    (void)state;
+    char text[600];
+    need_viewer();
+    press("Light");
+    enter("power, W", "7.5");
+    enter("colour", "0");
+    press("Light");
+    struct emitters lights = saved_lights(text, sizeof text);
+    const struct emitter *light = &lights.items[1];
+    double power = emitter_flux(light, 1);
+    printf("    %.6g W, of %g %g %g\n", power, (double)light->intensity[0],
+           (double)light->intensity[1], (double)light->intensity[2]);
+    assert_true(fabs(power / 7.5 - 1) < 1e-5);
+    assert_true(light->intensity[1] == 0 && light->intensity[0] > 0 && light->intensity[2] > 0);
+    check_picture("a light of other watts and colour", text);
+    emitters_free(&lights);
+}
+
 /* The type of the chosen light, which is the one that was added; its power stays. */
 static void test_type(void **state) {
     (void)state;
@@ -106,6 +135,27 @@ static void test_type(void **state) {
     check_picture("a light of another type", text);
     emitters_free(&before);
     emitters_free(&after);
+}
+
+static void test_cone(void **state) {
+    (void)state;
+    char text[600];
+    need_viewer();
+    press("Light");
+    press("type");
+    press("spot");
+    sync_viewer();
+    enter("dark, \xc2\xb0", "40");
+    enter("bright, \xc2\xb0", "30");
+    press("Light");
+    struct emitters lights = saved_lights(text, sizeof text);
+    const struct emitter *light = &lights.items[1];
+    assert_int_equal(light->type, EMITTER_SPOT);
+    double inner = acos((double)light->cos_inner), outer = acos((double)light->cos_outer);
+    printf("    %.6g to %.6g degrees\n", inner * 180 / M_PI, outer * 180 / M_PI);
+    assert_true(fabs(inner * 6 / M_PI - 1) < 1e-4 && fabs(outer * 4.5 / M_PI - 1) < 1e-4);
+    check_picture("a spot of another cone", text);
+    emitters_free(&lights);
 }
 
 static void test_remove(void **state) {
@@ -128,7 +178,9 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_add),
         cmocka_unit_test(test_size),
+        cmocka_unit_test(test_power_and_color),
         cmocka_unit_test(test_type),
+        cmocka_unit_test(test_cone),
         cmocka_unit_test(test_remove),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);

@@ -6,11 +6,11 @@
 // and the mean argument of the blockers is the same expansion of a, over s (eq. 5.10, 5.11).
 #include "visibility/series.glsl"
 
-layout(binding = UNIT_BASIS_COS) uniform sampler2DArray basis_cos;
-layout(binding = UNIT_BASIS_SIN) uniform sampler2DArray basis_sin;
-layout(binding = UNIT_BASIS_Z_COS) uniform sampler2DArray basis_z_cos;
-layout(binding = UNIT_BASIS_Z_SIN) uniform sampler2DArray basis_z_sin;
-layout(binding = UNIT_BASIS_Z) uniform sampler2DArray basis_z;
+#ifdef BASIS_SUMS
+#include "visibility/basis_sums.glsl"
+#else
+#include "visibility/basis_mips.glsl"
+#endif
 
 const float PI = 3.14159265358979;
 const float BLOCKED_MIN = 0.02; // below it the division by s is noise: lit
@@ -24,30 +24,26 @@ void terms(int group, float b, out vec4 s, out vec4 c, out vec4 weight) {
     weight = mix(vec4(0.0), 2.0 / frequency, lessThan(k, vec4(BASIS_TERMS)));
 }
 
-float blocked_fraction(vec2 uv, int map, float b, float lod) {
+float blocked_fraction(basis_area area, int map, float b) {
     float sum = 0.5;
     for (int group = 0; group < BASIS_GROUPS; group++) {
         vec4 s, c, weight;
         terms(group, b, s, c, weight);
-        vec3 at = vec3(uv, group * MAP_COUNT + map);
-        vec4 wc = textureLod(basis_cos, at, lod) * 2.0 - 1.0;
-        vec4 ws = textureLod(basis_sin, at, lod) * 2.0 - 1.0;
-        sum += dot(weight, s * wc - c * ws);
+        sum += dot(weight, s * mean_cos(area, map, group) - c * mean_sin(area, map, group));
     }
     return sum;
 }
 
 // The mean argument of what blocks; negative where (almost) nothing does.
-float blocker_argument(vec2 uv, int map, float b, float lod) {
-    float blocked = blocked_fraction(uv, map, b, lod);
+float blocker_argument(basis_area area, int map, float b) {
+    float blocked = blocked_fraction(area, map, b);
     if (blocked < BLOCKED_MIN)
         return -1.0;
-    float sum = 0.5 * textureLod(basis_z, vec3(uv, map), lod).r;
+    float sum = 0.5 * mean_z(area, map);
     for (int group = 0; group < BASIS_GROUPS; group++) {
         vec4 s, c, weight;
         terms(group, b, s, c, weight);
-        vec3 at = vec3(uv, group * MAP_COUNT + map);
-        sum += dot(weight, s * textureLod(basis_z_cos, at, lod) - c * textureLod(basis_z_sin, at, lod));
+        sum += dot(weight, s * mean_z_cos(area, map, group) - c * mean_z_sin(area, map, group));
     }
     return max(sum / blocked, 0.0);
 }

@@ -18,13 +18,13 @@ float lit(int map, receiver r, float extent) {
     float b = series_receiver(range, d, lookup.shift);
     // The first filter: the light's own solid angle seen from the receiver.
     float initial = light_angle(r, light, d);
-    float blocker = blocker_argument(r.uv, map, b, filter_lod(angle_width(r, initial)));
+    float blocker = blocker_argument(basis_area(r.uv, filter_lod(angle_width(r, initial))), map, b);
     if (blocker < 0.0)
         return 1.0;
     float z_average = clamp(series_depth(range, blocker), 1e-3 * d, d);
     float alpha = atan(penumbra_angle(light, d, z_average));
     b = series_receiver(range, d * (1.0 - min(TILT * alpha * receiver_slope(r), 0.5)), lookup.shift);
-    float blocked = blocked_fraction(r.uv, map, b, filter_lod(angle_width(r, alpha)));
+    float blocked = blocked_fraction(basis_area(r.uv, filter_lod(angle_width(r, alpha))), map, b);
     // Ringing suppression by shift and scale [Dong 2011, Fig. 5.2].
     float share = clamp(0.5 - (blocked - 0.5) * lookup.gain, 0.0, 1.0);
 #if SHARPEN

@@ -6,13 +6,13 @@ layout(SUM_FORMAT, binding = IMAGE_SUMS) uniform uimage2DArray sums;
 
 void main() {
     ivec2 size = imageSize(sums).xy;
-    int column = int(gl_GlobalInvocationID.x), map = int(gl_GlobalInvocationID.z);
+    int column = int(gl_GlobalInvocationID.x), layer = int(gl_GlobalInvocationID.z);
     if (column >= size.x)
         return;
     uvec4 sum = uvec4(0u);
-    imageStore(sums, ivec3(column, 0, map), sum);
+    imageStore(sums, ivec3(column, 0, layer), sum);
     for (int y = 1; y < size.y; y++) {
-        sum += imageLoad(sums, ivec3(column, y, map));
-        imageStore(sums, ivec3(column, y, map), sum);
+        sum += imageLoad(sums, ivec3(column, y, layer));
+        imageStore(sums, ivec3(column, y, layer), sum);
     }
 }

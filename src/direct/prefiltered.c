@@ -47,8 +47,9 @@ static bool init_maps(struct prefiltered *own, int size, const struct light_layo
                       int moments) {
     return light_map_pass_init(&own->light_maps, size, lights) &&
            depth_bounds_pass_init(&own->bounds, size, lights->maps) &&
-           (moments == 0 ||
-            sums_pass_init(&own->sums, &(struct sums_desc){size, lights->maps, moments}));
+           (moments == 0 || sums_pass_init(&own->sums, &(struct sums_desc){.size = size,
+                                                                           .count = lights->maps,
+                                                                           .moments = moments}));
 }
 
 static void show_maps(struct prefiltered *own) {
@@ -111,5 +112,5 @@ void prefiltered_render_lights(void *state, const struct frame *frame) {
     light_map_pass_render(&own->light_maps, frame, own->shadow.maps.maps);
     depth_bounds_pass_render(&own->bounds, frame, depth);
     if (own->sums.maps.count)
-        sums_pass_render(&own->sums, frame, depth);
+        sums_pass_render(&own->sums, frame, depth, NULL);
 }

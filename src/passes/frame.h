@@ -111,7 +111,7 @@ struct light_maps {
 
 /* Summed area tables of what filters average over maps of depth: R32UI to RGBA32UI, a border of zeros and
  * then a texel for each of the map; texel (x, y) has the sums over all before column x and row y, modulo
- * 2^32 (shared/sums.h). One layer a map. */
+ * 2^32 (shared/sums.h). One layer a map, of Fourier bases several. */
 struct sum_maps {
     struct texture sums;
     int size, count; /* of the maps: the texture is one texel larger */

@@ -11,9 +11,10 @@ struct series {
 
 static const struct series of_lamps[] = {
     {"hard:direct=hard," DIRECT_ALONE, "shadow-size=512,2048"},
-    {"samples:direct=samples," DIRECT_ALONE, "points=4,16,64"},
+    {"samples:direct=samples," DIRECT_ALONE, "samples.points=4,16,64"},
     {"pcss:direct=pcss," DIRECT_ALONE, "light-taps=12,24,48,96,192"},
     {"cssm:direct=cssm," DIRECT_ALONE, "harmonics=4,8,16"},
+    {"cssm by sums:direct=cssm,cssm.prefilter=sat," DIRECT_ALONE, "harmonics=4,8,16"},
     {"vssm:direct=vssm," DIRECT_ALONE, "texels=256,512,1024,2048"},
     {"msm:direct=msm," DIRECT_ALONE, "texels=256,512,1024,2048"},
     {NULL, NULL},

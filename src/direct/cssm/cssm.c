@@ -2,17 +2,25 @@
 #include "base/memory.h"
 #include "direct/prefiltered.h"
 #include "passes/visibility/basis.h"
+#include "passes/visibility/sums.h"
 #include "shared/lookup.h"
 
 #include <stdlib.h>
 
+enum { PREFILTER_MIP, PREFILTER_SAT };
+
 struct cssm_settings {
-    int terms;
+    int terms, prefilter;
 };
+
+static const char *const prefilters[] = {"mip", "sat", NULL};
 
 static const struct option table[] = {
     {"harmonics", 0, OPTION_INT, offsetof(struct cssm_settings, terms), 8, 1, 16,
      .help = "terms of the Fourier series, K"},
+    {"prefilter", 0, OPTION_CHOICE, offsetof(struct cssm_settings, prefilter), PREFILTER_MIP,
+     .choices = prefilters,
+     .help = "MIP maps, or summed area tables: exact boxes, at 16 bytes a texel for each term"},
     {NULL},
 };
 
@@ -22,6 +30,7 @@ static const struct settings_part own_part = {"cssm", "convolution soft shadow m
 struct cssm {
     struct prefiltered prefiltered;
     struct basis_pass basis;
+    struct sums_pass sums; /* in place of the bases' MIP maps */
 };
 
 static void free_state(void *state) {
@@ -29,6 +38,7 @@ static void free_state(void *state) {
     if (cssm) {
         prefiltered_end(&cssm->prefiltered);
         basis_pass_free(&cssm->basis);
+        sums_pass_free(&cssm->sums);
     }
     free(cssm);
 }
@@ -41,17 +51,32 @@ static void show_bases(struct cssm *cssm) {
         {UNIT_BASIS_Z_COS, maps->z_cos.id}, {UNIT_BASIS_Z_SIN, maps->z_sin.id},
         {UNIT_BASIS_Z, maps->z.id},
     };
-    for (int i = 0; i < 5; i++)
+    if (cssm->sums.maps.count)
+        inputs->more[1] = (struct pass_texture){UNIT_SUMS, cssm->sums.maps.sums.id};
+    for (int i = 0; i < 5 && !cssm->sums.maps.count; i++)
         inputs->more[i + 1] = textures[i];
     inputs->block = (struct pass_block){.block = BLOCK_SERIES_RANGES, .buffer = &maps->ranges};
+}
+
+static bool init_bases(struct cssm *cssm, const struct cssm_settings *own, int maps) {
+    bool sums = own->prefilter == PREFILTER_SAT;
+    int size = cssm->prefiltered.light_maps.maps.size;
+    return basis_pass_init(&cssm->basis, &(struct basis_desc){.size = size,
+                                                              .count = maps,
+                                                              .terms = own->terms,
+                                                              .ranges_alone = sums}) &&
+           (!sums ||
+            sums_pass_init(&cssm->sums,
+                           &(struct sums_desc){.size = size, .count = maps, .terms = own->terms}));
 }
 
 static bool init(void **state, const struct direct_desc *desc) {
     const struct cssm_settings *own = settings_of(desc->settings, &own_part);
     struct series_step step = series_step_of(own->terms);
     struct cssm *cssm = *state = mem_alloc(1, sizeof *cssm);
-    char *defines = mem_printf("MAP_COUNT %d;BASIS_TERMS %d;BASIS_GROUPS %d;", desc->lights->maps,
-                               own->terms, (own->terms + 3) / 4);
+    char *defines =
+        mem_printf("MAP_COUNT %d;BASIS_TERMS %d;BASIS_GROUPS %d;%s", desc->lights->maps, own->terms,
+                   (own->terms + 3) / 4, own->prefilter == PREFILTER_SAT ? "BASIS_SUMS;" : "");
     bool ok = prefiltered_begin(&cssm->prefiltered, desc,
                                 &(struct prefiltered_desc){.filter = FILTER_CSSM_WINDOW,
                                                            .search_parts = 8,
@@ -59,10 +84,7 @@ static bool init(void **state, const struct direct_desc *desc) {
                                                            .defines = defines,
                                                            .shift = (float)step.zero,
                                                            .gain = (float)(1 / step.full)}) &&
-              basis_pass_init(&cssm->basis,
-                              &(struct basis_desc){.size = cssm->prefiltered.light_maps.maps.size,
-                                                   .count = desc->lights->maps,
-                                                   .terms = own->terms});
+              init_bases(cssm, own, desc->lights->maps);
     free(defines);
     if (ok)
         show_bases(cssm);
@@ -71,8 +93,11 @@ static bool init(void **state, const struct direct_desc *desc) {
 
 static void render_lights(void *state, const struct frame *frame) {
     struct cssm *cssm = state;
+    const struct texture *depth = &cssm->prefiltered.light_maps.maps.depth;
     prefiltered_render_lights(&cssm->prefiltered, frame);
-    basis_pass_render(&cssm->basis, frame, &cssm->prefiltered.light_maps.maps.depth);
+    basis_pass_render(&cssm->basis, frame, depth);
+    if (cssm->sums.maps.count)
+        sums_pass_render(&cssm->sums, frame, depth, &cssm->basis.maps.ranges);
 }
 
 static const struct settings_part *const parts[] = {&own_part, &prefilter_part, &shadow_part, NULL};

@@ -26,15 +26,13 @@ static bool init_map(struct texture *texture, const char *label, GLenum format, 
                                  });
 }
 
-static bool init_maps(struct basis_maps *maps) {
+static bool init_mips(struct basis_maps *maps) {
     int layers = maps->count * maps->groups;
     return init_map(&maps->cos, "basis", GL_RGBA8, layers, maps) &&
            init_map(&maps->sin, "basis", GL_RGBA8, layers, maps) &&
            init_map(&maps->z_cos, "basis z", GL_RGBA16F, layers, maps) &&
            init_map(&maps->z_sin, "basis z", GL_RGBA16F, layers, maps) &&
-           init_map(&maps->z, "basis z", GL_R16F, maps->count, maps) &&
-           buffer_init(&maps->ranges, "series ranges",
-                       SERIES_RANGES_MAX * sizeof(struct series_range), NULL);
+           init_map(&maps->z, "basis z", GL_R16F, maps->count, maps);
 }
 
 static bool init_params(struct basis_pass *pass) {
@@ -46,15 +44,33 @@ static bool init_params(struct basis_pass *pass) {
     return true;
 }
 
-static bool init_programs(struct basis_pass *pass) {
+static bool init_ranges(struct basis_pass *pass) {
     char *defines = mem_printf("BASIS_TERMS %d", pass->maps.terms);
+    bool ok = program_init(&pass->range_program,
+                           &(struct program_desc){.compute = "visibility/series_range.comp",
+                                                  .defines = defines}) &&
+              buffer_init(&pass->maps.ranges, "series ranges",
+                          SERIES_RANGES_MAX * sizeof(struct series_range), NULL);
+    free(defines);
+    return ok;
+}
+
+/* What draws bases, to MIP maps. */
+static bool init_drawing(struct basis_pass *pass) {
+    struct basis_maps *maps = &pass->maps;
+    struct framebuffer_desc first = {.label = "basis"}, more = {.label = "basis"};
+    first.colors[TARGET_BASIS_COS] = more.colors[TARGET_BASIS_COS] = &maps->cos;
+    first.colors[TARGET_BASIS_SIN] = more.colors[TARGET_BASIS_SIN] = &maps->sin;
+    first.colors[TARGET_BASIS_Z_COS] = more.colors[TARGET_BASIS_Z_COS] = &maps->z_cos;
+    first.colors[TARGET_BASIS_Z_SIN] = more.colors[TARGET_BASIS_Z_SIN] = &maps->z_sin;
+    first.colors[TARGET_BASIS_Z] = &maps->z;
+    char *defines = mem_printf("BASIS_TERMS %d", maps->terms);
     bool ok =
-        program_init(&pass->range_program,
-                     &(struct program_desc){.compute = "visibility/series_range.comp",
-                                            .defines = defines}) &&
         program_init(&pass->program, &(struct program_desc){.vertex = "layers.vert",
                                                             .fragment = "visibility/basis.frag",
-                                                            .defines = defines});
+                                                            .defines = defines}) &&
+        init_mips(maps) && framebuffer_init(&pass->first_framebuffer, &first) &&
+        framebuffer_init(&pass->more_framebuffer, &more) && init_params(pass);
     free(defines);
     return ok;
 }
@@ -81,16 +97,7 @@ bool basis_pass_init(struct basis_pass *pass, const struct basis_desc *desc) {
                                          .count = desc->count,
                                          .groups = (desc->terms + 3) / 4,
                                          .terms = desc->terms}};
-    struct basis_maps *maps = &pass->maps;
-    struct framebuffer_desc first = {.label = "basis"}, more = {.label = "basis"};
-    first.colors[TARGET_BASIS_COS] = more.colors[TARGET_BASIS_COS] = &maps->cos;
-    first.colors[TARGET_BASIS_SIN] = more.colors[TARGET_BASIS_SIN] = &maps->sin;
-    first.colors[TARGET_BASIS_Z_COS] = more.colors[TARGET_BASIS_Z_COS] = &maps->z_cos;
-    first.colors[TARGET_BASIS_Z_SIN] = more.colors[TARGET_BASIS_Z_SIN] = &maps->z_sin;
-    first.colors[TARGET_BASIS_Z] = &maps->z;
-    if (init_programs(pass) && init_maps(maps) &&
-        framebuffer_init(&pass->first_framebuffer, &first) &&
-        framebuffer_init(&pass->more_framebuffer, &more) && init_params(pass))
+    if (init_ranges(pass) && (desc->ranges_alone || init_drawing(pass)))
         return true;
     basis_pass_free(pass);
     return false;
@@ -137,7 +144,7 @@ static void find_ranges(const struct basis_pass *pass, const struct frame *frame
     pass_end(frame->timers);
 }
 
-void basis_pass_render(const struct basis_pass *pass, const struct frame *frame,
+static void draw_bases(const struct basis_pass *pass, const struct frame *frame,
                        const struct texture *depth) {
     struct pass_state state = {
         .name = "basis",
@@ -148,7 +155,6 @@ void basis_pass_render(const struct basis_pass *pass, const struct frame *frame,
         .textures = {{UNIT_MAP_DEPTH, depth->id}},
         .blocks = {{BLOCK_PASS, &pass->params[0]}, {BLOCK_SERIES_RANGES, &pass->maps.ranges}},
     };
-    find_ranges(pass, frame, depth);
     pass_begin(frame->timers, &state);
     for (int group = 0; group < pass->maps.groups; group++) {
         if (group > 0) {
@@ -160,5 +166,13 @@ void basis_pass_render(const struct basis_pass *pass, const struct frame *frame,
         pass_draw_fullscreen(pass->maps.count);
     }
     pass_end(frame->timers);
-    build_mips(pass, frame);
+}
+
+void basis_pass_render(const struct basis_pass *pass, const struct frame *frame,
+                       const struct texture *depth) {
+    find_ranges(pass, frame, depth);
+    if (pass->program) {
+        draw_bases(pass, frame, depth);
+        build_mips(pass, frame);
+    }
 }

@@ -7,13 +7,14 @@
 
 struct basis_desc {
     int size, count;
-    int terms; /* K, 1 to 16 */
+    int terms;         /* K, 1 to 16 */
+    bool ranges_alone; /* no bases: passes/visibility/sums.h adds them up */
 };
 
 struct basis_pass {
-    GLuint range_program, program;
-    GLuint first_framebuffer; /* all five targets */
-    GLuint more_framebuffer;  /* further groups of terms: without z, which has a layer a map only */
+    GLuint range_program, program; /* without the second ranges alone */
+    GLuint first_framebuffer;      /* all five targets */
+    GLuint more_framebuffer; /* further groups of terms: without z, which has a layer a map only */
     struct basis_maps maps;
     struct buffer params[4]; /* one a group */
 };

@@ -1,28 +1,46 @@
 #include "passes/visibility/sums.h"
 
+#include "base/memory.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/sums.h"
 
 #include <assert.h>
+#include <stdlib.h>
+
+/* Tables a map. */
+static int tables(const struct sums_desc *desc) {
+    return desc->moments ? 1 : 4 * ((desc->terms + 3) / 4) + 1;
+}
+
+static bool init_programs(struct sums_pass *pass, const struct sums_desc *desc) {
+    char *format = mem_printf("SUM_FORMAT %s", desc->moments == 2 ? "rg32ui" : "rgba32ui");
+    char *rows = desc->moments
+                     ? mem_printf("%s", format)
+                     : mem_printf("%s;BASIS_TERMS %d;BASIS_GROUPS %d;MAP_COUNT %d", format,
+                                  desc->terms, (desc->terms + 3) / 4, desc->count);
+    bool ok = program_init(
+                  &pass->rows_program,
+                  &(struct program_desc){.compute = "visibility/sum_rows.comp", .defines = rows}) &&
+              program_init(&pass->columns_program,
+                           &(struct program_desc){.compute = "visibility/sum_columns.comp",
+                                                  .defines = format});
+    free(format);
+    free(rows);
+    return ok;
+}
 
 bool sums_pass_init(struct sums_pass *pass, const struct sums_desc *desc) {
-    assert(desc->moments == 2 || desc->moments == 4);
-    const char *format = desc->moments == 2 ? "SUM_FORMAT rg32ui" : "SUM_FORMAT rgba32ui";
+    assert(desc->moments == 2 || desc->moments == 4 || (desc->moments == 0 && desc->terms > 0));
     *pass = (struct sums_pass){.maps = {.size = desc->size, .count = desc->count}};
-    if (program_init(
-            &pass->rows_program,
-            &(struct program_desc){.compute = "visibility/sum_rows.comp", .defines = format}) &&
-        program_init(
-            &pass->columns_program,
-            &(struct program_desc){.compute = "visibility/sum_columns.comp", .defines = format}) &&
+    if (init_programs(pass, desc) &&
         texture_init(&pass->maps.sums, &(struct texture_desc){
                                            .label = "sums",
                                            .target = GL_TEXTURE_2D_ARRAY,
                                            .format = desc->moments == 2 ? GL_RG32UI : GL_RGBA32UI,
                                            .width = desc->size + 1,
                                            .height = desc->size + 1,
-                                           .layers = desc->count,
+                                           .layers = desc->count * tables(desc),
                                        }))
         return true;
     sums_pass_free(pass);
@@ -40,17 +58,19 @@ static void sum_lines(const struct sums_pass *pass, struct pass_state *state, GL
                       int lines) {
     state->program = program;
     pass_set_state(state);
-    pass_dispatch((lines + SUM_LINES - 1) / SUM_LINES, 1, pass->maps.count);
+    pass_dispatch((lines + SUM_LINES - 1) / SUM_LINES, 1, pass->maps.sums.desc.layers);
 }
 
 void sums_pass_render(const struct sums_pass *pass, const struct frame *frame,
-                      const struct texture *depth) {
+                      const struct texture *depth, const struct buffer *ranges) {
     struct pass_state state = {
         .name = "sums",
         .program = pass->rows_program,
         .textures = {{UNIT_MAP_DEPTH, depth->id}},
         .images = {{IMAGE_SUMS, &pass->maps.sums, 0, GL_READ_WRITE}},
     };
+    if (ranges)
+        pass_add_block(&state, BLOCK_SERIES_RANGES, ranges);
     timer_begin(frame->timers, state.name);
     sum_lines(pass, &state, pass->rows_program, pass->maps.size);
     state.barriers = GL_SHADER_IMAGE_ACCESS_BARRIER_BIT;
