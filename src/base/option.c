@@ -307,19 +307,22 @@ static void print_indented(FILE *out, const char *text) {
         fprintf(out, *text == '\n' ? "\n%29s" : "%.1s", *text == '\n' ? "" : text);
 }
 
-void options_print_help(FILE *out, const struct option *table, const char *prefix) {
+void option_print_help(FILE *out, const struct option *o, const char *prefix) {
     static const char *const value_names[] = {"", "N", "X", "NAME", "TEXT", "TEXT", "WxH"};
-    for (const struct option *o = table; o->name; o++) {
-        char left[96], range[512], letter[8] = "";
-        if (o->letter)
-            snprintf(letter, sizeof letter, "-%c, ", o->letter);
-        const char *value = o->value_name ? o->value_name : value_names[o->type];
-        bool shown = *value && *prefix == '-';
-        snprintf(left, sizeof left, "%s%s%s%s%s", letter, prefix, o->name, shown ? " " : "",
-                 shown ? value : "");
-        describe_range(o, range, sizeof range);
-        fprintf(out, "  %-26s ", left);
-        print_indented(out, o->help);
-        fprintf(out, "%s\n", range);
-    }
+    char left[96], range[512], letter[8] = "";
+    if (o->letter)
+        snprintf(letter, sizeof letter, "-%c, ", o->letter);
+    const char *value = o->value_name ? o->value_name : value_names[o->type];
+    bool shown = *value && *prefix == '-';
+    snprintf(left, sizeof left, "%s%s%s%s%s", letter, prefix, o->name, shown ? " " : "",
+             shown ? value : "");
+    describe_range(o, range, sizeof range);
+    fprintf(out, "  %-26s ", left);
+    print_indented(out, o->help);
+    fprintf(out, "%s\n", range);
+}
+
+void options_print_help(FILE *out, const struct option *table, const char *prefix) {
+    for (const struct option *o = table; o->name; o++)
+        option_print_help(out, o, prefix);
 }

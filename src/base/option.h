@@ -70,7 +70,8 @@ bool option_equal(const struct option *option, const void *a, const void *b);
 bool options_parse_arguments(const struct option *table, void *values, int argc, char **argv,
                              const char **positional, int max_positional, int *positional_count);
 
-/* A line or two per row, for --help, under its name with a prefix: "--" on a command line. */
+/* A line or two, for --help, under the name with a prefix: "--" on a command line; and of each row. */
+void option_print_help(FILE *out, const struct option *option, const char *prefix);
 void options_print_help(FILE *out, const struct option *table, const char *prefix);
 
 #endif

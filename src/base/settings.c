@@ -123,6 +123,15 @@ void setting_name(const struct setting *setting, char name[SETTING_NAME_SIZE]) {
     snprintf(name, SETTING_NAME_SIZE, "%s.%s", setting->part->owner, setting->option->name);
 }
 
+bool setting_is_among(const struct setting *setting, const char *names) {
+    char name[SETTING_NAME_SIZE];
+    setting_name(setting, name);
+    for (struct word word = {.at = names ? names : ""}; word_next(&word);)
+        if (word_is(&word, name))
+            return true;
+    return false;
+}
+
 void setting_format(const struct setting *setting, const struct settings *settings, char *text,
                     size_t size) {
     option_format(setting->option, settings_of(settings, setting->part), text, size);
@@ -169,9 +178,11 @@ bool settings_assign(struct settings *settings, const char *assignments) {
     return true;
 }
 
-void settings_print_help(FILE *out, const struct settings_part *part) {
+void settings_print_help(FILE *out, const struct settings_part *part, const char *unused) {
     char prefix[SETTING_NAME_SIZE];
     snprintf(prefix, sizeof prefix, "%s.", part->owner);
     fprintf(out, "\n  %s:\n", part->title);
-    options_print_help(out, part->table, prefix);
+    for (const struct option *option = part->table; option->name; option++)
+        if (!setting_is_among(&(struct setting){part, option}, unused))
+            option_print_help(out, option, prefix);
 }

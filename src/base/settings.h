@@ -57,8 +57,9 @@ bool settings_next(const struct settings *settings, struct setting *setting);
 /* The setting of that name. Error: there is none, or several, which it names. */
 bool settings_find(const struct settings *settings, const char *name, struct setting *setting);
 
-/* The full name. */
+/* The full name; whether it is one of those names, NULL = none. */
 void setting_name(const struct setting *setting, char name[SETTING_NAME_SIZE]);
+bool setting_is_among(const struct setting *setting, const char *names);
 
 /* The value as text that setting_parse reads back; and back. Error: option_parse's. */
 void setting_format(const struct setting *setting, const struct settings *settings, char *text,
@@ -77,7 +78,7 @@ double settings_number(const struct settings *settings, const char *name);
 bool settings_assign(struct settings *settings, const char *assignments);
 bool settings_assign_word(struct settings *settings, const struct word *word);
 
-/* A line or two per setting of a part, under its title, for --help. */
-void settings_print_help(FILE *out, const struct settings_part *part);
+/* A line or two per setting of a part but the unused, under its title, for --help. */
+void settings_print_help(FILE *out, const struct settings_part *part, const char *unused);
 
 #endif

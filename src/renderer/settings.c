@@ -115,11 +115,6 @@ void renderer_settings_copy_but_samples(struct settings *to, const struct settin
 
 /* --- help --- */
 
-static void print_parts(FILE *out, const struct settings_part *const *parts) {
-    for (; *parts; parts++)
-        settings_print_help(out, *parts);
-}
-
 static bool has_part(const struct direct_method *method, const struct settings_part *part) {
     const struct settings_part *const *p = method->parts;
     while (*p && *p != part)
@@ -135,7 +130,7 @@ static void print_direct_parts(FILE *out) {
             while (!has_part(*first, *p))
                 first++;
             if (first == d)
-                settings_print_help(out, *p);
+                settings_print_help(out, *p, NULL);
         }
 }
 
@@ -148,10 +143,11 @@ void renderer_settings_print_help(FILE *out, const struct technique *technique) 
         fprintf(out, "\n  presets, set before all else:\n");
     for (const struct preset *p = technique->presets; p && p->name; p++)
         fprintf(out, "  path=%-21s %s\n", p->name, p->help);
-    print_parts(out, technique->parts);
+    for (const struct settings_part *const *part = technique->parts; *part; part++)
+        settings_print_help(out, *part, technique->unused);
     print_direct_parts(out);
-    settings_print_help(out, &sky_part);
-    settings_print_help(out, &start_part);
-    settings_print_help(out, &material_part);
-    settings_print_help(out, &picture_part);
+    settings_print_help(out, &sky_part, NULL);
+    settings_print_help(out, &start_part, NULL);
+    settings_print_help(out, &material_part, NULL);
+    settings_print_help(out, &picture_part, NULL);
 }

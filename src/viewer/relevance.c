@@ -4,7 +4,13 @@
 #include <stdio.h>
 #include <string.h>
 
-const struct relevance relevances[] = {
+/* A setting, or the owner of several, and what must hold for it to change anything: another setting, "=", ">"
+ * or "!=", and a value, or several with bars between. One may stand in several rows: all must hold. */
+struct relevance {
+    const char *name, *needs;
+};
+
+static const struct relevance of_all[] = {
     {"lights.surface-points", "lights.bounces>1"},
     {"clustered.bounce-vals", "lights.bounces>1"},
     {"lookup.terms", "clustered.visibility=cssm"},
@@ -24,13 +30,34 @@ const struct relevance relevances[] = {
     {"gather.detail-times", "gather.detail>0"},
     {"gather.detail-share", "blur.radius!=0"},
     {"gather.detail-share", "gather.detail>0"},
+    {"gather.further-points", "blur.radius!=0"},
+    {"gather.further-points", "gather.detail>0"},
     {"lightcuts.detail-nodes", "blur.radius!=0"},
     {"lightcuts.detail-nodes", "gather.detail>0"},
     {"blur.separable", "blur.radius!=0"},
     {"blur.distance", "blur.radius!=0"},
     {"caster.bend", "caster.long>0"},
-    {NULL, NULL},
 };
+
+/* Of area lights, which have a form where others have a clamp, and a pattern where others are interleaved. */
+static const struct relevance of_cluster_lights[] = {
+    {"clustered", "cluster-lights.shadows=vals"},
+    {"map", "cluster-lights.shadows=vals"},
+    {"lookup", "cluster-lights.shadows=vals"},
+    {"caster", "cluster-lights.shadows=vals"},
+    {"cluster-lights.near", "cluster-lights.form=rectangle"},
+    {"gather.clamp-value", "cluster-lights.seeds=importance"},
+    {"gather.near-reach", "cluster-lights.near>0"},
+    {"gather.near-reach", "cluster-lights.form=rectangle"},
+    {"gather.take-back", "cluster-lights.near>0"},
+    {"gather.take-back", "cluster-lights.form=rectangle"},
+    {"gather.detail", "cluster-lights.pattern=1"},
+    {"gather.detail-share", "cluster-lights.pattern=1"},
+    {"gather.further-points", "cluster-lights.pattern=1"},
+    {"blur.separable", "cluster-lights.pattern>1"},
+};
+
+#define COUNT(rows) (int)(sizeof(rows) / sizeof *(rows))
 
 static bool has_part(const struct technique *technique, const struct settings_part *part) {
     const struct settings_part *const *p = technique->parts;
@@ -56,16 +83,24 @@ static bool is_one_of(const struct setting *setting, const struct settings *sett
     return false;
 }
 
-static bool holds(const char *needs, const struct settings *settings,
-                  const struct technique *technique) {
-    int length = (int)strcspn(needs, "=!>");
+/* The setting that a need speaks of. */
+static struct setting needed(const char *needs, const struct settings *settings) {
     char name[SETTING_NAME_SIZE];
-    const char *sign = needs + length;
-    struct setting setting;
-    snprintf(name, sizeof name, "%.*s", length, needs);
+    struct setting setting = {0};
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(needs, "=!>"), needs);
     bool found = settings_find(settings, name, &setting);
     assert(found);
-    if (!found || !has_part(technique, setting.part))
+    (void)found;
+    return setting;
+}
+
+static bool holds(const char *needs, const struct settings *settings,
+                  const struct technique *technique) {
+    const char *sign = needs + strcspn(needs, "=!>");
+    struct setting setting = needed(needs, settings);
+    if (setting_is_among(&setting, technique->unused))
+        return true;
+    if (!has_part(technique, setting.part))
         return false;
     if (*sign == '>') {
         struct settings bound = *settings;
@@ -75,12 +110,23 @@ static bool holds(const char *needs, const struct settings *settings,
     return is_one_of(&setting, settings, sign + strspn(sign, "!=")) == (*sign == '=');
 }
 
-bool setting_matters(const struct setting *setting, const struct settings *settings,
-                     const struct technique *technique) {
-    char name[SETTING_NAME_SIZE];
-    setting_name(setting, name);
-    for (const struct relevance *row = relevances; row->name; row++)
-        if (strcmp(row->name, name) == 0 && !holds(row->needs, settings, technique))
+static bool is_of(const struct relevance *row, const struct setting *setting) {
+    return strcmp(row->name, setting->part->owner) == 0 || setting_is_among(setting, row->name);
+}
+
+static bool all_hold(const struct relevance *rows, int count, const struct setting *setting,
+                     const struct settings *settings, const struct technique *technique) {
+    for (int i = 0; i < count; i++)
+        if (is_of(&rows[i], setting) && !holds(rows[i].needs, settings, technique))
             return false;
     return true;
+}
+
+bool setting_matters(const struct setting *setting, const struct settings *settings,
+                     const struct technique *technique) {
+    bool of_areas = strcmp(technique->name, "cluster-lights") == 0;
+    return !setting_is_among(setting, technique->unused) &&
+           all_hold(of_all, COUNT(of_all), setting, settings, technique) &&
+           (!of_areas ||
+            all_hold(of_cluster_lights, COUNT(of_cluster_lights), setting, settings, technique));
 }

@@ -276,6 +276,7 @@ const struct technique cluster_lights_technique = {
     .name = "cluster-lights",
     .help = "clusters of VPLs as area lights, all at each pixel",
     .parts = parts,
+    .unused = "gather.interleave gather.clamp gather.near-samples gather.detail-times blur.radius",
     .presets = presets,
     .refinement = &many_lights_refinement,
     .check = check,

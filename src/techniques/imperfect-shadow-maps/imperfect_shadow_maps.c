@@ -139,6 +139,7 @@ const struct technique imperfect_shadow_maps_technique = {
     .name = "imperfect-shadow-maps",
     .help = "a small map of points per VPL",
     .parts = parts,
+    .unused = "map.size",
     .presets = presets,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,

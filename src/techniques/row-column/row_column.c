@@ -314,6 +314,7 @@ const struct technique row_column_technique = {
     .name = "row-column",
     .help = "some VPLs for all, by rows and columns of their matrix",
     .parts = parts,
+    .unused = "caster.error",
     .presets = presets,
     .refinement = &many_lights_refinement,
     .check = check,
