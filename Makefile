@@ -1,4 +1,4 @@
-# manylight: make demo | test | test-all | asan | tsan | fuzz | coverage | mutants | lint | analyze | bench | chart | accuracy | direct | convergence | stability | portable | deps | install | clean
+# manylight: make demo | test | test-all | asan | tsan | fuzz | coverage | mutants | lint | analyze | bench | chart | accuracy | methods | direct | convergence | stability | portable | deps | install | clean
 #
 # A plain `make` only builds ./manylight. `make demo` and `make test` first install what is missing.
 
@@ -57,7 +57,7 @@ GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
-.PHONY: all demo test test-all tests asan tsan fuzz fuzzers coverage mutants lint analyze bench chart accuracy direct convergence stability portable deps install clean FORCE
+.PHONY: all demo test test-all tests asan tsan fuzz fuzzers coverage mutants lint analyze bench chart accuracy methods direct convergence stability portable deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -247,6 +247,29 @@ accuracy: all
 	./manylight bench curves $(filter-out %/atrium.glb,$(OWN_SCENES)) --size $(CURVES_SIZE) \
 	    $(NOISE_OF_SMALL) --cache $(REFERENCE_CACHE) --csv $(BENCH_RESULTS)/curves.csv
 	./manylight bench chart $(BENCH_RESULTS)/curves.csv -o $(BENCH_PLOTS)
+
+# All techniques, error against time. Those of one count of VPLs take turns: a run each. The public rooms are matt and lit
+# by their spot.
+METHODS := $(addprefix --variant ,fine clustered cluster-lights lightcuts row-column imperfect-shadow-maps \
+    instant-radiosity unshadowed)
+METHODS_RUN = ./manylight bench sweep --reference path --cache $(REFERENCE_CACHE) --size 200x200 --frames 1 $(METHODS)
+METHODS_SMALL := $(SMALL_SCENES) --noise .01
+METHODS_LARGE := $(LARGE_SCENES) $(wildcard ../shared/scenes/sponza.glb) --noise .05
+METHODS_ROOMS := $(wildcard ../shared/scenes/public/*.glb)
+METHODS_ROOMS += $(if $(METHODS_ROOMS),--noise .05 --light spot --set materials=diffuse)
+METHODS_ROWS := $(BENCH_RESULTS)/methods.csv
+
+methods: all
+	@mkdir -p $(BENCH_RESULTS)
+	$(METHODS_RUN) $(METHODS_SMALL) --vary N=256 --tracer --csv $(METHODS_ROWS).1
+	$(METHODS_RUN) $(METHODS_SMALL) --vary N=1024 --csv $(METHODS_ROWS).2
+	$(METHODS_RUN) $(METHODS_LARGE) --vary N=256 --tracer --csv $(METHODS_ROWS).3
+	$(METHODS_RUN) $(METHODS_LARGE) --vary N=1024 --csv $(METHODS_ROWS).4
+	$(if $(strip $(METHODS_ROOMS)),$(METHODS_RUN) $(METHODS_ROOMS) --vary N=256 --tracer --csv $(METHODS_ROWS).5)
+	$(if $(strip $(METHODS_ROOMS)),$(METHODS_RUN) $(METHODS_ROOMS) --vary N=1024 --csv $(METHODS_ROWS).6)
+	@awk 'FNR > 1 || NR == 1' $(METHODS_ROWS).[1-6] > $(METHODS_ROWS)
+	@rm $(METHODS_ROWS).[1-6]
+	./manylight bench chart $(METHODS_ROWS) -o $(BENCH_PLOTS)/methods
 
 # What is seen of lamps, by each method of direct light, and the tables of soft shadows.
 direct: all

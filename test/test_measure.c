@@ -141,6 +141,9 @@ static void test_truth_names(void **state) {
     check_other_file(&desc, first, "the same", false);
     check_ok("setting", measure_assign(&desc, "vals=3"));
     check_other_file(&desc, first, "a setting", false);
+    check_ok("materials", measure_assign(&desc, "materials=diffuse"));
+    check_other_file(&desc, first, "materials", true);
+    check_ok("materials", measure_assign(&desc, "materials=full"));
     stage.geometry.position[5][1] += .001F;
     check_other_file(&desc, first, "a vertex", true);
     stage.geometry.position[5][1] -= .001F;
@@ -155,6 +158,31 @@ static void test_truth_names(void **state) {
     stage.emitters.items[0].intensity[0] += 1;
     check_other_file(&desc, first, "the light", true);
     free(first);
+    stage_free(&stage);
+}
+
+/* Matt materials are asked of the truth and of the tracer beside a technique, too: neither then has reflections,
+ * and the tracer errs by its noise alone. */
+static void test_matt_truth(void **state) {
+    (void)state;
+    struct stage stage;
+    struct image truths[2];
+    struct results results = {0};
+    struct truth_desc truth = {TRUTH_PATH, scratch("references"), .1};
+    int channels[3];
+    open_stage(&stage, "scenes/gloss.glb");
+    struct measure_desc desc = measure_default(&stage, 24, 24);
+    check_ok("full", truth_get(&truth, &desc, &truths[0]));
+    check_ok("materials", measure_assign(&desc, "materials=diffuse"));
+    check_ok("matt", truth_get(&truth, &desc, &truths[1]));
+    assert_true(image_find_layer(&truths[0], "specular", channels));
+    assert_false(image_find_layer(&truths[1], "specular", channels));
+    check_ok("tracer", rival_measure(&results, &desc, &truth, "path"));
+    check_near("bias of the tracer with 16 samples, %",
+               results_value(&results, results.subject_count - 1, "relative-bias", NULL), 0, 3);
+    results_free(&results);
+    image_free(&truths[0]);
+    image_free(&truths[1]);
     stage_free(&stage);
 }
 
@@ -312,9 +340,10 @@ static void test_flicker(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_summary),  cmocka_unit_test(test_slope),
-        cmocka_unit_test(test_grids),    cmocka_unit_test(test_grid_refusals),
-        cmocka_unit_test(test_subjects), cmocka_unit_test(test_truth_names),
+        cmocka_unit_test(test_summary),    cmocka_unit_test(test_slope),
+        cmocka_unit_test(test_grids),      cmocka_unit_test(test_grid_refusals),
+        cmocka_unit_test(test_subjects),   cmocka_unit_test(test_truth_names),
+        cmocka_unit_test(test_matt_truth),
     };
     const struct CMUnitTest rendering[] = {
         cmocka_unit_test(test_lights),

@@ -4,6 +4,7 @@
 #include "base/log.h"
 #include "measure/errors.h"
 #include "measure/picture.h"
+#include "scene/material.h"
 
 #include <stdio.h>
 
@@ -15,11 +16,13 @@ enum { COUNTS = sizeof sample_counts / sizeof *sample_counts };
 static bool trace(struct results *results, struct measure_desc *desc, int samples,
                   const struct truth_desc *truth, const char *against,
                   const struct image *reference) {
+    const struct material_settings *surface = settings_of(&desc->settings, &material_part);
     struct image image;
     struct path_tracer_desc tracer = {.width = desc->width,
                                       .height = desc->height,
                                       .bounces = 1,
                                       .samples = samples,
+                                      .materials = surface->materials,
                                       .centers = truth->kind == TRUTH_CENTERS,
                                       .denoise = true};
     snprintf(desc->point, sizeof desc->point, "spp=%d", samples);
@@ -39,6 +42,7 @@ bool rival_measure(struct results *results, const struct measure_desc *desc,
                    const struct truth_desc *truth, const char *against) {
     struct measure_desc rival = measure_default(desc->stage, desc->width, desc->height);
     struct image reference;
+    settings_copy(&rival.settings, &desc->settings, &material_part);
     bool ok = truth_get(truth, &rival, &reference);
     rival.technique = NULL;
     snprintf(rival.variant, sizeof rival.variant, "denoised tracer");

@@ -9,6 +9,7 @@
 #include "measure/picture.h"
 #include "measure/variants.h"
 #include "scene/hash.h"
+#include "scene/material.h"
 
 #include "sources.h"
 
@@ -20,14 +21,23 @@ const char *const truth_names[] = {"none", "path", "centers", "vpls", "seen", NU
 
 const char truth_vpls[] = "R:technique=instant-radiosity,interleave=1,blur-radius=0";
 
+static int materials_of(const struct measure_desc *desc) {
+    const struct material_settings *surface = settings_of(&desc->settings, &material_part);
+    return surface->materials;
+}
+
 /* --- where it is kept ------------------------------------------------------------------------- */
 
 /* Of all that the truth depends on; the renderer's own picture on all sources. */
-static uint64_t hash_of(const struct stage *stage, enum truth_kind kind) {
+static uint64_t hash_of(const struct measure_desc *desc, enum truth_kind kind) {
     static const char tracer[] = MANYLIGHT_TRACER, all[] = MANYLIGHT_SOURCES;
+    const struct stage *stage = desc->stage;
+    int materials = materials_of(desc);
     uint64_t sum = scene_hash(&stage->scene, &stage->geometry, &stage->camera, &stage->emitters);
     hash_bytes(&sum, kind == TRUTH_VPLS ? all : tracer,
                kind == TRUTH_VPLS ? sizeof all : sizeof tracer);
+    if (materials != MATERIALS_FULL)
+        hash_bytes(&sum, &materials, sizeof materials);
     return sum;
 }
 
@@ -46,7 +56,7 @@ char *truth_path(const struct truth_desc *truth, const struct measure_desc *desc
         snprintf(noise, sizeof noise, "-%g", truth->noise);
     char *path = mem_printf("%s/%s-%dx%d-%s%s-%016llx.exr", folder, desc->stage->name, desc->width,
                             desc->height, truth_names[truth->kind], noise,
-                            (unsigned long long)hash_of(desc->stage, truth->kind));
+                            (unsigned long long)hash_of(desc, truth->kind));
     free(folder);
     return path;
 }
@@ -62,6 +72,7 @@ bool truth_trace(const struct truth_desc *truth, const struct measure_desc *desc
                                    .height = desc->height,
                                    .bounces = seen ? 0 : 1,
                                    .noise = truth->noise,
+                                   .materials = materials_of(desc),
                                    .centers = seen || truth->kind == TRUTH_CENTERS,
                                    .seen = seen},
         image, NULL);
@@ -69,6 +80,7 @@ bool truth_trace(const struct truth_desc *truth, const struct measure_desc *desc
 
 static bool render_all_vpls(const struct measure_desc *desc, struct image *image) {
     struct measure_desc all = measure_default(desc->stage, desc->width, desc->height);
+    settings_copy(&all.settings, &desc->settings, &material_part);
     return variant_apply(&all, truth_vpls) && picture_render(&all, image);
 }
 

@@ -30,7 +30,7 @@ struct truth_desc {
     double noise;      /* of a path-traced one: standard error over mean */
 };
 
-/* Of the desc's stage in its size; its settings do not count. From the cache, or made now and put
+/* Of the desc's stage in its size and with its `materials`; its other settings do not count. From the cache, or made now and put
  * there. Error: of the tracer, the renderer or the file. */
 bool truth_get(const struct truth_desc *truth, const struct measure_desc *desc,
                struct image *image);

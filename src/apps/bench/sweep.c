@@ -23,7 +23,8 @@ const struct bench_mode bench_sweep = {
     .help = "times and errors over a grid of settings\n"
             "Each variant at each point of the grid, its errors against the reference, if any.\n"
             "Without SCENE: the paper's four scenes, from the folder scenes.",
-    .options = "vary size variant set frames warm-up reference tracer noise cache" BENCH_CONTEXT,
+    .options =
+        "vary size variant set light frames warm-up reference tracer noise cache" BENCH_CONTEXT,
     .variants = bench_variants,
     .measure = measure,
     .tables = {{"times and errors",
