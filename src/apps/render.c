@@ -105,10 +105,9 @@ static const struct arguments arguments = {
     .summary =
         "Renders a glTF scene offscreen. EXR and PFM get linear radiance, EXR with all layers;\n"
         "PNG, JPEG and the like get the picture as a display shows it. Each frame depends on its\n"
-        "time alone (but with --budget), and its files appear when they are whole, synced and read "
-        "back: a sequence\n"
-        "may be split between processes, killed, and taken up again. Ctrl-C ends it after the\n"
-        "frame at hand, Ctrl-\\ at once.",
+        "time alone (but with --budget), and its files appear when they are whole, synced and\n"
+        "read back: a sequence may be split between processes, killed, and taken up again.\n"
+        "Ctrl-C ends it after the frame at hand, Ctrl-\\ at once.",
     .options = options,
     .min_positional = 1,
     .max_positional = 1,
