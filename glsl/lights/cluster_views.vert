@@ -40,6 +40,6 @@ void main() {
     float extent = sqrt(sides.x * sides.y);
     // What the VPLs themselves span may be left out, but no more.
     float near = min(params.near_clip * vpl_spread(), spacing);
-    map_view_output(map_view(center, z_far, normal, extent,
-                             perpendicular(normal), near));
+    bool empty = texelFetch(val_positions, k, 0).w == 0.0;
+    map_view_output(map_view(center, z_far, normal, extent, perpendicular(normal), empty ? MAP_VIEW_EMPTY : near));
 }

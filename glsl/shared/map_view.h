@@ -17,6 +17,9 @@ struct map_view {
 };
 STD140_SIZE(map_view, 16 * MAP_VIEW_ROWS)
 
+/* For near: all casters are nearer, and nobody asks. */
+#define MAP_VIEW_EMPTY 1e30
+
 /* Views per uniform block: 48 KiB. */
 #define MAP_VIEWS_MAX 1024
 

@@ -11,5 +11,6 @@ void main() {
     int size = params.block;
     ivec2 pixel = min(ivec2(gl_FragCoord.xy) * size + size / 2, gbuffer_size() - 1);
     surface s = gbuffer_surface(pixel);
-    visible = s.present ? visibility(instance, s.position, s.normal) : 1.0;
+    bool used = map_view_at(instance).near < MAP_VIEW_EMPTY;
+    visible = used && s.present ? visibility(instance, s.position, s.normal) : 1.0;
 }

@@ -11,7 +11,10 @@ out vec2 surface_uv;
 
 void main() {
     map_view v = map_view_at(gl_InstanceID);
-    paraboloid_corner(v, gl_InstanceID, paraboloid_local(v, position));
+    if (v.near == MAP_VIEW_EMPTY)
+        paraboloid_nowhere();
+    else
+        paraboloid_corner(v, gl_InstanceID, paraboloid_local(v, position));
 #ifdef MASKED
     surface_uv = uv;
 #endif

@@ -6,6 +6,15 @@ out vec3 local;
 flat out vec2 range;
 out float gl_ClipDistance[2];
 
+// Of a view that nobody asks.
+void paraboloid_nowhere() {
+    gl_ClipDistance[0] = gl_ClipDistance[1] = -1.0;
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+    gl_Layer = 0;
+    local = vec3(0.0);
+    range = vec2(0.0);
+}
+
 // q: in the frame of view v, whose map is the layer.
 void paraboloid_corner(map_view v, int layer, vec3 q) {
     float r = length(q);

@@ -4,6 +4,7 @@
 #define TECHNIQUES_VALS_H
 
 #include "passes/lights/cluster.h"
+#include "passes/lights/val_count.h"
 #include "passes/visibility/basis.h"
 #include "passes/visibility/block_visibility.h"
 #include "passes/visibility/paraboloid.h"
@@ -12,6 +13,7 @@
 struct vals_settings {
     int vals; /* M */
     int bounce_vals;
+    float distortion; /* that so few VALs may leave as are needed for it; 0 = all are used */
     int iterations;
     int start;                            /* enum cluster_start */
     float weight_position, weight_normal; /* w_x, w_alpha */
@@ -33,6 +35,9 @@ struct val_set {
 };
 
 struct vals {
+    bool counts; /* how many of the first are needed: */
+    struct cluster_pass probe;
+    struct val_count_pass count;
     struct val_set first, further; /* of the first bounce; of further ones, where there are any */
     struct val_output output;      /* of the first */
 };
