@@ -112,7 +112,7 @@ static void test_shaders_kept(void **state) {
     glsl_set_folder(NULL);
     check_ok("again", again);
     struct renderer_desc other = renderer.desc;
-    check_ok("setting", settings_assign(&other.settings, "vals=5"));
+    check_ok("setting", settings_assign(&other.settings, "visibility=hard"));
     check_ok("change", renderer_follow(&renderer, &other));
     renderer_render(&renderer);
     glsl_set_folder("/nowhere");
