@@ -26,8 +26,6 @@ static const struct fixed {
     {NULL, {"gather.interleave=4 gather.detail=2 clustered.vals=60", 1}},
     {NULL, {"picture.samples=16", 1}},
     {"unshadowed", {"", 1}},
-    {"instant-radiosity", {"", 1}},
-    {"imperfect-shadow-maps", {"", 1}},
     {"lightcuts", {"", 1}},
 };
 

@@ -75,7 +75,16 @@ static const double changed = .15;
 /* Of a level, as long as none has been measured; and between which bounds it may lie. */
 static const double growth_usual = .06, growth_least = .02, growth_most = .25;
 
-enum { STEP_MOST = 24, LEVEL_FIRST = 26, PATIENCE_FIRST = 12, PATIENCE_MOST = 400 };
+/* So far off, what had settled is looked for anew. */
+static const double unsettled = .6;
+
+enum {
+    STEP_MOST = 24,
+    STEP_SETTLED = 6,
+    LEVEL_FIRST = 26,
+    PATIENCE_FIRST = 12,
+    PATIENCE_MOST = 400
+};
 
 void time_budget_init(struct time_budget *budget, double target) {
     *budget = (struct time_budget){.target = target,
@@ -128,8 +137,9 @@ static void wait_for_slow(struct time_budget *budget) {
 
 /* The level that takes what is aimed at, by the growth. */
 static int wanted_level(const struct time_budget *budget) {
+    int most = budget->settled ? STEP_SETTLED : STEP_MOST;
     double steps = floor((aim - off_target(budget)) / budget->growth);
-    int level = budget->level + (int)clamped(steps, -STEP_MOST, STEP_MOST);
+    int level = budget->level + (int)clamped(steps, -most, most);
     int top = budget->wait > 0 ? budget->too_slow - 1 : TIME_BUDGET_LEVELS - 1;
     return level < 0 ? 0 : level < top ? level : top;
 }
@@ -144,7 +154,10 @@ bool time_budget_add(struct time_budget *budget, double ms) {
         learn_growth(budget, ms);
     wait_for_slow(budget);
     double off = off_target(budget);
-    bool told = budget->count >= TIME_BUDGET_SAMPLES || fabs(off) > clear;
+    bool all = budget->count >= TIME_BUDGET_SAMPLES;
+    bool told = all || (!budget->settled && fabs(off) > clear);
+    if (all)
+        budget->settled = budget->settled ? fabs(off) < unsettled : is_within(off);
     if (is_within(off) || !told)
         return false;
     if (off > above)

@@ -19,6 +19,7 @@ struct time_budget {
     int before;                          /* the level before; -1: there was none */
     double before_ms;
     double growth;   /* of time, a level: natural logarithm */
+    bool settled;    /* a level holds: from now on times are believed less readily */
     double first_ms; /* of this level, as it was when it had been drawn so often */
     /* The last level that took too long, which is not tried again while there is something to wait for: frames,
      * more each time, or until they become faster. */

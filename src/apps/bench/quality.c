@@ -3,6 +3,7 @@
 
 #include "base/file/image_file.h"
 #include "measure/quality_check.h"
+#include "measure/rival.h"
 
 static bool check(struct bench *bench, const struct measure_desc *measure) {
     const struct bench_values *values = &bench->values;
@@ -20,9 +21,12 @@ static bool check(struct bench *bench, const struct measure_desc *measure) {
 }
 
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
+    struct truth_desc truth = bench_truth(bench, TRUTH_PATH);
     bool ok = true;
     for (int i = 0; ok && i < subjects->count; i++)
-        ok = check(bench, &subjects->items[i]);
+        ok = check(bench, &subjects->items[i]) &&
+             (!bench->values.tracer ||
+              rival_measure(&bench->results, &subjects->items[i], &truth, truth_names[truth.kind]));
     return ok;
 }
 
@@ -35,7 +39,7 @@ const struct bench_mode bench_quality = {
         "truth's noise; that over the error asked for, and its CPU time over that of the\n"
         "fastest of all that errs no more.\n"
         "Without SCENE: the paper's four scenes.",
-    .options = "size set light noise cache passes truth" BENCH_CONTEXT,
+    .options = "size set light noise cache passes truth tracer" BENCH_CONTEXT,
     .measure = measure,
     .tables = {{"--max-error",
                 {{"told %", "told", NULL},
