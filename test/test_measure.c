@@ -144,6 +144,9 @@ static void test_truth_names(void **state) {
     check_ok("materials", measure_assign(&desc, "materials=diffuse"));
     check_other_file(&desc, first, "materials", true);
     check_ok("materials", measure_assign(&desc, "materials=full"));
+    check_ok("setting", measure_assign(&desc, "bounces=2"));
+    check_other_file(&desc, first, "two bounces", true);
+    check_ok("setting", measure_assign(&desc, "bounces=1"));
     stage.geometry.position[5][1] += .001F;
     check_other_file(&desc, first, "a vertex", true);
     stage.geometry.position[5][1] -= .001F;

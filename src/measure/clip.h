@@ -1,7 +1,7 @@
 /* How steady moving pictures are.
  *
  * Flicker is what changes from frame to frame in a picture F and not in the reference R, which has
- * all VPLs with a shadow map each, or is path-traced:
+ * all VPLs with a shadow map each, or is path-traced, of as many bounces:
  *
  *     mean over frames and pixels of |(F_t - F_t-1) - (R_t - R_t-1)| / mean R
  *

@@ -18,13 +18,12 @@ static int side_of_squares(int width, int height) {
 
 bool estimate_init(struct estimate *estimate, const struct measure_desc *desc, double noise) {
     const struct material_settings *surface = settings_of(&desc->settings, &material_part);
-    double bounces = measure_setting(desc, "bounces");
     *estimate = (struct estimate){.every = side_of_squares(desc->width, desc->height)};
     if (!picture_trace_paths(desc->stage,
                              &(struct path_tracer_desc){.width = desc->width,
                                                         .height = desc->height,
                                                         .every = estimate->every,
-                                                        .bounces = bounces > 1 ? (int)bounces : 1,
+                                                        .bounces = measure_bounces(desc),
                                                         .noise = noise,
                                                         .materials = surface->materials},
                              &estimate->truth, NULL))

@@ -90,6 +90,11 @@ double measure_setting(const struct measure_desc *desc, const char *name) {
     return 0;
 }
 
+int measure_bounces(const struct measure_desc *desc) {
+    double bounces = measure_setting(desc, "bounces");
+    return bounces > 1 ? (int)bounces : 1;
+}
+
 double measure_pixel_vpls(const struct measure_desc *desc) {
     double slots = measure_setting(desc, "interleave");
     return slots > 0 ? measure_pixels(desc) * measure_setting(desc, "vpls") / (slots * slots) : 0;

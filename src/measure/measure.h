@@ -44,6 +44,9 @@ static inline double measure_pixels(const struct measure_desc *desc) {
     return (double)desc->width * desc->height;
 }
 
+/* Of indirect light: 1 where the technique does not tell. */
+int measure_bounces(const struct measure_desc *desc);
+
 /* How often a VPL is looked at in a frame: each pixel takes those of its interleave slot. 0 where
  * there are none. */
 double measure_pixel_vpls(const struct measure_desc *desc);

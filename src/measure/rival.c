@@ -13,14 +13,14 @@ static const int sample_counts[] = {1, 2, 4, 8, 16};
 
 enum { COUNTS = sizeof sample_counts / sizeof *sample_counts };
 
-static bool trace(struct results *results, struct measure_desc *desc, int samples,
+static bool trace(struct results *results, struct measure_desc *desc, int bounces, int samples,
                   const struct truth_desc *truth, const char *against,
                   const struct image *reference) {
     const struct material_settings *surface = settings_of(&desc->settings, &material_part);
     struct image image;
     struct path_tracer_desc tracer = {.width = desc->width,
                                       .height = desc->height,
-                                      .bounces = 1,
+                                      .bounces = bounces,
                                       .samples = samples,
                                       .materials = surface->materials,
                                       .centers = truth->kind == TRUTH_CENTERS,
@@ -43,11 +43,12 @@ bool rival_measure(struct results *results, const struct measure_desc *desc,
     struct measure_desc rival = measure_default(desc->stage, desc->width, desc->height);
     struct image reference;
     settings_copy(&rival.settings, &desc->settings, &material_part);
-    bool ok = truth_get(truth, &rival, &reference);
+    bool ok = truth_get(truth, desc, &reference);
     rival.technique = NULL;
     snprintf(rival.variant, sizeof rival.variant, "denoised tracer");
     for (int i = 0; ok && i < COUNTS; i++)
-        ok = trace(results, &rival, sample_counts[i], truth, against, &reference);
+        ok = trace(results, &rival, measure_bounces(desc), sample_counts[i], truth, against,
+                   &reference);
     image_free(&reference);
     return ok;
 }

@@ -49,13 +49,16 @@ static char *default_folder(void) {
 }
 
 char *truth_path(const struct truth_desc *truth, const struct measure_desc *desc) {
-    char *folder = truth->cache ? mem_strdup(truth->cache) : default_folder(), noise[32] = "";
+    char *folder = truth->cache ? mem_strdup(truth->cache) : default_folder(), noise[32] = "",
+         bounces[32] = "";
     if (!folder)
         return NULL;
+    if (measure_bounces(desc) > 1)
+        snprintf(bounces, sizeof bounces, "-%d-bounces", measure_bounces(desc));
     if (truth->kind != TRUTH_VPLS)
         snprintf(noise, sizeof noise, "-%g", truth->noise);
-    char *path = mem_printf("%s/%s-%dx%d-%s%s-%016llx.exr", folder, desc->stage->name, desc->width,
-                            desc->height, truth_names[truth->kind], noise,
+    char *path = mem_printf("%s/%s-%dx%d-%s%s%s-%016llx.exr", folder, desc->stage->name,
+                            desc->width, desc->height, truth_names[truth->kind], bounces, noise,
                             (unsigned long long)hash_of(desc, truth->kind));
     free(folder);
     return path;
@@ -70,7 +73,7 @@ bool truth_trace(const struct truth_desc *truth, const struct measure_desc *desc
         desc->stage,
         &(struct path_tracer_desc){.width = desc->width,
                                    .height = desc->height,
-                                   .bounces = seen ? 0 : 1,
+                                   .bounces = seen ? 0 : measure_bounces(desc),
                                    .noise = truth->noise,
                                    .materials = materials_of(desc),
                                    .centers = seen || truth->kind == TRUTH_CENTERS,
@@ -80,8 +83,11 @@ bool truth_trace(const struct truth_desc *truth, const struct measure_desc *desc
 
 static bool render_all_vpls(const struct measure_desc *desc, struct image *image) {
     struct measure_desc all = measure_default(desc->stage, desc->width, desc->height);
+    char bounces[32];
+    snprintf(bounces, sizeof bounces, "bounces=%d", measure_bounces(desc));
     settings_copy(&all.settings, &desc->settings, &material_part);
-    return variant_apply(&all, truth_vpls) && picture_render(&all, image);
+    return variant_apply(&all, truth_vpls) && measure_assign(&all, bounces) &&
+           picture_render(&all, image);
 }
 
 bool truth_get(const struct truth_desc *truth, const struct measure_desc *desc,

@@ -12,7 +12,7 @@
 
 enum truth_kind {
     TRUTH_NONE,
-    TRUTH_PATH,    /* path-traced, one bounce */
+    TRUTH_PATH,    /* path-traced */
     TRUTH_CENTERS, /* the same through pixels' centres: without the error of edges */
     TRUTH_VPLS,    /* every pixel takes every VPL, a hard shadow map each */
     TRUTH_SEEN, /* path-traced through pixels' centres: direct light alone, and what it is made of */
@@ -30,7 +30,7 @@ struct truth_desc {
     double noise;      /* of a path-traced one: standard error over mean */
 };
 
-/* Of the desc's stage in its size and with its `materials`; its other settings do not count. From the cache, or made now and put
+/* Of the desc's stage in its size, of as many bounces and with its `materials`; its other settings do not count. From the cache, or made now and put
  * there. Error: of the tracer, the renderer or the file. */
 bool truth_get(const struct truth_desc *truth, const struct measure_desc *desc,
                struct image *image);

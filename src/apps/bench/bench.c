@@ -103,9 +103,9 @@ static const struct option options[] = {
     {"passes", 0, OPTION_INT, VALUE(passes), 256, 1, 65536,
      .help = "as many, and each power of two"},
     {"reference", 0, OPTION_CHOICE, VALUE(reference), .choices = truth_names,
-     .help = "what holds the truth: one bounce path-traced (centers: through pixels' centres),\n"
-             "or all VPLs with a map each, as for a clip where there is none; seen: of direct\n"
-             "light, the share of the lights that is seen"},
+     .help = "what holds the truth, of as many bounces: path-traced (centers: through pixels'\n"
+             "centres), or all VPLs with a map each, as for a clip where there is none; seen: of\n"
+             "direct light, the share of the lights that is seen"},
     {"tracer", 0, OPTION_FLAG, VALUE(tracer),
      .help =
          "also the denoised path tracer at 1 to 16 samples a pixel, against --reference path\n"
