@@ -31,7 +31,7 @@ SHADERS := $(sort $(shell find glsl -type f -name '[!.]*') \
 TESTS := $(patsubst test/%.c,$(BUILD)/test/%,$(sort $(wildcard test/test_*.c)))
 SCENE_TOOL_SOURCES := $(sort $(shell find scenes -name '*.c'))
 SCENE_TOOL := $(BUILD)/scenes/make_scenes
-SCENE_NAMES := atrium cornell-box three-lights cornell-animal sphere metaballs moving-spot door creatures character table gloss materials plant courtyard
+SCENE_NAMES := atrium cornell-box three-lights cornell-animal sphere metaballs moving-spot door creatures character table gloss materials roughness plant courtyard
 SKY_NAMES := day overcast
 SCENES := $(BUILD)/scenes/made
 

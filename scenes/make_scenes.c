@@ -29,6 +29,7 @@ static const struct scene_maker {
     {"table", make_table},
     {"gloss", make_gloss},
     {"materials", make_materials},
+    {"roughness", make_roughness},
     {"plant", make_plant},
     {"courtyard", make_courtyard},
     {"failures/room", make_room},

@@ -17,6 +17,7 @@ void make_character(struct glb *glb);
 void make_table(struct glb *glb);
 void make_gloss(struct glb *glb);
 void make_materials(struct glb *glb);
+void make_roughness(struct glb *glb);
 void make_plant(struct glb *glb);
 void make_courtyard(struct glb *glb);
 

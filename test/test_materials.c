@@ -162,12 +162,73 @@ static void test_lamps(void **state) {
     free_pictures(&pictures);
 }
 
+/* --- metal and roughness ---------------------------------------------------------------------- */
+
+static double mean_difference(const struct image *a, const struct image *b, const char *layer) {
+    int of_a[3], of_b[3];
+    double sum = 0;
+    assert_true(image_find_layer(a, layer, of_a) && image_find_layer(b, layer, of_b));
+    for (int y = 0; y < a->height; y++)
+        for (int x = 0; x < a->width; x++)
+            for (int c = 0; c < 3; c++)
+                sum +=
+                    fabs((double)image_at(a, x, y)[of_a[c]] - (double)image_at(b, x, y)[of_b[c]]);
+    return sum / image_mean(b, of_b) / (3. * a->width * a->height);
+}
+
+/* In place of the texture the factors that its texels are. */
+static void take_textures_away(struct stage *stage) {
+    int taken = 0;
+    for (int m = 0; m < stage->scene.material_count; m++) {
+        struct material *material = &stage->scene.materials[m];
+        if (material->metal_roughness_texture < 0)
+            continue;
+        material->metal_roughness_texture = -1;
+        material->metalness = taken < 6;
+        material->roughness = (float)(taken % 6) / 5;
+        taken++;
+    }
+    assert_int_equal(taken, 12);
+}
+
+/* Metals and plastics from smooth to rough: by a texture as by factors, drawn as traced. */
+static void test_spheres(void **state) {
+    (void)state;
+    enum { SIDE = 120 };
+    struct stage stage;
+    struct image traced;
+    open_stage(&stage, "scenes/roughness.glb");
+    struct image drawn = render_stage(&stage, "clustered", "", SIDE);
+    check_ok("trace",
+             picture_trace_paths(
+                 &stage,
+                 &(struct path_tracer_desc){
+                     .width = SIDE, .height = SIDE, .bounces = 1, .samples = 16, .centers = true},
+                 &traced, NULL));
+    take_textures_away(&stage);
+    struct image factors = render_stage(&stage, "clustered", "", SIDE);
+    for (int m = 0; m < stage.scene.material_count; m++)
+        stage.scene.materials[m].roughness = 1;
+    struct image rough = render_stage(&stage, "clustered", "", SIDE);
+    check_at_most("by factors beside by textures, specular",
+                  mean_difference(&factors, &drawn, "specular"), .002);
+    check_at_most("albedo", mean_difference(&factors, &drawn, "albedo"), 5e-4);
+    printf("  all rough: %.3f\n", mean_difference(&rough, &drawn, "specular"));
+    assert_true(mean_difference(&rough, &drawn, "specular") > .3);
+    check_at_most("drawn beside traced, albedo", mean_difference(&drawn, &traced, "albedo"), .002);
+    check_at_most("direct.specular", mean_difference(&drawn, &traced, "direct.specular"), .15);
+    check_at_most("indirect.specular", mean_difference(&drawn, &traced, "indirect.specular"), .4);
+    image_free(&drawn);
+    image_free(&traced);
+    image_free(&factors);
+    image_free(&rough);
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_domes),
-        cmocka_unit_test(test_wraps),
-        cmocka_unit_test(test_alphas),
-        cmocka_unit_test(test_lamps),
+        cmocka_unit_test(test_domes), cmocka_unit_test(test_wraps),   cmocka_unit_test(test_alphas),
+        cmocka_unit_test(test_lamps), cmocka_unit_test(test_spheres),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

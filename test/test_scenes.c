@@ -35,6 +35,7 @@ static const struct expectation {
     {"table", 1038, 0, 5, {-3, 0, -2}, {3, 3, 3}, "|floor|wall|lamp|"},
     {"gloss", 17832, 0, 14, {-2, 0, -2}, {2, 2.6f, 2}, WALLS},
     {"materials", 42, 0, 17, {-3, -.3f, -.3f}, {3, 4.3f, 0}, "|wall|dome|wrap|alpha|lamp|"},
+    {"roughness", 36490, 0, 28, {-3, -.3f, -1}, {3, 5, 6.5f}, WALLS},
     {"courtyard", 156, 0, 4, {-4.3F, -.2F, -3.3F}, {4.3F, 4, 3.3F}, ""},
     {"sphere", 20172, 0, 1, {-1.0f, -1.0f, -1.0f}, {1.0f, 1.0f, 1.0f}, ""},
 };
