@@ -1,5 +1,5 @@
 // For test_cluster_lights.c: what rectangle i, of unit flux, gives to the point in the origin that looks along n.
-#define CLAMP 5
+#define CLAMP 6
 #include "lib/vpl_block.glsl"
 #include "gather/rectangle.glsl"
 

@@ -45,7 +45,7 @@ bool nearest_block(surface s, ivec2 pixel, out ivec2 nearest) {
     return least < 1e30;
 }
 
-#if CLAMP >= 5
+#if CLAMP >= 6
 // Their shares of the pixel, where no blur follows: between centres, of those on the same surface.
 bool block_shares(surface s, ivec2 pixel, out ivec2 first, out vec4 shares) {
     int size = params.block;

@@ -42,6 +42,9 @@ float greatest_share(float distance2, float area, float near2) {
     return 1.0 / max(distance2, 1e-30);
 #elif CLAMP == 2 || CLAMP == 4
     return 1.0 / max(distance2 + area * CUT_INVERSE_PI, 1e-30);
+#elif CLAMP == 5
+    float radius2 = area * CUT_INVERSE_PI;
+    return distance2 < radius2 ? 0.5 / radius2 : 1.0 / max(distance2 + radius2 * radius2 / distance2, 1e-30);
 #else
     // What the near field leaves is (2 - q) / near2 with q = d^2 / near2.
     return distance2 < near2 ? (2.0 - distance2 / near2) / near2 : 1.0 / max(distance2, 1e-30);

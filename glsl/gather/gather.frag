@@ -30,13 +30,13 @@ const float INVERSE_PI = 0.31830988618;
 #include "gather/specular.glsl"
 #endif
 
-#if CLAMP >= 5
+#if CLAMP >= 6
 #include "gather/rectangle.glsl"
 #endif
 
 // Of light i: what geometry_term has of points and balls, or of its rectangle.
 float light_term(int i, vec3 to_light, vec3 normal, vpl light, out float back) {
-#if CLAMP >= 5
+#if CLAMP >= 6
     back = 0.0;
     return rectangle_term(i, to_light, normal, light);
 #else
@@ -89,7 +89,7 @@ vec3 unshadowed(int i, vpl light, surface s, out vec3 back) {
 #if RECEIVERS == RECEIVERS_LISTED
 // VPLs of which two ask for all: most of the time goes there. Of rectangles, which each stand for several VPLs and whose
 // answers nothing blurs, there are fewer.
-#if CLAMP >= 5
+#if CLAMP >= 6
 const int TOGETHER = 4;
 #else
 const int TOGETHER = 12;
@@ -154,7 +154,7 @@ vec3 light_of_slot(surface s, ivec2 pixel) {
     ivec2 lights = lights_of(pixel);
 #if SHARE_VISIBILITY
     ivec2 block;
-#if CLAMP >= 5
+#if CLAMP >= 6
     vec4 shares;
     if (block_shares(s, pixel, block, shares)) {
 #else
@@ -162,7 +162,7 @@ vec3 light_of_slot(surface s, ivec2 pixel) {
 #endif
         for (int i = lights.x; i < lights.y; i++) {
             vpl light = light_at(i);
-#if CLAMP >= 5
+#if CLAMP >= 6
             float visible = shared_visibility(block, shares, map_of(i, light));
 #else
             float visible = texelFetch(block_visibilities, ivec3(block, map_of(i, light)), 0).r;

@@ -1,5 +1,6 @@
 // How much of a VPL's light a surface takes, but for its visibility: by CLAMP and TAKE_BACK, and the gather's parameters.
 #include "gather/near_field.glsl"
+#include "gather/patch.glsl"
 #include "gather/sphere.glsl"
 #include "lib/vpl_rows.glsl"
 #include "shared/gather.h"
@@ -26,6 +27,8 @@ float geometry_term(vec3 to_vpl, vec3 normal, vpl light, out float back) {
 #elif CLAMP == 2
     // The form factor of a disk of the VPL's area, facing the receiver.
     return cosines / (distance2 * (distance2 + light.area * 0.31830988618));
+#elif CLAMP == 5
+    return patch_term(cosines, distance2, light.area);
 #else
     // The near field comes from the reflective shadow map.
     float far = 1.0 - near_share(distance2, light.area, light.reach);

@@ -42,7 +42,7 @@ float few_points(rectangle r, vec3 normal, vpl light) {
     return 0.25 * sum;
 }
 
-#if CLAMP == 6
+#if CLAMP == 7
 float far_points(rectangle r, vec3 normal, vpl light) {
     float sum = 0.0;
     for (int k = 0; k < NEAR_SIDE * NEAR_SIDE; k++) {
@@ -73,7 +73,7 @@ float rectangle_term(int i, vec3 to_light, vec3 normal, vpl light) {
     rectangle r = rectangle_at(i, to_light);
     float term = 0.0, diagonal2 = dot(r.right, r.right) + dot(r.up, r.up);
     bool seen = is_seen(r, normal, light), small = diagonal2 < SMALL2 * dot(to_light, to_light), near = false;
-#if CLAMP == 6
+#if CLAMP == 7
     near = is_near(r, light);
     for (int lit = seen && near ? 1 : 0; lit > 0; lit--)
         term = far_points(r, normal, light);

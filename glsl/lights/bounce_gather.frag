@@ -1,11 +1,12 @@
 // Irradiance at points of surfaces from a run of VPLs:
-//     E = sum_i Phi_i / pi  cos_i cos / (d^2 + A / pi)  V_C(i)
-// It is bounded by the form factor of a disk. Both ends stand for patches, and A is the larger one's: a large patch
-// beside a small VPL would take more than that sends.
+//     E = sum_i Phi_i / pi  cos_i cos d^2 / (d^4 + (A / pi)^2)  V_C(i)
+// Both ends stand for patches, and A is the larger one's: a large patch beside a small VPL would take more than that
+// sends.
 // A column is a point. Each row takes a part of the VPLs; or, with CANDIDATES, is another candidate, which takes all.
 #include "lib/vpl_block.glsl"
 #include "lib/vpl_texels.glsl" // the points: flux is their albedo
 #include "visibility/visibility.glsl"
+#include "gather/patch.glsl"
 #include "shared/bounce.h"
 
 // First VPL and count within the block.
@@ -26,8 +27,7 @@ float geometry_term(vpl light, vpl point) {
     vec3 to_light = light.position - point.position;
     float distance2 = dot(to_light, to_light);
     float cosines = max(dot(point.normal, to_light), 0.0) * max(-dot(light.normal, to_light), 0.0);
-    float area = max(light.area, point.area);
-    return cosines > 0.0 ? cosines / (distance2 * (distance2 + area * INVERSE_PI)) : 0.0;
+    return cosines > 0.0 ? patch_term(cosines, distance2, max(light.area, point.area)) : 0.0;
 }
 
 int map_of(int i, vpl light) {

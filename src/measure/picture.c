@@ -37,10 +37,10 @@ static bool show(void *user, double done) {
 
 /* Of shapes of light that only the gather knows, the disk. */
 static const enum geometry_bound bounds[] = {
-    [GATHER_CLAMP_NONE] = GEOMETRY_UNBOUNDED,      [GATHER_CLAMP_VALUE] = GEOMETRY_CLAMPED,
-    [GATHER_CLAMP_DISK] = GEOMETRY_DISK,           [GATHER_CLAMP_NEAR] = GEOMETRY_DISK,
-    [GATHER_CLAMP_SPHERE] = GEOMETRY_DISK,         [GATHER_CLAMP_RECTANGLE] = GEOMETRY_DISK,
-    [GATHER_CLAMP_RECTANGLE_NEAR] = GEOMETRY_DISK,
+    [GATHER_CLAMP_NONE] = GEOMETRY_UNBOUNDED, [GATHER_CLAMP_VALUE] = GEOMETRY_CLAMPED,
+    [GATHER_CLAMP_DISK] = GEOMETRY_DISK,      [GATHER_CLAMP_NEAR] = GEOMETRY_DISK,
+    [GATHER_CLAMP_SPHERE] = GEOMETRY_DISK,    [GATHER_CLAMP_RECTANGLE] = GEOMETRY_DISK,
+    [GATHER_CLAMP_PATCH] = GEOMETRY_DISK,     [GATHER_CLAMP_RECTANGLE_NEAR] = GEOMETRY_DISK,
 };
 
 bool picture_trace(const struct measure_desc *desc, const struct vpl_sum_cuts *cuts,

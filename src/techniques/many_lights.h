@@ -73,7 +73,7 @@ extern const struct settings_part lights_part, map_part, lookup_part, gather_par
 /* Passes after the first: few VPLs, each with a map of all triangles that each pixel looks up itself,
  * nothing interleaved or blurred. The mean of many passes is unbiased, but for near light that counts as
  * unoccluded within a distance that shrinks, for what a map's texels and depth bias cannot show, and for
- * what disks take from further bounces. */
+ * what patches take from further bounces. */
 #define MANY_LIGHTS_REFINED                                                                        \
     "lights.vpls=64 lights.rsm-size=1024 gather.interleave=1 gather.clamp=near "                   \
     "gather.near-reach=4 gather.take-back=.5 gather.near-samples=256 blur.radius=0 "               \

@@ -35,7 +35,7 @@ static bool init_program(GLuint *program, const struct gather_desc *desc, enum g
 /* Near fields are the first bounce's. */
 static enum gather_clamp further_clamp(enum gather_clamp clamp) {
     bool rectangles = clamp == GATHER_CLAMP_RECTANGLE || clamp == GATHER_CLAMP_RECTANGLE_NEAR;
-    return rectangles ? GATHER_CLAMP_RECTANGLE : GATHER_CLAMP_DISK;
+    return rectangles ? GATHER_CLAMP_RECTANGLE : GATHER_CLAMP_PATCH;
 }
 
 /* No ray finds what further bounces light: there VPLs are balls. */

@@ -13,15 +13,16 @@
 
 /* How cos cos / d^2 is bounded near a VPL. The disk form factor is that of a disk of the VPL's
  * area. GATHER_CLAMP_NEAR leaves the near field to passes/gather/near_field.h. GATHER_CLAMP_SPHERE spreads
- * the VPL's light over a ball [Hašan et al. 2009]. */
+ * the VPL's light over a ball [Hašan et al. 2009]. GATHER_CLAMP_PATCH is of further bounces (gather/patch.glsl). */
 enum gather_clamp {
     GATHER_CLAMP_NONE,
     GATHER_CLAMP_VALUE,
     GATHER_CLAMP_DISK,
     GATHER_CLAMP_NEAR,
     GATHER_CLAMP_SPHERE,
-    /* The lights are rectangles, which need no bound; likewise without their near field. None of a
-     * user's choices. */
+    /* None of a user's choices. The lights are rectangles, which need no bound; likewise without their
+     * near field. */
+    GATHER_CLAMP_PATCH,
     GATHER_CLAMP_RECTANGLE,
     GATHER_CLAMP_RECTANGLE_NEAR,
 };
@@ -67,7 +68,7 @@ struct gather_inputs {
     const struct vpl_buffer *vpls;
     int first, count; /* of the VPLs; all of them where count is 0 */
     bool
-        further; /* they are of further bounces, and no near field is theirs: bounded as disks, unless
+        further; /* they are of further bounces, and no near field is theirs: bounded as patches, unless
                      they are rectangles */
     const struct buffer *rectangles;         /* of the lights, with GATHER_CLAMP_RECTANGLE */
     struct visibility_inputs visibility;     /* unless VISIBILITY_LOOKUP_NONE */

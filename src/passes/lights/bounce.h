@@ -11,8 +11,8 @@
  * pick depend on no light and no camera, so that a frame depends on its time alone.
  *
  * Metaballs are lit, but pass none of it on. Visibility is that of the VPLs' maps. Cost: P lookups for each VPL and bounce, and as many as half of
- * that to pick. Bias: VPLs are bounded as disks, which takes light from edges; and what maps cannot
- * resolve.
+ * that to pick. Bias: points are bounded as patches (glsl/gather/patch.glsl), which takes light from
+ * edges; and what maps cannot resolve.
  */
 #ifndef PASSES_BOUNCE_H
 #define PASSES_BOUNCE_H

@@ -74,7 +74,7 @@ static bool init_cut(struct lightcuts *technique, const struct technique_desc *d
             .clamp = gather->clamp,
             .clamp_value = gather->clamp_value,
             .further = lights->bounces > 1,
-            .further_clamp = GATHER_CLAMP_DISK,
+            .further_clamp = GATHER_CLAMP_PATCH,
         });
 }
 

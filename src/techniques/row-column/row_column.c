@@ -132,7 +132,7 @@ static bool init_rows(struct row_column *technique, const struct technique_desc 
                                                 .rows = own->rows,
                                                 .lights = lights,
                                                 .clamp = gather->clamp,
-                                                .further = GATHER_CLAMP_DISK,
+                                                .further = GATHER_CLAMP_PATCH,
                                                 .has_further = gather->further,
                                                 .visibility = gather->visibility,
                                             });
