@@ -93,6 +93,20 @@ static void test_panel(void **state) {
     check_same("and forth again", SCENE " --set vpls=96 --technique unshadowed");
 }
 
+/* A budget that nothing meets takes the least of all settings but those that are given. */
+static void test_frame_budget(void **state) {
+    (void)state;
+    char value[64];
+    start_viewer(SCENE, CHEAP " --budget .001ms");
+    need_viewer();
+    save_settings();
+    read_setting("picture.samples", value, sizeof value);
+    assert_string_equal(value, "1");
+    read_setting("clustered.vals", value, sizeof value);
+    assert_string_equal(value, "4");
+    end_viewer();
+}
+
 /* A preset sets all but how the picture is exposed; a number beside its slider is typed after a click. */
 static void test_presets(void **state) {
     (void)state;
@@ -212,7 +226,8 @@ int main(void) {
         cmocka_unit_test(test_keys),          cmocka_unit_test(test_panel),
         cmocka_unit_test(test_orbit),         cmocka_unit_test(test_open),
         cmocka_unit_test(test_passes),        cmocka_unit_test(test_end),
-        cmocka_unit_test(test_presets),       cmocka_unit_test(test_script),
+        cmocka_unit_test(test_frame_budget),  cmocka_unit_test(test_presets),
+        cmocka_unit_test(test_script),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/file/image_file.h"
 #include "base/file/output_file.h"
+#include "measure/quality.h"
 #include "viewer/viewer.h"
 
 struct values {
@@ -19,6 +20,11 @@ OPTION_ASSERT_SIZE(struct viewer_desc, width, height);
 static const struct option options[] = {
     {"size", 0, OPTION_SIZE, offsetof(struct values, viewer.width), 800, 16, 16384,
      .help = "of the picture, pixels"},
+    {"budget", 0, OPTION_FLOAT, offsetof(struct values, viewer.budget), 0, 0, 1e6,
+     .value_name = "Xms", .unit = "ms",
+     .help =
+         "what a frame may take, milliseconds of this machine: settings that --set leaves alone\n"
+         "follow from how long frames took; 0 = they stay"},
     TECHNIQUE_OPTIONS(struct values, technique),
     STAGE_OPTIONS(struct values, viewer),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, viewer.layer), .choices = shown_layer_names,
@@ -84,11 +90,16 @@ int app_view(int argc, char **argv) {
     struct viewer_desc *desc = &values.viewer;
     const char *screenshot = desc->screenshot;
     desc->scene = scene;
+    desc->given = &values.technique.settings;
     bool is_float;
     if (!technique_values_resolve(&values.technique, &desc->technique, &desc->direct,
                                   &desc->settings) ||
         (screenshot && !image_format_is_float(screenshot, &is_float)))
         return arguments_misuse(argv[0]);
+    if (desc->budget > 0 && quality_is_preset(desc->given->items, desc->given->count)) {
+        error_set("--budget excludes path=, which sets what it would choose");
+        return arguments_misuse(argv[0]);
+    }
     choose_tone(&values);
     if ((desc->frames || screenshot) && !scene) {
         error_set("--frames and --screenshot need a scene");

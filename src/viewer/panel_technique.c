@@ -184,6 +184,25 @@ static bool draw_technique_choice(const struct technique **technique) {
     return true;
 }
 
+/* What a frame may take, and what has been chosen by it. */
+static void draw_budget(struct viewer *viewer) {
+    const struct time_budget *budget = &viewer->shown.budget;
+    float ms = viewer->wish.budget;
+    struct ui_row row = {
+        .name = "frame budget, ms",
+        .help = "what a frame may take: the settings here then follow from how long frames take",
+        .differs = ms > 0,
+        .least = "none"};
+    enum ui_result result = ui_float(&row, &ms, 0, 1000);
+    if (result != UI_NOTHING) {
+        viewer_set_budget(viewer, result == UI_RESET ? 0 : ms);
+        viewer_touch(viewer);
+    }
+    if (viewer->wish.budget > 0)
+        ui_text(UI_DIM, "level %d of %d, by the time of frames", budget->level,
+                TIME_BUDGET_LEVELS - 1);
+}
+
 void panel_draw_technique(struct viewer *viewer) {
     struct compare *compare = &viewer->shown.compare;
     bool two = compare->mode == COMPARE_TECHNIQUE;
@@ -197,8 +216,13 @@ void panel_draw_technique(struct viewer *viewer) {
     ui_space();
     changed |= draw_technique_choice(technique);
     changed |= draw_plain(*technique, viewer->shown.renderer.desc.direct, settings);
-    if (ui_section("Advanced", false))
+    bool advanced = ui_section("Advanced", false);
+    if (advanced)
         changed |= draw_advanced(viewer, *technique, settings);
+    if (advanced && side == 0)
+        draw_budget(viewer);
+    if (changed && side == 0)
+        viewer_set_budget(viewer, 0); /* what is set by hand wins */
     if (changed)
         viewer_touch(viewer);
 }

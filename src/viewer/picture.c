@@ -96,9 +96,12 @@ static void choose_size(struct viewer *viewer, int *width, int *height) {
         return;
     if (pace->frame_count == 0) /* the first picture is to come soon */
         shown->coarse = gl.software;
-    if (pace->frame_count == 0 || !shown->moving)
+    /* A budget first takes what settings can give. */
+    bool has_budget = viewer->wish.budget > 0;
+    if (pace->frame_count == 0 || !shown->moving || (has_budget && shown->budget.level > 0))
         return;
-    double scale = pace_scale(pace, (double)*width * *height, moving_ms);
+    double scale = pace_scale(pace, (double)*width * *height,
+                              has_budget ? (double)viewer->wish.budget : moving_ms);
     shown->coarse = scale < 1;
     *width = (int)lround(*width * scale);
     *height = (int)lround(*height * scale);
@@ -110,7 +113,7 @@ static const char *what_takes_long(const struct viewer *viewer, double pixels) {
     const struct pace *pace = &shown->pace;
     const struct direct_method *direct =
         viewer->desc.direct ? viewer->desc.direct : direct_for(&viewer->placed.emitters);
-    if (viewer_is_scripted(viewer) || viewer->recorder.on)
+    if (viewer_is_scripted(viewer) || viewer->recorder.on || viewer->wish.budget > 0)
         return NULL;
     if (pace->frame_count == 0 || makes_technique(viewer) || direct != shown->renderer.desc.direct)
         return "compiling shaders \xe2\x80\xa6";
@@ -160,6 +163,7 @@ static bool render(struct viewer *viewer) {
     shown->dirty = false;
     shown->recompose = true;
     shown->frame_count++;
+    viewer_follow_budget(viewer);
     return true;
 }
 

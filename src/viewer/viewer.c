@@ -227,6 +227,7 @@ static void close_window(struct viewer *viewer) {
 static bool begin(struct viewer *viewer) {
     const struct viewer_desc *desc = &viewer->desc;
     viewer->shown.compare.settings = desc->settings;
+    viewer_set_budget(viewer, desc->budget);
     if (!viewer_is_scripted(viewer))
         recent_read(&viewer->start.recent);
     if (desc->places)

@@ -10,6 +10,7 @@
 #include "inspect/inspect.h"
 #include "inspect/probe.h"
 #include "inspect/screen.h"
+#include "measure/time_budget.h"
 #include "renderer/renderer.h"
 #include "scene/environment.h"
 #include "viewer/compare.h"
@@ -35,8 +36,10 @@ struct viewer_desc {
     const struct technique *technique;
     const struct direct_method *direct;
     struct settings settings;
-    const char *camera, *light; /* as scene/placing.h has it; NULL = the first, and all */
-    const char *clip;           /* name or number; NULL = the first */
+    const struct text_list *given; /* those of them that the budget leaves alone; NULL = none */
+    float budget;                  /* that a frame may take, ms; 0 = whatever it takes */
+    const char *camera, *light;    /* as scene/placing.h has it; NULL = the first, and all */
+    const char *clip;              /* name or number; NULL = the first */
     struct environment_desc environment;
     float time;            /* of the animation, seconds */
     int layer;             /* to show: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
@@ -71,6 +74,7 @@ struct host {
 struct wish {
     const struct technique *technique;
     struct settings settings;
+    float budget; /* ms; 0: none */
     struct playing {
         bool on, loops;
         float speed; /* seconds of the animation a second */
@@ -99,9 +103,11 @@ struct shown {
     bool dirty;                         /* the picture is not what is wanted */
     bool recompose;                     /* the frame is, but not what is shown of it */
     bool moving;                        /* and this will go on for some frames */
-    bool coarse;      /* the picture is smaller than it will be at rest, and its edges are rough */
-    int frame_count;  /* rendered */
-    const char *busy; /* what takes a while and has been announced; NULL = nothing */
+    bool coarse; /* the picture is smaller than it will be at rest, and its edges are rough */
+    struct time_budget budget; /* where wish.budget */
+    bool is_new_level;         /* of which no frame has been drawn */
+    int frame_count;           /* rendered */
+    const char *busy;          /* what takes a while and has been announced; NULL = nothing */
 };
 
 /* How the picture is looked at: viewer/look.c. */
@@ -197,6 +203,14 @@ void viewer_touch(struct viewer *viewer);
 
 /* Shows the present error. */
 void viewer_tell_error(struct viewer *viewer);
+
+/* --- viewer/budget.c --- */
+
+/* What a frame may take, ms: settings then follow from how long frames took; 0: they stay as they are. */
+void viewer_set_budget(struct viewer *viewer, float ms);
+
+/* After each frame. */
+void viewer_follow_budget(struct viewer *viewer);
 
 /* --- viewer/picture.c --- */
 
