@@ -50,10 +50,16 @@ chart_of(mode, what) = \
     mode eq "passes" && (what eq "error" || what eq "relative-mae") ? "passes" : \
     mode ne "temporal" || strcol("point") eq "time=0" ? "" : \
     what eq "frame-flicker" ? "flicker" : what eq "vals" ? "vals in use" : ""
-on(scene, chart) = place_of("scene", "faces") eq scene && \
-    chart_of(strcol("mode"), strcol("what")) eq chart
+
+# Of the subject at hand, whose rows follow each other: the time of all cores, where these are what draws. Other work on the
+# machine lengthens it less than the time by the clock.
+cpu = 0
+note_cpu(what) = what eq "clock" ? (cpu = 0) : \
+    what eq "cpu" && is("software", "yes") ? (cpu = column("value")) : cpu
+on(scene, chart) = (note_cpu(strcol("what")), place_of("scene", "faces") eq scene && \
+    chart_of(strcol("mode"), strcol("what")) eq chart)
 is_timed(chart) = chart eq "time" || chart eq "direct"
-x(chart) = is_timed(chart) ? column("frame_ms") : number(strcol("point"))
+x(chart) = is_timed(chart) ? (cpu > 0 ? cpu : column("frame_ms")) : number(strcol("point"))
 y(chart) = is("what", "gradient") ? 100 * column("value") : column("value")
 series(mode, what) = \
     mode eq "passes" ? (strlen(strcol("variant")) ? strcol("variant") . ", " : "") . \
@@ -64,7 +70,7 @@ series(mode, what) = \
 # --- what stands at its sides ---------------------------------------------------------------------
 
 is_clip(chart) = chart eq "flicker" || chart eq "vals in use"
-x_label(chart) = is_timed(chart) ? "time of a frame, ms" : is_clip(chart) ? "time, s" : \
+x_label(chart) = is_timed(chart) ? (cpu > 0 ? "CPU time of a frame, ms" : "time of a frame, ms") : is_clip(chart) ? "time, s" : \
     chart eq "passes" ? "passes, K" : chart eq "vals" ? "VALs, M" : chart eq "vpls" ? "VPLs, N" : \
     chart eq "terms" ? "terms of the Fourier series, K" : \
     chart eq "map-size" ? "paraboloid map, texels a side" : chart
