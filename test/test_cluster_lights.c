@@ -130,11 +130,18 @@ static double summed(const struct form_case *c) {
     return sum / (SIDE * SIDE) * (double)area_of(c) / GLM_PI;
 }
 
-/* Aslant, through the horizon, from behind, far: against sums; and where the rectangle is cut in two. */
+/* The next corner is the first. */
+static struct form_case turned(const struct form_case *c) {
+    vec3 left;
+    glm_vec3_negate_to((float *)c->right, left);
+    return case_of((float *)c->middle, (float *)c->up, left, (float *)c->normal);
+}
+
+/* Aslant, through the horizon, from behind, far: against sums; where the rectangle is cut in two; and turned. */
 static void test_any(void **state) {
     (void)state;
-    struct form_case cases[12];
-    double factors[12];
+    struct form_case cases[16];
+    double factors[16];
     vec3 right = {.1f, .8f, .1f}, up = {.6f, -.1f, .2f}, across;
     glm_vec3_crossn(right, up, across);
     glm_vec3_cross(across, right, up);
@@ -150,6 +157,7 @@ static void test_any(void **state) {
         vec3 half;
         glm_vec3_scale(right, .5f, half);
         cases[3 * i] = case_of((float *)places[i].middle, right, up, (float *)places[i].normal);
+        cases[12 + i] = turned(&cases[3 * i]);
         for (int k = 0; k < 2; k++) {
             vec3 middle;
             glm_vec3_copy((float *)places[i].middle, middle);
@@ -157,12 +165,13 @@ static void test_any(void **state) {
             cases[3 * i + 1 + k] = case_of(middle, half, up, (float *)places[i].normal);
         }
     }
-    shaded(cases, 12, factors);
+    shaded(cases, 16, factors);
     for (int i = 0; i < 4; i++) {
         double sum = summed(&cases[3 * i]);
         check_near("against a sum", factors[3 * i], sum, 2e-3 * sum + 1e-6);
         check_near("two halves", factors[3 * i + 1] + factors[3 * i + 2], factors[3 * i],
                    2e-3 * sum + 1e-6);
+        check_near("from another corner on", factors[12 + i], factors[3 * i], 1e-4 * sum + 1e-6);
     }
     assert_true(factors[9] == 0);
 }
@@ -359,6 +368,20 @@ static void test_falls(void **state) {
     check_falls("scenes/metaballs.glb", .06);
 }
 
+/* As many lights as VPLs, as disks: each is its VPL, and so is the picture. */
+static void test_all_lights(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-animal.glb");
+    struct image all = render_stage(&stage, "unshadowed", EVERY_VPL " vpls=64 clamp=disk", 48);
+    struct image disks = render_stage(&stage, "cluster-lights",
+                                      "vpls=64 area-lights=64 shadows=none form=disk detail=0", 48);
+    check_at_most("64 lights of 64 VPLs", relative_rmse(&disks, &all, "indirect"), 1e-5);
+    image_free(&all);
+    image_free(&disks);
+    stage_free(&stage);
+}
+
 /* --- as published ----------------------------------------------------------------------------- */
 
 enum { PIXELS = 256 };
@@ -451,10 +474,10 @@ static void test_published(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_squares),   cmocka_unit_test(test_any),
-        cmocka_unit_test(test_sides),     cmocka_unit_test(test_sums),
-        cmocka_unit_test(test_one_each),  cmocka_unit_test(test_falls),
-        cmocka_unit_test(test_published),
+        cmocka_unit_test(test_squares),    cmocka_unit_test(test_any),
+        cmocka_unit_test(test_sides),      cmocka_unit_test(test_sums),
+        cmocka_unit_test(test_one_each),   cmocka_unit_test(test_falls),
+        cmocka_unit_test(test_all_lights), cmocka_unit_test(test_published),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }
