@@ -6,7 +6,9 @@
 
 #include <stdio.h>
 
-#define SMALL "vpls=256,map-size=128,shadow-size=512,rsm-size=128"
+#define SMALL                                                                                      \
+    "vpls=256,map-size=128,shadow-size=512,rsm-size=128,map-points=1024,row-column.rows=36,"       \
+    "row-column.columns=64"
 
 /* As bounds of small pictures are measured. */
 static struct failure_desc small_desc(const struct context *context,

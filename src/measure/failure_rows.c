@@ -18,6 +18,8 @@ const char *const failure_columns[FAILURE_COLUMNS] = {
     "frame:technique=clustered,samples=1",
     "lightcuts:technique=lightcuts,samples=1",
     "cluster-lights:technique=cluster-lights,visibility-block=1,samples=1",
+    "imperfect-shadow-maps:technique=imperfect-shadow-maps,samples=1",
+    "row-column:technique=row-column,samples=1",
 };
 
 #define OWN(name) "scenes/failures/" name ".glb"
