@@ -301,6 +301,9 @@ static void test_stats(void **state) {
         expect_text(texts[i]);
     expect_box(0, "--technique unshadowed --stats -o %s", scratch("stats.png"));
     assert_null(strstr(output, "VALs   4"));
+    expect_box(0, "--technique cluster-lights --set area-lights=16 --stats -o %s",
+               scratch("stats.png"));
+    expect_text("area lights 16, of which 16 in use");
 }
 
 /* --glsl reads the very shaders that are embedded. */

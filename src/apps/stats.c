@@ -27,6 +27,8 @@ void stats_print(struct renderer *renderer) {
         printf("VPLs   %d, of which %d emit\n", lights.vpl_count, lights.lit);
         if (lights.val_count)
             printf("VALs   %d, of which %d in use\n", lights.val_count, lights.used);
+        if (lights.area_count)
+            printf("area lights %d, of which %d in use\n", lights.area_count, lights.area_used);
         lights_free(&lights);
     }
     printf("GPU memory\n");

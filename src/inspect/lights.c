@@ -27,6 +27,17 @@ static void read_centers(struct lights *lights, const struct texture *positions)
                        lights->centers);
 }
 
+/* Of the first bounce. */
+static void count_area_lights(struct lights *lights, const struct vpl_buffer *buffer) {
+    size_t bytes = (size_t)buffer->count * sizeof(struct vpl);
+    struct vpl *areas = mem_alloc(bytes, 1);
+    buffer_read(&buffer->buffer, 0, bytes, areas);
+    lights->area_count = buffer->count;
+    for (int i = 0; i < buffer->count; i++)
+        lights->area_used += areas[i].reach > 0;
+    free(areas);
+}
+
 bool lights_read(struct lights *lights, struct renderer *renderer) {
     struct output_list outputs;
     *lights = (struct lights){0};
@@ -41,6 +52,9 @@ bool lights_read(struct lights *lights, struct renderer *renderer) {
     buffer_read(&vpls->buffer, 0, bytes, lights->vpls);
     if (vals)
         read_centers(lights, vals->positions);
+    const struct output *areas = output_find(&outputs, "light");
+    if (areas && areas->kind == OUTPUT_VPLS)
+        count_area_lights(lights, areas->source);
     count(lights);
     return true;
 }
