@@ -17,6 +17,7 @@ static const struct fixed {
     const char *technique; /* NULL: as the desc has it */
     struct quality_choice choice;
 } others[] = {
+    {NULL, {"gather.detail=0", 1}},
     {NULL, {"gather.detail=0 clustered.vals=8", 1}},
     {NULL, {"clustered.vals=8", 1}},
     {NULL, {"clustered.vals=16", 1}},
@@ -24,7 +25,6 @@ static const struct fixed {
     {NULL, {"gather.interleave=4", 1}},
     {NULL, {"lights.vpls=2048", 1}},
     {NULL, {"gather.interleave=4 gather.detail=2 clustered.vals=60", 1}},
-    {NULL, {"picture.samples=16", 1}},
     {"unshadowed", {"", 1}},
     {"lightcuts", {"", 1}},
 };
@@ -35,7 +35,7 @@ enum {
     OTHERS = sizeof others / sizeof *others,
     ASKED = sizeof asked / sizeof *asked,
     TRIED_MAX = QUALITY_CHOICES_MAX + OTHERS,
-    TIMED = 2,
+    TIMED = 4,
 };
 
 /* A choice, drawn. */
@@ -49,7 +49,9 @@ struct tried {
 struct check {
     const struct quality_check_desc *desc;
     struct results *results;
-    struct image truth; /* its indirect layer */
+    struct estimate estimate; /* of the error asked for last */
+    double estimate_noise;    /* as it was asked for; 0: there is none yet */
+    struct image truth;       /* its indirect layer */
     double noise;
     struct tried tried[TRIED_MAX];
     int count, ladder; /* the first ones are the ladder's */
@@ -204,12 +206,11 @@ static double fastest(const struct check *check, double error) {
 }
 
 /* As quality_find does: the first that is told to err no more, or else that which is told to err least. */
-static bool choose(struct check *check, const struct estimate *estimate, double error,
-                   const struct tried **chosen, double *told) {
+static bool choose(struct check *check, double error, const struct tried **chosen, double *told) {
     *told = INFINITY;
     for (int i = 0; i<check->ladder && * told> error; i++) {
         double now;
-        if (!estimate_picture_error(estimate, &check->tried[i].picture, &now))
+        if (!estimate_picture_error(&check->estimate, &check->tried[i].picture, &now))
             return false;
         if (now < *told) {
             *told = now;
@@ -219,14 +220,20 @@ static bool choose(struct check *check, const struct estimate *estimate, double 
     return true;
 }
 
+/* Small errors share one. */
+static bool need_estimate(struct check *check, double noise) {
+    if (noise == check->estimate_noise)
+        return true;
+    estimate_free(&check->estimate);
+    check->estimate_noise = noise;
+    return estimate_init(&check->estimate, check->desc->measure, noise);
+}
+
 static bool ask(struct check *check, double error) {
-    struct estimate estimate;
     const struct tried *chosen = NULL;
     double told;
     char point[32];
-    if (!estimate_init(&estimate, check->desc->measure, quality_noise(error)))
-        return false;
-    bool ok = choose(check, &estimate, error, &chosen, &told);
+    bool ok = need_estimate(check, quality_noise(error)) && choose(check, error, &chosen, &told);
     if (ok) {
         snprintf(point, sizeof point, "error=%g%%", 100 * error);
         begin(check, chosen, "automatic", point);
@@ -235,7 +242,6 @@ static bool ask(struct check *check, double error) {
         results_add(check->results, "of-fastest", "", "1",
                     chosen->cpu / fastest(check, chosen->error));
     }
-    estimate_free(&estimate);
     return ok;
 }
 
@@ -256,6 +262,7 @@ bool quality_check(struct results *results, const struct quality_check_desc *des
     bool ok = try_all(&check) && tell(&check);
     for (int i = 0; i < check.count; i++)
         image_free(&check.tried[i].picture);
+    estimate_free(&check.estimate);
     image_free(&check.truth);
     return ok;
 }
