@@ -12,6 +12,35 @@ bool within_caster(float distance, float seen, float deep) {
     return distance > seen && distance < seen + deep;
 }
 
+float seen_in(int map, receiver r, ivec2 texel) {
+    return map_depth(r, texelFetch(depth_maps, ivec3(texel, map), 0).r) * r.unit;
+}
+
+// The map has nothing behind its plane, and little beside it.
+bool is_known(vec3 place, float distance) {
+    return place.z > 0.05 * distance;
+}
+
+// Where what a texel's middle sees is met in the receiver's own direction: in a corner that is the other wall, which
+// lies behind the receiver there. Its slope is that towards the texels on the far side of the middle, within what no
+// edge between two surfaces has.
+float seen_from_receiver(int map, receiver r, ivec2 texel, float seen) {
+    vec2 aside = r.uv * lookup.map_size - vec2(texel) - 0.5;
+    ivec2 away = ivec2(aside.x < 0.0 ? 1 : -1, aside.y < 0.0 ? 1 : -1);
+    vec2 beside = vec2(seen_in(map, r, texel + ivec2(away.x, 0)), seen_in(map, r, texel + ivec2(0, away.y)));
+    // Over a plane the inverse of depth is nearly linear.
+    vec2 slope = clamp(seen / beside - 1.0, -0.2, 0.2);
+    return seen / (1.0 - dot(slope, abs(aside)));
+}
+
+// Whether the ray is blocked where it begins.
+bool is_receiver_hidden(int map, receiver r, float deep) {
+    ivec2 texel = ivec2(r.uv * lookup.map_size);
+    float seen = seen_in(map, r, texel);
+    return is_known(r.point, r.distance) && within_caster(receiver_distance(r, texel), seen, deep) &&
+           seen_from_receiver(map, r, texel, seen) < r.distance * (1.0 - lookup.map_bias);
+}
+
 float visibility_from(int map, vec3 position, vec3 normal, vec3 light) {
     map_view v = map_view_at(map);
     receiver r;
@@ -19,15 +48,13 @@ float visibility_from(int map, vec3 position, vec3 normal, vec3 light) {
         return 1.0;
     float deep = CASTER_DEPTH * r.distance;
     vec3 to_light = paraboloid_local(v, light) - r.point;
-    bool hidden = false;
-    for (int i = 0; i < RAY_PLACES && !hidden; i++) {
+    bool hidden = is_receiver_hidden(map, r, deep);
+    for (int i = 1; i < RAY_PLACES && !hidden; i++) {
         vec3 place = r.point + float(i) / float(RAY_PLACES) * to_light;
         float distance = length(place);
         ivec2 texel = ivec2((paraboloid_project(place / distance) * 0.5 + 0.5) * lookup.map_size);
-        float seen = texelFetch(depth_maps, ivec3(texel, map), 0).r * r.unit;
-        float compared = i == 0 ? receiver_distance(r, texel) : distance * (1.0 - lookup.map_bias);
-        bool known = place.z > 0.05 * distance; // the map has nothing behind its plane, and little beside it
-        hidden = (known && within_caster(compared, seen, deep));
+        float compared = distance * (1.0 - lookup.map_bias);
+        hidden = is_known(place, distance) && within_caster(compared, seen_in(map, r, texel), deep);
     }
     return hidden ? 0.0 : 1.0;
 }
