@@ -1,4 +1,5 @@
-# Error of what balls reflect against their roughness, from bench/results/gloss-200-llvmpipe.csv:
+# Error of what balls reflect against their roughness, from bench/results/gloss-200-llvmpipe.csv and, by technique,
+# gloss-techniques-200-llvmpipe.csv:
 #
 #     gnuplot bench/gloss.gp
 set datafile separator comma
@@ -12,7 +13,11 @@ set logscale y
 set xrange [0:1.05]
 set yrange [.1:10]
 csv = 'bench/results/gloss-200-llvmpipe.csv'
+by_technique = 'bench/results/gloss-techniques-200-llvmpipe.csv'
+techniques = 'clustered instant-radiosity imperfect-shadow-maps row-column lightcuts cluster-lights'
+colors = '#2f7d4f #1b3a6b #b5341b #8a5fb0 #c98a1b #555555'
 rows(name, material) = sprintf("< grep '^\"%s\",%s' %s", name, material, csv)
+rows_of(technique, material) = sprintf("< grep '^\"%s\",%s' %s", technique, material, by_technique)
 do for [kind in "svg png"] {
     if (kind eq 'svg') {
         set terminal svg size 900,560 font 'DejaVu Sans,11' background 'white' noenhanced
@@ -26,4 +31,9 @@ do for [kind in "svg png"] {
          rows('balls, a quarter of the VPLs each', 'plastic') using 3:4 with linespoints lc rgb '#1b3a6b' pt 4 dt 2 title 'plastic', \
          rows('points and rays (default)', 'metal') using 3:4 with linespoints lc rgb '#2f7d4f' pt 9 title 'points and rays, metal', \
          rows('points and rays (default)', 'plastic') using 3:4 with linespoints lc rgb '#2f7d4f' pt 8 dt 2 title 'plastic'
+    set output 'bench/plots/gloss-techniques.'.kind
+    plot for [i = 1:words(techniques)] rows_of(word(techniques, i), 'metal') using 3:4 with linespoints \
+             lc rgb word(colors, i) pt 7 title word(techniques, i).', metal', \
+         for [i = 1:words(techniques)] rows_of(word(techniques, i), 'plastic') using 3:4 with linespoints \
+             lc rgb word(colors, i) pt 6 dt 2 title 'plastic'
 }
