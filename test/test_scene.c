@@ -6,8 +6,10 @@
 #include "base/log.h"
 #include "scene/brightness.h"
 #include "scene/camera.h"
+#include "scene/material.h"
 #include "scene/open.h"
 #include "scene/room.h"
+#include "scene/stand_in.h"
 #include "scene/mesh/geometry.h"
 #include "scene/emitter.h"
 
@@ -380,6 +382,35 @@ static void test_shared_scenes(void **state) {
     }
 }
 
+static uint32_t masked_indices(const struct geometry *geometry) {
+    return geometry->index_count - geometry->opaque_index_count;
+}
+
+/* What decides which programs draw is alike, and all else small. */
+static void test_stand_in(void **state) {
+    (void)state;
+    static const char *const names[] = {"scenes/cornell-box.glb", "scenes/gloss.glb",
+                                        "scenes/atrium.glb", "scenes/character.glb"};
+    for (int i = 0; i < 4; i++) {
+        struct scene scene;
+        struct geometry geometry;
+        struct stand_in stand_in;
+        check_ok(names[i], scene_open(&scene, &geometry, names[i], NULL));
+        stand_in_init(&stand_in, &scene, &geometry);
+        printf("    %-28s %u triangles for %u, plain %d\n", names[i],
+               stand_in.geometry.index_count / 3, geometry.index_count / 3,
+               materials_are_plain(&scene));
+        assert_int_equal(materials_are_plain(&stand_in.scene), materials_are_plain(&scene));
+        assert_int_equal(masked_indices(&stand_in.geometry) > 0, masked_indices(&geometry) > 0);
+        assert_int_equal(stand_in.scene.surface_count > 0, scene.surface_count > 0);
+        assert_int_equal(stand_in.scene.texture_count, scene.texture_count);
+        assert_true(stand_in.geometry.index_count / 3 <= 2 * (uint32_t)scene.material_count);
+        check_near("radius over the scene's", stand_in.geometry.radius / geometry.radius, .7, .3);
+        stand_in_free(&stand_in);
+        unload(&scene, &geometry);
+    }
+}
+
 /* The figures of ../shared/scenes/README.md. */
 static void test_shared_cornell_box(void **state) {
     (void)state;
@@ -415,6 +446,7 @@ int main(void) {
         cmocka_unit_test(test_brightness),
         cmocka_unit_test(test_far_out),
         cmocka_unit_test(test_room),
+        cmocka_unit_test(test_stand_in),
         cmocka_unit_test(test_shared_scenes),
         cmocka_unit_test(test_shared_cornell_box),
     };

@@ -78,11 +78,21 @@ static void turn(int count) {
 
 static void load(const char *path) {
     viewer_open(&viewer, path);
-    for (int i = 0; i < 1000 && (i < 2 || atomic_load(&viewer.loader.state) != LOADER_IDLE); i++) {
+    for (int i = 0; i < 10000 && (i < 2 || viewer_is_opening(&viewer)); i++) {
         turn(1);
         pause_ms(2);
     }
     turn(2);
+}
+
+/* What is wanted is there. */
+static void settle(void) {
+    turn(2);
+    for (int i = 0; i < 10000 && viewer.shown.awaits; i++) {
+        turn(1);
+        pause_ms(2);
+    }
+    turn(1);
 }
 
 static const struct technique *technique_of(int round) {
@@ -94,7 +104,7 @@ static void switch_technique(int round) {
     viewer.wish.technique = technique_of(round);
     check_ok("VALs", settings_assign(&viewer.wish.settings, round % 2 ? "vals=5" : "vals=4"));
     viewer_touch(&viewer);
-    turn(2);
+    settle();
 }
 
 static void switch_scene(int round) {
@@ -112,7 +122,7 @@ static void switch_wipe(int round) {
     viewer.shown.compare.mode = round % 2 ? COMPARE_OFF : COMPARE_TECHNIQUE;
     viewer.shown.compare.technique = technique_of(round / 2);
     viewer_touch(&viewer);
-    turn(2);
+    settle();
 }
 
 static void switch_output(int round) {
@@ -131,11 +141,11 @@ static void play(int round) {
 /* One more, of another type, and away again. */
 static void change_lights(int round) {
     viewer_add_light(&viewer, (enum emitter_type)(round % 4));
-    turn(2);
+    settle();
     viewer_retype_light(&viewer, (enum emitter_type)((round + 1) % 4));
-    turn(2);
+    settle();
     viewer_remove_light(&viewer);
-    turn(2);
+    settle();
 }
 
 static void look_closely(int round) {
@@ -146,7 +156,7 @@ static void look_closely(int round) {
     look_step_layout(&viewer);
     look_scroll(&viewer, round);
     views_keep(&viewer, round % SESSION_VIEWS);
-    turn(3);
+    settle();
     views_go(&viewer, (round + 1) % SESSION_VIEWS);
     turn(2);
 }
@@ -178,7 +188,7 @@ static void chart(int round) {
         pause_ms(1), turn(1);
     assert_true(viewer.tracing.chart.next > 0);
     viewer_take_dot(&viewer, 0);
-    turn(1);
+    settle();
 }
 
 /* As at the beginning, so that what is there can be compared. */
@@ -193,6 +203,7 @@ static void go_back(void) {
     window_set_size(viewer.host.window, PANEL + 100, 90);
     load("scenes/metaballs.glb");
     viewer_go_to(&viewer, 0);
+    settle();
     turn(30);
     pause_ms(300); /* at rest, in the full size */
     turn(3);

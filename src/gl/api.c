@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <string.h>
 
-struct gl_api gl;
+_Thread_local struct gl_api gl;
 
 /* Name and place of each member, in the order of the list. */
 static const struct entry {

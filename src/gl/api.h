@@ -3,7 +3,8 @@
  * The table belongs to the context that is current; context_make_current (gl/context/context.h) fills it
  * through the context's own getproc, so that one binary serves EGL, OSMesa and a window. A function
  * that is not in the list yet gets its line in GL_FUNCTIONS; a driver without one that is there is
- * refused, so `make lint` refuses those that nobody calls. One thread uses OpenGL.
+ * refused, so `make lint` refuses those that nobody calls. A context is one thread's at a time, and so each
+ * thread has a table of its own.
  */
 #ifndef GL_API_H
 #define GL_API_H
@@ -72,6 +73,9 @@
     X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                         \
     X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                               \
     X(PFNGLUSEPROGRAMPROC, UseProgram)                                                             \
+    X(PFNGLPROGRAMPARAMETERIPROC, ProgramParameteri)                                               \
+    X(PFNGLGETPROGRAMBINARYPROC, GetProgramBinary)                                                 \
+    X(PFNGLPROGRAMBINARYPROC, ProgramBinary)                                                       \
     /* Uniforms of a named program. */                                                             \
     X(PFNGLPROGRAMUNIFORM1IPROC, ProgramUniform1i)                                                 \
     X(PFNGLPROGRAMUNIFORM4IPROC, ProgramUniform4i)                                                 \
@@ -127,11 +131,13 @@ struct gl_api {
      * window, without a framebuffer, even where no attribute is read and nothing is rasterised. */
     GLuint empty_vertex_array, empty_framebuffer;
     struct program_cache *programs; /* gl/program.c */
-    bool software;                  /* it renders on the CPU: llvmpipe, softpipe, swrast */
+    struct program_store *store;    /* the same; NULL = none */
+    bool fills_store;
+    bool software; /* it renders on the CPU: llvmpipe, softpipe, swrast */
 };
 
-/* Of the current context; all NULL while there is none. */
-extern struct gl_api gl;
+/* Of the thread's current context; all NULL while there is none. */
+extern _Thread_local struct gl_api gl;
 
 /* Fills api. Error: names the first function that getproc does not know. */
 bool gl_api_load(struct gl_api *api, void *(*getproc)(const char *name));

@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,11 +12,12 @@ struct entry {
     int count;
 };
 
-/* One GL per process in all but tests, so one ledger per process. */
+/* One GPU per process in all but tests, so one ledger per process, whichever thread has a context. */
 static struct {
     struct entry *entries;
     int count;
 } ledger;
+static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
 
 static struct entry *find(const char *label) {
     for (int i = 0; i < ledger.count; i++)
@@ -31,23 +33,31 @@ static struct entry *find(const char *label) {
 void gpu_memory_add(const char *label, ptrdiff_t bytes) {
     char short_label[sizeof((struct entry *)0)->label];
     snprintf(short_label, sizeof short_label, "%s", label);
+    pthread_mutex_lock(&mutex);
     struct entry *entry = find(short_label);
     entry->bytes += (size_t)bytes;
     entry->count += bytes < 0 ? -1 : 1;
+    pthread_mutex_unlock(&mutex);
+}
+
+/* The sums over all labels. */
+static struct entry sum(void) {
+    struct entry all = {0};
+    pthread_mutex_lock(&mutex);
+    for (int i = 0; i < ledger.count; i++) {
+        all.bytes += ledger.entries[i].bytes;
+        all.count += ledger.entries[i].count;
+    }
+    pthread_mutex_unlock(&mutex);
+    return all;
 }
 
 size_t gpu_memory_total(void) {
-    size_t total = 0;
-    for (int i = 0; i < ledger.count; i++)
-        total += ledger.entries[i].bytes;
-    return total;
+    return sum().bytes;
 }
 
 int gpu_memory_object_count(void) {
-    int total = 0;
-    for (int i = 0; i < ledger.count; i++)
-        total += ledger.entries[i].count;
-    return total;
+    return sum().count;
 }
 
 static int larger_first(const void *a, const void *b) {
@@ -57,10 +67,12 @@ static int larger_first(const void *a, const void *b) {
 
 void gpu_memory_print(FILE *out) {
     const double mib = 1 << 20;
+    pthread_mutex_lock(&mutex);
     qsort(ledger.entries, (size_t)ledger.count, sizeof *ledger.entries, larger_first);
     for (int i = 0; i < ledger.count; i++)
         if (ledger.entries[i].count > 0)
             fprintf(out, "  %-28s %9.2f MiB\n", ledger.entries[i].label,
                     (double)ledger.entries[i].bytes / mib);
+    pthread_mutex_unlock(&mutex);
     fprintf(out, "  %-28s %9.2f MiB\n", "all GPU memory", (double)gpu_memory_total() / mib);
 }

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* Books bytes (negative: gives back) under a label. Not thread-safe, as GL itself. */
+/* Books bytes (negative: gives back) under a label; from any thread that has a context. */
 void gpu_memory_add(const char *label, ptrdiff_t bytes);
 
 /* Bytes of all live textures and buffers, as computed from their formats. */

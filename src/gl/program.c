@@ -6,10 +6,11 @@
 #include "gl/glsl.h"
 
 #include <assert.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { STAGES = 5, KEPT_MAX = 64 };
+enum { STAGES = 5, KEPT_MAX = 64, STORED_MAX = 256 };
 
 /* The full sources of a program, as the driver gets them. */
 struct sources {
@@ -80,6 +81,7 @@ static bool link(GLuint program, const struct program_desc *desc) {
 static GLuint compile(const struct sources *sources, const struct program_desc *desc) {
     GLuint program = gl.CreateProgram();
     bool ok = true;
+    gl.ProgramParameteri(program, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, gl.fills_store);
     for (int i = 0; ok && i < STAGES; i++)
         ok = !sources->files[i] ||
              attach(program, stage_types[i], &sources->stages[i], sources->files[i]);
@@ -87,6 +89,94 @@ static GLuint compile(const struct sources *sources, const struct program_desc *
         return program;
     gl.DeleteProgram(program);
     return 0;
+}
+
+/* --- programs as the driver has linked them, by what they are made of --- */
+
+struct program_store {
+    pthread_mutex_t mutex;
+    struct stored {
+        char *key;
+        GLenum format;
+        void *binary;
+        GLsizei size;
+    } entries[STORED_MAX];
+    int next; /* of the ring */
+};
+
+struct program_store *program_store_create(void) {
+    struct program_store *store = mem_alloc(1, sizeof *store);
+    pthread_mutex_init(&store->mutex, NULL);
+    return store;
+}
+
+static void forget(struct stored *stored) {
+    free(stored->key);
+    free(stored->binary);
+    *stored = (struct stored){0};
+}
+
+void program_store_free(struct program_store *store) {
+    for (int i = 0; store && i < STORED_MAX; i++)
+        forget(&store->entries[i]);
+    if (store)
+        pthread_mutex_destroy(&store->mutex);
+    free(store);
+}
+
+/* Drivers without formats give no bytes. */
+static void give(const char *key, GLuint program) {
+    struct program_store *store = gl.store;
+    GLint size = 0;
+    gl.GetProgramiv(program, GL_PROGRAM_BINARY_LENGTH, &size);
+    if (size <= 0)
+        return;
+    struct stored stored = {.key = mem_strdup(key), .binary = mem_alloc((size_t)size, 1)};
+    gl.GetProgramBinary(program, size, &stored.size, &stored.format, stored.binary);
+    pthread_mutex_lock(&store->mutex);
+    forget(&store->entries[store->next]);
+    store->entries[store->next] = stored;
+    store->next = (store->next + 1) % STORED_MAX;
+    pthread_mutex_unlock(&store->mutex);
+}
+
+/* 0: there is none, or the driver does not take it back. */
+static GLuint take(const char *key) {
+    struct program_store *store = gl.store;
+    GLuint program = 0;
+    GLint ok = 0;
+    pthread_mutex_lock(&store->mutex);
+    for (int i = 0; i < STORED_MAX && !program; i++) {
+        const struct stored *stored = &store->entries[i];
+        if (!stored->key || strcmp(stored->key, key) != 0)
+            continue;
+        program = gl.CreateProgram();
+        gl.ProgramBinary(program, stored->format, stored->binary, stored->size);
+    }
+    pthread_mutex_unlock(&store->mutex);
+    if (program)
+        gl.GetProgramiv(program, GL_LINK_STATUS, &ok);
+    if (ok)
+        return program;
+    gl.DeleteProgram(program);
+    return 0;
+}
+
+/* What is given is taken back at once: Mesa compiles a program that was stored for its draws by another key than the
+ * one that it was stored from. */
+static GLuint make(const struct sources *sources, const struct program_desc *desc,
+                   const char *key) {
+    GLuint program = gl.store ? take(key) : 0;
+    if (program)
+        return program;
+    program = compile(sources, desc);
+    if (!program || !gl.fills_store)
+        return program;
+    give(key, program);
+    GLuint taken = take(key);
+    if (taken)
+        gl.DeleteProgram(program);
+    return taken ? taken : program;
 }
 
 /* --- the programs of a context, by what they are made of --- */
@@ -162,7 +252,7 @@ bool program_init(GLuint *program, const struct program_desc *desc) {
         return false;
     char *key = make_key(&sources);
     struct cached *cached = find(key);
-    GLuint compiled = cached ? 0 : compile(&sources, desc);
+    GLuint compiled = cached ? 0 : make(&sources, desc, key);
     if (compiled)
         cached = add(key, compiled);
     else

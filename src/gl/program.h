@@ -3,6 +3,8 @@
  * A context keeps what it has compiled: whoever asks for the same sources again gets the same
  * program, at once, and for a while after all have freed it. So a pass sets all its uniforms at
  * each draw, and what is made anew for another size or setting costs no compilation.
+ *
+ * A store holds programs as the driver has linked them, for contexts of other threads (context_set_store).
  */
 #ifndef GL_PROGRAM_H
 #define GL_PROGRAM_H
@@ -29,5 +31,9 @@ int program_use_count(void);
  */
 struct program_cache *program_cache_create(void);
 void program_cache_free(struct program_cache *programs);
+
+/* Must outlive the use that contexts make of it. Freed: accepts NULL. */
+struct program_store *program_store_create(void);
+void program_store_free(struct program_store *store);
 
 #endif

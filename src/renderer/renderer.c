@@ -434,6 +434,15 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
     return parts;
 }
 
+bool renderer_makes_programs(const struct renderer *renderer, const struct renderer_desc *wanted) {
+    const unsigned with_programs = PART_ALL & ~(PART_SIZE | PART_COMPOSITE);
+    struct renderer_desc desc = *wanted;
+    struct light_plan plan;
+    set_defaults(&desc);
+    return plan_lights(&plan, &renderer->plan, &desc) &&
+           parts_between(renderer, &desc, &plan) & with_programs;
+}
+
 bool renderer_follow(struct renderer *renderer, const struct renderer_desc *wanted) {
     struct renderer_desc desc = *wanted;
     struct emitters old = renderer->desc.emitters;

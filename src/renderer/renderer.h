@@ -100,6 +100,9 @@ bool renderer_reload_shaders(struct renderer *renderer);
 bool renderer_makes_technique(const struct renderer *renderer, const struct technique *technique,
                               const struct settings *settings);
 
+/* Whether renderer_follow would make anything anew that has programs of its own: of another size all are the same. */
+bool renderer_makes_programs(const struct renderer *renderer, const struct renderer_desc *desc);
+
 /* After geometry_pose: uploads what has moved. For the same bits whatever came before, begin with the
  * geometry at time 0. Error: out of GPU memory; the renderer must then be freed. */
 bool renderer_update(struct renderer *renderer);

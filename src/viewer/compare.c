@@ -29,17 +29,18 @@ static bool give_up(struct compare *compare) {
     return error_prefix("the right picture");
 }
 
-bool compare_follow(struct compare *compare, const struct renderer *renderer, bool coarse) {
+bool compare_follow(struct compare *compare, const struct renderer *renderer, bool coarse,
+                    bool waits) {
     struct renderer_desc desc = renderer->desc;
-    desc.technique = compare->technique;
-    desc.settings = compare->settings;
+    if (compare->mode != COMPARE_TECHNIQUE)
+        compare_forget(compare);
+    if (compare->mode != COMPARE_TECHNIQUE || (waits && !compare->has_other))
+        return true;
+    desc.technique = waits ? compare->other.desc.technique : compare->technique;
+    desc.settings = waits ? compare->other.desc.settings : compare->settings;
     desc.timed = false;
     if (coarse)
         renderer_settings_roughen(&desc.settings);
-    if (compare->mode != COMPARE_TECHNIQUE) {
-        compare_forget(compare);
-        return true;
-    }
     if (!compare->has_other)
         compare->has_other = renderer_init(&compare->other, &desc);
     if (!compare->has_other)
@@ -53,7 +54,7 @@ bool compare_follow(struct compare *compare, const struct renderer *renderer, bo
 
 bool compare_render(struct compare *compare) {
     compare->measured = false;
-    if (compare->mode != COMPARE_TECHNIQUE)
+    if (compare->mode != COMPARE_TECHNIQUE || !compare->has_other)
         return true;
     if (!renderer_update(&compare->other))
         return give_up(compare);

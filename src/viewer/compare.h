@@ -45,12 +45,13 @@ void compare_free(struct compare *compare);
 /* Lets the other renderer go: shaders or scene are no more what they were. */
 void compare_forget(struct compare *compare);
 
-/* Makes the other technique's renderer, or changes its settings; coarse: without antialiasing.
- * Error: they are what they were, or the comparison is off. */
-bool compare_follow(struct compare *compare, const struct renderer *renderer, bool coarse);
+/* Makes the other technique's renderer, or changes its settings; coarse: without antialiasing; waits: as far as
+ * its technique and settings are what they were. Error: they are what they were, or the comparison is off. */
+bool compare_follow(struct compare *compare, const struct renderer *renderer, bool coarse,
+                    bool waits);
 
-/* Renders the other technique's picture of the same, after
- * compare_follow. Error: the comparison is then off. */
+/* Renders the other technique's picture of the same, after compare_follow, where it has a renderer. Error: the
+ * comparison is then off. */
 bool compare_render(struct compare *compare);
 
 /* Makes the right picture show that layer, LAYER_..., and says which it is; NULL = none. */

@@ -121,9 +121,10 @@ static void draw_messages(struct viewer *viewer) {
 /* Above all in the picture, where what comes will be. */
 static void draw_busy(const struct viewer *viewer) {
     const struct rectangle *area = &viewer->shown.area;
-    if (viewer->shown.busy)
+    const char *busy = viewer->shown.awaits ? busy_compiling : viewer->shown.busy;
+    if (busy)
         ui_draw_label((float)area->x + .5F * (float)area->width,
-                      (float)area->y + .5F * (float)area->height, .5F, viewer->shown.busy);
+                      (float)area->y + .5F * (float)area->height, .5F, busy);
 }
 
 static void draw_help(struct viewer *viewer) {

@@ -12,6 +12,8 @@
 /* A moving picture on a slow machine: what a frame may take. */
 static const double moving_ms = 60;
 
+const char busy_compiling[] = "compiling shaders \xe2\x80\xa6";
+
 /* What takes longer is announced. */
 static const double long_ms = 300;
 
@@ -41,15 +43,34 @@ static void take_wishes_back(struct viewer *viewer) {
         viewer->placed.chosen_light = 0;
 }
 
-/* What is wanted of the renderer, where it differs from what it has. */
-static bool follow_wishes(struct viewer *viewer) {
-    struct shown *shown = &viewer->shown;
-    struct renderer_desc desc = shown->renderer.desc;
+/* What is wanted of the renderer. */
+static struct renderer_desc wished(const struct viewer *viewer) {
+    struct renderer_desc desc = viewer->shown.renderer.desc;
     desc.technique = viewer->wish.technique;
     desc.direct = viewer->desc.direct; /* NULL: by the lights' sizes, which may change */
     desc.settings = viewer->wish.settings;
     desc.emitters = viewer->placed.emitters;
     desc.camera = viewer->placed.orbit.camera;
+    return desc;
+}
+
+/* As far as shaders are there for it. */
+static struct renderer_desc possible(const struct viewer *viewer) {
+    const struct renderer_desc *now = &viewer->shown.renderer.desc;
+    struct renderer_desc desc = wished(viewer);
+    if (viewer->shown.awaits) {
+        desc.technique = now->technique;
+        desc.direct = now->direct;
+        desc.emitters = now->emitters;
+        renderer_settings_copy_but_samples(&desc.settings, &now->settings);
+        settings_copy(&desc.settings, &viewer->wish.settings, &picture_part);
+    }
+    return desc;
+}
+
+static bool follow_wishes(struct viewer *viewer) {
+    struct shown *shown = &viewer->shown;
+    struct renderer_desc desc = possible(viewer);
     /* While a setting is dragged, passes are not made anew at each step. */
     desc.progressive &= !renderer_makes_technique(&shown->renderer, desc.technique, &desc.settings);
     if (shown->coarse)
@@ -80,7 +101,7 @@ static void follow_wishes_from_start(struct viewer *viewer) {
         take_wishes_back(viewer);
         follow_wishes(viewer); /* the camera */
     }
-    if (!compare_follow(&shown->compare, &shown->renderer, shown->coarse))
+    if (!compare_follow(&shown->compare, &shown->renderer, shown->coarse, shown->awaits))
         viewer_tell_error(viewer);
     if (away)
         geometry_pose(&document->geometry, &document->scene, viewer->placed.posed_time);
@@ -116,7 +137,7 @@ static const char *what_takes_long(const struct viewer *viewer, double pixels) {
     if (viewer_is_scripted(viewer) || viewer->recorder.on || viewer->wish.budget > 0)
         return NULL;
     if (pace->frame_count == 0 || makes_technique(viewer) || direct != shown->renderer.desc.direct)
-        return "compiling shaders \xe2\x80\xa6";
+        return busy_compiling;
     if (shown->moving || viewer->wish.play.on)
         return NULL;
     return pace->fixed_ms + pace->ms_per_pixel * pixels > long_ms ? "rendering \xe2\x80\xa6" : NULL;
@@ -130,6 +151,42 @@ static bool announce(struct viewer *viewer, double pixels) {
     return shown->busy;
 }
 
+/* --- shaders --- */
+
+/* Passes are to be there when the picture rests. */
+static bool has_shaders(struct viewer *viewer, struct renderer_desc desc) {
+    desc.progressive = viewer_passes(viewer) > 1;
+    return compiling_has(&viewer->compiling, &desc);
+}
+
+static bool has_shaders_of_right(struct viewer *viewer) {
+    const struct compare *compare = &viewer->shown.compare;
+    struct renderer_desc desc = wished(viewer);
+    if (compare->mode != COMPARE_TECHNIQUE)
+        return true;
+    desc.technique = compare->technique;
+    desc.settings = compare->settings;
+    return (compare->has_other && !renderer_makes_programs(&compare->other, &desc)) ||
+           has_shaders(viewer, desc);
+}
+
+/* Whether what is wanted waits for shaders, which are compiled in the background. */
+static bool awaits_shaders(struct viewer *viewer) {
+    struct renderer_desc desc = wished(viewer);
+    if (viewer_is_scripted(viewer) || viewer->recorder.on)
+        return false;
+    bool left =
+        !renderer_makes_programs(&viewer->shown.renderer, &desc) || has_shaders(viewer, desc);
+    return !has_shaders_of_right(viewer) || !left;
+}
+
+/* Whether nothing else has changed: the picture stays as it is. */
+static bool is_still(const struct viewer *viewer) {
+    const struct renderer *renderer = &viewer->shown.renderer;
+    return cameras_same(&renderer->desc.camera, &viewer->placed.orbit.camera) &&
+           renderer->scene.pose == viewer->document.geometry.pose_count;
+}
+
 /* Error: the renderer must be freed. */
 static bool render(struct viewer *viewer) {
     struct shown *shown = &viewer->shown;
@@ -138,11 +195,14 @@ static bool render(struct viewer *viewer) {
     bool was_coarse = shown->coarse;
     choose_size(viewer, &width, &height);
     bool resized = width != renderer->desc.width || height != renderer->desc.height;
+    shown->dirty |= shown->awaits && compiling_has_news(&viewer->compiling);
     if (!shown->dirty && !resized && shown->coarse == was_coarse)
         return true;
-    if (announce(viewer, (double)width * height)) {
+    shown->awaits = awaits_shaders(viewer);
+    bool rests = shown->awaits && is_still(viewer) && shown->frame_count > 0;
+    if (rests || announce(viewer, (double)width * height)) {
         shown->coarse = was_coarse;
-        shown->dirty = true;
+        shown->dirty = !rests;
         return true;
     }
     if (resized) {
@@ -173,7 +233,8 @@ void viewer_retone(struct viewer *viewer) {
     settings_copy(&shown->compare.settings, &viewer->wish.settings, &picture_part);
     if (!viewer->has_scene)
         return;
-    if (!follow_wishes(viewer) || !compare_follow(&shown->compare, &shown->renderer, shown->coarse))
+    if (!follow_wishes(viewer) ||
+        !compare_follow(&shown->compare, &shown->renderer, shown->coarse, shown->awaits))
         viewer_tell_error(viewer);
     shown->compare.measured = false;
     shown->recompose = true;

@@ -21,19 +21,26 @@ void viewer_pick_camera(struct viewer *viewer, int n) {
     viewer_touch(viewer);
 }
 
-static bool init_renderer(struct viewer *viewer, struct renderer *renderer) {
+/* Without camera and lights. */
+static struct renderer_desc first_desc(const struct viewer *viewer,
+                                       const struct document *document) {
     struct renderer_desc desc = {
         .technique = viewer->wish.technique,
         .direct = viewer->desc.direct,
         .settings = viewer->wish.settings,
-        .scene = &viewer->document.scene,
-        .geometry = &viewer->document.geometry,
-        .camera = viewer->placed.orbit.camera,
-        .emitters = viewer->placed.emitters,
+        .scene = &document->scene,
+        .geometry = &document->geometry,
         .keep_lights = true,
         .timed = true,
     };
     viewer_full_size(viewer, &desc.width, &desc.height);
+    return desc;
+}
+
+static bool init_renderer(struct viewer *viewer, struct renderer *renderer) {
+    struct renderer_desc desc = first_desc(viewer, &viewer->document);
+    desc.camera = viewer->placed.orbit.camera;
+    desc.emitters = viewer->placed.emitters;
     return renderer_init(renderer, &desc);
 }
 
@@ -116,10 +123,11 @@ void viewer_close_scene(struct viewer *viewer) {
     recorder_stop(viewer);
     viewer_forget_truth(viewer);
     compare_forget(&viewer->shown.compare);
+    compiling_wait(&viewer->compiling);
     renderer_free(&viewer->shown.renderer);
     document_free(&viewer->document);
     emitters_free(&viewer->placed.emitters);
-    viewer->has_scene = viewer->shown.has_pick = false;
+    viewer->has_scene = viewer->shown.has_pick = viewer->shown.awaits = false;
     viewer->shown.left = viewer->shown.right = NULL;
 }
 
@@ -157,6 +165,7 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     compare_forget(&viewer->shown.compare);
     viewer_forget_truth(viewer);
     if (viewer->has_scene) {
+        compiling_wait(&viewer->compiling);
         renderer_free(&viewer->shown.renderer);
         document_free(&before);
         emitters_free(&placed_before.emitters);
@@ -182,18 +191,49 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     return !told || viewer_load_session(viewer, told) || !viewer_is_scripted(viewer);
 }
 
+/* The last one that was asked for. */
+static void await_document(struct viewer *viewer, const struct document *document) {
+    if (viewer->is_arriving)
+        compiling_wait(&viewer->compiling);
+    document_free(&viewer->arriving);
+    viewer->arriving = *document;
+    viewer->is_arriving = true;
+}
+
+/* Whether the shaders of the scene that arrives are there; where it cannot be told, its renderer tells why. */
+static bool has_shaders(struct viewer *viewer) {
+    const struct document *arriving = &viewer->arriving;
+    struct renderer_desc desc = first_desc(viewer, arriving);
+    bool ok = viewer_is_scripted(viewer) ||
+              !emitters_from_text(&desc.emitters, &arriving->scene, viewer->desc.light, 0);
+    camera_place(&desc.camera, &arriving->scene, 0, 0);
+    ok = ok || compiling_has(&viewer->compiling, &desc);
+    emitters_free(&desc.emitters);
+    return ok;
+}
+
+bool viewer_is_opening(const struct viewer *viewer) {
+    return viewer->is_arriving || atomic_load(&viewer->loader.state) != LOADER_IDLE;
+}
+
 bool viewer_poll_loader(struct viewer *viewer) {
     struct document document;
     switch (loader_poll(&viewer->loader, &document)) {
     case LOADER_DONE:
-        return show_document(viewer, &document);
+        await_document(viewer, &document);
+        break;
     case LOADER_FAILED:
         return false;
     case LOADER_IDLE:
     case LOADER_BUSY:
         break;
     }
-    return true;
+    if (!viewer->is_arriving || !has_shaders(viewer))
+        return true;
+    document = viewer->arriving;
+    viewer->arriving = (struct document){0};
+    viewer->is_arriving = false;
+    return show_document(viewer, &document);
 }
 
 /* --- sessions --- */

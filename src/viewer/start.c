@@ -70,7 +70,10 @@ static void draw_start(struct viewer *viewer) {
 static void draw_reading(struct viewer *viewer) {
     float x = (float)viewer->shown.area.width / 2, y = (float)viewer->shown.area.height / 2;
     ui_area_begin("reading", UI_DIALOG, x, y, 0, 0);
-    ui_text(UI_DIM, "reading %s ...", viewer->loader.path);
+    if (viewer->is_arriving)
+        ui_text(UI_DIM, "compiling shaders of %s ...", viewer->arriving.scene.path);
+    else
+        ui_text(UI_DIM, "reading %s ...", viewer->loader.path);
     ui_area_end();
 }
 
@@ -109,7 +112,7 @@ static void draw_dialog(struct viewer *viewer) {
 
 void start_draw(struct viewer *viewer) {
     struct start *start = &viewer->start;
-    bool reads = atomic_load(&viewer->loader.state) != LOADER_IDLE;
+    bool reads = viewer_is_opening(viewer);
     if (!viewer->has_scene && !reads && !viewer->desc.scene)
         draw_start(viewer);
     if (viewer->has_scene && start->has_gallery) {

@@ -42,8 +42,8 @@ static bool is_settled(const struct viewer *viewer) {
     if (viewer->wish.play.on || viewer->recorder.on || viewer_is_charting(viewer))
         return true;
     bool pending = shown->dirty || shown->recompose || shown->moving || shown->coarse ||
-                   viewer_is_refining(viewer);
-    return atomic_load(&viewer->loader.state) == LOADER_IDLE && !(viewer->has_scene && pending);
+                   shown->awaits || viewer_is_refining(viewer);
+    return !viewer_is_opening(viewer) && !(viewer->has_scene && pending);
 }
 
 /* For scripts that press widgets: where each of them is, whenever one has moved. F9 asks whether all that
@@ -94,7 +94,8 @@ static bool has_news(struct viewer *viewer) {
     int count = messages_recent(&host->messages, recent);
     double newest = count > 0 ? recent[count - 1].time : 0;
     bool news = atomic_load(&viewer->loader.state) != LOADER_IDLE || count != host->message_count ||
-                newest != host->newest_message || truth_has_news(&viewer->tracing.truth) ||
+                newest != host->newest_message || compiling_has_news(&viewer->compiling) ||
+                truth_has_news(&viewer->tracing.truth) ||
                 measuring_has_news(&viewer->shown.compare.measuring) ||
                 start_has_news(&viewer->start);
     host->message_count = count;
@@ -200,6 +201,7 @@ static bool open_window(struct viewer *viewer) {
         window_toggle_full_screen(viewer->host.window);
     viewer->host.context = context_adopt(window_getproc, desc->debug);
     viewer->host.input = window_poll(viewer->host.window, 0, false);
+    compiling_init(&viewer->compiling, viewer->host.context, window_wake);
     return viewer->host.context &&
            ui_init(window_native(viewer->host.window), viewer->host.input->scale) &&
            screen_init(&viewer->host.screen) && inspect_init(&viewer->shown.inspect);
@@ -208,6 +210,8 @@ static bool open_window(struct viewer *viewer) {
 static void close_window(struct viewer *viewer) {
     viewer_forget_truth(viewer);
     gallery_free(&viewer->start.gallery);
+    compiling_free(&viewer->compiling);
+    document_free(&viewer->arriving);
     if (viewer->has_scene) {
         renderer_free(&viewer->shown.renderer);
         document_free(&viewer->document);

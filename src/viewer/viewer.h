@@ -14,6 +14,7 @@
 #include "renderer/renderer.h"
 #include "scene/environment.h"
 #include "viewer/compare.h"
+#include "viewer/compiling.h"
 #include "viewer/file_dialog.h"
 #include "viewer/gallery.h"
 #include "viewer/history.h"
@@ -101,9 +102,10 @@ struct shown {
     struct rectangle picture;           /* where it lies; enlarged, beyond its room */
     const struct texture *left, *right; /* what was composed */
     bool dirty;                         /* the picture is not what is wanted */
-    bool recompose;                     /* the frame is, but not what is shown of it */
-    bool moving;                        /* and this will go on for some frames */
-    bool coarse; /* the picture is smaller than it will be at rest, and its edges are rough */
+    bool awaits;    /* what is wanted waits for shaders, which are compiled in the background */
+    bool recompose; /* the frame is, but not what is shown of it */
+    bool moving;    /* and this will go on for some frames */
+    bool coarse;    /* the picture is smaller than it will be at rest, and its edges are rough */
     struct time_budget budget; /* where wish.budget */
     bool is_new_level;         /* of which no frame has been drawn */
     int frame_count;           /* rendered */
@@ -150,6 +152,9 @@ struct viewer {
     struct viewer_desc desc;
     struct host host;
     struct loader loader;
+    struct document arriving; /* read, and waits for its shaders, where is_arriving */
+    bool is_arriving;
+    struct compiling compiling;
     struct document document; /* where has_scene */
     bool has_scene;
     struct wish wish;
@@ -213,6 +218,9 @@ void viewer_set_budget(struct viewer *viewer, float ms);
 void viewer_follow_budget(struct viewer *viewer);
 
 /* --- viewer/picture.c --- */
+
+/* The sign that shaders are being compiled. */
+extern const char busy_compiling[];
 
 /* The size of the picture at rest. */
 void viewer_full_size(const struct viewer *viewer, int *width, int *height);
@@ -288,8 +296,12 @@ void viewer_remove_light(struct viewer *viewer);
 
 void viewer_open(struct viewer *viewer, const char *path);
 
-/* Takes a scene that has been loaded. False: it cannot be shown, and the one before stays. */
+/* Takes a scene that has been loaded, when its shaders have been compiled. False: it cannot be shown, and the one
+ * before stays. */
 bool viewer_poll_loader(struct viewer *viewer);
+
+/* Whether one is being read, or has been and is not shown yet. */
+bool viewer_is_opening(const struct viewer *viewer);
 
 /* Places the scene's n-th camera, or one by its text. Error: it is not understood. */
 void viewer_pick_camera(struct viewer *viewer, int n);

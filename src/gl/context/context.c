@@ -22,8 +22,8 @@ struct context {
     int message_count;
 };
 
-/* OpenGL knows a current context, so must we. */
-static struct context *current;
+/* OpenGL knows a thread's current context, so must we. */
+static _Thread_local struct context *current;
 
 /* --- debug messages --- */
 
@@ -191,6 +191,13 @@ void context_free(struct context *context) {
         context->native.platform->destroy(&context->native);
     program_cache_free(context->api.programs);
     free(context);
+}
+
+void context_set_store(struct context *context, struct program_store *store, bool fills) {
+    context->api.store = store;
+    context->api.fills_store = fills;
+    if (context == current)
+        gl = context->api;
 }
 
 /* --- questions --- */

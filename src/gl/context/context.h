@@ -25,6 +25,7 @@ struct context_desc {
 };
 
 struct context;
+struct program_store; /* gl/program.h */
 
 /* Makes a context and makes it current. Error: one message that says what was tried and why each
  * attempt failed; the context that was current still is. */
@@ -33,9 +34,12 @@ struct context *context_create(const struct context_desc *desc);
 /* Accepts NULL. The freed context is current no more; another one that is current stays so. */
 void context_free(struct context *context);
 
-/* Lets the present context go and makes this one current: the table `gl` is its own. NULL: none.
+/* Lets the thread's present context go and makes this one current: the table `gl` is its own. NULL: none.
  * A window's context is bound by its owner, after this call. */
 void context_make_current(struct context *context);
+
+/* Programs that one context has linked others may take from the store: fills = it is that one. */
+void context_set_store(struct context *context, struct program_store *store, bool fills);
 
 /* Makes a context object around one that is already current (a window's): fills `gl` through
  * getproc. */

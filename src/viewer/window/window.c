@@ -163,6 +163,32 @@ void window_free(struct window *window) {
     free(window);
 }
 
+/* The hints are still those of the window that is there. */
+struct window *window_create_hidden(void) {
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_FALSE);
+    GLFWwindow *handle = glfwCreateWindow(1, 1, "", NULL, NULL);
+    if (!handle)
+        return NULL;
+    struct window *window = mem_alloc(1, sizeof *window);
+    window->handle = handle;
+    return window;
+}
+
+void window_free_hidden(struct window *window) {
+    if (window)
+        glfwDestroyWindow(window->handle);
+    free(window);
+}
+
+void window_bind(struct window *window) {
+    glfwMakeContextCurrent(window->handle);
+}
+
+void window_unbind(void) {
+    glfwMakeContextCurrent(NULL);
+}
+
 void *window_getproc(const char *name) {
     return (void *)glfwGetProcAddress(name);
 }

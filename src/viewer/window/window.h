@@ -70,6 +70,15 @@ struct window *window_create(const struct window_desc *desc);
 /* Accepts NULL. */
 void window_free(struct window *window);
 
+/* One that is never seen: for its context, which is like the window's and shares nothing with it. From
+ * the thread that has the window. Error: as above. */
+struct window *window_create_hidden(void);
+void window_free_hidden(struct window *window);
+
+/* Makes the context the calling thread's, or lets it go. */
+void window_bind(struct window *window);
+void window_unbind(void);
+
 /* For context_adopt. */
 void *window_getproc(const char *name);
 
