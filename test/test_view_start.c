@@ -129,6 +129,23 @@ static void test_exposure(void **state) {
     bitmap_free(&expected);
 }
 
+/* Behind the door that is shut at 0 s nothing is seen but what leaks past it. */
+static void test_darkness(void **state) {
+    (void)state;
+    need_viewer();
+    char path[700], command[2000];
+    snprintf(path, sizeof path, "%s/scenes/door.glb", stage.here);
+    assert_int_equal(run_command("xdotool search --name manylight", command, sizeof command), 0);
+    assert_true(desktop_drop(strtoul(command, NULL, 10), path));
+    wait_for_scene("door.glb");
+    press("Copy command line");
+    rest_mouse();
+    assert_true(desktop_read_clipboard(command, sizeof command));
+    printf("    %s\n", command);
+    assert_non_null(strstr(command, "--time 5"));
+    assert_true(atof(strstr(command, "picture.exposure=") + strlen("picture.exposure=")) < 8);
+}
+
 /* By our own list, in the folder where the viewer was started; Esc closes it. */
 static void test_dialog(void **state) {
     (void)state;
@@ -214,10 +231,11 @@ static void test_options(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_small_picture),  cmocka_unit_test(test_gallery),
-        cmocka_unit_test(test_click),          cmocka_unit_test(test_exposure),
-        cmocka_unit_test(test_letters),        cmocka_unit_test(test_dialog),
-        cmocka_unit_test(test_desktop_dialog), cmocka_unit_test(test_options),
+        cmocka_unit_test(test_small_picture), cmocka_unit_test(test_gallery),
+        cmocka_unit_test(test_click),         cmocka_unit_test(test_exposure),
+        cmocka_unit_test(test_darkness),      cmocka_unit_test(test_letters),
+        cmocka_unit_test(test_dialog),        cmocka_unit_test(test_desktop_dialog),
+        cmocka_unit_test(test_options),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

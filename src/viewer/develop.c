@@ -39,6 +39,17 @@ bool develop_is_black(const struct image *image) {
     return count == 0;
 }
 
+double develop_highlight(const struct image *image) {
+    size_t count;
+    double *values = read_luminances(image, &count), highlight = 0;
+    if (count > 0) {
+        qsort(values, count, sizeof *values, ascending);
+        highlight = values[count - 1 - count / 20];
+    }
+    free(values);
+    return highlight;
+}
+
 /* The median of what is not black tells the middle, unless the lights would then be white all over. */
 float develop_exposure(const struct image *image) {
     size_t count;

@@ -8,6 +8,9 @@
  * 0 of a black one. */
 float develop_exposure(const struct image *image);
 
+/* What all but the brightest twentieth of what is not black stays below; 0 of a black picture. */
+double develop_highlight(const struct image *image);
+
 /* Whether nothing is seen that shines or is lit. */
 bool develop_is_black(const struct image *image);
 

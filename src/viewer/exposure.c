@@ -1,6 +1,7 @@
 /* How bright the picture is shown: by itself when a scene is opened, then as the user likes. */
 #include "viewer/viewer.h"
 
+#include "scene/animation.h"
 #include "viewer/develop.h"
 
 #include <math.h>
@@ -27,6 +28,21 @@ void viewer_begin_exposure(struct viewer *viewer) {
     viewer->exposing.after_frame = viewer->shown.frame_count;
 }
 
+/* Where nearly nothing is seen as the scene begins, as behind a door that is shut, what leaks past it is not to be
+ * exposed: then the middle of its clip is shown. Whether it was. */
+static bool skip_darkness(struct viewer *viewer, const struct image *picture) {
+    static const double dark = 1e-2; /* over what the lights would give across the scene */
+    struct frame frame = renderer_frame(&viewer->shown.renderer);
+    double duration = scene_duration(&viewer->document.scene);
+    bool is_dark = develop_highlight(picture) * (double)frame.irradiance_scale < dark;
+    if (!is_dark || duration <= 0 || viewer->placed.time != 0)
+        return false;
+    viewer_go_to(viewer, duration / 2);
+    messages_add(&viewer->host.messages, UI_NORMAL, "It is dark at 0 s: this is %g s.",
+                 viewer->placed.time);
+    return true;
+}
+
 /* By the first frame of the scene. */
 void viewer_follow_exposure(struct viewer *viewer) {
     struct exposing *exposing = &viewer->exposing;
@@ -35,6 +51,12 @@ void viewer_follow_exposure(struct viewer *viewer) {
         return;
     exposing->waits = false;
     if (renderer_read_layers(&viewer->shown.renderer, &frame)) {
+        if (skip_darkness(viewer, &frame)) {
+            exposing->waits = true;
+            exposing->after_frame = viewer->shown.frame_count;
+            image_free(&frame);
+            return;
+        }
         exposing->usual = develop_exposure(&frame);
         set(viewer, exposing->usual);
     }
