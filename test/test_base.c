@@ -4,7 +4,10 @@
 
 #include "base/error.h"
 #include "base/file/file.h"
+#include "base/file/folder.h"
 #include "base/halton.h"
+#include "base/json.h"
+#include "base/log.h"
 #include "base/image.h"
 #include "base/file/image_file.h"
 #include "base/memory.h"
@@ -12,8 +15,10 @@
 #include "base/option.h"
 #include "base/settings.h"
 #include "base/parallel.h"
+#include "base/progress.h"
 #include "base/text.h"
 
+#include <math.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -415,16 +420,174 @@ static void test_words_and_names(void **state) {
     assert_int_equal(strlen(names.text), sizeof names.text - 1);
 }
 
+/* Texts, lists and sizes as an option's value: told, compared, and too many of them. */
+static void test_option_values(void **state) {
+    (void)state;
+    struct values a, b;
+    char text[64];
+    const struct option *name = option_find(table, "text"), *size = option_find(table, "size"),
+                        *list = option_find(table, "set");
+    options_set_defaults(table, &a);
+    b = a;
+    option_format(name, &a, text, sizeof text);
+    assert_string_equal(text, "");
+    assert_true(option_equal(name, &a, &b) && option_equal(size, &a, &b));
+    check_ok("text", option_parse(name, &a, "one"));
+    assert_false(option_equal(name, &a, &b));
+    check_ok("text", option_parse(name, &b, (char[]){"one"}));
+    option_format(name, &b, text, sizeof text);
+    assert_string_equal(text, "one");
+    assert_true(option_equal(name, &a, &b));
+    check_ok("size", option_parse(size, &a, "4x5"));
+    assert_false(option_equal(size, &a, &b));
+    for (int i = 0; i < TEXT_LIST_MAX; i++)
+        check_ok("list", option_parse(list, &a, "x"));
+    assert_false(option_parse(list, &a, "x"));
+    printf("    %s\n", error_get());
+    option_format(list, &a, text, sizeof text);
+    assert_int_equal(atoi(text), TEXT_LIST_MAX);
+    assert_true(option_number(option_find(table, "count"), &a) == 5);
+    assert_true(option_number(option_find(table, "flag"), &a) == 0);
+    assert_true(option_number(option_find(table, "scale"), &a) == 1.5);
+}
+
+/* What is written while `write` runs goes to a file; its text. */
+static char *stderr_of(void (*write)(void)) {
+    char *path = mem_strdup(scratch("stderr.txt"));
+    fflush(stderr);
+    int saved = dup(STDERR_FILENO);
+    assert_non_null(freopen(path, "w", stderr));
+    write();
+    fflush(stderr);
+    dup2(saved, STDERR_FILENO);
+    close(saved);
+    char *text = file_read_text(path);
+    free(path);
+    assert_non_null(text);
+    return text;
+}
+
+static char heard[200];
+
+static void hear(void *context, bool is_warning, const char *message) {
+    snprintf(heard + strlen(heard), sizeof heard - strlen(heard), "%s%s %s;", (char *)context,
+             is_warning ? " warning" : "", message);
+}
+
+static void tell_all(void) {
+    log_set_level(LOG_VERBOSE);
+    log_detail("detail %d", 1);
+    log_set_listener(hear, "heard");
+    log_note("note %d", 2);
+    log_set_level(LOG_QUIET);
+    log_detail("no detail");
+    log_note("quiet %d", 3);
+    log_warning("warning %d", 4);
+    log_tell_of_thread(false);
+    log_note("nothing");
+    log_warning("nothing");
+    log_tell_of_thread(true);
+    log_set_listener(NULL, NULL);
+    log_warning("unheard");
+    log_set_level(LOG_NORMAL);
+}
+
+/* Notes by level, warnings always; a listener hears both however quiet it is, and of a silent thread nobody. */
+static void test_log(void **state) {
+    (void)state;
+    enum log_level before = log_get_level();
+    char *text = stderr_of(tell_all);
+    log_set_level(before);
+    assert_string_equal(text, "manylight: detail 1\nmanylight: note: note 2\n"
+                              "manylight: warning: warning 4\nmanylight: warning: unheard\n");
+    assert_string_equal(heard, "heard note 2;heard quiet 3;heard warning warning 4;");
+    free(text);
+}
+
+static void show_progress(void) {
+    struct progress progress = {.shown = true};
+    progress_show(&progress, 0, "nothing is done");
+    progress_show(&progress, .25, "noise");
+    progress_show(&progress, .5, "too soon");
+    assert_true(progress_end(&progress) > 0);
+    progress.shown = false;
+    progress.last = 0;
+    progress_show(&progress, .5, "no terminal");
+    progress_end(&progress);
+}
+
+static void test_progress(void **state) {
+    (void)state;
+    char *text = stderr_of(show_progress);
+    assert_non_null(strstr(text, "  25 %"));
+    assert_non_null(strstr(text, "left  noise"));
+    assert_null(strstr(text, "nothing") ? strstr(text, "nothing") : strstr(text, "too soon"));
+    assert_null(strstr(text, "no terminal"));
+    free(text);
+}
+
+static void test_json(void **state) {
+    (void)state;
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    json_print_text(out, "a\"b\\c\nd");
+    json_print_number(out, .1);
+    json_print_number(out, INFINITY);
+    fclose(out);
+    assert_string_equal(text, "\"a\\\"b\\\\c\\u000ad\"0.1null");
+    free(text);
+}
+
+/* A variable, else the home, else neither; and the folders on the way to a file, one of which is a file. */
+static void test_folders(void **state) {
+    (void)state;
+    char *home = getenv("HOME") ? mem_strdup(getenv("HOME")) : NULL;
+    setenv("MANYLIGHT_TEST", "/a", 1);
+    char *folder = folder_of_user("MANYLIGHT_TEST", ".b");
+    assert_string_equal(folder, "/a/manylight");
+    free(folder);
+    unsetenv("MANYLIGHT_TEST");
+    setenv("HOME", "/home/one", 1);
+    folder = folder_of_user("MANYLIGHT_TEST", ".b");
+    assert_string_equal(folder, "/home/one/.b/manylight");
+    free(folder);
+    unsetenv("HOME");
+    assert_null(folder_of_user("MANYLIGHT_TEST", ".b"));
+    printf("    %s\n", error_get());
+    if (home)
+        setenv("HOME", home, 1);
+    free(home);
+    char *path = mem_printf("%s/two/file", scratch("one"));
+    check_ok(path, folder_make_for(path));
+    check_ok(path, folder_make_for(path));
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fclose(file);
+    char *below = mem_printf("%s/three", path);
+    assert_true(folder_make_for(below)); /* a name that is there may be a link to a folder */
+    free(below);
+    below = mem_printf("%s/three/four", path);
+    assert_false(folder_make_for(below));
+    printf("    %s\n", error_get());
+    remove(path);
+    free(below);
+    free(path);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_error_prefix),   cmocka_unit_test(test_halton),
-        cmocka_unit_test(test_added_channels), cmocka_unit_test(test_parallel_for),
-        cmocka_unit_test(test_layers),         cmocka_unit_test(test_exr_round_trip),
-        cmocka_unit_test(test_png_round_trip), cmocka_unit_test(test_file_refusals),
-        cmocka_unit_test(test_options),        cmocka_unit_test(test_option_help),
-        cmocka_unit_test(test_foreign_names),  cmocka_unit_test(test_long_layers),
-        cmocka_unit_test(test_text),           cmocka_unit_test(test_whole_files),
-        cmocka_unit_test(test_settings),       cmocka_unit_test(test_words_and_names),
+        cmocka_unit_test(test_option_values),   cmocka_unit_test(test_log),
+        cmocka_unit_test(test_progress),        cmocka_unit_test(test_json),
+        cmocka_unit_test(test_folders),         cmocka_unit_test(test_error_prefix),
+        cmocka_unit_test(test_halton),          cmocka_unit_test(test_added_channels),
+        cmocka_unit_test(test_parallel_for),    cmocka_unit_test(test_layers),
+        cmocka_unit_test(test_exr_round_trip),  cmocka_unit_test(test_png_round_trip),
+        cmocka_unit_test(test_file_refusals),   cmocka_unit_test(test_options),
+        cmocka_unit_test(test_option_help),     cmocka_unit_test(test_foreign_names),
+        cmocka_unit_test(test_long_layers),     cmocka_unit_test(test_text),
+        cmocka_unit_test(test_whole_files),     cmocka_unit_test(test_settings),
+        cmocka_unit_test(test_words_and_names),
     };
     return cmocka_run_group_tests_name("base", tests, NULL, NULL);
 }

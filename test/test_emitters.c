@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "scene/placing.h"
 
+#include <cglm/cglm.h>
 #include <stdio.h>
 
 /* --- dealing ---------------------------------------------------------------------------------- */
@@ -51,6 +52,64 @@ static void test_deal_runs(void **state) {
             worst = fmax(worst, fabs(got[t] - RUN * weights[t]));
     }
     check_at_most("farthest of a run from its weights", worst, 1.5);
+}
+
+/* --- shapes ----------------------------------------------------------------------------------- */
+
+/* A ray to a place of the shape comes to that place, and no other that passes it does. */
+static void check_meet(const char *what, enum emitter_type type, float width, float height) {
+    struct emitter light = emitter_new(type);
+    double worst = 0;
+    int met = 0, passed = 0;
+    glm_vec3_copy((vec3){1, 2, 3}, light.position);
+    light.size[0] = width, light.size[1] = height;
+    emitter_aim(&light, (float[]){.6F, -.7F, .2F});
+    for (int i = 0; i < 256; i++) {
+        const float place[2] = {((float)(i % 16) + .5F) / 16, ((float)(i / 16) + .5F) / 16};
+        struct emitter piece = emitter_piece(&light, place);
+        vec3 origin, direction, beside;
+        float at[2], distance;
+        glm_vec3_copy(light.position, origin);
+        glm_vec3_muladds(light.direction, 5, origin);
+        if (emitter_shape(&light) == EMITTER_IS_CAP)
+            glm_vec3_negate_to(piece.direction, direction);
+        else
+            glm_vec3_sub(piece.position, origin, direction);
+        glm_vec3_normalize(direction);
+        bool hit = emitter_meet(&light, origin, direction, at, &distance);
+        if (hit) { /* of a sphere, the side that is seen */
+            double turned = fabs((double)(at[1] - place[1]));
+            worst =
+                fmax(worst, emitter_shape(&light) == EMITTER_IS_SPHERE
+                                ? 0
+                                : fmax(fabs((double)(at[0] - place[0])), fmin(turned, 1 - turned)));
+            assert_true(distance > 0 && at[0] >= 0 && at[0] <= 1 && at[1] >= 0 && at[1] <= 1);
+        }
+        met += hit;
+        glm_vec3_add(direction, light.right, beside);
+        glm_vec3_normalize(beside);
+        passed += !emitter_meet(&light, origin, beside, at, &distance);
+        assert_false(emitter_meet(&light, origin, light.direction, at, &distance)); /* away */
+    }
+    printf("    %-16s %d of 256 places met, %d rays beside it pass, off by %.2g\n", what, met,
+           passed, worst);
+    assert_true(emitter_shape(&light) == EMITTER_IS_SPHERE ? met > 100 : met == 256);
+    assert_int_equal(passed, 256);
+    assert_true(worst < 1e-3);
+    assert_true(emitter_extent(&light) > 0);
+}
+
+static void test_meet(void **state) {
+    (void)state;
+    check_meet("rectangle", EMITTER_AREA, .5F, .25F);
+    check_meet("disk", EMITTER_AREA, .5F, 0);
+    check_meet("spot's disk", EMITTER_SPOT, .5F, 0);
+    check_meet("sphere", EMITTER_POINT, .5F, 0);
+    check_meet("sun", EMITTER_DIRECTIONAL, .2F, 0);
+    struct emitter point = emitter_new(EMITTER_POINT);
+    float at[2], distance;
+    assert_false(emitter_meet(&point, (float[]){0, 1, 0}, (float[]){0, -1, 0}, at, &distance));
+    assert_true(emitter_extent(&point) == 0);
 }
 
 /* --- which shine ------------------------------------------------------------------------------ */
@@ -378,12 +437,12 @@ static void test_direct_noise(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_deal_counts),   cmocka_unit_test(test_deal_runs),
-        cmocka_unit_test(test_texts),         cmocka_unit_test(test_text_refusals),
-        cmocka_unit_test(test_emitters_text), cmocka_unit_test(test_flux),
-        cmocka_unit_test(test_sum),           cmocka_unit_test(test_split),
-        cmocka_unit_test(test_dark_lights),   cmocka_unit_test(test_sizes),
-        cmocka_unit_test(test_direct_noise),
+        cmocka_unit_test(test_meet),          cmocka_unit_test(test_deal_counts),
+        cmocka_unit_test(test_deal_runs),     cmocka_unit_test(test_texts),
+        cmocka_unit_test(test_text_refusals), cmocka_unit_test(test_emitters_text),
+        cmocka_unit_test(test_flux),          cmocka_unit_test(test_sum),
+        cmocka_unit_test(test_split),         cmocka_unit_test(test_dark_lights),
+        cmocka_unit_test(test_sizes),         cmocka_unit_test(test_direct_noise),
     };
     return cmocka_run_group_tests_name("emitters", tests, NULL, NULL);
 }

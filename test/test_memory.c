@@ -8,6 +8,7 @@
 #include "base/file/output_file.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -100,8 +101,25 @@ static void test_sums(void **state) {
     assert_false(image_fits(1 << 30, 1 << 30, 16)); /* 2^66 bytes */
 }
 
+/* What is in use already cannot become the limit, and what nobody has is refused. */
+static void test_limits(void **state) {
+    (void)state;
+    assert_false(mem_limit(1 << 20));
+    printf("    %s\n", error_get());
+    assert_false(mem_check(UINT64_MAX - 1));
+    printf("    %s\n", error_get());
+    assert_true(mem_check(1));
+    assert_true(mem_resident() > 0 && mem_most_resident() >= mem_resident());
+    void *nothing = mem_alloc(0, 8);
+    assert_non_null(nothing);
+    nothing = mem_resize(nothing, 0, 0);
+    assert_non_null(nothing);
+    free(nothing);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_limits),
         cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_sums),
     };
