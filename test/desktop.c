@@ -44,9 +44,9 @@ static void answer(const struct source *source, const XSelectionRequestEvent *re
     XFlush(source->display);
 }
 
-/* Serves the target until it sends a message of that type; false after some seconds. */
+/* Serves the target until it sends a message of that type; false: it never does. */
 static bool wait_for(const struct source *source, const char *type) {
-    for (int i = 0; i < 500; i++) {
+    for (int i = 0; i < PATIENCE_MS / 10; i++) {
         while (XPending(source->display)) {
             XEvent event;
             XNextEvent(source->display, &event);
@@ -108,7 +108,7 @@ bool desktop_read_clipboard(char *text, size_t size) {
     XConvertSelection(display, atom(&reader, "CLIPBOARD"), utf8, property, window, CurrentTime);
     XFlush(display);
     bool ok = false;
-    for (int i = 0; i < 300 && !ok; i++) {
+    for (int i = 0; i < PATIENCE_MS / 10 && !ok; i++) {
         XEvent event;
         ok = XCheckTypedWindowEvent(display, window, SelectionNotify, &event);
         nanosleep(&(struct timespec){0, 10000000}, NULL);

@@ -6,8 +6,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* What is waited for at most, where it is sure to come on an idle machine at once: others may be at work. */
+enum { PATIENCE_MS = 120000 };
+
 /* Drops a file, as a file manager does: the source's side of XDND 5. False: the window did not take
- * it within some seconds. */
+ * it. */
 bool desktop_drop(unsigned long window, const char *path);
 
 /* Minimises it, or shows it again, as a window manager does. */

@@ -194,7 +194,7 @@ static void test_display_gone(void **state) {
     kill(stage.server, SIGKILL);
     waitpid(stage.server, NULL, 0);
     stage.server = 0;
-    for (int i = 0; i < 200 && ended == 0; i++, pause_ms(50))
+    for (int i = 0; i < PATIENCE_MS / 50 && ended == 0; i++, pause_ms(50))
         ended = waitpid(stage.viewer, &status, WNOHANG);
     if (ended == 0)
         fail_msg("the viewer hangs");

@@ -133,7 +133,7 @@ static void test_presets(void **state) {
 static void read_camera(char *text, size_t size) {
     char path[700], line[600];
     snprintf(path, sizeof path, "%s/manylight.settings", stage.folder);
-    for (int i = 0; i < 60 && access(path, R_OK) != 0; i++)
+    for (int i = 0; i < PATIENCE_MS / 10 && access(path, R_OK) != 0; i++)
         pause_ms(10);
     FILE *file = fopen(path, "r");
     assert_non_null(file);

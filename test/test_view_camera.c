@@ -186,7 +186,7 @@ static void test_steps(void **state) {
 static bool wait_for(const char *name) {
     char path[700];
     snprintf(path, sizeof path, "%s/%s", stage.folder, name);
-    for (int i = 0; i < 600 && access(path, R_OK) != 0; i++)
+    for (int i = 0; i < PATIENCE_MS / 50 && access(path, R_OK) != 0; i++)
         pause_ms(50);
     return access(path, R_OK) == 0;
 }
@@ -219,7 +219,7 @@ static void test_video(void **state) {
     press("Video");
     assert_true(wait_for("manylight-clip-0001.mp4"));
     snprintf(path, sizeof path, "%s/manylight-clip-0001.mp4", stage.folder);
-    for (int i = 0; i < 600 && info.st_size < 2 * frame; i++) {
+    for (int i = 0; i < PATIENCE_MS / 50 && info.st_size < 2 * frame; i++) {
         pause_ms(50);
         stat(path, &info);
     }

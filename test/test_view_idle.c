@@ -53,7 +53,7 @@ static void test_idle(void **state) {
 static bool saw(const char *text) {
     char command[700], output[64];
     snprintf(command, sizeof command, "grep -q %s %s/places", text, stage.folder);
-    for (int i = 0; i < 1000; i++) {
+    for (int i = 0; i < PATIENCE_MS / 10; i++) {
         if (run_command(command, output, sizeof output) == 0)
             return true;
         pause_ms(10);

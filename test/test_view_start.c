@@ -108,6 +108,7 @@ static void test_exposure(void **state) {
     press("Settings");
     press("Copy command line");
     rest_mouse();
+    sync_viewer();
     char command[2000];
     assert_true(desktop_read_clipboard(command, sizeof command));
     printf("    %s\n", command);
@@ -140,6 +141,7 @@ static void test_darkness(void **state) {
     wait_for_scene("door.glb");
     press("Copy command line");
     rest_mouse();
+    sync_viewer();
     assert_true(desktop_read_clipboard(command, sizeof command));
     printf("    %s\n", command);
     assert_non_null(strstr(command, "--time 5"));

@@ -58,7 +58,7 @@ static bool start_server(void) {
              "2>/dev/null",
              stage.folder, number);
     stage.server = spawn(command);
-    for (int i = 0; i < 100 && !strchr(text, '\n'); i++) {
+    for (int i = 0; i < PATIENCE_MS / 50 && !strchr(text, '\n'); i++) {
         pause_ms(50);
         FILE *file = fopen(number, "r");
         if (file && !fgets(text, sizeof text, file))
@@ -157,7 +157,7 @@ static int count_answers(void) {
 void sync_viewer(void) {
     xdo("key F9");
     stage.questions++;
-    for (int i = 0; i < 12000 && count_answers() < stage.questions; i++) {
+    for (int i = 0; i < PATIENCE_MS / 10 && count_answers() < stage.questions; i++) {
         if (waitpid(stage.viewer, NULL, WNOHANG) != 0) {
             stage.viewer = 0;
             fail_msg("the viewer has ended");
@@ -218,7 +218,7 @@ void save_settings(void) {
     sync_viewer();
     remove(path);
     press_in_settings("Save");
-    for (int i = 0; i < 100 && access(path, R_OK) != 0; i++)
+    for (int i = 0; i < PATIENCE_MS / 50 && access(path, R_OK) != 0; i++)
         pause_ms(50);
 }
 
@@ -277,7 +277,7 @@ struct bitmap screenshot(void) {
     remove(exr);
     sync_viewer();
     xdo("key F12");
-    for (int i = 0; i < 1500 && access(exr, R_OK) != 0; i++)
+    for (int i = 0; i < PATIENCE_MS / 10 && access(exr, R_OK) != 0; i++)
         pause_ms(10);
     if (access(exr, R_OK) != 0)
         fail_with_screen("no screenshot came");
@@ -300,7 +300,8 @@ void check_same(const char *what, const char *arguments) {
 /* --- the viewer --- */
 
 void wait_for_scene(const char *file) {
-    for (int i = 0; i < 2000 && shell("xdotool search --onlyvisible --name '%s - manylight'", file);
+    for (int i = 0; i < PATIENCE_MS / 20 &&
+                    shell("xdotool search --onlyvisible --name '%s - manylight'", file);
          i++)
         pause_ms(20);
     rest_mouse();
@@ -332,7 +333,8 @@ static void spawn_viewer(const char *arguments) {
 
 /* Before it there is nobody to take a key. */
 static void wait_for_window(void) {
-    for (int i = 0; i < 2000 && shell("xdotool search --onlyvisible --name manylight"); i++)
+    for (int i = 0; i < PATIENCE_MS / 20 && shell("xdotool search --onlyvisible --name manylight");
+         i++)
         pause_ms(20);
 }
 
@@ -361,7 +363,7 @@ void end_viewer(void) {
     char log[700], output[4096];
     int status = -1;
     xdo("key ctrl+q");
-    for (int i = 0; i < 500 && waitpid(stage.viewer, &status, WNOHANG) == 0; i++)
+    for (int i = 0; i < PATIENCE_MS / 10 && waitpid(stage.viewer, &status, WNOHANG) == 0; i++)
         pause_ms(10);
     assert_true(WIFEXITED(status));
     assert_int_equal(WEXITSTATUS(status), 0);

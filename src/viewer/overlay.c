@@ -239,8 +239,18 @@ static void draw_pick(const struct viewer *viewer) {
     ui_draw_ring(x, y, 6, UI_RGBA(240, 168, 72, 255), 1.8F);
 }
 
+/* With the panel closed nothing else says what is shown. */
+static void draw_output_name(const struct viewer *viewer) {
+    const struct rectangle *area = &viewer->shown.area;
+    const char *name = viewer->shown.choice.output;
+    if (name && !viewer->panel.is_open)
+        ui_draw_label((float)(area->x + area->width) - ui_line_height(),
+                      (float)area->y + ui_line_height(), 1, name);
+}
+
 static void draw_marks(const struct viewer *viewer) {
     draw_split(viewer);
+    draw_output_name(viewer);
     draw_pick(viewer);
     if (viewer_has_light(viewer))
         light_tool_draw(&viewer->hand.light_tool,
