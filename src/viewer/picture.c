@@ -223,7 +223,8 @@ static bool render(struct viewer *viewer) {
     shown->dirty = false;
     shown->recompose = true;
     shown->frame_count++;
-    viewer_follow_budget(viewer);
+    if (!shown->awaits)
+        viewer_follow_budget(viewer);
     return true;
 }
 
