@@ -32,6 +32,7 @@ vec2 sky_point(int k) {
 // A light's map as seen from a receiver, in texels across and metres along.
 struct sky_field {
     sky_maps_of maps;
+    ivec2 side;       // of a map
     vec2 place;       // the receiver's
     float height;     // its, over the far plane
     float rise;       // of map depth 0 over 1
@@ -41,11 +42,11 @@ struct sky_field {
 // How far a surface lies above a place `up` above the receiver; 0 where it is no higher above the receiver's plane than
 // its own texels' doubt.
 float sky_cover(sky_field f, vec2 place, float up) {
-    ivec2 side = textureSize(sky_maps, 0).xy, texel = ivec2(floor(place));
-    bool outside = texel != clamp(texel, ivec2(0), side * f.maps.side - 1);
-    ivec2 map = SUNS > 0 ? ivec2(floor(place / vec2(side))) : ivec2(0);
+    ivec2 texel = ivec2(floor(place));
+    bool outside = texel != clamp(texel, ivec2(0), f.side * f.maps.side - 1);
+    ivec2 map = SUNS > 0 ? ivec2(floor(place / vec2(f.side))) : ivec2(0);
     int layer = f.maps.first + map.y * f.maps.side + map.x;
-    float depth = texelFetch(sky_maps, ivec3(texel - map * side, layer), 0).r;
+    float depth = texelFetch(sky_maps, ivec3(texel - map * f.side, layer), 0).r;
     float cover = f.height - depth * f.rise - up;
     return outside || dot(f.above_plane, vec4(texel, depth, 1.0)) < 0.0 ? 0.0 : cover;
 }
@@ -55,19 +56,20 @@ float sky_visibility(int i, vec3 position, vec3 normal) {
     mat3 to_view = transpose(mat3(v.right, v.up, v.forward));
     vec3 at = to_view * (position - v.origin), across = to_view * normal;
     sky_maps_of maps = sky_maps_at(i);
-    vec2 size = vec2(textureSize(sky_maps, 0).xy * maps.side);
+    ivec2 side = textureSize(sky_maps, 0).xy;
+    vec2 size = vec2(side * maps.side);
     vec2 texels = 0.5 * size / v.half_size; // a metre
-    sky_field f = sky_field(maps, at.xy * texels + 0.5 * size, at.z, v.far, vec4(0.0));
+    sky_field f = sky_field(maps, side, at.xy * texels + 0.5 * size, at.z, v.far, vec4(0.0));
     vec2 slope = across.xy / texels;
     f.above_plane = vec4(slope, across.z * v.far, dot(slope, 0.5 - f.place) - across.z * at.z - params.bias / texels.x);
-    float seen = 0.0, above = 0.0;
+    float seen = 0.0, above = 0.0, begun = sky_cover(f, f.place, 0.0); // where all ways begin
     for (int k = 0; k < WAYS; k++) {
         vec2 way = v.sides * sky_point(k);
         bool counts = dot(across.xy, way) > across.z;
-        bool hidden = false;
         float jitter = fract(float(k) * 0.61803399) - 1.0, beside = 1.0 / (texels.x * length(way));
-        for (int n = 0; n < PLACES && !hidden; n++) {
-            float share = max(float(n) + jitter, 0.0) / float(PLACES - 1);
+        bool hidden = begun > 0.0 && begun < beside;
+        for (int n = 1; n < PLACES && counts && !hidden; n++) {
+            float share = (float(n) + jitter) / float(PLACES - 1);
             float up = share * share * at.z;
             float cover = sky_cover(f, f.place + way * texels * up, up);
             float depth = max(CASTER_DEPTH * 2.0 * share / float(PLACES - 1) * at.z, beside);

@@ -17,11 +17,11 @@ layout(binding = UNIT_MAP_DEPTH) uniform sampler2DArray depth_maps;
 
 const bool IS_SUN = PROJECTION == PROJECTION_ORTHOGRAPHIC;
 const float KERNEL_MIN = 0.75; // of a texel's width, from the middle: a smaller one would show steps
-const float OFFSET = 1.0 / 3.0; // of what a receiver is lifted by where no plane is compared
+const float OFFSET = 1.0 / 6.0; // of what a receiver is lifted by where no plane is compared
 const float ROUGH = 0.02;       // of a way: distances that differ less are the receiver's own facets, or a contact
 const int PLACES = 8;           // of a way that is followed
 // Casters are as deep as so many gaps between two places there, so that none is stepped over.
-const float CASTER_DEPTH = 2.0;
+const float CASTER_DEPTH = 3.0;
 
 // As a receiver sees the light.
 struct shape {
