@@ -79,6 +79,7 @@ static const double growth_usual = .06, growth_least = .02, growth_most = .25;
 static const double unsettled = .6;
 
 enum {
+    SEARCH_MOVES = 5,
     STEP_MOST = 24,
     STEP_SETTLED = 6,
     LEVEL_FIRST = 26,
@@ -148,6 +149,18 @@ static bool is_within(double off) {
     return off <= above && off >= below;
 }
 
+/* It is looked for anew where all of the last frames were far off on one side. */
+static void settle(struct time_budget *budget, double off) {
+    bool far_above = true, far_below = true;
+    for (int i = 0; i < TIME_BUDGET_SAMPLES; i++) {
+        far_above &= log(budget->samples[i] / budget->target) > unsettled;
+        far_below &= log(budget->samples[i] / budget->target) < -unsettled;
+    }
+    budget->settled = !far_above && !far_below && (budget->settled || is_within(off));
+    if (far_above || far_below)
+        budget->moves = 0;
+}
+
 bool time_budget_add(struct time_budget *budget, double ms) {
     budget->samples[budget->count++ % TIME_BUDGET_SAMPLES] = ms;
     if (budget->count == 1)
@@ -157,7 +170,7 @@ bool time_budget_add(struct time_budget *budget, double ms) {
     bool all = budget->count >= TIME_BUDGET_SAMPLES;
     bool told = all || (!budget->settled && fabs(off) > clear);
     if (all)
-        budget->settled = budget->settled ? fabs(off) < unsettled : is_within(off);
+        settle(budget, off);
     if (is_within(off) || !told)
         return false;
     if (off > above)
@@ -169,6 +182,7 @@ bool time_budget_add(struct time_budget *budget, double ms) {
     budget->before_ms = typical(budget);
     budget->level = level;
     budget->count = 0;
+    budget->settled |= ++budget->moves >= SEARCH_MOVES;
     return true;
 }
 

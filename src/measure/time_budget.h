@@ -18,8 +18,9 @@ struct time_budget {
     int count;                           /* of them, ever */
     int before;                          /* the level before; -1: there was none */
     double before_ms;
-    double growth;   /* of time, a level: natural logarithm */
-    bool settled;    /* a level holds: from now on times are believed less readily */
+    double growth; /* of time, a level: natural logarithm */
+    bool settled; /* a level holds, or none is found: from now on times are believed less readily */
+    int moves;    /* from level to level, before that */
     double first_ms; /* of this level, as it was when it had been drawn so often */
     /* The last level that took too long, which is not tried again while there is something to wait for: frames,
      * more each time, or until they become faster. */
