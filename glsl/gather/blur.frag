@@ -45,10 +45,11 @@ void main() {
     normal /= dot(normal, normal); // rounded, it still is like itself
     float reach = params.distance * 2.0 * extent.y * (camera.orthographic ? 1.0 : depth);
     int radius = params.radius, rows = params.rows;
-    // Each of two pixels takes from the other within the smaller of their windows.
+    // Two pixels count for each other between what each counts for its like, so that as much light goes as comes.
+    // Pixels of lists take of none beyond their own windows.
     int grade = blur_tap_grade(center);
-    vec3 radii = min(params.radii, of_grade(params.radii, grade));
-    vec3 weights = grade == 0 ? sqrt(params.weights) : params.weights;
+    vec3 radii = grade == 0 ? params.taken_radii : min(params.radii, of_grade(params.radii, grade));
+    vec3 weights = sqrt(params.weights * of_grade(params.weights, grade));
     ivec2 along = params.along, across = along.yx;
     vec4 sum = vec4(0.0);
     // No branches: a software rasteriser executes both sides, and keeps books of which pixel is where.

@@ -14,9 +14,11 @@ struct blur_params {
     int unused0, unused1;
     vec3 radii;                   /* of windows: of pixels that no list has, and of each grade */
     float unused2;
-    vec3 weights;                 /* of their estimates: as many more lights have they */
+    vec3 taken_radii;             /* likewise, but of what a pixel that no list has takes of them */
     float unused3;
+    vec3 weights;                 /* of their estimates: as many more lights have they */
+    float unused4;
 };
-PASS_BLOCK(blur_params, 80)
+PASS_BLOCK(blur_params, 96)
 
 #endif

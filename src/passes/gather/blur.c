@@ -4,6 +4,8 @@
 #include "gl/program.h"
 #include "shared/blur.h"
 
+#include <math.h>
+
 static bool init_programs(struct blur_pass *pass) {
     struct program_desc desc = {.vertex = "fullscreen.vert", .fragment = "gather/blur.frag"};
     struct program_desc half = desc, pack = desc;
@@ -45,6 +47,14 @@ void blur_pass_free(struct blur_pass *pass) {
     *pass = (struct blur_pass){0};
 }
 
+/* Of what a list has another pixel takes within the mean of their windows: of its own it would take light that does
+ * not come back, and of theirs places of the pattern would be missing, the same ones all along a slanted edge. What is
+ * smooth gloss is never blurred. */
+static float taken_radius(const struct blur_desc *desc, int grade) {
+    float own = (float)desc->radius, theirs = desc->grade_radius[grade];
+    return desc->gloss ? fminf(own, theirs) : .5F * (own + theirs);
+}
+
 static void write_params(const struct blur_pass *pass, const struct irradiance *source) {
     const struct blur_desc *desc = &pass->desc;
     for (int axis = 0; axis < 2; axis++) {
@@ -56,6 +66,7 @@ static void write_params(const struct blur_pass *pass, const struct irradiance *
             .distance = desc->distance,
             .cosine = desc->cosine,
             .radii = {(float)desc->radius, desc->grade_radius[0], desc->grade_radius[1]},
+            .taken_radii = {(float)desc->radius, taken_radius(desc, 0), taken_radius(desc, 1)},
             .weights = {1, desc->grade_weight[0], desc->grade_weight[1]},
         };
         buffer_write(&pass->params[axis], 0, sizeof params, &params);
