@@ -31,7 +31,8 @@ static void turn(void) {
 static void rest(void) {
     for (int i = 0; i < 3; i++)
         turn();
-    turn_until(!viewer.shown.moving && !viewer.shown.dirty && !viewer.shown.coarse);
+    turn_until(!viewer.shown.moving && !viewer.shown.dirty && !viewer.shown.coarse &&
+               !viewer.shown.awaits);
     turn();
 }
 

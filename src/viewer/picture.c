@@ -136,7 +136,8 @@ static const char *what_takes_long(const struct viewer *viewer, double pixels) {
         viewer->desc.direct ? viewer->desc.direct : direct_for(&viewer->placed.emitters);
     if (viewer_is_scripted(viewer) || viewer->recorder.on || viewer->wish.budget > 0)
         return NULL;
-    if (pace->frame_count == 0 || makes_technique(viewer) || direct != shown->renderer.desc.direct)
+    bool makes = makes_technique(viewer) || direct != shown->renderer.desc.direct;
+    if (pace->frame_count == 0 || (makes && !shown->awaits))
         return busy_compiling;
     if (shown->moving || viewer->wish.play.on)
         return NULL;
