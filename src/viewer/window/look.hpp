@@ -7,6 +7,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 #include <string>
+#include <vector>
 
 /* The colours of the viewer. Only the accent is saturated: the picture is to be looked at. */
 constexpr ImU32 ground = IM_COL32(24, 26, 31, 255), raised = IM_COL32(42, 46, 54, 255),
@@ -28,9 +29,9 @@ extern struct look {
     ImGuiID typed;    /* the slider whose value is to be typed from the next frame on */
     int typed_frames; /* for which that has been so */
     ImFontGlyphRangesBuilder wanted; /* letters that texts have had */
-    ImVector<ImWchar> letters; /* that the fonts were asked for, as ranges; which live as long */
-    bool has_more_letters;     /* than our own words need */
-    bool lacks_letters;        /* and some that the fonts were not asked for */
+    std::vector<ImWchar> letters; /* that the fonts were asked for, as ranges; which live as long */
+    bool has_more_letters;        /* than our own words need */
+    bool lacks_letters;           /* and some that the fonts were not asked for */
     bool notes_places;
     std::string places;
 } look;

@@ -50,11 +50,11 @@ ImFont *add(float size) {
     ImFontConfig config;
     config.OversampleH = 2;
     ImFont *font =
-        fonts->AddFontFromFileTTF(latin(), size * look.scale, &config, look.letters.Data);
+        fonts->AddFontFromFileTTF(latin(), size * look.scale, &config, look.letters.data());
     if (!look.has_more_letters || !east_asian())
         return font;
     config.MergeMode = true;
-    fonts->AddFontFromFileTTF(east_asian(), size * look.scale, &config, look.letters.Data);
+    fonts->AddFontFromFileTTF(east_asian(), size * look.scale, &config, look.letters.data());
     return font;
 }
 
@@ -62,9 +62,10 @@ ImFont *add(float size) {
 
 void look_load_fonts(void) {
     ImGui::GetIO().Fonts->Clear();
-    look.letters.clear();
+    ImVector<ImWchar> ranges;
     look.wanted.AddRanges(usual);
-    look.wanted.BuildRanges(&look.letters);
+    look.wanted.BuildRanges(&ranges);
+    look.letters.assign(ranges.begin(), ranges.end());
     look.lacks_letters = false;
     if (latin()) {
         look.normal = add(14);
