@@ -60,6 +60,7 @@ static void test_compiling(void **state) {
     renderer_settings_init(&desc.settings);
     check_ok(cheap, settings_assign(&desc.settings, cheap));
     check_ok("viewer", viewer_begin(&viewer, &desc));
+    keep_driver();
     turn();
     viewer_open(&viewer, "scenes/cornell-box.glb");
     struct waiting first = wait_for_shaders("the first picture", false);

@@ -43,6 +43,7 @@ static void begin(void) {
     renderer_settings_init(&desc.settings);
     check_ok("settings", settings_assign(&desc.settings, SETTINGS));
     check_ok("viewer", viewer_begin(&viewer, &desc));
+    keep_driver();
     turn_until(viewer.has_scene && viewer.shown.frame_count > 0);
     rest();
 }

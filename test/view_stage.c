@@ -1,9 +1,12 @@
 /* The X server lets its screen be read as a file (-fbdir). */
-#define _XOPEN_SOURCE 700
+#define _GNU_SOURCE
 #include "view_stage.h"
 
 #include "base/file/image_file.h"
 
+#include <dlfcn.h>
+#include <limits.h>
+#include <link.h>
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
@@ -393,6 +396,8 @@ int open_view_stage(void **state) {
     mkdir(stage.folder, 0777);
     setenv("XDG_STATE_HOME", stage.folder, 1); /* not the user's own */
     setenv("XDG_CACHE_HOME", stage.folder, 1);
+    /* For a binary that no scenes lie beside, as one with sanitizers. */
+    shell("ln -sfn %s/scenes %s/scenes", stage.here, stage.folder);
     char *binary = realpath(binary_path(), NULL);
     assert_non_null(binary);
     snprintf(stage.binary, sizeof stage.binary, "%s", binary);
@@ -400,6 +405,20 @@ int open_view_stage(void **state) {
     if (!start_server())
         printf("    skipped: Xvfb or xdotool is not here\n");
     return 0;
+}
+
+static int find_driver(struct dl_phdr_info *info, size_t size, void *path) {
+    (void)size;
+    if (strstr(info->dlpi_name, "_dri.so"))
+        snprintf(path, PATH_MAX, "%s", info->dlpi_name);
+    return 0;
+}
+
+void keep_driver(void) {
+    char path[PATH_MAX] = "";
+    dl_iterate_phdr(find_driver, path);
+    if (path[0])
+        dlopen(path, RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
 }
 
 int close_view_stage(void **state) {

@@ -29,6 +29,10 @@ extern struct view_stage stage;
 int open_view_stage(void **state);
 int close_view_stage(void **state);
 
+/* With a viewer in this process: keeps OpenGL's driver past it, which would lose the name that its leaks
+ * are told by (test/leaks-of-others). */
+void keep_driver(void);
+
 /* Starts the viewer in the scratch folder, and waits for the window to show the scene. Skips the
  * test where there is no server. */
 void start_viewer(const char *scene, const char *arguments);
