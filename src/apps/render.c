@@ -321,11 +321,11 @@ static bool render_scene(struct values *values, const struct frames *frames,
         return false;
     desc->scene = &stage.scene;
     desc->geometry = &stage.geometry;
-    desc->emitters = stage.emitters;
     desc->camera = stage.camera;
     context = context_create(&values->context);
-    bool ok = context && (values->max_error == 0 || find_quality(values, desc, &stage)) &&
-              render(values, frames, desc, &stage);
+    bool ok = context && (values->max_error == 0 || find_quality(values, desc, &stage));
+    desc->emitters = stage.emitters; /* which posing makes anew */
+    ok = ok && render(values, frames, desc, &stage);
     context_free(context);
     stage_free(&stage);
     return ok;
