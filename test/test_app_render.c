@@ -403,6 +403,34 @@ static void test_visibility_share(void **state) {
     stage_free(&stage);
 }
 
+/* Area lights of clusters have a layer of their own: no more of them than there are, and nearly all their light. */
+static void test_light_layer(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    struct image image =
+        append_layers(&stage, "cluster-lights", "vpls=1024 area-lights=64 vals=8 map-size=32",
+                      "light,vpl", &renderer);
+    int lights = 0, vpls = 0;
+    double of_lights = 0, of_vpls = 0;
+    for (int i = 0; i < 64 * 64; i++) {
+        double light = (double)at(&image, "light.R", i % 64, i / 64);
+        double vpl = (double)at(&image, "vpl.R", i % 64, i / 64);
+        lights += light > 0;
+        vpls += vpl > 0;
+        of_lights += light;
+        of_vpls += vpl;
+    }
+    printf("    seen: %d lights of %.4g W, VPLs in %d pixels of %.4g W\n", lights, of_lights, vpls,
+           of_vpls);
+    assert_true(lights > 8 && lights <= 64 && vpls > 64);
+    check_near("light that is seen", of_lights, of_vpls, .2 * of_vpls);
+    image_free(&image);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
 /* No more flux in the picture than there is, and those VPLs that the camera sees. */
 static void test_vpl_layer(void **state) {
     (void)state;
@@ -440,6 +468,7 @@ int main(void) {
         cmocka_unit_test(test_aov),
         cmocka_unit_test(test_gathered),
         cmocka_unit_test(test_visibility_share),
+        cmocka_unit_test(test_light_layer),
         cmocka_unit_test(test_vpl_layer),
     };
     return cmocka_run_group_tests_name("render", tests, open_group_context, close_group_context);

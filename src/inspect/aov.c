@@ -91,13 +91,11 @@ static bool project(const struct renderer *renderer, const float position[3], in
 
 /* VPLs behind what the pixel shows are left out. */
 static bool fill_flux(const struct fill *fill, const void *source) {
-    (void)source;
-    struct lights lights;
-    if (!lights_read(&lights, fill->renderer))
-        return false;
+    const struct vpl_buffer *buffer = source;
+    struct vpl *vpls = vpls_read(buffer);
     int z = image_find_channel(fill->image, "Z");
-    for (int i = 0; i < lights.vpl_count; i++) {
-        struct vpl *vpl = &lights.vpls[i];
+    for (int i = 0; i < buffer->count; i++) {
+        struct vpl *vpl = &vpls[i];
         int pixel[2];
         float depth;
         if (vpl->reach <= 0 || !project(fill->renderer, vpl->position, pixel, &depth))
@@ -106,7 +104,7 @@ static bool fill_flux(const struct fill *fill, const void *source) {
         if (fabsf(depth - channels[z]) < .01f * fill->renderer->desc.geometry->radius)
             glm_vec3_add(channels + fill->channel, vpl->flux, channels + fill->channel);
     }
-    lights_free(&lights);
+    free(vpls);
     return true;
 }
 

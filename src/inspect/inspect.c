@@ -78,13 +78,14 @@ static bool find(struct shown *shown, const struct renderer *renderer, const cha
     if (!output)
         return false;
     const struct texture *texture = texture_of(renderer, output);
-    *shown = (struct shown){.kind = output->kind,
-                            .vpls = output_vpls(&outputs),
-                            .vals = output_vals(&outputs),
-                            .texture = texture,
-                            .width = texture->desc.width,
-                            .height = texture->desc.height,
-                            .layers = texture->desc.layers};
+    *shown =
+        (struct shown){.kind = output->kind,
+                       .vpls = output->kind == OUTPUT_VPLS ? output->source : output_vpls(&outputs),
+                       .vals = output_vals(&outputs),
+                       .texture = texture,
+                       .width = texture->desc.width,
+                       .height = texture->desc.height,
+                       .layers = texture->desc.layers};
     if (shown->kind == OUTPUT_NORMAL)
         shown->depth = &((const struct gbuffer *)output->source)->depth;
     if (shown->kind == OUTPUT_VISIBILITY)

@@ -27,11 +27,16 @@ static void read_centers(struct lights *lights, const struct texture *positions)
                        lights->centers);
 }
 
+struct vpl *vpls_read(const struct vpl_buffer *vpls) {
+    size_t bytes = (size_t)vpls->count * sizeof(struct vpl);
+    struct vpl *read = mem_alloc(bytes, 1);
+    buffer_read(&vpls->buffer, 0, bytes, read);
+    return read;
+}
+
 /* Of the first bounce. */
 static void count_area_lights(struct lights *lights, const struct vpl_buffer *buffer) {
-    size_t bytes = (size_t)buffer->count * sizeof(struct vpl);
-    struct vpl *areas = mem_alloc(bytes, 1);
-    buffer_read(&buffer->buffer, 0, bytes, areas);
+    struct vpl *areas = vpls_read(buffer);
     lights->area_count = buffer->count;
     for (int i = 0; i < buffer->count; i++)
         lights->area_used += areas[i].reach > 0;
@@ -47,9 +52,7 @@ bool lights_read(struct lights *lights, struct renderer *renderer) {
     if (!vpls)
         return error_set("technique '%s' has no VPLs", renderer->technique->name);
     lights->vpl_count = vpls->count;
-    size_t bytes = (size_t)lights->vpl_count * sizeof *lights->vpls;
-    lights->vpls = mem_alloc(bytes, 1);
-    buffer_read(&vpls->buffer, 0, bytes, lights->vpls);
+    lights->vpls = vpls_read(vpls);
     if (vals)
         read_centers(lights, vals->positions);
     const struct output *areas = output_find(&outputs, "light");

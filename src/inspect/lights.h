@@ -18,4 +18,7 @@ struct lights {
 bool lights_read(struct lights *lights, struct renderer *renderer);
 void lights_free(struct lights *lights);
 
+/* All of one buffer; the caller frees them. */
+struct vpl *vpls_read(const struct vpl_buffer *vpls);
+
 #endif
