@@ -99,6 +99,7 @@ struct map_views {
 struct depth_maps {
     struct texture depth;
     struct texture normal; /* RG16, of the caster in the map's frame, octahedral; or none */
+    GLuint framebuffer;
     int size, count;
 };
 
@@ -192,6 +193,15 @@ struct gbuffer_desc {
 
 bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc);
 void gbuffer_free(struct gbuffer *gbuffer);
+
+struct depth_maps_desc {
+    const char *label;
+    int size, count;
+    bool has_normals;
+};
+
+bool depth_maps_init(struct depth_maps *maps, const struct depth_maps_desc *desc);
+void depth_maps_free(struct depth_maps *maps);
 
 /* Binds what lib/rsm.glsl reads. For a kind that is not there, and is not read, the other stands in:
  * drivers warn of empty units. */

@@ -31,32 +31,13 @@ static bool init_pair(GLuint programs[2], bool masked, bool planes) {
     return ok;
 }
 
-static bool init_texture(struct texture *texture, const char *label, GLenum format,
-                         const struct paraboloid_desc *desc) {
-    return texture_init(texture, &(struct texture_desc){.label = label,
-                                                        .target = GL_TEXTURE_2D_ARRAY,
-                                                        .format = format,
-                                                        .width = desc->size,
-                                                        .height = desc->size,
-                                                        .layers = desc->count});
-}
-
-static bool init_maps(struct paraboloid_pass *pass, const struct paraboloid_desc *desc) {
-    struct depth_maps *maps = &pass->maps;
-    struct framebuffer_desc framebuffer = {.label = "paraboloid depth", .depth = &maps->depth};
-    *maps = (struct depth_maps){.size = desc->size, .count = desc->count};
-    if (desc->planes)
-        framebuffer.colors[TARGET_RESULT] = &maps->normal;
-    return init_texture(&maps->depth, "paraboloid depth", GL_DEPTH_COMPONENT16, desc) &&
-           (!desc->planes || init_texture(&maps->normal, "paraboloid normal", GL_RG16, desc)) &&
-           framebuffer_init(&pass->framebuffer, &framebuffer);
-}
-
 bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_desc *desc) {
     *pass = (struct paraboloid_pass){.desc = *desc};
     if (caster_pool_acquire(desc->casters, &pass->caster, &desc->caster) &&
         init_pair(pass->opaque_programs, false, desc->planes) &&
-        init_pair(pass->masked_programs, true, desc->planes) && init_maps(pass, desc) &&
+        init_pair(pass->masked_programs, true, desc->planes) &&
+        depth_maps_init(&pass->maps, &(struct depth_maps_desc){"paraboloid", desc->size,
+                                                               desc->count, desc->planes}) &&
         buffer_init(&pass->params, "map parameters", sizeof(struct paraboloid_params), NULL))
         return true;
     paraboloid_pass_free(pass);
@@ -69,9 +50,7 @@ void paraboloid_pass_free(struct paraboloid_pass *pass) {
         program_free(&pass->opaque_programs[l]);
         program_free(&pass->masked_programs[l]);
     }
-    framebuffer_free(&pass->framebuffer);
-    texture_free(&pass->maps.depth);
-    texture_free(&pass->maps.normal);
+    depth_maps_free(&pass->maps);
     buffer_free(&pass->params);
     *pass = (struct paraboloid_pass){0};
 }
@@ -104,7 +83,7 @@ void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct fra
     struct pass_state state = {
         .name = "depth maps",
         .program = pass->opaque_programs[CASTER_SHORT],
-        .framebuffer = pass->framebuffer,
+        .framebuffer = pass->maps.framebuffer,
         .vertex_array = pass->caster->vertices,
         .width = pass->maps.size,
         .height = pass->maps.size,
@@ -114,7 +93,7 @@ void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct fra
     };
     write_params(pass);
     pass_begin(frame->timers, &state);
-    framebuffer_clear_depth(pass->framebuffer, 1);
+    framebuffer_clear_depth(pass->maps.framebuffer, 1);
     for (int l = 0; l < 2; l++)
         draw_casters(pass, &state, (enum caster_length)l, frame->scene, views->count);
     pass_end(frame->timers);

@@ -18,7 +18,6 @@ struct paraboloid_pass {
     struct paraboloid_desc desc;
     const struct caster_gpu *caster;
     GLuint opaque_programs[2], masked_programs[2]; /* at caster_length */
-    GLuint framebuffer;
     struct depth_maps maps;
     struct buffer params;
 };

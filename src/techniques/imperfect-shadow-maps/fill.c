@@ -39,24 +39,12 @@ static bool init_levels(struct fill_pass *pass) {
     return ok;
 }
 
-static bool init_maps(struct fill_pass *pass) {
-    struct depth_maps *maps = &pass->maps;
-    return texture_init(&maps->depth, &(struct texture_desc){.label = "filled depth",
-                                                             .target = GL_TEXTURE_2D_ARRAY,
-                                                             .format = GL_DEPTH_COMPONENT16,
-                                                             .width = maps->size,
-                                                             .height = maps->size,
-                                                             .layers = maps->count}) &&
-           framebuffer_init(&pass->framebuffer, &(struct framebuffer_desc){.label = "filled depth",
-                                                                           .depth = &maps->depth});
-}
-
 bool fill_pass_init(struct fill_pass *pass, int size, int count) {
-    *pass = (struct fill_pass){.maps = {.size = size, .count = count}};
-    if (init_program(&pass->pull_program, FOLDER "pull.frag", NULL) &&
+    *pass = (struct fill_pass){0};
+    if (depth_maps_init(&pass->maps, &(struct depth_maps_desc){"filled", size, count, false}) &&
+        init_program(&pass->pull_program, FOLDER "pull.frag", NULL) &&
         init_program(&pass->push_program, FOLDER "push.frag", "TO_MAP 0") &&
         init_program(&pass->map_program, FOLDER "push.frag", "TO_MAP 1") && init_levels(pass) &&
-        init_maps(pass) &&
         buffer_init(&pass->params, "fill parameters", sizeof(struct fill_params), NULL))
         return true;
     fill_pass_free(pass);
@@ -73,8 +61,7 @@ void fill_pass_free(struct fill_pass *pass) {
         texture_free(&pass->pulled[l]);
         texture_free(&pass->pushed[l]);
     }
-    framebuffer_free(&pass->framebuffer);
-    texture_free(&pass->maps.depth);
+    depth_maps_free(&pass->maps);
     buffer_free(&pass->params);
     *pass = (struct fill_pass){0};
 }
@@ -115,10 +102,10 @@ void fill_pass_render(struct fill_pass *pass, const struct frame *frame,
                                       .width = level_size(pass, l),
                                       .textures = {{UNIT_MAP_DEPTH, pass->pulled[l].id}}},
                   views, coarse, (struct fill_params){.level = l + 1, .radius = radius});
-    framebuffer_clear_depth(pass->framebuffer, 1);
+    framebuffer_clear_depth(pass->maps.framebuffer, 1);
     draw_step(pass,
               (struct pass_state){.program = pass->map_program,
-                                  .framebuffer = pass->framebuffer,
+                                  .framebuffer = pass->maps.framebuffer,
                                   .width = pass->maps.size,
                                   .depth = PASS_DEPTH_LESS,
                                   .textures = {{UNIT_MAP_DEPTH, holes->depth.id}}},

@@ -11,7 +11,6 @@ struct fill_pass {
     struct texture pulled[FILL_LEVELS],
         pushed[FILL_LEVELS]; /* R16, level l + 1; the last is pulled alone */
     GLuint pulled_framebuffers[FILL_LEVELS], pushed_framebuffers[FILL_LEVELS];
-    GLuint framebuffer;
     struct depth_maps maps;
     struct buffer params;
 };

@@ -19,32 +19,12 @@ static bool init_program(struct splat_pass *pass) {
     return ok;
 }
 
-static bool init_texture(struct texture *texture, const char *label, GLenum format,
-                         const struct splat_desc *desc) {
-    return texture_init(texture, &(struct texture_desc){.label = label,
-                                                        .target = GL_TEXTURE_2D_ARRAY,
-                                                        .format = format,
-                                                        .width = desc->size,
-                                                        .height = desc->size,
-                                                        .layers = desc->count});
-}
-
-static bool init_maps(struct splat_pass *pass) {
-    const struct splat_desc *desc = &pass->desc;
-    struct depth_maps *maps = &pass->maps;
-    struct framebuffer_desc framebuffer = {.label = "imperfect maps", .depth = &maps->depth};
-    *maps = (struct depth_maps){.size = desc->size, .count = desc->count};
-    bool disks = desc->shape == SPLAT_DISK;
-    if (disks)
-        framebuffer.colors[TARGET_RESULT] = &maps->normal;
-    return init_texture(&maps->depth, "imperfect depth", GL_DEPTH_COMPONENT16, desc) &&
-           (!disks || init_texture(&maps->normal, "imperfect normal", GL_RG16, desc)) &&
-           framebuffer_init(&pass->framebuffer, &framebuffer);
-}
-
 bool splat_pass_init(struct splat_pass *pass, const struct splat_desc *desc) {
     *pass = (struct splat_pass){.desc = *desc};
-    if (init_program(pass) && init_maps(pass) && caster_points_init(&pass->points, &desc->points) &&
+    if (init_program(pass) &&
+        depth_maps_init(&pass->maps, &(struct depth_maps_desc){"imperfect", desc->size, desc->count,
+                                                               desc->shape == SPLAT_DISK}) &&
+        caster_points_init(&pass->points, &desc->points) &&
         buffer_init(&pass->params, "splat parameters", sizeof(struct splat_params), NULL))
         return true;
     splat_pass_free(pass);
@@ -54,9 +34,7 @@ bool splat_pass_init(struct splat_pass *pass, const struct splat_desc *desc) {
 void splat_pass_free(struct splat_pass *pass) {
     caster_points_free(&pass->points);
     program_free(&pass->program);
-    framebuffer_free(&pass->framebuffer);
-    texture_free(&pass->maps.depth);
-    texture_free(&pass->maps.normal);
+    depth_maps_free(&pass->maps);
     buffer_free(&pass->params);
     *pass = (struct splat_pass){0};
 }
@@ -78,7 +56,7 @@ void splat_pass_render(struct splat_pass *pass, const struct frame *frame,
                &(struct pass_state){
                    .name = "depth maps",
                    .program = pass->program,
-                   .framebuffer = pass->framebuffer,
+                   .framebuffer = pass->maps.framebuffer,
                    .width = desc->size,
                    .height = desc->size,
                    .depth = PASS_DEPTH_LESS,
@@ -86,7 +64,7 @@ void splat_pass_render(struct splat_pass *pass, const struct frame *frame,
                    .textures = {{UNIT_CASTER_POINTS, pass->points.texture}},
                    .blocks = {{BLOCK_MAPS, &views->buffer}, {BLOCK_PASS, &pass->params}},
                });
-    framebuffer_clear_depth(pass->framebuffer, 1);
+    framebuffer_clear_depth(pass->maps.framebuffer, 1);
     pass_draw(GL_POINTS, desc->points.count, views->count);
     pass_end(frame->timers);
 }

@@ -21,7 +21,7 @@ struct splat_desc {
 struct splat_pass {
     struct splat_desc desc;
     struct caster_points points;
-    GLuint program, framebuffer;
+    GLuint program;
     struct depth_maps maps; /* with SPLAT_DISK they have normals */
     struct buffer params;
 };
