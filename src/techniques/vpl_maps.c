@@ -5,6 +5,30 @@ bool vpl_maps_init(struct vpl_maps *maps, const struct vpl_maps_desc *desc) {
     return vpl_views_pass_init(&maps->views, desc->near_clip);
 }
 
+static void render_true(void *state, const struct frame *frame, const struct map_views *views,
+                        int first) {
+    (void)first;
+    paraboloid_pass_render(state, frame, views);
+}
+
+bool vpl_maps_init_true(struct vpl_maps *maps, struct paraboloid_pass *paraboloid,
+                        const struct technique_desc *desc, int batch) {
+    const struct map_settings *map = settings_of(desc->settings, &map_part);
+    struct caster_desc caster = many_lights_caster(desc->settings);
+    caster.error = 0;
+    return paraboloid_pass_init(paraboloid,
+                                &(struct paraboloid_desc){
+                                    .casters = desc->casters,
+                                    .caster = caster,
+                                    .bend = many_lights_caster_bend(desc->settings),
+                                    .size = map->size,
+                                    .count = batch,
+                                    .planes = true,
+                                }) &&
+           vpl_maps_init(maps, &(struct vpl_maps_desc){map->near_clip, &paraboloid->maps,
+                                                       render_true, paraboloid});
+}
+
 void vpl_maps_free(struct vpl_maps *maps) {
     vpl_views_pass_free(&maps->views);
     *maps = (struct vpl_maps){0};

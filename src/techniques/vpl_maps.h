@@ -6,6 +6,7 @@
 #ifndef TECHNIQUES_VPL_MAPS_H
 #define TECHNIQUES_VPL_MAPS_H
 
+#include "passes/visibility/paraboloid.h"
 #include "passes/visibility/vpl_views.h"
 #include "techniques/many_lights.h"
 
@@ -26,6 +27,11 @@ struct vpl_maps {
 };
 
 bool vpl_maps_init(struct vpl_maps *maps, const struct vpl_maps_desc *desc);
+
+/* Maps of every triangle, `batch` at once: for what is to be the plain truth. The pass that draws them is the
+ * caller's, to be freed whatever comes of it. */
+bool vpl_maps_init_true(struct vpl_maps *maps, struct paraboloid_pass *paraboloid,
+                        const struct technique_desc *desc, int batch);
 void vpl_maps_free(struct vpl_maps *maps);
 
 /* RSM and VPLs of all bounces; no maps are held then. */

@@ -1,7 +1,6 @@
 /* Instant radiosity with a hard paraboloid shadow map per VPL [Keller 1997; Dong 2009 §7, Fig. 10]:
  * the brute force that clustered visibility approximates. */
 #include "base/memory.h"
-#include "passes/visibility/paraboloid.h"
 #include "techniques/vpl_maps.h"
 
 #include <stdlib.h>
@@ -35,38 +34,16 @@ static void free_state(void *state) {
     free(technique);
 }
 
-static void render_maps(void *state, const struct frame *frame, const struct map_views *views,
-                        int first) {
-    const struct instant_radiosity *technique = state;
-    (void)first;
-    paraboloid_pass_render(&technique->paraboloid, frame, views);
-}
-
 static bool init(void **state, const struct technique_desc *desc) {
     const struct instant_radiosity_settings *own = settings_of(desc->settings, &own_part);
     const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
-    const struct map_settings *map = settings_of(desc->settings, &map_part);
     struct instant_radiosity *technique = *state = mem_alloc(1, sizeof *technique);
-    /* Every triangle: what the technique is for is the plain truth. */
-    struct caster_desc caster = many_lights_caster(desc->settings);
-    caster.error = 0;
     int batch = own->map_batch < lights->vpls ? own->map_batch : lights->vpls;
     return many_lights_init(&technique->lights, desc,
                             &(struct many_lights_visibility){VISIBILITY_LOOKUP_PLANE,
                                                              .map_per_vpl = true,
                                                              .map_count = batch}) &&
-           paraboloid_pass_init(&technique->paraboloid,
-                                &(struct paraboloid_desc){
-                                    .casters = desc->casters,
-                                    .caster = caster,
-                                    .bend = many_lights_caster_bend(desc->settings),
-                                    .size = map->size,
-                                    .count = batch,
-                                    .planes = true,
-                                }) &&
-           vpl_maps_init(&technique->maps,
-                         &(struct vpl_maps_desc){map->near_clip, &technique->paraboloid.maps,
-                                                 render_maps, technique});
+           vpl_maps_init_true(&technique->maps, &technique->paraboloid, desc, batch);
 }
 
 static bool resize(void *state, int width, int height) {

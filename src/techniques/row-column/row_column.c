@@ -5,7 +5,6 @@
  * each frame, so that a frame depends on its time alone. */
 #include "base/error.h"
 #include "base/memory.h"
-#include "passes/visibility/paraboloid.h"
 #include "shared/vpl.h"
 #include "techniques/row-column/columns.h"
 #include "techniques/row-column/rows.h"
@@ -99,32 +98,6 @@ static bool check(const struct settings *settings) {
 
 /* --- init ------------------------------------------------------------------------------------- */
 
-static void render_maps(void *state, const struct frame *frame, const struct map_views *views,
-                        int first) {
-    const struct row_column *technique = state;
-    (void)first;
-    paraboloid_pass_render(&technique->paraboloid, frame, views);
-}
-
-static bool init_maps(struct row_column *technique, const struct technique_desc *desc) {
-    const struct map_settings *map = settings_of(desc->settings, &map_part);
-    /* Every triangle, as the maps of instant radiosity have. */
-    struct caster_desc caster = many_lights_caster(desc->settings);
-    caster.error = 0;
-    return paraboloid_pass_init(&technique->paraboloid,
-                                &(struct paraboloid_desc){
-                                    .casters = desc->casters,
-                                    .caster = caster,
-                                    .bend = many_lights_caster_bend(desc->settings),
-                                    .size = map->size,
-                                    .count = MAP_BATCH,
-                                    .planes = true,
-                                }) &&
-           vpl_maps_init(&technique->maps,
-                         &(struct vpl_maps_desc){map->near_clip, &technique->paraboloid.maps,
-                                                 render_maps, technique});
-}
-
 static bool init_rows(struct row_column *technique, const struct technique_desc *desc, int lights) {
     const struct row_column_settings *own = settings_of(desc->settings, &own_part);
     const struct gather_desc *gather = &technique->lights.gather.desc;
@@ -168,8 +141,8 @@ static bool init(void **state, const struct technique_desc *desc) {
     struct many_lights_visibility visibility = {VISIBILITY_LOOKUP_PLANE, .map_per_vpl = true,
                                                 .map_count = MAP_BATCH};
     return many_lights_init(&technique->lights, &with_own, &visibility) &&
-           init_maps(technique, &with_own) && init_rows(technique, &with_own, all) &&
-           init_choice(technique, desc, all);
+           vpl_maps_init_true(&technique->maps, &technique->paraboloid, &with_own, MAP_BATCH) &&
+           init_rows(technique, &with_own, all) && init_choice(technique, desc, all);
 }
 
 static bool resize(void *state, int width, int height) {
