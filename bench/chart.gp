@@ -85,7 +85,13 @@ head_of(name, faces) = strcol(name) . " (" . strcol(faces) . " faces), " . strco
 ticks(low, high) = high < 20 * low ? "1 1.2 1.5 2 2.5 3 4 5 6 8" : "1 2 5"
 
 scenes = ""
-stats csv using (scenes = add(scenes, place_of("scene", "faces")), 0) nooutput
+all = ""
+stats csv using (scenes = add(scenes, place_of("scene", "faces")), \
+    strlen(chart_of(strcol("mode"), strcol("what"))) ? \
+        (all = add(all, series(strcol("mode"), strcol("what"))), 0) : 0) nooutput
+# The same of a series, and its place in the legend, in all charts of a file.
+line_type(name) = sum [k = 1:words(all)] (word(all, k) eq name ? k : 0)
+
 name_of(i) = word(word(scenes, i), 1)
 same_before(i) = i > 1 ? (sum [k = 1:i - 1] (name_of(k) eq name_of(i))) : 0
 file_of(i, chart) = folder . "/" . name_of(i) . \
@@ -108,7 +114,7 @@ pareto = \
 curves = \
     'for [v = 1:words(names)] csv using (on(scene, chart) && \
          series(strcol("mode"), strcol("what")) eq word(names, v) ? x(chart) : NaN):(y(chart)) \
-         lt v title word(names, v)'
+         lt line_type(word(names, v)) title word(names, v)'
 
 # --- drawing --------------------------------------------------------------------------------------
 
@@ -132,6 +138,11 @@ do for [i = 1:words(scenes)] {
             low_y = Y[n] < low_y ? Y[n] : low_y, high_y = Y[n] > high_y ? Y[n] : high_y, \
             names = add(names, series(strcol("mode"), strcol("what"))), \
             head = head_of("scene", "faces"), 0) : 0) nooutput
+        seen = names
+        names = ""
+        do for [v = 1:words(all)] {
+            if (strstrt(seen, '"' . word(all, v) . '"')) { names = add(names, word(all, v)) }
+        }
         set title head noenhanced
         set xlabel x_label(chart)
         set ylabel y_label(chart)
