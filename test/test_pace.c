@@ -1,9 +1,11 @@
 /* Times of passes over frames, as the viewer keeps them. */
+#define _POSIX_C_SOURCE 200809L
 #include "support.h"
 
 #include "viewer/pace.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static struct timers timers;
@@ -69,10 +71,32 @@ static void test_history(void **state) {
     assert_true(pace.passes[1].history[0] == 10);
 }
 
+/* A line a frame, with a column for each pass. */
+static void test_csv(void **state) {
+    (void)state;
+    char *text = NULL;
+    size_t size;
+    memset(&pace, 0, sizeof pace);
+    add("frame", 0, 7);
+    add("frame/gather", 1, 3.25);
+    end_frame(100);
+    add("frame", 0, 8);
+    add("frame/gather", 1, 4);
+    end_frame(200);
+    FILE *stream = open_memstream(&text, &size);
+    pace_print_csv(&pace, stream);
+    fclose(stream);
+    printf("%s", text);
+    assert_string_equal(text, "number,pixels,frame ms,frame/gather ms\n"
+                              "1,100,7.0000,3.2500\n2,200,8.0000,4.0000\n");
+    free(text);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_order),
         cmocka_unit_test(test_history),
+        cmocka_unit_test(test_csv),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

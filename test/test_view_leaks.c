@@ -161,6 +161,11 @@ static void look_closely(int round) {
     turn(2);
 }
 
+static void change_scale(int round) {
+    window_set_scale(viewer.host.window, round % 2 ? 1 : 1.25F);
+    turn(3);
+}
+
 static void minimise(int round) {
     char output[64];
     assert_int_equal(run_command("xdotool search --name manylight", output, sizeof output), 0);
@@ -294,6 +299,7 @@ static void test_kept(void **state) {
     check_kept("wipes", switch_wipe, 6);
     check_kept("outputs", switch_output, 13);
     check_kept("frames of an animation", play, 40);
+    check_kept("scales of widgets", change_scale, 2);
     check_kept("minimised and back", minimise, 2);
     check_kept("truths traced", trace, 2);
     check_kept("charts", chart, 3);

@@ -4,6 +4,7 @@
 #include "view_stage.h"
 
 #include "base/file/image_file.h"
+#include "inspect/marks.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -227,11 +228,43 @@ static void test_normals(void **state) {
     end_viewer();
 }
 
+/* Four VALs' shadows have their numbers and colours, and what their own colours stand for. */
+static void test_sheet(void **state) {
+    (void)state;
+    int x, y, wrong = 0;
+    if (!stage.server)
+        skip();
+    start_viewer(BOX, "");
+    press("output");
+    press("visibility");
+    rest_mouse();
+    sync_viewer();
+    struct bitmap screen = read_screen();
+    for (int i = 0; i < 4; i++) {
+        char number[8];
+        unsigned char expected[3];
+        snprintf(number, sizeof number, "%d", i);
+        find_place(number, &x, &y);
+        marks_cluster_color(i, expected);
+        const unsigned char *got = pixel(&screen, x + 19, y);
+        printf("    VAL %d at %d %d: %d %d %d\n", i, x, y, got[0], got[1], got[2]);
+        wrong += memcmp(got, expected, 3) != 0;
+    }
+    bitmap_free(&screen);
+    assert_int_equal(wrong, 0);
+    assert_true(is_on_screen("in its shadow"));
+    xdo("mousemove %d %d click 1", x, y);
+    assert_false(is_on_screen("3")); /* alone */
+    assert_true(is_on_screen("in its shadow"));
+    end_viewer();
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_enlarged),  cmocka_unit_test(test_layouts),
         cmocka_unit_test(test_inspector), cmocka_unit_test(test_view),
         cmocka_unit_test(test_pick),      cmocka_unit_test(test_normals),
+        cmocka_unit_test(test_sheet),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

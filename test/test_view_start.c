@@ -225,9 +225,77 @@ static void test_options(void **state) {
     fclose(file);
     start_viewer("scenes/sphere.glb", "--settings told.settings --scale 1.25");
     check_same("by --settings", "scenes/sphere.glb --layer indirect --set exposure=1");
-    int x, y;
+    int x, y, larger;
     find_place("Draft", &x, &y);
     assert_true(y > 150); /* 139 at scale 1 */
+    xdo("key ctrl+equal key ctrl+equal key ctrl+minus");
+    find_place("Draft", &x, &larger);
+    xdo("key ctrl+0");
+    int again = 0;
+    for (int i = 0; i < 200 && again != y; i++) /* widgets come to their places in a frame or two */
+        find_place("Draft", &x, &again);
+    printf("    Draft at %d, larger at %d, again at %d\n", y, larger, again);
+    assert_true(larger > y + 8 && again == y);
+    check_same("at another scale", "scenes/sphere.glb --layer indirect --set exposure=1");
+    end_viewer();
+}
+
+/* What a field of the panel holds. */
+static void read_field(const char *name, char *text, size_t size) {
+    press(name);
+    xdo("key ctrl+a key ctrl+c key Escape");
+    rest_mouse();
+    sync_viewer();
+    assert_true(desktop_read_clipboard(text, size));
+    printf("    %s: %s\n", name, text);
+}
+
+/* The panel's fields have what the command line gave; a scene's materials are listed. */
+static void test_fields(void **state) {
+    (void)state;
+    if (!stage.server)
+        skip();
+    char text[1000], path[700], arguments[800];
+    snprintf(path, sizeof path, "%s/reference.exr", stage.folder);
+    assert_int_equal(shell("%s render --size %dx%d %s scenes/sphere.glb -q -o %s", stage.binary,
+                           WIDTH, HEIGHT, CHEAP, path),
+                     0);
+    snprintf(arguments, sizeof arguments, "--reference %s", path);
+    start_viewer("scenes/sphere.glb", arguments);
+    read_field("open", text, sizeof text);
+    assert_non_null(strstr(text, "/scenes/sphere.glb"));
+    press("What it holds");
+    assert_true(is_on_screen("half"));
+    press("What it holds");
+    press("Quality");
+    press("Truth");
+    press("Picture");
+    press("Compare");
+    read_field("file", text, sizeof text);
+    assert_string_equal(text, path);
+    end_viewer();
+}
+
+/* A window of its own: an icon, and a least size; the picture alone until F2. */
+static void test_window(void **state) {
+    (void)state;
+    if (!stage.server)
+        skip();
+    char output[64];
+    int width, height, colors, x, y;
+    start_viewer("scenes/sphere.glb", "--no-panel");
+    assert_int_equal(run_command("xdotool search --name manylight", output, sizeof output), 0);
+    unsigned long window = strtoul(output, NULL, 10);
+    assert_true(desktop_read_hints(window, &width, &height));
+    printf("    at least %d x %d\n", width, height);
+    assert_true(width == WIDTH && height == 240);
+    assert_true(desktop_read_icon(window, &width, &colors));
+    printf("    an icon of %d pixels and %d colours or more\n", width, colors);
+    assert_true(width >= 64 && colors >= 8);
+    assert_false(is_on_screen("Scene"));
+    check_same("without a panel", "scenes/sphere.glb");
+    xdo("key F2");
+    find_place("Scene", &x, &y);
     end_viewer();
 }
 
@@ -237,7 +305,8 @@ int main(void) {
         cmocka_unit_test(test_click),         cmocka_unit_test(test_exposure),
         cmocka_unit_test(test_darkness),      cmocka_unit_test(test_letters),
         cmocka_unit_test(test_dialog),        cmocka_unit_test(test_desktop_dialog),
-        cmocka_unit_test(test_options),
+        cmocka_unit_test(test_options),       cmocka_unit_test(test_fields),
+        cmocka_unit_test(test_window),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

@@ -106,6 +106,21 @@ static void test_drop(void **state) {
                "scenes/sphere.glb --layer indirect --technique unshadowed --set exposure=1");
 }
 
+/* Times of the passes, for a spreadsheet. */
+static void test_times(void **state) {
+    (void)state;
+    need_viewer();
+    char output[4000];
+    press_in_settings("Save times");
+    assert_int_equal(shell("cd %s && test -s manylight.settings.csv", stage.folder), 0);
+    char command[700];
+    snprintf(command, sizeof command, "head -3 %s/manylight.settings.csv", stage.folder);
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+    printf("%s", output);
+    assert_int_equal(strncmp(output, "number,pixels,frame ms,frame/", 29), 0);
+    assert_non_null(strstr(output, "\n1,"));
+}
+
 /* The command line that was copied renders the very same picture: another camera, light, layer. */
 static void test_copy(void **state) {
     (void)state;
@@ -171,10 +186,9 @@ static void test_reference(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_play),      cmocka_unit_test(test_layers),
-        cmocka_unit_test(test_load),      cmocka_unit_test(test_drop),
-        cmocka_unit_test(test_copy),      cmocka_unit_test(test_end),
-        cmocka_unit_test(test_reference),
+        cmocka_unit_test(test_play), cmocka_unit_test(test_layers),    cmocka_unit_test(test_load),
+        cmocka_unit_test(test_drop), cmocka_unit_test(test_times),     cmocka_unit_test(test_copy),
+        cmocka_unit_test(test_end),  cmocka_unit_test(test_reference),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

@@ -45,6 +45,8 @@ static const struct option options[] = {
      .help = "of text and widgets; 0 = the monitor's"},
     {"full-screen", 0, OPTION_FLAG, offsetof(struct values, viewer.full_screen),
      .help = "F11 goes back to a window"},
+    {"no-panel", 0, OPTION_FLAG, offsetof(struct values, viewer.no_panel),
+     .help = "the picture alone; F2 brings the panel"},
     {"places", 0, OPTION_TEXT, offsetof(struct values, viewer.places), .value_name = "FILE",
      .help = "keep there where the panel's widgets are, \"x y width height name\", for scripts;\n"
              "the last line counts how often F9 was pressed and all before it has been shown"},

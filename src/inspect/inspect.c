@@ -4,7 +4,6 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "inspect/sheet.h"
 #include "shared/inspect.h"
 
 #include <cglm/util.h>
@@ -115,6 +114,15 @@ bool inspect_is(const struct renderer *renderer, const char *output, enum output
 static struct sheet sheet_of(const struct shown *shown, const struct inspect_choice *choice) {
     return sheet_fit(choice->width, choice->height, shown->layers,
                      (float)shown->width / (float)shown->height);
+}
+
+bool inspect_sheet(const struct renderer *renderer, const struct inspect_choice *choice,
+                   struct sheet *sheet) {
+    struct shown shown;
+    if (!find(&shown, renderer, choice->output) || shown.layers <= 1 || choice->layer >= 0)
+        return false;
+    *sheet = sheet_of(&shown, choice);
+    return true;
 }
 
 int inspect_sheet_layer(const struct renderer *renderer, const struct inspect_choice *choice,

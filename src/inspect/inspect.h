@@ -4,6 +4,7 @@
 
 #include "inspect/lookup.h"
 #include "inspect/marks.h"
+#include "inspect/sheet.h"
 #include "renderer/renderer.h"
 
 struct inspect {
@@ -36,6 +37,10 @@ bool inspect_is(const struct renderer *renderer, const char *output, enum output
 /* Draws an output that there is into inspect->canvas. Error: GPU memory, shader. */
 bool inspect_draw(struct inspect *inspect, struct renderer *renderer,
                   const struct inspect_choice *choice);
+
+/* How the layers lie in the canvas; false where it shows one alone. */
+bool inspect_sheet(const struct renderer *renderer, const struct inspect_choice *choice,
+                   struct sheet *sheet);
 
 /* Which layer of a sheet lies at a place of the canvas (0 to 1, y down); -1 = none. */
 int inspect_sheet_layer(const struct renderer *renderer, const struct inspect_choice *choice,

@@ -111,6 +111,20 @@ static void key_redo(struct viewer *viewer) {
     viewer_undo(viewer, 1);
 }
 
+static void scale_widgets(struct viewer *viewer, float by) {
+    float scale = viewer->host.input->scale * by;
+    window_set_scale(viewer->host.window, fminf(fmaxf(scale, .5F), 4));
+}
+static void key_larger(struct viewer *viewer) {
+    scale_widgets(viewer, 1.125F);
+}
+static void key_smaller(struct viewer *viewer) {
+    scale_widgets(viewer, 1 / 1.125F);
+}
+static void key_usual_scale(struct viewer *viewer) {
+    window_set_scale(viewer->host.window, viewer->desc.scale);
+}
+
 static void key_open(struct viewer *viewer) {
     viewer_ask_file(viewer);
 }
@@ -150,6 +164,11 @@ static const struct key {
     {'Z' + KEY_WITH_CONTROL, "Ctrl Z", "undo: camera, light or settings", key_undo},
     {'Z' + KEY_WITH_CONTROL + KEY_WITH_SHIFT, "Ctrl Shift Z", "redo", key_redo},
     {'Y' + KEY_WITH_CONTROL, "Ctrl Y", "redo", key_redo},
+    {'=' + KEY_WITH_CONTROL, "Ctrl + - 0", "larger and smaller text and widgets, as at first",
+     key_larger},
+    {'=' + KEY_WITH_CONTROL + KEY_WITH_SHIFT, NULL, NULL, key_larger},
+    {'-' + KEY_WITH_CONTROL, NULL, NULL, key_smaller},
+    {'0' + KEY_WITH_CONTROL, NULL, NULL, key_usual_scale},
     {'Q' + KEY_WITH_CONTROL, "Ctrl Q", "quit", key_quit},
 };
 

@@ -17,6 +17,7 @@ static void size_of(const struct viewer *viewer, int *width, int *height) {
 /* Of the window, what one picture may take. */
 static struct rectangle room_of(const struct viewer *viewer) {
     struct rectangle room = viewer->shown.area;
+    room.height -= (int)legend_height(viewer);
     if (look_is_beside(viewer))
         room.width /= 2;
     return room;

@@ -21,7 +21,12 @@ static uint32_t color_of(int n, int alpha) {
     return UI_RGBA(rgb[0], rgb[1], rgb[2], alpha);
 }
 
-static void draw_times(const struct pace *pace) {
+static bool is_listed(const struct pace_pass *pass, bool all) {
+    return pass->depth == 1 ? all || !pass->idle : pass->depth > 1 && all;
+}
+
+/* all: with the parts of passes, and those that did not run. */
+static void draw_times(const struct pace *pace, bool all) {
     float frame = 1e-3F;
     int n = -1;
     for (int i = 0; i < pace->pass_count; i++)
@@ -31,17 +36,19 @@ static void draw_times(const struct pace *pace) {
         const struct pace_pass *pass = &pace->passes[i];
         uint32_t color = color_of(n += pass->depth == 1, pass->depth == 1 ? 150 : 70);
         float ms = pace_median(pass);
-        if (pass->depth > 0 && pass->idle)
+        if (!is_listed(pass, all))
+            continue;
+        if (pass->idle)
             ui_bar(color, last_part(pass->path), pass->depth - 1, 0, "%s",
                    pass->kept ? "kept" : "-");
-        else if (pass->depth > 0)
+        else
             ui_bar(color, last_part(pass->path), pass->depth - 1, ms / frame, "%.1f ms",
                    (double)ms);
     }
 }
 
-/* Each frame a column of its passes; those rendered smaller than the largest are dim. */
-static void draw_graph(const struct pace *pace, float width, float height) {
+/* Each frame a column of its passes, those rendered smaller than the largest dim; a line where a frame takes its budget. */
+static void draw_graph(const struct pace *pace, float budget, float width, float height) {
     enum { COLUMNS = 80 };
     int count = pace->frame_count < COLUMNS ? pace->frame_count : COLUMNS;
     int first = pace->frame_count - count;
@@ -64,6 +71,20 @@ static void draw_graph(const struct pace *pace, float width, float height) {
         }
         n += pass->depth == 1;
     }
+    for (int i = 0; budget > 0 && budget < top && i < COLUMNS; i++)
+        ui_graph_column(&graph, i, COLUMNS, budget / top - .012F, budget / top + .012F,
+                        UI_RGBA(255, 255, 255, 200));
+}
+
+/* Whether the table has room, with all passes and with the graph. */
+static bool has_room(const struct viewer *viewer, bool all, bool graph) {
+    const struct pace *pace = &viewer->shown.pace;
+    float line = ui_line_height(), row = 1.37F * line;
+    float height = (float)viewer->shown.area.height - timeline_height(viewer) - 2 * line;
+    float rows = 11; /* besides passes, with the edges */
+    for (int i = 0; i < pace->pass_count; i++)
+        rows += is_listed(&pace->passes[i], all);
+    return rows * row + (graph ? 5 * line : 0) < height;
 }
 
 static void draw_statistics(struct viewer *viewer) {
@@ -78,8 +99,10 @@ static void draw_statistics(struct viewer *viewer) {
         ui_area_end();
         return;
     }
-    draw_graph(pace, 15.2F * line, 3.6F * line);
-    draw_times(pace);
+    bool all = has_room(viewer, true, true);
+    if (all || has_room(viewer, false, true))
+        draw_graph(pace, viewer->wish.budget, 15.2F * line, 3.6F * line);
+    draw_times(pace, all);
     ui_separator();
     double fps = pace_fps(pace, window_time());
     if (fps > 0)
@@ -251,6 +274,7 @@ static void draw_output_name(const struct viewer *viewer) {
 static void draw_marks(const struct viewer *viewer) {
     draw_split(viewer);
     draw_output_name(viewer);
+    legend_draw(viewer);
     draw_pick(viewer);
     if (viewer_has_light(viewer))
         light_tool_draw(&viewer->hand.light_tool,

@@ -5,6 +5,8 @@
 
 #include "gl/timer.h"
 
+#include <stdio.h>
+
 enum { PACE_HISTORY = 240, PACE_MEDIAN = 15 };
 
 struct pace {
@@ -45,6 +47,9 @@ void pace_begin_medians(struct pace *pace);
 
 /* Median milliseconds of a pass over the last frames. */
 float pace_median(const struct pace_pass *pass);
+
+/* A line a frame, the oldest first: its pixels, and what it and each of its passes took. */
+void pace_print_csv(const struct pace *pace, FILE *file);
 
 /* Pictures per second; 0 while there are none. */
 double pace_fps(const struct pace *pace, double now);

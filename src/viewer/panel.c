@@ -2,8 +2,6 @@
 #include "viewer/panel.h"
 
 #include "base/error.h"
-#include "scene/animation.h"
-#include "scene/node.h"
 #include "shared/composite.h"
 #include "viewer/window/ui.h"
 
@@ -11,72 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { NAMES_MAX = 64 };
-
-/* --- scene --- */
-
-/* A choice among nodes of the scene, by name. */
-static bool draw_node_choice(const struct ui_row *row, const struct scene *scene,
-                             enum node_kind kind, int *chosen) {
-    const char *names[NAMES_MAX];
-    int count = node_count_carrying(scene, kind);
-    count = count < NAMES_MAX ? count : NAMES_MAX;
-    for (int i = 0; i < count; i++) {
-        const char *name = scene->nodes[node_carrying(scene, kind, i)].name;
-        names[i] = *name ? name : "without a name";
-    }
-    enum ui_result result = ui_choice(row, chosen, names, count);
-    if (result == UI_RESET)
-        *chosen = *chosen < count ? *chosen : 0;
-    return result != UI_NOTHING;
-}
-
-/* Clips are few, and told apart by their names. */
-static void draw_clip(struct viewer *viewer) {
-    enum { NAMES_MAX = 64 };
-    const struct scene *scene = &viewer->document.scene;
-    const char *names[NAMES_MAX];
-    int clip = scene->clip, count = scene->clip_count < NAMES_MAX ? scene->clip_count : NAMES_MAX;
-    for (int i = 0; i < count; i++)
-        names[i] = *scene->clips[i].name ? scene->clips[i].name : "without a name";
-    struct ui_row row = {.name = "clip", .help = "animation of the scene"};
-    if (count > 0 && ui_choice(&row, &clip, names, count) && clip != scene->clip)
-        viewer_pick_clip(viewer, clip);
-}
-
-static void draw_animation(struct viewer *viewer) {
-    struct playing *play = &viewer->wish.play;
-    double duration = scene_duration(&viewer->document.scene);
-    draw_clip(viewer);
-    if (duration <= 0)
-        return;
-    struct ui_row speed_row = {.name = "speed",
-                               .help = "seconds of the animation a second",
-                               .differs = play->speed != 1},
-                  loop_row = {.name = "loop", .help = "begin again at the end"};
-    if (ui_float(&speed_row, &play->speed, .05F, 4) == UI_RESET)
-        play->speed = 1;
-    ui_flag(&loop_row, &play->loops);
-}
-
-static void draw_scene(struct viewer *viewer) {
-    struct ui_row open = {.name = "open",
-                          .help = "a .gltf or .glb file; one may also be dropped on the window"};
-    if (ui_text_field(&open, viewer->panel.scene_path, sizeof viewer->panel.scene_path,
-                      "path, Enter"))
-        viewer_open(viewer, viewer->panel.scene_path);
-    if (!viewer->has_scene)
-        return;
-    const struct scene *scene = &viewer->document.scene;
-    int camera = viewer->placed.camera_number;
-    struct ui_row row = {.name = "camera",
-                         .help = "of the scene; R goes back to it",
-                         .differs = viewer->placed.camera_moved};
-    if (draw_node_choice(&row, scene, NODE_CAMERA, &camera))
-        viewer_pick_camera(viewer, camera);
-    draw_animation(viewer);
-}
 
 /* --- picture --- */
 
@@ -216,7 +148,7 @@ void panel_draw(struct viewer *viewer) {
                   (float)(viewer->host.input->width - area->width),
                   (float)viewer->host.input->height);
     if (ui_section("Scene", true))
-        draw_scene(viewer);
+        panel_draw_scene(viewer);
     for (size_t i = 0; viewer->has_scene && i < sizeof sections / sizeof *sections; i++)
         if (ui_section(sections[i].title, sections[i].open))
             sections[i].draw(viewer);

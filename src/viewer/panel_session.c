@@ -32,6 +32,16 @@ static void save_command(struct viewer *viewer, const struct session *session) {
     free(command);
 }
 
+/* For a spreadsheet, beside the settings. */
+static void save_times(struct viewer *viewer) {
+    struct output_text text;
+    char *path = mem_printf("%s.csv", viewer->panel.session_path);
+    output_text_init(&text);
+    pace_print_csv(&viewer->shown.pace, text.stream);
+    tell(viewer, output_text_end(&text, path), path);
+    free(path);
+}
+
 void panel_draw_session(struct viewer *viewer) {
     struct ui_row row = {.name = "file", .help = "of settings, camera and lights"};
     const char *path = viewer->panel.session_path;
@@ -47,5 +57,8 @@ void panel_draw_session(struct viewer *viewer) {
         copy_command(viewer, &session);
     if (ui_wide_button("Save command line", "the same, as a script beside the settings: .sh"))
         save_command(viewer, &session);
+    if (ui_wide_button("Save times",
+                       "of the last frames and their passes, beside the settings: .csv"))
+        save_times(viewer);
     session_free(&session);
 }

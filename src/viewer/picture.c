@@ -6,6 +6,7 @@
 #include <cglm/cglm.h>
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -292,11 +293,16 @@ static bool refine(struct viewer *viewer) {
 
 /* --- composing --- */
 
+/* For a sheet: a legend stands below it. */
+static int sheet_height(const struct viewer *viewer) {
+    return viewer->shown.area.height - (int)legend_height(viewer);
+}
+
 static bool prepare_choice(struct viewer *viewer) {
     struct shown *shown = &viewer->shown;
     struct inspect_choice *choice = &shown->choice;
     choice->width = shown->area.width;
-    choice->height = shown->area.height;
+    choice->height = sheet_height(viewer);
     choice->scale = viewer->host.input->scale;
     int layers = inspect_layers(&shown->renderer, choice->output);
     if (layers == 0) /* the technique before had it */
@@ -310,7 +316,7 @@ static void compose(struct viewer *viewer) {
     struct shown *shown = &viewer->shown;
     struct renderer *renderer = &shown->renderer;
     const struct inspect_choice *choice = &shown->choice;
-    bool resized = choice->width != shown->area.width || choice->height != shown->area.height;
+    bool resized = choice->width != shown->area.width || choice->height != sheet_height(viewer);
     if ((!shown->recompose && !resized) || shown->frame_count == 0)
         return;
     shown->recompose = false;
@@ -474,6 +480,8 @@ bool viewer_load_reference(struct viewer *viewer, const char *path) {
         viewer_tell_error(viewer);
         return false;
     }
+    if (path != viewer->panel.reference_path)
+        snprintf(viewer->panel.reference_path, sizeof viewer->panel.reference_path, "%s", path);
     compare->mode = COMPARE_REFERENCE;
     compare->measured = false;
     /* Errors need pictures of one size. */

@@ -1,4 +1,4 @@
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700
 #include "viewer/recorder.h"
 
 #include "viewer/viewer.h"
@@ -71,6 +71,14 @@ void recorder_start(struct viewer *viewer, enum record_kind kind) {
     viewer->wish.play.on = false;
 }
 
+static void tell_written(struct viewer *viewer) {
+    const struct recorder *recorder = &viewer->recorder;
+    char *path = realpath(recorder->name, NULL);
+    messages_add(&viewer->host.messages, UI_NORMAL, "written: %s, %d frames",
+                 path ? path : recorder->name, recorder->frame);
+    free(path);
+}
+
 void recorder_stop(struct viewer *viewer) {
     struct recorder *recorder = &viewer->recorder;
     bool ok = !recorder->pipe || pclose(recorder->pipe) == 0 ||
@@ -78,8 +86,7 @@ void recorder_stop(struct viewer *viewer) {
     if (!ok)
         viewer_tell_error(viewer);
     else if (recorder->on)
-        messages_add(&viewer->host.messages, UI_NORMAL, "written: %s, %d frames", recorder->name,
-                     recorder->frame);
+        tell_written(viewer);
     *recorder = (struct recorder){0};
 }
 

@@ -186,6 +186,7 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     viewer_begin_exposure(viewer);
     pace_forget(&viewer->shown.pace);
     set_title(viewer);
+    snprintf(viewer->panel.scene_path, sizeof viewer->panel.scene_path, "%s", document->scene.path);
     const char *told = viewer->desc.session; /* of the first scene, too */
     viewer->desc.session = NULL;
     return !told || viewer_load_session(viewer, told) || !viewer_is_scripted(viewer);
@@ -278,6 +279,8 @@ bool viewer_load_session(struct viewer *viewer, const char *path) {
     }
     struct session session = viewer_session(viewer);
     bool ok = session_load(&session, path) && viewer_show_session(viewer, &session);
+    if (ok && path != viewer->panel.session_path)
+        snprintf(viewer->panel.session_path, sizeof viewer->panel.session_path, "%s", path);
     if (!ok)
         viewer_tell_error(viewer);
     session_free(&session);

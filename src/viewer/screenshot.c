@@ -1,4 +1,5 @@
 /* Writes what is shown to files. */
+#define _XOPEN_SOURCE 700
 #include "viewer/viewer.h"
 
 #include "base/file/image_file.h"
@@ -91,9 +92,11 @@ void viewer_take_screenshot(struct viewer *viewer) {
         if (access(png, F_OK) != 0 && access(exr, F_OK) != 0)
             break;
     }
+    char *folder = realpath(".", NULL);
     if (viewer_write_picture(viewer, png) && viewer_write_picture(viewer, exr))
-        messages_add(&viewer->host.messages, UI_NORMAL, "written: %s, and %s with all layers", png,
-                     exr);
+        messages_add(&viewer->host.messages, UI_NORMAL, "written to %s: %s, and %s with all layers",
+                     folder ? folder : ".", png, exr);
     else
         viewer_tell_error(viewer);
+    free(folder);
 }

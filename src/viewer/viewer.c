@@ -189,12 +189,13 @@ static bool finish_script(struct viewer *viewer) {
 
 static bool open_window(struct viewer *viewer) {
     const struct viewer_desc *desc = &viewer->desc;
-    viewer->host.window = window_create(&(struct window_desc){.title = "manylight",
-                                                              .margin = PANEL_WIDTH,
-                                                              .width = desc->width,
-                                                              .height = desc->height,
-                                                              .scale = desc->scale,
-                                                              .debug = desc->debug});
+    viewer->host.window =
+        window_create(&(struct window_desc){.title = "manylight",
+                                            .margin = desc->no_panel ? 0 : PANEL_WIDTH,
+                                            .width = desc->width,
+                                            .height = desc->height,
+                                            .scale = desc->scale,
+                                            .debug = desc->debug});
     if (!viewer->host.window)
         return false;
     if (desc->full_screen)
@@ -251,7 +252,7 @@ bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc) {
         .shown = {.layer = desc->layer,
                   .choice = {.layer = -1, .chosen = -1},
                   .compare = {.split = .5F, .technique = technique_baseline}},
-        .panel = {.is_open = true, .session_path = "manylight.settings"},
+        .panel = {.is_open = !desc->no_panel, .session_path = "manylight.settings"},
     };
     glsl_set_folder(desc->glsl);
     messages_init(&viewer->host.messages);

@@ -53,7 +53,7 @@ struct viewer_desc {
     const char *screenshot; /* written at the end; NULL = none */
     const char *session;    /* a file of settings, camera and lights; NULL = none */
     float scale;            /* of text and widgets; 0 = the monitor's */
-    bool full_screen;
+    bool full_screen, no_panel;
     bool auto_exposure; /* each scene is exposed by itself when it is opened */
     const char *places; /* file that tells where the widgets are, for scripts; NULL = none */
 };
@@ -134,7 +134,8 @@ struct hand {
 struct panel {
     bool is_open, help;
     enum overlay_kind { OVERLAY_LINE, OVERLAY_TABLE, OVERLAY_NONE, OVERLAY_KINDS } overlay;
-    char scene_path[512], reference_path[512], session_path[512];
+    char scene_path[512], reference_path[512],
+        session_path[512];             /* typed, or where they came from */
     bool edits_right;                  /* the settings shown are the right picture's */
     char *places;                      /* as they were written last; NULL = not yet */
     int places_asked, places_answered; /* how often */
@@ -425,6 +426,11 @@ void look_toggle(struct viewer *viewer);
 void look_step_layout(struct viewer *viewer);
 void inspector_draw(struct viewer *viewer);
 
+/* --- viewer/legend.c --- */
+/* What it takes below a sheet of VALs, with the timeline; 0 = nothing: on a single one it stands. */
+float legend_height(const struct viewer *viewer);
+void legend_draw(const struct viewer *viewer);
+
 /* --- viewer/camera_hand.c: the camera follows mouse and keys --- */
 
 enum { CAMERA_FIELD_LEAST = 2, CAMERA_FIELD_MOST = 150 }; /* degrees, vertical */
@@ -456,7 +462,9 @@ bool start_has_news(struct start *start);
 /* Lets the user choose a file. */
 void viewer_ask_file(struct viewer *viewer);
 
-/* --- viewer/panel_camera.c, viewer/panel_light.c, viewer/panel_look.c, viewer/panel.c, viewer/overlay.c --- */
+/* --- viewer/panel_camera.c, viewer/panel_light.c, viewer/panel_look.c, viewer/panel_scene.c, viewer/panel.c,
+ * viewer/overlay.c --- */
+void panel_draw_scene(struct viewer *viewer);
 void panel_draw_camera(struct viewer *viewer);
 void panel_draw_light(struct viewer *viewer);
 void panel_draw_look(struct viewer *viewer);

@@ -42,8 +42,9 @@ inline float units(float of_line) {
 
 ImU32 look_color(ui_tone tone);
 
-/* Reads the fonts with all letters wanted; and again, between frames, where some are lacking. */
+/* Reads the fonts with all letters wanted; and again, between frames, of another size, or where some are lacking. */
 void look_load_fonts(void);
+void look_reload_fonts(void);
 void look_follow_letters(void);
 
 /* The text itself, whose letters the fonts will have in the next frame. */

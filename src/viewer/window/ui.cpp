@@ -24,7 +24,9 @@ ImVec4 color(ImU32 packed) {
     return ImGui::ColorConvertU32ToFloat4(packed);
 }
 
+/* From its beginning: sizes that are not named here are scaled, too. */
 void set_sizes(ImGuiStyle &style) {
+    style = ImGuiStyle();
     style.WindowPadding = ImVec2(14, 12);
     style.FramePadding = ImVec2(7, 3);
     style.ItemSpacing = ImVec2(7, 5);
@@ -173,8 +175,19 @@ static void take_input(ImGuiIO &io, const struct input *input) {
         io.AddInputCharacter(input->text[i]);
 }
 
+/* The window has come to another monitor, or the user wants it so. */
+static void follow_scale(float scale) {
+    if (scale == look.scale)
+        return;
+    look.scale = scale;
+    set_sizes(ImGui::GetStyle());
+    set_colors(ImGui::GetStyle());
+    look_reload_fonts();
+}
+
 void ui_frame_begin(const struct input *input) {
     look.places.clear();
+    follow_scale(input->scale);
     look_follow_letters();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();

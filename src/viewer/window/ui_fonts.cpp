@@ -88,10 +88,13 @@ const char *look_read(const char *text) {
     return text;
 }
 
-void look_follow_letters(void) {
-    if (!look.lacks_letters)
-        return;
+void look_reload_fonts(void) {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     look_load_fonts();
     ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+void look_follow_letters(void) {
+    if (look.lacks_letters)
+        look_reload_fonts();
 }

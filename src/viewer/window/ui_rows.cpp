@@ -160,6 +160,7 @@ ui_result ui_text_field(const ui_row *row, char *text, size_t size, const char *
     bool entered =
         ImGui::InputTextWithHint("##", hint, text, size, ImGuiInputTextFlags_EnterReturnsTrue);
     look_mark(row->name);
+    look_explain(*text ? text : row->help); /* a path has more letters than there is room for */
     return row_end(row, entered);
 }
 

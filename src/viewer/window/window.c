@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "viewer/window/icon.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -113,6 +114,31 @@ static void set_callbacks(struct window *window) {
     glfwSetDropCallback(window->handle, on_drop);
 }
 
+/* A taskbar takes the one that it has room for. Wayland has no icons of windows, and GLFW says so. */
+static void set_icon(struct window *window) {
+    enum { ICONS = 3 };
+    static const int sizes[ICONS] = {16, 48, 128};
+    GLFWimage images[ICONS];
+    for (int i = 0; i < ICONS; i++) {
+        images[i] =
+            (GLFWimage){sizes[i], sizes[i], mem_alloc((size_t)(4 * sizes[i]), (size_t)sizes[i])};
+        icon_draw(images[i].pixels, sizes[i]);
+    }
+    glfwSetWindowIcon(window->handle, ICONS, images);
+    for (int i = 0; i < ICONS; i++)
+        free(images[i].pixels);
+}
+
+/* Smaller, not even the times have room; a window that was asked to be smaller may stay so. */
+static void limit_size(struct window *window) {
+    enum { LEAST_WIDTH = 320, LEAST_HEIGHT = 240 };
+    int width, height;
+    glfwGetWindowSize(window->handle, &width, &height);
+    glfwSetWindowSizeLimits(window->handle, width < LEAST_WIDTH ? width : LEAST_WIDTH,
+                            height < LEAST_HEIGHT ? height : LEAST_HEIGHT, GLFW_DONT_CARE,
+                            GLFW_DONT_CARE);
+}
+
 static float monitor_scale(void) {
     float x = 1, y = 1;
     GLFWmonitor *monitor = glfwGetPrimaryMonitor();
@@ -146,6 +172,8 @@ struct window *window_create(const struct window_desc *desc) {
     glfwMakeContextCurrent(window->handle);
     glfwSwapInterval(1);
     set_callbacks(window);
+    set_icon(window);
+    limit_size(window);
     glfwGetCursorPos(window->handle, &window->next.x, &window->next.y);
     to_pixels(window->handle, &window->next.x, &window->next.y);
     return window;
@@ -330,6 +358,10 @@ void window_toggle_full_screen(struct window *window) {
     glfwGetWindowSize(window->handle, &window->width, &window->height);
     glfwSetWindowMonitor(window->handle, monitor, 0, 0, mode->width, mode->height,
                          mode->refreshRate);
+}
+
+void window_set_scale(struct window *window, float scale) {
+    window->scale = scale;
 }
 
 void window_set_clipboard(struct window *window, const char *text) {

@@ -99,6 +99,9 @@ void window_set_title(struct window *window, const char *title);
 void window_set_size(struct window *window, int width, int height);
 bool window_is_full_screen(const struct window *window);
 void window_toggle_full_screen(struct window *window);
+
+/* Of widgets, in place of the monitor's; 0 = that. */
+void window_set_scale(struct window *window, float scale);
 void window_set_clipboard(struct window *window, const char *text);
 
 /* Seconds since some point in the past. */
