@@ -101,12 +101,15 @@ static void test_estimate(void **state) {
     struct renderer renderer;
     struct image picture, truth = trace(box, 1, 256);
     measure.width = measure.height = 2 * SIDE; /* of which a quarter of the pixels is traced */
-    double error;
-    check_ok("estimate", estimate_init(&estimate, &measure, .03));
+    double error, first;
+    check_ok("estimate", estimate_init(&estimate, &measure));
     assert_int_equal(estimate.every, 2);
     check_ok("renderer", measure_start(&renderer, &measure));
     renderer_render(&renderer);
-    check_ok("error", estimate_error(&estimate, &renderer, &error));
+    check_ok("error", estimate_error(&estimate, &renderer, 1, &first));
+    int few = estimate.samples; /* tell that it is not 100 %, and to a twentieth */
+    check_ok("error", estimate_error(&estimate, &renderer, first, &error));
+    check_at_most("samples where that does not decide", few, estimate.samples / 2.0);
     image_free(&truth);
     check_ok("truth", picture_trace_paths(
                           &box->stage,
@@ -116,6 +119,7 @@ static void test_estimate(void **state) {
     check_ok("layers", renderer_read_layers(&renderer, &picture));
     double all = relative_rmse(&picture, &truth, "indirect");
     check_near("of a quarter of the pixels", error, all, .15 * all);
+    check_near("by few paths", first, error, .1 * error);
     image_free(&picture);
     image_free(&truth);
     renderer_free(&renderer);
@@ -132,6 +136,60 @@ static struct quality_found find(const struct box *box, const char *text, double
     free(what);
     return found;
 }
+
+/* --- the ladder, by errors that are made up --- */
+
+struct made_up {
+    double errors[QUALITY_CHOICES_MAX];
+    int asked; /* for so many of them */
+};
+
+static bool tell_made_up(void *user, const struct quality_choice *choice, double *error) {
+    struct made_up *made_up = user;
+    (void)choice;
+    *error = made_up->errors[made_up->asked++];
+    return true;
+}
+
+/* What is asked for is the first that reaches it; what cannot be had is no better for taking long. */
+static void test_climb(void **state) {
+    (void)state;
+    static const struct {
+        const char *name;
+        double asked, errors[QUALITY_CHOICES_MAX]; /* nine frames, 4, 8 and 16 passes */
+        int told, chosen;
+        bool reached;
+    } cases[] = {
+        {"the first", .3, {.25}, 1, 0, true},
+        {"one that cannot be made", .1, {.2, INFINITY, .09}, 3, 2, true},
+        {"passes", .05, {.3, .3, .3, .2, .2, .2, .2, .2, .2, .2, .1, .04}, 12, 11, true},
+        {"no gain from passes", .05, {.3, .3, .2, .2, .11, .2, .2, .2, .2, .105, .1}, 11, 4, false},
+        {"the best", .01, {.3, .3, .3, .3, .3, .3, .3, .3, .3, .2, .1, .08}, 12, 11, false},
+        {"none can be made",
+         .1,
+         {INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY,
+          INFINITY, INFINITY, INFINITY},
+         12,
+         0,
+         false},
+    };
+    struct quality_choice choices[QUALITY_CHOICES_MAX];
+    assert_int_equal(quality_ladder(choices, 16), 12);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct made_up made_up = {.asked = 0};
+        struct quality_found found;
+        memcpy(made_up.errors, cases[i].errors, sizeof made_up.errors);
+        assert_true(quality_climb(cases[i].asked, 16, tell_made_up, &made_up, &found));
+        printf("    %s: %d told, %d passes of '%s'\n", cases[i].name, made_up.asked,
+               found.choice.passes, found.choice.settings);
+        assert_int_equal(made_up.asked, cases[i].told);
+        assert_string_equal(found.choice.settings, choices[cases[i].chosen].settings);
+        assert_int_equal(found.choice.passes, choices[cases[i].chosen].passes);
+        assert_int_equal(found.reached, cases[i].reached);
+    }
+}
+
+/* --- the ladder, drawn --- */
 
 /* The less it may err, the dearer it gets, and what does not go says so. */
 static void test_ladder(void **state) {
@@ -175,7 +233,7 @@ static void test_words(void **state) {
         {"--quality better", 2, "quality: 'better' is not one of draft, normal, high, final"},
         {"--max-error 200%", 2, "max-error"},
         {"--max-error 90% --set vpls=64,vals=4", 0, "cornell-box: path=draft, which errs"},
-        {"--max-error 2% --passes 1 --set vpls=64,vals=4,detail=0", 0, "nothing errs less"},
+        {"--max-error 2% --passes 1 --set vpls=64,vals=4,detail=0", 0, "nothing errs much less"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char command[1024], output[4096];
@@ -191,8 +249,9 @@ static void test_words(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_places),   cmocka_unit_test(test_some_pixels),
-        cmocka_unit_test(test_estimate), cmocka_unit_test(test_ladder),
-        cmocka_unit_test(test_given),    cmocka_unit_test(test_words),
+        cmocka_unit_test(test_estimate), cmocka_unit_test(test_climb),
+        cmocka_unit_test(test_ladder),   cmocka_unit_test(test_given),
+        cmocka_unit_test(test_words),
     };
     return cmocka_run_group_tests_name("quality", tests, open_box, close_box);
 }

@@ -298,7 +298,7 @@ static bool find_quality(struct values *values, struct renderer_desc *desc, stru
         return false;
     char *what = quality_describe(&found.choice);
     values->choice = mem_printf("%s, which errs %.1f %%%s", what, 100 * found.error,
-                                found.reached ? "" : "; nothing errs less");
+                                found.reached ? "" : "; nothing errs much less");
     (found.reached ? log_note : log_warning)("%s: %s", stage->name, values->choice);
     free(what);
     if (values->passes == 0)

@@ -1,4 +1,9 @@
-/* The error of a frame that has no truth: told from some of its pixels, which are path-traced. */
+/* The error of a frame that has no truth: told from some of its pixels, which are path-traced.
+ *
+ * Each of them twice, by paths that have nothing in common. The product of what a picture differs from the one and
+ * from the other has the square of its error for its mean, whatever the noise of both: it averages out over the
+ * pixels, so that few paths do, and more of them are traced only while they decide.
+ */
 #ifndef MEASURE_ESTIMATE_H
 #define MEASURE_ESTIMATE_H
 
@@ -6,25 +11,27 @@
 #include "measure/measure.h"
 
 struct estimate {
-    struct image truth; /* of the pixels alone, one of each every x every */
-    int every;
-    double noise; /* of its indirect layer: standard error, RMS over the mean */
+    struct measure_desc desc;
+    struct image
+        halves[2];      /* their indirect layers: of the pixels alone, one of each every x every */
+    int every, samples; /* of a pixel, in each half */
 };
 
-/* Traces about ESTIMATE_SIDE^2 pixels of the desc's stage in its size, with its bounces and materials, until the
- * noise is below the one given. Error: the tracer's. */
+/* Traces about ESTIMATE_SIDE^2 pixels of the desc's stage in its size, with its bounces and materials. The stage must stay as
+ * it is. Error: the tracer's. */
 enum { ESTIMATE_SIDE = 96 };
-bool estimate_init(struct estimate *estimate, const struct measure_desc *desc, double noise);
+bool estimate_init(struct estimate *estimate, const struct measure_desc *desc);
 
 /* Accepts a zeroed one. */
 void estimate_free(struct estimate *estimate);
 
-/* Relative RMSE of the indirect layer of what the renderer shows, as metrics have it, the truth's noise
- * taken off as squares. Error: out of memory, the context is lost, or a value is not finite. */
-bool estimate_error(const struct estimate *estimate, struct renderer *renderer, double *error);
-
-/* The same of a picture with all layers. */
-bool estimate_picture_error(const struct estimate *estimate, const struct image *picture,
+/* Relative RMSE of the indirect layer of a picture with all layers, as metrics have it: by as many paths as tell whether
+ * it is more than the one asked for, and to a twentieth if not, or by the most there are. Error: the tracer's. */
+bool estimate_picture_error(struct estimate *estimate, const struct image *picture, double asked,
                             double *error);
+
+/* The same of what the renderer shows. Error: also out of memory, the context is lost, or a value is not finite. */
+bool estimate_error(struct estimate *estimate, struct renderer *renderer, double asked,
+                    double *error);
 
 #endif

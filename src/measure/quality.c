@@ -51,12 +51,6 @@ int quality_ladder(struct quality_choice choices[QUALITY_CHOICES_MAX], int most_
     return count;
 }
 
-/* Half the error asked for adds an eighth to it, which is taken off; less than two percent takes longer than the
- * passes that would be saved. */
-double quality_noise(double error) {
-    return fmax(error / 2, .02);
-}
-
 char *quality_describe(const struct quality_choice *choice) {
     return choice->passes > 1 ? mem_printf("%d passes", choice->passes)
                               : mem_strdup(*choice->settings ? choice->settings : "the defaults");
@@ -86,92 +80,119 @@ bool quality_settings(const struct quality_choice *choice, const struct techniqu
 
 /* --- the ladder --- */
 
+/* What errs so much less is worth more time. */
+static const double gain = .9;
+
 struct climb {
+    struct quality_choice choices[QUALITY_CHOICES_MAX];
+    double errors[QUALITY_CHOICES_MAX]; /* of the first `told` */
+    int count, told;
+};
+
+static double least_error(const struct climb *climb) {
+    double least = INFINITY;
+    for (int i = 0; i < climb->told; i++)
+        least = fmin(least, climb->errors[i]);
+    return least;
+}
+
+/* Whether the mean that was told last errs hardly less than that of half its passes. */
+static bool has_converged(const struct climb *climb) {
+    int last = climb->told - 1;
+    return last > 0 && climb->choices[last - 1].passes > 1 &&
+           climb->errors[last] > gain * climb->errors[last - 1];
+}
+
+static void settle(const struct climb *climb, double error, struct quality_found *found) {
+    int last = climb->told - 1, i = 0;
+    double least = least_error(climb);
+    found->reached = climb->errors[last] <= error;
+    while (found->reached ? i < last : climb->errors[i] * gain > least)
+        i++;
+    found->choice = climb->choices[i];
+    found->error = climb->errors[i];
+}
+
+bool quality_climb(double error, int most_passes, quality_teller *tell, void *user,
+                   struct quality_found *found) {
+    struct climb climb = {.told = 0};
+    bool ok = true, enough = false;
+    climb.count = quality_ladder(climb.choices, most_passes);
+    while (ok && !enough && climb.told < climb.count) {
+        const struct quality_choice *choice = &climb.choices[climb.told];
+        double *told = &climb.errors[climb.told++];
+        char *what = quality_describe(choice);
+        ok = tell(user, choice, told);
+        enough = *told <= error || has_converged(&climb);
+        log_detail("%s errs %.1f %%", what, 100 * *told);
+        free(what);
+    }
+    if (ok)
+        settle(&climb, error, found);
+    return ok;
+}
+
+/* --- telling by drawing --- */
+
+struct draft {
     const struct quality_desc *desc;
     struct measure_desc measure; /* with the settings of the choice at hand */
     struct estimate estimate;
-    struct quality_found *best;
+    struct renderer mean; /* of so many passes; zeroed before the first */
+    int passes;
 };
 
-/* Takes the choice if it is better than the best so far; whether that is good enough. */
-static bool take(struct climb *climb, const struct quality_choice *choice, double error) {
-    char *what = quality_describe(choice);
-    log_detail("%s errs %.1f %%", what, 100 * error);
-    free(what);
-    if (error < climb->best->error) {
-        climb->best->choice = *choice;
-        climb->best->error = error;
-    }
-    return climb->best->reached = climb->best->error <= climb->desc->error;
+/* A technique need not have the preset, and what is given need not go with it. Of a preset that is given there is one
+ * frame. */
+static bool is_possible(struct draft *draft, const struct quality_choice *choice) {
+    const struct quality_desc *desc = draft->desc;
+    return (!*choice->settings || !quality_is_preset(desc->texts, desc->text_count)) &&
+           quality_settings(choice, draft->measure.technique, desc->texts, desc->text_count,
+                            &draft->measure.settings);
 }
 
-/* A technique need not have the preset, and what is given need not go with it: such a choice is none. */
-static bool set(struct climb *climb, const struct quality_choice *choice) {
-    const struct quality_desc *desc = climb->desc;
-    return quality_settings(choice, climb->measure.technique, desc->texts, desc->text_count,
-                            &climb->measure.settings);
-}
-
-static bool try_frame(struct climb *climb, const struct quality_choice *choice) {
+static bool tell_frame(struct draft *draft, double *error) {
     struct renderer renderer;
-    double error = INFINITY;
-    if (!measure_start(&renderer, &climb->measure))
+    if (!measure_start(&renderer, &draft->measure))
         return false;
     renderer_render(&renderer);
-    bool ok = estimate_error(&climb->estimate, &renderer, &error);
+    bool ok = estimate_error(&draft->estimate, &renderer, draft->desc->error, error);
     renderer_free(&renderer);
-    if (ok)
-        take(climb, choice, error);
     return ok;
+}
+
+static bool start_mean(struct draft *draft) {
+    if (!measure_start(&draft->mean, &draft->measure))
+        return false;
+    struct renderer_desc progressive = draft->mean.desc;
+    progressive.progressive = true;
+    return renderer_follow(&draft->mean, &progressive);
 }
 
 /* One mean that goes on: each number of passes adds to the one before. */
-static bool try_passes(struct climb *climb) {
-    struct renderer renderer;
-    struct quality_choice choice = quality_named(QUALITY_FINAL);
-    int done = 0;
-    bool ok = measure_start(&renderer, &climb->measure), enough = false;
-    if (!ok)
+static bool tell_mean(struct draft *draft, int passes, double *error) {
+    if (draft->passes == 0 && !start_mean(draft))
         return false;
-    struct renderer_desc progressive = renderer.desc;
-    progressive.progressive = true;
-    ok = renderer_follow(&renderer, &progressive);
-    for (choice.passes = FEWEST_PASSES; ok && !enough && choice.passes <= climb->desc->most_passes;
-         choice.passes *= 2) {
-        double error;
-        while (done < choice.passes)
-            renderer_add_pass(&renderer, done++);
-        ok = estimate_error(&climb->estimate, &renderer, &error);
-        enough = ok && take(climb, &choice, error);
-    }
-    renderer_free(&renderer);
-    return ok;
+    while (draft->passes < passes)
+        renderer_add_pass(&draft->mean, draft->passes++);
+    return estimate_error(&draft->estimate, &draft->mean, draft->desc->error, error);
 }
 
-/* Of a preset that is given there is one rung. */
-static bool is_rung(struct climb *climb, const struct quality_choice *choice) {
-    const struct quality_desc *desc = climb->desc;
-    return (!*choice->settings || !quality_is_preset(desc->texts, desc->text_count)) &&
-           set(climb, choice);
-}
-
-static bool climb_up(struct climb *climb) {
-    struct quality_choice choices[QUALITY_CHOICES_MAX];
-    const struct quality_choice final = quality_named(QUALITY_FINAL);
-    int count = quality_ladder(choices, climb->desc->most_passes), i = 0;
-    for (; i < count && choices[i].passes == 1 && !climb->best->reached; i++)
-        if (is_rung(climb, &choices[i]) && !try_frame(climb, &choices[i]))
-            return false;
-    return climb->best->reached || i == count || (set(climb, &final) && try_passes(climb));
+static bool tell(void *user, const struct quality_choice *choice, double *error) {
+    struct draft *draft = user;
+    *error = INFINITY;
+    return !is_possible(draft, choice) ||
+           (choice->passes > 1 ? tell_mean(draft, choice->passes, error)
+                               : tell_frame(draft, error));
 }
 
 bool quality_find(const struct quality_desc *desc, struct quality_found *found) {
     const struct quality_choice normal = quality_named(QUALITY_NORMAL);
-    struct climb climb = {.desc = desc, .measure = *desc->measure, .best = found};
+    struct draft draft = {.desc = desc, .measure = *desc->measure};
     *found = (struct quality_found){normal, INFINITY, false};
-    bool ok = set(&climb, &normal) &&
-              estimate_init(&climb.estimate, &climb.measure, quality_noise(desc->error)) &&
-              climb_up(&climb);
-    estimate_free(&climb.estimate);
+    bool ok = is_possible(&draft, &normal) && estimate_init(&draft.estimate, &draft.measure) &&
+              quality_climb(desc->error, desc->most_passes, tell, &draft, found);
+    renderer_free(&draft.mean);
+    estimate_free(&draft.estimate);
     return ok;
 }

@@ -30,9 +30,6 @@ enum { QUALITY_MOST_PASSES = 256, QUALITY_CHOICES_MAX = 16 };
 /* All of the ladder, cheapest first: frames, then means of up to so many passes. How many they are. */
 int quality_ladder(struct quality_choice choices[QUALITY_CHOICES_MAX], int most_passes);
 
-/* Of the pixels that are traced where that error is asked for. */
-double quality_noise(double error);
-
 struct quality_desc {
     /* Stage, size, technique and direct method; its settings do not count. */
     const struct measure_desc *measure;
@@ -45,8 +42,16 @@ struct quality_desc {
 struct quality_found {
     struct quality_choice choice;
     double error; /* as estimated */
-    bool reached; /* else it is the best there is */
+    bool reached; /* else nothing errs much less */
 };
+
+/* Tells the error of a choice; infinity: it cannot be made. They are asked for cheapest first. Error: there is no telling. */
+typedef bool quality_teller(void *user, const struct quality_choice *choice, double *error);
+
+/* Up the ladder to the first choice that errs no more than asked for. Where none does, the cheapest of those that
+ * nothing errs less than by a tenth; means end where twice as many passes gain less than that. Error: the teller's. */
+bool quality_climb(double error, int most_passes, quality_teller *tell, void *user,
+                   struct quality_found *found);
 
 /* With a context. Error: of the tracer or a renderer. */
 bool quality_find(const struct quality_desc *desc, struct quality_found *found);

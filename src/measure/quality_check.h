@@ -11,14 +11,16 @@ struct quality_check_desc {
     int text_count;
     const struct image *truth; /* of all pixels */
     int most_passes;
+    bool told; /* only the ladder: each choice drawn once, and no times */
 };
 
 /* Draws each choice of the quality ladder, and fixed settings and techniques beside it: a subject each, of variant
  * "ladder" or "fixed", with its "error" (relative RMSE of the indirect layer, the truth's noise taken off),
- * "clock" and "cpu". Then, of variant "automatic", one for each error that may be asked for ("error=8%"), with what the
- * ladder's choice has; besides "told", the error that was told of it, "of-asked", its error over the one
- * asked for, and "of-fastest", its CPU time over that of the fastest that errs no more. Error: of a renderer or
- * the tracer. */
+ * "clock" and "cpu", and of the ladder the error that is told, "told". Then, of variant "automatic", one for each
+ * error that may be asked for ("error=8%"), with what the ladder's choice has; besides "told", the error that was told
+ * of it, "of-asked", its error over the one asked for, and "of-fastest", its CPU time over that of the fastest that errs
+ * no more. Where only what is told is wanted, the variant is the camera, if one is named. Error: of a renderer or the
+ * tracer. */
 bool quality_check(struct results *results, const struct quality_check_desc *desc);
 
 #endif

@@ -114,6 +114,11 @@ static const struct option options[] = {
     {"tables", 0, OPTION_FLAG, VALUE(tables),
      .help = "also, of a lamp: what a further light costs with MIP maps and with summed area\n"
              "tables, and the share of each step of a frame with soft shadows"},
+    {"told", 0, OPTION_FLAG, VALUE(told),
+     .help =
+         "only the errors that are told of all choices: nothing is timed, nothing set beside it"},
+    {"camera", 0, OPTION_TEXT, VALUE(stage.camera), .value_name = "NAME|N",
+     .help = "camera of the scenes [the first], or changed: \"0 eye=0,1,3 forward=0,0,-1\""},
     {"light", 0, OPTION_TEXT, VALUE(stage.light), .value_name = "NAME|N,...",
      .help = "lights of the scenes that shine [all]: \"emitters\", \"sky\", \"lamp,2\""},
     {"environment", 0, OPTION_TEXT, VALUE(stage.environment.path), .value_name = "FILE",

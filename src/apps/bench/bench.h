@@ -16,7 +16,7 @@ struct bench_values {
     const char *csv, *cache, *output, *truth;
     int size[2], frames, warm_up, passes, reference;
     float noise;
-    bool tracer, tables;
+    bool tracer, tables, told;
     struct stage_desc stage; /* without a path */
 };
 

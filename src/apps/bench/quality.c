@@ -12,10 +12,9 @@ static bool check(struct bench *bench, const struct measure_desc *measure) {
     bool ok = values->truth ? image_read(&truth, values->truth) : truth_get(&desc, measure, &truth);
     if (!ok)
         return false;
-    ok =
-        quality_check(&bench->results,
-                      &(struct quality_check_desc){measure, values->settings.items,
-                                                   values->settings.count, &truth, values->passes});
+    ok = quality_check(&bench->results, &(struct quality_check_desc){
+                                            measure, values->settings.items, values->settings.count,
+                                            &truth, values->passes, values->told});
     image_free(&truth);
     return ok;
 }
@@ -37,9 +36,9 @@ const struct bench_mode bench_quality = {
         "Draws all that --max-error may choose, and fixed settings beside it; then, for 2, 4, 8,\n"
         "16 and 30 %, what is chosen, which error was told of it and which it has without the\n"
         "truth's noise; that over the error asked for, and its CPU time over that of the\n"
-        "fastest of all that errs no more.\n"
+        "fastest of all that errs no more. Of each choice, what is told of it.\n"
         "Without SCENE: the paper's four scenes.",
-    .options = "size set light noise cache passes truth tracer" BENCH_CONTEXT,
+    .options = "size set camera light noise cache passes told truth tracer" BENCH_CONTEXT,
     .measure = measure,
     .tables = {{"--max-error",
                 {{"told %", "told", NULL},
