@@ -12,11 +12,10 @@
 #include "base/file/image_file.h"
 #include "base/memory.h"
 #include "base/names.h"
-#include "base/option.h"
-#include "base/settings.h"
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "base/text.h"
+#include "base/words.h"
 
 #include <math.h>
 #include <stdatomic.h>
@@ -56,7 +55,8 @@ static void count_up(void *context, size_t i) {
 
 static void test_parallel_for(void **state) {
     (void)state;
-    for (int threads = 0; threads < 5; threads++) {
+    for (int k = 0; k < 6; k++) {
+        int threads = k < 5 ? k : 1000; /* more than ever start */
         atomic_size_t sum = 0;
         parallel_for(1000, threads, count_up, &sum);
         assert_int_equal(sum, 500500);
@@ -197,104 +197,6 @@ static void test_file_refusals(void **state) {
     image_free(&image);
 }
 
-struct values {
-    bool flag;
-    int count, choice, size[2];
-    float scale;
-    const char *text;
-    struct text_list list;
-};
-
-static const char *const colours[] = {"red", "green", NULL};
-
-static const struct option table[] = {
-    {"flag", 'f', OPTION_FLAG, offsetof(struct values, flag), .help = "a flag"},
-    {"count", 0, OPTION_INT, offsetof(struct values, count), 5, 1, 10, .help = "a count"},
-    {"colour", 0, OPTION_CHOICE, offsetof(struct values, choice), 1, .choices = colours,
-     .help = ""},
-    {"size", 0, OPTION_SIZE, offsetof(struct values, size), 800, 1, 16384, .help = "size"},
-    {"scale", 0, OPTION_FLOAT, offsetof(struct values, scale), 1.5, 0, 2, .help = "scale"},
-    {"text", 't', OPTION_TEXT, offsetof(struct values, text), .help = "text"},
-    {"set", 0, OPTION_LIST, offsetof(struct values, list), .help = "list"},
-    {NULL},
-};
-
-static void test_options(void **state) {
-    (void)state;
-    struct values values;
-    options_set_defaults(table, &values);
-    assert_int_equal(values.count, 5);
-    assert_int_equal(values.size[1], 800);
-    char *argv[] = {"x",    "a",     "--count=7", "-f",    "--colour", "red", "--size", "4x5",
-                    "-thi", "--set", "k=1",       "--set", "l=2",      "--",  "-b"};
-    const char *positional[2];
-    int count;
-    check_ok("parse", options_parse_arguments(table, &values, 15, argv, positional, 2, &count));
-    assert_int_equal(count, 2);
-    assert_string_equal(positional[1], "-b");
-    assert_true(values.flag && values.count == 7 && values.choice == 0 && values.size[0] == 4);
-    assert_string_equal(values.text, "hi");
-    assert_string_equal(values.list.items[1], "l=2");
-
-    for (const struct option *o = table; o->type != OPTION_TEXT; o++) {
-        char text[64], again[64];
-        option_format(o, &values, text, sizeof text);
-        check_ok("round trip", option_parse(o, &values, text));
-        option_format(o, &values, again, sizeof again);
-        assert_string_equal(text, again);
-    }
-    static const char *const bad[] = {"count=11",    "count=",  "count=7x",   "scale=nan",
-                                      "colour=blue", "size=4x", "size=0x4",   "scale=1e99",
-                                      "flag=maybe",  "scale=%", "scale=300%", "scale=1%%"};
-    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        char name[16];
-        snprintf(name, sizeof name, "%.*s", (int)strcspn(bad[i], "="), bad[i]);
-        const struct option *option = option_find(table, name);
-        assert_non_null(option);
-        assert_false(option_parse(option, &values, bad[i] + strcspn(bad[i], "=") + 1));
-        printf("    %s\n", error_get());
-    }
-    check_ok("per cent", option_parse(option_find(table, "scale"), &values, "150%"));
-    assert_true(values.scale == 1.5F);
-}
-
-/* The help of options of each type, letter by letter, and what a value is refused with. */
-static void test_option_help(void **state) {
-    (void)state;
-    static const char *const names[] = {"red", "green", "blue", NULL};
-    static const struct option all[] = {
-        {"on", 'o', OPTION_FLAG, offsetof(struct values, flag), .default_value = 1, .help = "one"},
-        {"off", 0, OPTION_FLAG, offsetof(struct values, flag), .help = "two\nlines"},
-        {"count", 0, OPTION_INT, offsetof(struct values, count), 5, 1, 9, .help = "three"},
-        {"hue", 'h', OPTION_CHOICE, offsetof(struct values, choice), 1, .choices = names,
-         .help = "four"},
-        {"size", 0, OPTION_SIZE, offsetof(struct values, size), 8, 1, 64, .help = "five"},
-        {"file", 0, OPTION_TEXT, offsetof(struct values, text), .value_name = "F", .help = "six"},
-        {NULL},
-    };
-    static const char expected[] =
-        "  -o, --on                   one [on]\n"
-        "  --off                      two\n                             lines\n"
-        "  --count N                  three [5; 1 to 9]\n"
-        "  -h, --hue NAME             four [green; one of red, green, blue]\n"
-        "  --size WxH                 five [8x8]\n"
-        "  --file F                   six\n";
-    char *text = NULL;
-    size_t size;
-    struct values values;
-    FILE *out = open_memstream(&text, &size);
-    options_print_help(out, all, "--");
-    fclose(out);
-    printf("%s", text);
-    assert_string_equal(text, expected);
-    free(text);
-    options_set_defaults(all, &values);
-    assert_false(option_parse(&all[3], &values, "grey"));
-    assert_non_null(strstr(error_get(), "one of red, green, blue"));
-    assert_false(option_parse(&all[2], &values, "10"));
-    assert_non_null(strstr(error_get(), "a whole number from 1 to 9"));
-}
-
 static void test_text(void **state) {
     (void)state;
     struct text text = {0};
@@ -337,71 +239,6 @@ static void test_whole_files(void **state) {
     expect_no_file("/", "cannot read /: not a file");
 }
 
-/* --- settings ----------------------------------------------------------------------------------
- */
-
-struct maker {
-    int count;
-    float width;
-};
-
-struct painter {
-    float width;
-    bool bright;
-};
-
-static const struct option maker_table[] = {
-    {"count", 0, OPTION_INT, offsetof(struct maker, count), 7, 1, 10, .help = ""},
-    {"width", 0, OPTION_FLOAT, offsetof(struct maker, width), .5, 0, 1, .help = ""},
-    {NULL},
-};
-
-static const struct option painter_table[] = {
-    {"width", 0, OPTION_FLOAT, offsetof(struct painter, width), 2, 0, 9, .help = ""},
-    {"bright", 0, OPTION_FLAG, offsetof(struct painter, bright), 0, .help = ""},
-    {NULL},
-};
-
-static const struct settings_part maker_part = {"maker", "", maker_table, sizeof(struct maker)},
-                                  painter_part = {"painter", "", painter_table,
-                                                  sizeof(struct painter)};
-
-static void test_settings(void **state) {
-    (void)state;
-    struct settings settings = {0}, before;
-    settings_add(&settings, &maker_part);
-    settings_add(&settings, &painter_part);
-    settings_add(&settings, &maker_part); /* once is enough */
-    before = settings;
-    int count = 0;
-    for (struct setting setting = {0}; settings_next(&settings, &setting);)
-        count++;
-    assert_int_equal(count, 4);
-    check_ok("assign", settings_assign(&settings, "count=3, painter.width=4 maker-width=.25"));
-    const struct maker *maker = settings_of(&settings, &maker_part);
-    const struct painter *painter = settings_of(&settings, &painter_part);
-    assert_true(maker->count == 3 && maker->width == .25F);
-    assert_true(painter->width == 4 && !painter->bright);
-    assert_true(settings_number(&settings, "painter.width") == 4);
-    assert_false(settings_same(&settings, &before, &painter_part));
-    settings_copy(&settings, &before, &painter_part);
-    assert_true(settings_same(&settings, &before, &painter_part));
-    assert_false(settings_same(&settings, &before, &maker_part));
-
-    static const char *const bad[][2] = {
-        {"width=1", "'width' may be maker.width and painter.width"},
-        {"height=1", "no setting is called 'height'"},
-        {"maker.bright=on", "no setting is called 'maker.bright'"},
-        {"count", "'count' is not key=value"},
-        {"painter.width=10", "width: '10' is not a number"},
-        {"count=3, width=1", "'width' may be"}};
-    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        assert_false(settings_assign(&settings, bad[i][0]));
-        printf("    %s\n", error_get());
-        assert_non_null(strstr(error_get(), bad[i][1]));
-    }
-}
-
 static void test_words_and_names(void **state) {
     (void)state;
     struct names names = {0};
@@ -420,35 +257,54 @@ static void test_words_and_names(void **state) {
     assert_int_equal(strlen(names.text), sizeof names.text - 1);
 }
 
-/* Texts, lists and sizes as an option's value: told, compared, and too many of them. */
-static void test_option_values(void **state) {
+/* What is asked for without a size is a place all the same. */
+static void test_no_memory(void **state) {
     (void)state;
-    struct values a, b;
-    char text[64];
-    const struct option *name = option_find(table, "text"), *size = option_find(table, "size"),
-                        *list = option_find(table, "set");
-    options_set_defaults(table, &a);
-    b = a;
-    option_format(name, &a, text, sizeof text);
-    assert_string_equal(text, "");
-    assert_true(option_equal(name, &a, &b) && option_equal(size, &a, &b));
-    check_ok("text", option_parse(name, &a, "one"));
-    assert_false(option_equal(name, &a, &b));
-    check_ok("text", option_parse(name, &b, (char[]){"one"}));
-    option_format(name, &b, text, sizeof text);
-    assert_string_equal(text, "one");
-    assert_true(option_equal(name, &a, &b));
-    check_ok("size", option_parse(size, &a, "4x5"));
-    assert_false(option_equal(size, &a, &b));
-    for (int i = 0; i < TEXT_LIST_MAX; i++)
-        check_ok("list", option_parse(list, &a, "x"));
-    assert_false(option_parse(list, &a, "x"));
+    char *a = mem_alloc(0, 4), *b = mem_alloc(4, 0), *c = mem_resize(NULL, 0, 1);
+    assert_true(a && b && c && *a == 0 && *b == 0);
+    c = mem_resize(c, 1, 0);
+    assert_non_null(c);
+    assert_false(mem_limit(1));
     printf("    %s\n", error_get());
-    option_format(list, &a, text, sizeof text);
-    assert_int_equal(atoi(text), TEXT_LIST_MAX);
-    assert_true(option_number(option_find(table, "count"), &a) == 5);
-    assert_true(option_number(option_find(table, "flag"), &a) == 0);
-    assert_true(option_number(option_find(table, "scale"), &a) == 1.5);
+    assert_non_null(strstr(error_get(), "are in use already"));
+    assert_true(mem_resident() > 0 && mem_most_resident() >= mem_resident());
+    free(a);
+    free(b);
+    free(c);
+}
+
+/* Files that are not read: 4 GiB of nothing, a folder, none. */
+static void test_unread_files(void **state) {
+    (void)state;
+    struct file_bytes bytes;
+    const char *path = scratch("sparse");
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    assert_int_equal(ftruncate(fileno(file), (off_t)1 << 32), 0);
+    fclose(file);
+    assert_false(file_read(&bytes, path));
+    printf("    %s\n", error_get());
+    assert_non_null(strstr(error_get(), "4 GiB or more"));
+    remove(path);
+    assert_false(file_read(&bytes, path) || file_read(&bytes, scratch(".")));
+    assert_null(file_read_text(path));
+}
+
+/* A picture of grey alone is its beauty; one without colours has no layer at all. */
+static void test_grey(void **state) {
+    (void)state;
+    struct image image;
+    int channels[3];
+    image_init(&image, 1, 1, "Y");
+    check_ok("grey", image_find_layer(&image, "beauty", channels));
+    assert_true(channels[0] == 0 && channels[1] == 0 && channels[2] == 0);
+    image_free(&image);
+    image_init(&image, 1, 1, "Z");
+    assert_false(image_find_layer(&image, "", channels));
+    assert_string_equal(error_get(), "no layer 'beauty' (there is: none)");
+    image_free(&image);
+    assert_true(image_name_holds_layers("a.exr"));
+    assert_false(image_name_holds_layers("a.png") || image_name_holds_layers("a"));
 }
 
 /* What is written while `write` runs goes to a file; its text. */
@@ -552,6 +408,10 @@ static void test_folders(void **state) {
     folder = folder_of_user("MANYLIGHT_TEST", ".b");
     assert_string_equal(folder, "/home/one/.b/manylight");
     free(folder);
+    setenv("MANYLIGHT_TEST", "", 1); /* as good as none */
+    setenv("HOME", "", 1);
+    assert_null(folder_of_user("MANYLIGHT_TEST", ".b"));
+    unsetenv("MANYLIGHT_TEST");
     unsetenv("HOME");
     assert_null(folder_of_user("MANYLIGHT_TEST", ".b"));
     printf("    %s\n", error_get());
@@ -577,17 +437,16 @@ static void test_folders(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_option_values),   cmocka_unit_test(test_log),
-        cmocka_unit_test(test_progress),        cmocka_unit_test(test_json),
-        cmocka_unit_test(test_folders),         cmocka_unit_test(test_error_prefix),
-        cmocka_unit_test(test_halton),          cmocka_unit_test(test_added_channels),
-        cmocka_unit_test(test_parallel_for),    cmocka_unit_test(test_layers),
-        cmocka_unit_test(test_exr_round_trip),  cmocka_unit_test(test_png_round_trip),
-        cmocka_unit_test(test_file_refusals),   cmocka_unit_test(test_options),
-        cmocka_unit_test(test_option_help),     cmocka_unit_test(test_foreign_names),
-        cmocka_unit_test(test_long_layers),     cmocka_unit_test(test_text),
-        cmocka_unit_test(test_whole_files),     cmocka_unit_test(test_settings),
-        cmocka_unit_test(test_words_and_names),
+        cmocka_unit_test(test_no_memory),      cmocka_unit_test(test_unread_files),
+        cmocka_unit_test(test_grey),           cmocka_unit_test(test_log),
+        cmocka_unit_test(test_progress),       cmocka_unit_test(test_json),
+        cmocka_unit_test(test_folders),        cmocka_unit_test(test_error_prefix),
+        cmocka_unit_test(test_halton),         cmocka_unit_test(test_added_channels),
+        cmocka_unit_test(test_parallel_for),   cmocka_unit_test(test_layers),
+        cmocka_unit_test(test_exr_round_trip), cmocka_unit_test(test_png_round_trip),
+        cmocka_unit_test(test_file_refusals),  cmocka_unit_test(test_foreign_names),
+        cmocka_unit_test(test_long_layers),    cmocka_unit_test(test_text),
+        cmocka_unit_test(test_whole_files),    cmocka_unit_test(test_words_and_names),
     };
     return cmocka_run_group_tests_name("base", tests, NULL, NULL);
 }

@@ -3,6 +3,8 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "scene/gltf/accessor.h"
+#include "scene/gltf/unpack.h"
 
 #include <meshoptimizer.h>
 
@@ -94,6 +96,74 @@ static void test_bad_meshopt(void **state) {
     check_refused(load_quad(&scene, &quad, 4), "3000 bytes at 256 are outside buffer 0 of 320");
 }
 
+/* What the library's own filter makes of the same bytes. */
+static void check_filter(const char *what, enum packed_filter filter, size_t stride,
+                         void (*decode)(void *, size_t, size_t)) {
+    enum { COUNT = 8 };
+    unsigned char plain[COUNT * 16], packed[512], got[COUNT * 16];
+    for (size_t i = 0; i < sizeof plain; i++)
+        plain[i] = (unsigned char)(i * 29 % 127);
+    size_t size = meshopt_encodeVertexBuffer(packed, sizeof packed, plain, COUNT, stride);
+    const struct packed_view view = {
+        .bytes = packed, .size = size, .count = COUNT, .stride = stride, .filter = filter};
+    check_ok(what, unpack_meshopt(&view, got));
+    if (decode)
+        decode(plain, COUNT, stride);
+    assert_memory_equal(got, plain, COUNT * stride);
+}
+
+static void test_filters(void **state) {
+    (void)state;
+    check_filter("as they are", FILTER_NONE, 12, NULL);
+    check_filter("octahedral, bytes", FILTER_OCTAHEDRAL, 4, meshopt_decodeFilterOct);
+    check_filter("octahedral, words", FILTER_OCTAHEDRAL, 8, meshopt_decodeFilterOct);
+    check_filter("quaternions", FILTER_QUATERNION, 8, meshopt_decodeFilterQuat);
+    check_filter("exponents", FILTER_EXPONENTIAL, 12, meshopt_decodeFilterExp);
+}
+
+/* A list of indices that are no triangles, of two bytes and of four. */
+static void test_sequence(void **state) {
+    (void)state;
+    static const unsigned expected[] = {3, 1, 4, 1, 5};
+    unsigned char packed[64];
+    uint16_t shorts[5];
+    uint32_t words[5];
+    meshopt_encodeIndexVersion(1);
+    size_t size = meshopt_encodeIndexSequence(packed, sizeof packed, expected, 5);
+    struct packed_view view = {
+        .bytes = packed, .size = size, .count = 5, .stride = 2, .mode = PACKED_INDICES};
+    check_ok("of two bytes", unpack_meshopt(&view, (unsigned char *)shorts));
+    view.stride = 4;
+    check_ok("of four", unpack_meshopt(&view, (unsigned char *)words));
+    for (int i = 0; i < 5; i++)
+        assert_true(shorts[i] == expected[i] && words[i] == expected[i]);
+}
+
+/* Sizes that a mode or a filter does not have are refused before anything is unpacked. */
+static void test_sizes(void **state) {
+    (void)state;
+    static const struct {
+        struct packed_view view;
+        const char *message;
+    } bad[] = {
+        {{.count = 1, .stride = 0}, "elements of 0 bytes"},
+        {{.count = 1, .stride = 6}, "elements of 6 bytes"},
+        {{.count = 1, .stride = 260}, "elements of 260 bytes"},
+        {{.count = 3, .stride = 3, .mode = PACKED_TRIANGLES}, "elements of 3 bytes"},
+        {{.count = 4, .stride = 2, .mode = PACKED_TRIANGLES}, "4 indices make no whole triangles"},
+        {{.count = 3, .stride = 8, .mode = PACKED_INDICES}, "elements of 8 bytes"},
+        {{.count = 1, .stride = 12, .filter = FILTER_OCTAHEDRAL}, "elements of 12 bytes"},
+        {{.count = 1, .stride = 4, .filter = FILTER_QUATERNION}, "elements of 4 bytes"},
+        {{.count = 3, .stride = 4, .mode = PACKED_INDICES, .filter = FILTER_EXPONENTIAL},
+         "a filter of indices"},
+        {{.count = 3, .stride = 4, .mode = PACKED_TRIANGLES, .filter = FILTER_OCTAHEDRAL},
+         "a filter of indices"},
+    };
+    unsigned char to[1024];
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        check_refused(unpack_meshopt(&bad[i].view, to), bad[i].message);
+}
+
 /* Room for what a file says it unpacks to counts against what the scene may take. */
 static void test_endless(void **state) {
     (void)state;
@@ -167,6 +237,112 @@ static void test_draco(void **state) {
     check_draco("sequential", sequential, sizeof sequential);
 }
 
+#define CHECK_POINTS(type, name)                                                                   \
+    do {                                                                                           \
+        type numbers[12];                                                                          \
+        check_ok("points as " #type, packed_mesh_attribute(mesh, 0, name, 3, numbers));            \
+        double sum = 0;                                                                            \
+        for (int i = 0; i < 12; i++)                                                               \
+            sum += (double)numbers[i];                                                             \
+        check_near("sum of the corners", sum, 10, 2.1); /* whole numbers cut what is 2.9999 */     \
+    } while (0)
+
+/* Points and triangles as each type of a glTF file. */
+static void test_draco_types(void **state) {
+    (void)state;
+    struct packed_mesh *mesh = unpack_draco(edgebreaker, sizeof edgebreaker, 2);
+    assert_non_null(mesh);
+    CHECK_POINTS(int8_t, COMPONENT_BYTE);
+    CHECK_POINTS(uint8_t, COMPONENT_UBYTE);
+    CHECK_POINTS(int16_t, COMPONENT_SHORT);
+    CHECK_POINTS(uint16_t, COMPONENT_USHORT);
+    CHECK_POINTS(uint32_t, COMPONENT_UINT);
+    CHECK_POINTS(float, COMPONENT_FLOAT);
+    uint8_t bytes[6];
+    uint16_t shorts[6];
+    uint32_t words[6];
+    check_ok("bytes", packed_mesh_indices(mesh, COMPONENT_UBYTE, bytes));
+    check_ok("shorts", packed_mesh_indices(mesh, COMPONENT_USHORT, shorts));
+    check_ok("words", packed_mesh_indices(mesh, COMPONENT_UINT, words));
+    for (int i = 0; i < 6; i++)
+        assert_true(bytes[i] < 4 && bytes[i] == shorts[i] && bytes[i] == words[i]);
+    check_refused(packed_mesh_indices(mesh, COMPONENT_FLOAT, words), "4 points, which its");
+    check_refused(packed_mesh_attribute(mesh, 5, COMPONENT_FLOAT, 3, words), "no attribute 5");
+    check_refused(packed_mesh_attribute(mesh, -1, COMPONENT_FLOAT, 3, words), "no attribute -1");
+    packed_mesh_free(mesh);
+}
+
+/* What the bytes before the mesh say. */
+static void test_draco_header(void **state) {
+    (void)state;
+    unsigned char bytes[sizeof edgebreaker];
+    static const struct {
+        int at;
+        unsigned char byte;
+        const char *message;
+    } bad[] = {{0, 'd', "it is no mesh"},  {5, 1, "it is no mesh"}, {6, 1, "it is no mesh"},
+               {7, 0, "it is no mesh"},    {10, 0x80, "metadata"},  {12, 0xff, "triangles"},
+               {13, 3, "3 triangles of 4"}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        memcpy(bytes, edgebreaker, sizeof bytes);
+        bytes[bad[i].at] = bad[i].byte;
+        check_refused(unpack_draco(bytes, sizeof bytes, 2) != NULL, bad[i].message);
+    }
+    memset(bytes + 12, 0xff, 12);
+    check_refused(unpack_draco(bytes, 24, 2) != NULL, "it is truncated");
+    check_refused(unpack_draco(bytes, 12, 2) != NULL, "it is truncated");
+    check_refused(unpack_draco(bytes, 11, 2) != NULL, "it is no mesh");
+}
+
+static bool load_draco_with(struct scene *scene, const char *accessors, const char *primitive) {
+    char views[128];
+    snprintf(views, sizeof views, "[{\"buffer\": 0, \"byteOffset\": 64, \"byteLength\": %zu}]",
+             sizeof edgebreaker);
+    return load_parts(
+        scene, "draco.glb",
+        &(struct gltf_parts){.views = views,
+                             .accessors = accessors,
+                             .meshes = primitive,
+                             .more = "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"],",
+                             .extra = edgebreaker,
+                             .extra_size = sizeof edgebreaker});
+}
+
+#define DRACO(names)                                                                               \
+    "\"extensions\": {\"KHR_draco_mesh_compression\": {\"bufferView\": 0, \"attributes\": {" names \
+    "}}}"
+#define CORNERS "{\"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"}"
+
+/* What the file says besides does not go with the mesh. */
+static void test_draco_and_file(void **state) {
+    (void)state;
+    static const char accessors[] =
+        "[" CORNERS ", {\"componentType\": 5121, \"count\": 6, \"type\": \"SCALAR\"}]";
+    static const char fewer[] = "[{\"componentType\": 5126, \"count\": 3, \"type\": \"VEC3\"},"
+                                " {\"componentType\": 5121, \"count\": 6, \"type\": \"SCALAR\"}]";
+    struct scene scene;
+    check_refused(load_draco_with(&scene, accessors,
+                                  "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, " DRACO(
+                                      "\"POSITION\": 0") "}]}]"),
+                  "it has no triangles with indices");
+    check_refused(
+        load_draco_with(&scene, fewer,
+                        "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\":"
+                        " 1, " DRACO("\"POSITION\": 0") "}]}]"),
+        "POSITION: accessor 0: 3 elements, not 4");
+    check_refused(
+        load_draco_with(&scene, accessors,
+                        "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\":"
+                        " 1, " DRACO("\"POSITION\": 7") "}]}]"),
+        "POSITION: there is no attribute 7");
+    /* A name that the primitive does not have is nobody's. */
+    check_ok("another name",
+             load_draco_with(&scene, accessors,
+                             "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\":"
+                             " 1, " DRACO("\"POSITION\": 0, \"NORMAL\": 0") "}]}]"));
+    scene_free(&scene);
+}
+
 static void test_bad_draco(void **state) {
     (void)state;
     struct scene scene;
@@ -196,9 +372,12 @@ static void test_bad_draco(void **state) {
 int main(void) {
     log_set_level(LOG_QUIET);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_meshopt),   cmocka_unit_test(test_bad_meshopt),
-        cmocka_unit_test(test_endless),   cmocka_unit_test(test_draco),
-        cmocka_unit_test(test_bad_draco),
+        cmocka_unit_test(test_meshopt),        cmocka_unit_test(test_bad_meshopt),
+        cmocka_unit_test(test_endless),        cmocka_unit_test(test_draco),
+        cmocka_unit_test(test_bad_draco),      cmocka_unit_test(test_filters),
+        cmocka_unit_test(test_sequence),       cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_draco_types),    cmocka_unit_test(test_draco_header),
+        cmocka_unit_test(test_draco_and_file),
     };
     return cmocka_run_group_tests_name("packed", tests, NULL, NULL);
 }

@@ -10,6 +10,7 @@
 #include "scene/open.h"
 #include "scene/room.h"
 #include "scene/stand_in.h"
+#include "scene/view.h"
 #include "scene/mesh/geometry.h"
 #include "scene/emitter.h"
 
@@ -322,6 +323,47 @@ static void test_far_out(void **state) {
     unload(&scene, &geometry);
 }
 
+/* And so is what moves there: the values of a clip, but not a cubic's tangents. */
+static void test_far_clip(void **state) {
+    (void)state;
+    static const char *const kinds[] = {"LINEAR", "CUBICSPLINE"};
+    static const float keys[2][20] = {
+        {0, 1, 100000, 0, 0, 100001, 0, 0},
+        {0, 1, 0, 0, 0, 100000, 0, 0, 1, 0, 0, 1, 0, 0, 100001, 0, 0, 0, 0, 0},
+    };
+    for (int i = 0; i < 2; i++) {
+        struct scene scene;
+        struct geometry geometry;
+        char accessors[700], more[400];
+        snprintf(accessors, sizeof accessors,
+                 "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
+                 " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"
+                 " \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64, "
+                 "\"componentType\": 5126,"
+                 " \"count\": 2, \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 72,"
+                 " \"componentType\": 5126, \"count\": %d, \"type\": \"VEC3\"}]",
+                 i ? 6 : 2);
+        snprintf(more, sizeof more,
+                 "\"animations\": [{\"samplers\": [{\"input\": 2, \"output\": 3, \"interpolation\":"
+                 " \"%s\"}], \"channels\": [{\"sampler\": 0, \"target\": {\"node\": 0, \"path\":"
+                 " \"translation\"}}]}],",
+                 kinds[i]);
+        load(&scene, &geometry,
+             &(struct gltf_parts){.accessors = accessors,
+                                  .more = more,
+                                  .extra = keys[i],
+                                  .extra_size = sizeof keys[i]});
+        check_near("origin", scene.origin[0], 100000, 2);
+        const float *values = scene.clips[0].channels[0].values;
+        float first = values[i ? 3 : 0], last = values[i ? 12 : 3];
+        check_near("from the first key to the last", (double)(last - first), 1, 1e-6);
+        check_near("the first key", (double)first, 100000 - scene.origin[0], 1e-6);
+        if (i)
+            check_near("a tangent", (double)values[6], 1, 0);
+        unload(&scene, &geometry);
+    }
+}
+
 /* A box of 4 x 2 x 10 m about the origin; its faces look inwards, or outwards. */
 static void test_room(void **state) {
     (void)state;
@@ -434,6 +476,49 @@ static void test_shared_cornell_box(void **state) {
     scene_free(&scene);
 }
 
+/* --- cameras and views ------------------------------------------------------------------------ */
+
+/* Where a point is in the picture; and any difference of two cameras. */
+static void test_projection(void **state) {
+    (void)state;
+    struct scene scene;
+    struct geometry geometry;
+    struct camera camera, other;
+    struct view view;
+    float place[2];
+    load(&scene, &geometry, &(struct gltf_parts){.nodes = lit_nodes, .more = three_lights});
+    for (int n = 0; n < 2; n++) {
+        camera_place(&camera, &scene, n, 0);
+        float origin[3], direction[3], at[3];
+        camera_ray(&camera, .75F, .125F, 1.5F, origin, direction);
+        for (int c = 0; c < 3; c++)
+            at[c] = origin[c] + 5 * direction[c];
+        assert_true(camera_project(&camera, at, 1.5F, place));
+        check_near("x", (double)place[0], .75, 1e-5);
+        check_near("y", (double)place[1], .125, 1e-5);
+        glm_vec3_muladds(camera.forward, -9, at);
+        assert_false(camera_project(&camera, at, 1.5F, place)); /* behind it */
+        view_of_camera(&view, &camera, &geometry, 1.5F);
+        assert_int_equal(view.orthographic, n);
+        vec3 eye;
+        glm_vec3_copy(view.origin, eye);
+        view_shift(&view, (float[]){.5F, 0});
+        assert_int_equal(glm_vec3_distance(view.origin, eye) > 0, n); /* a perspective one leans */
+    }
+    float *const parts[] = {&other.fov_y, &other.y_extent, &other.eye[1],
+                            &other.up[0], &other.right[2], &other.forward[1]};
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        other = camera;
+        assert_true(cameras_same(&camera, &other));
+        *parts[i] += 1;
+        assert_false(cameras_same(&camera, &other));
+    }
+    other = camera;
+    other.orthographic = !camera.orthographic;
+    assert_false(cameras_same(&camera, &other));
+    unload(&scene, &geometry);
+}
+
 int main(void) {
     log_set_level(LOG_QUIET);
     const struct CMUnitTest tests[] = {
@@ -445,8 +530,10 @@ int main(void) {
         cmocka_unit_test(test_framing),
         cmocka_unit_test(test_brightness),
         cmocka_unit_test(test_far_out),
+        cmocka_unit_test(test_far_clip),
         cmocka_unit_test(test_room),
         cmocka_unit_test(test_stand_in),
+        cmocka_unit_test(test_projection),
         cmocka_unit_test(test_shared_scenes),
         cmocka_unit_test(test_shared_cornell_box),
     };

@@ -1,0 +1,565 @@
+/* Tiny glTF files of which one part is wrong, and what each is refused with. */
+#ifndef TEST_HOSTILE_PARTS_H
+#define TEST_HOSTILE_PARTS_H
+
+#include "gltf_parts.h"
+
+/* An accessor list whose positions or indices are replaced. */
+#define POSITIONS(fields) "[{" fields "}, {\"bufferView\": 0, \"byteOffset\": 48," INDEX_TYPE "}]"
+#define INDICES(fields) "[{\"bufferView\": 0," VECTORS "}, {" fields "}]"
+#define VECTORS "\"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\""
+#define INDEX_TYPE "\"componentType\": 5123, \"count\": 6, \"type\": \"SCALAR\""
+#define PRIMITIVE(fields) "[{\"name\": \"quad\", \"primitives\": [{" fields "}]}]"
+#define FOUR(type)                                                                                 \
+    "[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\": 48," INDEX_TYPE "},"    \
+    " {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": " type                            \
+    ", \"count\": 4, \"type\":"                                                                    \
+    " \"VEC4\"}, {\"bufferView\": 0, \"byteOffset\": 80, \"componentType\": 5126, \"count\": 4,"   \
+    " \"type\": \"VEC4\"}]"
+#define JOINTS(joints, weights)                                                                    \
+    "\"attributes\": {\"POSITION\": 0, \"JOINTS_0\": " joints ", \"WEIGHTS_0\": " weights          \
+    "}, \"indices\": 1"
+#define ANIMATION(target, input, output)                                                           \
+    "\"animations\": [{\"samplers\": [{\"input\": " input ", \"output\": " output                  \
+    "}], \"channels\": [{\"sampler\": 0, \"target\": {" target "}}]}],"
+#define BALLS(count, cell, period, low)                                                            \
+    "{\"count\": " count ", \"reach\": 0.5, \"cell\": " cell ", \"period\": " period               \
+    ", \"low\": " low ", \"high\": [4, 4, 4]}"
+#define NODE(fields) "[{\"name\": \"one\", \"mesh\": 0, " fields "}]"
+
+static const float nan_position[12] = {0, 0, 0, 0, 0x1p127F * 2, 0, 1, 1, 1, 2, 2, 2};
+static const float negative_weights[16] = {-1, 1, 0, 0};
+static const struct {
+    unsigned char joints[4][4];
+    float weights[4][4];
+} second_joint = {{{1}}, {{1}}};
+static const uint16_t wild_index[6] = {0, 1, 2, 0, 2, 17};
+
+static const struct {
+    const char *name, *message; /* what comes after "FILE: " */
+    struct gltf_parts parts;
+} hostile[] = {
+    {"no version", "asset: it has no 'version'", {.asset = "{}"}},
+    {"old version", "glTF version '1.0', not 2.0", {.asset = "{\"version\": \"1.0\"}"}},
+    {"future version",
+     "it needs glTF version '2.1'",
+     {.asset = "{\"version\": \"2.1\", \"minVersion\": \"2.1\"}"}},
+    {"required extension",
+     "it requires the extension 'KHR_unheard_of', which is not read",
+     {.more = "\"extensionsRequired\": [\"KHR_unheard_of\"],"}},
+    {"KTX2",
+     "texture 0: its picture is in the format of KHR_texture_basisu, which is not read",
+     {.materials = "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]",
+      .more = "\"images\": [{\"uri\": \"lion.ktx2\"}], \"textures\": [{\"extensions\":"
+              " {\"KHR_texture_basisu\": {\"source\": 0}}}],"}},
+
+    {"buffer of another type", "buffers: 7 is not an array", {.buffers = "7"}},
+    {"empty buffer", "buffer 0: byteLength is 0", {.buffers = "[{\"byteLength\": 0}]"}},
+    {"buffer larger than BIN",
+     "buffer 0: byteLength is 1000, but the BIN chunk has 320 bytes",
+     {.buffers = "[{\"byteLength\": 1000}]"}},
+    {"buffer without uri",
+     "buffer 1: it has no uri, and there is no BIN chunk for it",
+     {.buffers = "[{\"byteLength\": 320}, {\"byteLength\": 4}]"}},
+    {"negative size",
+     "buffer 0: byteLength: -4 is not a whole number from 0",
+     {.buffers = "[{\"byteLength\": -4}]"}},
+    {"missing buffer",
+     "buffer 0: cannot open build",
+     {.buffers = "[{\"byteLength\": 320, \"uri\": \"missing.bin\"}]"}},
+    {"parent folder",
+     "buffer 0: '../secret.bin' is not a path inside the file's folder",
+     {.buffers = "[{\"byteLength\": 320, \"uri\": \"../secret.bin\"}]"}},
+    {"encoded parent folder",
+     "buffer 0: 'x/../../secret.bin' is not a path inside",
+     {.buffers = "[{\"byteLength\": 320, \"uri\": \"x/%2E%2E/%2e./secret.bin\"}]"}},
+    {"backslashes",
+     "buffer 0: '..\\secret.bin' is not a path inside the file's folder",
+     {.buffers = "[{\"byteLength\": 320, \"uri\": \"..\\\\secret.bin\"}]"}},
+    {"absolute path",
+     "buffer 0: '/etc/passwd' is not a path inside the file's folder",
+     {.buffers = "[{\"byteLength\": 320, \"uri\": \"/etc/passwd\"}]"}},
+    {"URL",
+     "buffer 0: 'file:///etc/passwd' is not a path inside the file's folder",
+     {.buffers = "[{\"byteLength\": 320, \"uri\": \"file:///etc/passwd\"}]"}},
+    {"link out of the folder",
+     "buffer 0: 'link.bin' is a link out of the file's folder",
+     {.buffers = "[{\"byteLength\": 320, \"uri\": \"link.bin\"}]"}},
+    {"folder as a buffer",
+     "buffer 0: cannot read build",
+     {.buffers = "[{\"byteLength\": 320, \"uri\": \"folder\"}]"}},
+    {"data of another size",
+     "buffer 0: byteLength is 320, but its data URI has 3 bytes",
+     {.buffers =
+          "[{\"byteLength\": 320, \"uri\": \"data:application/octet-stream;base64,AAAA\"}]"}},
+    {"data not in base64",
+     "buffer 0: its data URI is not in base64",
+     {.buffers = "[{\"byteLength\": 3, \"uri\": \"data:text/plain,abc\"}]"}},
+    {"data with wrong digits",
+     "buffer 0: byteLength is 3, but its data URI has 0 bytes",
+     {.buffers = "[{\"byteLength\": 3, \"uri\": \"data:application/octet-stream;base64,A*AA\"}]"}},
+
+    {"view beyond its buffer",
+     "buffer view 0: 321 bytes at 0 are outside buffer 0 of 320 bytes",
+     {.views = "[{\"buffer\": 0, \"byteLength\": 321}]"}},
+    {"view offset near 2^64",
+     "buffer view 0: 320 bytes at 18446744073709551600 are outside",
+     {.views = "[{\"buffer\": 0, \"byteOffset\": 18446744073709551600, \"byteLength\": 320}]"}},
+    {"view offset beyond 2^64",
+     "buffer view 0: byteOffset: 1.8446744073709552e+22 is not a whole",
+     {.views = "[{\"buffer\": 0, \"byteOffset\": 18446744073709551616000, \"byteLength\": 320}]"}},
+    {"view of no buffer",
+     "buffer view 0: buffer: 1, but there are 1 buffers",
+     {.views = "[{\"buffer\": 1, \"byteLength\": 320}]"}},
+    {"view of buffer 2^32",
+     "buffer view 0: buffer: 4294967296, but there are 1 buffers",
+     {.views = "[{\"buffer\": 4294967296, \"byteLength\": 320}]"}},
+    {"stride",
+     "buffer view 0: byteStride: 6 is not a multiple of 4 from 4 to 252",
+     {.views = "[{\"buffer\": 0, \"byteLength\": 320, \"byteStride\": 6}]"}},
+    {"stride below the element",
+     "mesh 0 'quad': primitive 0: POSITION: accessor 0: a stride of 4 for elements of 12 bytes",
+     {.views = "[{\"buffer\": 0, \"byteLength\": 320, \"byteStride\": 4}]"}},
+
+    {"accessor beyond its view",
+     "mesh 0 'quad': primitive 0: POSITION: accessor 0: 27 elements of 12 bytes at 0 are outside"
+     " buffer view 0 of 320 bytes",
+     {.accessors = POSITIONS("\"bufferView\": 0, \"componentType\": 5126, \"count\": 27,"
+                             " \"type\": \"VEC3\"")}},
+    {"accessor offset near 2^64",
+     "primitive 0: POSITION: accessor 0: 4 elements of 12 bytes at 1844",
+     {.accessors = POSITIONS("\"bufferView\": 0, \"byteOffset\": 18446744073709551612," VECTORS)}},
+    {"count near 2^64",
+     "primitive 0: POSITION: accessor 0: 1844674407370955161 elements of 12 bytes",
+     {.accessors = POSITIONS("\"bufferView\": 0, \"componentType\": 5126, \"count\":"
+                             " 1844674407370955161, \"type\": \"VEC3\"")}},
+    {"count without bytes",
+     "primitive 0: POSITION: accessor 0: more than 128 million",
+     {.accessors = POSITIONS("\"componentType\": 5126, \"count\": 1844674407370955161, \"type\":"
+                             " \"VEC3\"")}},
+    {"count 0",
+     "mesh 0 'quad': primitive 0: POSITION: accessor 0: it has no elements",
+     {.accessors = POSITIONS(
+          "\"bufferView\": 0, \"componentType\": 5126, \"count\": 0, \"type\": \"VEC3\"")}},
+    {"component type",
+     "accessor 0: componentType: 5130 is none of 5120 5121",
+     {.accessors = POSITIONS(
+          "\"bufferView\": 0, \"componentType\": 5130, \"count\": 4, \"type\": \"VEC3\"")}},
+    {"element type",
+     "accessor 0: type: \"VEC5\" is none of SCALAR VEC2",
+     {.accessors = POSITIONS(
+          "\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC5\"")}},
+    {"positions in two dimensions",
+     "primitive 0: POSITION: accessor 0 has 2 numbers an element, not 3",
+     {.accessors = POSITIONS(
+          "\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC2\"")}},
+    {"matrices",
+     "primitive 0: POSITION: accessor 0: it holds matrices, and not",
+     {.accessors = POSITIONS(
+          "\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"MAT3\"")}},
+    {"sparse index",
+     "mesh 0 'quad': primitive 0: POSITION: sparse index 16256 is outside its 4 elements",
+     {.accessors = POSITIONS(
+          VECTORS ", \"sparse\": {\"count\": 1, \"indices\": {\"bufferView\": 0, \"byteOffset\":"
+                  " 14, \"componentType\": 5123}, \"values\": {\"bufferView\": 0}}")}},
+    {"sparse values",
+     "accessor 0: sparse: 4 elements of 12 bytes at 300 are outside",
+     {.accessors = POSITIONS(VECTORS ", \"sparse\": {\"count\": 4, \"indices\": {\"bufferView\": 0,"
+                                     " \"componentType\": 5121}, \"values\": {\"bufferView\": 0,"
+                                     " \"byteOffset\": 300}}")}},
+    {"sparse count",
+     "accessor 0: sparse: 5 elements replace 4",
+     {.accessors = POSITIONS(
+          VECTORS ", \"sparse\": {\"count\": 5, \"indices\": {\"bufferView\": 0, \"componentType\":"
+                  " 5121}, \"values\": {\"bufferView\": 0}}")}},
+    {"sparse without values",
+     "accessor 0: sparse: it has no 'values'",
+     {.accessors = POSITIONS(VECTORS ", \"sparse\": {\"count\": 1, \"indices\": {\"bufferView\": 0,"
+                                     " \"componentType\": 5121}}")}},
+
+    {"no such accessor",
+     "mesh 0 'quad': primitive 0: attributes: POSITION: 9, but there are 2",
+     {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 9}")}},
+    {"no position",
+     "mesh 0 'quad': primitive 0: it has no POSITION",
+     {.meshes = PRIMITIVE("\"attributes\": {\"NORMAL\": 0}")}},
+    {"no attributes",
+     "mesh 0 'quad': primitive 0: it has no 'attributes'",
+     {.meshes = PRIMITIVE("\"indices\": 1")}},
+    {"no such material",
+     "mesh 0 'quad': primitive 0: material: 1, but there are 1 materials",
+     {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0}, \"material\": 1")}},
+    {"no such mode",
+     "mesh 0 'quad': primitive 0: mode: 7 is none of 0 1 2 3 4 5 6",
+     {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0}, \"mode\": 7")}},
+    {"negative index",
+     "mesh 0 'quad': primitive 0: indices: -1, but there are 2 accessors",
+     {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0}, \"indices\": -1")}},
+    {"half a triangle",
+     "mesh 0 'quad': primitive 0: 4 indices make no whole triangles",
+     {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0}")}},
+    {"index out of range",
+     "mesh 0 'quad': primitive 0: index 17 is outside its 4 vertices",
+     {.accessors = INDICES("\"bufferView\": 0, \"byteOffset\": 64," INDEX_TYPE),
+      .extra = wild_index,
+      .extra_size = sizeof wild_index}},
+    {"indices of floats",
+     "primitive 0: indices: accessor 1 does not hold unsigned numbers",
+     {.accessors = INDICES("\"bufferView\": 0, \"componentType\": 5126, \"count\": 6, \"type\":"
+                           " \"SCALAR\"")}},
+    {"indices without a view",
+     "accessor[1] invalid bufferView",
+     {.accessors = INDICES(INDEX_TYPE)}},
+    {"position not finite",
+     "primitive 0: the position of vertex 1 is not finite",
+     {.accessors = POSITIONS("\"bufferView\": 0, \"byteOffset\": 64," VECTORS),
+      .extra = nan_position,
+      .extra_size = sizeof nan_position}},
+    {"normals too few",
+     "primitive 0: NORMAL: 3 elements, not 4",
+     {.accessors = "[{\"bufferView\": 0," VECTORS
+                   "}, {\"bufferView\": 0, \"componentType\": 5126, \"count\": 3, \"type\":"
+                   " \"VEC3\"}]",
+      .meshes = PRIMITIVE("\"mode\": 5, \"attributes\": {\"POSITION\": 0, \"NORMAL\": 1}")}},
+    {"no triangles", "there is no triangle", {.nodes = "[{}]"}},
+
+    {"node matrix of 15",
+     "node 0 'one': matrix: not an array of 16 numbers",
+     {.nodes = NODE("\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0]")}},
+    {"matrix with words",
+     "node 0 'one': matrix: not an array of 16 numbers",
+     {.nodes = NODE("\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,\"NaN\"]")}},
+    {"matrix too large",
+     "node 0 'one': matrix: 1e+300 is too large",
+     {.nodes = NODE("\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 1e300,0,0,1]")}},
+    {"infinite scale",
+     "number overflow parsing '1e999'",
+     {.nodes = NODE("\"scale\": [1e999,1,1]")}},
+    {"NaN", "syntax error while parsing value", {.nodes = NODE("\"scale\": [NaN,1,1]")}},
+    {"matrix not affine",
+     "node 0 'one': matrix: its last row is not 0 0 0 1",
+     {.nodes = NODE("\"matrix\": [1,0,0,1, 0,1,0,0, 0,0,1,0, 0,0,0,1]")}},
+    {"zero rotation",
+     "node 0 'one': rotation: a quaternion of length 0",
+     {.nodes = NODE("\"rotation\": [0,0,0,0]")}},
+    {"far away",
+     "mesh 0 'quad': a vertex lies 1e+30 m from the world's origin",
+     {.nodes = NODE("\"translation\": [1e30,0,0]")}},
+    {"its own child", "node 0 'one': it is its own ancestor", {.nodes = NODE("\"children\": [0]")}},
+    {"loop",
+     "node 1: it is its own ancestor",
+     {.nodes = "[{\"mesh\": 0}, {\"children\": [2]}, {\"children\": [1]}]"}},
+    {"two parents",
+     "node 2 'c': it has two parents, nodes 0 and 1",
+     {.nodes = "[{\"children\": [2]}, {\"children\": [2]}, {\"name\": \"c\", \"mesh\": 0}]"}},
+    {"child twice",
+     "node 1: it has two parents, nodes 0 and 0",
+     {.nodes = "[{\"children\": [1, 1]}, {\"mesh\": 0}]"}},
+    {"instances of two counts",
+     "node 0 'one': instances: ROTATION: 6 elements, not 4",
+     {.accessors =
+          "[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\": 48," INDEX_TYPE
+          "}, {\"bufferView\": 0, \"componentType\": 5126, \"count\": 6,"
+          " \"type\": \"VEC4\"}]",
+      .nodes = NODE("\"extensions\": {\"EXT_mesh_gpu_instancing\": {\"attributes\":"
+                    " {\"TRANSLATION\": 0, \"ROTATION\": 2}}}")}},
+    {"instances without number",
+     "of memory are wanted",
+     {.accessors =
+          "[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\": 48," INDEX_TYPE
+          "}, {\"componentType\": 5126, \"count\": 100000000,"
+          " \"type\": \"VEC3\"}]",
+      .nodes = NODE("\"extensions\": {\"EXT_mesh_gpu_instancing\": {\"attributes\":"
+                    " {\"TRANSLATION\": 2}}}")}},
+    {"no such place",
+     "node 0 'one': extensions: EXT_mesh_gpu_instancing: attributes: SCALE: 9, but there are 2",
+     {.nodes = NODE("\"extensions\": {\"EXT_mesh_gpu_instancing\": {\"attributes\":"
+                    " {\"SCALE\": 9}}}")}},
+    {"no such child",
+     "node 0 'one': children: 5, but there are 1 nodes",
+     {.nodes = NODE("\"children\": [5]")}},
+    {"no such mesh", "node 0: mesh: 1, but there are 1 meshes", {.nodes = "[{\"mesh\": 1}]"}},
+    {"no such camera",
+     "node 0 'one': camera: 0, but there are 0 cameras",
+     {.nodes = NODE("\"camera\": 0")}},
+    {"no such light",
+     "node 0 'one': extensions: KHR_lights_punctual: light: 0, but there are 0",
+     {.nodes = NODE("\"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}")}},
+    {"no such scene",
+     "scene: 2, but there are 1 scenes",
+     {.more = "\"scenes\": [{\"nodes\": [0]}], \"scene\": 2,"}},
+    {"no such root",
+     "scene 0: nodes: 1, but there are 1 nodes",
+     {.more = "\"scenes\": [{\"nodes\": [1]}],"}},
+    {"child as a root",
+     "scene 0: node 1 has a parent or is listed twice",
+     {.nodes = "[{\"children\": [1]}, {\"mesh\": 0}]", .more = "\"scenes\": [{\"nodes\": [1]}],"}},
+
+    {"light type",
+     "extensions: KHR_lights_punctual: light 0: type: \"laser\" is none of",
+     {.more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"laser\"}]}},"}},
+    {"negative light",
+     "light 0 'sun': intensity: it is negative or too large",
+     {.more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"name\": \"sun\","
+              " \"type\": \"directional\", \"intensity\": -1}]}},"}},
+    {"cone inside out",
+     "light 0: a cone from 0.5 to 0.25 radians",
+     {.more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\","
+              " \"spot\": {\"innerConeAngle\": 0.5, \"outerConeAngle\": 0.25}}]}},"}},
+    {"radius less than none",
+     "light 0 'bulb': extras: radius: it is no number from 0 to 5e+08",
+     {.more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"name\": \"bulb\","
+              " \"type\": \"point\", \"extras\": {\"radius\": -1}}]}},"}},
+    {"radius in words",
+     "light 0: extras: radius: it is no number from 0 to 5e+08",
+     {.more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\","
+              " \"spot\": {}, \"extras\": {\"radius\": \"wide\"}}]}},"}},
+    {"size with one side",
+     "light 0: extras: size: these are no two lengths",
+     {.more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\","
+              " \"spot\": {}, \"extras\": {\"size\": [1]}}]}},"}},
+    {"sun all around",
+     "light 0: extras: angle: it is no number from 0 to 3.14159",
+     {.more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\":"
+              " \"directional\", \"extras\": {\"angle\": 7}}]}},"}},
+    {"area light type",
+     "extensions: EXT_lights_area: area light 0: type: \"sphere\" is none of",
+     {.more = "\"extensions\": {\"EXT_lights_area\": {\"lights\": [{\"type\": \"sphere\"}]}},"}},
+    {"area light without area",
+     "area light 0 'panel': size: 0 by 0 m",
+     {.more = "\"extensions\": {\"EXT_lights_area\": {\"lights\": [{\"name\": \"panel\","
+              " \"type\": \"rect\", \"size\": 0}]}},"}},
+    {"negative area light",
+     "area light 0: intensity: it is negative or too large",
+     {.more = "\"extensions\": {\"EXT_lights_area\": {\"lights\": [{\"type\": \"disk\","
+              " \"intensity\": -5}]}},"}},
+    {"no such area light",
+     "node 0 'one': extensions: EXT_lights_area: light: 0, but there are 0",
+     {.nodes = NODE("\"extensions\": {\"EXT_lights_area\": {\"light\": 0}}")}},
+    {"field of view",
+     "camera 0: yfov: 3.5 radians",
+     {.more = "\"cameras\": [{\"type\": \"perspective\", \"perspective\": {\"yfov\": 3.5,"
+              " \"znear\": 1}}],"}},
+    {"camera without parameters",
+     "camera 0: it has no 'orthographic'",
+     {.more = "\"cameras\": [{\"type\": \"orthographic\"}],"}},
+
+    {"base colour of three",
+     "material 0: pbrMetallicRoughness: baseColorFactor: not an array of 4",
+     {.materials = "[{\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 1, 1]}}]"}},
+    {"more than metal",
+     "material 0: metallicFactor: 1.5 is not from 0 to 1",
+     {.materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 1.5}}]"}},
+    {"roughness that is no number",
+     "material 0: pbrMetallicRoughness: roughnessFactor: \"high\" is not a number",
+     {.materials = "[{\"pbrMetallicRoughness\": {\"roughnessFactor\": \"high\"}}]"}},
+    {"emission that takes light away",
+     "material 0 'hole': emissiveFactor: it is negative or too large",
+     {.materials = "[{\"name\": \"hole\", \"emissiveFactor\": [0, -1, 0]}]"}},
+    {"emission without bound",
+     "material 0: emissiveFactor: it is negative or too large",
+     {.materials = "[{\"emissiveFactor\": [1, 1, 1], \"extensions\":"
+                   " {\"KHR_materials_emissive_strength\": {\"emissiveStrength\": 1e39}}}]"}},
+    {"no such texture",
+     "baseColorTexture: index: 0, but there are 0 textures",
+     {.materials = "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]"}},
+    {"alpha mode",
+     "material 0 'leaf': alphaMode: \"HOLES\" is none of OPAQUE MASK BLEND",
+     {.materials = "[{\"name\": \"leaf\", \"alphaMode\": \"HOLES\"}]"}},
+    {"missing picture",
+     "material 0: image 0 'lion': cannot open build",
+     {.materials = "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]",
+      .more = "\"images\": [{\"uri\": \"lion.png\", \"name\": \"lion\"}], \"textures\":"
+              " [{\"source\": 0}],"}},
+    {"picture outside",
+     "material 0: image 0: '../lion.png' is not a path inside",
+     {.materials = "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]",
+      .more = "\"images\": [{\"uri\": \"../lion.png\"}], \"textures\": [{\"source\": 0}],"}},
+    {"picture of another kind",
+     "material 0: image 0: not a picture of a known format",
+     {.materials = "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]",
+      .more = "\"images\": [{\"bufferView\": 0, \"mimeType\": \"image/png\"}], \"textures\":"
+              " [{\"source\": 0}],"}},
+    {"picture of nowhere",
+     "image 0: bufferView: 8, but there are 1 bufferViews",
+     {.more = "\"images\": [{\"bufferView\": 8}],"}},
+    {"texture without picture",
+     "material 0: texture 0: it has no source",
+     {.materials = "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]",
+      .more = "\"textures\": [{}],"}},
+
+    {"node that is a number", "node 0: 7 is not an object", {.nodes = "[7]"}},
+    {"material that is a number",
+     "material 0: pbrMetallicRoughness: 7 is not an object",
+     {.materials = "[{\"pbrMetallicRoughness\": 7}]"}},
+    {"sides in words",
+     "material 0: doubleSided: \"both\" is neither true nor false",
+     {.materials = "[{\"doubleSided\": \"both\"}]"}},
+    {"alpha mode of the number 7",
+     "material 0: alphaMode: 7 is",
+     {.materials = "[{\"alphaMode\": 7}]"}},
+    {"long word",
+     "alphaMode: \"OPAQUEOPAQUEOPAQUEOPAQUEOPAQUEOPAQUEOPA... is none of",
+     {.materials = "[{\"alphaMode\": \"OPAQUEOPAQUEOPAQUEOPAQUEOPAQUEOPAQUEOPAQUEOPAQUE\"}]"}},
+    {"picture of a number",
+     "image 0: uri: 7 is not a string",
+     {.more = "\"images\": [{\"uri\": 7}],"}},
+    {"set of coordinates without end",
+     "texCoord: 4294967296 is not a whole number from 0 to 2^31 - 1",
+     {.materials = "[{\"normalTexture\": {\"index\": 0, \"texCoord\": 4294967296}}]",
+      .more = "\"images\": [{\"uri\": \"a.png\"}], \"textures\": [{\"source\": 0}],"}},
+    {"weights in words",
+     "mesh 0 'quad': weights: not an array of numbers",
+     {.meshes = "[{\"name\": \"quad\", \"weights\": [\"one\"], \"primitives\": [{\"attributes\":"
+                " {\"POSITION\": 0}, \"indices\": 1}]}]"}},
+    {"times in halves",
+     "animation 0: channel 0: input: accessor 1 does not hold floats",
+     {.more = ANIMATION("\"node\": 0, \"path\": \"translation\"", "1", "0")}},
+    {"times in space",
+     "animation 0: channel 0: input: accessor 0 has 3 numbers an element, not 1",
+     {.more = ANIMATION("\"node\": 0, \"path\": \"translation\"", "0", "0")}},
+    {"matrix that moves",
+     "channel 0: the node 'one' has a matrix, which cannot be animated",
+     {.nodes = NODE("\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"),
+      .more = ANIMATION("\"node\": 0, \"path\": \"scale\"", "0", "0")}},
+    {"weights for nothing",
+     "node 0 'one': 2 weights for 0 morph targets",
+     {.nodes = NODE("\"weights\": [0, 1]")}},
+    {"weights of a mesh for nothing",
+     "mesh 0 'quad': 1 weights for 0 morph targets",
+     {.meshes = "[{\"name\": \"quad\", \"weights\": [1], \"primitives\": [{\"attributes\":"
+                " {\"POSITION\": 0}, \"indices\": 1}]}]"}},
+    {"joints in fractions",
+     "primitive 0: JOINTS_0: accessor 2 does not hold unsigned numbers of 8 or 16 bits",
+     {.accessors = FOUR("5126"), .meshes = PRIMITIVE(JOINTS("2", "2"))}},
+    {"joints without weights",
+     "primitive 0: JOINTS_0 and WEIGHTS_0 go together",
+     {.accessors = FOUR("5121"),
+      .meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0, \"JOINTS_0\": 2}, \"indices\": 1")}},
+    {"weights of one dimension",
+     "primitive 0: WEIGHTS_0: accessor 1 has 1 numbers an element, not 4",
+     {.accessors = FOUR("5121"), .meshes = PRIMITIVE(JOINTS("2", "1"))}},
+    {"weights below none",
+     "primitive 0: WEIGHTS_0: a weight of vertex 0 is negative or not finite",
+     {.accessors = "[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\":"
+                   " 48," INDEX_TYPE "}, {\"bufferView\": 0, \"componentType\": 5121, \"count\": 4,"
+                   " \"type\": \"VEC4\"}, {\"bufferView\": 0, \"byteOffset\": 64,"
+                   " \"componentType\": 5126, \"count\": 4, \"type\": \"VEC4\"}]",
+      .meshes = PRIMITIVE(JOINTS("2", "3")),
+      .extra = negative_weights,
+      .extra_size = sizeof negative_weights}},
+    {"joint of another scene",
+     "node 'one': joint 0 of its skin is not in the scene",
+     {.nodes = "[{\"name\": \"one\", \"mesh\": 0, \"skin\": 0}, {}]",
+      .more = "\"skins\": [{\"joints\": [1]}], \"scenes\": [{\"nodes\": [0]}],"}},
+    {"fewer joints than it follows",
+     "node 'one': primitive 0 of its mesh follows joint 1, but its skin has 1",
+     {.accessors = FOUR("5121"),
+      .meshes = PRIMITIVE(JOINTS("2", "3")),
+      .nodes = NODE("\"skin\": 0"),
+      .more = "\"skins\": [{\"joints\": [0]}],",
+      .extra = &second_joint,
+      .extra_size = sizeof second_joint}},
+    {"matrices of a skin, too few",
+     "skin 0 'bones': inverseBindMatrices: 1 for 2 joints",
+     {.accessors = "[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\":"
+                   " 48," INDEX_TYPE "}, {\"bufferView\": 0, \"componentType\": 5126, \"count\": 1,"
+                   " \"type\": \"MAT4\"}]",
+      .more = "\"skins\": [{\"name\": \"bones\", \"joints\": [0, 0], \"inverseBindMatrices\":"
+              " 2}],"}},
+    {"matrices of a skin that are vectors",
+     "skin 0: inverseBindMatrices: accessor 0 has 3 numbers an element, not 16",
+     {.more = "\"skins\": [{\"joints\": [0], \"inverseBindMatrices\": 0}],"}},
+    {"targets of one primitive alone",
+     "primitive 1: 0 morph targets, but the first primitive has 1",
+     {.meshes = "[{\"name\": \"quad\", \"primitives\": [{\"attributes\": {\"POSITION\": 0},"
+                " \"indices\": 1, \"targets\": [{\"POSITION\": 0}]}, {\"attributes\":"
+                " {\"POSITION\": 0}, \"indices\": 1}]}]"}},
+    {"target not finite",
+     "primitive 0: morph target 0: POSITION: a displacement is not finite",
+     {.accessors = "[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\":"
+                   " 48," INDEX_TYPE "}, {\"bufferView\": 0, \"byteOffset\": 64," VECTORS "}]",
+      .meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0}, \"indices\": 1, \"targets\":"
+                          " [{\"POSITION\": 2}]"),
+      .extra = nan_position,
+      .extra_size = sizeof nan_position}},
+    {"target of indices",
+     "primitive 0: morph target 0: NORMAL: accessor 1 has 1 numbers an element, not 3",
+     {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0}, \"indices\": 1, \"targets\":"
+                          " [{\"NORMAL\": 1}]")}},
+    {"targets that are none",
+     "mesh 0 'quad': primitive 0: targets: 7 is not an array",
+     {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0}, \"targets\": 7")}},
+    {"no such target",
+     "mesh 0 'quad': primitive 0: targets: POSITION: 9, but there are 2",
+     {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0}, \"targets\": [{\"POSITION\": 9}]")}},
+    {"children that are none",
+     "node 0 'one': children: 7 is not an array",
+     {.nodes = NODE("\"children\": 7")}},
+    {"attributes that are none",
+     "primitive 0: attributes: 7 is not an object",
+     {.meshes = PRIMITIVE("\"attributes\": 7")}},
+    {"indices of three numbers",
+     "primitive 0: indices: accessor 0 does not hold unsigned numbers",
+     {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0}, \"indices\": 0")}},
+    {"indices that are shares",
+     "primitive 0: indices: accessor 1 does not hold unsigned numbers",
+     {.accessors = INDICES("\"bufferView\": 0, \"normalized\": true," INDEX_TYPE)}},
+    {"indices beyond their view",
+     "primitive 0: indices: accessor 1: 6 elements of 2 bytes at 318 are outside",
+     {.accessors = INDICES("\"bufferView\": 0, \"byteOffset\": 318," INDEX_TYPE)}},
+    {"sparse index of indices",
+     "primitive 0: indices: sparse index 16256 is outside its 6 elements",
+     {.accessors = INDICES("\"bufferView\": 0, \"byteOffset\": 48," INDEX_TYPE
+                           ", \"sparse\": {\"count\": 1, \"indices\": {\"bufferView\": 0,"
+                           " \"byteOffset\": 14, \"componentType\": 5123}, \"values\":"
+                           " {\"bufferView\": 0}}")}},
+    {"turn without direction",
+     "node 0 'one': instance 0: ROTATION: a quaternion of length 0",
+     {.accessors = FOUR("5126"),
+      .nodes = NODE("\"extensions\": {\"EXT_mesh_gpu_instancing\": {\"attributes\":"
+                    " {\"ROTATION\": 2}}}")}},
+    {"size without a side",
+     "light 0: extras: size: these are no two lengths",
+     {.more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\","
+              " \"spot\": {}, \"extras\": {\"size\": [1, 0]}}]}},"}},
+    {"size in words",
+     "light 0: extras: size: these are no two lengths",
+     {.more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\","
+              " \"spot\": {}, \"extras\": {\"size\": [1, \"wide\"]}}]}},"}},
+    {"light of a colour below none",
+     "light 0: intensity: it is negative or too large",
+     {.more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"point\","
+              " \"color\": [1, 1, -1]}]}},"}},
+    {"slower than light",
+     "material 0: KHR_materials_ior: ior: 0.5 is neither 0 nor from 1 on",
+     {.materials = "[{\"extensions\": {\"KHR_materials_ior\": {\"ior\": 0.5}}}]"}},
+    {"shine below none",
+     "material 0: KHR_materials_specular: specularColorFactor: -1 is negative",
+     {.materials = "[{\"extensions\": {\"KHR_materials_specular\": {\"specularColorFactor\":"
+                   " [1, -1, 1]}}}]"}},
+    {"more shine than there is",
+     "material 0: KHR_materials_specular: specularFactor: 2 is not from 0 to 1",
+     {.materials = "[{\"extensions\": {\"KHR_materials_specular\": {\"specularFactor\": 2}}}]"}},
+    {"metaballs that are none",
+     "node 0 'one': extras: these are no metaballs",
+     {.nodes = NODE("\"extras\": {\"metaballs\": " BALLS("-1", "1", "10", "[-4, -4, -4]") "}")}},
+    {"metaballs without end",
+     "node 0 'one': extras: these are no metaballs",
+     {.nodes = NODE("\"extras\": {\"metaballs\": " BALLS("3", "1e-9", "10", "[-4, -4, -4]") "}")}},
+    {"metaballs without a period",
+     "node 0 'one': extras: these are no metaballs",
+     {.nodes = NODE("\"extras\": {\"metaballs\": " BALLS("3", "1", "0", "[-4, -4, -4]") "}")}},
+    {"metaballs in words",
+     "node 0 'one': extras: these are no metaballs",
+     {.nodes =
+          NODE("\"extras\": {\"metaballs\": " BALLS("3", "\"one\"", "10", "[-4, -4, -4]") "}")}},
+    {"metaballs in two dimensions",
+     "node 0 'one': extras: these are no metaballs",
+     {.nodes = NODE("\"extras\": {\"metaballs\": " BALLS("3", "1", "10", "[-4, -4]") "}")}},
+    {"metaballs without room",
+     "node 0 'one': extras: these are no metaballs",
+     {.nodes = NODE("\"extras\": {\"metaballs\": " BALLS("3", "1", "10", "[3.9, -4, -4]") "}")}},
+};
+
+#endif

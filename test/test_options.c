@@ -1,0 +1,285 @@
+/* Options and settings as texts: told, read, refused, listed. */
+#define _POSIX_C_SOURCE 200809L
+#include "support.h"
+
+#include "base/error.h"
+#include "base/option.h"
+#include "base/settings.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct values {
+    bool flag;
+    int count, choice, size[2];
+    float scale;
+    const char *text;
+    struct text_list list;
+};
+
+static const char *const colours[] = {"red", "green", NULL};
+
+static const struct option table[] = {
+    {"flag", 'f', OPTION_FLAG, offsetof(struct values, flag), .help = "a flag"},
+    {"count", 0, OPTION_INT, offsetof(struct values, count), 5, 1, 10, .help = "a count"},
+    {"colour", 0, OPTION_CHOICE, offsetof(struct values, choice), 1, .choices = colours,
+     .help = ""},
+    {"size", 0, OPTION_SIZE, offsetof(struct values, size), 800, 1, 16384, .help = "size"},
+    {"scale", 0, OPTION_FLOAT, offsetof(struct values, scale), 1.5, 0, 2, .help = "scale"},
+    {"text", 't', OPTION_TEXT, offsetof(struct values, text), .help = "text"},
+    {"set", 0, OPTION_LIST, offsetof(struct values, list), .help = "list"},
+    {NULL},
+};
+
+static void test_options(void **state) {
+    (void)state;
+    struct values values;
+    options_set_defaults(table, &values);
+    assert_int_equal(values.count, 5);
+    assert_int_equal(values.size[1], 800);
+    char *argv[] = {"x",    "a",     "--count=7", "-f",    "--colour", "red", "--size", "4x5",
+                    "-thi", "--set", "k=1",       "--set", "l=2",      "--",  "-b"};
+    const char *positional[2];
+    int count;
+    check_ok("parse", options_parse_arguments(table, &values, 15, argv, positional, 2, &count));
+    assert_int_equal(count, 2);
+    assert_string_equal(positional[1], "-b");
+    assert_true(values.flag && values.count == 7 && values.choice == 0 && values.size[0] == 4);
+    assert_string_equal(values.text, "hi");
+    assert_string_equal(values.list.items[1], "l=2");
+
+    for (const struct option *o = table; o->type != OPTION_TEXT; o++) {
+        char text[64], again[64];
+        option_format(o, &values, text, sizeof text);
+        check_ok("round trip", option_parse(o, &values, text));
+        option_format(o, &values, again, sizeof again);
+        assert_string_equal(text, again);
+    }
+    static const char *const bad[] = {"count=11",    "count=",  "count=7x",   "scale=nan",
+                                      "colour=blue", "size=4x", "size=0x4",   "scale=1e99",
+                                      "flag=maybe",  "scale=%", "scale=300%", "scale=1%%"};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        char name[16];
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(bad[i], "="), bad[i]);
+        const struct option *option = option_find(table, name);
+        assert_non_null(option);
+        assert_false(option_parse(option, &values, bad[i] + strcspn(bad[i], "=") + 1));
+        printf("    %s\n", error_get());
+    }
+    check_ok("per cent", option_parse(option_find(table, "scale"), &values, "150%"));
+    assert_true(values.scale == 1.5F);
+}
+
+/* The help of options of each type, letter by letter, and what a value is refused with. */
+static void test_option_help(void **state) {
+    (void)state;
+    static const char *const names[] = {"red", "green", "blue", NULL};
+    static const struct option all[] = {
+        {"on", 'o', OPTION_FLAG, offsetof(struct values, flag), .default_value = 1, .help = "one"},
+        {"off", 0, OPTION_FLAG, offsetof(struct values, flag), .help = "two\nlines"},
+        {"count", 0, OPTION_INT, offsetof(struct values, count), 5, 1, 9, .help = "three"},
+        {"hue", 'h', OPTION_CHOICE, offsetof(struct values, choice), 1, .choices = names,
+         .help = "four"},
+        {"size", 0, OPTION_SIZE, offsetof(struct values, size), 8, 1, 64, .help = "five"},
+        {"file", 0, OPTION_TEXT, offsetof(struct values, text), .value_name = "F", .help = "six"},
+        {NULL},
+    };
+    static const char expected[] =
+        "  -o, --on                   one [on]\n"
+        "  --off                      two\n                             lines\n"
+        "  --count N                  three [5; 1 to 9]\n"
+        "  -h, --hue NAME             four [green; one of red, green, blue]\n"
+        "  --size WxH                 five [8x8]\n"
+        "  --file F                   six\n";
+    char *text = NULL;
+    size_t size;
+    struct values values;
+    FILE *out = open_memstream(&text, &size);
+    options_print_help(out, all, "--");
+    fclose(out);
+    printf("%s", text);
+    assert_string_equal(text, expected);
+    free(text);
+    options_set_defaults(all, &values);
+    assert_false(option_parse(&all[3], &values, "grey"));
+    assert_non_null(strstr(error_get(), "one of red, green, blue"));
+    assert_false(option_parse(&all[2], &values, "10"));
+    assert_non_null(strstr(error_get(), "a whole number from 1 to 9"));
+}
+
+/* Words of a command line that mean nothing, or lack something. */
+static void test_bad_arguments(void **state) {
+    (void)state;
+    static const struct {
+        const char *arguments[3], *message;
+    } bad[] = {
+        {{"-z"}, "unknown option '-z'"},
+        {{"--none=1"}, "unknown option '--none=1'"},
+        {{"--aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa"},
+         "unknown option '--aaaa"},
+        {{"--count"}, "--count needs a value"},
+        {{"a", "-", "c"}, "one argument too many: 'c'"},
+        {{"--size", "4y5"}, "size: '4y5' is not WIDTHxHEIGHT, each from 1 to 16384"},
+        {{"--size", "4x5x"}, "size: '4x5x' is not"},
+        {{"--size", "x5"}, "size: 'x5' is not"},
+        {{"--scale", "-1"}, "scale: '-1' is not a number from 0 to 2"},
+        {{"--scale", "1ms"}, "scale: '1ms' is not"},
+        {{"-f", "--flag=perhaps"}, "flag: 'perhaps' is not on or off"},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        struct values values;
+        char *argv[4] = {"x"};
+        const char *positional[2];
+        int argc = 1, count;
+        for (; argc < 4 && bad[i].arguments[argc - 1]; argc++)
+            argv[argc] = (char *)bad[i].arguments[argc - 1];
+        options_set_defaults(table, &values);
+        assert_false(options_parse_arguments(table, &values, argc, argv, positional, 2, &count));
+        printf("    %s\n", error_get());
+        assert_non_null(strstr(error_get(), bad[i].message));
+    }
+}
+
+/* A unit may stand behind a number; other letters may not. */
+static void test_units(void **state) {
+    (void)state;
+    static const struct option time = {"time",    0, OPTION_FLOAT, offsetof(struct values, scale),
+                                       1,         0, 1000,         .unit = "ms",
+                                       .help = ""};
+    struct values values = {0};
+    check_ok("16ms", option_parse(&time, &values, "16ms"));
+    assert_true(values.scale == 16);
+    check_ok("16", option_parse(&time, &values, "17"));
+    assert_true(values.scale == 17);
+    assert_false(option_parse(&time, &values, "16s"));
+    assert_false(option_parse(&time, &values, "ms"));
+    assert_true(values.scale == 17);
+}
+
+/* Texts, lists and sizes as an option's value: told, compared, and too many of them. */
+static void test_option_values(void **state) {
+    (void)state;
+    struct values a, b;
+    char text[64];
+    const struct option *name = option_find(table, "text"), *size = option_find(table, "size"),
+                        *list = option_find(table, "set");
+    options_set_defaults(table, &a);
+    b = a;
+    option_format(name, &a, text, sizeof text);
+    assert_string_equal(text, "");
+    assert_true(option_equal(name, &a, &b) && option_equal(size, &a, &b));
+    check_ok("text", option_parse(name, &a, "one"));
+    assert_false(option_equal(name, &a, &b));
+    check_ok("text", option_parse(name, &b, (char[]){"one"}));
+    option_format(name, &b, text, sizeof text);
+    assert_string_equal(text, "one");
+    assert_true(option_equal(name, &a, &b));
+    check_ok("size", option_parse(size, &a, "4x5"));
+    assert_false(option_equal(size, &a, &b));
+    for (int i = 0; i < TEXT_LIST_MAX; i++)
+        check_ok("list", option_parse(list, &a, "x"));
+    assert_false(option_parse(list, &a, "x"));
+    printf("    %s\n", error_get());
+    option_format(list, &a, text, sizeof text);
+    assert_int_equal(atoi(text), TEXT_LIST_MAX);
+    assert_true(option_number(option_find(table, "count"), &a) == 5);
+    assert_true(option_number(option_find(table, "flag"), &a) == 0);
+    assert_true(option_number(option_find(table, "scale"), &a) == 1.5);
+}
+
+/* --- settings ----------------------------------------------------------------------------------
+ */
+
+struct maker {
+    int count;
+    float width;
+};
+
+struct painter {
+    float width;
+    bool bright;
+};
+
+static const struct option maker_table[] = {
+    {"count", 0, OPTION_INT, offsetof(struct maker, count), 7, 1, 10, .help = ""},
+    {"width", 0, OPTION_FLOAT, offsetof(struct maker, width), .5, 0, 1, .help = ""},
+    {NULL},
+};
+
+static const struct option painter_table[] = {
+    {"width", 0, OPTION_FLOAT, offsetof(struct painter, width), 2, 0, 9, .help = ""},
+    {"bright", 0, OPTION_FLAG, offsetof(struct painter, bright), 0, .help = ""},
+    {NULL},
+};
+
+static const struct settings_part maker_part = {"maker", "", maker_table, sizeof(struct maker)},
+                                  painter_part = {"painter", "", painter_table,
+                                                  sizeof(struct painter)};
+
+static void test_settings(void **state) {
+    (void)state;
+    struct settings settings = {0}, before;
+    settings_add(&settings, &maker_part);
+    settings_add(&settings, &painter_part);
+    settings_add(&settings, &maker_part); /* once is enough */
+    before = settings;
+    int count = 0;
+    for (struct setting setting = {0}; settings_next(&settings, &setting);)
+        count++;
+    assert_int_equal(count, 4);
+    check_ok("assign", settings_assign(&settings, "count=3, painter.width=4 maker-width=.25"));
+    const struct maker *maker = settings_of(&settings, &maker_part);
+    const struct painter *painter = settings_of(&settings, &painter_part);
+    assert_true(maker->count == 3 && maker->width == .25F);
+    assert_true(painter->width == 4 && !painter->bright);
+    assert_true(settings_number(&settings, "painter.width") == 4);
+    assert_false(settings_same(&settings, &before, &painter_part));
+    settings_copy(&settings, &before, &painter_part);
+    assert_true(settings_same(&settings, &before, &painter_part));
+    assert_false(settings_same(&settings, &before, &maker_part));
+
+    static const char *const bad[][2] = {
+        {"width=1", "'width' may be maker.width and painter.width"},
+        {"height=1", "no setting is called 'height'"},
+        {"maker.bright=on", "no setting is called 'maker.bright'"},
+        {"count", "'count' is not key=value"},
+        {"painter.width=10", "width: '10' is not a number"},
+        {"count=3, width=1", "'width' may be"}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        assert_false(settings_assign(&settings, bad[i][0]));
+        printf("    %s\n", error_get());
+        assert_non_null(strstr(error_get(), bad[i][1]));
+    }
+}
+
+/* The help of a part, without what has no effect; and assignments that are too long. */
+static void test_settings_help(void **state) {
+    (void)state;
+    char *text = NULL, longer[400];
+    size_t size;
+    struct settings settings = {0};
+    FILE *out = open_memstream(&text, &size);
+    settings_add(&settings, &maker_part);
+    settings_print_help(out, &maker_part, NULL);
+    settings_print_help(out, &painter_part, "maker.width, painter.width");
+    fclose(out);
+    printf("%s", text);
+    assert_string_equal(text, "\n  :\n  maker.count                 [7; 1 to 10]\n"
+                              "  maker.width                 [0.5; 0 to 1]\n"
+                              "\n  :\n  painter.bright             \n");
+    free(text);
+    snprintf(longer, sizeof longer, "count=%0*d", 300, 3);
+    assert_false(settings_assign(&settings, longer));
+    assert_non_null(strstr(error_get(), "...' is too long"));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_options),       cmocka_unit_test(test_option_help),
+        cmocka_unit_test(test_bad_arguments), cmocka_unit_test(test_units),
+        cmocka_unit_test(test_option_values), cmocka_unit_test(test_settings),
+        cmocka_unit_test(test_settings_help),
+    };
+    return cmocka_run_group_tests_name("options", tests, NULL, NULL);
+}
