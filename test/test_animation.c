@@ -4,6 +4,7 @@
 #include "gltf_parts.h"
 
 #include "base/error.h"
+#include "base/log.h"
 #include "scene/animation.h"
 #include "scene/camera.h"
 #include "scene/mesh/geometry.h"
@@ -392,6 +393,91 @@ static void test_bounds_of_pose(void **state) {
     scene_free(&scene);
 }
 
+/* --- what is left out -------------------------------------------------------------------------- */
+
+static void keep_note(void *context, bool is_warning, const char *message) {
+    (void)is_warning;
+    snprintf(context, 512, "%s", message);
+}
+
+/* Channels of nobody, or of what no node has, and joints beyond four are dropped; the rest moves. */
+static void test_left_out(void **state) {
+    (void)state;
+    char note[512] = "";
+    struct scene scene;
+    log_set_listener(keep_note, note);
+    load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
+              CLIPS("{\"channels\": [{\"sampler\": 0, \"target\": {\"path\": \"scale\"}},"
+                    " {\"sampler\": 0, \"target\": {\"node\": 0, \"path\": \"pointer\"}},"
+                    " {\"sampler\": 0, \"target\": {\"node\": 0, \"path\": \"translation\"}}],"
+                    " \"samplers\": [{\"input\": 2, \"output\": 3}]}"),
+              (float[]){10, 0, 0, 20, 0, 0, 40, 0, 0}, 9);
+    printf("    %s\n", note);
+    assert_non_null(strstr(note, "animation of 'pointer'"));
+    assert_int_equal(scene.clips[0].channel_count, 1);
+    check_near("x", (double)translation_x(&scene, 1.5), 15, 1e-5);
+    scene_free(&scene);
+    struct {
+        unsigned char joints[4][4];
+        float weights[4][4];
+    } extra = {{{0}}, {{1}, {1}, {1}, {1}}};
+    check_ok(
+        "joints",
+        load_parts(
+            &scene, "joints.glb",
+            &(struct gltf_parts){
+                .accessors = "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4,"
+                             " \"type\": \"VEC3\"}, {\"bufferView\": 0, \"byteOffset\": 48,"
+                             " \"componentType\": 5123, \"count\": 6, \"type\": \"SCALAR\"},"
+                             " {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5121,"
+                             " \"count\": 4, \"type\": \"VEC4\"}, {\"bufferView\": 0,"
+                             " \"byteOffset\": 80, \"componentType\": 5126, \"count\": 4,"
+                             " \"type\": \"VEC4\"}]",
+                .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"JOINTS_0\": 2,"
+                          " \"WEIGHTS_0\": 3, \"JOINTS_1\": 2, \"WEIGHTS_1\": 3},"
+                          " \"indices\": 1}]}]",
+                .nodes = "[{\"mesh\": 0, \"skin\": 0}]",
+                .more = "\"skins\": [{\"joints\": [0]}],",
+                .extra = &extra,
+                .extra_size = sizeof extra}));
+    log_set_listener(NULL, NULL);
+    printf("    %s\n", note);
+    assert_non_null(strstr(note, "more than four joints a vertex"));
+    assert_int_equal(scene.meshes[0].primitives[0].joint_bound, 1);
+    scene_free(&scene);
+}
+
+/* A mesh at two places, each with the node's own weights of its morph targets. */
+static void test_weights_of_places(void **state) {
+    (void)state;
+    float places[2][3] = {{1, 0, 0}, {2, 0, 0}};
+    struct scene scene;
+    check_ok(
+        "places",
+        load_parts(
+            &scene, "places.glb",
+            &(struct gltf_parts){
+                .accessors = "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4,"
+                             " \"type\": \"VEC3\"}, {\"bufferView\": 0, \"byteOffset\": 48,"
+                             " \"componentType\": 5123, \"count\": 6, \"type\": \"SCALAR\"},"
+                             " {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126,"
+                             " \"count\": 2, \"type\": \"VEC3\"}]",
+                .meshes =
+                    "[{\"weights\": [0.5], \"primitives\": [{\"attributes\": {\"POSITION\": 0},"
+                    " \"indices\": 1, \"targets\": [{\"POSITION\": 0}]}]}]",
+                .nodes = "[{\"mesh\": 0, \"weights\": [0.25], \"extensions\":"
+                         " {\"EXT_mesh_gpu_instancing\": {\"attributes\": {\"SCALE\": 2}}}}]",
+                .extra = places,
+                .extra_size = sizeof places}));
+    assert_int_equal(scene.node_count, 3);
+    for (int i = 1; i < 3; i++) {
+        check_near("weight", (double)scene.nodes[i].weights[0], .25, 0);
+        check_near("scale", (double)scene.nodes[i].scale[0], i, 0);
+    }
+    check_near("the mesh's own", (double)scene.meshes[0].weights[0], .5, 0);
+    scene_free(&scene);
+}
+
 /* --- refusals --------------------------------------------------------------------------------- */
 
 static void test_refusals(void **state) {
@@ -466,6 +552,7 @@ int main(void) {
         cmocka_unit_test(test_morph),          cmocka_unit_test(test_skin),
         cmocka_unit_test(test_order_of_poses), cmocka_unit_test(test_bounds_of_clip),
         cmocka_unit_test(test_bounds_of_pose), cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_left_out),       cmocka_unit_test(test_weights_of_places),
     };
     return cmocka_run_group_tests_name("animation", tests, NULL, NULL);
 }

@@ -5,6 +5,7 @@
 
 #include "gltf_parts.h"
 
+#include "base/file/image_file.h"
 #include "scene/emissive.h"
 #include "scene/lamp_parts.h"
 #include "scene/node.h"
@@ -311,6 +312,76 @@ static void test_shaped(void **state) {
     scene_free(&scene);
 }
 
+/* Which surfaces become lights, and how many: the quad in another material, or moved otherwise. */
+static void test_which_shine(void **state) {
+    (void)state;
+    static unsigned char half[4 * 4 * 4];
+    static const float alphas[4][4] = {{1, 1, 1, 0}, {1, 1, 1, 0}, {1, 1, 1, 0}, {1, 1, 1, 0}};
+#define GLOW "\"emissiveFactor\": [1, 1, 1]"
+#define ALPHA                                                                                      \
+    "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"}, "            \
+    "{\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6, \"type\": "    \
+    "\"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126, \"count\": 4, " \
+    "\"type\": \"VEC4\"}]"
+    static const struct {
+        const char *what;
+        int lights;
+        struct gltf_parts parts;
+    } rows[] = {
+        {"one side", 1, {.materials = "[{" GLOW "}]"}},
+        {"both sides", 2, {.materials = "[{" GLOW ", \"doubleSided\": true}]"}},
+        {"dark", 0, {.materials = "[{\"emissiveFactor\": [0, 0, 0]}]"}},
+        {"it deforms",
+         0,
+         {.materials = "[{" GLOW "}]",
+          .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1, "
+                    "\"material\": 0,"
+                    " \"targets\": [{\"POSITION\": 0}]}]}]"}},
+        {"without area",
+         0,
+         {.materials = "[{" GLOW "}]", .nodes = "[{\"mesh\": 0, \"scale\": [0, 1, 1]}]"}},
+        {"flat node",
+         1,
+         {.materials = "[{" GLOW "}]", .nodes = "[{\"mesh\": 0, \"scale\": [1, 1, 0]}]"}},
+        {"a hole all over",
+         0,
+         {.materials = "[{" GLOW ", \"alphaMode\": \"MASK\"}]",
+          .accessors = ALPHA,
+          .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"COLOR_0\": 2}, "
+                    "\"indices\": 1, \"material\": 0}]}]",
+          .extra = alphas,
+          .extra_size = sizeof alphas}},
+        {"masked, without holes",
+         -1 /* some */,
+         {.materials = "[{" GLOW ", \"alphaMode\": \"MASK\"}]"}},
+        {"a picture of light, half of it",
+         -1, /* some */
+         {.materials = "[{" GLOW ", \"emissiveTexture\": {\"index\": 0}, \"doubleSided\": true}]",
+          .accessors =
+              "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"}, "
+              "{\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6, "
+              "\"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 0, \"componentType\": "
+              "5126, \"count\": 4, \"type\": \"VEC2\"}]",
+          .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"TEXCOORD_0\": 2}, "
+                    "\"indices\": 1, \"material\": 0}]}]",
+          .more = "\"images\": [{\"uri\": \"glow.png\"}], \"textures\": [{\"source\": 0}],"}},
+    };
+    for (size_t i = 0; i < sizeof half; i++)
+        half[i] = i % 4 == 3 || i < sizeof half / 2 ? 255 : 0;
+    const struct bitmap picture = {4, 4, half};
+    check_ok("picture", bitmap_write(&picture, scratch("glow.png")));
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct scene scene;
+        check_ok(rows[i].what, load_parts(&scene, "lamp.glb", &rows[i].parts));
+        printf("    %-32s %d lights\n", rows[i].what, scene.light_count);
+        if (rows[i].lights >= 0)
+            assert_int_equal(scene.light_count, rows[i].lights);
+        else
+            assert_true(scene.light_count > 0);
+        scene_free(&scene);
+    }
+}
+
 /* A lamp's own light, and that it is dark when it does not shine: GL beside rays. */
 static void test_glow(void **state) {
     (void)state;
@@ -357,11 +428,11 @@ static void test_glow(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_furnace), cmocka_unit_test(test_square),
-        cmocka_unit_test(test_texture), cmocka_unit_test(test_touching),
-        cmocka_unit_test(test_ball),    cmocka_unit_test(test_strip),
-        cmocka_unit_test(test_many),    cmocka_unit_test(test_shaped),
-        cmocka_unit_test(test_glow),
+        cmocka_unit_test(test_furnace),     cmocka_unit_test(test_square),
+        cmocka_unit_test(test_texture),     cmocka_unit_test(test_touching),
+        cmocka_unit_test(test_ball),        cmocka_unit_test(test_strip),
+        cmocka_unit_test(test_many),        cmocka_unit_test(test_shaped),
+        cmocka_unit_test(test_which_shine), cmocka_unit_test(test_glow),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

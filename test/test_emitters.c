@@ -184,6 +184,14 @@ static void test_text_refusals(void **state) {
         {"red cone=.5,.9", "light: cone=0.5,0.9: cosines, and the first is the greater one"},
         {"red type=lamp", "light: 'type=lamp': there is spot, point, directional, area"},
         {"red; +lamp", "light: '+lamp' is no type of light"},
+        {"red intensity=1,2,nan",
+         "light: 'intensity=1,2,nan' wants 3 numbers, as in intensity=0,1,0"},
+        {"red intensity=1;2,3", "light: 'intensity=1' wants 3 numbers, as in intensity=0,1,0"},
+        {"red size", "no light 'red size' (there is: 0=red 1=blue 2=lamp)"},
+        {"red size=1,0 type", "light: 'type': there is spot, point, directional, area"},
+        {"red size=-1,0", "light: size=-1,0: less than none"},
+        {"red cone=2,0", "light: cone=2,0: cosines, and the first is the greater one"},
+        {"red cone=0,-2", "light: cone=0,-2: cosines, and the first is the greater one"},
     };
     struct scene scene;
     struct emitters emitters = {0};
@@ -196,6 +204,35 @@ static void test_text_refusals(void **state) {
         assert_int_equal(emitters.items[0].number, 1);
     }
     emitters_free(&emitters);
+    scene_free(&scene);
+}
+
+/* A camera by words: by its name, moved, turned, tilted; and words that mean nothing. */
+static void test_camera_text(void **state) {
+    (void)state;
+    static const char *const bad[][2] = {
+        {"nobody eye=0,0,0", "no camera 'nobody' (there is:"},
+        {"eye=0,0", "camera: 'eye=0,0' wants 3 numbers"},
+        {"fov=wide", "camera: 'fov=wide' wants 1 number, as in fov=1"},
+        {"eye", "no camera 'eye'"},
+        {"eye=1,2,3 lens=5", "camera: 'lens=5' is not understood"},
+    };
+    struct scene scene;
+    struct camera camera;
+    int n = -1;
+    check_ok("scene", scene_load(&scene, "scenes/three-lights.glb"));
+    check_ok("none", camera_from_text(&camera, &scene, NULL, 0, NULL));
+    check_ok("its number", camera_from_text(&camera, &scene, "0 forward=0,0,-2", 0, &n));
+    assert_int_equal(n, 0);
+    check_near("up", (double)camera.up[1], 1, 1e-6);
+    check_near("forward", (double)camera.forward[2], -1, 1e-6);
+    check_ok("tilted", camera_from_text(&camera, &scene, "forward=0,0,-1 up=1,0,0", 0, &n));
+    check_near("up", (double)camera.up[0], 1, 1e-6);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        assert_false(camera_from_text(&camera, &scene, bad[i][0], 0, &n));
+        printf("    %s\n", error_get());
+        assert_non_null(strstr(error_get(), bad[i][1]));
+    }
     scene_free(&scene);
 }
 
@@ -439,10 +476,11 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_meet),          cmocka_unit_test(test_deal_counts),
         cmocka_unit_test(test_deal_runs),     cmocka_unit_test(test_texts),
-        cmocka_unit_test(test_text_refusals), cmocka_unit_test(test_emitters_text),
-        cmocka_unit_test(test_flux),          cmocka_unit_test(test_sum),
-        cmocka_unit_test(test_split),         cmocka_unit_test(test_dark_lights),
-        cmocka_unit_test(test_sizes),         cmocka_unit_test(test_direct_noise),
+        cmocka_unit_test(test_camera_text),   cmocka_unit_test(test_text_refusals),
+        cmocka_unit_test(test_emitters_text), cmocka_unit_test(test_flux),
+        cmocka_unit_test(test_sum),           cmocka_unit_test(test_split),
+        cmocka_unit_test(test_dark_lights),   cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_direct_noise),
     };
     return cmocka_run_group_tests_name("emitters", tests, NULL, NULL);
 }

@@ -404,10 +404,13 @@ static void test_lacks(void **state) {
                     " [\"KHR_lights_punctual\", \"KHR_materials_unlit\","
                     " \"KHR_materials_clearcoat\", \"EXT_new\"],"
                     " \"images\": [{\"uri\": \"texture.png\"}], \"textures\": [{\"source\": 0}],",
-            .materials = "[{\"normalTexture\": {\"index\": 0}, \"alphaMode\": \"BLEND\"},"
-                         " {\"normalTexture\": {\"index\": 0}, \"occlusionTexture\":"
-                         " {\"index\": 0}}]"});
-    static const char *const each[] = {"clear coat", "EXT_new", "blending", "occlusion"};
+            .materials =
+                "[{\"normalTexture\": {\"index\": 0}, \"alphaMode\": \"BLEND\", \"extensions\":"
+                " {\"KHR_materials_specular\": {\"specularTexture\": {\"index\": 0}}}},"
+                " {\"normalTexture\": {\"index\": 0}, \"occlusionTexture\":"
+                " {\"index\": 0}}]"});
+    static const char *const each[] = {"clear coat", "EXT_new", "blending", "occlusion",
+                                       "textures of specular"};
     printf("    %s", notes);
     for (size_t i = 0; i < sizeof each / sizeof *each; i++) {
         const char *found = strstr(notes, each[i]);

@@ -62,7 +62,7 @@ static bool draw_presets(const struct technique *technique, struct settings *set
     const char *names[PRESETS_MAX];
     const struct preset *presets = technique->presets;
     int count = 0, chosen = -1;
-    for (; presets && presets[count].name && count < PRESETS_MAX; count++) {
+    for (; presets && count < PRESETS_MAX && presets[count].name; count++) {
         struct settings with = preset_settings(&presets[count], settings);
         names[count] = preset_title(&presets[count]);
         if (renderer_settings_same(&with, settings, technique->parts))
@@ -173,7 +173,7 @@ static bool draw_advanced(struct viewer *viewer, const struct technique *techniq
 static bool draw_technique_choice(const struct technique **technique) {
     const char *names[TECHNIQUES_MAX];
     int count = 0, chosen = 0;
-    for (; techniques[count] && count < TECHNIQUES_MAX; count++) {
+    for (; count < TECHNIQUES_MAX && techniques[count]; count++) {
         names[count] = techniques[count]->name;
         chosen = techniques[count] == *technique ? count : chosen;
     }
