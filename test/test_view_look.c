@@ -153,9 +153,16 @@ static void test_inspector(void **state) {
              SMALL_WIDTH, SMALL_HEIGHT, CHEAP, own);
     assert_int_equal(shell("%s", command), 0);
     const int x = (WIDTH / 4 + 1) / 2, y = (HEIGHT / 2 + 201) / 2;
+    int left, above, below;
     check_values("left ", own, x, y);
     check_values("right ", reference, x, y);
-    xdo("key i");
+    find_text("left ", text, sizeof text);
+    find_place(text, &left, &above);
+    xdo("key F3"); /* the line of times, for which it makes room */
+    find_place(text, &left, &below);
+    printf("    at row %d, beside the times at %d\n", above, below);
+    assert_true(above < 100 && below > HEIGHT / 2);
+    xdo("key F3 key F3 key i");
     sync_viewer();
     find_text("left ", text, sizeof text);
     assert_string_equal(text, "");

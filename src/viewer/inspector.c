@@ -43,6 +43,16 @@ static bool read_right(struct viewer *viewer, float x, float y, int column, int 
                : read_renderer(viewer, &compare->other, column, row, rgb);
 }
 
+/* Above on the right; where the times need that room, below, above what is compared. */
+static void begin_area(const struct viewer *viewer, float width) {
+    const struct rectangle *area = &viewer->shown.area;
+    float line = ui_line_height(), x = (float)(area->x + area->width) - line - width;
+    float below = (float)(area->y + area->height) - timeline_height(viewer) - 4.2F * line;
+    bool is_above = x >= (float)area->x + overlay_width(viewer);
+    ui_area_begin("inspector", is_above ? UI_OVERLAY : UI_NOTE, x, is_above ? line : below, width,
+                  0);
+}
+
 void inspector_draw(struct viewer *viewer) {
     const struct rectangle *area = &viewer->shown.area;
     struct renderer *renderer = &viewer->shown.renderer;
@@ -56,8 +66,7 @@ void inspector_draw(struct viewer *viewer) {
         return;
     if (width > (float)area->width - 2 * line)
         width = (float)area->width - 2 * line;
-    ui_area_begin("inspector", UI_OVERLAY, (float)(area->x + area->width) - line - width, line,
-                  width, 0);
+    begin_area(viewer, width);
     ui_value("pixel", "%d, %d of %d x %d", column, row, renderer->desc.width,
              renderer->desc.height);
     ui_numbers(viewer->shown.right ? "left" : "radiance", left);

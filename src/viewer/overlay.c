@@ -87,13 +87,18 @@ static bool has_room(const struct viewer *viewer, bool all, bool graph) {
     return rows * row + (graph ? 5 * line : 0) < height;
 }
 
+float overlay_width(const struct viewer *viewer) {
+    static const float lines[] = {[OVERLAY_LINE] = 14, [OVERLAY_TABLE] = 19, [OVERLAY_NONE] = 0};
+    return lines[viewer->panel.overlay] * ui_line_height();
+}
+
 static void draw_statistics(struct viewer *viewer) {
     const struct pace *pace = &viewer->shown.pace;
     const struct renderer_desc *desc = &viewer->shown.renderer.desc;
     float line = ui_line_height();
     float frame = pace->frame_count ? pace->frame_ms[pace->frame_count - 1] : 0;
     bool whole = viewer->panel.overlay == OVERLAY_TABLE;
-    ui_area_begin("statistics", UI_OVERLAY, line, line, (whole ? 17 : 12) * line, 0);
+    ui_area_begin("statistics", UI_OVERLAY, line, line, overlay_width(viewer) - 2 * line, 0);
     ui_text(UI_ACCENT, "%.1f ms a frame", (double)frame);
     if (!whole) {
         ui_area_end();

@@ -469,6 +469,8 @@ void panel_draw_camera(struct viewer *viewer);
 void panel_draw_light(struct viewer *viewer);
 void panel_draw_look(struct viewer *viewer);
 void panel_draw(struct viewer *viewer);
+/* Of the window's left edge what the times take, with the edges. */
+float overlay_width(const struct viewer *viewer);
 void overlay_draw(struct viewer *viewer);
 
 #endif
