@@ -7,8 +7,9 @@
 
 #include <math.h>
 
-/* Samples of a pixel, in each half: of the first round, and how many it may have. Each round doubles them. */
-enum { FIRST_SAMPLES = 8, MOST_SAMPLES = 128, PATHS_PER_SAMPLE = 4 };
+/* Samples of a pixel, in each half: of the first round, and how many it may have. Each round doubles them. A path
+ * each: slivers at silhouettes are seen by few samples. */
+enum { FIRST_SAMPLES = 32, MOST_SAMPLES = 512, PATHS_PER_SAMPLE = 1 };
 
 /* By how many standard errors a picture must be better or worse than asked for; and which share of its square a
  * standard error may be of what is good enough: an error is then told to a twentieth. */
@@ -23,9 +24,24 @@ static int side_of_squares(int width, int height) {
 
 /* --- tracing --- */
 
-/* Seeds that no reference has: these have 0. */
-static bool trace(const struct estimate *estimate, int samples, uint32_t seed,
-                  struct image *layer) {
+/* The picture has means over the samples that saw a surface. */
+static void take_sums(const struct image *picture, int samples, struct image *sums) {
+    int layer[3], alpha = image_find_channel(picture, "A");
+    image_find_layer(picture, "indirect", layer);
+    if (!sums->pixels)
+        image_init(sums, picture->width, picture->height, "R G B A");
+    for (int y = 0; y < sums->height; y++)
+        for (int x = 0; x < sums->width; x++) {
+            const float *from = image_at(picture, x, y);
+            float *to = image_at(sums, x, y), seen = from[alpha] * (float)samples;
+            for (int c = 0; c < 3; c++)
+                to[c] += from[layer[c]] * seen;
+            to[3] += seen;
+        }
+}
+
+/* Adds so many samples. Seeds that no reference has: these have 0. */
+static bool trace(const struct estimate *estimate, int samples, uint32_t seed, struct image *sums) {
     const struct measure_desc *desc = &estimate->desc;
     const struct material_settings *surface = settings_of(&desc->settings, &material_part);
     struct image picture;
@@ -40,36 +56,18 @@ static bool trace(const struct estimate *estimate, int samples, uint32_t seed,
                                                         .materials = surface->materials},
                              &picture, NULL))
         return false;
-    bool ok = layer_extract(layer, &picture, "indirect");
+    take_sums(&picture, samples, sums);
     image_free(&picture);
-    return ok;
-}
-
-static size_t value_count(const struct image *image) {
-    return (size_t)image->width * (size_t)image->height * 3;
-}
-
-/* To a mean of as many samples. */
-static void add_half(struct image *mean, struct image *half) {
-    if (!mean->pixels) {
-        *mean = *half;
-        return;
-    }
-    for (size_t i = 0; i < value_count(mean); i++)
-        mean->pixels[i] = (mean->pixels[i] + half->pixels[i]) / 2;
-    image_free(half);
+    return true;
 }
 
 /* Rounds are told apart by their seeds: other numbers of samples before them. */
 static bool add_round(struct estimate *estimate) {
     int samples = estimate->samples ? estimate->samples : FIRST_SAMPLES;
     bool ok = true;
-    for (int i = 0; ok && i < 2; i++) {
-        struct image half;
-        ok = trace(estimate, samples, (uint32_t)(2 * estimate->samples + i + 1), &half);
-        if (ok)
-            add_half(&estimate->halves[i], &half);
-    }
+    for (int i = 0; ok && i < 2; i++)
+        ok = trace(estimate, samples, (uint32_t)(2 * estimate->samples + i + 1),
+                   &estimate->halves[i]);
     estimate->samples += samples;
     return ok;
 }
@@ -113,20 +111,29 @@ struct sums {
     double truth;
 };
 
+/* Of those that miss a pixel's surface in either half there is none: the others stand for them. */
+static double weight_of(const float *a, const float *b, int samples) {
+    double coverage = (double)(a[3] + b[3]) / (2.0 * samples);
+    double seen = 1 - pow(1 - fmin(coverage, 1), samples);
+    return 1 / (seen * seen);
+}
+
 /* The three channels' noise is one path's. That of a product of two differences e is 2 (e s)^2 + s^4; of s^2, the noise
  * of either half, half the square of what they differ is an estimate, and of s^4 a twelfth of its square. */
-static void add_pixel(struct sums *sums, const float *pixel, const float *a, const float *b) {
+static void add_pixel(struct sums *sums, const float *pixel, const float *a, const float *b,
+                      double weight) {
     double product = 0, mixed = 0, squares = 0;
     for (int c = 0; c < 3; c++) {
-        double from_a = (double)(pixel[c] - a[c]), from_b = (double)(pixel[c] - b[c]);
-        double between = (double)(a[c] - b[c]);
+        double in_a = (double)(a[c] / a[3]), in_b = (double)(b[c] / b[3]);
+        double from_a = (double)pixel[c] - in_a, from_b = (double)pixel[c] - in_b;
+        double between = in_a - in_b;
         product += from_a * from_b;
         mixed += (from_a + from_b) / 2 * between;
         squares += between * between;
-        sums->truth += (double)(a[c] + b[c]) / 2;
+        sums->truth += weight * (in_a + in_b) / 2;
     }
-    sums->product += product;
-    sums->variance += mixed * mixed + squares * squares / 12;
+    sums->product += weight * product;
+    sums->variance += weight * weight * (mixed * mixed + squares * squares / 12);
 }
 
 /* Of the square of the relative RMSE; so is its standard error. */
@@ -135,14 +142,18 @@ struct told {
 };
 
 static struct told tell(const struct estimate *estimate, const struct image *pixels) {
+    const struct image *halves = estimate->halves;
     struct sums sums = {0};
-    size_t values = value_count(pixels);
-    for (size_t i = 0; i < values; i += 3)
-        add_pixel(&sums, &pixels->pixels[i], &estimate->halves[0].pixels[i],
-                  &estimate->halves[1].pixels[i]);
+    for (int y = 0; y < pixels->height; y++)
+        for (int x = 0; x < pixels->width; x++) {
+            const float *a = image_at(&halves[0], x, y), *b = image_at(&halves[1], x, y);
+            if (a[3] > 0 && b[3] > 0)
+                add_pixel(&sums, image_at(pixels, x, y), a, b, weight_of(a, b, estimate->samples));
+        }
     if (sums.truth <= 0)
         return (struct told){sums.product > 0 ? INFINITY : 0, 0};
-    double scale = (double)values / (sums.truth * sums.truth);
+    double values = 3.0 * pixels->width * pixels->height;
+    double scale = values / (sums.truth * sums.truth);
     return (struct told){sums.product * scale, sqrt(sums.variance) * scale};
 }
 
