@@ -1,4 +1,4 @@
-# manylight: make demo | test | test-all | asan | tsan | fuzz | coverage | mutants | lint | analyze | bench | chart | accuracy | methods | direct | convergence | stability | portable | deps | install | clean
+# manylight: make demo | test | test-all | asan | tsan | fuzz | coverage | mutants | lint | analyze | bench | chart | accuracy | methods | parsimony | direct | convergence | stability | portable | deps | install | clean
 #
 # A plain `make` only builds ./manylight. `make demo` and `make test` first install what is missing.
 
@@ -57,7 +57,7 @@ GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
-.PHONY: all demo test test-all tests asan tsan fuzz fuzzers coverage mutants lint analyze bench chart accuracy methods direct convergence stability portable deps install clean FORCE
+.PHONY: all demo test test-all tests asan tsan fuzz fuzzers coverage mutants lint analyze bench chart accuracy methods parsimony direct convergence stability portable deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -270,6 +270,29 @@ methods: all
 	@awk 'FNR > 1 || NR == 1' $(METHODS_ROWS).[1-6] > $(METHODS_ROWS)
 	@rm $(METHODS_ROWS).[1-6]
 	./manylight bench chart $(METHODS_ROWS) -o $(BENCH_PLOTS)/methods
+
+# What --max-error chooses against fixed settings, and what it tells of them and of closer views; and the table of ladders that know
+# nothing of a scene: some 25 minutes of CPU time, most of it in halls and rooms. Times by the clock are none: it tells CPU time.
+PARSIMONY_RUN = ./manylight bench quality --cache $(REFERENCE_CACHE)
+PARSIMONY_SCENES := $(patsubst %,scenes/%.glb,cornell-box cornell-animal metaballs moving-spot table three-lights door \
+    failures/corner failures/table-legs failures/contact failures/thin-wall failures/room)
+PARSIMONY_SMALL := $(PARSIMONY_SCENES) --size 96x96 --noise .03 --passes 8
+PARSIMONY_CLOSER := $(PARSIMONY_SCENES) --size 200x200 --noise .03 --passes 1 --told --camera "0 fov=.4"
+PARSIMONY_LARGE := $(LARGE_SCENES) --size 120x120 --noise .08 --passes 4
+PARSIMONY_ROOMS := $(wildcard ../shared/scenes/public/*.glb)
+PARSIMONY_ROOMS += $(if $(PARSIMONY_ROOMS),--size 120x120 --noise .06 --passes 4 --light spot --set materials=diffuse)
+PARSIMONY_ROWS := $(BENCH_RESULTS)/quality.csv
+
+parsimony: all
+	@mkdir -p $(BENCH_RESULTS) $(BENCH_PLOTS)
+	$(PARSIMONY_RUN) $(PARSIMONY_SMALL) --csv $(PARSIMONY_ROWS).1
+	$(PARSIMONY_RUN) $(PARSIMONY_LARGE) --csv $(PARSIMONY_ROWS).2
+	$(if $(strip $(PARSIMONY_ROOMS)),$(PARSIMONY_RUN) $(PARSIMONY_ROOMS) --csv $(PARSIMONY_ROWS).3)
+	$(PARSIMONY_RUN) $(PARSIMONY_CLOSER) --csv $(PARSIMONY_ROWS).4
+	@awk 'FNR > 1 || NR == 1' $(PARSIMONY_ROWS).[1-4] > $(PARSIMONY_ROWS)
+	@rm $(PARSIMONY_ROWS).[1-4]
+	gnuplot -e "csv='$(PARSIMONY_ROWS)'; folder='$(BENCH_PLOTS)'" bench/parsimony.gp
+	@awk -f bench/leave-one-out.awk $(PARSIMONY_ROWS)
 
 # What is seen of lamps, by each method of direct light, and the tables of soft shadows.
 direct: all

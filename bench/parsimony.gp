@@ -3,7 +3,7 @@
 #
 #     gnuplot -e "csv='FILE.csv'; folder='DIR'" bench/parsimony.gp
 #
-# DIR/told: errors that --max-error told of its choices, against those that they have. DIR/SCENE-quality: time against error of the
+# DIR/told: errors that are told of choices, against those that they have, of all scenes and cameras. DIR/SCENE-quality: time against error of the
 # ladder's choices, of fixed settings, and of what was chosen for 2, 4, 8, 16 and 30 %. Each as .svg and .png.
 
 set datafile separator comma
@@ -14,13 +14,26 @@ set key outside right top vertical Left reverse noenhanced
 set grid lc rgb '#dddddd'
 set border lc rgb '#444444'
 set logscale xy
+set autoscale fix
+set offsets graph .06, graph .06, graph .06, graph .06
+
+# Decades in three.
+set xtics ("" 1e300)
+set ytics ("" 1e300)
+do for [d = -1:6] {
+    do for [t in "1 2 5"] {
+        set xtics add (t * 10.0**d)
+        set ytics add (t * 10.0**d)
+    }
+}
 
 colors = "#1b3a6b #b5341b #2f7d4f #7a4fa3 #8a6d1a #1f8a99 #a33a77 #555555 #4f6bd1 #c77d2e"
 marks = "7 4 9 12 5 6 11 8 13 10"
-do for [i = 1:10] {
-    set linetype i lc rgb word(colors, i) pt int(word(marks, i)) ps 1.1 lw 1.3
+do for [i = 1:30] {
+    color = 1 + (i - 1) % 10
+    set linetype i lc rgb word(colors, color) pt int(word(marks, 1 + (color + (i - 1) / 10 * 3 - 1) % 10)) ps 1.1 lw 1.3
 }
-set linetype cycle 10
+set linetype cycle 30
 
 svg = "set terminal svg size 900,560 font 'DejaVu Sans,11' background 'white' noenhanced"
 png = "set terminal pngcairo size 1350,840 fontscale 1.3 font 'DejaVu Sans,11' noenhanced"
@@ -45,6 +58,7 @@ do for [type in "svg png"] {
     eval(value(type))
     set output folder . "/told." . type
     plot x with lines lc rgb '#bbbbbb' lw 3 title "as told", \
+        1.2 * x with lines lc rgb '#bbbbbb' dt 2 title "a fifth more or less", x / 1.2 with lines lc rgb '#bbbbbb' dt 2 notitle, \
         for [i = 1:words(scenes)] csv using (told(word(scenes, i))):(column("value")) \
             with points lt i title word(scenes, i)
     unset output

@@ -18,7 +18,8 @@ const char *const quality_names[] = {"draft", "normal", "high", "final", NULL};
  * (bench/PARSIMONY.md). Cheapest first. */
 static const struct quality_choice frames[] = {
     {"path=draft", 1},
-    {"gather.detail=0 " VALS_NEEDED, 1},
+    {"gather.detail=0 clustered.vals=8", 1},
+    {"clustered.vals=8", 1},
     {VALS_NEEDED, 1},
     {"", 1},
     {"picture.samples=16", 1},

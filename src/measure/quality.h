@@ -25,7 +25,7 @@ struct quality_choice quality_named(enum quality quality);
 char *quality_describe(const struct quality_choice *choice);
 
 /* Where a ladder ends that nothing else ends. */
-enum { QUALITY_MOST_PASSES = 256, QUALITY_CHOICES_MAX = 16 };
+enum { QUALITY_MOST_PASSES = 256, QUALITY_CHOICES_MAX = 20 };
 
 /* All of the ladder, cheapest first: frames, then means of up to so many passes. How many they are. */
 int quality_ladder(struct quality_choice choices[QUALITY_CHOICES_MAX], int most_passes);

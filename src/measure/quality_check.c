@@ -18,8 +18,9 @@ static const struct fixed {
     struct quality_choice choice;
 } others[] = {
     {NULL, {"gather.detail=0", 1}},
-    {NULL, {"gather.detail=0 clustered.vals=8", 1}},
-    {NULL, {"clustered.vals=8", 1}},
+    {NULL, {"gather.detail=0 clustered.distortion=.085", 1}},
+    {NULL, {"gather.detail=0 clustered.vals=16", 1}},
+    {NULL, {"path=draft clustered.vals=4", 1}},
     {NULL, {"clustered.vals=16", 1}},
     {NULL, {"clustered.vals=60", 1}},
     {NULL, {"gather.interleave=4", 1}},
