@@ -272,12 +272,12 @@ methods: all
 	./manylight bench chart $(METHODS_ROWS) -o $(BENCH_PLOTS)/methods
 
 # What --max-error chooses against fixed settings, and what it tells of them and of closer views; and the table of ladders that know
-# nothing of a scene: some 25 minutes of CPU time, most of it in halls and rooms. Times by the clock are none: it tells CPU time.
+# nothing of a scene: some 15 minutes of CPU time, most of it in halls and rooms.
 PARSIMONY_RUN = ./manylight bench quality --cache $(REFERENCE_CACHE)
-PARSIMONY_SCENES := $(patsubst %,scenes/%.glb,cornell-box cornell-animal metaballs moving-spot table three-lights door \
+PARSIMONY_SCENES := $(patsubst %,scenes/%.glb,cornell-box cornell-animal metaballs moving-spot table three-lights \
     failures/corner failures/table-legs failures/contact failures/thin-wall failures/room)
-PARSIMONY_SMALL := $(PARSIMONY_SCENES) --size 96x96 --noise .03 --passes 8
-PARSIMONY_CLOSER := $(PARSIMONY_SCENES) --size 200x200 --noise .03 --passes 1 --told --camera "0 fov=.4"
+PARSIMONY_SMALL := $(PARSIMONY_SCENES) --size 96x96 --noise .06 --passes 4
+PARSIMONY_CLOSER := $(PARSIMONY_SCENES) --size 200x200 --noise .06 --passes 1 --told --camera "0 fov=.4"
 PARSIMONY_LARGE := $(LARGE_SCENES) --size 120x120 --noise .08 --passes 4
 PARSIMONY_ROOMS := $(wildcard ../shared/scenes/public/*.glb)
 PARSIMONY_ROOMS += $(if $(PARSIMONY_ROOMS),--size 120x120 --noise .06 --passes 4 --light spot --set materials=diffuse)

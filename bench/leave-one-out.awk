@@ -95,6 +95,8 @@ function cell(scene, n, error_asked,   taken, ratio) {
 
 function cells(scene, without,   i, n, line) {
     n = make_ladder(without)
+    if (n == 0)
+        return "nothing to learn from"
     for (i = 1; i <= askeds; i++)
         line = line (i > 1 ? ", " : "") cell(scene, n, asked[i])
     return line

@@ -288,9 +288,13 @@ static void test_quality(void **state) {
     check_near("of the error asked for", number_of(output, "error=30%", 2), error / 30, .01);
     check_at_most("CPU ms of 30 %", number_of(output, "error=30%", 3),
                   1.5 * number_of(output, "error=2%", 3));
-    char *text = read_text(csv);
+    char *text = read_text(csv), command[1024];
     check_csv(text);
     free(text);
+    snprintf(command, sizeof command, "awk -f bench/leave-one-out.awk %s", csv);
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+    printf("%s", output);
+    assert_non_null(strstr(output, "| cornell-box | nothing to learn from | (1.0"));
 }
 
 /* Soft shadows see of a lamp what the tracer sees, hard ones less; and what is seen of it is drawn. */

@@ -9,11 +9,11 @@
 
 /* Samples of a pixel, in each half: of the first round, and how many it may have. Each round doubles them. A path
  * each: slivers at silhouettes are seen by few samples. */
-enum { FIRST_SAMPLES = 32, MOST_SAMPLES = 512, PATHS_PER_SAMPLE = 1 };
+enum { FIRST_SAMPLES = 32, MOST_SAMPLES = 256, PATHS_PER_SAMPLE = 1 };
 
 /* By how many standard errors a picture must be better or worse than asked for; and which share of its square a
- * standard error may be of what is good enough: an error is then told to a twentieth. */
-static const double sure = 2, exact = .1;
+ * standard error may be: of what is good enough, an error is told to a twentieth, of all else to a seventh. */
+static const double sure = 2, exact = .1, rough = .3;
 
 /* The pixels' squares are as large as that many of them fill the picture. */
 static int side_of_squares(int width, int height) {
@@ -157,11 +157,11 @@ static struct told tell(const struct estimate *estimate, const struct image *pix
     return (struct told){sums.product * scale, sqrt(sums.variance) * scale};
 }
 
-/* What is not good enough need not be told exactly. */
 static bool is_sure(const struct told *told, double asked) {
     double over = told->square - asked * asked;
-    return isinf(told->square) || (fabs(over) > sure * told->standard_error &&
-                                   (over > 0 || told->standard_error <= exact * told->square));
+    return isinf(told->square) ||
+           (fabs(over) > sure * told->standard_error &&
+            told->standard_error <= (over > 0 ? rough : exact) * told->square);
 }
 
 bool estimate_picture_error(struct estimate *estimate, const struct image *picture, double asked,

@@ -25,8 +25,9 @@ bool estimate_init(struct estimate *estimate, const struct measure_desc *desc);
 /* Accepts a zeroed one. */
 void estimate_free(struct estimate *estimate);
 
-/* Relative RMSE of the indirect layer of a picture with all layers, as metrics have it: by as many paths as tell whether
- * it is more than the one asked for, and to a twentieth if not, or by the most there are. Error: the tracer's. */
+/* Relative RMSE of the indirect layer of a picture with all layers, as metrics have it, and whether that is more than
+ * asked for: to a twentieth if it is not, else to a seventh, or as exactly as the most paths tell it. Error: the
+ * tracer's. */
 bool estimate_picture_error(struct estimate *estimate, const struct image *picture, double asked,
                             double *error);
 
