@@ -295,6 +295,14 @@ static void test_quality(void **state) {
     assert_int_equal(run_command(command, output, sizeof output), 0);
     printf("%s", output);
     assert_non_null(strstr(output, "| cornell-box | nothing to learn from | (1.0"));
+    snprintf(arguments, sizeof arguments,
+             "quality scenes/cornell-box.glb --size 32x32 --noise .1 --cache %s -q --passes 1 "
+             "--set vpls=64,map.size=32,vals=4 --told --camera \"0 fov=.5\"",
+             scratch("bench-cache"));
+    check_runs(arguments);
+    double closer = number_of(output, "path=draft", 0) / number_of(output, "path=draft", 1);
+    check_near("told over measured, closer", closer, 1, .2);
+    assert_null(strstr(output, "automatic"));
 }
 
 /* Soft shadows see of a lamp what the tracer sees, hard ones less; and what is seen of it is drawn. */
