@@ -7,6 +7,8 @@
 #include "scene/emitter.h"
 #include "scene/environment.h"
 #include "scene/hash.h"
+#include "scene/material.h"
+#include "scene/mesh/surface_points.h"
 #include "scene/node.h"
 #include "scene/open.h"
 #include "scene/stand_in.h"
@@ -151,13 +153,79 @@ static void test_layouts(void **state) {
     emitters_free(&copy);
 }
 
+/* Points of the quad stand for its area, of each side that reflects, and for none of holes. */
+static void test_surface_points(void **state) {
+    (void)state;
+    enum { POINTS = 64 };
+    static const struct {
+        const char *materials;
+        double area, caster_area;
+    } rows[] = {
+        {"[{}]", 1, 1},
+        {"[{\"doubleSided\": true}]", 2, 1},
+        {"[{\"pbrMetallicRoughness\": {\"baseColorFactor\": [0, 0, 0, 1]}}]", 0, 1},
+        {"[{\"alphaMode\": \"MASK\"}]", 1, 1},
+        {"[{\"alphaMode\": \"MASK\", \"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 1, 1, "
+         "0.25]}}]",
+         0, 0},
+    };
+    for (size_t i = 0; i < 2 * sizeof rows / sizeof *rows; i++) {
+        struct scene scene;
+        struct geometry geometry;
+        struct surface_points points;
+        double area = 0, lower = 0;
+        bool casters = i % 2;
+        const struct gltf_parts parts = {.materials = rows[i / 2].materials};
+        check_ok("open", scene_open(&scene, &geometry, write_parts("points.glb", &parts), NULL));
+        surface_points_init(&points,
+                            &(struct surface_points_desc){&scene, &geometry, POINTS, 7, casters});
+        for (int p = 0; p < POINTS; p++) {
+            struct surface_place place = surface_points_place(&points, &geometry, p);
+            area += (double)place.area;
+            lower += place.position.y < .5F ? (double)place.area : 0;
+        }
+        check_near(rows[i / 2].materials, area,
+                   casters ? rows[i / 2].caster_area : rows[i / 2].area, 1e-4);
+        check_near("half of it below the middle", lower, area / 2, .1 * area);
+        surface_points_free(&points);
+        geometry_free(&geometry);
+        scene_free(&scene);
+    }
+}
+
+/* What is matt: no metal, rough all over, and reflecting as usual or not at all. */
+static void test_matt(void **state) {
+    (void)state;
+    const struct material usual = {.roughness = 1,
+                                   .specular_f0 = {DIELECTRIC_F0, DIELECTRIC_F0, DIELECTRIC_F0},
+                                   .specular_f90 = 1,
+                                   .metal_roughness_texture = -1};
+    struct material other = usual;
+    assert_true(material_is_matt(&usual));
+    other.metalness = .5F;
+    assert_false(material_is_matt(&other));
+    other = usual;
+    other.roughness = .5F;
+    assert_false(material_is_matt(&other));
+    other = usual;
+    other.metal_roughness_texture = 0;
+    assert_false(material_is_matt(&other));
+    other = usual;
+    other.specular_f0[2] = .5F;
+    assert_false(material_is_matt(&other));
+    other = usual;
+    other.specular_f90 = .5F;
+    assert_false(material_is_matt(&other));
+    other = (struct material){.roughness = .25F, .metal_roughness_texture = -1};
+    assert_true(material_is_matt(&other)); /* it has no gloss, however smooth it is */
+}
+
 int main(void) {
     log_set_level(LOG_QUIET);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_texture),
-        cmocka_unit_test(test_hash),
-        cmocka_unit_test(test_flat_nodes),
-        cmocka_unit_test(test_layouts),
+        cmocka_unit_test(test_texture),        cmocka_unit_test(test_hash),
+        cmocka_unit_test(test_flat_nodes),     cmocka_unit_test(test_layouts),
+        cmocka_unit_test(test_surface_points), cmocka_unit_test(test_matt),
     };
     return cmocka_run_group_tests_name("scene parts", tests, NULL, NULL);
 }
