@@ -440,10 +440,10 @@ coverage: deps
 
 # How many small faults in the code the tests notice: so many, of all that test/mutate can make.
 MUTANTS := 50
-mutants: all $(patsubst %,$(BUILD)/test/test_%,metrics heat_map options passes)
+mutants: all $(patsubst %,$(BUILD)/test/test_%,metrics heat_map options passes cluster_lights)
 	@test/mutate $(BUILD) $(MUTANTS) "test_metrics test_heat_map" src/metrics/*.c src/metrics/flip/*.c
 	@test/mutate $(BUILD) $(MUTANTS) test_options src/base/option.c src/base/settings.c
-	@test/mutate $(BUILD) $(MUTANTS) test_passes src/passes/lights/cluster.c $(wildcard glsl/lights/cluster_*)
+	@test/mutate $(BUILD) $(MUTANTS) "test_passes test_cluster_lights" src/passes/lights/cluster.c $(wildcard glsl/lights/cluster_*)
 
 lint:
 	@test/lint

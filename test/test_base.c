@@ -197,6 +197,48 @@ static void test_file_refusals(void **state) {
     image_free(&image);
 }
 
+/* Files of no format, pictures that a format has no room for, what is cut, and passes that a file tells of. */
+static void test_formats(void **state) {
+    (void)state;
+    struct image image, read;
+    struct bitmap bitmap = {1, 1, (unsigned char[]){1, 2, 3, 4}}, decoded;
+    uint64_t memory;
+    image_init(&image, 2, 1, "Z");
+    assert_false(image_write(&image, scratch("a.hdr")));
+    printf("    %s\n", error_get());
+    assert_non_null(strstr(error_get(), "no layer 'beauty'"));
+    static const char *const names[] = {"a.doc", "a"};
+    for (int i = 0; i < 2; i++)
+        assert_false(image_write(&image, scratch(names[i])) ||
+                     bitmap_write(&bitmap, scratch(names[i])) ||
+                     image_read(&read, scratch(names[i])) || image_is_whole(scratch(names[i])));
+    printf("    %s\n", error_get());
+    image.passes = mem_strdup("0..3");
+    image.weight = 4;
+    check_ok("passes", image_write(&image, scratch("passes.exr")));
+    check_ok("passes", image_read(&read, scratch("passes.exr")));
+    assert_string_equal(read.passes, "0..3");
+    check_near("weight", read.weight, 4, 0);
+    assert_true(image_is_whole(scratch("passes.exr")));
+    image_free(&read);
+    image_free(&image);
+    check_ok("png", bitmap_write(&bitmap, scratch("a.png")));
+    struct file_bytes bytes;
+    check_ok("its bytes", file_read(&bytes, scratch("a.png")));
+    for (size_t size = 0; size < bytes.size;
+         size++) { /* cut anywhere, it is none or its one pixel */
+        if (!bitmap_measure(bytes.data, size, &memory) ||
+            !bitmap_decode(&decoded, bytes.data, size))
+            continue;
+        assert_true(decoded.width == 1 && decoded.height == 1);
+        bitmap_free(&decoded);
+    }
+    check_ok("whole", bitmap_decode(&decoded, bytes.data, bytes.size));
+    assert_memory_equal(decoded.rgba, bitmap.rgba, 3); /* PNG has it without alpha here */
+    bitmap_free(&decoded);
+    free(bytes.data);
+}
+
 static void test_text(void **state) {
     (void)state;
     struct text text = {0};
@@ -437,16 +479,27 @@ static void test_folders(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_no_memory),      cmocka_unit_test(test_unread_files),
-        cmocka_unit_test(test_grey),           cmocka_unit_test(test_log),
-        cmocka_unit_test(test_progress),       cmocka_unit_test(test_json),
-        cmocka_unit_test(test_folders),        cmocka_unit_test(test_error_prefix),
-        cmocka_unit_test(test_halton),         cmocka_unit_test(test_added_channels),
-        cmocka_unit_test(test_parallel_for),   cmocka_unit_test(test_layers),
-        cmocka_unit_test(test_exr_round_trip), cmocka_unit_test(test_png_round_trip),
-        cmocka_unit_test(test_file_refusals),  cmocka_unit_test(test_foreign_names),
-        cmocka_unit_test(test_long_layers),    cmocka_unit_test(test_text),
-        cmocka_unit_test(test_whole_files),    cmocka_unit_test(test_words_and_names),
+        cmocka_unit_test(test_no_memory),
+        cmocka_unit_test(test_unread_files),
+        cmocka_unit_test(test_grey),
+        cmocka_unit_test(test_log),
+        cmocka_unit_test(test_progress),
+        cmocka_unit_test(test_json),
+        cmocka_unit_test(test_folders),
+        cmocka_unit_test(test_error_prefix),
+        cmocka_unit_test(test_halton),
+        cmocka_unit_test(test_added_channels),
+        cmocka_unit_test(test_parallel_for),
+        cmocka_unit_test(test_layers),
+        cmocka_unit_test(test_exr_round_trip),
+        cmocka_unit_test(test_png_round_trip),
+        cmocka_unit_test(test_formats),
+        cmocka_unit_test(test_file_refusals),
+        cmocka_unit_test(test_foreign_names),
+        cmocka_unit_test(test_long_layers),
+        cmocka_unit_test(test_text),
+        cmocka_unit_test(test_whole_files),
+        cmocka_unit_test(test_words_and_names),
     };
     return cmocka_run_group_tests_name("base", tests, NULL, NULL);
 }

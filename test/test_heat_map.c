@@ -105,6 +105,10 @@ static void test_label(void **state) {
     label_draw(&picture, 26, -3, 2, "z");
     find_drawn(&picture, 0, box);
     check_box("a letter at the corner", box, 26, 1, 30, 11);
+    memset(picture.rgba, 0, 30 * 20 * 4);
+    label_draw(&picture, -4, 8, 2, "z");
+    find_drawn(&picture, 0, box);
+    check_box("a letter at the other", box, 0, 12, 6, 18);
     bitmap_free(&picture);
 }
 
