@@ -34,6 +34,11 @@ sky_view sky_view_at(int i) {
                     sky_rows[row + 5].w, mat2(sides.xy, sides.zw));
 }
 
+// The next light beyond each quarter of it: -x -y, +x -y, -x +y, +x +y; itself where there is none.
+ivec4 sky_beyond(int i) {
+    return ivec4(sky_rows[i * SKY_ROWS + 11]);
+}
+
 // Irradiance over radiance of a light that nothing hides, exact: the vector's where all is above the
 // horizon, and Lambert's sum where the horizon cuts it.
 float sky_irradiance(int i, vec3 normal) {

@@ -219,10 +219,37 @@ static struct sky_source source_of(const struct sky_light *light, const struct g
     return source;
 }
 
+/* Of all lights the one whose axis is nearest to what lies beyond that quarter of the i-th, as far again; its map knows
+ * what the i-th's cannot. */
+static int find_beyond(const struct sky_block *block, int count, int i, int quarter) {
+    static const float least_cosine = .5F; /* of ways there with its axis */
+    const struct sky_source *own = &block->sources[i];
+    float x = quarter & 1 ? 1 : -1, y = quarter & 2 ? 1 : -1;
+    vec3 target;
+    glm_vec3_negate_to((float *)own->forward, target);
+    glm_vec3_muladds((float *)own->right, own->sides[0] * x + own->sides[2] * y, target);
+    glm_vec3_muladds((float *)own->up, own->sides[1] * x + own->sides[3] * y, target);
+    glm_vec3_normalize(target);
+    int found = i;
+    float most = least_cosine;
+    for (int k = 0; k < count; k++) {
+        float cosine = -glm_vec3_dot(target, (float *)block->sources[k].forward);
+        if (k != i && cosine > most) {
+            most = cosine;
+            found = k;
+        }
+    }
+    return found;
+}
+
 void sky_block_of(struct sky_block *block, const struct sky_lights *lights,
                   const struct environment *sky, const struct geometry *geometry) {
     for (int i = 0; i < lights->count; i++) {
         struct sky_light light = sky_light_turned(&lights->items[i], sky);
         block->sources[i] = source_of(&light, geometry);
     }
+    for (int i = 0; i < lights->count; i++)
+        for (int quarter = 0; quarter < 4; quarter++)
+            block->sources[i].beyond[quarter] =
+                (float)find_beyond(block, lights->count, i, quarter);
 }

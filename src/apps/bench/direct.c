@@ -25,9 +25,9 @@ static const struct series of_skies[] = {
     {"even parts:" DIRECT_ALONE, "sky.lights=15,30,60,120"},
     {"median cut:fit=median-cut," DIRECT_ALONE, "sky.lights=30,60"},
     {"rectangles:fit=rectangles," DIRECT_ALONE, "sky.lights=30,60"},
-    {"ways:" DIRECT_ALONE, "sky-ways=4,64"},
+    {"ways:" DIRECT_ALONE, "sky-ways=3,16"},
     {"maps:" DIRECT_ALONE, "sky-size=512,1024"},
-    {"no blocks:sky-block=1," DIRECT_ALONE, "sky-ways=16"},
+    {"no blocks:sky-block=1," DIRECT_ALONE, "sky-ways=5"},
     {NULL, NULL},
 };
 
