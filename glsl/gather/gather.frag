@@ -103,23 +103,19 @@ struct light_group {
     float strength, map;
 };
 
-void group_add(inout light_group group, vec3 own, vec3 own_back, vec3 place, float map, inout float random) {
-    float own_strength = dot(own + own_back, vec3(1.0));
-    group.arriving += own;
-    group.back += own_back;
-    group.strength += own_strength;
-    // One number for all: within the part that it fell into it is as random as before.
-    float share = own_strength / max(group.strength, 1e-30);
-    bool taken = random < share;
-    random = (taken ? random : random - share) / max(taken ? share : 1.0 - share, 1e-6);
+// A light that is the group's own, whose strength it brings to `strength`, and whether it asks for all.
+void group_add(inout light_group group, bool its_own, vec3 own, vec3 own_back, float strength, bool taken, vec3 place,
+               float map) {
+    group.arriving += its_own ? own : vec3(0.0);
+    group.back += its_own ? own_back : vec3(0.0);
+    group.strength = its_own ? strength : group.strength;
+    taken = taken && its_own;
     group.place = taken ? place : group.place;
     group.map = taken ? map : group.map;
 }
 
 vec3 group_light(light_group group, surface s) {
-    float visible = 1.0;
-    for (int lit = group.strength > 0.0 ? 1 : 0; lit > 0; lit--)
-        visible = visibility_from(int(group.map), s.position, s.normal, group.place);
+    float visible = visibility_from(int(group.map), s.position, s.normal, group.place);
     return mix(-group.back, group.arriving, visible);
 }
 
@@ -130,18 +126,24 @@ vec3 light_together(surface s, int first, int last, float random) {
     for (int i = first; i < last; i++) {
         vpl light = light_at(i);
         vec3 back, own = unshadowed(i, light, s, back);
-        float red = light.flux.r > light.flux.g ? 1.0 : 0.0, map = float(map_of(i, light));
-        group_add(redder, own * red, back * red, light.position, map, random);
-        group_add(greener, own * (1.0 - red), back * (1.0 - red), light.position, map, random);
+        bool is_red = light.flux.r > light.flux.g;
+        float own_strength = dot(own + back, vec3(1.0));
+        float strength = own_strength + (is_red ? redder.strength : greener.strength);
+        // One number for all: within the part that it fell into it is as random as before.
+        float share = own_strength / max(strength, 1e-30);
+        bool taken = random < share;
+        random = (taken ? random : random - share) / max(taken ? share : 1.0 - share, 1e-6);
+        float map = float(map_of(i, light));
+        group_add(redder, is_red, own, back, strength, taken, light.position, map);
+        group_add(greener, !is_red, own, back, strength, taken, light.position, map);
     }
     return group_light(redder, s) + group_light(greener, s);
 }
 
-vec3 light_of_slot(surface s, ivec2 pixel) {
+vec3 light_of_slot(surface s, ivec2 pixel, ivec2 lights) {
     vec3 sum = vec3(0.0);
     // A lattice: pixels side by side have numbers far apart. Each group has its own, as one has no digits for more.
     float random = fract(dot(vec2(pixel), vec2(0.7548776662, 0.5698402910)));
-    ivec2 lights = lights_of(pixel);
     for (int i = lights.x; i < lights.y; i += TOGETHER) {
         sum += light_together(s, i, min(i + TOGETHER, lights.y), random);
         random = fract(random + 0.6180339887);
@@ -149,35 +151,34 @@ vec3 light_of_slot(surface s, ivec2 pixel) {
     return sum;
 }
 #else
-vec3 light_of_slot(surface s, ivec2 pixel) {
+vec3 light_of_slot(surface s, ivec2 pixel, ivec2 lights) {
     vec3 sum = vec3(0.0), back;
-    ivec2 lights = lights_of(pixel);
 #if SHARE_VISIBILITY
     ivec2 block;
 #if CLAMP >= 6
     vec4 shares;
-    if (block_shares(s, pixel, block, shares)) {
+    bool shared_by_block = block_shares(s, pixel, block, shares);
 #else
-    if (nearest_block(s, pixel, block)) {
+    bool shared_by_block = nearest_block(s, pixel, block);
 #endif
-        for (int i = lights.x; i < lights.y; i++) {
-            vpl light = light_at(i);
+    int last = shared_by_block ? lights.y : lights.x;
+    for (int i = lights.x; i < last; i++) {
+        vpl light = light_at(i);
 #if CLAMP >= 6
-            float visible = shared_visibility(block, shares, map_of(i, light));
+        float visible = shared_visibility(block, shares, map_of(i, light));
 #else
-            float visible = texelFetch(block_visibilities, ivec3(block, map_of(i, light)), 0).r;
+        float visible = texelFetch(block_visibilities, ivec3(block, map_of(i, light)), 0).r;
 #endif
 #if SPECULAR
-            vec3 arriving = unshadowed(i, light, s, back);
-            sum += mix(-back, arriving, visible);
+        vec3 arriving = unshadowed(i, light, s, back);
+        sum += mix(-back, arriving, visible);
 #else
-            sum += unshadowed(i, light, s, back) * visible;
+        sum += unshadowed(i, light, s, back) * visible;
 #endif
-        }
-        lights.y = lights.x;
     }
+    lights.x = last;
 #endif
-    // Loops and no branches: a software rasteriser leaves a loop that no pixel is in, but executes both
+    // Loops and no branches: a software rasteriser leaves a loop that no pixel is in after one step, but executes both
     // sides of a branch.
     for (int i = lights.x; i < lights.y; i++) {
         vpl light = light_at(i);
@@ -196,17 +197,16 @@ vec3 light_of_slot(surface s, ivec2 pixel) {
 #endif
 
 void main() {
-    irradiance = vec4(0.0);
     ivec2 pixel;
-    if (!receiver_pixel(params.pattern, slot.zw, pixel))
-        return;
+    bool receives = receiver_pixel(params.pattern, slot.zw, pixel);
     surface s = receiver_surface(pixel);
-    if (!s.present)
-        return;
+    receives = receives && s.present;
 #if SPECULAR
     receiver_shine = gbuffer_shine(s, pixel);
-    if (receiver_shine.f90 == vec3(0.0))
-        return;
+    receives = receives && receiver_shine.f90 != vec3(0.0);
 #endif
-    irradiance = vec4(light_of_slot(s, pixel) * (INVERSE_PI * weight * params.scale), 1.0);
+    // No lights, and no branch around the loops, which a software rasteriser would keep books of at each step.
+    ivec2 lights = receives ? lights_of(pixel) : ivec2(0);
+    vec3 light = light_of_slot(s, pixel, lights) * (INVERSE_PI * weight * params.scale);
+    irradiance = receives ? vec4(light, 1.0) : vec4(0.0);
 }

@@ -44,12 +44,9 @@ near_light near_fetch(light_view v, ivec2 texel) {
 vec3 sample_light(surface receiver, light l, int index, vec2 ndc, float reach) {
     light_view seen = light_view_at(index);
     view v = seen.view;
-    vec3 ray = v.forward + ndc.x * v.right + ndc.y * v.up;
-    // Solid angle per unit of ndc area, but for the view's own spread; an area does not depend on the ray.
-    float stretch = inversesqrt(dot(ray, ray));
-    float measure = v.orthographic ? 1.0 : stretch * stretch * stretch;
 #if MAP_KINDS & (1 << LIGHT_MAP_FACE)
     // The point may lie beyond the edge of a cube's face: another face has it.
+    vec3 ray = v.forward + ndc.x * v.right + ndc.y * v.up;
     int other = light_view_index(l, ray);
     seen = light_view_at(other);
     v = seen.view;
@@ -58,43 +55,36 @@ vec3 sample_light(surface receiver, light l, int index, vec2 ndc, float reach) {
         ndc = clip.xy / clip.w;
     }
 #endif
-    if (any(greaterThanEqual(abs(ndc), vec2(1.0))))
-        return vec3(0.0);
     vec2 size = vec2(near_size(seen.kind));
-    ivec2 texel = ivec2((ndc * 0.5 + 0.5) * size);
+    ivec2 texel = clamp(ivec2((ndc * 0.5 + 0.5) * size), ivec2(0), ivec2(size) - 1);
     near_light near = near_fetch(seen, texel);
-    if (near.depth <= 0.0)
-        return vec3(0.0);
-    vec3 position = view_position(v, (vec2(texel) + 0.5) / size * 2.0 - 1.0, near.depth);
+    vec3 position = view_position_at(v, (vec2(texel) + 0.5) / size * 2.0 - 1.0, near.z);
     vec3 to_sample = (position - receiver.position) * params.inverse_radius;
     float distance2 = dot(to_sample, to_sample);
     float cosines = max(dot(receiver.normal, to_sample), 0.0) *
                     max(-dot(octahedral_decode(near.normal_code), to_sample), 0.0);
-    if (cosines <= 0.0)
-        return vec3(0.0);
     float share = near_share(distance2, near.spacing * near.spacing, reach);
-    return near.power * (cosines / (distance2 * distance2) * share * measure);
+    // No branches: a software rasteriser executes both sides.
+    bool seen_lit = all(lessThan(abs(ndc), vec2(1.0))) && near.z > 0.0 && cosines > 0.0;
+    return near.power * (seen_lit ? cosines / (distance2 * distance2) * share : 0.0);
 }
 
-// Of one light.
-vec3 near_field(surface s, light l, vpl_share share) {
+// Of one light, where there is something that receives it.
+vec3 near_field(surface s, bool receives, light l, vpl_share share) {
     int index = light_view_index(l, s.position - l.position);
     light_view seen = light_view_at(index);
     view v = seen.view;
     vec4 clip = v.world_to_clip * vec4(s.position, 1.0);
-    if (clip.w <= 0.0)
-        return vec3(0.0);
     vec2 center = clip.xy / clip.w;
     // The reach of the widest VPL, in ndc.
     float radius = share.reach * sqrt(share.measure / VPL_COSINE_MIN) / length(v.right);
-    if (any(greaterThan(abs(center), vec2(1.0 + radius))))
-        return vec3(0.0);
     vec2 aspect = vec2(1.0, length(v.right) / length(v.up));
     float least = 1.0 / float(near_size(seen.kind)), span = log(radius / least);
-    if (span <= 0.0)
-        return vec3(0.0);
+    // A count and no branch around the loop, which a software rasteriser would keep books of at each step.
+    bool reached = receives && clip.w > 0.0 && all(lessThanEqual(abs(center), vec2(1.0 + radius))) && span > 0.0;
+    int last = reached ? slot.x + slot.y : slot.x;
     vec3 sum = vec3(0.0);
-    for (int i = slot.x; i < slot.x + slot.y; i++) {
+    for (int i = slot.x; i < last; i++) {
         near_sample place = near_sample(sample_rows[i].xy, sample_rows[i].z, 0.0);
         float r = least * exp(span * place.log_radius);
         // Log-polar density: 1 / (2 pi r^2 span) per ndc area.
@@ -103,19 +93,21 @@ vec3 near_field(surface s, light l, vpl_share share) {
     }
     float spread = length(v.right) * length(v.up);
     float weight = 2.0 * PI * span * aspect.y * spread / float(slot.y);
-    return sum * (weight / PI);
+    return reached ? sum * (weight / PI) : vec3(0.0);
 }
 
 void main() {
     irradiance = vec4(0.0);
     ivec2 pixel;
-    if (!receiver_pixel(params.pattern, slot.zw, pixel))
-        return;
+    bool receives = receiver_pixel(params.pattern, slot.zw, pixel);
     surface s = receiver_surface(pixel);
-    if (!s.present)
-        return;
+    receives = receives && s.present;
+#if LIGHTS == 1 // or none
+    irradiance.rgb = near_field(s, receives && pick_count > 0, light_at(0), vpl_share_at(0));
+#else
     for (int i = 0; i < pick_count; i++) {
         int index = int(picks[i].x);
-        irradiance.rgb += picks[i].y * near_field(s, light_at(index), vpl_share_at(index));
+        irradiance.rgb += picks[i].y * near_field(s, receives, light_at(index), vpl_share_at(index));
     }
+#endif
 }

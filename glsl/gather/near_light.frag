@@ -10,6 +10,11 @@ flat in int view_index;
 
 layout(location = TARGET_RESULT) out uvec4 packed_light;
 
+// Solid angle per unit of ndc area, but for the view's own spread; an area does not depend on the ray.
+float ndc_measure(view v, float cosine) {
+    return v.orthographic ? 1.0 : cosine * cosine * cosine;
+}
+
 void main() {
     packed_light = uvec4(0u);
     light_view v = light_view_at(view_index);
@@ -26,6 +31,7 @@ void main() {
     float area = vpl_share_at(v.light).measure * distance2 / max(cosine, VPL_COSINE_MIN);
     vec3 power = directional ? l.intensity : light_intensity(l, direction);
     power *= rsm_albedo(v, texel) * (cosine > 0.0 ? params.power_scale : 0.0);
-    packed_light = near_light_pack(near_light(rsm_depth(v, texel), rsm_normal_code(v, texel), power,
-                                              sqrt(area) * params.inverse_radius));
+    power *= ndc_measure(v.view, dot(from_light, v.view.forward) * inversesqrt(dot(from_light, from_light)));
+    float z = view_linear_depth(v.view, rsm_depth(v, texel));
+    packed_light = near_light_pack(near_light(z, rsm_normal_code(v, texel), power, sqrt(area) * params.inverse_radius));
 }

@@ -2,14 +2,14 @@
 #include "lib/octahedral.glsl"
 
 struct near_light {
-    float depth;      // reversed, as in the reflective shadow map; 0 where nothing is
+    float z;          // along the view's axis, metres; 0 where nothing is
     vec2 normal_code;
-    vec3 power;       // reflected per solid angle (of a directional light, per area), times params.power_scale
+    vec3 power;       // reflected per ndc area and spread of the view, times params.power_scale
     float spacing;    // of the VPLs here, over the scene's radius
 };
 
 uvec4 near_light_pack(near_light light) {
-    return uvec4(floatBitsToUint(light.depth), packUnorm2x16(light.normal_code),
+    return uvec4(floatBitsToUint(light.z), packUnorm2x16(light.normal_code),
                  packHalf2x16(light.power.rg), packHalf2x16(vec2(light.power.b, light.spacing)));
 }
 

@@ -5,12 +5,16 @@ float view_linear_depth(view v, float depth) {
     return v.orthographic ? (1.0 - depth) * v.far : v.near / depth;
 }
 
-// The world position at a point of the picture, ndc in [-1, 1].
-vec3 view_position(view v, vec2 ndc, float depth) {
-    float z = view_linear_depth(v, depth);
+// The world position at a point of the picture, ndc in [-1, 1], and a distance along the view's axis.
+vec3 view_position_at(view v, vec2 ndc, float z) {
     vec3 aside = ndc.x * v.right + ndc.y * v.up;
     float spread = v.orthographic ? 1.0 : z;
     return v.origin + z * v.forward + spread * aside;
+}
+
+// The same of a reversed depth.
+vec3 view_position(view v, vec2 ndc, float depth) {
+    return view_position_at(v, ndc, view_linear_depth(v, depth));
 }
 
 // How much the picture shows from its bottom to its top at that depth, metres.

@@ -84,12 +84,18 @@ bool read_depths(ivec2 pixel) {
     bool edge = false;
     for (int i = 0; i < SAMPLES; i++) {
         depth[i] = sample_depth(pixel, i);
-        normal[i] = vec3(0.0);
-        least[i] = 1e30;
-        best[i] = PICK_NOTHING;
-        edge = edge || off_plane(center, params.places[i].xy, depth[i]) > PLANE_TOLERANCE * center.across;
+        float off = off_plane(center, params.places[i].xy, depth[i]);
+        edge = edge || off > PLANE_TOLERANCE * center.across;
     }
     return edge;
+}
+
+void read_normals(ivec2 pixel) {
+    for (int i = 0; i < SAMPLES; i++) {
+        normal[i] = sample_normal(pixel, i);
+        least[i] = 1e30;
+        best[i] = PICK_NOTHING;
+    }
 }
 
 // Of the neighbours, the pixel itself first.
@@ -104,43 +110,58 @@ void try_neighbour(ivec2 pixel, uint pick) {
     }
 }
 
-// The sample that lies off all neighbours' surfaces most; -1 where none does.
-int most_unlikely() {
+// One of the samples, in values of its own: an array that is read at a place that is not known beforehand lies in
+// memory, all of it.
+struct picked_sample {
+    vec2 place;
+    float depth;
+    vec3 normal;
+    uint pick;
+};
+
+// The one that lies off all neighbours' surfaces most; false where none does.
+bool most_unlikely(out picked_sample found) {
     float most = UNLIKELY;
-    int found = -1;
+    found = picked_sample(vec2(0.0), 0.0, vec3(0.0), PICK_NOTHING);
     for (int i = 0; i < SAMPLES; i++) {
         bool more = best[i] != PICK_NOTHING && least[i] > most;
         most = more ? least[i] : most;
-        found = more ? i : found;
+        found.place = more ? params.places[i].xy : found.place;
+        found.depth = more ? depth[i] : found.depth;
+        found.normal = more ? normal[i] : found.normal;
+        found.pick = more ? best[i] : found.pick;
     }
-    return found;
+    return most > UNLIKELY;
 }
 
 // That sample is the further point, and others that rather lie on its surface are lit as it.
-void take_further_point(ivec2 pixel, int chosen) {
-    vec2 place = params.places[chosen].xy;
-    further_point point = further_point(depth[chosen], normal[chosen], place, best[chosen]);
+void take_further_point(ivec2 pixel, picked_sample chosen) {
+    further_point point = further_point(chosen.depth, chosen.normal, chosen.place, chosen.pick);
     imageStore(further_points, pixel, further_point_pack(point));
-    plane p = plane_at(vec2(pixel) + 0.5 + place, point.depth, point.normal);
+    plane p = plane_at(vec2(pixel) + 0.5 + chosen.place, chosen.depth, chosen.normal);
     for (int i = 0; i < SAMPLES; i++) {
-        float unlikely = unlikelihood(p, params.places[i].xy - place, depth[i], normal[i]);
+        float unlikely = unlikelihood(p, params.places[i].xy - chosen.place, depth[i], normal[i]);
         best[i] = depth[i] > 0.0 && unlikely < least[i] ? PICK_FURTHER : best[i];
     }
 }
 
+uvec2 pick_all(ivec2 pixel) {
+    read_normals(pixel);
+    for (uint pick = 0u; pick < 9u; pick++)
+        try_neighbour(pixel, pick);
+    picked_sample chosen;
+    for (bool found = most_unlikely(chosen); found; found = false)
+        take_further_point(pixel, chosen);
+    uvec2 all = uvec2(0u);
+    for (int i = 0; i < SAMPLES; i++)
+        all[i / 8] |= best[i] << uint(4 * (i % 8));
+    return all;
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    bool edge = read_depths(pixel);
-    // Most pixels have no edge, and a loop that no pixel enters is left where a branch would cost.
-    for (bool look = edge; look; look = false) {
-        for (int i = 0; i < SAMPLES; i++)
-            normal[i] = sample_normal(pixel, i);
-        for (uint pick = 0u; pick < 9u; pick++)
-            try_neighbour(pixel, pick);
-        for (int chosen = most_unlikely(); chosen >= 0; chosen = -1)
-            take_further_point(pixel, chosen);
-    }
     picks = uvec2(0u);
-    for (int i = 0; i < SAMPLES; i++)
-        picks[i / 8] |= (edge ? best[i] : 0u) << uint(4 * (i % 8));
+    // Most pixels have no edge, and a loop that no pixel enters is left where a branch would cost.
+    for (bool look = read_depths(pixel); look; look = false)
+        picks = pick_all(pixel);
 }

@@ -36,25 +36,27 @@ float seen_from_receiver(int map, receiver r, ivec2 texel, float seen) {
 // Whether the ray is blocked where it begins.
 bool is_receiver_hidden(int map, receiver r, float deep) {
     ivec2 texel = ivec2(r.uv * lookup.map_size);
-    float seen = seen_in(map, r, texel);
+    float seen = seen_in(map, r, texel), met = seen_from_receiver(map, r, texel, seen);
     return is_known(r.point, r.distance) && within_caster(receiver_distance(r, texel), seen, deep) &&
-           seen_from_receiver(map, r, texel, seen) < r.distance * (1.0 - lookup.map_bias);
+           met < r.distance * (1.0 - lookup.map_bias);
 }
 
 float visibility_from(int map, vec3 position, vec3 normal, vec3 light) {
     map_view v = map_view_at(map);
     receiver r;
-    if (!project(v, position, normal, r))
-        return 1.0;
+    bool projected = project(v, position, normal, r);
     float deep = CASTER_DEPTH * r.distance;
     vec3 to_light = paraboloid_local(v, light) - r.point;
     bool hidden = is_receiver_hidden(map, r, deep);
-    for (int i = 1; i < RAY_PLACES && !hidden; i++) {
+    // A count that is not known beforehand. A software rasteriser executes what a loop holds once even where no pixel
+    // enters it: unrolled, that would be all places.
+    int places = projected && !hidden ? RAY_PLACES : 0;
+    for (int i = 1; i < places && !hidden; i++) {
         vec3 place = r.point + float(i) / float(RAY_PLACES) * to_light;
         float distance = length(place);
         ivec2 texel = ivec2((paraboloid_project(place / distance) * 0.5 + 0.5) * lookup.map_size);
-        float compared = distance * (1.0 - lookup.map_bias);
-        hidden = is_known(place, distance) && within_caster(compared, seen_in(map, r, texel), deep);
+        float compared = distance * (1.0 - lookup.map_bias), seen = seen_in(map, r, texel);
+        hidden = is_known(place, distance) && within_caster(compared, seen, deep);
     }
-    return hidden ? 0.0 : 1.0;
+    return projected && hidden ? 0.0 : 1.0;
 }
