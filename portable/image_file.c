@@ -4,8 +4,8 @@
 
 #include "base/error.h"
 #include "base/file/file.h"
-#include "base/memory.h"
 #include "base/file/output_file.h"
+#include "base/memory.h"
 #include "base/text.h"
 
 #define STB_IMAGE_IMPLEMENTATION

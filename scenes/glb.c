@@ -4,8 +4,8 @@
 #include "png.h"
 
 #include "base/file/file.h"
-#include "base/memory.h"
 #include "base/file/output_file.h"
+#include "base/memory.h"
 
 #include <cglm/cglm.h>
 #include <stdio.h>

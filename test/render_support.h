@@ -4,8 +4,8 @@
 
 #include "support.h"
 
-#include "measure/stage.h"
 #include "gl/context/context.h"
+#include "measure/stage.h"
 #include "reference/scene/ray_scene.h"
 #include "renderer/renderer.h"
 

@@ -7,8 +7,8 @@
 #include "base/log.h"
 #include "scene/animation.h"
 #include "scene/camera.h"
-#include "scene/mesh/geometry.h"
 #include "scene/emitter.h"
+#include "scene/mesh/geometry.h"
 
 #include <math.h>
 #include <stdlib.h>

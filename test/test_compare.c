@@ -1,8 +1,8 @@
 /* manylight compare: exit statuses, messages and outputs, as a shell sees them. */
 #include "support.h"
 
-#include "base/image.h"
 #include "base/file/image_file.h"
+#include "base/image.h"
 #include "metrics/panels.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@ static char output[8192];
 
 /* Runs `manylight compare ARGUMENTS`; the output is kept. */
 static void expect(int status, const char *arguments) {
-    char command[2048];
+    char command[4096];
     snprintf(command, sizeof command, "%s compare %s", binary_path(), arguments);
     int actual = run_command(command, output, sizeof output);
     printf("    %s\n    -> %d %s", arguments, actual, output);

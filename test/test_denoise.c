@@ -1,8 +1,8 @@
 /* The a-trous filter on pictures made by hand, and `manylight reference --denoise`. */
 #include "support.h"
 
-#include "base/image.h"
 #include "base/file/image_file.h"
+#include "base/image.h"
 #include "reference/atrous.h"
 
 #include <math.h>

@@ -2,8 +2,8 @@
 #include "support.h"
 
 #include "base/error.h"
-#include "base/image.h"
 #include "base/file/image_file.h"
+#include "base/image.h"
 #include "metrics/colour.h"
 #include "metrics/heat_map.h"
 #include "metrics/label.h"

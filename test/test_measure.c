@@ -3,12 +3,12 @@
 #include "render_support.h"
 
 #include "base/error.h"
-#include "measure/clip.h"
+#include "inspect/aov.h"
 #include "inspect/lights.h"
+#include "measure/clip.h"
 #include "measure/rival.h"
 #include "measure/truth.h"
 #include "measure/variants.h"
-#include "inspect/aov.h"
 
 #include <stdio.h>
 #include <stdlib.h>

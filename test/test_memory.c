@@ -3,9 +3,9 @@
 #include "support.h"
 
 #include "base/error.h"
+#include "base/file/output_file.h"
 #include "base/image.h"
 #include "base/memory.h"
-#include "base/file/output_file.h"
 
 #include <stdio.h>
 #include <stdlib.h>

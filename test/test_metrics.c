@@ -2,16 +2,16 @@
 #include "support.h"
 
 #include "base/error.h"
-#include "base/image.h"
 #include "base/file/image_file.h"
+#include "base/image.h"
 #include "flip_direct.h"
 #include "metrics/colour.h"
 #include "metrics/flip/flip.h"
 #include "metrics/flip/hdr_flip.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"
-#include "metrics/summary.h"
 #include "metrics/quantile.h"
+#include "metrics/summary.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -5,8 +5,8 @@
 #include "base/error.h"
 #include "base/file/file.h"
 #include "base/file/image_file.h"
-#include "base/memory.h"
 #include "base/file/output_file.h"
+#include "base/memory.h"
 #include "viewer/session.h"
 
 #include <dirent.h>

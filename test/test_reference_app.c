@@ -2,8 +2,8 @@
  */
 #include "support.h"
 
-#include "base/image.h"
 #include "base/file/image_file.h"
+#include "base/image.h"
 
 #include <math.h>
 #include <stdio.h>

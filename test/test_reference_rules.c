@@ -3,8 +3,8 @@
 #include "hand_made.h"
 
 #include "base/error.h"
-#include "reference/scene/ray_scene.h"
 #include "reference/sampler.h"
+#include "reference/scene/ray_scene.h"
 #include "reference/warp.h"
 
 static const vec3s down = {{0, -1, 0}};

@@ -6,13 +6,13 @@
 #include "base/log.h"
 #include "scene/brightness.h"
 #include "scene/camera.h"
+#include "scene/emitter.h"
 #include "scene/material.h"
+#include "scene/mesh/geometry.h"
 #include "scene/open.h"
 #include "scene/room.h"
 #include "scene/stand_in.h"
 #include "scene/view.h"
-#include "scene/mesh/geometry.h"
-#include "scene/emitter.h"
 
 #include <cglm/cglm.h>
 #include <math.h>

@@ -11,8 +11,8 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "gl/memory.h"
-#include "viewer/window/ui.h"
 #include "viewer/viewer.h"
+#include "viewer/window/ui.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

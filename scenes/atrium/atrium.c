@@ -8,8 +8,8 @@
  * The spot stands above the open roof and lights a patch of the floor and of the north arcade
  * (z < 0); everything else in the picture is indirect light.
  */
-#include "atrium/pieces.h"
 #include "atrium/furnishing.h"
+#include "atrium/pieces.h"
 #include "scenes.h"
 #include "shapes/shapes.h"
 

@@ -1,5 +1,5 @@
-#include "atrium/pieces.h"
 #include "atrium/masonry.h"
+#include "atrium/pieces.h"
 #include "shapes/shapes.h"
 
 #include <cglm/cglm.h>

@@ -1,7 +1,7 @@
 /* A horse in the Cornell box, 17000 faces of its own [Dong 2009, Table 1]. */
-#include "shapes/decimate.h"
 #include "boxes/horse.h"
 #include "scenes.h"
+#include "shapes/decimate.h"
 #include "shapes/shapes.h"
 
 #include "base/memory.h"

@@ -5,9 +5,9 @@
 
 #include "base/error.h"
 #include "base/file/image_file.h"
+#include "base/file/output_file.h"
 #include "base/json.h"
 #include "base/memory.h"
-#include "base/file/output_file.h"
 #include "metrics/heat_map.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"

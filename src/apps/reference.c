@@ -3,19 +3,19 @@
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/options.h"
-#include "base/progress.h"
-#include "measure/stage.h"
-#include "measure/picture.h"
-#include "techniques/many_lights.h"
-#include "metrics/quantile.h"
-#include "reference/channels.h"
-#include "scene/material.h"
 
 #include "base/error.h"
 #include "base/file/image_file.h"
+#include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/memory.h"
-#include "base/file/output_file.h"
+#include "base/progress.h"
+#include "measure/picture.h"
+#include "measure/stage.h"
+#include "metrics/quantile.h"
+#include "reference/channels.h"
+#include "scene/material.h"
+#include "techniques/many_lights.h"
 
 #include <stdlib.h>
 #include <string.h>

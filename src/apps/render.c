@@ -2,21 +2,21 @@
 #define _POSIX_C_SOURCE 200809L
 #include "apps/apps.h"
 #include "apps/arguments.h"
-#include "apps/options.h"
 #include "apps/frames.h"
-#include "apps/interrupt.h"
-#include "base/progress.h"
-#include "measure/quality.h"
 #include "apps/in_time.h"
+#include "apps/interrupt.h"
+#include "apps/options.h"
 #include "apps/stats.h"
 
 #include "base/error.h"
 #include "base/file/image_file.h"
+#include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/memory.h"
-#include "base/file/output_file.h"
+#include "base/progress.h"
 #include "gl/glsl.h"
 #include "inspect/aov.h"
+#include "measure/quality.h"
 
 #include <stdlib.h>
 #include <string.h>

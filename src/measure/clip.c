@@ -2,9 +2,9 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/progress.h"
 #include "gl/memory.h"
 #include "inspect/lights.h"
-#include "base/progress.h"
 #include "scene/animation.h"
 #include "shared/vpl.h"
 

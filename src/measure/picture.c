@@ -1,9 +1,9 @@
 #include "measure/picture.h"
 
 #include "inspect/lights.h"
-#include "techniques/many_lights.h"
 #include "reference/vpl_sum.h"
 #include "scene/material.h"
+#include "techniques/many_lights.h"
 
 bool picture_render(const struct measure_desc *desc, struct image *image) {
     struct renderer renderer;

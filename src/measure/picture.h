@@ -3,8 +3,8 @@
 #ifndef MEASURE_PICTURE_H
 #define MEASURE_PICTURE_H
 
-#include "measure/measure.h"
 #include "base/progress.h"
+#include "measure/measure.h"
 #include "reference/path_tracer.h"
 #include "reference/vpl_sum.h"
 

@@ -1,7 +1,7 @@
 #include "measure/results.h"
 
-#include "base/memory.h"
 #include "base/file/output_file.h"
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "base/text.h"
 

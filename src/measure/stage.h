@@ -5,9 +5,9 @@
 
 #include "renderer/renderer.h"
 #include "scene/camera.h"
+#include "scene/emitter.h"
 #include "scene/environment.h"
 #include "scene/mesh/geometry.h"
-#include "scene/emitter.h"
 
 struct stage_desc {
     const char *path;

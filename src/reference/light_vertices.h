@@ -10,8 +10,8 @@
 #ifndef REFERENCE_LIGHT_VERTICES_H
 #define REFERENCE_LIGHT_VERTICES_H
 
-#include "reference/scene/emission.h"
 #include "reference/sampler.h"
+#include "reference/scene/emission.h"
 
 enum { LIGHT_VERTEX_COUNT = 1 << 16 };
 

@@ -1,12 +1,12 @@
 #include "reference/path_tracer.h"
 
-#include "reference/denoise.h"
-#include "scene/environment.h"
-#include "reference/film.h"
 #include "reference/channels.h"
+#include "reference/denoise.h"
+#include "reference/film.h"
 #include "reference/path.h"
-#include "reference/rows.h"
 #include "reference/primary.h"
+#include "reference/rows.h"
+#include "scene/environment.h"
 
 #include "base/error.h"
 #include "base/memory.h"

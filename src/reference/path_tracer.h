@@ -21,8 +21,8 @@
 
 #include "base/image.h"
 #include "scene/camera.h"
-#include "scene/mesh/geometry.h"
 #include "scene/emitter.h"
+#include "scene/mesh/geometry.h"
 
 struct path_tracer_progress {
     double done;  /* estimated share of the work, in [0, 1] */

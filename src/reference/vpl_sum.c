@@ -1,12 +1,12 @@
 #include "reference/vpl_sum.h"
 
-#include "reference/scene/emission.h"
 #include "reference/channels.h"
 #include "reference/light_cut.h"
+#include "reference/primary.h"
 #include "reference/residual.h"
 #include "reference/rows.h"
+#include "reference/scene/emission.h"
 #include "reference/vector.h"
-#include "reference/primary.h"
 
 #include <assert.h>
 #include <math.h>

@@ -10,10 +10,10 @@
 #define REFERENCE_VPL_SUM_H
 
 #include "base/image.h"
-#include "scene/camera.h"
-#include "scene/mesh/geometry.h"
 #include "reference/geometry_term.h"
+#include "scene/camera.h"
 #include "scene/emitter.h"
+#include "scene/mesh/geometry.h"
 #include "shared/vpl.h"
 
 /* Lightcuts in place of the whole sum at each pixel [Walter et al. 2005]: fewer lights and rays, and

@@ -7,9 +7,9 @@
 #define RENDERER_RENDERER_H
 
 #include "base/image.h"
-#include "passes/picture/antialias.h"
 #include "direct/direct.h"
 #include "direct/skylight.h"
+#include "passes/picture/antialias.h"
 #include "passes/picture/composite.h"
 #include "passes/picture/geometry.h"
 #include "passes/picture/mean.h"

@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "scene/animation.h"
-#include "scene/node.h"
 #include "scene/mesh/primitive.h"
+#include "scene/node.h"
 
 #include <cglm/cglm.h>
 #include <stdlib.h>

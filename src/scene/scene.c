@@ -1,14 +1,14 @@
 #include "scene/scene.h"
 
 #include "base/error.h"
-#include "base/memory.h"
 #include "base/file/output_file.h"
+#include "base/memory.h"
 #include "scene/animation.h"
 #include "scene/emissive.h"
 #include "scene/environment.h"
 #include "scene/gltf/gltf.h"
-#include "scene/node.h"
 #include "scene/mesh/primitive.h"
+#include "scene/node.h"
 
 #include <stdlib.h>
 

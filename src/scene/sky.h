@@ -2,9 +2,9 @@
 #ifndef SCENE_SKY_H
 #define SCENE_SKY_H
 
+#include "scene/emitter.h"
 #include "scene/environment_fit.h"
 #include "scene/mesh/geometry.h"
-#include "scene/emitter.h"
 
 struct sky_lights {
     struct sky_light items[SKY_LIGHTS_MAX];

@@ -3,8 +3,8 @@
 #define SCENE_VIEW_H
 
 #include "scene/camera.h"
-#include "scene/mesh/geometry.h"
 #include "scene/emitter.h"
+#include "scene/mesh/geometry.h"
 #include "shared/light.h"
 
 /* aspect = width / height. The near plane lies at a millionth of the scene's size. */

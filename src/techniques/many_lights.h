@@ -6,11 +6,11 @@
 #include "passes/gather/blur.h"
 #include "passes/gather/detail.h"
 #include "passes/gather/gather.h"
-#include "passes/picture/geometry.h"
 #include "passes/gather/gloss_rays.h"
 #include "passes/gather/near_field.h"
 #include "passes/lights/bounce.h"
 #include "passes/lights/vpl.h"
+#include "passes/picture/geometry.h"
 #include "techniques/technique.h"
 
 /* --- settings ---

@@ -2,10 +2,10 @@
 #ifndef VIEWER_LIGHT_TOOL_H
 #define VIEWER_LIGHT_TOOL_H
 
-#include "scene/camera.h"
-#include "scene/mesh/geometry.h"
-#include "scene/emitter.h"
 #include "inspect/screen.h"
+#include "scene/camera.h"
+#include "scene/emitter.h"
+#include "scene/mesh/geometry.h"
 #include "viewer/window/window.h"
 
 /* Of the chosen light; a round one has a width alone, a spot a cone. */

@@ -2,8 +2,8 @@
 #include "viewer/session.h"
 
 #include "base/error.h"
-#include "base/memory.h"
 #include "base/file/output_file.h"
+#include "base/memory.h"
 #include "renderer/renderer.h"
 #include "scene/environment.h"
 

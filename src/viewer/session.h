@@ -3,8 +3,8 @@
 #ifndef VIEWER_SESSION_H
 #define VIEWER_SESSION_H
 
-#include "scene/placing.h"
 #include "renderer/settings.h"
+#include "scene/placing.h"
 
 #include <stdbool.h>
 

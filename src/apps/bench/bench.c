@@ -3,9 +3,9 @@
 
 #include "apps/apps.h"
 #include "base/error.h"
+#include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/memory.h"
-#include "base/file/output_file.h"
 #include "measure/timing.h"
 
 #include <stdlib.h>

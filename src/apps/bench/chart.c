@@ -6,8 +6,8 @@
 #include "base/file/file.h"
 #include "base/file/folder.h"
 #include "base/file/image_file.h"
-#include "base/memory.h"
 #include "base/file/output_file.h"
+#include "base/memory.h"
 
 #include <dirent.h>
 #include <errno.h>

@@ -3,8 +3,8 @@
 
 extern "C" {
 #include "base/error.h"
-#include "base/memory.h"
 #include "base/file/output_file.h"
+#include "base/memory.h"
 }
 
 #include <OpenImageIO/filesystem.h>

@@ -1,8 +1,8 @@
 #include "reference/scene/hit.h"
 
+#include "reference/vector.h"
 #include "scene/mesh/corners.h"
 #include "scene/texture.h"
-#include "reference/vector.h"
 
 #include "base/memory.h"
 
