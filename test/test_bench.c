@@ -1,5 +1,6 @@
 /* manylight bench: its modes, its tables and its files, as a shell sees them. Times are never
  * compared: only that they are there. */
+#define _POSIX_C_SOURCE 200809L
 #include "support.h"
 
 #include <stdio.h>
@@ -133,6 +134,7 @@ static void draw(const char *csv, const char *folder) {
     char arguments[1024];
     if (run_command("gnuplot --version", output, sizeof output) != 0)
         skip();
+    setenv("LC_ALL", "C", 1); /* whose letters are not the script's */
     snprintf(arguments, sizeof arguments, "chart %s -o %s", scratch(csv), scratch(folder));
     check_runs(arguments);
     if (strstr(output, "warning"))

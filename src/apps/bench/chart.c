@@ -71,7 +71,8 @@ static bool take_drawings(const char *from, const char *to, bool ok) {
 }
 
 static bool run_gnuplot(const char *csv, const char *folder) {
-    FILE *gnuplot = popen("gnuplot -", "w");
+    /* The script is UTF-8, of which it warns where the locale is another. */
+    FILE *gnuplot = popen("LC_ALL=C.UTF-8 gnuplot -", "w");
     if (!gnuplot)
         return error_set("cannot run gnuplot");
     fprintf(gnuplot, "csv = '%s'\nfolder = '%s'\n%s", csv, folder, chart_script);
