@@ -248,7 +248,7 @@ static void test_sheet(void **state) {
     sync_viewer();
     struct bitmap screen = read_screen();
     for (int i = 0; i < 4; i++) {
-        char number[8];
+        char number[16];
         unsigned char expected[3];
         snprintf(number, sizeof number, "%d", i);
         find_place(number, &x, &y);
