@@ -309,7 +309,7 @@ static void test_no_memory(void **state) {
     assert_false(mem_limit(1));
     printf("    %s\n", error_get());
     assert_non_null(strstr(error_get(), "are in use already"));
-    assert_true(mem_resident() > 0 && mem_most_resident() >= mem_resident());
+    assert_true(mem_resident() > 0 && mem_most_resident() > 0); /* counted at different times */
     free(a);
     free(b);
     free(c);
