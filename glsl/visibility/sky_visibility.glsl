@@ -23,11 +23,11 @@ const int PLACES = 6, HALVINGS = 5;
 // there differ by no more than so many times what the way rose, and so many texels.
 const float STEEPEST = 2.0, STEP = 3.0;
 
-// Point k of WAYS in the light, in units of its half sides: even, and each has one across the middle, so that their mean
+// Point k of so many in the light, in units of its half sides: even, and each has one across the middle, so that their mean
 // is there.
-vec2 sky_point(int k) {
-    float aside = float(k) - 0.5 * float(WAYS - 1);
-    return vec2(2.0 * aside / float(WAYS), fract(aside * 0.61803399 + 0.5) * 2.0 - 1.0);
+vec2 sky_point(int k, int count) {
+    float aside = float(k) - 0.5 * float(count - 1);
+    return vec2(2.0 * aside / float(count), fract(aside * 0.61803399 + 0.5) * 2.0 - 1.0);
 }
 
 // A light's map as seen from a receiver, in texels across and metres along.
@@ -41,6 +41,11 @@ struct sky_field {
     float most;       // metres from it to map depth 0
     vec4 above_plane; // over the receiver's plane, by a texel, its map depth and 1
 };
+
+// Ways to a light: to a sun, whose every way is a step of its penumbra, more.
+int ways_to(sky_field f) {
+    return f.maps.side > 1 ? max(WAYS, 16) : WAYS;
+}
 
 sky_field sky_field_of(int i, sky_view v, vec3 position, vec3 normal) {
     mat3 to_view = transpose(mat3(v.right, v.up, v.forward));
@@ -110,8 +115,8 @@ float sky_visibility(int i, vec3 position, vec3 normal) {
     sky_surface begin = sky_surface_at(f, f.place, 0.0);
     ivec4 beyond = sky_beyond(i);
     float seen = 0.0, above = 0.0;
-    for (int k = 0; k < WAYS; k++) {
-        vec2 point = sky_point(k), way = v.sides * point;
+    for (int k = 0; k < ways_to(f); k++) {
+        vec2 point = sky_point(k, ways_to(f)), way = v.sides * point;
         vec3 towards = v.right * way.x + v.up * way.y - v.forward;
         float jitter = fract((float(k) + 0.5) * 0.75487767) - 1.0;
         bool counts = dot(towards, normal) > 0.0, hidden = false;
