@@ -16,9 +16,8 @@ void main() {
     if (!s.present)
         return;
     float visible = visibility(at.layer, s.position, s.normal);
-    // What the VAL cannot light, as it lies behind it or faces away, is blue.
     vec3 to_val = map_view_at(at.layer).center - s.position;
     bool faces = dot(s.normal, to_val) > 0.0 && dot(map_view_at(at.layer).axis, to_val) < 0.0;
-    vec3 white = faces ? vec3(0.95) : vec3(0.36, 0.42, 0.52);
-    color.rgb = white * mix(0.08, 1.0, visible);
+    vec3 white = faces ? vec3(INSPECT_LIT) : vec3(INSPECT_TURNED_AWAY);
+    color.rgb = white * mix(INSPECT_SHADOW, 1.0, visible);
 }

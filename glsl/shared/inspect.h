@@ -16,6 +16,11 @@
 #define INSPECT_DIMMED 9
 #define INSPECT_VISIBILITY 10
 
+/* Soft shadows: what a VAL lights, cannot light as it lies behind it or is turned away, and how dark its shadow is. */
+#define INSPECT_LIT 0.95, 0.95, 0.95
+#define INSPECT_TURNED_AWAY 0.36, 0.42, 0.52
+#define INSPECT_SHADOW 0.08
+
 struct inspect_params {
     int kind; /* what is shown, INSPECT_... */
     int first_layer, layer_count;

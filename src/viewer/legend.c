@@ -1,8 +1,10 @@
 /* What the cells of a sheet and the colours of a VAL's shadow stand for. */
 #include "viewer/viewer.h"
 
+#include "shared/inspect.h"
 #include "viewer/window/ui.h"
 
+#include <math.h>
 #include <stdio.h>
 
 /* A patch of colour with a border, as high as a line's letters; its width. */
@@ -48,15 +50,21 @@ static void draw_cells(const struct viewer *viewer, const struct sheet *sheet, b
 
 static const struct meaning {
     const char *text;
-    uint32_t color;
+    float color[3], dimmed;
 } shadow_colors[] = {
-    /* As glsl/inspect/inspect_visibility.frag has them. */
-    {"lit by the VAL", UI_RGBA(242, 242, 242, 255)},
-    {"in its shadow", UI_RGBA(19, 19, 19, 255)},
-    {"behind it, or turned away", UI_RGBA(92, 107, 133, 255)},
+    {"lit by the VAL", {INSPECT_LIT}, 1},
+    {"in its shadow", {INSPECT_LIT}, INSPECT_SHADOW},
+    {"behind it, or turned away", {INSPECT_TURNED_AWAY}, 1},
 };
 
 enum { MEANINGS = sizeof shadow_colors / sizeof *shadow_colors };
+
+static uint32_t color_of(const struct meaning *meaning) {
+    int rgb[3];
+    for (int c = 0; c < 3; c++)
+        rgb[c] = (int)lrintf(255 * meaning->dimmed * meaning->color[c]);
+    return UI_RGBA(rgb[0], rgb[1], rgb[2], 255);
+}
 
 static float width_of(const struct meaning *meaning) {
     return ui_label_width(meaning->text) + 1.6F * ui_line_height();
@@ -92,7 +100,7 @@ static void draw_meanings(const struct viewer *viewer) {
     float y = (float)(area->y + area->height) - timeline_height(viewer) - meanings_height(viewer) +
               .1F * line;
     for (int i = 0; i < MEANINGS; i++) {
-        float patch = draw_patch(x, y + .28F * line, shadow_colors[i].color);
+        float patch = draw_patch(x, y + .28F * line, color_of(&shadow_colors[i]));
         ui_draw_label(x + patch + .2F * line, y, 0, shadow_colors[i].text);
         if (width > 0)
             x += width_of(&shadow_colors[i]);
