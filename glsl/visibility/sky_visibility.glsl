@@ -42,9 +42,11 @@ struct sky_field {
     vec4 above_plane; // over the receiver's plane, by a texel, its map depth and 1
 };
 
-// Ways to a light: to a sun, whose every way is a step of its penumbra, more.
+// To a sun each way is a step of its penumbra, so that few would be seen as bands.
+const int SUN_WAYS_LEAST = 16;
+
 int ways_to(sky_field f) {
-    return f.maps.side > 1 ? max(WAYS, 16) : WAYS;
+    return f.maps.side > 1 ? max(WAYS, SUN_WAYS_LEAST) : WAYS;
 }
 
 sky_field sky_field_of(int i, sky_view v, vec3 position, vec3 normal) {
@@ -115,8 +117,9 @@ float sky_visibility(int i, vec3 position, vec3 normal) {
     sky_surface begin = sky_surface_at(f, f.place, 0.0);
     ivec4 beyond = sky_beyond(i);
     float seen = 0.0, above = 0.0;
-    for (int k = 0; k < ways_to(f); k++) {
-        vec2 point = sky_point(k, ways_to(f)), way = v.sides * point;
+    int ways = ways_to(f);
+    for (int k = 0; k < ways; k++) {
+        vec2 point = sky_point(k, ways), way = v.sides * point;
         vec3 towards = v.right * way.x + v.up * way.y - v.forward;
         float jitter = fract((float(k) + 0.5) * 0.75487767) - 1.0;
         bool counts = dot(towards, normal) > 0.0, hidden = false;

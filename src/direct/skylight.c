@@ -19,7 +19,7 @@ static const struct option table[] = {
     {"sky-block", 0, OPTION_INT, ROW(block), 7, 1, 64,
      .help = "pixels a side of a block that shares its visibility"},
     {"sky-ways", 0, OPTION_INT, ROW(ways), 5, 1, 256,
-     .help = "ways to points of a light that a lookup follows"},
+     .help = "ways to points of a light that a lookup follows; of a sun at least 16"},
     {"sky-bias", 0, OPTION_FLOAT, ROW(bias), .2, 0, 100,
      .help = "what is lower above a receiver's plane hides nothing, in texels"},
     {"disagree", 0, OPTION_FLOAT, ROW(disagree), .02, 0, 2,
