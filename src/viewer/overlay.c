@@ -76,15 +76,15 @@ static void draw_graph(const struct pace *pace, float budget, float width, float
                         UI_RGBA(255, 255, 255, 200));
 }
 
-/* Whether the table has room, with all passes and with the graph. */
-static bool has_room(const struct viewer *viewer, bool all, bool graph) {
+/* Whether the table has room with the graph, and with all passes or with the topmost. */
+static bool has_room(const struct viewer *viewer, bool all) {
     const struct pace *pace = &viewer->shown.pace;
     float line = ui_line_height(), row = 1.37F * line;
     float height = (float)viewer->shown.area.height - timeline_height(viewer) - 2 * line;
     float rows = 11; /* besides passes, with the edges */
     for (int i = 0; i < pace->pass_count; i++)
         rows += is_listed(&pace->passes[i], all);
-    return rows * row + (graph ? 5 * line : 0) < height;
+    return rows * row + 5 * line < height;
 }
 
 float overlay_width(const struct viewer *viewer) {
@@ -104,8 +104,8 @@ static void draw_statistics(struct viewer *viewer) {
         ui_area_end();
         return;
     }
-    bool all = has_room(viewer, true, true);
-    if (all || has_room(viewer, false, true))
+    bool all = has_room(viewer, true);
+    if (all || has_room(viewer, false))
         draw_graph(pace, viewer->wish.budget, 15.2F * line, 3.6F * line);
     draw_times(pace, all);
     ui_separator();

@@ -1,6 +1,7 @@
 /* The panel's section of the scene: its file, camera, clips, and what it holds. */
 #include "viewer/viewer.h"
 
+#include "metrics/colour.h"
 #include "scene/animation.h"
 #include "scene/node.h"
 #include "viewer/window/ui.h"
@@ -71,7 +72,7 @@ static void draw_counts(const struct scene *scene, const struct geometry *geomet
 static uint32_t color_of(const struct material *material) {
     int rgb[3];
     for (int c = 0; c < 3; c++)
-        rgb[c] = (int)lrintf(255 * powf(fminf(material->base_color[c], 1), 1 / 2.2F));
+        rgb[c] = (int)lrintf(255 * srgb_encode(material->base_color[c]));
     return UI_RGBA(rgb[0], rgb[1], rgb[2], 255);
 }
 
