@@ -13,7 +13,7 @@ cells window_cells(int map, receiver r, float extent, vec4 window, int parts, bo
     cells c = cells_none();
     uvec4 below[PARTS_MAX + 3];
     vec2 before, edge;
-    // As a count and not a branch: a software rasteriser leaves a loop that no pixel is in.
+    // As a count and not a branch: a software rasteriser leaves a loop that no pixel is in after one step.
     int corners = wanted ? parts + 3 : 0;
     edge.y = 0.0;
     for (int j = 0; j < corners; j++) {

@@ -29,7 +29,7 @@ float lit(int map, receiver r, float extent) {
     float z = blockers > 0.0 ? max(depth_sum / blockers * r.unit, 1e-3 * r.distance) : r.distance;
     angle = min(penumbra_angle(extent, r.distance, z), ANGLE_MAX);
     float width = max(0.5 * angle_width(r, angle), texel);
-    // As a count and not a branch: a software rasteriser leaves a loop that no pixel is in.
+    // As a count and not a branch: a software rasteriser leaves a loop that no pixel is in after one step.
     int taps = blockers > 0.0 ? FILTER_TAPS : 0;
     float sum = 0.0;
     for (int i = 0; i < taps; i++) {

@@ -190,7 +190,7 @@ float arriving(surface at, light l, vec3 direction) {
     float reach = (1.0 - NEAREST) * (IS_SUN ? depth : 1.0);
     casters c = search(l, s, x, reach);
     float t = c.mean;
-    // As counts and not branches: a software rasteriser leaves a loop that no pixel is in.
+    // As counts and not branches: a software rasteriser leaves a loop that no pixel is in after one step.
     int ways = c.apart > 0.0 ? WAYS : 0, taps = t > 0.0 && (ways == 0 || c.apart < 1.0) ? FILTER_TAPS : 0;
     float width = texel_width * (IS_SUN ? 1.0 : 1.0 - t);
     vec2 widen = max(vec2(1.0), KERNEL_MIN * width / (max(t, 1e-6) * vec2(length(s.right), length(s.up))));
