@@ -68,19 +68,19 @@ bool is_seen(rectangle r, vec3 normal, vpl light) {
     return above > 0.0 && dot(light.normal, r.middle) < 0.0;
 }
 
-// In the place of a point's cos cos / d^2. Loops and no branches, as in the gather.
+// In the place of a point's cos cos / d^2.
 float rectangle_term(int i, vec3 to_light, vec3 normal, vpl light) {
     rectangle r = rectangle_at(i, to_light);
     float term = 0.0, diagonal2 = dot(r.right, r.right) + dot(r.up, r.up);
     bool seen = is_seen(r, normal, light), small = diagonal2 < SMALL2 * dot(to_light, to_light), near = false;
 #if CLAMP == 7
     near = is_near(r, light);
-    for (int lit = seen && near ? 1 : 0; lit > 0; lit--)
+    if (seen && near)
         term = far_points(r, normal, light);
 #endif
-    for (int lit = seen && small && !near ? 1 : 0; lit > 0; lit--)
+    if (seen && small && !near)
         term = few_points(r, normal, light);
-    for (int lit = seen && !small && !near ? 1 : 0; lit > 0; lit--)
+    if (seen && !small && !near)
         term = rectangle_irradiance(r.middle, r.up, r.right, normal) / light.area; // facing us: right is left
     return term;
 }

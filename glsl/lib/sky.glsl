@@ -48,8 +48,7 @@ float sky_irradiance(int i, vec3 normal) {
     float least = min(min(above.x, above.y), min(above.z, above.w));
     float most = max(max(above.x, above.y), max(above.z, above.w));
     float share = most > 0.0 ? max(dot(sky_vector(i), normal), 0.0) : 0.0;
-    // A loop and no branch: a software rasteriser leaves a loop that no pixel is in after one step.
-    for (int cut = least < 0.0 && most > 0.0 ? 1 : 0; cut > 0; cut--) {
+    if (least < 0.0 && most > 0.0) {
         polygon_sum p = polygon_sum(0.0, vec3(0.0), vec3(0.0));
         for (int c = 0; c < 4; c++)
             polygon_edge(p, sky_corner(i, c), sky_corner(i, (c + 1) & 3), normal);

@@ -52,8 +52,7 @@ void main() {
         vpl light = vpl_in_block(i);
         vec3 arriving = light.flux * geometry_term(light, point);
         float visible = 1.0;
-        // A loop and no branch: a software rasteriser leaves a loop that no pixel is in after one step.
-        for (int lit = arriving != vec3(0.0) ? 1 : 0; lit > 0; lit--)
+        if (arriving != vec3(0.0))
             visible = visibility_from(map_of(i, light), point.position, point.normal, light.position);
         sum += arriving * visible;
     }

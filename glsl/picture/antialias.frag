@@ -150,7 +150,7 @@ uvec2 pick_all(ivec2 pixel) {
     for (uint pick = 0u; pick < 9u; pick++)
         try_neighbour(pixel, pick);
     picked_sample chosen;
-    for (bool found = most_unlikely(chosen); found; found = false)
+    if (most_unlikely(chosen))
         take_further_point(pixel, chosen);
     uvec2 all = uvec2(0u);
     for (int i = 0; i < SAMPLES; i++)
@@ -161,7 +161,6 @@ uvec2 pick_all(ivec2 pixel) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     picks = uvec2(0u);
-    // Most pixels have no edge, and a loop that no pixel enters is left where a branch would cost.
-    for (bool look = read_depths(pixel); look; look = false)
+    if (read_depths(pixel))
         picks = pick_all(pixel);
 }

@@ -102,8 +102,7 @@ vec3 irradiance_at(ivec2 texel, bool is_further, ivec2 pixel) {
     irradiance = texelFetch(irradiances, texel, 0).rgb;
 #endif
 #ifdef HAS_FURTHER_POINTS
-    // A loop and no branch, which a software rasteriser would execute for all.
-    for (bool has = is_further; has; has = false) {
+    if (is_further) {
         ivec2 listed = list_texel_of(texelFetch(further_texels, pixel, 0).r);
         irradiance = texelFetch(further_irradiance, listed, 0).rgb;
     }
@@ -118,7 +117,7 @@ seen seen_from(ivec2 pixel) {
     seen sum = seen(0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 weights = vec3(0.0);
     uint stand_in = 0u;
-    for (bool has = picks_further_point(picks); has; has = false)
+    if (picks_further_point(picks))
         stand_in = texelFetch(further_points, pixel, 0).w;
     for (int i = 0; i < count; i++) {
         uint pick = pick_of(picks, i);

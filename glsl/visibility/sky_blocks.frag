@@ -15,6 +15,6 @@ void main() {
         return;
     vec4 shares = sky_shares(s.normal, instance);
     for (int k = 0; k < 4; k++)
-        for (int lit = shares[k] > 0.0 ? 1 : 0; lit > 0; lit--)
+        if (shares[k] > 0.0)
             visible[k] = sky_visibility(4 * instance + k, s.position, s.normal);
 }

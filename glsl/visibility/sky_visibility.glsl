@@ -123,10 +123,10 @@ float sky_visibility(int i, vec3 position, vec3 normal) {
         vec3 towards = v.right * way.x + v.up * way.y - v.forward;
         float jitter = fract((float(k) + 0.5) * 0.75487767) - 1.0;
         bool counts = dot(towards, normal) > 0.0, hidden = false;
-        for (int own = counts ? 1 : 0; own > 0; own--)
+        if (counts)
             hidden = sky_meets(f, begin, way, jitter);
         int next = beyond[(point.x > 0.0 ? 1 : 0) + (point.y > 0.0 ? 2 : 0)];
-        for (int other = counts && !hidden && next != i ? 1 : 0; other > 0; other--) {
+        if (counts && !hidden && next != i) {
             sky_view w = sky_view_at(next);
             vec2 across = vec2(dot(w.right, towards), dot(w.up, towards)) / -dot(w.forward, towards);
             sky_field g = sky_field_of(next, w, position, normal);
