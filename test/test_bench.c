@@ -302,7 +302,8 @@ static void test_quality(void **state) {
              "--set vpls=64,map.size=32,vals=4 --told --camera \"0 fov=.5\"",
              scratch("bench-cache"));
     check_runs(arguments);
-    double closer = number_of(output, "path=draft", 0) / number_of(output, "path=draft", 1);
+    double closer =
+        number_of(output, "clustered.vals=4 ", 0) / number_of(output, "clustered.vals=4 ", 1);
     check_near("told over measured, closer", closer, 1, .2);
     assert_null(strstr(output, "automatic"));
 }

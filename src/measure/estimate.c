@@ -104,36 +104,34 @@ static bool take_pixels(const struct estimate *estimate, const struct image *pic
     return true;
 }
 
-/* Sums over pixels and channels. */
+/* Sums over pixels and channels, of each as much as is covered. */
 struct sums {
     double product;  /* of both differences */
     double variance; /* of that, by the noise alone */
     double truth;
 };
 
-/* Of those that miss a pixel's surface in either half there is none: the others stand for them. */
-static double weight_of(const float *a, const float *b, int samples) {
-    double coverage = (double)(a[3] + b[3]) / (2.0 * samples);
-    double seen = 1 - pow(1 - fmin(coverage, 1), samples);
-    return 1 / (seen * seen);
+/* Of light, where it is as much of the pixel as the half has seen to be covered: nothing is divided by that, so that slivers
+ * which few samples see, or none, have no bias. */
+static double difference(float pixel, const float *half, int channel, int samples) {
+    return ((double)pixel * (double)half[3] - (double)half[channel]) / samples;
 }
 
 /* The three channels' noise is one path's. That of a product of two differences e is 2 (e s)^2 + s^4; of s^2, the noise
  * of either half, half the square of what they differ is an estimate, and of s^4 a twelfth of its square. */
 static void add_pixel(struct sums *sums, const float *pixel, const float *a, const float *b,
-                      double weight) {
+                      int samples) {
     double product = 0, mixed = 0, squares = 0;
     for (int c = 0; c < 3; c++) {
-        double in_a = (double)(a[c] / a[3]), in_b = (double)(b[c] / b[3]);
-        double from_a = (double)pixel[c] - in_a, from_b = (double)pixel[c] - in_b;
-        double between = in_a - in_b;
+        double from_a = difference(pixel[c], a, c, samples);
+        double from_b = difference(pixel[c], b, c, samples), between = from_a - from_b;
         product += from_a * from_b;
         mixed += (from_a + from_b) / 2 * between;
         squares += between * between;
-        sums->truth += weight * (in_a + in_b) / 2;
+        sums->truth += (double)(a[c] + b[c]) / (2 * samples);
     }
-    sums->product += weight * product;
-    sums->variance += weight * weight * (mixed * mixed + squares * squares / 12);
+    sums->product += product;
+    sums->variance += mixed * mixed + squares * squares / 12;
 }
 
 /* Of the square of the relative RMSE; so is its standard error. */
@@ -145,11 +143,9 @@ static struct told tell(const struct estimate *estimate, const struct image *pix
     const struct image *halves = estimate->halves;
     struct sums sums = {0};
     for (int y = 0; y < pixels->height; y++)
-        for (int x = 0; x < pixels->width; x++) {
-            const float *a = image_at(&halves[0], x, y), *b = image_at(&halves[1], x, y);
-            if (a[3] > 0 && b[3] > 0)
-                add_pixel(&sums, image_at(pixels, x, y), a, b, weight_of(a, b, estimate->samples));
-        }
+        for (int x = 0; x < pixels->width; x++)
+            add_pixel(&sums, image_at(pixels, x, y), image_at(&halves[0], x, y),
+                      image_at(&halves[1], x, y), estimate->samples);
     if (sums.truth <= 0)
         return (struct told){sums.product > 0 ? INFINITY : 0, 0};
     double values = 3.0 * pixels->width * pixels->height;

@@ -25,7 +25,7 @@ bool estimate_init(struct estimate *estimate, const struct measure_desc *desc);
 /* Accepts a zeroed one. */
 void estimate_free(struct estimate *estimate);
 
-/* Relative RMSE of the indirect layer of a picture with all layers, as metrics have it, and whether that is more than
+/* Relative RMSE of the indirect layer of a picture with all layers, as metrics have it of layer_extract_covered, and whether that is more than
  * asked for: to a twentieth if it is not, else to a seventh, or as exactly as the most paths tell it. Error: the
  * tracer's. */
 bool estimate_picture_error(struct estimate *estimate, const struct image *picture, double asked,

@@ -17,6 +17,7 @@ const char *const quality_names[] = {"draft", "normal", "high", "final", NULL};
 /* Each is on the front of error against CPU time in some of six scenes, and behind it in none of them by much
  * (bench/PARSIMONY.md). Cheapest first. */
 static const struct quality_choice frames[] = {
+    {"path=draft clustered.vals=4", 1},
     {"path=draft", 1},
     {"gather.detail=0 clustered.vals=8", 1},
     {"clustered.vals=8", 1},

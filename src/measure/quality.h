@@ -35,7 +35,7 @@ struct quality_desc {
     const struct measure_desc *measure;
     const char *const *texts; /* settings that are given, and win: as renderer_settings_assign's */
     int text_count;
-    double error;    /* relative RMSE of the indirect layer */
+    double error;    /* relative RMSE of the indirect layer, as estimate.h has it */
     int most_passes; /* of a picture; 1: no means */
 };
 

@@ -35,6 +35,21 @@ bool layer_extract(struct image *layer, const struct image *picture, const char 
     return true;
 }
 
+bool layer_extract_covered(struct image *layer, const struct image *picture, const char *name,
+                           const struct image *coverage) {
+    int alpha = image_find_channel(coverage, "A");
+    *layer = (struct image){0};
+    if (alpha < 0)
+        return error_set("no channel A tells what surfaces cover");
+    if (!layer_extract(layer, picture, name))
+        return false;
+    for (int y = 0; y < layer->height; y++)
+        for (int x = 0; x < layer->width; x++)
+            for (int c = 0; c < 3; c++)
+                image_at(layer, x, y)[c] *= image_at(coverage, x, y)[alpha];
+    return true;
+}
+
 bool layer_read(struct image *layer, const char *path, const char *name, bool *was_encoded) {
     *layer = (struct image){0};
     struct image picture;

@@ -8,7 +8,12 @@
  * encoded. Error: no such layer, or a value that is NaN or infinite, with its pixel. */
 bool layer_extract(struct image *layer, const struct image *picture, const char *name);
 
-/* The same from a file, and whether its values were encoded. Error: names the file. */
+/* The same, of each pixel as much as a surface covers of it by `coverage`, a picture of that size with a channel A: of slivers
+ * at silhouettes little is seen, and the more samples a picture has, the more of them it knows. Error: also, there is no A. */
+bool layer_extract_covered(struct image *layer, const struct image *picture, const char *name,
+                           const struct image *coverage);
+
+/* The same as layer_extract from a file, and whether its values were encoded. Error: names the file. */
 bool layer_read(struct image *layer, const char *path, const char *name, bool *was_encoded);
 
 #endif
