@@ -271,27 +271,43 @@ methods: all
 	@rm $(METHODS_ROWS).[1-6]
 	./manylight bench chart $(METHODS_ROWS) -o $(BENCH_PLOTS)/methods
 
-# What --max-error chooses against fixed settings, and what it tells of them and of closer views; and the table of ladders that know
-# nothing of a scene: some 15 minutes of CPU time, most of it in halls and rooms.
-PARSIMONY_RUN = ./manylight bench quality --cache $(REFERENCE_CACHE)
-PARSIMONY_SCENES := $(patsubst %,scenes/%.glb,cornell-box cornell-animal metaballs moving-spot table three-lights \
-    failures/corner failures/table-legs failures/contact failures/thin-wall failures/room)
-PARSIMONY_SMALL := $(PARSIMONY_SCENES) --size 96x96 --noise .06 --passes 4
-PARSIMONY_CLOSER := $(PARSIMONY_SCENES) --size 200x200 --noise .06 --passes 1 --told --camera "0 fov=.4"
-PARSIMONY_LARGE := $(LARGE_SCENES) --size 120x120 --noise .08 --passes 4
-PARSIMONY_ROOMS := $(wildcard ../shared/scenes/public/*.glb)
-PARSIMONY_ROOMS += $(if $(PARSIMONY_ROOMS),--size 120x120 --noise .06 --passes 4 --light spot --set materials=diffuse)
+# What --max-error chooses against fixed settings, and what it tells of them and of closer views: a file a scene, and those that are
+# there are left, so that it goes on where it was broken off. Then all rows, charts, what was chosen, and ladders that know
+# nothing of a scene. Some 20 minutes of CPU time, most of it in halls and rooms.
+PARSIMONY := $(BENCH_RESULTS)/parsimony
+PARSIMONY_FAILURES := room table-legs contact thin-wall corner val-plane center-inside closed-door grazing-light \
+    grazing-receivers wide-light ball-lamp needle empty-map black white plain giant-triangle tiny-triangles millimetre \
+    kilometre far-away
+PARSIMONY_SCENES := $(SCENE_NAMES:%=scenes/%.glb) $(PARSIMONY_FAILURES:%=scenes/failures/%.glb) \
+    $(wildcard ../shared/scenes/*.glb ../shared/scenes/public/*.glb)
+PARSIMONY_CLOSER := cornell-box cornell-animal metaballs
+PARSIMONY_FILES = $(patsubst %.glb,$(PARSIMONY)/%.csv,$(PARSIMONY_SCENES:../%=%)) $(PARSIMONY_CLOSER:%=$(PARSIMONY)/closer/%.csv)
 PARSIMONY_ROWS := $(BENCH_RESULTS)/quality.csv
 
-parsimony: all
-	@mkdir -p $(BENCH_RESULTS) $(BENCH_PLOTS)
-	$(PARSIMONY_RUN) $(PARSIMONY_SMALL) --csv $(PARSIMONY_ROWS).1
-	$(PARSIMONY_RUN) $(PARSIMONY_LARGE) --csv $(PARSIMONY_ROWS).2
-	$(if $(strip $(PARSIMONY_ROOMS)),$(PARSIMONY_RUN) $(PARSIMONY_ROOMS) --csv $(PARSIMONY_ROWS).3)
-	$(PARSIMONY_RUN) $(PARSIMONY_CLOSER) --csv $(PARSIMONY_ROWS).4
-	@awk 'FNR > 1 || NR == 1' $(PARSIMONY_ROWS).[1-4] > $(PARSIMONY_ROWS)
-	@rm $(PARSIMONY_ROWS).[1-4]
+$(PARSIMONY)/%.csv: PARSIMONY_OPTIONS := --size 96x96 --noise .02 --passes 16
+$(addprefix $(PARSIMONY)/,$(addprefix scenes/,atrium.csv creatures.csv character.csv courtyard.csv) \
+    shared/scenes/sponza.csv shared/scenes/sponza-98k.csv): \
+    PARSIMONY_OPTIONS := --size 120x120 --noise .06 --passes 4
+$(PARSIMONY)/shared/scenes/public/%.csv: \
+    PARSIMONY_OPTIONS := --size 120x120 --noise .06 --passes 4 --light spot --set materials=diffuse
+$(PARSIMONY)/closer/%.csv: PARSIMONY_OPTIONS := --size 200x200 --noise .03 --passes 1 --told --camera "0 fov=.4"
+
+PARSIMONY_RUN = @mkdir -p $(@D); set -x; ./manylight bench quality $(1) $(PARSIMONY_OPTIONS) --cache $(REFERENCE_CACHE) --csv $@
+
+$(PARSIMONY)/scenes/%.csv: | all
+	$(call PARSIMONY_RUN,scenes/$*.glb)
+$(PARSIMONY)/shared/%.csv: | all
+	$(call PARSIMONY_RUN,../shared/$*.glb)
+$(PARSIMONY)/closer/%.csv: | all
+	$(call PARSIMONY_RUN,scenes/$*.glb)
+
+# Two boxes have one name: their faces tell them apart.
+parsimony: $(PARSIMONY_FILES)
+	@mkdir -p $(BENCH_PLOTS)
+	@awk -F, -v OFS=, 'FNR == 1 && NR > 1 { next } FILENAME ~ "shared/scenes/cornell-box" { $$2 = $$2 "-" $$3 } 1' $^ \
+	    > $(PARSIMONY_ROWS)
 	gnuplot -e "csv='$(PARSIMONY_ROWS)'; folder='$(BENCH_PLOTS)'" bench/parsimony.gp
+	@awk -f bench/chosen.awk $(PARSIMONY_ROWS)
 	@awk -f bench/leave-one-out.awk $(PARSIMONY_ROWS)
 
 # What is seen of lamps, by each method of direct light, and the tables of soft shadows.
