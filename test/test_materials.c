@@ -226,10 +226,77 @@ static void test_spheres(void **state) {
     stage_free(&stage);
 }
 
+/* --- what hides light ------------------------------------------------------------------------- */
+
+static struct primitive *find_door(struct stage *stage) {
+    for (int m = 0; m < stage->scene.mesh_count; m++)
+        if (strcmp(stage->scene.meshes[m].name, "door") == 0)
+            return &stage->scene.meshes[m].primitives[0];
+    fail_msg("no door");
+    return NULL;
+}
+
+static void turn_inside_out(struct primitive *primitive) {
+    for (int i = 0; i < primitive->index_count; i += 3) {
+        uint32_t second = primitive->indices[i + 1];
+        primitive->indices[i + 1] = primitive->indices[i + 2];
+        primitive->indices[i + 2] = second;
+    }
+    for (int v = 0; v < primitive->vertex_count; v++)
+        glm_vec3_negate(primitive->normal[v]);
+}
+
+/* The mean of what comes through a shut door of that alpha from the room where the light is, drawn and traced. */
+static void look_through(struct stage *stage, const char *what, double *drawn, double *traced) {
+    enum { SIDE = 48 };
+    struct image image;
+    pose_stage(stage);
+    image = render_stage(stage, "clustered", "", SIDE);
+    *drawn = layer_mean(&image, "indirect");
+    image_free(&image);
+    check_ok("trace",
+             picture_trace_paths(stage,
+                                 &(struct path_tracer_desc){
+                                     .width = SIDE, .height = SIDE, .bounces = 1, .samples = 64},
+                                 &image, NULL));
+    *traced = layer_mean(&image, "indirect");
+    image_free(&image);
+    printf("  %s: drawn %.3g, traced %.3g\n", what, *drawn, *traced);
+}
+
+/* What blends lets the light through below half, and hides it above, as what is opaque does; single-sided surfaces
+ * hide it from either side. */
+static void test_door(void **state) {
+    (void)state;
+    struct stage stage;
+    double drawn, traced, through, traced_through;
+    open_stage(&stage, "scenes/door.glb");
+    struct primitive *door = find_door(&stage);
+    struct material *material = &stage.scene.materials[stage.scene.material_count - 1];
+    door->material = stage.scene.material_count - 1;
+    assert_false(material->double_sided);
+    material->alpha_mask = true; /* as BLEND is read: test_gltf */
+    material->alpha_cutoff = .5F;
+    material->base_color[3] = .25F;
+    look_through(&stage, "alpha .25", &through, &traced_through);
+    assert_true(through > 0);
+    check_near("drawn over traced", through / traced_through, 1, .1);
+    material->base_color[3] = .75F;
+    look_through(&stage, "alpha .75", &drawn, &traced);
+    check_at_most("drawn, of that", drawn / through, .01);
+    check_at_most("traced", traced / through, .001);
+    material->alpha_mask = false;
+    turn_inside_out(door);
+    look_through(&stage, "single-sided, from behind", &drawn, &traced);
+    check_at_most("drawn", drawn / through, .01);
+    check_at_most("traced", traced / through, .001);
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_domes), cmocka_unit_test(test_wraps),   cmocka_unit_test(test_alphas),
-        cmocka_unit_test(test_lamps), cmocka_unit_test(test_spheres),
+        cmocka_unit_test(test_lamps), cmocka_unit_test(test_spheres), cmocka_unit_test(test_door),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }
