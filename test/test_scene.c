@@ -272,6 +272,23 @@ static void test_framing(void **state) {
     unload(&scene, &geometry);
 }
 
+static void keep_last(void *text, bool is_warning, const char *message) {
+    (void)is_warning;
+    snprintf(text, 256, "%s", message);
+}
+
+/* A note says by how much to stop down, and only where it is much. */
+static void check_brightness_note(const struct scene *scene, const struct geometry *geometry,
+                                  double stops) {
+    char note[256] = "", expected[32];
+    log_set_listener(keep_last, note);
+    scene_note_brightness(scene, geometry);
+    log_set_listener(NULL, NULL);
+    snprintf(expected, sizeof expected, "--set exposure=%.0f", -stops);
+    printf("    %s\n", *note ? note : "no note");
+    assert_true(stops > 6 ? strstr(note, expected) != NULL : *note == '\0');
+}
+
 /* Suns and lamps in the units of photometry are told by how far to stop down; one of our own, and a
  * scene's, are not. */
 static void test_brightness(void **state) {
@@ -297,6 +314,7 @@ static void test_brightness(void **state) {
                                       " {\"light\": 0}}}]",
                                   .more = more});
         check_near("stops", scene_brightness(&scene, &geometry), rows[i].stops, 1e-3);
+        check_brightness_note(&scene, &geometry, rows[i].stops);
         unload(&scene, &geometry);
     }
     struct scene scene;
