@@ -454,12 +454,13 @@ coverage: deps
 	    --exclude src/scene/gpu/ --exclude-throw-branches --exclude-unreachable-branches \
 	    --exclude-lines-by-pattern '.*assert\(.*' $$what; done
 
-# How many small faults in the code the tests notice: so many, of all that test/mutate can make.
+# How many small faults in the code the tests notice: so many, of all that test/mutate can make; SEED=2 ... picks others.
 MUTANTS := 50
-mutants: all $(patsubst %,$(BUILD)/test/test_%,metrics heat_map options passes cluster_lights)
+mutants: all $(patsubst %,$(BUILD)/test/test_%,metrics heat_map options cluster passes cluster_lights)
 	@test/mutate $(BUILD) $(MUTANTS) "test_metrics test_heat_map" src/metrics/*.c src/metrics/flip/*.c
 	@test/mutate $(BUILD) $(MUTANTS) test_options src/base/option.c src/base/settings.c
-	@test/mutate $(BUILD) $(MUTANTS) "test_passes test_cluster_lights" src/passes/lights/cluster.c $(wildcard glsl/lights/cluster_*)
+	@test/mutate $(BUILD) $(MUTANTS) "test_cluster test_passes test_cluster_lights" src/passes/lights/cluster.c \
+	    $(wildcard glsl/lights/cluster_* glsl/lights/val_distance.glsl glsl/lights/val_seed.glsl)
 
 lint:
 	@test/lint

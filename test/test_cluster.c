@@ -1,0 +1,525 @@
+/* k-means of VPLs, step by step, against a second implementation on the CPU: both criteria, every start, seeds that are
+ * told, clusters that get lost, the mapping of other lights, and the views of VALs. */
+#include "render_support.h"
+
+#include "base/error.h"
+#include "base/halton.h"
+#include "gl/framebuffer.h"
+#include "passes/lights/cluster.h"
+#include "shared/cluster.h"
+#include "shared/map_view.h"
+#include "shared/vpl.h"
+
+#include <cglm/cglm.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { POINTS = 60, CLUSTERS = 7, CLOUDS_MAX = 400 };
+
+/* What the buffer of VPLs says of its spread: sum of logarithms, pairs. */
+static const float pairs[4] = {3, 2, 0, 0};
+
+/* --- points ------------------------------------------------------------------------------------- */
+
+/* Lights on three sides of a room, of many hues and areas. Every seventh met nothing, and the last two. */
+static void scatter(struct vpl vpls[POINTS], int cloud) {
+    for (int i = 0; i < POINTS; i++) {
+        uint32_t at = (uint32_t)(cloud * POINTS + i + 1);
+        float u = (float)radical_inverse(2, at) * 4 - 2, v = (float)radical_inverse(3, at) * 4 - 2;
+        float w = (float)radical_inverse(5, at);
+        vec3 places[3] = {{u, v, w}, {2 + w, u, v}, {u, 2 + w, v}};
+        vec3 normals[3] = {{u / 5, v / 5, 1}, {-1, u / 5, v / 5}, {u / 5, -1, v / 5}};
+        vpls[i] = (struct vpl){.area = .1f + w, .flux = {1 + w, .2f + w * w, 2 - w}, .reach = 3};
+        if (i % 7 == 0 || i >= POINTS - 2)
+            vpls[i].reach = 0;
+        if (i % 7 == 0)
+            glm_vec3_zero(vpls[i].flux);
+        glm_vec3_copy(places[i % 3], vpls[i].position);
+        glm_vec3_normalize_to(normals[i % 3], vpls[i].normal);
+    }
+}
+
+/* --- the second implementation -------------------------------------------------------------------- */
+
+struct means {
+    double position[CLUSTERS][3], normal[CLUSTERS][3], flux[CLUSTERS][3], count[CLUSTERS];
+    bool started;
+    int nearest[POINTS];
+    double margin; /* the least by which a VPL was nearer to its cluster than to the next */
+    int empty;     /* clusters that were, in any step */
+};
+
+/* Seeds are numbers of VPLs, or NULL. */
+struct expected {
+    const struct cluster_desc *desc;
+    const float *seeds;
+    struct means means;
+};
+
+static int seed_of(const struct expected *e, const struct vpl *vpls, int k) {
+    int i = e->desc->metric == CLUSTER_METRIC_SQUARES ? k : k * POINTS / CLUSTERS;
+    if (e->seeds && e->seeds[k] >= 0)
+        i = (int)e->seeds[k];
+    while (vpls[i].reach == 0)
+        i = (i + 1) % POINTS;
+    return i;
+}
+
+static void copy3(const float from[3], double to[3]) {
+    for (int c = 0; c < 3; c++)
+        to[c] = (double)from[c];
+}
+
+static void start(struct expected *e, const struct vpl *vpls) {
+    for (int k = 0; k < CLUSTERS; k++) {
+        const struct vpl *seed = &vpls[seed_of(e, vpls, k)];
+        copy3(seed->position, e->means.position[k]);
+        copy3(seed->normal, e->means.normal[k]);
+        copy3(seed->flux, e->means.flux[k]);
+        if (e->seeds && (double)e->seeds[k] <= VAL_SEED_NOWHERE)
+            for (int c = 0; c < 3; c++)
+                e->means.position[k][c] = 1e15;
+    }
+}
+
+static double length(const double v[3]) {
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+static double criterion(const struct expected *e, const struct vpl *vpl, int k) {
+    const struct cluster_desc *desc = e->desc;
+    double apart = 0, cosine = 0, hues = 0, flux[3];
+    copy3(vpl->flux, flux);
+    for (int c = 0; c < 3; c++) {
+        apart += pow((double)vpl->position[c] - e->means.position[k][c], 2);
+        cosine += (double)vpl->normal[c] * e->means.normal[k][c];
+        hues += pow(flux[c] / fmax(length(flux), 1e-30) -
+                        e->means.flux[k][c] / fmax(length(e->means.flux[k]), 1e-30),
+                    2);
+    }
+    double by_place = (double)desc->weight_position / exp2((double)(pairs[0] / pairs[1]));
+    if (desc->metric == CLUSTER_METRIC_SQUARES)
+        return by_place * by_place * apart + (double)desc->weight_normal * (1 - cosine) +
+               (double)desc->weight_flux * hues;
+    double angle = acos(fmax(-1, fmin(1, cosine)));
+    return by_place * sqrt(apart) + (double)desc->weight_normal / GLM_PI * angle;
+}
+
+static void map(struct expected *e, const struct vpl *vpls) {
+    for (int i = 0; i < POINTS; i++) {
+        double least = INFINITY, second = INFINITY;
+        for (int k = 0; k < CLUSTERS; k++) {
+            double d = criterion(e, &vpls[i], k);
+            second = fmin(second, fmax(d, least));
+            if (d < least) {
+                least = d;
+                e->means.nearest[i] = k;
+            }
+        }
+        /* Clusters of one seed are as near; those of points that met nothing are not asked for. */
+        if (vpls[i].reach > 0 && second > least)
+            e->means.margin = fmin(e->means.margin, second - least);
+    }
+}
+
+static void mean_of(struct expected *e, const struct vpl *vpls, int k) {
+    double sums[2][3] = {{0}}, flux[3] = {0}, weights = 0, count = 0;
+    for (int i = 0; i < POINTS; i++) {
+        const struct vpl *v = &vpls[i];
+        if (v->reach == 0 || e->means.nearest[i] != k)
+            continue;
+        bool alike = e->desc->metric == CLUSTER_METRIC_LENGTHS;
+        double weight = alike ? 1 : (double)(v->flux[0] + v->flux[1] + v->flux[2]);
+        for (int c = 0; c < 3; c++) {
+            sums[0][c] += weight * (double)v->position[c];
+            sums[1][c] += weight * (double)v->normal[c];
+            flux[c] += (double)v->flux[c];
+        }
+        weights += weight;
+        count++;
+    }
+    const struct vpl *seed = &vpls[seed_of(e, vpls, k)];
+    bool again = e->desc->start == CLUSTER_START_RESEED;
+    e->means.empty += count == 0;
+    for (int c = 0; c < 3; c++) {
+        if (count > 0) {
+            e->means.position[k][c] = sums[0][c] / weights;
+            e->means.normal[k][c] = sums[1][c] / length(sums[1]);
+        } else if (again) {
+            e->means.position[k][c] = (double)seed->position[c];
+            e->means.normal[k][c] = (double)seed->normal[c];
+        }
+        e->means.flux[k][c] = flux[c];
+    }
+    e->means.count[k] = count;
+}
+
+static void expect(struct expected *e, const struct vpl *vpls) {
+    e->means.margin = INFINITY;
+    e->means.empty = 0;
+    if (e->desc->start == CLUSTER_START_SEEDS || !e->means.started)
+        start(e, vpls);
+    e->means.started = true;
+    for (int i = 0; i < e->desc->iterations; i++) {
+        map(e, vpls);
+        for (int k = 0; k < CLUSTERS; k++)
+            mean_of(e, vpls, k);
+    }
+    if (!e->desc->means_of_map)
+        map(e, vpls);
+}
+
+/* The next points of which each is so much nearer to its cluster than to any other that rounding decides nothing:
+ * acos of a float near 1 is right to 4e-4 alone. e is what it is after them. */
+static void expect_clear(struct expected *e, struct vpl vpls[POINTS], int *cloud) {
+    const struct means before = e->means;
+    for (int i = 0; i < CLOUDS_MAX; i++) {
+        scatter(vpls, (*cloud)++);
+        e->means = before;
+        expect(e, vpls);
+        if (e->means.margin > 1e-3)
+            return;
+    }
+    fail_msg("no points are clear");
+}
+
+/* --- the passes ----------------------------------------------------------------------------------- */
+
+struct clustering {
+    struct vpl_buffer vpls;
+    struct texture seeds;
+    struct cluster_desc desc;
+    struct cluster_pass pass;
+    struct expected expected;
+};
+
+static const struct cluster_desc lengths = {
+    .vpl_count = POINTS,
+    .val_count = CLUSTERS,
+    .iterations = 3,
+    .metric = CLUSTER_METRIC_LENGTHS,
+    .weight_position = .8f,
+    .weight_normal = 1.5f,
+    .near_clip = .25f,
+    .has_views = true,
+};
+
+static const struct cluster_desc squares = {
+    .vpl_count = POINTS,
+    .val_count = CLUSTERS,
+    .iterations = 3,
+    .metric = CLUSTER_METRIC_SQUARES,
+    .weight_position = .7f,
+    .weight_normal = .5f,
+    .weight_flux = .9f,
+    .start = CLUSTER_START_WARM,
+    .means_of_map = true,
+};
+
+static void open_clustering(struct clustering *c, const struct cluster_desc *desc,
+                            const float *seeds) {
+    *c = (struct clustering){.desc = *desc};
+    check_ok("points", vpl_buffer_init(&c->vpls, "points", POINTS));
+    framebuffer_clear_color(c->vpls.spread_framebuffer, 0, pairs);
+    if (seeds) {
+        check_ok("seeds", texture_init(&c->seeds, &(struct texture_desc){.label = "seeds",
+                                                                         .format = GL_R32F,
+                                                                         .width = CLUSTERS}));
+        gl.TextureSubImage2D(c->seeds.id, 0, 0, 0, CLUSTERS, 1, GL_RED, GL_FLOAT, seeds);
+        c->desc.seeds = &c->seeds;
+    }
+    c->expected = (struct expected){.desc = &c->desc, .seeds = seeds};
+    check_ok("clusters", cluster_pass_init(&c->pass, &c->desc));
+}
+
+static void close_clustering(struct clustering *c) {
+    cluster_pass_free(&c->pass);
+    texture_free(&c->seeds);
+    vpl_buffer_free(&c->vpls);
+}
+
+static double worst_of(const struct texture *row, double expected[CLUSTERS][3]) {
+    float texels[CLUSTERS][4];
+    double worst = 0;
+    gl.GetTextureImage(row->id, 0, GL_RGBA, GL_FLOAT, sizeof texels, texels);
+    for (int k = 0; k < CLUSTERS; k++)
+        for (int c = 0; c < 3; c++)
+            worst = fmax(worst, fabs((double)texels[k][c] - expected[k][c]) /
+                                    fmax(fabs(expected[k][c]), 1));
+    return worst;
+}
+
+static void check_mapping(const struct vpl_buffer *written, const struct vpl *vpls,
+                          const int *nearest) {
+    struct vpl mapped[POINTS];
+    int wrong = 0, changed = 0;
+    buffer_read(&written->buffer, 0, sizeof mapped, mapped);
+    for (int i = 0; i < POINTS; i++) {
+        wrong += vpls[i].reach > 0 && (int)mapped[i].val != nearest[i];
+        mapped[i].val = vpls[i].val;
+        changed += memcmp(&mapped[i], &vpls[i], sizeof *mapped) != 0;
+    }
+    printf("    of other clusters: %d, changed: %d\n", wrong, changed);
+    assert_int_equal(wrong, 0);
+    assert_int_equal(changed, 0);
+}
+
+static struct timers untimed;
+static const struct frame frame = {
+    .timers = &untimed, .bounds_min = {-2, -2, -2}, .bounds_max = {3, 3, 2.5f}};
+
+/* Renders a frame of points, and compares all that it leaves with what is expected. */
+static void check_frame(struct clustering *c, const struct vpl *vpls) {
+    const struct means *means = &c->expected.means;
+    buffer_write(&c->vpls.buffer, 0, POINTS * sizeof *vpls, vpls);
+    cluster_pass_render(&c->pass, &frame, &c->vpls);
+    const struct val_targets *found = cluster_pass_centers(&c->pass);
+    check_at_most("positions", worst_of(&found->position, (double(*)[3])means->position), 1e-5);
+    check_at_most("normals", worst_of(&found->normal, (double(*)[3])means->normal), 1e-5);
+    check_at_most("fluxes", worst_of(&found->flux, (double(*)[3])means->flux), 1e-5);
+    float texels[CLUSTERS][4];
+    gl.GetTextureImage(found->position.id, 0, GL_RGBA, GL_FLOAT, sizeof texels, texels);
+    for (int k = 0; k < CLUSTERS; k++)
+        assert_true((double)texels[k][3] == means->count[k]);
+    check_mapping(&c->pass.vpls, vpls, means->nearest);
+}
+
+/* --- tests ---------------------------------------------------------------------------------------- */
+
+/* As the paper has it: the same seeds each frame. */
+static void test_lengths(void **state) {
+    (void)state;
+    struct clustering c;
+    struct vpl vpls[POINTS];
+    int cloud = 0;
+    open_clustering(&c, &lengths, NULL);
+    for (int i = 0; i < 3; i++) {
+        expect_clear(&c.expected, vpls, &cloud);
+        check_frame(&c, vpls);
+    }
+    close_clustering(&c);
+}
+
+/* By squares, weighted by flux, each frame from the means of the one before. */
+static void test_squares(void **state) {
+    (void)state;
+    struct clustering c;
+    struct vpl vpls[POINTS];
+    int cloud = 0;
+    open_clustering(&c, &squares, NULL);
+    for (int i = 0; i < 3; i++) {
+        expect_clear(&c.expected, vpls, &cloud);
+        check_frame(&c, vpls);
+    }
+    close_clustering(&c);
+}
+
+/* Two that take turns, each with seeds of its own: some alike, so that one of them is lost, some nowhere, some not told.
+ * Those that are lost begin again, or stay where they were. */
+static void check_turns(const struct cluster_desc *desc) {
+    static const float seeds[2][CLUSTERS] = {{5, 5, -1, 30, -2, 7, 57}, {40, 2, 2, 2, -1, -2, 11}};
+    struct clustering c[2];
+    struct vpl vpls[POINTS];
+    int cloud = 0, empty = 0;
+    for (int i = 0; i < 2; i++)
+        open_clustering(&c[i], desc, seeds[i]);
+    for (int i = 0; i < 6; i++) {
+        expect_clear(&c[i % 2].expected, vpls, &cloud);
+        check_frame(&c[i % 2], vpls);
+        empty += c[i % 2].expected.means.empty;
+    }
+    printf("    clusters that were empty: %d\n", empty);
+    assert_true(empty > 0);
+    for (int i = 0; i < 2; i++)
+        close_clustering(&c[i]);
+}
+
+static void test_lost(void **state) {
+    (void)state;
+    struct cluster_desc desc = squares;
+    check_turns(&desc);
+    desc.start = CLUSTER_START_RESEED;
+    desc.iterations = 1;
+    check_turns(&desc);
+    desc = lengths;
+    desc.start = CLUSTER_START_RESEED;
+    check_turns(&desc);
+}
+
+/* Other lights are mapped to the clusters that these have. */
+static void test_others(void **state) {
+    (void)state;
+    struct clustering c;
+    struct vpl vpls[POINTS], others[POINTS];
+    struct vpl_buffer there;
+    int cloud = 0;
+    open_clustering(&c, &lengths, NULL);
+    expect_clear(&c.expected, vpls, &cloud);
+    check_frame(&c, vpls);
+    do {
+        scatter(others, cloud++);
+        c.expected.means.margin = INFINITY;
+        map(&c.expected, others);
+    } while (c.expected.means.margin < 1e-3 && cloud < CLOUDS_MAX);
+    check_ok("others", vpl_buffer_init(&there, "others", POINTS));
+    buffer_write(&there.buffer, 0, sizeof others, others);
+    cluster_pass_map(&c.pass, &there, &c.pass.vpls);
+    check_mapping(&c.pass.vpls, others, c.expected.means.nearest);
+    vpl_buffer_free(&there);
+    close_clustering(&c);
+}
+
+/* Only the first clusters have seeds. */
+static const float first_seeds[CLUSTERS] = {0, 1, 2, -2, -2, -2, -2};
+
+static void render_lights(struct clustering *c, const struct vpl *lights, size_t size) {
+    struct vpl vpls[POINTS] = {{.reach = 0}};
+    memcpy(vpls, lights, size);
+    buffer_write(&c->vpls.buffer, 0, sizeof vpls, vpls);
+    cluster_pass_render(&c->pass, &frame, &c->vpls);
+}
+
+/* Three that surround a mean, at whose side stands the second cluster's one, nearer to the mean than all three, as is one
+ * that met nothing; and a third far off. The view looks from the plane of the nearest of the three. */
+static void test_views(void **state) {
+    (void)state;
+    static const struct vpl before[] = {
+        {.position = {0, 0, 0}, .normal = {0, 0, 1}, .area = 1, .flux = {1}, .reach = 1},
+        {.position = {.1f, .25f, .1f}, .normal = {0, 0, 1}, .area = 1, .flux = {1}, .reach = 1},
+        {.position = {0, -2, 0}, .normal = {0, 1, 0}, .area = 1, .flux = {1}, .reach = 1},
+    };
+    static const struct vpl lights[] = {
+        {.position = {-1, .2f, 0}, .normal = {0, 0, 1}, .area = .25f, .flux = {1}, .reach = 1},
+        {.position = {1, -.3f, -.25f}, .normal = {0, 0, 1}, .area = .09f, .flux = {1}, .reach = 1},
+        {.position = {.3f, -.2f, .4f}, .normal = {0, 0, 1}, .area = .04f, .flux = {1}, .reach = 1},
+        {.position = {.1f, .25f, .1f}, .normal = {0, 0, 1}, .area = 4, .flux = {1}, .reach = 1},
+        {.position = {0, -2, 0}, .normal = {0, 1, 0}, .area = 9, .flux = {1}, .reach = 1},
+        {.position = {.1f, -.15f, .3f}, .normal = {0, 0, 1}, .area = .01f, .flux = {1}},
+    };
+    /* Nothing nearer counts than a quarter of the spread, or a spacing. */
+    const double clip = .25 * exp2(1.5);
+    const struct {
+        double center[3], axis[3], extent, near;
+    } expected[] = {
+        {{.1, -.1, .4}, {0, 0, 1}, 1, .2},
+        {{.1, .25, .1}, {0, 0, 1}, 0, clip},
+        {{0, -2, 0}, {0, 1, 0}, 0, clip},
+    };
+    struct clustering c;
+    struct map_view views[CLUSTERS];
+    struct cluster_desc desc = lengths;
+    desc.iterations = 1;
+    desc.start = CLUSTER_START_WARM;
+    desc.means_of_map = true;
+    open_clustering(&c, &desc, first_seeds);
+    render_lights(&c, before, sizeof before);
+    render_lights(&c, lights, sizeof lights);
+    buffer_read(&c.pass.views.buffer, 0, sizeof views, views);
+    for (int k = 0; k < 3; k++) {
+        double far = 0, across = 0;
+        for (int a = 0; a < 3; a++) {
+            double at = expected[k].center[a];
+            check_near("place of a view", (double)views[k].center[a], at, 1e-6);
+            check_near("axis", (double)views[k].axis[a], expected[k].axis[a], 1e-6);
+            far += pow(fmax(at - (double)frame.bounds_min[a], (double)frame.bounds_max[a] - at), 2);
+            across += (double)(views[k].axis[a] * views[k].tangent[a]);
+        }
+        check_near("extent", (double)views[k].extent, expected[k].extent, 1e-6);
+        check_near("near", (double)views[k].near, expected[k].near, 1e-6);
+        check_near("far", (double)views[k].z_far, sqrt(far), 1e-5);
+        check_near("tangent along the axis", across, 0, 1e-6);
+        check_near("tangent", (double)glm_vec3_norm(views[k].tangent), 1, 1e-6);
+    }
+    for (int k = 3; k < CLUSTERS; k++)
+        assert_true((double)views[k].near >= .99 * MAP_VIEW_EMPTY);
+    close_clustering(&c);
+}
+
+/* Normals that cancel out have no mean: the one before stays. */
+static void test_opposed(void **state) {
+    (void)state;
+    static const struct vpl lights[] = {
+        {.position = {0, 0, 0}, .normal = {0, .6f, .8f}, .area = 1, .flux = {1}, .reach = 1},
+        {.position = {1, 0, 2}, .normal = {0, -.6f, -.8f}, .area = 1, .flux = {2}, .reach = 1},
+    };
+    struct clustering c;
+    struct cluster_desc desc = lengths;
+    float normals[CLUSTERS][4], positions[CLUSTERS][4];
+    static const float seeds[CLUSTERS] = {0, -2, -2, -2, -2, -2, -2};
+    open_clustering(&c, &desc, seeds);
+    render_lights(&c, lights, sizeof lights);
+    const struct val_targets *found = cluster_pass_centers(&c.pass);
+    gl.GetTextureImage(found->normal.id, 0, GL_RGBA, GL_FLOAT, sizeof normals, normals);
+    gl.GetTextureImage(found->position.id, 0, GL_RGBA, GL_FLOAT, sizeof positions, positions);
+    check_near("lights of one cluster", (double)positions[0][3], 2, 0);
+    check_near("between them", (double)positions[0][2], 1, 1e-6);
+    check_near("its normal", (double)normals[0][1], .6, 1e-6);
+    check_near("its normal", (double)normals[0][2], .8, 1e-6);
+    close_clustering(&c);
+}
+
+/* --- allocation ------------------------------------------------------------------------------------ */
+
+static struct gl_api real;
+static int allocations, failing; /* which one, from 1 on */
+static bool failed;
+
+static void note_allocation(void) {
+    failed = ++allocations == failing;
+}
+
+static void no_texture(GLuint id, GLsizei levels, GLenum format, GLsizei width, GLsizei height) {
+    note_allocation();
+    if (!failed)
+        real.TextureStorage2D(id, levels, format, width, height);
+}
+
+static void no_buffer(GLuint id, GLsizeiptr size, const void *data, GLbitfield flags) {
+    note_allocation();
+    if (!failed)
+        real.NamedBufferStorage(id, size, data, flags);
+}
+
+static GLenum no_memory(void) {
+    bool now = failed;
+    failed = false;
+    return now ? GL_OUT_OF_MEMORY : real.GetError();
+}
+
+/* Each texture and buffer fails once: that is told, and nothing is left. */
+static void test_memory(void **state) {
+    (void)state;
+    struct cluster_pass pass, nothing = {0};
+    bool ok = false;
+    real = gl;
+    gl.TextureStorage2D = no_texture;
+    gl.NamedBufferStorage = no_buffer;
+    gl.GetError = no_memory;
+    for (failing = 1; !ok; failing++) {
+        allocations = 0;
+        error_set("nothing is said");
+        ok = cluster_pass_init(&pass, &lengths);
+        if (!ok) {
+            assert_non_null(strstr(error_get(), "out of GPU memory"));
+            assert_memory_equal(&pass, &nothing, sizeof pass);
+        }
+    }
+    gl.TextureStorage2D = real.TextureStorage2D;
+    gl.NamedBufferStorage = real.NamedBufferStorage;
+    gl.GetError = real.GetError;
+    cluster_pass_free(&pass);
+    printf("    allocations, each failed once: %d\n", allocations);
+    assert_true(allocations >= 3 * 3 + 1 + 1 + 2 + 1);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_lengths), cmocka_unit_test(test_squares),
+        cmocka_unit_test(test_lost),    cmocka_unit_test(test_others),
+        cmocka_unit_test(test_views),   cmocka_unit_test(test_opposed),
+        cmocka_unit_test(test_memory),
+    };
+    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
+}
