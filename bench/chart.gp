@@ -32,7 +32,6 @@ png = "set terminal pngcairo size 1350,840 fontscale 1.3 font 'DejaVu Sans,11' n
 # Lists of names, each once, in quotes for word().
 add(list, name) = strstrt(list, '"' . name . '"') ? list : list . ' "' . name . '"'
 is(column, text) = strcol(column) eq text
-place_of(name, faces) = strcol(name) . " " . strcol(faces)
 
 # What stands on the two sides of "KEY=VALUE", and "vals=2 terms=4" as "M=2 K=4".
 key(point) = point[1:strstrt(point, "=") - 1]
@@ -40,6 +39,11 @@ number(point) = real(point[strstrt(point, "=") + 1:*])
 replace(text, old, new) = strstrt(text, old) ? \
     text[1:strstrt(text, old) - 1] . new . text[strstrt(text, old) + strlen(old):*] : text
 letters(text) = replace(replace(replace(text, "vpls=", "N="), "vals=", "M="), "terms=", "K=")
+
+# A scene by its name, as one word that is no path, and its faces.
+plain(name) = strstrt(name, "/") ? plain(replace(name, "/", "-")) : strstrt(name, " ") ? plain(replace(name, " ", "-")) : \
+    strstrt(name, '"') ? plain(replace(name, '"', "-")) : strlen(name) ? name : "unnamed"
+place_of(name, faces) = plain(strcol(name)) . " " . strcol(faces)
 
 # The chart that a row belongs to: of a sweep "time", of curves the setting, of a clip what is told.
 error(what) = what eq "relative-rmse" || what eq "gradient"
@@ -96,7 +100,7 @@ name_of(i) = word(word(scenes, i), 1)
 same_before(i) = i > 1 ? (sum [k = 1:i - 1] (name_of(k) eq name_of(i))) : 0
 file_of(i, chart) = folder . "/" . name_of(i) . \
     (same_before(i) ? "-" . word(word(scenes, i), 2) : "") . \
-    (chart eq "time" ? "" : chart eq "vals in use" ? "-vals-in-use" : "-" . chart)
+    (chart eq "time" ? "" : "-" . plain(chart))
 
 # The Pareto front: what no other case is both as fast and as true as.
 array X[10000]

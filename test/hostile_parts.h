@@ -35,10 +35,12 @@ static const struct {
 } second_joint = {{{1}}, {{1}}};
 static const uint16_t wild_index[6] = {0, 1, 2, 0, 2, 17};
 
-static const struct {
+struct hostile {
     const char *name, *message; /* what comes after "FILE: " */
     struct gltf_parts parts;
-} hostile[] = {
+};
+
+static const struct hostile hostile[] = {
     {"no version", "asset: it has no 'version'", {.asset = "{}"}},
     {"old version", "glTF version '1.0', not 2.0", {.asset = "{\"version\": \"1.0\"}"}},
     {"future version",

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static char output[65536];
 
@@ -218,6 +219,30 @@ static void test_other_charts(void **state) {
     free(text);
 }
 
+/* Names of scenes and settings that a shell, a path or gnuplot would take for something else stay names. */
+static void test_odd_names(void **state) {
+    (void)state;
+    FILE *file = open_rows("odd.csv");
+    static const char *const names[] = {
+        "../../escaped", "a b", "a c",  "\"\"q\"\"", "$(touch x) `touch x`",
+        "| touch x",     "%s",  "it's", ""};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        fprintf(file, "sweep,%s,30,8,8,fast,vals=4,relative-rmse,2,3,x\n", names[i]);
+    for (int i = 1; i < 3; i++)
+        fprintf(file, "curves,box,30,8,8,fast,/../../out=%d,relative-rmse,2,,x\n", i);
+    fclose(file);
+    draw("odd.csv", "odd");
+    static const char *const files[] = {
+        "/..-..-escaped.svg",  "/a-b.svg", "/a-c.svg",  "/$(touch-x)-`touch-x`.svg",
+        "/|-touch-x.svg",      "/%s.svg",  "/it's.svg", "/unnamed.svg",
+        "/box--..-..-out.svg",
+    };
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        check_says(files[i]);
+    assert_int_equal(count_of(output, ".svg"), (int)(sizeof files / sizeof *files));
+    assert_int_equal(access("x", F_OK), -1);
+}
+
 /* --- the other modes -------------------------------------------------------------------------- */
 
 static void test_scaling(void **state) {
@@ -399,12 +424,13 @@ static void test_refusals(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_times),        cmocka_unit_test(test_sweep_and_cache),
-        cmocka_unit_test(test_chart),        cmocka_unit_test(test_front),
-        cmocka_unit_test(test_other_charts), cmocka_unit_test(test_scaling),
-        cmocka_unit_test(test_budget),       cmocka_unit_test(test_quality),
-        cmocka_unit_test(test_direct),       cmocka_unit_test(test_vpl_raytraced),
-        cmocka_unit_test(test_help),         cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_times),         cmocka_unit_test(test_sweep_and_cache),
+        cmocka_unit_test(test_chart),         cmocka_unit_test(test_front),
+        cmocka_unit_test(test_other_charts),  cmocka_unit_test(test_odd_names),
+        cmocka_unit_test(test_scaling),       cmocka_unit_test(test_budget),
+        cmocka_unit_test(test_quality),       cmocka_unit_test(test_direct),
+        cmocka_unit_test(test_vpl_raytraced), cmocka_unit_test(test_help),
+        cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /* Hostile glTF files: each ends in one message that names the object, never in a crash, a hang or a
  * read outside the file's folder. */
 #define _XOPEN_SOURCE 700
+#include "hostile_numbers.h"
 #include "hostile_parts.h"
 
 #include "base/error.h"
@@ -21,23 +22,33 @@ static void check_refused(const char *what, const char *path, bool loaded, const
         fail_msg("%s: expected '%s' and '%s'", what, path, message);
 }
 
+static void check_hostile(const struct hostile *files, size_t count) {
+    for (const struct hostile *file = files; file < files + count; file++) {
+        struct scene scene;
+        struct geometry geometry;
+        const char *path = write_parts("hostile.glb", &file->parts);
+        bool opened = scene_open(&scene, &geometry, path, NULL);
+        if (opened)
+            fail_msg("%s: loaded", file->name);
+        check_refused(file->name, path, opened, file->message);
+        assert_null(scene.path);
+        assert_null(geometry.position);
+    }
+}
+
 static void test_hostile_files(void **state) {
     (void)state;
     write_bytes(scratch("../secret.bin"), "secret", 6);
     unlink(scratch("link.bin"));
     assert_int_equal(symlink("../secret.bin", scratch("link.bin")), 0);
     mkdir(scratch("folder"), 0777);
-    for (size_t i = 0; i < sizeof hostile / sizeof *hostile; i++) {
-        struct scene scene;
-        struct geometry geometry;
-        const char *path = write_parts("hostile.glb", &hostile[i].parts);
-        bool opened = scene_open(&scene, &geometry, path, NULL);
-        if (opened)
-            fail_msg("%s: loaded", hostile[i].name);
-        check_refused(hostile[i].name, path, opened, hostile[i].message);
-        assert_null(scene.path);
-        assert_null(geometry.position);
-    }
+    check_hostile(hostile, sizeof hostile / sizeof *hostile);
+}
+
+static void test_hostile_numbers(void **state) {
+    (void)state;
+    write_bytes(scratch("secret-here.bin"), "secret", 6);
+    check_hostile(hostile_numbers, sizeof hostile_numbers / sizeof *hostile_numbers);
 }
 
 /* A few bytes that claim to be a huge picture. */
@@ -200,9 +211,9 @@ static void test_mutations(void **state) {
 int main(void) {
     log_set_level(LOG_QUIET);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_hostile_files), cmocka_unit_test(test_huge_picture),
-        cmocka_unit_test(test_containers),    cmocka_unit_test(test_texts),
-        cmocka_unit_test(test_mutations),
+        cmocka_unit_test(test_hostile_files), cmocka_unit_test(test_hostile_numbers),
+        cmocka_unit_test(test_huge_picture),  cmocka_unit_test(test_containers),
+        cmocka_unit_test(test_texts),         cmocka_unit_test(test_mutations),
     };
     return cmocka_run_group_tests_name("gltf refusals", tests, NULL, NULL);
 }

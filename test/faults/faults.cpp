@@ -3,7 +3,7 @@
  * Calls that can fail and that the program's own code makes are told apart by where it makes them: by the
  * innermost returns into its code. FAULT=N lets the first call from the N-th such place fail as it would
  * by itself; FAULT=0 none. FAULT_LOG names a file for "N FUNCTION" of each place, or only of the one that failed.
- * What libraries call by themselves is let alone, and what comes before main.
+ * What libraries call by themselves is let alone, and what comes before main and after it.
  */
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
@@ -59,7 +59,7 @@ pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
 uint64_t places[PLACES_MAX];
 int place_count;
 thread_local bool inside;
-bool started; /* main has been called */
+bool running; /* main is */
 
 void tell(int number, const char *function) {
     static int log = -2;
@@ -99,7 +99,7 @@ uint64_t place_of(const char *function) {
 /* Whether this call, which returns to that address, is to fail. */
 bool fails(const char *function, const void *to) {
     static const char *wanted = getenv("FAULT");
-    if (!started || !wanted || inside || !in_program(to))
+    if (!running || !wanted || inside || !in_program(to))
         return false;
     inside = true;
     pthread_mutex_lock(&mutex);
@@ -345,8 +345,10 @@ typedef int main_function(int, char **, char **);
 static main_function *real_main;
 
 static int begin_main(int count, char **arguments, char **environment) {
-    started = true;
-    return real_main(count, arguments, environment);
+    running = true;
+    int status = real_main(count, arguments, environment);
+    running = false;
+    return status;
 }
 
 int __libc_start_main(main_function *main, int count, char **arguments, void (*init)(void),

@@ -67,7 +67,7 @@ static bool take_drawings(const char *from, const char *to, bool ok) {
     }
     if (count >= 0)
         free(entries);
-    return ok;
+    return ok && (count > 0 || error_set("%s: gnuplot has drawn nothing there", from));
 }
 
 static bool run_gnuplot(const char *csv, const char *folder) {
