@@ -158,18 +158,23 @@ static void test_frame(void **state) {
 
 /* --- time ------------------------------------------------------------------------------------- */
 
+/* Stands in for ffmpeg; its last argument is the file. */
+static void write_ffmpeg(const char *command) {
+    char path[700];
+    snprintf(path, sizeof path, "%s/ffmpeg", stage.folder);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fprintf(file, "#!/bin/sh\nfor last; do :; done\n%s\n", command);
+    fclose(file);
+    chmod(path, 0755);
+}
+
 static void test_steps(void **state) {
     (void)state;
     if (!stage.server)
         skip();
-    char path[700], old[2000], with[2800];
-    /* Stands in for ffmpeg: keeps what it is given. */
-    snprintf(path, sizeof path, "%s/ffmpeg", stage.folder);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs("#!/bin/sh\nfor last; do :; done\ncat >\"$last\"\n", file);
-    fclose(file);
-    chmod(path, 0755);
+    char old[2000], with[2800];
+    write_ffmpeg("cat >\"$last\""); /* keeps what it is given */
     snprintf(old, sizeof old, "%s", getenv("PATH"));
     snprintf(with, sizeof with, "%s:%s", stage.folder, old);
     setenv("PATH", with, 1);
@@ -217,25 +222,46 @@ static void test_video(void **state) {
     const long frame = 4L * WIDTH * HEIGHT;
     need_viewer();
     press("Video");
-    assert_true(wait_for("manylight-clip-0001.mp4"));
-    snprintf(path, sizeof path, "%s/manylight-clip-0001.mp4", stage.folder);
+    assert_true(wait_for(".manylight-clip-0001.mp4"));
+    snprintf(path, sizeof path, "%s/.manylight-clip-0001.mp4", stage.folder);
     for (int i = 0; i < PATIENCE_MS / 50 && info.st_size < 2 * frame; i++) {
         pause_ms(50);
         stat(path, &info);
     }
     press("Stop");
     find_place("Record", &x, &y); /* it has ended */
-    stat(path, &info);
+    assert_int_equal(access(path, F_OK), -1);
+    snprintf(path, sizeof path, "%s/manylight-clip-0001.mp4", stage.folder);
+    assert_int_equal(stat(path, &info), 0);
     printf("    ffmpeg was given %.2f frames\n", (double)info.st_size / (double)frame);
     assert_true(info.st_size >= 2 * frame && info.st_size % frame == 0);
+}
+
+/* An ffmpeg that fails, as on a full disk, leaves nothing that passes for a clip. */
+static void test_broken_video(void **state) {
+    (void)state;
+    char command[1600];
+    static char listed[4096];
+    int x, y;
+    need_viewer();
+    write_ffmpeg("head -c 99 >\"$last\"; exit 1");
+    press("Video");
+    sync_viewer();
+    find_place("Record", &x, &y); /* it has ended by itself */
+    snprintf(command, sizeof command, "(ls -A %s | grep clip)", stage.folder);
+    run_command(command, listed, sizeof listed);
+    printf("%s", listed);
+    assert_string_equal(listed, "manylight-clip-0001\nmanylight-clip-0001.mp4\n");
     end_viewer();
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_orbit),  cmocka_unit_test(test_zoom),  cmocka_unit_test(test_circle),
-        cmocka_unit_test(test_views),  cmocka_unit_test(test_frame), cmocka_unit_test(test_steps),
-        cmocka_unit_test(test_record), cmocka_unit_test(test_video),
+        cmocka_unit_test(test_orbit),        cmocka_unit_test(test_zoom),
+        cmocka_unit_test(test_circle),       cmocka_unit_test(test_views),
+        cmocka_unit_test(test_frame),        cmocka_unit_test(test_steps),
+        cmocka_unit_test(test_record),       cmocka_unit_test(test_video),
+        cmocka_unit_test(test_broken_video),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

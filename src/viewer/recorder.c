@@ -7,6 +7,7 @@
 #include "scene/animation.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <math.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -32,13 +33,26 @@ bool recorder_has_video(void) {
     return has_program("ffmpeg");
 }
 
+/* Makes the folder, or the file that ffmpeg writes; false where another viewer has done so. */
+static bool take_name(const struct recorder *recorder) {
+    if (recorder->kind == RECORD_PICTURES)
+        return mkdir(recorder->name, 0777) == 0;
+    int file = open(recorder->part, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    return file >= 0 && close(file) == 0;
+}
+
+/* A video has its name when it is whole. */
 static bool choose_name(struct recorder *recorder) {
     const char *ending = recorder->kind == RECORD_VIDEO ? ".mp4" : "";
     for (int i = 1; i < 10000; i++) {
         snprintf(recorder->name, sizeof recorder->name, "manylight-clip-%04d%s", i, ending);
-        if (access(recorder->name, F_OK) != 0)
-            return recorder->kind == RECORD_VIDEO || mkdir(recorder->name, 0777) == 0 ||
-                   error_set("cannot make %s: %s", recorder->name, strerror(errno));
+        snprintf(recorder->part, sizeof recorder->part, ".%s", recorder->name);
+        if (access(recorder->name, F_OK) == 0)
+            continue;
+        if (take_name(recorder))
+            return true;
+        if (errno != EEXIST)
+            return error_set("cannot make %s: %s", recorder->name, strerror(errno));
     }
     return error_set("too many clips are here");
 }
@@ -49,7 +63,7 @@ static bool open_pipe(struct recorder *recorder) {
     snprintf(command, sizeof command,
              "ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgba -s %dx%d -r %d -i - -an -vf "
              "'crop=trunc(iw/2)*2:trunc(ih/2)*2' -pix_fmt yuv420p %s",
-             recorder->width, recorder->height, TIMELINE_FPS, recorder->name);
+             recorder->width, recorder->height, TIMELINE_FPS, recorder->part);
     signal(SIGPIPE, SIG_IGN); /* an ffmpeg that fails is told by fwrite */
     recorder->pipe = popen(command, "w");
     return recorder->pipe || error_set("ffmpeg cannot be started: %s", strerror(errno));
@@ -62,6 +76,7 @@ void recorder_start(struct viewer *viewer, enum record_kind kind) {
     double duration = scene_duration(&viewer->document.scene);
     *recorder = (struct recorder){.kind = kind};
     if (!choose_name(recorder)) {
+        *recorder = (struct recorder){0};
         viewer_tell_error(viewer);
         return;
     }
@@ -79,13 +94,23 @@ static void tell_written(struct viewer *viewer) {
     free(path);
 }
 
+/* Of a video that was begun. */
+static bool end_video(const struct recorder *recorder) {
+    bool ok = recorder->pipe && (pclose(recorder->pipe) == 0 ||
+                                 error_set("ffmpeg failed: there is no %s", recorder->name));
+    ok = ok && (rename(recorder->part, recorder->name) == 0 ||
+                error_set("cannot write %s: %s", recorder->name, strerror(errno)));
+    if (!ok)
+        remove(recorder->part);
+    return ok || !recorder->pipe;
+}
+
 void recorder_stop(struct viewer *viewer) {
     struct recorder *recorder = &viewer->recorder;
-    bool ok = !recorder->pipe || pclose(recorder->pipe) == 0 ||
-              error_set("ffmpeg failed: %s is not whole", recorder->name);
+    bool ok = !*recorder->part || recorder->kind == RECORD_PICTURES || end_video(recorder);
     if (!ok)
         viewer_tell_error(viewer);
-    else if (recorder->on)
+    else if (recorder->on && recorder->frame > 0)
         tell_written(viewer);
     *recorder = (struct recorder){0};
 }

@@ -14,6 +14,7 @@ struct recorder {
     int frame, count;  /* the one to come */
     int width, height; /* of the frames; 0 before the first */
     char name[64];     /* of the folder, or of the video */
+    char part[72];     /* of the video until it is whole */
     FILE *pipe;        /* to ffmpeg */
 };
 
