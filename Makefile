@@ -392,8 +392,9 @@ asan: deps
 	    $(MAKE) --no-print-directory tests BUILD=build/asan BINARY=build/asan/manylight-asan \
 	    CFLAGS="-O1 -g $(SANITIZE)" LDFLAGS="$(SANITIZE)"
 
-# What has threads of its own: the path tracer, the metrics, and the loader that the viewer calls from one.
-TSAN_TESTS := $(patsubst %,build/tsan/test/test_%,reference denoise sky metrics gltf)
+# What has threads of its own: the path tracer, the metrics, the loader, and the viewer, which loads, compiles, traces
+# and measures in the background.
+TSAN_TESTS := $(patsubst %,build/tsan/test/test_%,reference denoise sky metrics gltf view_compiling view_truth)
 tsan: deps
 	@TSAN_OPTIONS="suppressions=$(CURDIR)/test/races-of-others exitcode=66" \
 	    $(MAKE) --no-print-directory tests BUILD=build/tsan BINARY=build/tsan/manylight-tsan TESTS="$(TSAN_TESTS)" \

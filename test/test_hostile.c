@@ -7,11 +7,13 @@
 #include "base/file/output_file.h"
 #include "base/text.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -284,9 +286,57 @@ static void test_cost(void **state) {
     }
 }
 
+/* --- files of strangers ----------------------------------------------------------------------- */
+
+/* Told or refused in one line; in the time and the memory that a small file may take. */
+static void check_stranger(const char *path, double least_mib) {
+    char command[4096], output[1 << 12];
+    struct stat info;
+    assert_int_equal(stat(path, &info), 0);
+    snprintf(command, sizeof command, "exec %s info '%s'", binary_path(), path);
+    struct cost cost = run(command, scratch("stranger.txt"));
+    FILE *file = fopen(scratch("stranger.txt"), "r");
+    output[fread(output, 1, sizeof output - 1, file)] = '\0';
+    fclose(file);
+    printf("    %6.1f MiB over a triangle's, %5.2f s, %8ld bytes -> %d %s\n", cost.mib - least_mib,
+           cost.cpu, (long)info.st_size, cost.status, path);
+    bool refused = cost.status == 1 && strncmp(output, "manylight info: ", 16) == 0 &&
+                   strchr(output, '\n') == output + strlen(output) - 1;
+    if (cost.status != 0 && !refused)
+        fail_msg("%s", output);
+#ifndef __SANITIZE_ADDRESS__
+    if (info.st_size < 1 << 20)
+        check_at_most("seconds of the CPU", cost.cpu, 2);
+    check_at_most("MiB of memory", cost.mib, 2048 + 64 * (double)info.st_size / (1 << 20) + 512);
+#endif
+}
+
+/* The files that fuzzing begins with, or those of the folder MANYLIGHT_STRANGERS. */
+static void test_strangers(void **state) {
+    (void)state;
+    const char *strangers = getenv("MANYLIGHT_STRANGERS");
+    const char *folder = strangers ? strangers : "test/fuzz/seeds/scene";
+    char command[1024];
+    snprintf(command, sizeof command, "exec %s info test/fuzz/seeds/scene/triangle.glb",
+             binary_path());
+    double least_mib = run(command, "/dev/null").mib;
+    struct dirent **entries;
+    int count = scandir(folder, &entries, NULL, alphasort);
+    assert_true(count > 2);
+    for (int i = 0; i < count; i++) {
+        char path[512];
+        snprintf(path, sizeof path, "%s/%s", folder, entries[i]->d_name);
+        if (entries[i]->d_name[0] != '.')
+            check_stranger(path, least_mib);
+        free(entries[i]);
+    }
+    free(entries);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_cost),
+        cmocka_unit_test(test_strangers),
     };
     return cmocka_run_group_tests_name("hostile", tests, NULL, NULL);
 }

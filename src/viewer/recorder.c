@@ -4,6 +4,7 @@
 #include "viewer/viewer.h"
 
 #include "base/error.h"
+#include "base/file/output_file.h"
 #include "scene/animation.h"
 
 #include <errno.h>
@@ -98,11 +99,10 @@ static void tell_written(struct viewer *viewer) {
 static bool end_video(const struct recorder *recorder) {
     bool ok = recorder->pipe && (pclose(recorder->pipe) == 0 ||
                                  error_set("ffmpeg failed: there is no %s", recorder->name));
-    ok = ok && (rename(recorder->part, recorder->name) == 0 ||
-                error_set("cannot write %s: %s", recorder->name, strerror(errno)));
-    if (!ok)
-        remove(recorder->part);
-    return ok || !recorder->pipe;
+    if (ok)
+        return output_file_take(recorder->part, recorder->name);
+    remove(recorder->part);
+    return !recorder->pipe;
 }
 
 void recorder_stop(struct viewer *viewer) {

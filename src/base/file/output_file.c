@@ -241,6 +241,19 @@ bool output_file_write(const char *path, const void *bytes, size_t size) {
     return ok;
 }
 
+bool output_file_take(const char *part, const char *path) {
+    int file = open(part, O_RDONLY | O_CLOEXEC);
+    bool ok = file >= 0 && sync_all(file);
+    ok = file >= 0 && close(file) == 0 && ok && rename(part, path) == 0;
+    if (ok) {
+        sync_folder(path);
+    } else {
+        fail(path);
+        unlink(part);
+    }
+    return ok;
+}
+
 void output_text_init(struct output_text *text) {
     *text = (struct output_text){0};
     text->stream = open_memstream(&text->data, &text->size);

@@ -24,6 +24,9 @@ bool output_file_is_not(const char *path, const char *input);
 /* Replaces what is there. A device or a pipe is written to as it is. Error: names the path. */
 bool output_file_write(const char *path, const void *bytes, size_t size);
 
+/* What another program has written beside it is synced and takes the name; where it cannot, it is removed. */
+bool output_file_take(const char *part, const char *path);
+
 /* Text that is printed to a stream in memory, on its way to a file. free accepts a zeroed one. */
 struct output_text {
     FILE *stream;
