@@ -209,6 +209,9 @@ static void test_files_that_do_not_compare(void **state) {
     snprintf(arguments, sizeof arguments, "%s no-such-file.exr", test_exr);
     expect(1, arguments);
     expect_text("manylight compare: no-such-file.exr: ");
+    snprintf(arguments, sizeof arguments, "%s /dev/zero", test_exr);
+    expect(1, arguments);
+    expect_text("manylight compare: /dev/zero: not a file"); /* and without an end */
 
     struct image image;
     const char *path = scratch("compare-odd.exr");

@@ -311,6 +311,10 @@ static void test_what_is_replaced(void **state) {
     assert_int_equal(status.st_mode & 0777, 0600);
     expect_refused(output_file_is_not(link, file), link, "it is the input");
     check_ok("others", output_file_is_not(link, "scenes/cornell-box.glb"));
+    assert_int_equal(unlink(file), 0);
+    expect_refused(output_file_write(link, "x", 1), link, "it is a link to nothing");
+    assert_int_equal(lstat(link, &status), 0);
+    assert_true(S_ISLNK(status.st_mode));
     check_ok("to a device", output_file_write("/dev/null", "x", 1));
     assert_int_equal(stat("/dev/null", &status), 0);
     assert_true(S_ISCHR(status.st_mode));

@@ -22,6 +22,8 @@ static bool check(struct bench *bench) {
     for (int i = 0; i < bench->argument_count; i++)
         if (strpbrk(bench->arguments[i], "'\n"))
             return error_set("%s: gnuplot takes no quote in a name", bench->arguments[i]);
+        else if (file_is_stream(bench->arguments[i]))
+            return error_set("%s: not a file", bench->arguments[i]);
     return bench->argument_count || error_set("FILE.csv is missing");
 }
 

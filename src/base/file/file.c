@@ -38,3 +38,8 @@ char *file_read_text(const char *path) {
     struct file_bytes bytes;
     return file_read(&bytes, path) ? (char *)bytes.data : NULL;
 }
+
+bool file_is_stream(const char *path) {
+    struct stat status;
+    return stat(path, &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}

@@ -17,4 +17,7 @@ bool file_read(struct file_bytes *bytes, const char *path);
 /* The same as text, to be freed by the caller; NULL on error. */
 char *file_read_text(const char *path);
 
+/* A device or a pipe, which may have no end. */
+bool file_is_stream(const char *path);
+
 #endif

@@ -3,6 +3,7 @@
 
 extern "C" {
 #include "base/error.h"
+#include "base/file/file.h"
 #include "base/file/output_file.h"
 #include "base/memory.h"
 }
@@ -182,6 +183,8 @@ bool is_half(const struct image *image) {
 
 extern "C" bool image_read(struct image *image, const char *path) try {
     *image = {};
+    if (file_is_stream(path))
+        return fail(path, "not a file");
     auto in = ImageInput::open(path);
     if (!in)
         return fail(path, geterror());
@@ -220,7 +223,7 @@ extern "C" bool image_is_whole(const char *path) try {
     const format *format = find_format(path);
     if (!format)
         return false;
-    if (!ends_well(path, *format))
+    if (file_is_stream(path) || !ends_well(path, *format))
         return fail(path, "ends too soon");
     auto in = ImageInput::open(path);
     if (!in)

@@ -47,6 +47,8 @@ static bool is_writable(const char *path) {
     bool exists = stat(path, &status) == 0;
     if (!exists && errno != ENOENT)
         return fail(path);
+    if (!exists && lstat(path, &status) == 0)
+        return error_set("cannot write %s: it is a link to nothing", path);
     if (exists && S_ISDIR(status.st_mode))
         return error_set("cannot write %s: it is a folder", path);
     if (exists && access(path, W_OK) != 0)
