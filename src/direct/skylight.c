@@ -24,7 +24,7 @@ static const struct option table[] = {
      .help = "what is lower above a receiver's plane hides nothing, in texels"},
     {"disagree", 0, OPTION_FLOAT, ROW(disagree), .02, 0, 2,
      .help = "pixels between blocks that disagree about more than this share of the sky's light\n"
-             "look themselves up"},
+             "look themselves up; with more than 60 lights the share is as many times smaller"},
     {NULL},
 };
 

@@ -10,6 +10,15 @@
 
 static const float apart = .008F; /* as the gather's blocks */
 
+/* Of many lights each has so little that no pixel would ask for it: beyond so many the limit falls with what
+ * one of them has. */
+static const int few = 60;
+
+static float disagree_of(const struct sky_light_desc *desc) {
+    int count = desc->maps.count;
+    return count > few ? desc->disagree * (float)few / (float)count : desc->disagree;
+}
+
 static bool init_programs(struct sky_light_pass *pass) {
     char *maps = sky_map_defines(&pass->desc.maps);
     char *defines = mem_printf("%s;WAYS %d", maps, pass->desc.ways);
@@ -92,7 +101,7 @@ bool sky_light_pass_init(struct sky_light_pass *pass, const struct sky_light_des
                                       .block = desc->block,
                                       .bias = desc->bias,
                                       .apart = apart,
-                                      .disagree = desc->disagree};
+                                      .disagree = disagree_of(desc)};
     if (init_programs(pass) && init_shares(pass) && init_targets(pass) &&
         buffer_init(&pass->params, "sky parameters", sizeof params, &params))
         return true;
