@@ -248,7 +248,7 @@ static void turn_inside_out(struct primitive *primitive) {
 
 /* The mean of what comes through a shut door of that alpha from the room where the light is, drawn and traced. */
 static void look_through(struct stage *stage, const char *what, double *drawn, double *traced) {
-    enum { SIDE = 48 };
+    enum { SIDE = 32 };
     struct image image;
     pose_stage(stage);
     image = render_stage(stage, "clustered", "", SIDE);
@@ -257,7 +257,7 @@ static void look_through(struct stage *stage, const char *what, double *drawn, d
     check_ok("trace",
              picture_trace_paths(stage,
                                  &(struct path_tracer_desc){
-                                     .width = SIDE, .height = SIDE, .bounces = 1, .samples = 64},
+                                     .width = SIDE, .height = SIDE, .bounces = 1, .samples = 16},
                                  &image, NULL));
     *traced = layer_mean(&image, "indirect");
     image_free(&image);
