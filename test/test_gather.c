@@ -340,6 +340,20 @@ static void test_near_samples(void **state) {
     stage_free(&stage);
 }
 
+/* A lamp above a table looks into five faces of a cube: what lies beyond an edge of the face that a receiver is in, another
+ * face has, and its texels' solid angles. */
+static void test_near_faces(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/table.glb");
+    struct image drawn = render_stage(&stage, "clustered", "samples=1", 64);
+    struct image truth = trace_stage(&stage, 64, 64);
+    check_at_most("relative RMSE", relative_rmse(&drawn, &truth, "indirect"), .16);
+    image_free(&drawn);
+    image_free(&truth);
+    stage_free(&stage);
+}
+
 /* --- visibility ------------------------------------------------------------------------------- */
 
 /* One VPL with one map: each pixel has all of its light or none, as a ray to it says. */
@@ -406,10 +420,11 @@ static void test_batches(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surfaces), cmocka_unit_test(test_direct),
-        cmocka_unit_test(test_vpls),     cmocka_unit_test(test_sums),
-        cmocka_unit_test(test_slots),    cmocka_unit_test(test_map_of_vpl),
-        cmocka_unit_test(test_batches),  cmocka_unit_test(test_near_samples),
+        cmocka_unit_test(test_surfaces),   cmocka_unit_test(test_direct),
+        cmocka_unit_test(test_vpls),       cmocka_unit_test(test_sums),
+        cmocka_unit_test(test_slots),      cmocka_unit_test(test_map_of_vpl),
+        cmocka_unit_test(test_batches),    cmocka_unit_test(test_near_samples),
+        cmocka_unit_test(test_near_faces),
     };
     return cmocka_run_group_tests_name("gather", tests, open_group_context, close_group_context);
 }

@@ -44,8 +44,10 @@ near_light near_fetch(light_view v, ivec2 texel) {
 vec3 sample_light(surface receiver, light l, int index, vec2 ndc, float reach) {
     light_view seen = light_view_at(index);
     view v = seen.view;
+    float measure = 1.0;
 #if MAP_KINDS & (1 << LIGHT_MAP_FACE)
-    // The point may lie beyond the edge of a cube's face: another face has it.
+    // The point may lie beyond the edge of a cube's face: another face has it, and its own solid angle per unit of its ndc area.
+    // Both are the cube of the ray's cosine.
     vec3 ray = v.forward + ndc.x * v.right + ndc.y * v.up;
     int other = light_view_index(l, ray);
     seen = light_view_at(other);
@@ -53,6 +55,7 @@ vec3 sample_light(surface receiver, light l, int index, vec2 ndc, float reach) {
     if (other != index) {
         vec4 clip = v.world_to_clip * vec4(ray, 0.0);
         ndc = clip.xy / clip.w;
+        measure = 1.0 / (clip.w * clip.w * clip.w);
     }
 #endif
     vec2 size = vec2(near_size(seen.kind));
@@ -66,7 +69,7 @@ vec3 sample_light(surface receiver, light l, int index, vec2 ndc, float reach) {
     float share = near_share(distance2, near.spacing * near.spacing, reach);
     // No branches: a software rasteriser executes both sides.
     bool seen_lit = all(lessThan(abs(ndc), vec2(1.0))) && near.z > 0.0 && cosines > 0.0;
-    return near.power * (seen_lit ? cosines / (distance2 * distance2) * share : 0.0);
+    return near.power * (seen_lit ? cosines / (distance2 * distance2) * share * measure : 0.0);
 }
 
 // Of one light, where there is something that receives it.
