@@ -3,15 +3,20 @@
 #
 #     awk -f bench/leave-one-out.awk FILE.csv
 #
-# A ladder has what is on the front of error against CPU time, but for a twentieth of the time, in half of the scenes that it
-# is made from; cheapest first, by the mean of the logarithms of times. On a scene it takes the first choice that errs no more than
-# asked for, or else the cheapest of those that nothing errs less than by a tenth, by measured errors. A cell tells
+# A ladder is learnt from scenes: all choices that are on the front of error against CPU time in any of them (but for a twentieth
+# of the time), cheapest first by the mean of the logarithms of times; then each, those of the fewest fronts first, is left out
+# where these scenes lose nothing by that, over all errors that may be asked for. On a scene it takes the first choice that errs
+# no more than asked for, or else the cheapest of those that nothing errs less than by a tenth, by measured errors. A cell tells
 # its CPU time over that of the fastest of all choices that errs no more; in brackets where it errs more than was asked
-# for; "missed" where another choice of that scene reaches it. First without the scene in the ladder, then with it.
+# for; "missed" where another choice of that scene reaches it. First learnt without the scene, then with it. A scene without
+# indirect light, whose errors are infinite, has no part.
 
 BEGIN {
     FS = ","
     askeds = split("2 4 8 16 30", asked, " ")
+    for (a = 2; a < 41; a *= 2 ^ .25)
+        learnt_asked[++learnt_askeds] = a
+    miss = log(4) # costs as much as four times the time
 }
 
 function unquoted(text) {
@@ -19,46 +24,80 @@ function unquoted(text) {
     return text
 }
 
-FNR > 1 && ($7 == "ladder" || $7 == "fixed") && ($10 == "error" || $10 == "cpu") {
+FNR > 1 && ($7 == "ladder" || $7 == "fixed") && ($10 == "error" || $10 == "cpu") && $13 ~ /^[0-9]/ {
     scene = unquoted($2)
     choice = unquoted($8)
+    if ($10 == "cpu") {
+        if ((scene, choice) in error)
+            cpu[scene, choice] = $13
+        next
+    }
     if (!(scene in scene_known)) { scene_known[scene]; scenes[++scene_count] = scene }
     if (!(choice in choice_known)) { choice_known[choice]; choices[++choice_count] = choice }
-    if ($10 == "error") error[scene, choice] = $13
-    else cpu[scene, choice] = $13
+    error[scene, choice] = $13
 }
 
 function has(scene, choice) { return (scene, choice) in cpu }
 
-function on_front(scene, choice,   i) {
+function fastest(scene, error_most,   i, least) {
+    least = 1e9
     for (i = 1; i <= choice_count; i++)
-        if (has(scene, choices[i]) && error[scene, choices[i]] <= error[scene, choice] &&
-            cpu[scene, choices[i]] * 1.05 < cpu[scene, choice])
-            return 0
-    return 1
+        if (has(scene, choices[i]) && error[scene, choices[i]] <= error_most && cpu[scene, choices[i]] < least)
+            least = cpu[scene, choices[i]]
+    return least
+}
+
+# Whether some choice of the scene reaches it.
+function can_reach(scene, error_asked) {
+    if (!((scene, error_asked) in reached))
+        reached[scene, error_asked] = fastest(scene, error_asked) < 1e9
+    return reached[scene, error_asked]
+}
+
+# The CPU time of a choice over that of the fastest that errs no more.
+function behind(scene, choice) {
+    if (!((scene, choice) in times_fastest))
+        times_fastest[scene, choice] = cpu[scene, choice] / fastest(scene, error[scene, choice])
+    return times_fastest[scene, choice]
+}
+
+# Into place i of the ladder of n; how long it is then.
+function insert(n, i, choice, front_share,   k) {
+    for (k = n; k >= i; k--) {
+        ladder[k + 1] = ladder[k]
+        fronts[k + 1] = fronts[k]
+    }
+    ladder[i] = choice
+    fronts[i] = front_share
+    return n + 1
+}
+
+function drop(n, i) {
+    for (; i < n; i++) {
+        ladder[i] = ladder[i + 1]
+        fronts[i] = fronts[i + 1]
+    }
+    return n - 1
 }
 
 # Into ladder[1..n], which it returns; without = a scene, or "".
-function make_ladder(without,   i, k, n, of, fronts, sum, mean, c) {
+function list_fronts(without,   i, k, n, of, on_front, sum, c, means) {
     n = 0
     for (i = 1; i <= choice_count; i++) {
-        of = fronts = sum = 0
+        of = on_front = sum = 0
         c = choices[i]
         for (k = 1; k <= scene_count; k++)
             if (scenes[k] != without && has(scenes[k], c)) {
                 of++
-                fronts += on_front(scenes[k], c)
-                sum += log(cpu[scenes[k], c] / cpu[scenes[k], "path=draft"])
+                on_front += behind(scenes[k], c) < 1.05
+                sum += log(cpu[scenes[k], c] / fastest(scenes[k], 1e9))
             }
-        if (of == 0 || fronts * 2 < of)
+        if (on_front == 0)
             continue
-        mean = sum / of
-        for (k = n++; k > 0 && means[k] > mean; k--) {
-            means[k + 1] = means[k]
-            ladder[k + 1] = ladder[k]
-        }
-        means[k + 1] = mean
-        ladder[k + 1] = c
+        means[c] = sum / of
+        for (k = n; k > 0 && means[ladder[k]] > means[c]; k--)
+            ;
+        n = insert(n, k + 1, c, on_front / of)
     }
     return n
 }
@@ -77,20 +116,51 @@ function take(scene, n, error_asked,   i, least) {
             return ladder[i]
 }
 
-function fastest(scene, error_most,   i, least) {
-    least = 1e9
-    for (i = 1; i <= choice_count; i++)
-        if (has(scene, choices[i]) && error[scene, choices[i]] <= error_most && cpu[scene, choices[i]] < least)
-            least = cpu[scene, choices[i]]
-    return least
+# Of all scenes but that: logarithms of times over the fastest's.
+function loss(n, without,   k, i, sum, taken) {
+    for (k = 1; k <= scene_count; k++)
+        for (i = 1; i <= learnt_askeds && scenes[k] != without; i++) {
+            taken = take(scenes[k], n, learnt_asked[i])
+            if (taken == "")
+                return 1e9
+            sum += log(behind(scenes[k], taken))
+            if (error[scenes[k], taken] > learnt_asked[i] && can_reach(scenes[k], learnt_asked[i]))
+                sum += miss
+        }
+    return sum
+}
+
+# The rung of the fewest fronts that was not tried yet; 0: all were.
+function next_to_try(n, tried,   i, rarest) {
+    for (i = 1; i <= n; i++)
+        if (!(ladder[i] in tried) && (!rarest || fronts[i] < fronts[rarest]))
+            rarest = i
+    return rarest
+}
+
+function make_ladder(without,   n, i, c, share, now, then, tried) {
+    n = list_fronts(without)
+    now = loss(n, without)
+    while (i = next_to_try(n, tried)) {
+        c = ladder[i]
+        share = fronts[i]
+        tried[c]
+        n = drop(n, i)
+        then = loss(n, without)
+        if (then > now + 1e-6)
+            n = insert(n, i, c, share)
+        else
+            now = then
+    }
+    return n
 }
 
 function cell(scene, n, error_asked,   taken, ratio) {
     taken = take(scene, n, error_asked)
-    ratio = sprintf("%.2f", cpu[scene, taken] / fastest(scene, error[scene, taken]))
+    ratio = sprintf("%.2f", behind(scene, taken))
     if (error[scene, taken] <= error_asked)
         return ratio
-    return fastest(scene, error_asked) < 1e9 ? "missed" : "(" ratio ")"
+    return can_reach(scene, error_asked) ? "missed" : "(" ratio ")"
 }
 
 function cells(scene, without,   i, n, line) {

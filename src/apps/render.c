@@ -292,8 +292,12 @@ static bool find_quality(struct values *values, struct renderer_desc *desc, stru
     struct quality_found found;
     measure.technique = desc->technique;
     measure.direct = desc->direct;
-    struct quality_desc wanted = {&measure, texts->items, texts->count, (double)values->max_error,
-                                  one_pass ? 1 : QUALITY_MOST_PASSES};
+    struct quality_desc wanted = {&measure,
+                                  texts->items,
+                                  texts->count,
+                                  (double)values->max_error,
+                                  one_pass ? 1 : QUALITY_MOST_PASSES,
+                                  !one_pass && !values->technique.technique};
     if (!stage_pose(stage, (double)values->stage.time) || !quality_find(&wanted, &found))
         return false;
     char *what = quality_describe(&found.choice);
@@ -304,6 +308,7 @@ static bool find_quality(struct values *values, struct renderer_desc *desc, stru
     if (values->passes == 0)
         values->passes = found.choice.passes;
     desc->progressive = has_mean(values);
+    desc->technique = quality_technique(&found.choice, desc->technique);
     return quality_settings(&found.choice, desc->technique, texts->items, texts->count,
                             &desc->settings) &&
            stage_pose(stage, 0);

@@ -17,17 +17,19 @@ const char *const quality_names[] = {"draft", "normal", "high", "final", NULL};
 /* Each is on the front of error against CPU time in some of six scenes, and behind it in none of them by much
  * (bench/PARSIMONY.md). Cheapest first. */
 static const struct quality_choice frames[] = {
-    {"path=draft clustered.vals=4", 1},
-    {"path=draft", 1},
-    {"gather.detail=0 clustered.vals=8", 1},
-    {"clustered.vals=8", 1},
-    {VALS_NEEDED, 1},
-    {"", 1},
-    {"picture.samples=16", 1},
-    {"gather.interleave=4 gather.detail=2", 1},
-    {"path=fine", 1},
-    {"gather.interleave=2 gather.detail=1 clustered.vals=60 picture.samples=16", 1},
-    {"gather.interleave=2 gather.detail=1 clustered.vals=120 map.size=512 picture.samples=16", 1},
+    {"path=draft clustered.vals=4", 1, NULL},
+    {"path=draft", 1, NULL},
+    {"gather.detail=0 clustered.vals=8", 1, NULL},
+    {"clustered.vals=8", 1, NULL},
+    {VALS_NEEDED, 1, NULL},
+    {"", 1, NULL},
+    {"picture.samples=16", 1, NULL},
+    {"gather.interleave=4 gather.detail=2", 1, NULL},
+    {"picture.samples=16", 1, "cluster-lights"},
+    {"path=fine", 1, NULL},
+    {"gather.interleave=2 gather.detail=1 clustered.vals=60 picture.samples=16", 1, NULL},
+    {"gather.interleave=2 gather.detail=1 clustered.vals=120 map.size=512 picture.samples=16", 1,
+     NULL},
 };
 
 /* Fewer passes than that are worse than one of as much time. */
@@ -36,10 +38,10 @@ enum { FEWEST_PASSES = 4 };
 struct quality_choice quality_named(enum quality quality) {
     /* As many passes as the final picture has bring a large scene below a tenth. */
     static const struct quality_choice qualities[] = {
-        [QUALITY_DRAFT] = {"path=draft", 1},
-        [QUALITY_NORMAL] = {"", 1},
-        [QUALITY_HIGH] = {"path=fine", 1},
-        [QUALITY_FINAL] = {"", 64},
+        [QUALITY_DRAFT] = {"path=draft", 1, NULL},
+        [QUALITY_NORMAL] = {"", 1, NULL},
+        [QUALITY_HIGH] = {"path=fine", 1, NULL},
+        [QUALITY_FINAL] = {"", 64, NULL},
     };
     return qualities[quality];
 }
@@ -54,8 +56,17 @@ int quality_ladder(struct quality_choice choices[QUALITY_CHOICES_MAX], int most_
 }
 
 char *quality_describe(const struct quality_choice *choice) {
-    return choice->passes > 1 ? mem_printf("%d passes", choice->passes)
-                              : mem_strdup(*choice->settings ? choice->settings : "the defaults");
+    const char *settings = choice->settings, *technique = choice->technique;
+    if (choice->passes > 1)
+        return mem_printf("%d passes", choice->passes);
+    if (technique)
+        return mem_printf("%s%s%s", technique, *settings ? " " : "", settings);
+    return mem_strdup(*settings ? settings : "the defaults");
+}
+
+const struct technique *quality_technique(const struct quality_choice *choice,
+                                          const struct technique *given) {
+    return choice->technique ? technique_find(choice->technique) : given;
 }
 
 static bool is_preset(const struct word *word) {
@@ -148,7 +159,9 @@ struct draft {
  * frame. */
 static bool is_possible(struct draft *draft, const struct quality_choice *choice) {
     const struct quality_desc *desc = draft->desc;
-    return (!*choice->settings || !quality_is_preset(desc->texts, desc->text_count)) &&
+    draft->measure.technique = quality_technique(choice, desc->measure->technique);
+    return (!choice->technique || desc->any_technique) &&
+           (!*choice->settings || !quality_is_preset(desc->texts, desc->text_count)) &&
            quality_settings(choice, draft->measure.technique, desc->texts, desc->text_count,
                             &draft->measure.settings);
 }

@@ -15,13 +15,14 @@ enum quality { QUALITY_DRAFT, QUALITY_NORMAL, QUALITY_HIGH, QUALITY_FINAL };
 extern const char *const quality_names[];
 
 struct quality_choice {
-    const char *settings; /* as renderer_settings_assign's; "" = as they are */
-    int passes;           /* of renderer_add_pass */
+    const char *settings;  /* as renderer_settings_assign's; "" = as they are */
+    int passes;            /* of renderer_add_pass */
+    const char *technique; /* NULL: as it is */
 };
 
 struct quality_choice quality_named(enum quality quality);
 
-/* "path=fine", "64 passes"; the caller frees it. */
+/* "path=fine", "64 passes", "cluster-lights picture.samples=16"; the caller frees it. */
 char *quality_describe(const struct quality_choice *choice);
 
 /* Where a ladder ends that nothing else ends. */
@@ -35,8 +36,9 @@ struct quality_desc {
     const struct measure_desc *measure;
     const char *const *texts; /* settings that are given, and win: as renderer_settings_assign's */
     int text_count;
-    double error;    /* relative RMSE of the indirect layer, as estimate.h has it */
-    int most_passes; /* of a picture; 1: no means */
+    double error;       /* relative RMSE of the indirect layer, as estimate.h has it */
+    int most_passes;    /* of a picture; 1: no means */
+    bool any_technique; /* else the measure's alone */
 };
 
 struct quality_found {
@@ -56,10 +58,14 @@ bool quality_climb(double error, int most_passes, quality_teller *tell, void *us
 /* With a context. Error: of the tracer or a renderer. */
 bool quality_find(const struct quality_desc *desc, struct quality_found *found);
 
+/* That of the choice, else the given one. */
+const struct technique *quality_technique(const struct quality_choice *choice,
+                                          const struct technique *given);
+
 /* Whether settings that are given name a preset, path=. */
 bool quality_is_preset(const char *const *texts, int count);
 
-/* The settings of a choice, but for those that are given; a path= among those takes the choice's place. Error: of a
+/* The settings of a choice for a technique, but for those that are given; a path= among those takes the choice's place. Error: of a
  * name or a value, or the technique has no such preset. */
 bool quality_settings(const struct quality_choice *choice, const struct technique *technique,
                       const char *const *texts, int count, struct settings *settings);

@@ -13,21 +13,19 @@
 #include <stdlib.h>
 
 /* What users might set instead. */
-static const struct fixed {
-    const char *technique; /* NULL: as the desc has it */
-    struct quality_choice choice;
-} others[] = {
-    {NULL, {"gather.detail=0", 1}},
-    {NULL, {"gather.detail=0 clustered.distortion=.085", 1}},
-    {NULL, {"gather.detail=0 clustered.vals=16", 1}},
-    {NULL, {"clustered.vals=4", 1}},
-    {NULL, {"clustered.vals=16", 1}},
-    {NULL, {"clustered.vals=60", 1}},
-    {NULL, {"gather.interleave=4", 1}},
-    {NULL, {"lights.vpls=2048", 1}},
-    {NULL, {"gather.interleave=4 gather.detail=2 clustered.vals=60", 1}},
-    {"unshadowed", {"", 1}},
-    {"lightcuts", {"", 1}},
+static const struct quality_choice others[] = {
+    {"gather.detail=0", 1, NULL},
+    {"gather.detail=0 clustered.distortion=.085", 1, NULL},
+    {"gather.detail=0 clustered.vals=16", 1, NULL},
+    {"clustered.vals=4", 1, NULL},
+    {"clustered.vals=16", 1, NULL},
+    {"clustered.vals=60", 1, NULL},
+    {"gather.interleave=4", 1, NULL},
+    {"lights.vpls=2048", 1, NULL},
+    {"gather.interleave=4 gather.detail=2 clustered.vals=60", 1, NULL},
+    {"", 1, "unshadowed"},
+    {"", 1, "lightcuts"},
+    {"", 1, "cluster-lights"},
 };
 
 static const double asked[] = {.02, .04, .08, .16, .3};
@@ -165,16 +163,23 @@ static bool try_means(struct check *check, struct tried *tried, int count) {
     return ok;
 }
 
+/* What is given need not go with every technique. */
+static void add_choice(struct check *check, const struct quality_choice *choice) {
+    const struct quality_check_desc *desc = check->desc;
+    const struct technique *technique = quality_technique(choice, desc->measure->technique);
+    struct settings settings;
+    if (quality_settings(choice, technique, desc->texts, desc->text_count, &settings))
+        check->tried[check->count++] = (struct tried){.choice = *choice, .technique = technique};
+}
+
 static void list_choices(struct check *check) {
     struct quality_choice choices[QUALITY_CHOICES_MAX];
-    const struct technique *technique = check->desc->measure->technique;
-    check->ladder = quality_ladder(choices, check->desc->most_passes);
-    for (int i = 0; i < check->ladder; i++)
-        check->tried[check->count++] = (struct tried){.choice = choices[i], .technique = technique};
+    int count = quality_ladder(choices, check->desc->most_passes);
+    for (int i = 0; i < count; i++)
+        add_choice(check, &choices[i]);
+    check->ladder = check->count;
     for (int i = 0; i < OTHERS && !check->desc->told; i++)
-        check->tried[check->count++] = (struct tried){
-            .choice = others[i].choice,
-            .technique = others[i].technique ? technique_find(others[i].technique) : technique};
+        add_choice(check, &others[i]);
 }
 
 static bool try_all(struct check *check) {
@@ -207,11 +212,7 @@ static void begin(struct check *check, const struct tried *tried, const char *va
     quality_settings(&tried->choice, measure.technique, check->desc->texts, check->desc->text_count,
                      &measure.settings);
     snprintf(measure.variant, sizeof measure.variant, "%s", variant);
-    bool own = tried->technique == check->desc->measure->technique;
-    snprintf(measure.point, sizeof measure.point, "%s",
-             point ? point
-             : own ? what
-                   : tried->technique->name);
+    snprintf(measure.point, sizeof measure.point, "%s", point ? point : what);
     results_begin(check->results, &measure);
     results_add(check->results, "error", truth_names[TRUTH_PATH], "%", 100 * tried->error);
     if (!check->desc->told) {
@@ -230,17 +231,20 @@ static double fastest(const struct check *check, double error) {
     return least;
 }
 
+/* NULL: it does not go with what is given. */
 static struct tried *find(struct check *check, const struct quality_choice *choice) {
-    struct tried *tried = check->tried;
-    while (tried->choice.settings != choice->settings || tried->choice.passes != choice->passes)
-        tried++;
-    return tried;
+    for (struct tried *tried = check->tried; tried < &check->tried[check->ladder]; tried++)
+        if (tried->choice.settings == choice->settings && tried->choice.passes == choice->passes &&
+            tried->choice.technique == choice->technique)
+            return tried;
+    return NULL;
 }
 
 static bool tell_of_picture(void *user, const struct quality_choice *choice, double *error) {
     struct check *check = user;
-    return estimate_picture_error(&check->estimate, &find(check, choice)->picture, check->asked,
-                                  error);
+    struct tried *tried = find(check, choice);
+    *error = INFINITY;
+    return !tried || estimate_picture_error(&check->estimate, &tried->picture, check->asked, error);
 }
 
 static bool ask(struct check *check, double error) {
