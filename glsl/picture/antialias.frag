@@ -1,19 +1,17 @@
 // Gives each sample of the pixel to the neighbour whose surface it lies on [Chajdas et al. 2011 §3], and finds a
 // further point to shade where it lies on none's.
 #include "lib/further_point.glsl"
-#include "lib/gbuffer.glsl"
 #include "picture/picks.glsl"
-#include "shared/antialias.h"
+#include "picture/sample_plane.glsl"
 
-layout(binding = UNIT_SAMPLE_DEPTH) uniform sampler2DMSArray sample_depths;
 layout(binding = UNIT_SAMPLE_NORMAL) uniform sampler2DMSArray sample_normals;
 
+// Before the shader, or it would run everywhere.
+layout(early_fragment_tests) in;
 layout(rgba32ui, binding = IMAGE_FURTHER_POINTS) writeonly uniform uimage2D further_points;
 
 layout(location = TARGET_RESULT) out uvec2 picks;
 
-// On its own plane a sample stays within this, over the pixel's width there.
-const float PLANE_TOLERANCE = 0.1;
 // A neighbour far off in depth along its own plane is less likely than a near one: a silhouette's plane
 // holds the line of sight, and with it whatever lies behind.
 const float APART_WEIGHT = 0.1;
@@ -22,43 +20,9 @@ const float UNLIKE_WEIGHT = 1.0;
 // From here on no neighbour's surface is the sample's.
 const float UNLIKELY = 0.3;
 
-float sample_depth(ivec2 pixel, int i) {
-    return texelFetch(sample_depths, ivec3(pixel, i / SAMPLES_PER_LAYER), i % SAMPLES_PER_LAYER).r;
-}
-
 vec3 sample_normal(ivec2 pixel, int i) {
     ivec3 texel = ivec3(pixel, i / SAMPLES_PER_LAYER);
     return octahedral_decode(texelFetch(sample_normals, texel, i % SAMPLES_PER_LAYER).rg);
-}
-
-// What a point of the picture sees, taken as a plane, across which depth is linear in the picture (shared/view.h).
-struct plane {
-    float depth;  // there; 0 where it sees nothing
-    vec2 slope;   // of the depth, by a pixel along x and y
-    float across; // the change of depth that leaves the plane by a pixel's width
-    vec3 normal;
-};
-
-// At a place of the picture, pixels.
-plane plane_at(vec2 place, float depth, vec3 normal) {
-    vec2 pixels = 2.0 / vec2(gbuffer_size()), ndc = place * pixels - 1.0;
-    vec3 along = vec3(dot(normal, camera.right) * pixels.x, dot(normal, camera.up) * pixels.y,
-                      length(camera.right) * pixels.x);
-    vec3 ray = camera.orthographic ? camera.forward : camera.forward + ndc.x * camera.right + ndc.y * camera.up;
-    float steep = dot(normal, ray);
-    steep = steep < 0.0 ? min(steep, -1e-6) : max(steep, 1e-6);
-    vec3 change = along / steep * (camera.orthographic ? 1.0 / camera.far : depth);
-    return plane(depth, change.xy, abs(change.z), normal);
-}
-
-plane plane_of(ivec2 pixel) {
-    vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, ivec3(pixel, 0), 0).rg);
-    return plane_at(vec2(pixel) + 0.5, gbuffer_depth(pixel), normal);
-}
-
-// Distance from the plane at a place of the picture, pixels from the plane's point; over `across`.
-float off_plane(plane p, vec2 place, float depth) {
-    return abs(p.depth + dot(p.slope, place) - depth);
 }
 
 // How far two depths lie from each other, over the pixel's width there.
@@ -78,20 +42,9 @@ float depth[SAMPLES], least[SAMPLES];
 vec3 normal[SAMPLES];
 uint best[SAMPLES];
 
-// Whether one of them lies off what the pixel's centre sees.
-bool read_depths(ivec2 pixel) {
-    plane center = plane_of(pixel);
-    bool edge = false;
+void read_samples(ivec2 pixel) {
     for (int i = 0; i < SAMPLES; i++) {
         depth[i] = sample_depth(pixel, i);
-        float off = off_plane(center, params.places[i].xy, depth[i]);
-        edge = edge || off > PLANE_TOLERANCE * center.across;
-    }
-    return edge;
-}
-
-void read_normals(ivec2 pixel) {
-    for (int i = 0; i < SAMPLES; i++) {
         normal[i] = sample_normal(pixel, i);
         least[i] = 1e30;
         best[i] = PICK_NOTHING;
@@ -145,22 +98,15 @@ void take_further_point(ivec2 pixel, picked_sample chosen) {
     }
 }
 
-uvec2 pick_all(ivec2 pixel) {
-    read_normals(pixel);
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    read_samples(pixel);
     for (uint pick = 0u; pick < 9u; pick++)
         try_neighbour(pixel, pick);
     picked_sample chosen;
     if (most_unlikely(chosen))
         take_further_point(pixel, chosen);
-    uvec2 all = uvec2(0u);
-    for (int i = 0; i < SAMPLES; i++)
-        all[i / 8] |= best[i] << uint(4 * (i % 8));
-    return all;
-}
-
-void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
     picks = uvec2(0u);
-    if (read_depths(pixel))
-        picks = pick_all(pixel);
+    for (int i = 0; i < SAMPLES; i++)
+        picks[i / 8] |= best[i] << uint(4 * (i % 8));
 }

@@ -32,8 +32,10 @@ static void bind_target(const struct pass_state *state) {
 static void set_fragments(const struct pass_state *state) {
     unsigned kept = state->kept_colors;
     enable(GL_DEPTH_TEST, state->depth != PASS_DEPTH_OFF);
-    gl.DepthMask(state->depth != PASS_DEPTH_OFF);
-    gl.DepthFunc(state->depth == PASS_DEPTH_GREATER ? GL_GREATER : GL_LESS);
+    gl.DepthMask(state->depth == PASS_DEPTH_LESS || state->depth == PASS_DEPTH_GREATER);
+    gl.DepthFunc(state->depth == PASS_DEPTH_GREATER ? GL_GREATER
+                 : state->depth == PASS_DEPTH_EQUAL ? GL_EQUAL
+                                                    : GL_LESS);
     enable(GL_BLEND, state->blend != PASS_BLEND_OFF);
     gl.BlendFunc(GL_ONE, state->blend == PASS_BLEND_OVER ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
     gl.BlendEquation(state->blend == PASS_BLEND_MAX ? GL_MAX : GL_FUNC_ADD);

@@ -18,6 +18,10 @@ static bool init_programs(struct antialias_pass *pass) {
                         &(struct program_desc){.vertex = "picture/geometry.vert",
                                                .fragment = "picture/geometry.frag",
                                                .defines = "NORMAL_ONLY;SAMPLE_LAYERS"}) &&
+           program_init(&pass->edge_program,
+                        &(struct program_desc){.vertex = "fullscreen.vert",
+                                               .fragment = "picture/edges.frag",
+                                               .defines = samples}) &&
            program_init(&pass->pick_program,
                         &(struct program_desc){.vertex = "fullscreen.vert",
                                                .fragment = "picture/antialias.frag",
@@ -56,13 +60,18 @@ static bool init_picture(const struct antialias_pass *pass, struct texture *text
                                                         .height = all ? pass->desc.height : 1});
 }
 
+static const GLuint itself[4] = {0}; /* picks where there is no edge */
+
 static bool init_picks(struct antialias_pass *pass) {
-    static const GLuint itself[4] = {0};
-    if (!init_picture(pass, &pass->picks, "picks of samples", GL_RG32UI) ||
+    if (!init_picture(pass, &pass->edges, "edges", GL_DEPTH_COMPONENT16) ||
+        !init_picture(pass, &pass->picks, "picks of samples", GL_RG32UI) ||
         !init_picture(pass, &pass->further_points, "further points", GL_RGBA32UI) ||
-        !framebuffer_init(
-            &pass->pick_framebuffer,
-            &(struct framebuffer_desc){.label = "picks of samples", .colors = {&pass->picks}}))
+        !framebuffer_init(&pass->edge_framebuffer,
+                          &(struct framebuffer_desc){.label = "edges", .depth = &pass->edges}) ||
+        !framebuffer_init(&pass->pick_framebuffer,
+                          &(struct framebuffer_desc){.label = "picks of samples",
+                                                     .colors = {&pass->picks},
+                                                     .depth = &pass->edges}))
         return false;
     framebuffer_clear_integers(pass->pick_framebuffer, TARGET_RESULT, itself);
     return true;
@@ -113,11 +122,14 @@ bool antialias_pass_init(struct antialias_pass *pass, const struct antialias_des
 void antialias_pass_free(struct antialias_pass *pass) {
     program_free(&pass->solid_program);
     program_free(&pass->masked_program);
+    program_free(&pass->edge_program);
     program_free(&pass->pick_program);
     framebuffer_free(&pass->sample_framebuffer);
+    framebuffer_free(&pass->edge_framebuffer);
     framebuffer_free(&pass->pick_framebuffer);
     texture_free(&pass->depths);
     texture_free(&pass->normals);
+    texture_free(&pass->edges);
     texture_free(&pass->picks);
     texture_free(&pass->further_points);
     buffer_free(&pass->params);
@@ -152,22 +164,32 @@ static void render_samples(const struct antialias_pass *pass, const struct frame
     pass_end(frame->timers);
 }
 
+/* Most pixels have no edge. A depth test leaves them out of the picks, as a branch in a shader would not: a software
+ * rasteriser executes both sides. */
 static void render_picks(const struct antialias_pass *pass, const struct frame *frame,
                          const struct gbuffer *gbuffer) {
-    pass_begin(frame->timers,
-               &(struct pass_state){
-                   .name = "picks",
-                   .program = pass->pick_program,
-                   .framebuffer = pass->pick_framebuffer,
-                   .width = pass->desc.width,
-                   .height = pass->desc.height,
-                   .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
-                                {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                                {UNIT_SAMPLE_DEPTH, pass->depths.id},
-                                {UNIT_SAMPLE_NORMAL, pass->normals.id}},
-                   .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
-                   .images = {{IMAGE_FURTHER_POINTS, &pass->further_points, 0, GL_WRITE_ONLY}},
-               });
+    struct pass_state state = {
+        .name = "picks",
+        .program = pass->edge_program,
+        .framebuffer = pass->edge_framebuffer,
+        .width = pass->desc.width,
+        .height = pass->desc.height,
+        .depth = PASS_DEPTH_LESS,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                     {UNIT_SAMPLE_DEPTH, pass->depths.id},
+                     {UNIT_SAMPLE_NORMAL, pass->normals.id}},
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+        .images = {{IMAGE_FURTHER_POINTS, &pass->further_points, 0, GL_WRITE_ONLY}},
+    };
+    pass_begin(frame->timers, &state);
+    framebuffer_clear_integers(pass->pick_framebuffer, TARGET_RESULT, itself);
+    framebuffer_clear_depth(pass->edge_framebuffer, 1);
+    pass_draw_fullscreen(1);
+    state.program = pass->pick_program;
+    state.framebuffer = pass->pick_framebuffer;
+    state.depth = PASS_DEPTH_EQUAL;
+    pass_set_state(&state);
     pass_draw_fullscreen(1);
     gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     pass_end(frame->timers);
