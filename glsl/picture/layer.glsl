@@ -110,8 +110,11 @@ vec3 irradiance_at(ivec2 texel, bool is_further, ivec2 pixel) {
     return irradiance;
 }
 
-seen seen_from(ivec2 pixel) {
-    uvec2 picks = texelFetch(sample_picks, min(pixel, textureSize(sample_picks, 0) - 1), 0).rg;
+uvec2 picks_at(ivec2 pixel) {
+    return texelFetch(sample_picks, min(pixel, textureSize(sample_picks, 0) - 1), 0).rg;
+}
+
+seen seen_by(uvec2 picks, ivec2 pixel) {
     ivec2 last = gbuffer_size() - 1;
     int count = picks == uvec2(0u) ? 1 : params.samples;
     seen sum = seen(0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
@@ -148,4 +151,8 @@ seen seen_from(ivec2 pixel) {
     return seen(sum.coverage * share, sum.albedo * share, sum.direct * weighted,
                 sum.indirect * weighted, sum.radiance * share, sum.direct_specular * share,
                 sum.indirect_specular * share);
+}
+
+seen seen_from(ivec2 pixel) {
+    return seen_by(picks_at(pixel), pixel);
 }

@@ -20,7 +20,7 @@ unsigned composite_kinds(const struct contribution *contribution) {
 
 static bool init_programs(struct composite_pass *pass) {
     unsigned has = pass->desc.contributes;
-    char defines[120];
+    char defines[160], centers[sizeof defines + 8];
     snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s",
              has & HAS_IRRADIANCE ? "HAS_IRRADIANCE;" : "",
              has & HAS_FURTHER_POINTS ? "HAS_FURTHER_POINTS;" : "",
@@ -31,6 +31,11 @@ static bool init_programs(struct composite_pass *pass) {
         .vertex = "fullscreen.vert", .fragment = "picture/composite.frag", .defines = defines};
     if (!program_init(&pass->display_program, &desc))
         return false;
+    snprintf(centers, sizeof centers, "%sCENTERS", defines);
+    desc.defines = centers;
+    if (!program_init(&pass->centers_program, &desc))
+        return false;
+    desc.defines = defines;
     desc.fragment = "picture/layer.frag";
     return program_init(&pass->layer_program, &desc);
 }
@@ -42,9 +47,13 @@ bool composite_pass_init(struct composite_pass *pass, const struct composite_des
                                                             .format = GL_RGBA8,
                                                             .width = desc->width,
                                                             .height = desc->height}) &&
-        framebuffer_init(
-            &pass->framebuffer,
-            &(struct framebuffer_desc){.label = "display", .colors = {&pass->display}}) &&
+        texture_init(&pass->edges, &(struct texture_desc){.label = "edges of the display",
+                                                          .format = GL_DEPTH_COMPONENT16,
+                                                          .width = desc->width,
+                                                          .height = desc->height}) &&
+        framebuffer_init(&pass->framebuffer, &(struct framebuffer_desc){.label = "display",
+                                                                        .colors = {&pass->display},
+                                                                        .depth = &pass->edges}) &&
         buffer_init(&pass->params, "composite parameters", sizeof(struct composite_params), NULL))
         return true;
     composite_pass_free(pass);
@@ -52,10 +61,12 @@ bool composite_pass_init(struct composite_pass *pass, const struct composite_des
 }
 
 void composite_pass_free(struct composite_pass *pass) {
+    program_free(&pass->centers_program);
     program_free(&pass->display_program);
     program_free(&pass->layer_program);
     framebuffer_free(&pass->framebuffer);
     texture_free(&pass->display);
+    texture_free(&pass->edges);
     buffer_free(&pass->params);
     *pass = (struct composite_pass){0};
 }
@@ -74,6 +85,15 @@ static void add_contribution(struct pass_state *state, const struct contribution
         pass_add_texture(state, UNIT_IN_SCATTER, contribution->in_scatter->id);
         pass_add_texture(state, UNIT_TRANSMITTANCE, contribution->transmittance->id);
     }
+}
+
+/* What all pixels' centres see, and at depth 0 those that samples see more of. */
+static void draw_centers(const struct composite_pass *pass, struct pass_state state) {
+    state.program = pass->centers_program;
+    state.depth = PASS_DEPTH_LESS;
+    framebuffer_clear_depth(pass->framebuffer, 1);
+    pass_set_state(&state);
+    pass_draw_fullscreen(1);
 }
 
 static void draw(const struct composite_pass *pass, const struct frame *frame,
@@ -114,6 +134,11 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->direct_specular->id);
     add_contribution(&state, &inputs->contribution);
     pass_begin(frame->timers, &state);
+    if (program == pass->display_program) {
+        draw_centers(pass, state);
+        state.depth = PASS_DEPTH_EQUAL;
+        pass_set_state(&state);
+    }
     pass_draw_fullscreen(1);
     pass_end(frame->timers);
 }

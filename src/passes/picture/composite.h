@@ -22,8 +22,9 @@ struct composite_desc {
 
 struct composite_pass {
     struct composite_desc desc;
-    GLuint display_program, layer_program;
+    GLuint centers_program, display_program, layer_program;
     struct texture display; /* RGBA8, sRGB-encoded */
+    struct texture edges;   /* D16; 0: samples see what the centre does not */
     GLuint framebuffer;
     struct buffer params;
 };
