@@ -4,7 +4,7 @@
 #
 # A cell: the error that was told, the one that there is, and the CPU time over that of the fastest choice that errs no more; in
 # brackets where no choice of that scene has the error asked for. Below it, how far off that is at most, and how near errors
-# of all choices are told.
+# of all choices are told. Scenes without indirect light, whose errors are infinite or nothing, have no row.
 
 BEGIN {
     FS = ","
@@ -24,6 +24,8 @@ FNR > 1 {
         value[scene, unquoted($8), $10] = $13
     } else if ($10 == "error") {
         error[subject] = $13
+        if ($13 ~ /^[0-9]/ && $13 > 0)
+            lit[scene]
         if ($7 != "0 fov=.4" && (!(scene in least) || $13 < least[scene]))
             least[scene] = $13
     } else if ($10 == "told") {
@@ -48,15 +50,18 @@ END {
     print "| told %, error %, time of the fastest's | 2 % | 4 % | 8 % | 16 % | 30 % |"
     print "|---|---|---|---|---|---|"
     for (s = 1; s <= count; s++) {
+        if (!(scenes[s] in lit))
+            continue
+        lit_scenes++
         line = "| " scenes[s]
         for (i = 1; i <= askeds; i++)
             line = line " | " cell(scenes[s], asked[i])
         print line " |"
     }
     printf "\nOf %d points %d can be had; time at most %.2f of the fastest's (%s), error at most %.2f of what was asked for (%s)%s\n", \
-        count * askeds, points, dearest, dearest_at, worst, worst_at, over
+        lit_scenes * askeds, points, dearest, dearest_at, worst, worst_at, over
     for (t in told) {
-        if (error[t] <= 0)
+        if (error[t] !~ /^[0-9]/ || error[t] <= 0)
             continue
         rows++
         ratio = told[t] / error[t]

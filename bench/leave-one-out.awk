@@ -4,12 +4,12 @@
 #     awk -f bench/leave-one-out.awk FILE.csv
 #
 # A ladder is learnt from scenes: all choices that are on the front of error against CPU time in any of them (but for a twentieth
-# of the time), cheapest first by the mean of the logarithms of times; then each, those of the fewest fronts first, is left out
+# of the time; unshadowed is none, as it is wrong wherever something hides light), cheapest first by the mean of the logarithms of times; then each, those of the fewest fronts first, is left out
 # where these scenes lose nothing by that, over all errors that may be asked for. On a scene it takes the first choice that errs
 # no more than asked for, or else the cheapest of those that nothing errs less than by a tenth, by measured errors. A cell tells
 # its CPU time over that of the fastest of all choices that errs no more; in brackets where it errs more than was asked
 # for; "missed" where another choice of that scene reaches it. First learnt without the scene, then with it. A scene without
-# indirect light, whose errors are infinite, has no part.
+# indirect light, whose errors are infinite or nothing, has no part.
 
 BEGIN {
     FS = ","
@@ -32,7 +32,7 @@ FNR > 1 && ($7 == "ladder" || $7 == "fixed") && ($10 == "error" || $10 == "cpu")
             cpu[scene, choice] = $13
         next
     }
-    if (!(scene in scene_known)) { scene_known[scene]; scenes[++scene_count] = scene }
+    if ($13 > 0 && !(scene in scene_known)) { scene_known[scene]; scenes[++scene_count] = scene }
     if (!(choice in choice_known)) { choice_known[choice]; choices[++choice_count] = choice }
     error[scene, choice] = $13
 }
@@ -47,19 +47,17 @@ function fastest(scene, error_most,   i, least) {
     return least
 }
 
-# Whether some choice of the scene reaches it.
-function can_reach(scene, error_asked) {
-    if (!((scene, error_asked) in reached))
-        reached[scene, error_asked] = fastest(scene, error_asked) < 1e9
-    return reached[scene, error_asked]
+# Of what reaches that; 1e9: nothing does.
+function least_time(scene, error_most) {
+    if (!((scene, error_most) in least_times))
+        least_times[scene, error_most] = fastest(scene, error_most)
+    return least_times[scene, error_most]
 }
 
+function can_reach(scene, error_asked) { return least_time(scene, error_asked) < 1e9 }
+
 # The CPU time of a choice over that of the fastest that errs no more.
-function behind(scene, choice) {
-    if (!((scene, choice) in times_fastest))
-        times_fastest[scene, choice] = cpu[scene, choice] / fastest(scene, error[scene, choice])
-    return times_fastest[scene, choice]
-}
+function behind(scene, choice) { return cpu[scene, choice] / least_time(scene, error[scene, choice]) }
 
 # Into place i of the ladder of n; how long it is then.
 function insert(n, i, choice, front_share,   k) {
@@ -92,7 +90,7 @@ function list_fronts(without,   i, k, n, of, on_front, sum, c, means) {
                 on_front += behind(scenes[k], c) < 1.05
                 sum += log(cpu[scenes[k], c] / fastest(scenes[k], 1e9))
             }
-        if (on_front == 0)
+        if (on_front == 0 || c == "unshadowed")
             continue
         means[c] = sum / of
         for (k = n; k > 0 && means[ladder[k]] > means[c]; k--)
@@ -116,16 +114,20 @@ function take(scene, n, error_asked,   i, least) {
             return ladder[i]
 }
 
-# Of all scenes but that: logarithms of times over the fastest's.
-function loss(n, without,   k, i, sum, taken) {
+# Of all scenes but that: logarithms of times over those of the fastest that reach what is asked for, or else err no more.
+function loss(n, without,   k, i, sum, taken, most) {
     for (k = 1; k <= scene_count; k++)
         for (i = 1; i <= learnt_askeds && scenes[k] != without; i++) {
             taken = take(scenes[k], n, learnt_asked[i])
             if (taken == "")
                 return 1e9
-            sum += log(behind(scenes[k], taken))
-            if (error[scenes[k], taken] > learnt_asked[i] && can_reach(scenes[k], learnt_asked[i]))
-                sum += miss
+            most = learnt_asked[i]
+            if (error[scenes[k], taken] > most) {
+                if (can_reach(scenes[k], most))
+                    sum += miss
+                most = error[scenes[k], taken]
+            }
+            sum += log(cpu[scenes[k], taken] / least_time(scenes[k], most))
         }
     return sum
 }
