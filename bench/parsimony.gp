@@ -41,9 +41,9 @@ png = "set terminal pngcairo size 1350,840 fontscale 1.3 font 'DejaVu Sans,11' n
 is(column, text) = strcol(column) eq text
 add(list, name) = strstrt(list, '"' . name . '"') ? list : list . ' "' . name . '"'
 
-# Those that have indirect light to err in.
+# Those that have indirect light to err in, and times.
 scenes = ""
-has_error(x) = is("mode", "quality") && is("what", "error") && column("value") > 0 && column("value") < 1e9
+has_error(x) = is("mode", "quality") && is("variant", "ladder") && is("what", "error") && column("value") > 0 && column("value") < 1e9
 stats csv using (has_error(0) ? (scenes = add(scenes, strcol("scene")), 0) : 0) nooutput
 
 # The subject's rows come in order: its error first, then its CPU time, then what was told of it.
