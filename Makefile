@@ -224,15 +224,17 @@ bench: all
 	@mkdir -p $(BENCH_RESULTS)
 	./manylight bench times $(BENCH_SCENES) --csv $(BENCH_RESULTS)/times.csv $(BENCH_OPTIONS)
 
-# Measured anew each time; of the four runs' rows one heading.
+# FILE: made of all runs' rows, FILE.1 and so on, with one heading.
+JOIN_ROWS = @awk 'FNR > 1 || NR == 1' $(1).[1-9] > $(1) && rm $(1).[1-9]
+
+# Measured anew each time.
 chart: all
 	@mkdir -p $(BENCH_RESULTS)
 	$(CHART_RUN) $(CHART_SMALL) $(CHART_GRID) $(BENCH_OPTIONS) --csv $(SWEEP).1
 	$(CHART_RUN) $(CHART_SMALL) $(CHART_RIVALS) $(BENCH_OPTIONS) --csv $(SWEEP).2
 	$(CHART_RUN) $(CHART_LARGE) --frames 2 $(CHART_GRID) $(BENCH_OPTIONS) --csv $(SWEEP).3
 	$(CHART_RUN) $(CHART_LARGE) --frames 1 $(CHART_RIVALS) $(BENCH_OPTIONS) --csv $(SWEEP).4
-	@awk 'FNR > 1 || NR == 1' $(SWEEP).[1-4] > $(SWEEP)
-	@rm $(SWEEP).[1-4]
+	$(call JOIN_ROWS,$(SWEEP))
 	./manylight bench chart $(SWEEP) -o $(BENCH_PLOTS)
 
 # Where the error of a frame comes from, and how it falls with M, K, N and the size of maps.
@@ -267,8 +269,7 @@ methods: all
 	$(METHODS_RUN) $(METHODS_LARGE) --vary N=1024 --csv $(METHODS_ROWS).4
 	$(if $(strip $(METHODS_ROOMS)),$(METHODS_RUN) $(METHODS_ROOMS) --vary N=256 --tracer --csv $(METHODS_ROWS).5)
 	$(if $(strip $(METHODS_ROOMS)),$(METHODS_RUN) $(METHODS_ROOMS) --vary N=1024 --csv $(METHODS_ROWS).6)
-	@awk 'FNR > 1 || NR == 1' $(METHODS_ROWS).[1-6] > $(METHODS_ROWS)
-	@rm $(METHODS_ROWS).[1-6]
+	$(call JOIN_ROWS,$(METHODS_ROWS))
 	./manylight bench chart $(METHODS_ROWS) -o $(BENCH_PLOTS)/methods
 
 # What --max-error chooses against fixed settings, and what it tells of them and of closer views: a file a scene, and those that are

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "gl/memory.h"
 #include "gl/program.h"
+#include "inspect/lights.h"
 #include "reference/channels.h"
 #include "reference/path_tracer.h"
 #include "scene/node.h"
@@ -180,11 +181,7 @@ struct image render_stage(const struct stage *stage, const char *technique, cons
 struct vpl *read_vpls(const struct renderer *renderer) {
     struct output_list outputs;
     renderer_outputs(renderer, &outputs);
-    const struct vpl_buffer *buffer = output_vpls(&outputs);
-    size_t count = (size_t)buffer->count;
-    struct vpl *vpls = mem_alloc(count, sizeof *vpls);
-    buffer_read(&buffer->buffer, 0, count * sizeof *vpls, vpls);
-    return vpls;
+    return vpls_read(output_vpls(&outputs));
 }
 
 void pixel_position(const struct renderer *renderer, const struct image *layers, int x, int y,
