@@ -288,13 +288,11 @@ static void check_frame(struct clustering *c, const struct vpl *vpls) {
 
 /* --- tests ---------------------------------------------------------------------------------------- */
 
-/* As the paper has it: the same seeds each frame. */
-static void test_lengths(void **state) {
-    (void)state;
+static void check_frames(const struct cluster_desc *desc) {
     struct clustering c;
     struct vpl vpls[POINTS];
     int cloud = 0;
-    open_clustering(&c, &lengths, NULL);
+    open_clustering(&c, desc, NULL);
     for (int i = 0; i < 3; i++) {
         expect_clear(&c.expected, vpls, &cloud);
         check_frame(&c, vpls);
@@ -302,18 +300,16 @@ static void test_lengths(void **state) {
     close_clustering(&c);
 }
 
+/* As the paper has it: the same seeds each frame. */
+static void test_lengths(void **state) {
+    (void)state;
+    check_frames(&lengths);
+}
+
 /* By squares, weighted by flux, each frame from the means of the one before. */
 static void test_squares(void **state) {
     (void)state;
-    struct clustering c;
-    struct vpl vpls[POINTS];
-    int cloud = 0;
-    open_clustering(&c, &squares, NULL);
-    for (int i = 0; i < 3; i++) {
-        expect_clear(&c.expected, vpls, &cloud);
-        check_frame(&c, vpls);
-    }
-    close_clustering(&c);
+    check_frames(&squares);
 }
 
 /* Two that take turns, each with seeds of its own: some alike, so that one of them is lost, some nowhere, some not told.
