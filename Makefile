@@ -274,7 +274,7 @@ methods: all
 
 # What --max-error chooses against fixed settings, and what it tells of them and of closer views: a file a scene, and those that are
 # there are left, so that it goes on where it was broken off. Then all rows, charts, what was chosen, and ladders that know
-# nothing of a scene. Some 20 minutes of CPU time, most of it in halls and rooms. Sheets of materials are left out: truths of what shines
+# nothing of a scene. Half an hour of CPU time, most of it in halls and rooms. Sheets of materials are left out: truths of what shines
 # are dear.
 PARSIMONY := $(BENCH_RESULTS)/parsimony
 PARSIMONY_FAILURES := room table-legs contact thin-wall corner val-plane center-inside closed-door grazing-light \
