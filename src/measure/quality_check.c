@@ -72,24 +72,6 @@ static bool measure_error(struct check *check, struct tried *tried) {
     return true;
 }
 
-static bool take_truth(struct check *check) {
-    const struct image *truth = check->desc->truth;
-    struct image noise;
-    if (!layer_extract_covered(&check->truth, truth, "indirect", truth) ||
-        !layer_extract_covered(&noise, truth, "standard_error", truth))
-        return false;
-    double square = 0, sum = 0, values = 3.0 * truth->width * truth->height;
-    for (int y = 0; y < truth->height; y++)
-        for (int x = 0; x < truth->width; x++)
-            for (int c = 0; c < 3; c++) {
-                sum += (double)image_at(&check->truth, x, y)[c];
-                square += pow((double)image_at(&noise, x, y)[c], 2);
-            }
-    check->noise = sum > 0 ? sqrt(square / values) / (sum / values) : 0;
-    image_free(&noise);
-    return true;
-}
-
 /* --- drawing --- */
 
 static bool start(struct check *check, const struct tried *tried, struct renderer *renderer) {
@@ -285,9 +267,11 @@ static bool tell(struct check *check) {
 }
 
 bool quality_check(struct results *results, const struct quality_check_desc *desc) {
-    struct check check = {.desc = desc, .results = results};
+    struct check check = {
+        .desc = desc, .results = results, .noise = truth_noise_covered(desc->truth)};
     list_choices(&check);
-    bool ok = take_truth(&check) && try_all(&check) && tell(&check);
+    bool ok = layer_extract_covered(&check.truth, desc->truth, "indirect", desc->truth) &&
+              try_all(&check) && tell(&check);
     for (int i = 0; i < check.count; i++)
         image_free(&check.tried[i].picture);
     estimate_free(&check.estimate);

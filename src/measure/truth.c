@@ -113,7 +113,8 @@ bool truth_get(const struct truth_desc *truth, const struct measure_desc *desc,
     return ok;
 }
 
-double truth_noise(const struct image *image) {
+/* Alpha: the channel by which pixels count, or -1. */
+static double noise_of(const struct image *image, int alpha) {
     int indirect[3], error[3];
     if (!image_find_layer(image, "indirect", indirect) ||
         !image_find_layer(image, "standard_error", error))
@@ -123,8 +124,17 @@ double truth_noise(const struct image *image) {
         for (int x = 0; x < image->width; x++)
             for (int c = 0; c < 3; c++) {
                 const float *pixel = image_at(image, x, y);
-                sum += (double)pixel[indirect[c]];
-                square_sum += pow((double)pixel[error[c]], 2);
+                double share = alpha < 0 ? 1 : (double)pixel[alpha];
+                sum += share * (double)pixel[indirect[c]];
+                square_sum += pow(share * (double)pixel[error[c]], 2);
             }
     return sum > 0 ? sqrt(square_sum / values) / (sum / values) : 0;
+}
+
+double truth_noise(const struct image *image) {
+    return noise_of(image, -1);
+}
+
+double truth_noise_covered(const struct image *image) {
+    return noise_of(image, image_find_channel(image, "A"));
 }

@@ -47,4 +47,7 @@ char *truth_path(const struct truth_desc *truth, const struct measure_desc *desc
  * it does not tell. */
 double truth_noise(const struct image *image);
 
+/* The same of layer_extract_covered. */
+double truth_noise_covered(const struct image *image);
+
 #endif
