@@ -300,7 +300,8 @@ static void free_sized(struct many_lights *lights) {
     blur_pass_free(&lights->blur);
 }
 
-bool many_lights_resize(struct many_lights *lights, int width, int height) {
+bool many_lights_resize(void *state, int width, int height) {
+    struct many_lights *lights = state;
     struct many_lights fresh = {0};
     if (!init_sized(&fresh, lights, width, height)) {
         free_sized(&fresh);
@@ -410,7 +411,8 @@ float many_lights_caster_bend(const struct settings *settings) {
     return own->bend;
 }
 
-struct contribution many_lights_contribution(const struct many_lights *lights) {
+struct contribution many_lights_contribution(const void *state) {
+    const struct many_lights *lights = state;
     struct contribution contribution = {
         .irradiance = lights->has_blur ? &lights->blur.blurred : &lights->gather.irradiance,
         .radiance = lights->has_gloss ? &lights->gloss_blur.blurred.texture : NULL,

@@ -124,8 +124,8 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
                       const struct many_lights_visibility *visibility);
 void many_lights_free(struct many_lights *lights);
 
-/* As technique->resize. */
-bool many_lights_resize(struct many_lights *lights, int width, int height);
+/* As technique->resize; as technique->contribution, below: of a state that begins with its many_lights. */
+bool many_lights_resize(void *state, int width, int height);
 
 /* The casters that the settings ask for. */
 struct caster_desc many_lights_caster(const struct settings *settings);
@@ -156,7 +156,8 @@ void many_lights_gather(const struct many_lights *lights, const struct frame *fr
 void many_lights_finish(const struct many_lights *lights, const struct frame *frame,
                         const struct gbuffer *gbuffer);
 
-struct contribution many_lights_contribution(const struct many_lights *lights);
+/* As technique->contribution. */
+struct contribution many_lights_contribution(const void *state);
 
 /* As technique->outputs; the VPLs as they are made, or as a technique has them with what it adds. */
 void many_lights_outputs(const struct many_lights *lights, const struct vpl_buffer *vpls,

@@ -243,11 +243,6 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     many_lights_finish(&technique->lights, frame, gbuffer);
 }
 
-static struct contribution contribution(const void *state) {
-    const struct cluster_lights *technique = state;
-    return many_lights_contribution(&technique->lights);
-}
-
 static void outputs(const void *state, struct output_list *outputs) {
     const struct cluster_lights *technique = state;
     const struct vpl_buffer *vpls =
@@ -285,6 +280,6 @@ const struct technique cluster_lights_technique = {
     .resize = resize,
     .render_lights = render_lights,
     .render_view = render_view,
-    .contribution = contribution,
+    .contribution = many_lights_contribution,
     .outputs = outputs,
 };

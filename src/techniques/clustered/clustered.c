@@ -60,11 +60,6 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     many_lights_finish(&technique->lights, frame, gbuffer);
 }
 
-static struct contribution contribution(const void *state) {
-    const struct clustered *technique = state;
-    return many_lights_contribution(&technique->lights);
-}
-
 static void outputs(const void *state, struct output_list *outputs) {
     const struct clustered *technique = state;
     many_lights_outputs(&technique->lights, &technique->vals.first.cluster.vpls, outputs);
@@ -99,6 +94,6 @@ const struct technique clustered_technique = {
     .resize = resize,
     .render_lights = render_lights,
     .render_view = render_view,
-    .contribution = contribution,
+    .contribution = many_lights_contribution,
     .outputs = outputs,
 };

@@ -98,11 +98,6 @@ static bool init(void **state, const struct technique_desc *desc) {
                                                  technique});
 }
 
-static bool resize(void *state, int width, int height) {
-    struct imperfect *technique = state;
-    return many_lights_resize(&technique->lights, width, height);
-}
-
 static void render_lights(void *state, const struct frame *frame) {
     struct imperfect *technique = state;
     vpl_maps_render_lights(&technique->maps, &technique->lights, frame);
@@ -111,11 +106,6 @@ static void render_lights(void *state, const struct frame *frame) {
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct imperfect *technique = state;
     vpl_maps_render_view(&technique->maps, &technique->lights, frame, gbuffer);
-}
-
-static struct contribution contribution(const void *state) {
-    const struct imperfect *technique = state;
-    return many_lights_contribution(&technique->lights);
 }
 
 static void outputs(const void *state, struct output_list *outputs) {
@@ -145,9 +135,9 @@ const struct technique imperfect_shadow_maps_technique = {
     .check = many_lights_check,
     .init = init,
     .free = free_state,
-    .resize = resize,
+    .resize = many_lights_resize,
     .render_lights = render_lights,
     .render_view = render_view,
-    .contribution = contribution,
+    .contribution = many_lights_contribution,
     .outputs = outputs,
 };

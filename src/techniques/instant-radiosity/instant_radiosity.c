@@ -46,11 +46,6 @@ static bool init(void **state, const struct technique_desc *desc) {
            vpl_maps_init_true(&technique->maps, &technique->paraboloid, desc, batch);
 }
 
-static bool resize(void *state, int width, int height) {
-    struct instant_radiosity *technique = state;
-    return many_lights_resize(&technique->lights, width, height);
-}
-
 static void render_lights(void *state, const struct frame *frame) {
     struct instant_radiosity *technique = state;
     vpl_maps_render_lights(&technique->maps, &technique->lights, frame);
@@ -59,11 +54,6 @@ static void render_lights(void *state, const struct frame *frame) {
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct instant_radiosity *technique = state;
     vpl_maps_render_view(&technique->maps, &technique->lights, frame, gbuffer);
-}
-
-static struct contribution contribution(const void *state) {
-    const struct instant_radiosity *technique = state;
-    return many_lights_contribution(&technique->lights);
 }
 
 static void outputs(const void *state, struct output_list *outputs) {
@@ -90,9 +80,9 @@ const struct technique instant_radiosity_technique = {
     .check = many_lights_check,
     .init = init,
     .free = free_state,
-    .resize = resize,
+    .resize = many_lights_resize,
     .render_lights = render_lights,
     .render_view = render_view,
-    .contribution = contribution,
+    .contribution = many_lights_contribution,
     .outputs = outputs,
 };

@@ -139,11 +139,6 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     many_lights_finish(&technique->lights, frame, gbuffer);
 }
 
-static struct contribution contribution(const void *state) {
-    const struct lightcuts *technique = state;
-    return many_lights_contribution(&technique->lights);
-}
-
 static void outputs(const void *state, struct output_list *outputs) {
     const struct lightcuts *technique = state;
     many_lights_outputs(&technique->lights, &technique->vals.first.cluster.vpls, outputs);
@@ -169,6 +164,6 @@ const struct technique lightcuts_technique = {
     .resize = resize,
     .render_lights = render_lights,
     .render_view = render_view,
-    .contribution = contribution,
+    .contribution = many_lights_contribution,
     .outputs = outputs,
 };

@@ -145,11 +145,6 @@ static bool init(void **state, const struct technique_desc *desc) {
            init_rows(technique, &with_own, all) && init_choice(technique, desc, all);
 }
 
-static bool resize(void *state, int width, int height) {
-    struct row_column *technique = state;
-    return many_lights_resize(&technique->lights, width, height);
-}
-
 /* --- rows ------------------------------------------------------------------------------------- */
 
 /* VPLs of their own that are as far apart as all: maps of these leave out as much of what is near. */
@@ -261,11 +256,6 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     many_lights_finish(lights, frame, gbuffer);
 }
 
-static struct contribution contribution(const void *state) {
-    const struct row_column *technique = state;
-    return many_lights_contribution(&technique->lights);
-}
-
 static void outputs(const void *state, struct output_list *outputs) {
     const struct row_column *technique = state;
     many_lights_outputs(&technique->lights, &technique->lights.vpls, outputs);
@@ -293,9 +283,9 @@ const struct technique row_column_technique = {
     .check = check,
     .init = init,
     .free = free_state,
-    .resize = resize,
+    .resize = many_lights_resize,
     .render_lights = render_lights,
     .render_view = render_view,
-    .contribution = contribution,
+    .contribution = many_lights_contribution,
     .outputs = outputs,
 };

@@ -17,10 +17,6 @@ static bool init(void **state, const struct technique_desc *desc) {
         *state, desc, &(struct many_lights_visibility){VISIBILITY_LOOKUP_NONE, .map_count = 1});
 }
 
-static bool resize(void *state, int width, int height) {
-    return many_lights_resize(state, width, height);
-}
-
 static void render_lights(void *state, const struct frame *frame) {
     struct many_lights *lights = state;
     many_lights_render_vpls(lights, frame);
@@ -35,10 +31,6 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
         many_lights_gather(lights, frame, gbuffer,
                            &(struct gather_inputs){.vpls = &lights->bounce.vpls, .further = true});
     many_lights_finish(lights, frame, gbuffer);
-}
-
-static struct contribution contribution(const void *state) {
-    return many_lights_contribution(state);
 }
 
 static void outputs(const void *state, struct output_list *outputs) {
@@ -64,9 +56,9 @@ const struct technique unshadowed_technique = {
     .check = many_lights_check,
     .init = init,
     .free = free_state,
-    .resize = resize,
+    .resize = many_lights_resize,
     .render_lights = render_lights,
     .render_view = render_view,
-    .contribution = contribution,
+    .contribution = many_lights_contribution,
     .outputs = outputs,
 };
