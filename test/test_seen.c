@@ -61,6 +61,33 @@ static void test_half_plane(void **state) {
     check_share("disk", lamp_above(1, 0), .25F, .804499);
 }
 
+/* The root of a channel's mean square distance from a value. */
+static double spread_of(const struct image *image, int channel, double value) {
+    double sum = 0;
+    for (int i = 0; i < image->width * image->height; i++) {
+        const float *pixel = image_at(image, i % image->width, i / image->width);
+        sum += pow((double)pixel[channel] - value, 2);
+    }
+    return sqrt(sum / (image->width * image->height));
+}
+
+/* How far the pixels' shares are off the closed form is what their standard errors tell; of direct light likewise. */
+static void test_noise(void **state) {
+    (void)state;
+    struct world world;
+    struct emitter light = lamp_above(1, 1);
+    make_edge(&world);
+    struct image image = look(&world, &(struct emitters){.items = &light, .count = 1}, .1F, 32);
+    double off = spread_of(&image, CHANNEL_VISIBILITY, .6);
+    double told = spread_of(&image, CHANNEL_VISIBILITY_ERROR, 0);
+    check_near("error told over error, visibility", told / off, 1, .25);
+    off = spread_of(&image, CHANNEL_DIRECT, mean_of(&image, CHANNEL_DIRECT));
+    told = spread_of(&image, CHANNEL_DIRECT_ERROR, 0);
+    check_near("direct light", told / off, 1, .25);
+    image_free(&image);
+    world_free(&world);
+}
+
 /* Under the middle of the square, whatever hides it, E / L = .752275. */
 static void test_unshadowed(void **state) {
     (void)state;
@@ -107,9 +134,8 @@ static void test_sky(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_half_plane),
-        cmocka_unit_test(test_unshadowed),
-        cmocka_unit_test(test_two),
+        cmocka_unit_test(test_half_plane), cmocka_unit_test(test_noise),
+        cmocka_unit_test(test_unshadowed), cmocka_unit_test(test_two),
         cmocka_unit_test(test_sky),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -72,7 +72,8 @@ static const struct option options[] = {
     {"seen", 0, OPTION_FLAG, offsetof(struct values, tracer.seen),
      .help = "the layers unshadowed, direct light if nothing hid the lights, and visibility, the "
              "share\n"
-             "of them that is seen"},
+             "of them that is seen; standard_error.direct and standard_error.visibility, of means\n"
+             "over the colours"},
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
      .help = "filter the indirect light along surfaces, by as much as it is noisy: for few\n"
              "samples. standard_error stays that of the light before"},

@@ -5,9 +5,9 @@
 
 #include <math.h>
 
-/* The layers' first channels. */
+/* The layers' first channels; noise: of what holds the share, the standard error. */
 struct layers {
-    int test, direct, unshadowed, visibility;
+    int test, direct, unshadowed, visibility, noise;
 };
 
 static bool find_layer(const struct image *image, const char *name, int *first) {
@@ -17,6 +17,12 @@ static bool find_layer(const struct image *image, const char *name, int *first) 
         return false;
     *first = channels[0];
     return true;
+}
+
+static bool find_noise(const struct image *truth, bool of_sky, int *channel) {
+    const char *name = of_sky ? "standard_error.direct.Y" : "standard_error.visibility.Y";
+    *channel = image_find_channel(truth, name);
+    return *channel >= 0 || error_set("no channel %s", name);
 }
 
 /* The mean of three channels; those of a layer lie side by side. */
@@ -38,17 +44,22 @@ static double brightest(const struct image *truth, int first) {
 }
 
 struct sums {
-    double squares, sum, count;
+    double squares, sum, noise_squares, count;
 };
 
-static void add(struct sums *sums, double off) {
+static void add(struct sums *sums, double off, double noise) {
     sums->squares += off * off;
+    sums->noise_squares += noise * noise;
     sums->sum += off;
     sums->count++;
 }
 
+static double percent(double squares, double count) {
+    return 100 * sqrt(fmax(squares, 0) / fmax(count, 1));
+}
+
 static double rms(const struct sums *sums) {
-    return 100 * sqrt(sums->squares / fmax(sums->count, 1));
+    return percent(sums->squares - sums->noise_squares, sums->count);
 }
 
 static void add_all(struct results *results, const struct sums *all, const struct sums *bright) {
@@ -56,6 +67,8 @@ static void add_all(struct results *results, const struct sums *all, const struc
     results_add(results, "visible-share", against, "%", rms(bright));
     results_add(results, "visible-bias", against, "%", 100 * bright->sum / fmax(bright->count, 1));
     results_add(results, "visible-share-all", against, "%", rms(all));
+    results_add(results, "visible-noise", against, "%",
+                percent(bright->noise_squares, bright->count));
 }
 
 bool shares_add(struct results *results, const struct image *test, const struct image *truth,
@@ -64,7 +77,7 @@ bool shares_add(struct results *results, const struct image *test, const struct 
     struct sums all = {0}, bright = {0};
     if (!find_layer(test, "direct", &at.test) || !find_layer(truth, "direct", &at.direct) ||
         !find_layer(truth, "unshadowed", &at.unshadowed) ||
-        !find_layer(truth, "visibility", &at.visibility))
+        !find_layer(truth, "visibility", &at.visibility) || !find_noise(truth, of_sky, &at.noise))
         return error_prefix("visible share");
     double least = .01 * brightest(truth, at.unshadowed);
     for (int y = 0; y < truth->height; y++)
@@ -75,9 +88,10 @@ bool shares_add(struct results *results, const struct image *test, const struct 
             double seen = of_sky ? share_of(grey(truth, x, y, at.direct), unshadowed)
                                  : grey(truth, x, y, at.visibility);
             double off = share_of(grey(test, x, y, at.test), unshadowed) - seen;
-            add(&all, off);
+            double noise = (double)image_at(truth, x, y)[at.noise] / (of_sky ? unshadowed : 1);
+            add(&all, off, noise);
             if (unshadowed >= least)
-                add(&bright, off);
+                add(&bright, off, noise);
         }
     add_all(results, &all, &bright);
     return true;

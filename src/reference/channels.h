@@ -13,7 +13,8 @@
                     "emitted.R emitted.G emitted.B"
 #define CHANNELS_OF_CUTS CHANNELS_COMMON " bound.R bound.G bound.B nodes.R nodes.G nodes.B"
 #define CHANNELS_OF_SEEN                                                                           \
-    "unshadowed.R unshadowed.G unshadowed.B visibility.R visibility.G visibility.B"
+    "unshadowed.R unshadowed.G unshadowed.B visibility.R visibility.G visibility.B "               \
+    "standard_error.direct.Y standard_error.visibility.Y"
 #define CHANNELS_OF_GLOSS                                                                          \
     "direct.specular.R direct.specular.G direct.specular.B "                                       \
     "indirect.specular.R indirect.specular.G indirect.specular.B "                                 \
@@ -36,7 +37,10 @@ enum film_channel {
     CHANNEL_PATH_TRACER_END = 23,
     CHANNEL_UNSHADOWED = CHANNEL_PATH_TRACER_END, /* direct light if nothing hid the lights */
     CHANNEL_VISIBILITY = 26, /* the share of the lights seen: reference/seen.h */
-    CHANNEL_END = 29,
+    CHANNEL_DIRECT_ERROR =
+        29, /* standard errors of the means over RGB of direct light and visibility */
+    CHANNEL_VISIBILITY_ERROR = 30,
+    CHANNEL_END = 31,
 };
 
 /* The same, of the sum over VPLs by cuts. */

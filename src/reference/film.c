@@ -103,17 +103,41 @@ struct film_direct_estimate film_pixel_estimate_direct(const struct film_pixel *
     return (struct film_direct_estimate){sum / weight, variance};
 }
 
-void film_seen_add(struct film_seen *sums, vec3s albedo, const struct seen *seen) {
+void film_seen_add(struct film_seen *sums, int stream, vec3s albedo, const struct seen *seen) {
     vec3s weight = glms_vec3_adds(albedo, least_weight);
     add(sums->unshadowed, glms_vec3_mul(weight, seen->unshadowed).raw);
     add(sums->visible, seen->visible.raw);
     add(sums->all, seen->all.raw);
+    sums->streams[stream].visible += glms_vec3_hadd(seen->visible);
+    sums->streams[stream].all += glms_vec3_hadd(seen->all);
 }
 
 void film_seen_merge(struct film_seen *sums, const struct film_seen *other) {
     add(sums->unshadowed, other->unshadowed);
     add(sums->visible, other->visible);
     add(sums->all, other->all);
+    for (int s = 0; s < FILM_STREAMS; s++) {
+        sums->streams[s].visible += other->streams[s].visible;
+        sums->streams[s].all += other->streams[s].all;
+    }
+}
+
+/* Of the share over all colours; as film_pixel_estimate's. */
+static double seen_variance(const struct film_seen *sums) {
+    double visible = 0, all = 0, square_sum = 0;
+    int used = 0;
+    for (int s = 0; s < FILM_STREAMS; s++) {
+        visible += (double)sums->streams[s].visible;
+        all += (double)sums->streams[s].all;
+        used += sums->streams[s].all > 0;
+    }
+    if (used < 2)
+        return 0;
+    for (int s = 0; s < FILM_STREAMS; s++) {
+        const struct film_seen_stream *stream = &sums->streams[s];
+        square_sum += pow((double)stream->visible - visible / all * (double)stream->all, 2);
+    }
+    return square_sum * used / (used - 1) / (all * all);
 }
 
 void film_seen_develop(const struct film_seen *sums, const struct film_pixel *pixel,
@@ -123,6 +147,8 @@ void film_seen_develop(const struct film_seen *sums, const struct film_pixel *pi
         channels[CHANNEL_UNSHADOWED + c] = weight > 0 ? sums->unshadowed[c] / weight : 0;
         channels[CHANNEL_VISIBILITY + c] = all > 0 ? sums->visible[c] / all : 0;
     }
+    channels[CHANNEL_DIRECT_ERROR] = (float)sqrt(film_pixel_estimate_direct(pixel).variance);
+    channels[CHANNEL_VISIBILITY_ERROR] = (float)sqrt(seen_variance(sums));
 }
 
 void film_gloss_add(struct film_gloss *sums, int stream, const struct film_sample *sample) {

@@ -48,9 +48,12 @@ void film_pixel_add_background(struct film_pixel *pixel, vec3s radiance);
 /* What a pixel sees of the lights, where that is asked for: sums, weighted as struct film_pixel's. */
 struct film_seen {
     float unshadowed[3], visible[3], all[3];
+    struct film_seen_stream {
+        float visible, all; /* the sums over RGB */
+    } streams[FILM_STREAMS];
 };
 
-void film_seen_add(struct film_seen *sums, vec3s albedo, const struct seen *seen);
+void film_seen_add(struct film_seen *sums, int stream, vec3s albedo, const struct seen *seen);
 void film_seen_merge(struct film_seen *sums, const struct film_seen *other);
 
 /* Writes the layers from CHANNEL_UNSHADOWED on. */

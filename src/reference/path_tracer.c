@@ -99,11 +99,11 @@ static vec3s background(const struct tracer *tracer, float x, float y) {
     return radiance;
 }
 
-static void add_seen(const struct tracer *tracer, const struct hit *hit,
+static void add_seen(const struct tracer *tracer, const struct hit *hit, int stream,
                      const struct direct_samplers *samplers, struct film_seen *sums) {
     struct seen seen =
         seen_from(&tracer->emission, &tracer->rays, hit, samplers->items, PATHS_PER_SAMPLE);
-    film_seen_add(sums, hit->brdf.albedo, &seen);
+    film_seen_add(sums, stream, hit->brdf.albedo, &seen);
 }
 
 /* Sums of a pixel. */
@@ -144,7 +144,7 @@ static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
     if (tracer->gloss)
         film_gloss_add(&sums->gloss, stream, &sample);
     if (desc->seen)
-        add_seen(tracer, &hit, &samplers, &sums->seen);
+        add_seen(tracer, &hit, stream, &samplers, &sums->seen);
 }
 
 /* Sums of a pass are made apart, so that a long render loses no digits. */

@@ -74,9 +74,10 @@ const struct bench_mode bench_direct = {
         "Each along its main setting, against the path tracer; of a sky, along what its lights\n"
         "have to set. Errors are over the pixels to which the lights could give a hundredth of "
         "the\n"
-        "most; in the last column, over all to which they could give anything. Frames have next "
-        "to\n"
-        "no indirect light. Without SCENE: our two with a lamp.",
+        "most, or of faint ones too, over all to which they could give anything. The truth's "
+        "noise\n"
+        "is taken off as squares. Frames have next to no indirect light. Without SCENE: our two\n"
+        "with a lamp.",
     .options =
         "vary size variant set frames warm-up noise cache light environment tables" BENCH_CONTEXT,
     .scenes = scenes,
@@ -87,5 +88,6 @@ const struct bench_mode bench_direct = {
                  {"RMS %", "visible-share", NULL},
                  {"bias %", "visible-bias", NULL},
                  {"faint too", "visible-share-all", NULL},
+                 {"noise %", "visible-noise", NULL},
                  {"GPU MiB", "gpu-memory", NULL}}}},
 };
