@@ -128,30 +128,27 @@ static void test_traced(void **state) {
         check_answer(&answers[i], traced(&answers[i]));
 }
 
-static void test_shaded(void **state) {
-    (void)state;
-    struct answer answers[ANSWERS];
+/* What shaders find: of each light at its place, for intensity 1. */
+static void shade(struct answer *answers, int count, float *got) {
     struct emitter lights[ANSWERS];
     struct geometry geometry = {.radius = 1};
     static struct light_block block;
     vec4 points[ANSWERS][2] = {0};
-    float got[ANSWERS];
     struct buffer light_buffer, point_buffer, answer_buffer;
     struct timers untimed = {0};
     GLuint program;
-    make_answers(answers);
     glsl_set_folder("glsl");
-    for (int i = 0; i < ANSWERS; i++) {
+    for (int i = 0; i < count; i++) {
         lights[i] = answers[i].light;
         glm_vec3_copy(answers[i].position, points[i][0]);
         glm_vec3_copy(answers[i].normal, points[i][1]);
     }
-    views_of_emitters(&block, &(struct emitters){.items = lights, .count = ANSWERS}, &geometry);
+    views_of_emitters(&block, &(struct emitters){.items = lights, .count = count}, &geometry);
     check_ok("program",
              program_init(&program, &(struct program_desc){.compute = "../test/unshadowed.comp"}));
     check_ok("lights", buffer_init(&light_buffer, "lights", sizeof block, &block));
     check_ok("points", buffer_init(&point_buffer, "points", sizeof points, points));
-    check_ok("answers", buffer_init(&answer_buffer, "answers", sizeof got, NULL));
+    check_ok("answers", buffer_init(&answer_buffer, "answers", ANSWERS * sizeof *got, NULL));
     pass_begin(&untimed,
                &(struct pass_state){.name = "unshadowed",
                                     .program = program,
@@ -159,14 +156,44 @@ static void test_shaded(void **state) {
                                     .storages = {{0, &point_buffer}, {1, &answer_buffer}}});
     pass_dispatch(1, 1, 1);
     pass_end(&untimed);
-    buffer_read(&answer_buffer, 0, sizeof got, got);
-    for (int i = 0; i < ANSWERS; i++)
-        check_answer(&answers[i], (double)(got[i] * lights[i].intensity[0]));
+    buffer_read(&answer_buffer, 0, (size_t)count * sizeof *got, got);
     buffer_free(&light_buffer);
     buffer_free(&point_buffer);
     buffer_free(&answer_buffer);
     program_free(&program);
     glsl_set_folder(NULL);
+}
+
+static void test_shaded(void **state) {
+    (void)state;
+    struct answer answers[ANSWERS];
+    float got[ANSWERS];
+    make_answers(answers);
+    shade(answers, ANSWERS, got);
+    for (int i = 0; i < ANSWERS; i++)
+        check_answer(&answers[i], (double)(got[i] * answers[i].light.intensity[0]));
+}
+
+/* A rectangle cut in two gives what it gave whole. */
+static void test_halves(void **state) {
+    (void)state;
+    static const struct answer wholes[] = {
+        {"below the middle", {0}, {0, 0, 0}, {0, 1, 0}, 0},
+        {"aside, tilted", {0}, {.3F, 0, .7F}, {.6F, .8F, 0}, 0},
+        {"half of it seen", {0}, {-.2F, .9F, 0}, {1, 0, 0}, 0},
+    };
+    for (size_t i = 0; i < sizeof wholes / sizeof *wholes; i++) {
+        struct answer parts[3] = {wholes[i], wholes[i], wholes[i]}; /* the whole, its halves */
+        float got[3];
+        for (int p = 0; p < 3; p++)
+            parts[p].light = face(p ? .5F : 1, .6F);
+        for (int p = 1; p < 3; p++)
+            glm_vec3_muladds(parts[p].light.right, p == 1 ? .25F : -.25F, parts[p].light.position);
+        shade(parts, 3, got);
+        double whole = (double)got[0] * .6, halves = (double)(got[1] + got[2]) * .3;
+        check_near(wholes[i].what, halves, whole, 1e-6);
+        assert_true(got[1] != got[2] || i == 0);
+    }
 }
 
 /* --- flux ------------------------------------------------------------------------------------- */
@@ -409,10 +436,11 @@ static void test_shapes(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_traced),        cmocka_unit_test(test_shaded),
-        cmocka_unit_test(test_pieces),        cmocka_unit_test(test_extension),
-        cmocka_unit_test(test_vpl_flux),      cmocka_unit_test(test_extras),
-        cmocka_unit_test(test_emissive_quad), cmocka_unit_test(test_shapes),
+        cmocka_unit_test(test_traced),    cmocka_unit_test(test_shaded),
+        cmocka_unit_test(test_halves),    cmocka_unit_test(test_pieces),
+        cmocka_unit_test(test_extension), cmocka_unit_test(test_vpl_flux),
+        cmocka_unit_test(test_extras),    cmocka_unit_test(test_emissive_quad),
+        cmocka_unit_test(test_shapes),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

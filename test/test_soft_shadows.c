@@ -173,6 +173,54 @@ static void test_more(void **state) {
     }
 }
 
+/* A floor below a plate that fills the map but for a thing far aside and near the light, by which its depth is a part of
+ * the map's range alone: the series hides some of the light. */
+static void open_cover(struct stage *stage, double plate) {
+    char nodes[2048];
+    snprintf(
+        nodes, sizeof nodes,
+        "[{\"mesh\": 0, \"scale\": [4, 4, 1], \"translation\": [-2, -2, 0]},"
+        " {\"camera\": 0, \"translation\": [0, 0, 0.04]},"
+        " {\"extensions\": {\"EXT_lights_area\": {\"light\": 0}}, \"translation\": [0, 0, %g]},"
+        " {\"mesh\": 0, \"scale\": [4, 4, 1], \"translation\": [-2, -2, %g]},"
+        " {\"mesh\": 0, \"scale\": [0.1, 0.1, 1], \"translation\": [1, 1, 1.2]}]",
+        light_height, plate);
+    const char *more =
+        "\"extensionsUsed\": [\"EXT_lights_area\"], \"cameras\": [{\"type\": \"perspective\","
+        " \"perspective\": {\"yfov\": 1, \"znear\": 0.001}}], \"extensions\":"
+        " {\"EXT_lights_area\": {\"lights\": [" RECTANGLE("0.3", "1") "]}},";
+    const char *path = write_parts("cover.glb", &(struct gltf_parts){.nodes = nodes, .more = more});
+    open_stage(stage, path);
+}
+
+static double light_below(double plate, const char *settings) {
+    struct stage stage;
+    struct renderer renderer;
+    open_cover(&stage, plate);
+    struct image layers = render_method(&stage, "cssm", settings, &renderer);
+    double mean = layer_mean(&layers, "direct");
+    renderer_free(&renderer);
+    image_free(&layers);
+    stage_free(&stage);
+    return mean;
+}
+
+#define HALF_HIDDEN "harmonics=4 contact=0"
+
+/* Where a map is constant all of its windows have one mean, whether a MIP level or a summed area table tells it. */
+static void test_constant(void **state) {
+    (void)state;
+    static const double plates[] = {.05, .1, .2};
+    double lit = light_below(below_floor, HALF_HIDDEN);
+    for (size_t i = 0; i < sizeof plates / sizeof *plates; i++) {
+        double mips = light_below(plates[i], HALF_HIDDEN) / lit;
+        double sums = light_below(plates[i], HALF_HIDDEN " prefilter=sat") / lit;
+        printf("  a plate %g above the floor\n", plates[i]);
+        check_near("by MIP maps some of the light", mips, .6, .35);
+        check_near("by summed area tables the same", sums, mips, .01);
+    }
+}
+
 /* --- a table ---------------------------------------------------------------------------------- */
 
 /* Irradiance over pi of the only light where nothing hides it. */
@@ -444,10 +492,11 @@ static void test_idle_casters(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stands),          cmocka_unit_test(test_more),
-        cmocka_unit_test(test_table),           cmocka_unit_test(test_types),
-        cmocka_unit_test(test_extremes),        cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_scale_and_turns), cmocka_unit_test(test_idle_casters),
+        cmocka_unit_test(test_stands),       cmocka_unit_test(test_more),
+        cmocka_unit_test(test_constant),     cmocka_unit_test(test_table),
+        cmocka_unit_test(test_types),        cmocka_unit_test(test_extremes),
+        cmocka_unit_test(test_limits),       cmocka_unit_test(test_scale_and_turns),
+        cmocka_unit_test(test_idle_casters),
     };
     return cmocka_run_group_tests_name("soft shadows", tests, open_group_context,
                                        close_group_context);
