@@ -377,8 +377,9 @@ static void render_lights(struct clustering *c, const struct vpl *lights, size_t
     cluster_pass_render(&c->pass, &frame, &c->vpls);
 }
 
-/* Three that surround a mean, at whose side stands the second cluster's one, nearer to the mean than all three, as is one
- * that met nothing; and a third far off. The view looks from the plane of the nearest of the three. */
+/* Three that surround a mean, at whose side stands the second cluster's first one, nearer to the mean than all three, as is
+ * one that met nothing; and a third far off. The view looks from the plane of the nearest of the three, below which the mean
+ * lies. That of the second's two lies above the first's plane: the view looks from above that one. */
 static void test_views(void **state) {
     (void)state;
     static const struct vpl before[] = {
@@ -393,6 +394,7 @@ static void test_views(void **state) {
         {.position = {.1f, .25f, .1f}, .normal = {0, 0, 1}, .area = 4, .flux = {1}, .reach = 1},
         {.position = {0, -2, 0}, .normal = {0, 1, 0}, .area = 9, .flux = {1}, .reach = 1},
         {.position = {.1f, -.15f, .3f}, .normal = {0, 0, 1}, .area = .01f, .flux = {1}},
+        {.position = {.1f, .49f, .22f}, .normal = {0, 0, 1}, .area = 4, .flux = {.5f}, .reach = 1},
     };
     /* Nothing nearer counts than a quarter of the spread, or a spacing. */
     const double clip = .25 * exp2(1.5);
@@ -400,7 +402,7 @@ static void test_views(void **state) {
         double center[3], axis[3], extent, near;
     } expected[] = {
         {{.1, -.1, .4}, {0, 0, 1}, 1, .2},
-        {{.1, .25, .1}, {0, 0, 1}, 0, clip},
+        {{.1, .25, .16}, {0, 0, 1}, 0, clip},
         {{0, -2, 0}, {0, 1, 0}, 0, clip},
     };
     struct clustering c;

@@ -2,7 +2,8 @@
 // bounding rectangle.
 //
 // The mean of VPLs on a ball lies within the ball, which then hides all the rest: a mean behind the tangent
-// plane of the VPL that is nearest to it is moved onto that plane, and the map looks from there.
+// plane of the VPL that is nearest to it is moved onto that plane, and the map looks from there. The mean of
+// VPLs in a corner hangs in the air, where none of them is: it is moved above the nearest, as high as it was.
 #include "visibility/map_range.glsl"
 #include "visibility/map_view_output.glsl"
 #include "lib/tangent.glsl"
@@ -22,7 +23,8 @@ vec3 on_surface(int k, vec3 center, out float spacing) {
         float d = val_distance(weight_position, v, k);
         if (lights && d < least) {
             least = d;
-            foot = center + v.normal * max(dot(v.position - center, v.normal), 0.0);
+            float height = dot(center - v.position, v.normal);
+            foot = height > 0.0 ? v.position + height * v.normal : center - height * v.normal;
             spacing = sqrt(v.area);
         }
     }
