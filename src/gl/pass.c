@@ -29,13 +29,17 @@ static void bind_target(const struct pass_state *state) {
     gl.Disable(GL_SCISSOR_TEST);
 }
 
+static const GLenum depth_functions[] = {
+    [PASS_DEPTH_OFF] = GL_ALWAYS,       [PASS_DEPTH_LESS] = GL_LESS,
+    [PASS_DEPTH_GREATER] = GL_GREATER,  [PASS_DEPTH_EQUAL] = GL_EQUAL,
+    [PASS_DEPTH_UNEQUAL] = GL_NOTEQUAL,
+};
+
 static void set_fragments(const struct pass_state *state) {
     unsigned kept = state->kept_colors;
     enable(GL_DEPTH_TEST, state->depth != PASS_DEPTH_OFF);
     gl.DepthMask(state->depth == PASS_DEPTH_LESS || state->depth == PASS_DEPTH_GREATER);
-    gl.DepthFunc(state->depth == PASS_DEPTH_GREATER ? GL_GREATER
-                 : state->depth == PASS_DEPTH_EQUAL ? GL_EQUAL
-                                                    : GL_LESS);
+    gl.DepthFunc(depth_functions[state->depth]);
     enable(GL_BLEND, state->blend != PASS_BLEND_OFF);
     gl.BlendFunc(GL_ONE, state->blend == PASS_BLEND_OVER ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
     gl.BlendEquation(state->blend == PASS_BLEND_MAX ? GL_MAX : GL_FUNC_ADD);

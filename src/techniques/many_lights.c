@@ -56,6 +56,24 @@ static int detail_radius(const struct settings *settings) {
     return radius > 0 ? (radius + 1) / 2 : 2;
 }
 
+static bool init_plain(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
+    int radius = blur_radius(desc->settings), asked = detail_radius(desc->settings);
+    lights->has_plain = blur->separable && radius > 0;
+    return !lights->has_plain ||
+           plain_pass_init(&lights->plain,
+                           &(struct plain_desc){.width = desc->width,
+                                                .height = desc->height,
+                                                .radius = radius > asked ? radius : asked,
+                                                .distance = blur->distance,
+                                                .cosine = blur->cosine});
+}
+
+/* Those of the pass; none where there are none. */
+static const struct texture *plain_pixels(const struct many_lights *lights) {
+    return lights->has_plain ? &lights->plain.pixels : NULL;
+}
+
 /* Half the blur's radius away: farther off an edge it finds enough on one side.
  *
  * What is listed looks itself up: a block of pixels does not speak for it. */
@@ -67,7 +85,8 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     gather_desc.receivers = RECEIVERS_LISTED;
     fill_list_slots(gather, gather_desc.list_slots);
     gather_desc.share = false;
-    return !lights->has_detail || (detail_pass_init(&lights->detail,
+    return !lights->has_detail || (init_plain(lights, desc) &&
+                                   detail_pass_init(&lights->detail,
                                                     &(struct detail_desc){
                                                         .width = desc->width,
                                                         .height = desc->height,
@@ -76,6 +95,7 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
                                                         .distance = blur->distance,
                                                         .cosine = blur->cosine,
                                                         .share = gather->detail_share,
+                                                        .plain = plain_pixels(lights),
                                                     }) &&
                                    gather_pass_init(&lights->detail_gather, &gather_desc));
 }
@@ -183,6 +203,7 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
         .distance = own->distance,
         .cosine = own->cosine,
         .square = !own->separable || radius == 0,
+        .plain = plain_pixels(lights),
     };
     const struct gather_desc *listed = &lights->detail_gather.desc;
     for (int grade = 0; lights->has_detail && grade < PIXEL_GRADES; grade++) {
@@ -264,6 +285,7 @@ void many_lights_free(struct many_lights *lights) {
     bounce_pass_free(&lights->bounce);
     gather_pass_free(&lights->gather);
     near_field_pass_free(&lights->near_field);
+    plain_pass_free(&lights->plain);
     detail_pass_free(&lights->detail);
     gather_pass_free(&lights->detail_gather);
     gather_pass_free(&lights->gloss_gather);
@@ -283,7 +305,13 @@ static bool init_sized(struct many_lights *fresh, const struct many_lights *old,
     gather.height = detail_gather.height = detail.height = blur.height = height;
     gloss_gather.width = gloss_blur.width = width;
     gloss_gather.height = gloss_blur.height = height;
+    struct plain_desc plain = old->plain.desc;
+    plain.width = width;
+    plain.height = height;
+    fresh->has_plain = old->has_plain;
+    detail.plain = blur.plain = plain_pixels(fresh);
     return gather_pass_init(&fresh->gather, &gather) &&
+           (!old->has_plain || plain_pass_init(&fresh->plain, &plain)) &&
            (!old->has_gloss || (gather_pass_init(&fresh->gloss_gather, &gloss_gather) &&
                                 blur_pass_init(&fresh->gloss_blur, &gloss_blur))) &&
            (!old->has_blur || blur_pass_init(&fresh->blur, &blur)) &&
@@ -293,6 +321,7 @@ static bool init_sized(struct many_lights *fresh, const struct many_lights *old,
 
 static void free_sized(struct many_lights *lights) {
     gather_pass_free(&lights->gather);
+    plain_pass_free(&lights->plain);
     detail_pass_free(&lights->detail);
     gather_pass_free(&lights->detail_gather);
     gather_pass_free(&lights->gloss_gather);
@@ -309,6 +338,7 @@ bool many_lights_resize(void *state, int width, int height) {
     }
     free_sized(lights);
     lights->gather = fresh.gather;
+    lights->plain = fresh.plain;
     lights->detail = fresh.detail;
     lights->detail_gather = fresh.detail_gather;
     lights->gloss_gather = fresh.gloss_gather;
@@ -349,6 +379,8 @@ void many_lights_begin(const struct many_lights *lights, const struct frame *fra
         gather_pass_clear(&lights->gloss_gather);
     if (!lights->has_detail)
         return;
+    if (lights->has_plain)
+        plain_pass_render(&lights->plain, frame, gbuffer);
     detail_pass_render(&lights->detail, frame, gbuffer);
     gather_pass_clear(&lights->detail_gather);
 }

@@ -1,21 +1,51 @@
 #include "passes/gather/blur.h"
 
+#include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/blur.h"
 
 #include <math.h>
 
-static bool init_programs(struct blur_pass *pass) {
-    struct program_desc desc = {.vertex = "fullscreen.vert", .fragment = "gather/blur.frag"};
-    struct program_desc half = desc, pack = desc;
-    half.defines = "PACK 1";
-    pack.fragment = "gather/blur_pack.frag";
-    pack.defines = pass->desc.gloss    ? "DETAIL 0;GLOSS 1"
-                   : pass->desc.detail ? "DETAIL 1;GLOSS 0"
-                                       : "DETAIL 0;GLOSS 0";
-    return program_init(&pass->pack_program, &pack) && program_init(&pass->half_program, &half) &&
-           program_init(&pass->program, &desc);
+static bool init_program(GLuint *program, bool pack, bool of_plain) {
+    const struct program_desc desc = {
+        .vertex = "fullscreen.vert",
+        .fragment = "gather/blur.frag",
+        .defines = pack       ? of_plain ? "PACK 1;OF_PLAIN 1" : "PACK 1;OF_PLAIN 0"
+                   : of_plain ? "PACK 0;OF_PLAIN 1"
+                              : "PACK 0;OF_PLAIN 0",
+    };
+    return program_init(program, &desc);
+}
+
+/* The target's own framebuffer has no depth to test. */
+static bool init_axis(struct blur_axis *axis, bool pack, const struct irradiance *target,
+                      const struct texture *plain) {
+    return init_program(&axis->program, pack, false) &&
+           (!plain || init_program(&axis->plain_program, pack, true)) &&
+           framebuffer_init(&axis->framebuffer,
+                            &(struct framebuffer_desc){.label = target->texture.desc.label,
+                                                       .colors = {&target->texture},
+                                                       .depth = plain}) &&
+           buffer_init(&axis->params, "blur parameters", sizeof(struct blur_params), NULL);
+}
+
+static bool init_axes(struct blur_pass *pass) {
+    const struct texture *plain = pass->desc.plain;
+    pass->has_plain = plain;
+    return (pass->desc.square || init_axis(&pass->along_x, true, &pass->half, plain)) &&
+           init_axis(&pass->along_y, false, &pass->blurred, plain);
+}
+
+static bool init_pack(struct blur_pass *pass) {
+    return program_init(&pass->pack_program,
+                        &(struct program_desc){
+                            .vertex = "fullscreen.vert",
+                            .fragment = "gather/blur_pack.frag",
+                            .defines = pass->desc.gloss    ? "DETAIL 0;GLOSS 1"
+                                       : pass->desc.detail ? "DETAIL 1;GLOSS 0"
+                                                           : "DETAIL 0;GLOSS 0",
+                        });
 }
 
 static bool init_target(struct irradiance *target, const char *label, GLenum format,
@@ -25,25 +55,28 @@ static bool init_target(struct irradiance *target, const char *label, GLenum for
 
 bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc) {
     *pass = (struct blur_pass){.desc = *desc};
-    if (init_programs(pass) && init_target(&pass->taps, "blur taps", GL_RGBA32UI, desc) &&
+    if (init_pack(pass) && init_target(&pass->taps, "blur taps", GL_RGBA32UI, desc) &&
         (desc->square || init_target(&pass->half, "blur taps", GL_RGBA32UI, desc)) &&
-        init_target(&pass->blurred, "blurred irradiance", GL_RGBA16F, desc) &&
-        buffer_init(&pass->params[0], "blur parameters", sizeof(struct blur_params), NULL) &&
-        buffer_init(&pass->params[1], "blur parameters", sizeof(struct blur_params), NULL))
+        init_target(&pass->blurred, "blurred irradiance", GL_RGBA16F, desc) && init_axes(pass))
         return true;
     blur_pass_free(pass);
     return false;
 }
 
+static void free_axis(struct blur_axis *axis) {
+    program_free(&axis->program);
+    program_free(&axis->plain_program);
+    framebuffer_free(&axis->framebuffer);
+    buffer_free(&axis->params);
+}
+
 void blur_pass_free(struct blur_pass *pass) {
     program_free(&pass->pack_program);
-    program_free(&pass->half_program);
-    program_free(&pass->program);
+    free_axis(&pass->along_x);
+    free_axis(&pass->along_y);
     irradiance_free(&pass->taps);
     irradiance_free(&pass->half);
     irradiance_free(&pass->blurred);
-    buffer_free(&pass->params[0]);
-    buffer_free(&pass->params[1]);
     *pass = (struct blur_pass){0};
 }
 
@@ -55,22 +88,27 @@ static float taken_radius(const struct blur_desc *desc, int grade) {
     return desc->gloss ? fminf(own, theirs) : .5F * (own + theirs);
 }
 
-static void write_params(const struct blur_pass *pass, const struct irradiance *source) {
+static struct blur_params params_along(const struct blur_pass *pass,
+                                       const struct irradiance *source, bool y) {
     const struct blur_desc *desc = &pass->desc;
-    for (int axis = 0; axis < 2; axis++) {
-        struct blur_params params = {
-            .pattern = irradiance_pattern(source),
-            .along = {axis == 0, axis == 1},
-            .radius = desc->radius,
-            .rows = desc->square ? desc->radius : 0,
-            .distance = desc->distance,
-            .cosine = desc->cosine,
-            .radii = {(float)desc->radius, desc->grade_radius[0], desc->grade_radius[1]},
-            .taken_radii = {(float)desc->radius, taken_radius(desc, 0), taken_radius(desc, 1)},
-            .weights = {1, desc->grade_weight[0], desc->grade_weight[1]},
-        };
-        buffer_write(&pass->params[axis], 0, sizeof params, &params);
-    }
+    return (struct blur_params){
+        .pattern = irradiance_pattern(source),
+        .along = {!y, y},
+        .radius = desc->radius,
+        .rows = desc->square ? desc->radius : 0,
+        .distance = desc->distance,
+        .cosine = desc->cosine,
+        .radii = {(float)desc->radius, desc->grade_radius[0], desc->grade_radius[1]},
+        .taken_radii = {(float)desc->radius, taken_radius(desc, 0), taken_radius(desc, 1)},
+        .weights = {1, desc->grade_weight[0], desc->grade_weight[1]},
+    };
+}
+
+static void write_params(const struct blur_pass *pass, const struct irradiance *source) {
+    struct blur_params x = params_along(pass, source, false), y = params_along(pass, source, true);
+    buffer_write(&pass->along_y.params, 0, sizeof y, &y);
+    if (!pass->desc.square)
+        buffer_write(&pass->along_x.params, 0, sizeof x, &x);
 }
 
 static void pack(const struct blur_pass *pass, const struct frame *frame,
@@ -84,7 +122,7 @@ static void pack(const struct blur_pass *pass, const struct frame *frame,
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
                      {UNIT_IRRADIANCE, inputs->source->texture.id}},
-        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params[0]}},
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->along_y.params}},
     };
     if (pass->desc.gloss)
         pass_add_texture(&state, UNIT_GBUFFER_GLOSS, gbuffer->gloss.id);
@@ -96,17 +134,25 @@ static void pack(const struct blur_pass *pass, const struct frame *frame,
     pass_draw_fullscreen(1);
 }
 
-static void blur(const struct blur_pass *pass, const struct frame *frame, GLuint program,
-                 const struct irradiance *from, const struct irradiance *to, int axis) {
-    pass_set_state(&(struct pass_state){
+static void blur_along(const struct blur_pass *pass, const struct frame *frame,
+                       const struct blur_axis *axis, const struct irradiance *from) {
+    struct pass_state state = {
         .name = "blur",
-        .program = program,
-        .framebuffer = to->framebuffer,
-        .width = to->width,
-        .height = to->height,
+        .program = axis->program,
+        .framebuffer = axis->framebuffer,
+        .width = pass->desc.width,
+        .height = pass->desc.height,
+        .depth = pass->has_plain ? PASS_DEPTH_UNEQUAL : PASS_DEPTH_OFF,
         .textures = {{UNIT_BLUR_TAPS, from->texture.id}},
-        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params[axis]}},
-    });
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &axis->params}},
+    };
+    pass_set_state(&state);
+    pass_draw_fullscreen(1);
+    if (!pass->has_plain)
+        return;
+    state.program = axis->plain_program;
+    state.depth = PASS_DEPTH_EQUAL;
+    pass_set_state(&state);
     pass_draw_fullscreen(1);
 }
 
@@ -115,11 +161,8 @@ void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
     timer_begin(frame->timers, "blur");
     write_params(pass, inputs->source);
     pack(pass, frame, gbuffer, inputs);
-    if (pass->desc.square) {
-        blur(pass, frame, pass->program, &pass->taps, &pass->blurred, 0);
-    } else {
-        blur(pass, frame, pass->half_program, &pass->taps, &pass->half, 0);
-        blur(pass, frame, pass->program, &pass->half, &pass->blurred, 1);
-    }
+    if (!pass->desc.square)
+        blur_along(pass, frame, &pass->along_x, &pass->taps);
+    blur_along(pass, frame, &pass->along_y, pass->desc.square ? &pass->taps : &pass->half);
     timer_end(frame->timers);
 }

@@ -18,16 +18,22 @@ struct blur_desc {
     bool detail;                      /* there are pixels of lists */
     float grade_radius[PIXEL_GRADES]; /* theirs, smaller */
     float grade_weight[PIXEL_GRADES]; /* how many times as many lights as others they have */
-    bool gloss;  /* what is smooth, of a G-buffer with gloss, is of the first grade */
+    bool gloss; /* what is smooth, of a G-buffer with gloss, is of the first grade */
+    const struct texture
+        *plain;  /* passes/gather/plain.h; or NULL, as where square. Read at init alone */
     bool square; /* over all taps of the square at once, as published; else along x, then y */
 };
 
 struct blur_pass {
     struct blur_desc desc;
-    GLuint pack_program, half_program, program;
+    GLuint pack_program;
+    bool has_plain;
+    struct blur_axis {
+        GLuint program, plain_program, framebuffer;
+        struct buffer params;
+    } along_x, along_y;           /* where square, along_y alone, of all rows */
     struct irradiance taps, half; /* RGBA32UI, glsl/gather/blur_tap.glsl; half: not where square */
     struct irradiance blurred;
-    struct buffer params[2]; /* along x, along y */
 };
 
 /* What is blurred: where lists is not NULL, their pixels have another estimate, in their tiles. */

@@ -1,8 +1,10 @@
 #include "passes/gather/detail.h"
 
+#include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/detail.h"
+#include "shared/plain.h"
 
 #include <assert.h>
 
@@ -27,8 +29,14 @@ static bool init_lists(struct pixel_lists *lists, const struct detail_desc *desc
 
 bool detail_pass_init(struct detail_pass *pass, const struct detail_desc *desc) {
     *pass = (struct detail_pass){.desc = *desc};
-    if (program_init(&pass->program, &(struct program_desc){.compute = "gather/detail.comp"}) &&
+    pass->has_plain = desc->plain;
+    if (program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
+                                                            .fragment = "gather/detail.frag"}) &&
         init_lists(&pass->lists, desc) &&
+        framebuffer_init(&pass->framebuffer,
+                         &(struct framebuffer_desc){.label = "list texels",
+                                                    .colors = {&pass->lists.texels},
+                                                    .depth = desc->plain}) &&
         buffer_init(&pass->params, "detail parameters", sizeof(struct detail_params), NULL))
         return true;
     detail_pass_free(pass);
@@ -37,6 +45,7 @@ bool detail_pass_init(struct detail_pass *pass, const struct detail_desc *desc) 
 
 void detail_pass_free(struct detail_pass *pass) {
     program_free(&pass->program);
+    framebuffer_free(&pass->framebuffer);
     texture_free(&pass->lists.pixels);
     texture_free(&pass->lists.texels);
     texture_free(&pass->lists.further_texels);
@@ -44,9 +53,6 @@ void detail_pass_free(struct detail_pass *pass) {
     buffer_free(&pass->params);
     *pass = (struct detail_pass){0};
 }
-
-/* A neighbour this far off the pixel's plane, over the picture's height there, is another surface. */
-static const float plane_apart = 0.008f;
 
 static void write_params(const struct detail_pass *pass) {
     const struct detail_desc *desc = &pass->desc;
@@ -56,7 +62,7 @@ static void write_params(const struct detail_pass *pass) {
                     .n = desc->interleave},
         .distance = desc->distance,
         .cosine = desc->cosine,
-        .apart = plane_apart,
+        .apart = PLANE_APART,
         .fewest = desc->share * 4,
         .radius = desc->radius,
     };
@@ -66,22 +72,27 @@ static void write_params(const struct detail_pass *pass) {
 
 void detail_pass_render(const struct detail_pass *pass, const struct frame *frame,
                         const struct gbuffer *gbuffer) {
+    static const GLuint unlisted[4] = {0};
     write_params(pass);
     pass_begin(
         frame->timers,
         &(struct pass_state){
             .name = "detail",
             .program = pass->program,
+            .framebuffer = pass->framebuffer,
+            .width = pass->desc.width,
+            .height = pass->desc.height,
+            .depth = pass->has_plain ? PASS_DEPTH_UNEQUAL : PASS_DEPTH_OFF,
             .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                          {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
                          {UNIT_SAMPLE_PICKS, frame->picks->id}},
             .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
             .storages = {{STORAGE_LIST_COUNTS, &pass->lists.counts}},
             .images = {{IMAGE_LISTED_PIXELS, &pass->lists.pixels, 0, GL_WRITE_ONLY},
-                       {IMAGE_LIST_TEXELS, &pass->lists.texels, 0, GL_WRITE_ONLY},
                        {IMAGE_FURTHER_TEXELS, &pass->lists.further_texels, 0, GL_WRITE_ONLY}},
         });
-    pass_dispatch((pass->desc.width + 7) / 8, (pass->desc.height + 7) / 8, 1);
+    framebuffer_clear_integers(pass->framebuffer, TARGET_RESULT, unlisted);
+    pass_draw_fullscreen(1);
     /* Later passes fetch the lists, and read their lengths as uniforms. */
     gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT);
     pass_end(frame->timers);

@@ -16,11 +16,15 @@ struct detail_desc {
     float distance; /* as in struct blur_desc */
     float cosine;
     float share; /* of like neighbours, below which a pixel is listed */
+    const struct texture
+        *plain; /* passes/gather/plain.h: such are not asked; NULL: all are. Read at init alone */
 };
 
 struct detail_pass {
     struct detail_desc desc;
     GLuint program;
+    bool has_plain;
+    GLuint framebuffer; /* of list texels */
     struct pixel_lists lists;
     struct buffer params;
 };

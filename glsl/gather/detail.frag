@@ -7,14 +7,16 @@
 #include "picture/picks.glsl"
 #include "shared/detail.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+// Before the shader, or it would run everywhere.
+layout(early_fragment_tests) in;
 layout(r32ui, binding = IMAGE_LISTED_PIXELS) writeonly uniform uimage2D listed_pixels;
-layout(r32ui, binding = IMAGE_LIST_TEXELS) writeonly uniform uimage2D list_texels;
 layout(r32ui, binding = IMAGE_FURTHER_TEXELS) writeonly uniform uimage2D further_texels;
 layout(binding = UNIT_SAMPLE_PICKS) uniform usampler2D sample_picks;
 layout(std430, binding = STORAGE_LIST_COUNTS) buffer list_counts {
     uint counts[PIXEL_LISTS_MAX];
 };
+
+layout(location = TARGET_RESULT) out uint list_texel;
 
 // Of the four pixels diagonally around it those that lie on the same surface: beside a straight edge two, at a corner
 // three.
@@ -48,19 +50,16 @@ void list_further_point(ivec2 pixel) {
 }
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = gbuffer_size();
-    if (any(greaterThanEqual(pixel, size)))
-        return;
+    ivec2 pixel = ivec2(gl_FragCoord.xy), size = gbuffer_size();
     surface s = gbuffer_surface(pixel);
     int like = s.present ? like_neighbours(s, pixel, size) : 4;
-    uint code = 0u;
+    list_texel = 0u;
     if (float(like) < params.fewest) {
         int grade = like < 2 ? PIXEL_GRADE_DETAIL : PIXEL_GRADE_EDGE;
         ivec2 texel = next_texel(pixel, grade);
         imageStore(listed_pixels, texel, uvec4(pixel.x | pixel.y << 16));
-        code = list_texel_code(texel, grade);
+        list_texel = list_texel_code(texel, grade);
     }
-    imageStore(list_texels, pixel, uvec4(code));
     uvec2 picks = texelFetch(sample_picks, min(pixel, textureSize(sample_picks, 0) - 1), 0).rg;
     if (picks_further_point(picks))
         list_further_point(pixel);
