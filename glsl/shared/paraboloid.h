@@ -5,14 +5,11 @@
 #include "shared/types.h"
 
 struct paraboloid_params {
-    float map_size;  /* texels */
-    float pieces;    /* of a long edge, per radian that it spans at the rim of the map */
-    float long_edge; /* shorter ones stay whole, metres */
+    float texel;     /* over half of the map */
+    float long_edge; /* shorter ones stay straight, metres */
     float set_back;  /* of casters, metres: simplified ones may have come forward */
+    float unused;
 };
 PASS_BLOCK(paraboloid_params, 16)
-
-/* An edge falls into no more pieces. */
-#define PARABOLOID_PIECES_MAX 64.0
 
 #endif

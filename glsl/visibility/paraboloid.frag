@@ -1,6 +1,4 @@
-// The exact map depth. Between the projected corners of a triangle the rasteriser draws it straight,
-// which it is not in this projection; but what it interpolates linearly, the local position, stays in
-// the triangle's plane. That plane, met by the pixel's true direction, gives the depth.
+// The exact map depth: where the pixel's true direction meets the caster.
 #include "visibility/paraboloid.glsl"
 #include "shared/paraboloid.h"
 #if PLANES
@@ -10,10 +8,11 @@
 #include "shared/material.h"
 #endif
 
-in vec3 local;      // a point of the triangle's plane, in the map's frame
-flat in vec2 range; // near, z_far, metres
+flat in vec2 range; // near, 1 / z_far
 #ifdef LONG
-flat in vec3 plane; // of a long triangle that is drawn in pieces: its normal, not unit
+#include "visibility/paraboloid_long.glsl"
+#else
+#include "visibility/paraboloid_short.glsl"
 #endif
 
 #ifdef MASKED
@@ -22,7 +21,10 @@ layout(std140, binding = BLOCK_MATERIAL) uniform material_uniforms {
 };
 layout(binding = UNIT_BASE_COLOR) uniform sampler2D base_color_texture;
 
-in vec2 surface_uv;
+float alpha_at(vec4 way) {
+    float alpha = material.base_color.a;
+    return material.textured ? alpha * texture(base_color_texture, caster_uv(way)).a : alpha;
+}
 #endif
 
 #if PLANES
@@ -30,25 +32,16 @@ layout(location = TARGET_RESULT) out vec2 normal_code;
 #endif
 
 void main() {
+    vec4 way = paraboloid_way(gl_FragCoord.xy * params.texel - 1.0);
+    float r = caster_steps(way) * way.w;
 #ifdef MASKED
-    float alpha = material.base_color.a;
-    if (material.textured)
-        alpha *= texture(base_color_texture, surface_uv).a;
-    if (alpha < material.alpha_cutoff)
+    if (alpha_at(way) < material.alpha_cutoff)
         discard;
 #endif
-    vec3 direction = paraboloid_direction(gl_FragCoord.xy / params.map_size * 2.0 - 1.0);
-#ifdef LONG
-    vec3 normal = plane; // derivatives over a small piece lose too many digits
-#else
-    vec3 normal = cross(dFdx(local), dFdy(local));
-#endif
-    float facing = dot(normal, direction);
-    float r = dot(normal, local) / facing;
-    if (!(r > range.x && direction.z > 0.0))
+    if (!(r > range.x))
         discard;
-    gl_FragDepth = (r + params.set_back) / range.y;
+    gl_FragDepth = (r + params.set_back) * range.y;
 #if PLANES
-    normal_code = octahedral_encode(normalize(normal));
+    normal_code = octahedral_encode(normalize(caster_normal()));
 #endif
 }

@@ -16,14 +16,23 @@ vec2 paraboloid_project(vec3 direction) {
     return direction.xy / (1.0 + direction.z);
 }
 
-// The unit direction at a place.
-vec3 paraboloid_direction(vec2 p) {
+// The direction at a place, and its length.
+vec4 paraboloid_way(vec2 p) {
     float p2 = dot(p, p);
-    return vec3(2.0 * p, 1.0 - p2) / (1.0 + p2);
+    return vec4(2.0 * p, 1.0 - p2, 1.0 + p2);
 }
 
-// How far a local place lies above where a map begins. The plane of the light itself is not a caster, and
-// normals are known to a ten thousandth: so much of the distance is left out.
+// The unit direction at a place.
+vec3 paraboloid_direction(vec2 p) {
+    vec4 way = paraboloid_way(p);
+    return way.xyz / way.w;
+}
+
+// The plane of the light itself is not a caster, and normals are known to a ten thousandth: so much of the distance
+// above the plane is left out.
+#define PARABOLOID_LOWEST 5e-4
+
+// How far a local place lies above where a map begins.
 float paraboloid_above(vec3 q) {
-    return q.z - 5e-4 * length(q);
+    return q.z - PARABOLOID_LOWEST * length(q);
 }

@@ -28,5 +28,5 @@ void paraboloid_corner(map_view v, int layer, vec3 q) {
     gl_Position = vec4(paraboloid_project(direction), r / v.z_far, 1.0);
     gl_Layer = layer;
     local = q;
-    range = vec2(v.near, v.z_far);
+    range = vec2(v.near, 1.0 / v.z_far);
 }

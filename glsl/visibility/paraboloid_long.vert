@@ -1,4 +1,4 @@
-// The corners of a long caster, in the frame of the map that instance k draws, for paraboloid_long.tesc.
+// The corners of a long caster, in the frame of the map that instance k draws, for paraboloid_long.geom.
 #include "visibility/map_views.glsl"
 #include "visibility/paraboloid.glsl"
 

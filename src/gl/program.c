@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STAGES = 5, KEPT_MAX = 64, STORED_MAX = 256 };
+enum { STAGES = 4, KEPT_MAX = 64, STORED_MAX = 256 };
 
 /* The full sources of a program, as the driver gets them. */
 struct sources {
@@ -18,8 +18,7 @@ struct sources {
     const char *files[STAGES];
 };
 
-static const GLenum stage_types[STAGES] = {GL_VERTEX_SHADER, GL_TESS_CONTROL_SHADER,
-                                           GL_TESS_EVALUATION_SHADER, GL_FRAGMENT_SHADER,
+static const GLenum stage_types[STAGES] = {GL_VERTEX_SHADER, GL_GEOMETRY_SHADER, GL_FRAGMENT_SHADER,
                                            GL_COMPUTE_SHADER};
 
 static void free_sources(struct sources *sources) {
@@ -28,8 +27,8 @@ static void free_sources(struct sources *sources) {
 }
 
 static bool load_sources(struct sources *sources, const struct program_desc *desc) {
-    *sources = (struct sources){
-        .files = {desc->vertex, desc->control, desc->evaluation, desc->fragment, desc->compute}};
+    *sources =
+        (struct sources){.files = {desc->vertex, desc->geometry, desc->fragment, desc->compute}};
     for (int i = 0; i < STAGES; i++)
         if (sources->files[i] &&
             !glsl_load(&sources->stages[i], sources->files[i], desc->defines)) {

@@ -15,7 +15,7 @@
 
 /* File names below glsl/; NULL = no such stage. */
 struct program_desc {
-    const char *vertex, *control, *evaluation, *fragment, *compute; /* two for tessellation */
+    const char *vertex, *geometry, *fragment, *compute;
     const char *defines; /* "NAME VALUE;NAME VALUE", for all stages */
 };
 

@@ -438,11 +438,6 @@ struct caster_desc many_lights_caster(const struct settings *settings) {
     return (struct caster_desc){.error = own->error, .long_count = own->long_count};
 }
 
-float many_lights_caster_bend(const struct settings *settings) {
-    const struct caster_settings *own = settings_of(settings, &caster_part);
-    return own->bend;
-}
-
 struct contribution many_lights_contribution(const void *state) {
     const struct many_lights *lights = state;
     struct contribution contribution = {

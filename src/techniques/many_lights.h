@@ -58,7 +58,7 @@ struct blur_settings {
 };
 
 struct caster_settings {
-    float error, bend;
+    float error;
     int long_count;
 };
 
@@ -132,9 +132,6 @@ bool many_lights_resize(void *state, int width, int height);
 
 /* The casters that the settings ask for. */
 struct caster_desc many_lights_caster(const struct settings *settings);
-
-/* How far edges of long casters may stray in a map, texels. */
-float many_lights_caster_bend(const struct settings *settings);
 
 /* RSM and VPLs, into lights->vpls. */
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame);

@@ -115,10 +115,8 @@ static const struct option caster_table[] = {
     {"error", 0, OPTION_FLOAT, ROW(caster, error), .00055, 0, 1,
      .help = "casters in VALs' maps may stray so far, over the root of the surfaces' area;\n"
              "0 = not at all"},
-    {"bend", 0, OPTION_FLOAT, ROW(caster, bend), .25, .01, 1000,
-     .help = "edges of long casters may stray so far from their bent image, in texels of the map"},
     {"long", 0, OPTION_INT, ROW(caster, long_count), 500, 0, 10000000,
-     .help = "casters that are drawn so: the triangles with the longest edges"},
+     .help = "casters whose edges bend as a map bends them: the triangles with the longest edges"},
     {NULL},
 };
 

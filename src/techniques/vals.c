@@ -69,7 +69,6 @@ static bool init_maps(struct val_set *set, const struct technique_desc *desc) {
                                 &(struct paraboloid_desc){
                                     .casters = desc->casters,
                                     .caster = many_lights_caster(settings),
-                                    .bend = many_lights_caster_bend(desc->settings),
                                     .size = map->size,
                                     .count = set->visibility.map_count,
                                 }) &&

@@ -20,7 +20,6 @@ bool vpl_maps_init_true(struct vpl_maps *maps, struct paraboloid_pass *paraboloi
                                 &(struct paraboloid_desc){
                                     .casters = desc->casters,
                                     .caster = caster,
-                                    .bend = many_lights_caster_bend(desc->settings),
                                     .size = map->size,
                                     .count = batch,
                                     .planes = true,

@@ -36,7 +36,6 @@ static const struct relevance of_all[] = {
     {"lightcuts.detail-nodes", "gather.detail>0"},
     {"blur.separable", "blur.radius!=0"},
     {"blur.distance", "blur.radius!=0"},
-    {"caster.bend", "caster.long>0"},
 };
 
 /* Of area lights, which have a form where others have a clamp, and a pattern where others are interleaved. */

@@ -6,7 +6,6 @@
 #include "gl/program.h"
 #include "shared/paraboloid.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 /* Simplified casters come before what they stand for by up to their error, and would shadow it: maps
@@ -22,8 +21,7 @@ static bool init_pair(GLuint programs[2], bool masked, bool planes) {
                                                   .defines = defines}) &&
               program_init(&programs[CASTER_LONG],
                            &(struct program_desc){.vertex = "visibility/paraboloid_long.vert",
-                                                  .control = "visibility/paraboloid_long.tesc",
-                                                  .evaluation = "visibility/paraboloid_long.tese",
+                                                  .geometry = "visibility/paraboloid_long.geom",
                                                   .fragment = "visibility/paraboloid.frag",
                                                   .defines = long_defines});
     free(defines);
@@ -57,8 +55,7 @@ void paraboloid_pass_free(struct paraboloid_pass *pass) {
 
 static void write_params(const struct paraboloid_pass *pass) {
     struct paraboloid_params params = {
-        .map_size = (float)pass->maps.size,
-        .pieces = sqrtf((float)pass->maps.size / (16 * pass->desc.bend)),
+        .texel = 2 / (float)pass->maps.size,
         .long_edge = pass->caster->caster.long_edge,
         .set_back = set_back * pass->caster->caster.error,
     };
@@ -67,7 +64,8 @@ static void write_params(const struct paraboloid_pass *pass) {
 
 static void draw_casters(const struct paraboloid_pass *pass, struct pass_state *state,
                          enum caster_length length, const struct scene_gpu *scene, int count) {
-    struct caster_draw draw = {length, length == CASTER_LONG ? GL_PATCHES : GL_TRIANGLES, count};
+    struct caster_draw draw = {length, count};
+    state->clip_distances = length == CASTER_SHORT ? 2 : 0;
     state->program = pass->opaque_programs[length];
     pass_set_state(state);
     caster_gpu_draw_opaque(pass->caster, &draw);
@@ -88,7 +86,6 @@ void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct fra
         .width = pass->maps.size,
         .height = pass->maps.size,
         .depth = PASS_DEPTH_LESS,
-        .clip_distances = 2,
         .blocks = {{BLOCK_MAPS, &views->buffer}, {BLOCK_PASS, &pass->params}},
     };
     write_params(pass);

@@ -9,7 +9,6 @@
 struct paraboloid_desc {
     struct caster_pool *casters; /* must outlive the pass */
     struct caster_desc caster;   /* which of them the maps show */
-    float bend; /* how far edges of long casters may stray from their true place, texels */
     int size, count;
     bool planes; /* the maps tell how casters are tilted, too */
 };

@@ -110,7 +110,7 @@ static void draw(const struct caster_gpu *gpu, const struct caster_draw *what, u
                  uint32_t count) {
     size_t offset = (first_of(&gpu->caster, what->length) + first) * sizeof(uint32_t);
     if (count)
-        gl.DrawElementsInstanced(what->primitives, (GLsizei)count, GL_UNSIGNED_INT,
+        gl.DrawElementsInstanced(GL_TRIANGLES, (GLsizei)count, GL_UNSIGNED_INT,
                                  (const void *)offset, what->instances);
 }
 

@@ -25,11 +25,10 @@ bool caster_gpu_update(struct caster_gpu *gpu, const struct geometry *geometry);
 
 bool caster_gpu_has_masked(const struct caster_gpu *gpu);
 
-/* With vertex array vertices: the short triangles, or the long ones, as GL_TRIANGLES or GL_PATCHES of
- * three; the masked ones bind the scene's BLOCK_MATERIAL and UNIT_BASE_COLOR. */
+/* With vertex array vertices: the short triangles, or the long ones; the masked ones bind the scene's
+ * BLOCK_MATERIAL and UNIT_BASE_COLOR. */
 struct caster_draw {
     enum caster_length length;
-    GLenum primitives;
     int instances;
 };
 void caster_gpu_draw_opaque(const struct caster_gpu *gpu, const struct caster_draw *what);

@@ -1,9 +1,8 @@
 /* Shadow casters for paraboloid maps: few triangles, and those with long edges apart.
  *
  * A paraboloid map bends straight lines, but a rasteriser draws them straight, so that a large
- * triangle ends up in the wrong place. Long triangles therefore are drawn by a program that divides
- * them by the angle that they span in each map (paraboloid_long.tesc), which for all would cost too
- * much. Which are long is told by rank, not by a length: it depends neither on the scene's units nor
+ * triangle ends up in the wrong place. Long triangles therefore are drawn by a program that bends
+ * their edges as each map does (paraboloid_long.geom), which for all would cost too much. Which are long is told by rank, not by a length: it depends neither on the scene's units nor
  * on a plain that surrounds a room.
  *
  * Vertices are the geometry's own: when it moves, the triangles stay.
