@@ -15,7 +15,7 @@ static bool take_level(const struct in_time *in_time, struct renderer *renderer,
                        struct stage *stage, double time) {
     struct renderer_desc desc = renderer->desc;
     char *text = time_budget_settings(in_time->budget.level);
-    struct quality_choice choice = {text, 1, NULL};
+    struct quality_choice choice = QUALITY_FRAME(text);
     bool ok = quality_settings(&choice, desc.technique, in_time->texts->items,
                                in_time->texts->count, &desc.settings) &&
               stage_pose(stage, 0) && renderer_follow(renderer, &desc) && stage_pose(stage, time) &&

@@ -17,19 +17,19 @@ const char *const quality_names[] = {"draft", "normal", "high", "final", NULL};
 /* Each is on the front of error against CPU time in some of six scenes, and behind it in none of them by much
  * (bench/PARSIMONY.md). Cheapest first. */
 static const struct quality_choice frames[] = {
-    {"path=draft clustered.vals=4", 1, NULL},
-    {"path=draft", 1, NULL},
-    {"gather.detail=0 clustered.vals=8", 1, NULL},
-    {"clustered.vals=8", 1, NULL},
-    {VALS_NEEDED, 1, NULL},
-    {"", 1, NULL},
-    {"picture.samples=16", 1, NULL},
-    {"gather.interleave=4 gather.detail=2", 1, NULL},
+    QUALITY_FRAME("path=draft clustered.vals=4"),
+    QUALITY_FRAME("path=draft"),
+    QUALITY_FRAME("gather.detail=0 clustered.vals=8"),
+    QUALITY_FRAME("clustered.vals=8"),
+    QUALITY_FRAME(VALS_NEEDED),
+    QUALITY_FRAME(""),
+    QUALITY_FRAME("picture.samples=16"),
+    QUALITY_FRAME("gather.interleave=4 gather.detail=2"),
     {"picture.samples=16", 1, "cluster-lights"},
-    {"path=fine", 1, NULL},
-    {"gather.interleave=2 gather.detail=1 clustered.vals=60 picture.samples=16", 1, NULL},
-    {"gather.interleave=2 gather.detail=1 clustered.vals=120 map.size=512 picture.samples=16", 1,
-     NULL},
+    QUALITY_FRAME("path=fine"),
+    QUALITY_FRAME("gather.interleave=2 gather.detail=1 clustered.vals=60 picture.samples=16"),
+    QUALITY_FRAME("gather.interleave=2 gather.detail=1 clustered.vals=120 map.size=512"
+                  " picture.samples=16"),
 };
 
 /* Fewer passes than that are worse than one of as much time. */
@@ -38,9 +38,9 @@ enum { FEWEST_PASSES = 4 };
 struct quality_choice quality_named(enum quality quality) {
     /* As many passes as the final picture has bring a large scene below a tenth. */
     static const struct quality_choice qualities[] = {
-        [QUALITY_DRAFT] = {"path=draft", 1, NULL},
-        [QUALITY_NORMAL] = {"", 1, NULL},
-        [QUALITY_HIGH] = {"path=fine", 1, NULL},
+        [QUALITY_DRAFT] = QUALITY_FRAME("path=draft"),
+        [QUALITY_NORMAL] = QUALITY_FRAME(""),
+        [QUALITY_HIGH] = QUALITY_FRAME("path=fine"),
         [QUALITY_FINAL] = {"", 64, NULL},
     };
     return qualities[quality];

@@ -20,6 +20,10 @@ struct quality_choice {
     const char *technique; /* NULL: as it is */
 };
 
+/* One frame, by the technique as it is. */
+#define QUALITY_FRAME(settings_text)                                                               \
+    { .settings = (settings_text), .passes = 1 }
+
 struct quality_choice quality_named(enum quality quality);
 
 /* "path=fine", "64 passes", "cluster-lights picture.samples=16"; the caller frees it. */
