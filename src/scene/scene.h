@@ -94,6 +94,9 @@ enum light_scaling {
     LIGHT_SCALED_EACH_WAY, /* as the surface is */
 };
 
+/* No light of a file has more, in its unit: a millimetre from a surface its square is finite still. */
+#define SCENE_LIGHT_MOST 1e12F
+
 /* KHR_lights_punctual, EXT_lights_area or an emissive surface, in radiometric units. Shines along
  * the node's -Z. */
 struct scene_light {

@@ -10,6 +10,13 @@ namespace {
 const float half_pi = 1.5707964F;
 const float size_max = 1e9F; /* metres */
 
+bool check_intensity(const float intensity[3]) {
+    for (int c = 0; c < 3; c++)
+        if (!(intensity[c] >= 0 && intensity[c] <= SCENE_LIGHT_MOST))
+            return error_set("intensity: it is negative or above %g", double(SCENE_LIGHT_MOST));
+    return true;
+}
+
 /* A length or an angle of our own extras; what is not there stays as it is. */
 bool read_size(const tinygltf::Value &extras, const char *key, float most, float &to) {
     if (!extras.Has(key))
@@ -55,11 +62,10 @@ bool load_light(const tinygltf::Light &from, struct scene_light &to) {
     float color[3] = {1, 1, 1};
     if (!copy_numbers(from.color, color, "color"))
         return false;
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3; c++)
         to.intensity[c] = float(color[c] * from.intensity);
-        if (!(to.intensity[c] >= 0) || !std::isfinite(to.intensity[c]))
-            return error_set("intensity: it is negative or too large");
-    }
+    if (!check_intensity(to.intensity))
+        return false;
     to.range = from.range > 0 ? float(from.range) : INFINITY;
     to.inner = float(from.spot.innerConeAngle);
     to.outer = float(from.spot.outerConeAngle);
@@ -85,9 +91,9 @@ bool load_area_light(const tinygltf::Value &from, struct scene_light &to) {
     for (size_t c = 0; c < 3; c++) {
         double color = from.Has("color") ? from.Get("color").Get(int(c)).GetNumberAsDouble() : 1;
         to.intensity[c] = float(color * number_or(from, "intensity", 1000));
-        if (!(to.intensity[c] >= 0) || !std::isfinite(to.intensity[c]))
-            return error_set("intensity: it is negative or too large");
     }
+    if (!check_intensity(to.intensity))
+        return false;
     if (from.Has("rect"))
         aspect = number_or(from.Get("rect"), "aspect", 1);
     bool rectangle = from.Get("type").Get<std::string>() == "rect";

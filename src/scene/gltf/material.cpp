@@ -185,8 +185,9 @@ bool load_emission(const tinygltf::Material &from, struct material &to) {
         found == from.extensions.end() ? 1 : number_of(found->second, "emissiveStrength", 0, 1);
     for (int c = 0; c < 3; c++) {
         to.emission[c] = float(from.emissiveFactor[size_t(c)] * strength);
-        if (!(to.emission[c] >= 0) || !std::isfinite(to.emission[c]))
-            return error_set("emissiveFactor: it is negative or too large");
+        if (!(to.emission[c] >= 0 && to.emission[c] <= SCENE_LIGHT_MOST))
+            return error_set("emissiveFactor: it is negative or above %g",
+                             double(SCENE_LIGHT_MOST));
     }
     return true;
 }
