@@ -66,17 +66,21 @@ static void open_quads(struct stage *stage, const char *camera, const char *node
 /* What the share of the sky should be at a place; negative where it is not asked for. */
 typedef double (*expectation)(const float place[3]);
 
-static double rms_of_share(struct stage *stage, const char *settings, expectation expected,
-                           double *worst) {
+struct shares {
+    double rms, worst;   /* of errors */
+    double mean, wanted; /* over all places */
+};
+
+static struct shares measure_shares(struct stage *stage, const char *settings,
+                                    expectation expected) {
     struct renderer renderer;
     struct renderer_desc desc = desc_of(stage, "unshadowed", settings, SIZE, SIZE);
     struct image layers;
-    double squares = 0;
+    struct shares shares = {0};
     int count = 0;
     open_renderer(&renderer, &desc);
     check_ok("layers", renderer_read_layers(&renderer, &layers));
     int direct = image_find_channel(&layers, "direct.R"), alpha = image_find_channel(&layers, "A");
-    *worst = 0;
     for (int y = 0; y < SIZE; y++)
         for (int x = 0; x < SIZE; x++) {
             float place[3];
@@ -86,15 +90,20 @@ static double rms_of_share(struct stage *stage, const char *settings, expectatio
             double wanted = expected(place);
             if (wanted < 0)
                 continue;
-            double error = (double)image_at(&layers, x, y)[direct] - wanted;
-            squares += error * error;
-            *worst = fmax(*worst, fabs(error));
+            double got = (double)image_at(&layers, x, y)[direct], error = got - wanted;
+            shares.mean += got;
+            shares.wanted += wanted;
+            shares.rms += error * error;
+            shares.worst = fmax(shares.worst, fabs(error));
             count++;
         }
     image_free(&layers);
     renderer_free(&renderer);
     assert_true(count > SIZE * SIZE / 5);
-    return sqrt(squares / count);
+    shares.rms = sqrt(shares.rms / count);
+    shares.mean /= count;
+    shares.wanted /= count;
+    return shares;
 }
 
 static double all_of_it(const float place[3]) {
@@ -113,10 +122,9 @@ static void test_floor(void **state) {
     open_quads(&stage, "\"translation\": [0, 0, 2]",
                "{\"mesh\": 0, \"scale\": [4, 4, 1], \"translation\": [-2, -2, 0]}");
     for (size_t i = 0; i < sizeof settings_tried / sizeof *settings_tried; i++) {
-        double worst;
         printf("  %s\n", settings_tried[i]);
-        rms_of_share(&stage, settings_tried[i], all_of_it, &worst);
-        check_at_most("worst error on an open floor", worst, 2e-3);
+        check_at_most("worst error on an open floor",
+                      measure_shares(&stage, settings_tried[i], all_of_it).worst, 2e-3);
     }
     stage_free(&stage);
 }
@@ -136,11 +144,10 @@ static void test_convex_body(void **state) {
         "{\"mesh\": 0, \"rotation\": [0, -0.70710678, 0, 0.70710678]},"
         "{\"mesh\": 0, \"rotation\": [0.70710678, 0, 0, 0.70710678]}");
     for (size_t i = 0; i < sizeof settings_tried / sizeof *settings_tried; i++) {
-        double worst;
         printf("  %s\n", settings_tried[i]);
-        double rms = rms_of_share(&stage, settings_tried[i], all_of_it, &worst);
-        printf("    %-48s %g\n", "worst", worst);
-        check_at_most("RMS error on a cube", rms, .02);
+        struct shares shares = measure_shares(&stage, settings_tried[i], all_of_it);
+        printf("    %-48s %g\n", "worst", shares.worst);
+        check_at_most("RMS error on a cube", shares.rms, .02);
     }
     stage_free(&stage);
 }
@@ -158,18 +165,72 @@ static void test_wall(void **state) {
                "{\"mesh\": 0, \"scale\": [3, 16, 1], \"translation\": [0, -8, 0]},"
                "{\"mesh\": 0, \"rotation\": [0, 0.70710678, 0, 0.70710678], \"scale\": [1, 16, 1],"
                " \"translation\": [0, -8, 1]}");
-    double worst;
     static const struct {
         const char *settings;
         double bound;
     } rows[] = {{"", .05}, {"lights=100 sky-size=512", .04}, {"fit=rectangles", .08}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         printf("  %s\n", rows[i].settings);
-        check_at_most("RMS error beside a wall",
-                      rms_of_share(&stage, rows[i].settings, beside_wall, &worst), rows[i].bound);
-        printf("    %-48s %g\n", "worst", worst);
+        struct shares shares = measure_shares(&stage, rows[i].settings, beside_wall);
+        check_at_most("RMS error beside a wall", shares.rms, rows[i].bound);
+        printf("    %-48s %g\n", "worst", shares.worst);
     }
     stage_free(&stage);
+}
+
+/* --- a closed room, 1 m wide and high, its walls two triangles thin ------------------------------- */
+
+/* Wall x = .5 has a window there; +Z is up. */
+static const float window[4][3] = {
+    {.5F, -.25F, .3F}, {.5F, .25F, .3F}, {.5F, .25F, .8F}, {.5F, -.25F, .8F}};
+
+/* Lambert's sum over the window's corners, over pi. */
+static double through_window(const float place[3]) {
+    vec3 to[4];
+    double sum = 0;
+    if (place[2] > 1e-3F)
+        return -1;
+    for (int i = 0; i < 4; i++) {
+        glm_vec3_sub((float *)window[i], (float *)place, to[i]);
+        glm_vec3_normalize(to[i]);
+    }
+    for (int i = 0; i < 4; i++) {
+        vec3 normal;
+        glm_vec3_cross(to[i], to[(i + 1) % 4], normal);
+        double angle = acos((double)glm_vec3_dot(to[i], to[(i + 1) % 4]));
+        sum += angle * (double)(normal[2] / glm_vec3_norm(normal));
+    }
+    return fabs(sum) / (2 * GLM_PI);
+}
+
+#define ACROSS_X "\"rotation\": [0, 0.70710678, 0, 0.70710678]"
+#define ACROSS_Y "\"rotation\": [-0.70710678, 0, 0, 0.70710678]"
+#define ROOM                                                                                       \
+    "{\"mesh\": 0, \"translation\": [-0.5, -0.5, 0]},"                                             \
+    "{\"mesh\": 0, \"translation\": [-0.5, -0.5, 1]},"                                             \
+    "{\"mesh\": 0, " ACROSS_X ", \"translation\": [-0.5, -0.5, 1]},"                               \
+    "{\"mesh\": 0, " ACROSS_Y ", \"translation\": [-0.5, -0.5, 1]},"                               \
+    "{\"mesh\": 0, " ACROSS_Y ", \"translation\": [-0.5, 0.5, 1]},"
+#define PIECE(depth, width, y, z)                                                                  \
+    "{\"mesh\": 0, " ACROSS_X ", \"scale\": [" depth ", " width ", 1], \"translation\": [0.5, " y  \
+    ", " z "]}"
+
+/* Its walls are seen edge-on, or from below a roof, by the lights whose ways leave through them. */
+static void test_room(void **state) {
+    (void)state;
+    struct stage stage;
+    open_quads(&stage, "\"translation\": [0, 0, 0.95]",
+               ROOM PIECE("0.3", "1", "-0.5", "0.3") "," PIECE("0.2", "1", "-0.5", "1") "," PIECE(
+                   "0.5", "0.25", "-0.5", "0.8") "," PIECE("0.5", "0.25", "0.25", "0.8"));
+    struct shares shares = measure_shares(&stage, "", through_window);
+    stage_free(&stage);
+    check_near("light through a window, mean", shares.mean, shares.wanted, .1 * shares.wanted);
+    check_at_most("its RMS error over the mean", shares.rms / shares.wanted, .4);
+    double lit = shares.wanted;
+    open_quads(&stage, "\"translation\": [0, 0, 0.95]", ROOM PIECE("1", "1", "-0.5", "1"));
+    shares = measure_shares(&stage, "", through_window);
+    stage_free(&stage);
+    check_at_most("of that without the window", shares.mean / lit, .02);
 }
 
 /* --- a day ---------------------------------------------------------------------------------------- */
@@ -361,6 +422,7 @@ int main(void) {
         cmocka_unit_test(test_courtyard), cmocka_unit_test(test_maps_of_sun),
         cmocka_unit_test(test_texel),     cmocka_unit_test(test_sum),
         cmocka_unit_test(test_black),     cmocka_unit_test(test_passes),
+        cmocka_unit_test(test_room),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

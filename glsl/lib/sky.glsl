@@ -39,6 +39,11 @@ ivec4 sky_beyond(int i) {
     return ivec4(sky_rows[i * SKY_ROWS + 11]);
 }
 
+// And beyond those.
+ivec4 sky_further(int i) {
+    return ivec4(sky_rows[i * SKY_ROWS + 12]);
+}
+
 // Irradiance over radiance of a light that nothing hides, exact: the vector's where all is above the
 // horizon, and Lambert's sum where the horizon cuts it.
 float sky_irradiance(int i, vec3 normal) {

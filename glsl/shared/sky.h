@@ -6,7 +6,7 @@
 
 #define SKY_LIGHTS_MAX 256
 
-#define SKY_ROWS 12
+#define SKY_ROWS 13
 
 struct sky_source {
     vec4 corners[4]; /* unit directions; their last number is 0 */
@@ -26,6 +26,7 @@ struct sky_source {
     /* Two half sides of the parallelogram that the light is on a plane at distance 1, in that frame. */
     vec4 sides;
     vec4 beyond; /* the number of the next light beyond each quarter: -x -y, +x -y, -x +y, +x +y; its own: none */
+    vec4 further; /* likewise beyond those, in the same direction */
 };
 STD140_SIZE(sky_source, 16 * SKY_ROWS)
 

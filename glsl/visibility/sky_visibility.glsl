@@ -1,7 +1,8 @@
 // Which share of a sky's light a receiver sees: of ways to points of the light, those that meet nothing. A way is
 // followed through what the light's map has there: where it comes from below a surface to above it, or the other way
 // round, it met it, or passed its edge, which is told by places in between. What meets nothing there is followed
-// through the map of the next light beyond, too: walls that a roof hides from one of them are seen by the other.
+// through the map of the next light beyond, too: walls that a roof hides from one of them are seen by the other. Where
+// the axis of either meets something, the sky begins between them or not at all, and a third map is asked.
 //
 // All is in a view's frame: x right, y up, z away from the light, metres; up: metres towards the light.
 #include "lib/sky.glsl"
@@ -111,27 +112,37 @@ bool sky_meets(sky_field f, sky_surface begin, vec2 way, float jitter) {
     return met || before.cover > 0.0;
 }
 
+// As sky_meets through the map of light i, of a way that is given in the world; clear: along its axis there is nothing,
+// either.
+bool sky_meets_beyond(int i, vec3 position, vec3 normal, vec3 towards, float jitter, inout bool clear) {
+    sky_view v = sky_view_at(i);
+    sky_field f = sky_field_of(i, v, position, normal);
+    sky_surface begin = sky_surface_at(f, f.place, 0.0);
+    clear = clear || begin.cover <= 0.0;
+    vec2 way = vec2(dot(v.right, towards), dot(v.up, towards)) / -dot(v.forward, towards);
+    return sky_meets(f, begin, way, jitter);
+}
+
 float sky_visibility(int i, vec3 position, vec3 normal) {
     sky_view v = sky_view_at(i);
     sky_field f = sky_field_of(i, v, position, normal);
     sky_surface begin = sky_surface_at(f, f.place, 0.0);
-    ivec4 beyond = sky_beyond(i);
+    ivec4 beyond = sky_beyond(i), further = sky_further(i);
     float seen = 0.0, above = 0.0;
     int ways = ways_to(f);
+    bool sun = f.maps.side > 1;
     for (int k = 0; k < ways; k++) {
         vec2 point = sky_point(k, ways), way = v.sides * point;
         vec3 towards = v.right * way.x + v.up * way.y - v.forward;
         float jitter = fract((float(k) + 0.5) * 0.75487767) - 1.0;
-        bool counts = dot(towards, normal) > 0.0, hidden = false;
+        int quarter = (point.x > 0.0 ? 1 : 0) + (point.y > 0.0 ? 2 : 0);
+        bool counts = dot(towards, normal) > 0.0, hidden = false, clear = begin.cover <= 0.0;
         if (counts)
             hidden = sky_meets(f, begin, way, jitter);
-        int next = beyond[(point.x > 0.0 ? 1 : 0) + (point.y > 0.0 ? 2 : 0)];
-        if (counts && !hidden && next != i) {
-            sky_view w = sky_view_at(next);
-            vec2 across = vec2(dot(w.right, towards), dot(w.up, towards)) / -dot(w.forward, towards);
-            sky_field g = sky_field_of(next, w, position, normal);
-            hidden = sky_meets(g, sky_surface_at(g, g.place, 0.0), across, jitter);
-        }
+        if (counts && !hidden && beyond[quarter] != i)
+            hidden = sky_meets_beyond(beyond[quarter], position, normal, towards, jitter, clear);
+        if (counts && !hidden && !clear && !sun && further[quarter] != i)
+            hidden = sky_meets_beyond(further[quarter], position, normal, towards, jitter, clear);
         seen += counts && !hidden ? 1.0 : 0.0;
         above += counts ? 1.0 : 0.0;
     }

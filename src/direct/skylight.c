@@ -7,7 +7,7 @@
 static const char *const fit_names[] = {"rectangles", "median-cut", "even", NULL};
 
 static const struct option table[] = {
-    {"lights", 0, OPTION_INT, ROW(lights), 60, SKY_LIGHTS_MIN, SKY_LIGHTS_MAX,
+    {"lights", 0, OPTION_INT, ROW(lights), 120, SKY_LIGHTS_MIN, SKY_LIGHTS_MAX,
      .help = "area lights that stand for an environment, at most"},
     {"fit", 0, OPTION_CHOICE, ROW(fit), SKY_FIT_EVEN, .choices = fit_names,
      .help = "how they are found: rectangles that grow from the brightest texel, median cut, or\n"
@@ -18,13 +18,13 @@ static const struct option table[] = {
      .help = "of a narrow light that is a good share of all, so many a side"},
     {"sky-block", 0, OPTION_INT, ROW(block), 7, 1, 64,
      .help = "pixels a side of a block that shares its visibility"},
-    {"sky-ways", 0, OPTION_INT, ROW(ways), 5, 1, 256,
+    {"sky-ways", 0, OPTION_INT, ROW(ways), 3, 1, 256,
      .help = "ways to points of a light that a lookup follows; of a sun at least 16"},
-    {"sky-bias", 0, OPTION_FLOAT, ROW(bias), .2, 0, 100,
+    {"sky-bias", 0, OPTION_FLOAT, ROW(bias), .1, 0, 100,
      .help = "what is lower above a receiver's plane hides nothing, in texels"},
     {"disagree", 0, OPTION_FLOAT, ROW(disagree), .02, 0, 2,
      .help = "pixels between blocks that disagree about more than this share of the sky's light\n"
-             "look themselves up; with more than 60 lights the share is as many times smaller"},
+             "look themselves up; of many lights, each of which has little, a smaller share"},
     {NULL},
 };
 

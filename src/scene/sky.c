@@ -79,7 +79,7 @@ void sky_lights_group(struct sky_groups *groups, const struct sky_lights *lights
 }
 
 int sky_lights_suns(const struct sky_lights *lights) {
-    static const float widest = .01F, least_share = .05F; /* sr */
+    static const float widest = .01F, least_share = .025F; /* sr */
     float all = 0;
     int suns = 0;
     for (int i = 0; i < lights->count; i++)
@@ -219,27 +219,59 @@ static struct sky_source source_of(const struct sky_light *light, const struct g
     return source;
 }
 
-/* Of all lights the one whose axis is nearest to what lies beyond that quarter of the i-th, as far again; its map knows
- * what the i-th's cannot. */
-static int find_beyond(const struct sky_block *block, int count, int i, int quarter) {
-    static const float least_cosine = .5F; /* of ways there with its axis */
-    const struct sky_source *own = &block->sources[i];
-    float x = quarter & 1 ? 1 : -1, y = quarter & 2 ? 1 : -1;
-    vec3 target;
-    glm_vec3_negate_to((float *)own->forward, target);
-    glm_vec3_muladds((float *)own->right, own->sides[0] * x + own->sides[2] * y, target);
-    glm_vec3_muladds((float *)own->up, own->sides[1] * x + own->sides[3] * y, target);
-    glm_vec3_normalize(target);
+static void towards_middle(const struct sky_source *source, float direction[3]) {
+    glm_vec3_negate_to((float *)source->forward, direction);
+}
+
+/* Of all lights but the i-th and the k-th the one whose axis is nearest to a direction, where ways to `ways` are
+ * not too far aside in its map, which knows what the i-th's cannot; else the i-th. */
+static int find_nearest(const struct sky_block *block, int count, int i, int k,
+                        const float direction[3], const float ways[3]) {
+    static const float least_cosine = .5F;
     int found = i;
-    float most = least_cosine;
-    for (int k = 0; k < count; k++) {
-        float cosine = -glm_vec3_dot(target, (float *)block->sources[k].forward);
-        if (k != i && cosine > most) {
+    float most = -1;
+    for (int n = 0; n < count; n++) {
+        vec3 axis;
+        towards_middle(&block->sources[n], axis);
+        float cosine = glm_vec3_dot(axis, (float *)direction);
+        if (n != i && n != k && cosine > most && glm_vec3_dot(axis, (float *)ways) > least_cosine) {
             most = cosine;
-            found = k;
+            found = n;
         }
     }
     return found;
+}
+
+/* The corner of the i-th's quarter. */
+static void corner_of(const struct sky_source *own, int quarter, float direction[3]) {
+    float x = quarter & 1 ? 1 : -1, y = quarter & 2 ? 1 : -1;
+    towards_middle(own, direction);
+    glm_vec3_muladds((float *)own->right, own->sides[0] * x + own->sides[2] * y, direction);
+    glm_vec3_muladds((float *)own->up, own->sides[1] * x + own->sides[3] * y, direction);
+    glm_vec3_normalize(direction);
+}
+
+/* What is as far from the one beyond as that is from the i-th. */
+static void mirror(const struct sky_block *block, int i, int beyond, float direction[3]) {
+    vec3 from;
+    towards_middle(&block->sources[i], from);
+    towards_middle(&block->sources[beyond], direction);
+    glm_vec3_scale(direction, 2, direction);
+    glm_vec3_sub(direction, from, direction);
+    glm_vec3_normalize(direction);
+}
+
+static void link_source(struct sky_block *block, int count, int i) {
+    struct sky_source *own = &block->sources[i];
+    for (int quarter = 0; quarter < 4; quarter++) {
+        vec3 corner, far;
+        corner_of(own, quarter, corner);
+        int beyond = find_nearest(block, count, i, i, corner, corner);
+        mirror(block, i, beyond, far);
+        own->beyond[quarter] = (float)beyond;
+        own->further[quarter] =
+            (float)(beyond == i ? i : find_nearest(block, count, i, beyond, far, corner));
+    }
 }
 
 void sky_block_of(struct sky_block *block, const struct sky_lights *lights,
@@ -249,7 +281,5 @@ void sky_block_of(struct sky_block *block, const struct sky_lights *lights,
         block->sources[i] = source_of(&light, geometry);
     }
     for (int i = 0; i < lights->count; i++)
-        for (int quarter = 0; quarter < 4; quarter++)
-            block->sources[i].beyond[quarter] =
-                (float)find_beyond(block, lights->count, i, quarter);
+        link_source(block, lights->count, i);
 }

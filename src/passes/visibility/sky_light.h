@@ -13,7 +13,7 @@ struct sky_light_desc {
     int block;      /* pixels a side of a block that shares its visibility */
     int ways;       /* to points of a light that a lookup follows */
     float bias;     /* texels: what is no higher above a receiver's plane hides nothing */
-    float disagree; /* of light, for 60 lights: where blocks do by more, a pixel looks itself up */
+    float disagree; /* of light, for few lights: where blocks do by more, a pixel looks itself up */
     bool gloss;     /* the G-buffer has it */
 };
 
