@@ -18,7 +18,7 @@ const struct bench_mode bench_passes = {
         "the error of the mean of 1, 2, 4 ... passes, as render --passes makes it\n"
         "Against the path-traced truth, whose noise is taken off, as squares, in the last column.\n"
         "Without SCENE: the paper's four scenes.",
-    .options = "size set variant noise cache passes" BENCH_CONTEXT,
+    .options = "size set variant noise cache light environment passes" BENCH_CONTEXT,
     .measure = measure,
     .tables = {{"the mean of passes", {ERROR_COLUMNS(NULL), {"without noise %", "error", NULL}}}},
 };
