@@ -1,9 +1,10 @@
 // Vertex k becomes the paraboloid view from VAL k. The extent is the side of the square as large as the
 // bounding rectangle.
 //
-// The mean of VPLs on a ball lies within the ball, which then hides all the rest: a mean behind the tangent
-// plane of the VPL that is nearest to it is moved onto that plane, and the map looks from there. The mean of
-// VPLs in a corner hangs in the air, where none of them is: it is moved above the nearest, as high as it was.
+// The mean of VPLs in a corner hangs in the air, and that of those around an opening lies in it, where none of
+// them is: the map looks from the VPL that is nearest to the mean, as high above it as the mean lies. The mean of
+// VPLs on a ball lies within, and a place on the ball would see but a side of it: such a mean is moved onto the
+// tangent plane.
 #include "visibility/map_range.glsl"
 #include "visibility/map_view_output.glsl"
 #include "lib/tangent.glsl"
@@ -11,6 +12,16 @@
 #include "lib/vpl_texels.glsl" // with their VALs' numbers
 
 layout(binding = UNIT_VAL_EXTREMES) uniform sampler2D val_extremes;
+
+// How far below the VPL's plane a mean lies that is taken for a ball's, over its distance: from none to all.
+const float WITHIN_FROM = 0.05, WITHIN_TO = 0.2;
+
+vec3 viewpoint(vec3 mean, vpl nearest) {
+    vec3 off = mean - nearest.position;
+    float height = dot(off, nearest.normal);
+    float within = smoothstep(WITHIN_FROM, WITHIN_TO, -height / max(length(off), 1e-20));
+    return mix(nearest.position, mean - height * nearest.normal, within) + max(height, 0.0) * nearest.normal;
+}
 
 // spacing: of the VPLs there, metres.
 vec3 on_surface(int k, vec3 center, out float spacing) {
@@ -23,8 +34,7 @@ vec3 on_surface(int k, vec3 center, out float spacing) {
         float d = val_distance(weight_position, v, k);
         if (lights && d < least) {
             least = d;
-            float height = dot(center - v.position, v.normal);
-            foot = height > 0.0 ? v.position + height * v.normal : center - height * v.normal;
+            foot = viewpoint(center, v);
             spacing = sqrt(v.area);
         }
     }
