@@ -230,7 +230,7 @@ static void test_room(void **state) {
     open_quads(&stage, "\"translation\": [0, 0, 0.95]", ROOM PIECE("1", "1", "-0.5", "1"));
     shares = measure_shares(&stage, "", through_window);
     stage_free(&stage);
-    check_at_most("of that without the window", shares.mean / lit, .02);
+    check_at_most("of that without the window", shares.mean / lit, .006);
 }
 
 /* --- a day ---------------------------------------------------------------------------------------- */
