@@ -257,35 +257,25 @@ static double farthest_corner(const struct geometry *geometry, const float from[
     return sqrt(sum);
 }
 
-/* That of its VPLs which is nearest to a VAL's mean. */
-static const struct vpl *nearest_member(const struct frame_of_vals *frame, int k) {
+/* The view is from that of the VAL's VPLs which is nearest to their mean, as high as that: where VPLs lie on walls. */
+static double off_center(const struct frame_of_vals *frame, int k) {
     struct means mean;
+    vec3 expected = {INFINITY}, off;
+    double least = INFINITY;
     for (int c = 0; c < 3; c++) {
         mean.position[k][c] = (double)frame->positions[k][c];
         mean.normal[k][c] = (double)frame->normals[k][c];
     }
-    const struct vpl *best = NULL;
-    double least = INFINITY;
     for (int i = 0; i < frame->vpl_count; i++) {
-        const struct vpl *vpl = &frame->vpls[i];
-        double d = criterion(frame, vpl, &mean, k);
-        if (emits(vpl) && (int)vpl->val == k && d < least) {
-            least = d;
-            best = vpl;
-        }
+        struct vpl vpl = frame->vpls[i];
+        double d = criterion(frame, &vpl, &mean, k);
+        if (!emits(&vpl) || (int)vpl.val != k || d >= least)
+            continue;
+        least = d;
+        glm_vec3_sub(frame->positions[k], vpl.position, off);
+        glm_vec3_copy(vpl.position, expected);
+        glm_vec3_muladds(vpl.normal, fmaxf(glm_vec3_dot(off, vpl.normal), 0), expected);
     }
-    return best;
-}
-
-/* Where VPLs lie on walls, the view is from the nearest one, as high as the mean: how far from there it is. */
-static double off_center(const struct frame_of_vals *frame, int k) {
-    const struct vpl *vpl = nearest_member(frame, k);
-    vec3 off;
-    glm_vec3_sub(frame->positions[k], (float *)vpl->position, off);
-    float height = fmaxf(glm_vec3_dot(off, (float *)vpl->normal), 0);
-    vec3 expected;
-    glm_vec3_copy((float *)vpl->position, expected);
-    glm_vec3_muladds((float *)vpl->normal, height, expected);
     return (double)glm_vec3_distance(expected, (float *)frame->views[k].center);
 }
 
