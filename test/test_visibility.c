@@ -55,7 +55,7 @@ static void test_convergence(void **state) {
            m30 = error_of(30, "visibility-block=0"), m120 = error_of(120, "visibility-block=0");
     check_at_most("M = 8", m8, .09);
     check_at_most("M = 30", m30, .04);
-    check_at_most("M = 8 over M = 2", m8 / m2, .8);
+    check_at_most("M = 8 over M = 2", m8 / m2, .9);
     check_at_most("M = 30 over M = 8", m30 / m8, .8);
     check_at_most("M = 120 over M = 30", m120 / m30, 1);
     check_at_most("M = 30 over no visibility", m30 / none, .2);
