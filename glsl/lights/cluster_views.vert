@@ -16,7 +16,7 @@ layout(binding = UNIT_VAL_EXTREMES) uniform sampler2D val_extremes;
 // How far below the VPL's plane a mean lies that is taken for a ball's, over its distance: from none to all.
 const float WITHIN_FROM = 0.05, WITHIN_TO = 0.2;
 
-vec3 viewpoint(vec3 mean, vpl nearest) {
+vec3 viewpoint_above(vec3 mean, vpl nearest) {
     vec3 off = mean - nearest.position;
     float height = dot(off, nearest.normal);
     float within = smoothstep(WITHIN_FROM, WITHIN_TO, -height / max(length(off), 1e-20));
@@ -24,8 +24,8 @@ vec3 viewpoint(vec3 mean, vpl nearest) {
 }
 
 // spacing: of the VPLs there, metres.
-vec3 on_surface(int k, vec3 center, out float spacing) {
-    vec3 foot = center;
+vec3 viewpoint(int k, vec3 mean, out float spacing) {
+    vec3 found = mean;
     float least = 1e30, weight_position = position_weight();
     spacing = 0.0;
     for (int i = 0; i < params.vpl_count; i++) {
@@ -34,18 +34,18 @@ vec3 on_surface(int k, vec3 center, out float spacing) {
         float d = val_distance(weight_position, v, k);
         if (lights && d < least) {
             least = d;
-            foot = viewpoint(center, v);
+            found = viewpoint_above(mean, v);
             spacing = sqrt(v.area);
         }
     }
-    return foot;
+    return found;
 }
 
 void main() {
     ivec2 k = ivec2(gl_VertexID, 0);
     vec3 normal = texelFetch(val_normals, k, 0).xyz;
     float spacing;
-    vec3 center = on_surface(gl_VertexID, texelFetch(val_positions, k, 0).xyz, spacing);
+    vec3 center = viewpoint(gl_VertexID, texelFetch(val_positions, k, 0).xyz, spacing);
     vec4 extremes = texelFetch(val_extremes, k, 0);
     vec2 sides = max(extremes.xy + extremes.zw, vec2(0.0));
     float z_far = farthest_corner(center, params.bounds_min, params.bounds_max);

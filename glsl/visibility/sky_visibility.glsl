@@ -2,7 +2,7 @@
 // followed through what the light's map has there: where it comes from below a surface to above it, or the other way
 // round, it met it, or passed its edge, which is told by places in between. What meets nothing there is followed
 // through the map of the next light beyond, too: walls that a roof hides from one of them are seen by the other. Where
-// the axis of either meets something, the sky begins between them or not at all, and a third map is asked.
+// the axes of both meet something, the sky begins between them or not at all, and a third map is asked.
 //
 // All is in a view's frame: x right, y up, z away from the light, metres; up: metres towards the light.
 #include "lib/sky.glsl"
