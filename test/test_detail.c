@@ -277,14 +277,81 @@ static void test_plain(void **state) {
     }
 }
 
+/* A plane with an island that has no block's centre, and around one centre another normal. */
+static void make_island(struct gbuffer *gbuffer, int block, int normal_of[SIZE * SIZE]) {
+    check_ok("G-buffer",
+             gbuffer_init(gbuffer, &(struct gbuffer_desc){"island", SIZE, SIZE, 1, false, false}));
+    static float depths[SIZE * SIZE], normals[SIZE * SIZE][2];
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        int x = i % SIZE, y = i / SIZE, center = block + block / 2;
+        bool island =
+            x > center + 2 && x < center + block - 1 && y > center + 2 && y < center + block - 1;
+        bool around = abs(x - center) < 2 && abs(y - center) < 2;
+        normal_of[i] = island ? 2 : around;
+        depths[i] = .5f;
+        normals[i][0] = around ? 1 : .5f; /* +x, else +z or +y */
+        normals[i][1] = island ? 1 : .5f;
+    }
+    gl.TextureSubImage3D(gbuffer->depth.id, 0, 0, 0, 0, SIZE, SIZE, 1, GL_DEPTH_COMPONENT, GL_FLOAT,
+                         depths);
+    gl.TextureSubImage3D(gbuffer->normal.id, 0, 0, 0, 0, SIZE, SIZE, 1, GL_RG, GL_FLOAT, normals);
+}
+
+static int away_of(GLuint code) {
+    return code > 1 ? (int)code - 4 : (int)code;
+}
+
+/* With blocks that share visibility a pixel that no block speaks for is listed, whatever lies around it; all others
+ * are told one whose centre has their normal. */
+static void test_blocks(void **state) {
+    (void)state;
+    enum { BLOCK = 16 };
+    struct detail_bench bench;
+    struct gbuffer gbuffer;
+    static int normal_of[SIZE * SIZE];
+    open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .25f);
+    struct detail_desc desc = bench.detail.desc;
+    make_island(&gbuffer, BLOCK, normal_of);
+    int listed[2] = {0}, left = 0, wrong = 0, others = 0;
+    for (int blocks = 0; blocks < 2; blocks++) {
+        detail_pass_free(&bench.detail);
+        desc.block = blocks ? BLOCK : 0;
+        check_ok("detail", detail_pass_init(&bench.detail, &desc));
+        list_pixels(&bench, &gbuffer);
+        for (int i = 0; i < SIZE * SIZE; i++)
+            listed[blocks] += (bench.texels[i] & 0xffff) != 0;
+    }
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        GLuint code = bench.texels[i];
+        bool unlisted = !(code & 0xffff);
+        int dx = away_of(code >> 16 & 3), dy = away_of(code >> 18 & 3);
+        int x = (i % SIZE / BLOCK + dx) * BLOCK + BLOCK / 2,
+            y = (i / SIZE / BLOCK + dy) * BLOCK + BLOCK / 2;
+        left += unlisted && normal_of[i] == 2;
+        wrong += unlisted && (x < 0 || y < 0 || x >= SIZE || y >= SIZE ||
+                              normal_of[y * SIZE + x] != normal_of[i]);
+        others += unlisted && (dx || dy);
+    }
+    printf("    listed %d, without blocks %d; of the island unlisted %d; told a wrong block %d, a "
+           "neighbour's %d\n",
+           listed[1], listed[0], left, wrong, others);
+    assert_true(listed[1] > listed[0]);
+    assert_int_equal(left, 0);
+    assert_int_equal(wrong, 0);
+    assert_true(others > BLOCK);
+    gbuffer_free(&gbuffer);
+    close_bench(&bench);
+}
+
 /* Where no pixel is listed, the picture is the one without lists, to the bit. */
 static void test_all_smooth(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, "scenes/cornell-animal.glb");
-    struct image without = render_stage(&stage, "clustered", "vpls=64 vals=4 detail=0", SIZE);
-    struct image with =
-        render_stage(&stage, "clustered", "vpls=64 vals=4 detail=4 detail-share=0", SIZE);
+    struct image without =
+        render_stage(&stage, "clustered", "vpls=64 vals=4 visibility-block=0 detail=0", SIZE);
+    struct image with = render_stage(
+        &stage, "clustered", "vpls=64 vals=4 visibility-block=0 detail=4 detail-share=0", SIZE);
     assert_memory_equal(without.pixels, with.pixels,
                         (size_t)SIZE * SIZE * (size_t)without.channel_count * sizeof *with.pixels);
     image_free(&without);
@@ -359,7 +426,7 @@ int main(void) {
         cmocka_unit_test(test_lists),          cmocka_unit_test(test_grades),
         cmocka_unit_test(test_blur_conserves), cmocka_unit_test(test_all_smooth),
         cmocka_unit_test(test_listed_sums),    cmocka_unit_test(test_one_asks_for_all),
-        cmocka_unit_test(test_plain),
+        cmocka_unit_test(test_plain),          cmocka_unit_test(test_blocks),
     };
     return cmocka_run_group_tests_name("detail", tests, open_group_context, close_group_context);
 }

@@ -25,7 +25,7 @@ void main() {
     int grade = 0;
 #if DETAIL
     uint code = texelFetch(list_texels, pixel, 0).r;
-    if (code != 0u) {
+    if (list_texel_has(code)) {
         grade = 1 + list_grade_of(code);
         irradiance = texelFetch(detail_irradiance, list_texel_of(code), 0).rgb;
     }

@@ -2,10 +2,15 @@
 // and place in the pattern, row by row of its tile, from the begin and the end of its first half and from the begin of
 // its second, so that a draw finds them side by side. The order within a list is that of arrival; no pixel's light
 // depends on it.
+//
+// With SHARE_VISIBILITY such pixels are listed, too, that no block speaks for; the others are told which one does.
 #include "lib/gbuffer.glsl"
 #include "gather/list_texel.glsl"
 #include "picture/picks.glsl"
 #include "shared/detail.h"
+#if SHARE_VISIBILITY
+#include "gather/block.glsl"
+#endif
 
 // Before the shader, or it would run everywhere.
 layout(early_fragment_tests) in;
@@ -53,8 +58,14 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy), size = gbuffer_size();
     surface s = gbuffer_surface(pixel);
     int like = s.present ? like_neighbours(s, pixel, size) : 4;
+    bool has_block = true;
     list_texel = 0u;
-    if (float(like) < params.fewest) {
+#if SHARE_VISIBILITY
+    ivec2 block;
+    has_block = !s.present || nearest_block(s, pixel, block);
+    list_texel = s.present ? block_away_code(block - block_at(pixel)) : 0u;
+#endif
+    if (float(like) < params.fewest || !has_block) {
         int grade = like < 2 ? PIXEL_GRADE_DETAIL : PIXEL_GRADE_EDGE;
         ivec2 texel = next_texel(pixel, grade);
         imageStore(listed_pixels, texel, uvec4(pixel.x | pixel.y << 16));

@@ -12,7 +12,12 @@
 #include "visibility/visibility.glsl"
 #include "gather/geometry_term.glsl"
 #if SHARE_VISIBILITY
+layout(binding = UNIT_BLOCK_VISIBILITY) uniform sampler2DArray block_visibilities;
+#if CLAMP >= 6
+#include "gather/block_shares.glsl"
+#else
 #include "gather/block.glsl"
+#endif
 #endif
 
 // First VPL and count, or with CUTS the set; the tile's place in the pattern.
@@ -157,11 +162,13 @@ vec3 light_of_slot(surface s, ivec2 pixel, ivec2 lights) {
     ivec2 block;
 #if CLAMP >= 6
     vec4 shares;
-    bool shared_by_block = block_shares(s, pixel, block, shares);
+    int last = block_shares(s, pixel, block, shares) ? lights.y : lights.x;
+#elif RECEIVERS == RECEIVERS_OTHERS
+    block = block_at(pixel) + block_away_of(texelFetch(list_texels, pixel, 0).r);
+    int last = lights.y;
 #else
-    bool shared_by_block = nearest_block(s, pixel, block);
+    int last = nearest_block(s, pixel, block) ? lights.y : lights.x;
 #endif
-    int last = shared_by_block ? lights.y : lights.x;
     for (int i = lights.x; i < last; i++) {
         vpl light = light_at(i);
 #if CLAMP >= 6
@@ -178,6 +185,7 @@ vec3 light_of_slot(surface s, ivec2 pixel, ivec2 lights) {
     }
     lights.x = last;
 #endif
+#if !(SHARE_VISIBILITY && RECEIVERS == RECEIVERS_OTHERS && CLAMP < 6) // else those without a block are listed
     // Loops and no branches: a software rasteriser leaves a loop that no pixel is in after one step, but executes both
     // sides of a branch.
     for (int i = lights.x; i < lights.y; i++) {
@@ -192,6 +200,7 @@ vec3 light_of_slot(surface s, ivec2 pixel, ivec2 lights) {
         sum += arriving * visible;
 #endif
     }
+#endif
     return sum;
 }
 #endif

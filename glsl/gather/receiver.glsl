@@ -36,13 +36,15 @@ surface receiver_surface(ivec2 pixel) {
 }
 #else
 #if RECEIVERS == RECEIVERS_OTHERS
+#include "gather/list_texel.glsl"
+
 layout(binding = UNIT_LIST_TEXELS) uniform usampler2D list_texels;
 #endif
 
 bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
     pixel = interleaved_pixel(pattern, ivec2(gl_FragCoord.xy), place);
 #if RECEIVERS == RECEIVERS_OTHERS
-    return texelFetch(list_texels, pixel, 0).r == 0u;
+    return !list_texel_has(texelFetch(list_texels, pixel, 0).r);
 #else
     return true;
 #endif

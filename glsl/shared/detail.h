@@ -6,12 +6,13 @@
 
 struct detail_params {
     STRUCT(interleaving) pattern; /* of the lists */
-    float distance;               /* alpha of the blur, over the picture's height at the pixel's depth */
-    float cosine;                 /* beta */
-    float apart;                  /* likewise: neighbours farther off the pixel's plane are unlike */
-    float fewest;                 /* like neighbours of a smooth pixel */
-    int radius;                   /* of the neighbours that are asked, pixels along x and y */
-    int unused0, unused1, unused2;
+    float distance; /* alpha of the blur, over the picture's height at the pixel's depth */
+    float cosine;   /* beta */
+    float apart;    /* likewise: neighbours farther off the pixel's plane are unlike */
+    float fewest;   /* like neighbours of a smooth pixel */
+    int radius;     /* of the neighbours that are asked, pixels along x and y */
+    int block;      /* pixels a side of a block that shares its visibility */
+    int unused0, unused1;
 };
 PASS_BLOCK(detail_params, 48)
 

@@ -56,15 +56,17 @@ static int detail_radius(const struct settings *settings) {
     return radius > 0 ? (radius + 1) / 2 : 2;
 }
 
-static bool init_plain(struct many_lights *lights, const struct technique_desc *desc) {
+/* With blocks that share visibility the nearest one speaks for a plain pixel. */
+static bool init_plain(struct many_lights *lights, const struct technique_desc *desc, int block) {
     const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
     int radius = blur_radius(desc->settings), asked = detail_radius(desc->settings);
+    int nearest = (block + 1) / 2, around = radius > asked ? radius : asked;
     lights->has_plain = blur->separable && radius > 0;
     return !lights->has_plain ||
            plain_pass_init(&lights->plain,
                            &(struct plain_desc){.width = desc->width,
                                                 .height = desc->height,
-                                                .radius = radius > asked ? radius : asked,
+                                                .radius = around > nearest ? around : nearest,
                                                 .distance = blur->distance,
                                                 .cosine = blur->cosine});
 }
@@ -77,7 +79,7 @@ static const struct texture *plain_pixels(const struct many_lights *lights) {
 /* Half the blur's radius away: farther off an edge it finds enough on one side.
  *
  * What is listed looks itself up: a block of pixels does not speak for it. */
-static bool init_detail(struct many_lights *lights, const struct technique_desc *desc) {
+static bool init_detail(struct many_lights *lights, const struct technique_desc *desc, int block) {
     const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
     const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
     struct gather_desc gather_desc = lights->gather.desc;
@@ -85,7 +87,7 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     gather_desc.receivers = RECEIVERS_LISTED;
     fill_list_slots(gather, gather_desc.list_slots);
     gather_desc.share = false;
-    return !lights->has_detail || (init_plain(lights, desc) &&
+    return !lights->has_detail || (init_plain(lights, desc, block) &&
                                    detail_pass_init(&lights->detail,
                                                     &(struct detail_desc){
                                                         .width = desc->width,
@@ -95,6 +97,7 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
                                                         .distance = blur->distance,
                                                         .cosine = blur->cosine,
                                                         .share = gather->detail_share,
+                                                        .block = block,
                                                         .plain = plain_pixels(lights),
                                                     }) &&
                                    gather_pass_init(&lights->detail_gather, &gather_desc));
@@ -108,7 +111,7 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
         .height = desc->height,
         .interleave = own->interleave,
         .map_per_vpl = visibility->map_per_vpl,
-        .share = visibility->share,
+        .share = visibility->block > 0,
         .cuts = visibility->cuts,
         .visibility = lookup_of(desc->settings, visibility->lookup, visibility),
         .clamp = (enum gather_clamp)own->clamp,
@@ -124,7 +127,10 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
         (own->interleave == 1 ? own->detail == 1
                               : own->detail < own->interleave && blur_radius(desc->settings) > 0);
     gather_desc.receivers = lights->has_detail ? RECEIVERS_OTHERS : RECEIVERS_ALL;
-    return gather_pass_init(&lights->gather, &gather_desc) && init_detail(lights, desc);
+    /* Of rectangles several blocks speak for a pixel. */
+    bool rectangles = gather_desc.clamp >= GATHER_CLAMP_RECTANGLE;
+    return gather_pass_init(&lights->gather, &gather_desc) &&
+           init_detail(lights, desc, rectangles ? 0 : visibility->block);
 }
 
 /* Gloss is sharper than what is diffuse: each pixel takes more VPLs, and is blurred less. It is no

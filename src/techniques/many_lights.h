@@ -111,9 +111,10 @@ struct many_lights {
 struct many_lights_visibility {
     enum visibility_lookup lookup;
     int map_count;
-    bool map_per_vpl, share; /* as in struct gather_desc, as is: */
-    bool cuts;               /* but what is reflected as by a mirror takes VPLs */
-    int map_size;            /* 0: as the settings have it */
+    bool map_per_vpl; /* as in struct gather_desc, as is: */
+    bool cuts;        /* but what is reflected as by a mirror takes VPLs */
+    int map_size;     /* 0: as the settings have it */
+    int block;        /* pixels a side of a block that shares its visibility; 0: none does */
 };
 
 /* The settings of a lookup. */

@@ -92,7 +92,8 @@ static const struct option gather_table[] = {
     {"detail-share", 0, OPTION_FLOAT, ROW(gather, detail_share), 1, 0, 1,
      .help =
          "such are pixels of whose four neighbours, half the blur's radius away, fewer than this\n"
-         "share lie on the same surface; .75 leaves out corners, .5 straight edges too"},
+         "share lie on the same surface, .75 leaves out corners, .5 straight edges too; and those\n"
+         "that no block of shared visibility speaks for"},
     {"further-points", 0, OPTION_FLAG, ROW(gather, further_points), 1,
      .help = "with detail: a pixel that shows what no pixel near sees at its centre gathers there, "
              "too"},

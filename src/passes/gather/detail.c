@@ -30,8 +30,12 @@ static bool init_lists(struct pixel_lists *lists, const struct detail_desc *desc
 bool detail_pass_init(struct detail_pass *pass, const struct detail_desc *desc) {
     *pass = (struct detail_pass){.desc = *desc};
     pass->has_plain = desc->plain;
-    if (program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                            .fragment = "gather/detail.frag"}) &&
+    if (program_init(&pass->program,
+                     &(struct program_desc){
+                         .vertex = "fullscreen.vert",
+                         .fragment = "gather/detail.frag",
+                         .defines = desc->block ? "SHARE_VISIBILITY 1" : "SHARE_VISIBILITY 0",
+                     }) &&
         init_lists(&pass->lists, desc) &&
         framebuffer_init(&pass->framebuffer,
                          &(struct framebuffer_desc){.label = "list texels",
@@ -65,6 +69,7 @@ static void write_params(const struct detail_pass *pass) {
         .apart = PLANE_APART,
         .fewest = desc->share * 4,
         .radius = desc->radius,
+        .block = desc->block,
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
     buffer_write(&pass->lists.counts, 0, sizeof none, none);

@@ -77,9 +77,6 @@ void gather_pass_clear(const struct gather_pass *pass) {
 /* How many VPLs a ball holds at a radius of 1. */
 static const float neighbours = 10;
 
-/* A pixel this far off a block's plane, over the picture's height there, looks itself up. */
-static const float block_apart = 0.008f;
-
 void gather_pass_write_params(const struct gather_pass *pass, const struct frame *frame,
                               const struct gather_inputs *inputs) {
     const struct gather_desc *desc = &pass->desc;
@@ -89,7 +86,6 @@ void gather_pass_write_params(const struct gather_pass *pass, const struct frame
         .scale = frame->irradiance_scale,
         .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
         .block = desc->share ? inputs->blocks->block : 1,
-        .block_apart = block_apart,
         .cut_block = desc->cuts ? inputs->cuts->block : 1,
         .cut_layer = desc->cuts && listed ? inputs->cuts->detail_layer : 0,
         .sphere2 = neighbours / (float)GLM_PI * desc->sphere * desc->sphere,

@@ -165,7 +165,7 @@ static bool init(void **state, const struct technique_desc *desc) {
             return false;
         visibility.lookup = vals_lookup(desc->settings);
         visibility.map_count = technique->vals.first.visibility.map_count;
-        visibility.share = technique->vals.first.share;
+        visibility.block = technique->vals.first.blocks.desc.block;
     }
     return init_first(technique, desc) &&
            (lights->bounces == 1 ||

@@ -87,7 +87,7 @@ static bool init(void **state, const struct technique_desc *desc) {
                             &(struct many_lights_visibility){
                                 .lookup = vals_lookup(desc->settings),
                                 .map_count = first->visibility.map_count,
-                                .share = first->share,
+                                .block = first->blocks.desc.block,
                                 .cuts = true,
                             });
 }
