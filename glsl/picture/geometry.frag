@@ -1,5 +1,6 @@
 // Writes normal, albedo and what is emitted. Holes of alpha masks are not there; nor, for the camera, is the back of a
 // single-sided surface, which blocks light but reflects none. HAS_GLOSS: surfaces are not all plain.
+// FACETS: what sends light on is each triangle, not the smooth surface that the normals tell of.
 #include "lib/octahedral.glsl"
 #include "shared/material.h"
 
@@ -21,6 +22,9 @@ in vec2 surface_uv;
 in vec4 surface_color;
 #ifdef HAS_GLOSS
 #include "picture/surface_detail.glsl"
+#endif
+#ifdef FACETS
+#include "picture/facet.glsl"
 #endif
 
 #ifndef DEPTH_ONLY
@@ -56,6 +60,9 @@ void main() {
             discard;
 #endif
     }
+#ifdef FACETS
+    color.rgb = clamp(color.rgb, 0.0, 1.0) * facet_share(normal);
+#endif
     normal_code = octahedral_encode(normal);
 #endif
 #ifdef HAS_EMISSION
@@ -78,6 +85,10 @@ void main() {
     gloss_code = gloss_encode(gloss);
 #endif
 #if !defined(DEPTH_ONLY) && !defined(NORMAL_ONLY)
+#ifdef FACETS
+    albedo_root = vec4(sqrt(max(color.rgb, 0.0)), 1.0);
+#else
     albedo_root = vec4(sqrt(clamp(color.rgb, 0.0, 1.0)), 1.0);
+#endif
 #endif
 }

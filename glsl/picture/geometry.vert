@@ -18,13 +18,17 @@ layout(location = ATTRIBUTE_COLOR) in vec4 color;
 out vec3 surface_normal;
 out vec2 surface_uv;
 out vec4 surface_color;
-#ifdef HAS_GLOSS
+#if defined(HAS_GLOSS) || defined(FACETS)
 out vec3 surface_position;
+#endif
+#ifdef FACETS
+out vec3 surface_to_light;
 #endif
 
 void main() {
 #ifdef LIGHT_VIEW
-    gl_Position = light_view_at(target_view()).view.world_to_clip * vec4(position, 1.0);
+    view v = light_view_at(target_view()).view;
+    gl_Position = v.world_to_clip * vec4(position, 1.0);
 #else
     gl_Position = camera.world_to_clip * vec4(position, 1.0);
     gl_Layer = gl_InstanceID;
@@ -35,7 +39,10 @@ void main() {
     surface_normal = normal;
     surface_uv = uv;
     surface_color = color;
-#ifdef HAS_GLOSS
+#if defined(HAS_GLOSS) || defined(FACETS)
     surface_position = position;
+#endif
+#ifdef FACETS
+    surface_to_light = v.orthographic ? -v.forward : v.origin - position;
 #endif
 }

@@ -35,7 +35,8 @@ bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc) {
     const struct texture *emission = desc->has_emission ? &gbuffer->emission : NULL;
     const struct texture *gloss = desc->has_gloss ? &gbuffer->gloss : NULL;
     if (init_layer(&gbuffer->normal, label, "normal", GL_RG16, gbuffer) &&
-        init_layer(&gbuffer->albedo, label, "albedo", GL_RGB10_A2, gbuffer) &&
+        init_layer(&gbuffer->albedo, label, "albedo", desc->facets ? GL_RGBA16F : GL_RGB10_A2,
+                   gbuffer) &&
         init_layer(&gbuffer->depth, label, "depth", GL_DEPTH_COMPONENT32F, gbuffer) &&
         (!desc->has_emission ||
          init_layer(&gbuffer->emission, label, "emission", GL_RGBA16F, gbuffer)) &&

@@ -41,7 +41,8 @@ struct frame {
  * LIGHT_MAP_KINDS, a layer each view; without textures where there are none of the kind). Arrays of
  * layers:
  *   normal  RG16      world normal, octahedral
- *   albedo  RGB10_A2  square root of the albedo; A = 1 where something is
+ *   albedo  RGB10_A2  square root of the albedo; A = 1 where something is. RGBA16F of facets: of what a
+ *                     triangle receives, over what meets its plane, times the albedo; normal is the triangle's
  *   depth   D32F      reversed (shared/view.h); 0 where nothing is
  *   emission RGBA16F  radiance times irradiance_scale; the camera's, of a scene with emissive materials
  *                     or such as are not plain
@@ -189,6 +190,7 @@ struct gbuffer_desc {
     const char *label;
     int width, height, layers;
     bool has_emission, has_gloss;
+    bool facets; /* as geometry_desc's */
 };
 
 bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc);

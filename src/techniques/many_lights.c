@@ -252,15 +252,22 @@ bool many_lights_check(const struct settings *settings) {
                                                gather->interleave, places, lights->vpls);
 }
 
+/* Rays for gloss need the smooth normals of what they meet. */
+static bool sends_as_facets(const struct technique_desc *desc) {
+    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    return own->facets && !desc->gloss;
+}
+
 static bool init_rsm(struct many_lights *lights, const struct technique_desc *desc, int size) {
     const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
     const struct light_layout *layout = desc->lights;
     bool ok = true, has_gloss = desc->gloss && gather->gloss + 1 == SPECULAR_RAYS;
+    bool facets = sends_as_facets(desc);
     for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++) {
         int texels = light_map_size(kind, size), layers = layout->views[kind];
         ok = layers == 0 ||
-             gbuffer_init(&lights->rsm[kind],
-                          &(struct gbuffer_desc){"rsm", texels, texels, layers, false, has_gloss});
+             gbuffer_init(&lights->rsm[kind], &(struct gbuffer_desc){"rsm", texels, texels, layers,
+                                                                     false, has_gloss, facets});
     }
     return ok;
 }
@@ -271,7 +278,9 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
     const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
     *lights = (struct many_lights){0};
     if (init_rsm(lights, desc, rsm_size(desc)) &&
-        geometry_pass_init(&lights->geometry, &(struct geometry_desc){.has_gloss = desc->gloss}) &&
+        geometry_pass_init(
+            &lights->geometry,
+            &(struct geometry_desc){.has_gloss = desc->gloss, .facets = sends_as_facets(desc)}) &&
         vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) &&
         init_bounces(lights, desc, visibility) && init_gather(lights, desc, visibility) &&

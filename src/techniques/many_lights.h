@@ -26,6 +26,7 @@ struct lights_settings {
     int vpls; /* N */
     int seed, rsm_size;
     int bounces, points; /* P */
+    bool facets;
 };
 
 struct map_settings {
@@ -76,8 +77,8 @@ extern const struct settings_part lights_part, map_part, lookup_part, gather_par
  * unoccluded within a distance that shrinks, for what a map's texels and depth bias cannot show, and for
  * what patches take from further bounces. */
 #define MANY_LIGHTS_REFINED                                                                        \
-    "lights.vpls=64 lights.rsm-size=1024 gather.interleave=1 gather.clamp=near "                   \
-    "gather.near-reach=4 gather.take-back=.5 gather.near-samples=256 blur.radius=0 "               \
+    "lights.vpls=64 lights.rsm-size=1024 lights.facets=on gather.interleave=1 gather.clamp=near "  \
+    "gather.near-reach=4 gather.take-back=.67 gather.near-samples=256 blur.radius=0 "              \
     "lights.surface-points=256"
 
 extern const struct refinement many_lights_refinement;

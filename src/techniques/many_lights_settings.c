@@ -16,6 +16,10 @@ static const struct option lights_table[] = {
      .help = "of indirect light; those after the first by way of points of all surfaces"},
     {"surface-points", 0, OPTION_INT, ROW(lights, points), 1024, VPL_PARTNERS_MAX, 16384,
      .help = "of surfaces that become VPLs of further bounces, P"},
+    {"facets", 0, OPTION_FLAG, ROW(lights, facets), 0,
+     .help =
+         "where nothing is glossy VPLs and near field send light as triangles do, and not as the\n"
+         "smooth surface that their normals tell of; right on the mean, and less even"},
     {NULL},
 };
 

@@ -13,7 +13,9 @@ bool geometry_pass_init(struct geometry_pass *pass, const struct geometry_desc *
                                                   : desc->has_emission ? "HAS_EMISSION"
                                                                        : NULL};
     struct program_desc light_desc = camera_desc;
-    light_desc.defines = desc->has_gloss ? "LIGHT_VIEW;HAS_GLOSS" : "LIGHT_VIEW";
+    light_desc.defines = desc->has_gloss ? "LIGHT_VIEW;HAS_GLOSS"
+                         : desc->facets  ? "LIGHT_VIEW;FACETS"
+                                         : "LIGHT_VIEW";
     if (program_init(&pass->camera_program, &camera_desc) &&
         program_init(&pass->light_program, &light_desc))
         return true;

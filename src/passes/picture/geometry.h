@@ -13,9 +13,11 @@ struct geometry_pass {
     GLuint camera_program, light_program;
 };
 
-/* What the camera's G-buffers have; of lights', has_gloss: materials are not all plain. */
+/* What the camera's G-buffers have; of lights', has_gloss: materials are not all plain. facets, where
+ * they are: what lights see sends light on as its triangles, and not as the smooth surface that shading
+ * normals tell of. */
 struct geometry_desc {
-    bool has_emission, has_gloss;
+    bool has_emission, has_gloss, facets;
 };
 
 bool geometry_pass_init(struct geometry_pass *pass, const struct geometry_desc *desc);

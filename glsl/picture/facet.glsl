@@ -1,0 +1,17 @@
+// A triangle as rays meet it: it receives by the shading normal, but how large it is, to the light and to what it lights,
+// is by its own. Along light paths the two trade places [Veach 1997, §5.3].
+in vec3 surface_position, surface_to_light;
+
+// At a facet's horizon the cosines grow apart without a bound.
+const float FACET_MOST = 8.0;
+
+// Takes the triangle's own normal in place of the shading normal; returns what it receives by that, over what meets its
+// plane: cos_s / cos_g.
+float facet_share(inout vec3 normal) {
+    vec3 facet = cross(dFdx(surface_position), dFdy(surface_position));
+    float shading = dot(normal, surface_to_light), geometric = dot(facet, surface_to_light);
+    if (geometric == 0.0)
+        return 1.0;
+    normal = facet * (inversesqrt(dot(facet, facet)) * sign(geometric));
+    return clamp(shading / dot(normal, surface_to_light), 0.0, FACET_MOST);
+}
