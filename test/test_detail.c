@@ -53,8 +53,10 @@ static void close_bench(struct detail_bench *bench) {
 /* A plane before the camera: on the left of one normal, on the right in stripes as wide as the
  * neighbours are away, of one and another. */
 static void make_stripes(struct gbuffer *gbuffer) {
-    check_ok("G-buffer",
-             gbuffer_init(gbuffer, &(struct gbuffer_desc){"stripes", SIZE, SIZE, 1, false, false}));
+    check_ok(
+        "G-buffer",
+        gbuffer_init(gbuffer, &(struct gbuffer_desc){
+                                  .label = "stripes", .width = SIZE, .height = SIZE, .layers = 1}));
     static float depths[SIZE * SIZE], normals[SIZE * SIZE][2];
     for (int i = 0; i < SIZE * SIZE; i++) {
         int x = i % SIZE;
@@ -279,8 +281,10 @@ static void test_plain(void **state) {
 
 /* A plane with an island that has no block's centre, and around one centre another normal. */
 static void make_island(struct gbuffer *gbuffer, int block, int normal_of[SIZE * SIZE]) {
-    check_ok("G-buffer",
-             gbuffer_init(gbuffer, &(struct gbuffer_desc){"island", SIZE, SIZE, 1, false, false}));
+    check_ok(
+        "G-buffer",
+        gbuffer_init(gbuffer, &(struct gbuffer_desc){
+                                  .label = "island", .width = SIZE, .height = SIZE, .layers = 1}));
     static float depths[SIZE * SIZE], normals[SIZE * SIZE][2];
     for (int i = 0; i < SIZE * SIZE; i++) {
         int x = i % SIZE, y = i / SIZE, center = block + block / 2;
