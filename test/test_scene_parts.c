@@ -177,8 +177,11 @@ static void test_surface_points(void **state) {
         bool casters = i % 2;
         const struct gltf_parts parts = {.materials = rows[i / 2].materials};
         check_ok("open", scene_open(&scene, &geometry, write_parts("points.glb", &parts), NULL));
-        surface_points_init(&points,
-                            &(struct surface_points_desc){&scene, &geometry, POINTS, 7, casters});
+        surface_points_init(&points, &(struct surface_points_desc){.scene = &scene,
+                                                                   .geometry = &geometry,
+                                                                   .count = POINTS,
+                                                                   .first = 7,
+                                                                   .casters = casters});
         for (int p = 0; p < POINTS; p++) {
             struct surface_place place = surface_points_place(&points, &geometry, p);
             area += (double)place.area;

@@ -1,5 +1,5 @@
 // Irradiance at points of surfaces from a run of VPLs:
-//     E = sum_i Phi_i / pi  cos_i cos d^2 / (d^4 + (A / pi)^2)  V_C(i)
+//     E = sum_i Phi_i / pi  cos_i cos (d^2 + A / pi) / (d^4 + (A / pi)^2)  V_C(i)
 // Both ends stand for patches, and A is the larger one's: a large patch beside a small VPL would take more than that
 // sends.
 // A column is a point. Each row takes a part of the VPLs; or, with CANDIDATES, is another candidate, which takes all.

@@ -238,6 +238,7 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
                                 .scene = desc->scene,
                                 .geometry = desc->geometry,
                                 .count = own->points,
+                                .seed = own->seed,
                                 .map_per_vpl = visibility->map_per_vpl,
                                 .visibility = lookup_of(
                                     desc->settings, bounce_lookup(visibility->lookup), visibility),

@@ -8,7 +8,7 @@
 static const struct option lights_table[] = {
     {"vpls", 0, OPTION_INT, ROW(lights, vpls), 1024, 1, 65536, .help = "virtual point lights, N"},
     {"seed", 0, OPTION_INT, ROW(lights, seed), 0, 0, 1e9,
-     .help = "another set of VPLs; 0 = Halton's points as they are"},
+     .help = "another set of VPLs, and of surface points; 0 = Halton's as they are"},
     {"rsm-size", 0, OPTION_INT, ROW(lights, rsm_size), 512, RSM_SIZE_MIN, 8192,
      .help =
          "reflective shadow map, texels a side; more than four of them have the texels of four"},

@@ -55,11 +55,28 @@ static bool init_targets(struct bounce_pass *pass) {
            framebuffer_init(&pass->framebuffer, &desc);
 }
 
+/* Passes of a picture that converges have candidates of their own. */
+static void deal_candidates(struct bounce_pass *pass, const struct geometry *geometry,
+                            int frame_pass) {
+    int count = candidate_count(pass);
+    surface_points_free(&pass->candidates);
+    surface_points_init(&pass->candidates, &(struct surface_points_desc){
+                                               .scene = pass->desc.scene,
+                                               .geometry = geometry,
+                                               .count = count,
+                                               .first = (uint32_t)frame_pass * (uint32_t)count,
+                                               .seed = pass->desc.seed,
+                                               .solids = &pass->solids,
+                                           });
+    pass->dealt_pass = frame_pass;
+    pass->pose = 0;
+}
+
 bool bounce_pass_init(struct bounce_pass *pass, const struct bounce_desc *desc) {
     *pass = (struct bounce_pass){.desc = *desc};
     int candidates = candidate_count(pass);
-    surface_points_init(&pass->candidates, &(struct surface_points_desc){
-                                               desc->scene, desc->geometry, candidates, 0, false});
+    solids_init(&pass->solids, desc->scene, desc->geometry);
+    deal_candidates(pass, desc->geometry, 0);
     pass->room = mem_alloc((size_t)candidates, sizeof *pass->room);
     if (init_programs(pass) && init_targets(pass) &&
         vpl_buffer_init(&pass->places, "candidates of points", candidates) &&
@@ -76,6 +93,7 @@ void bounce_pass_free(struct bounce_pass *pass) {
     program_free(&pass->pick_program);
     program_free(&pass->gather_program);
     program_free(&pass->reflect_program);
+    solids_free(&pass->solids);
     surface_points_free(&pass->candidates);
     free(pass->room);
     vpl_buffer_free(&pass->places);
@@ -92,22 +110,10 @@ void bounce_pass_free(struct bounce_pass *pass) {
 
 /* --- points ----------------------------------------------------------------------------------- */
 
-/* Passes of a picture that converges have candidates of their own. */
-static void deal_again(struct bounce_pass *pass, const struct frame *frame) {
-    int count = candidate_count(pass);
-    surface_points_free(&pass->candidates);
-    uint32_t first = (uint32_t)frame->pass * (uint32_t)count;
-    surface_points_init(
-        &pass->candidates,
-        &(struct surface_points_desc){pass->desc.scene, frame->geometry, count, first, false});
-    pass->dealt_pass = frame->pass;
-    pass->pose = 0;
-}
-
 /* Puts the candidates where the geometry is. */
 static void place(struct bounce_pass *pass, const struct frame *frame) {
     if (pass->dealt_pass != frame->pass)
-        deal_again(pass, frame);
+        deal_candidates(pass, frame->geometry, frame->pass);
     if (pass->pose == frame->geometry->pose_count)
         return;
     pass->pose = frame->geometry->pose_count;

@@ -5,14 +5,14 @@
  * albedo E A: the second bounce. From these the points gather again, and so on; what they gathered of
  * all bounces is what they reflect in the end, so that one gather of the picture serves all.
  *
- * Each point is picked from BOUNCE_CANDIDATES, spread by area over all surfaces
- * (scene/mesh/surface_points.h), by what they reflect of a few VPLs: half of a hall lies in the dark or
- * outside, and VPLs should be where light is (glsl/lights/bounce_pick.vert). Candidates and the numbers that
- * pick depend on no light and no camera, so that a frame depends on its time alone.
+ * Each point is picked from BOUNCE_CANDIDATES, spread by area over all surfaces that do not lie within solids
+ * (scene/mesh/surface_points.h), by what they reflect of a few VPLs: much of a hall lies in the dark, and VPLs should
+ * be where light is (glsl/lights/bounce_pick.vert). Candidates and the numbers that pick depend on no light and no
+ * camera, so that a frame depends on its time alone.
  *
- * Metaballs are lit, but pass none of it on. Visibility is that of the VPLs' maps. Cost: P lookups for each VPL and bounce, and as many as half of
- * that to pick. Bias: points are bounded as patches (glsl/gather/patch.glsl), which takes light from
- * edges; and what maps cannot resolve.
+ * Metaballs are lit, but pass none of it on. Visibility is that of the VPLs' maps. Cost: P lookups for each VPL and
+ * bounce, and a third of that to pick; and once rays for the candidates. Bias: what is nearer than points are apart
+ * they light as patches (glsl/gather/patch.glsl); and what maps cannot resolve.
  */
 #ifndef PASSES_BOUNCE_H
 #define PASSES_BOUNCE_H
@@ -27,6 +27,7 @@ struct bounce_desc {
     const struct scene *scene;
     const struct geometry *geometry; /* as it is posed now: candidates are dealt by its areas */
     int count;                       /* P */
+    int seed;                        /* of the candidates */
     bool map_per_vpl;                /* as in struct gather_desc */
     struct visibility_desc visibility;
 };
@@ -34,6 +35,7 @@ struct bounce_desc {
 struct bounce_pass {
     struct bounce_desc desc;
     GLuint candidate_program, pick_program, gather_program, reflect_program;
+    struct solids solids;             /* within which no candidate lies */
     struct surface_points candidates; /* those of a point after those of the one before */
     int dealt_pass;                   /* that they are those of */
     unsigned pose;                    /* that they were uploaded for; 0: none */

@@ -2,6 +2,7 @@
 
 #include "base/halton.h"
 #include "base/memory.h"
+#include "base/parallel.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -22,11 +23,15 @@ static const uint32_t *triangle_indices(const struct geometry *geometry,
     return &geometry->indices[part->first_index + 3 * triangle];
 }
 
-static double triangle_area(const struct geometry *geometry, const uint32_t index[3]) {
+/* Twice the area, along the front's normal. */
+static vec3s triangle_cross(const struct geometry *geometry, const uint32_t index[3]) {
     vec3s p0 = corner_position(geometry, index[0]);
-    vec3s a = glms_vec3_sub(corner_position(geometry, index[1]), p0);
-    vec3s b = glms_vec3_sub(corner_position(geometry, index[2]), p0);
-    return (double)glms_vec3_norm(glms_vec3_cross(a, b)) / 2;
+    return glms_vec3_cross(glms_vec3_sub(corner_position(geometry, index[1]), p0),
+                           glms_vec3_sub(corner_position(geometry, index[2]), p0));
+}
+
+static double triangle_area(const struct geometry *geometry, const uint32_t index[3]) {
+    return (double)glms_vec3_norm(triangle_cross(geometry, index)) / 2;
 }
 
 static const struct material *part_material(const struct scene *scene,
@@ -166,27 +171,67 @@ static void locate(struct surface_point *point, const struct running_sums *sums,
     set_weights(point, fmod(sides * rest, 1), y);
 }
 
-void surface_points_init(struct surface_points *points, const struct surface_points_desc *desc) {
-    enum { TRIES = 8 }; /* for each point: after them the rest stays black */
+/* What is told of a side by the normal of its vertices, as points have it, is asked of the triangle's own. */
+static bool is_hidden(const struct surface_point *point, const struct surface_points_desc *desc,
+                      uint32_t number) {
+    const struct geometry *geometry = desc->geometry;
+    if (!desc->solids)
+        return false;
+    struct corners corners = corners_of(point, geometry);
+    vec3s normal = glms_vec3_normalize(triangle_cross(geometry, corners.index));
+    bool turned = glms_vec3_dot(normal, corners_vector(&corners, geometry->normal)) < 0;
+    return solids_hide(desc->solids, &geometry->parts[point->part],
+                       corners_vector(&corners, geometry->position),
+                       turned != point->back ? glms_vec3_negate(normal) : normal, number);
+}
+
+/* Numbers of the sequence, tried side by side. */
+struct trial {
+    const struct surface_points_desc *desc;
     struct running_sums sums;
     float srgb_to_linear[256];
+    uint32_t first;
+    struct surface_point *points;
+    bool *good;
+};
+
+static void try_point(void *context, size_t i) {
+    const struct trial *trial = context;
+    uint32_t number = trial->first + (uint32_t)i;
+    uint32_t seed = (uint32_t)trial->desc->seed;
+    double all = total(&trial->sums, trial->desc->geometry->part_count);
+    double x = fmod(radical_inverse(2, number) + radical_inverse(5, seed), 1);
+    double y = fmod(radical_inverse(3, number) + radical_inverse(7, seed), 1);
+    struct surface_point *point = &trial->points[i];
+    locate(point, &trial->sums, trial->desc, x * all, y);
+    trial->good[i] = find_albedo(point, trial->desc, trial->srgb_to_linear) &&
+                     !is_hidden(point, trial->desc, number);
+}
+
+void surface_points_init(struct surface_points *points, const struct surface_points_desc *desc) {
+    enum { TRIES = 8, ROUND = 4096 }; /* tries for each point: after them the rest stays black */
+    struct trial trial = {.desc = desc,
+                          .points = mem_alloc(ROUND, sizeof *trial.points),
+                          .good = mem_alloc(ROUND, sizeof *trial.good)};
     int count = desc->count;
     *points = (struct surface_points){count, mem_alloc((size_t)count, sizeof *points->items)};
-    texture_decode_table(srgb_to_linear);
-    init_sums(&sums, desc);
-    double all = total(&sums, desc->geometry->part_count);
+    texture_decode_table(trial.srgb_to_linear);
+    init_sums(&trial.sums, desc);
+    double all = total(&trial.sums, desc->geometry->part_count);
     int found = 0, tried = 0;
-    for (; found < count && tried < TRIES * count && all > 0; tried++) {
-        uint32_t number = 1 + desc->first * TRIES + (uint32_t)tried;
-        struct surface_point *point = &points->items[found];
-        locate(point, &sums, desc, radical_inverse(2, number) * all, radical_inverse(3, number));
-        found += find_albedo(point, desc, srgb_to_linear);
+    while (found < count && tried < TRIES * count && all > 0) {
+        int round = TRIES * count - tried < ROUND ? TRIES * count - tried : ROUND;
+        trial.first = 1 + desc->first * TRIES + (uint32_t)tried;
+        parallel_for((size_t)round, desc->solids ? 0 : 1, try_point, &trial);
+        for (int i = 0; i < round && found < count; i++, tried++)
+            if (trial.good[i])
+                points->items[found++] = trial.points[i];
     }
     for (int i = 0; i < found; i++)
         points->items[i].share *= (float)(all / tried);
-    if (found < count)
-        memset(&points->items[found], 0, (size_t)(count - found) * sizeof *points->items);
-    free_sums(&sums);
+    free_sums(&trial.sums);
+    free(trial.points);
+    free(trial.good);
 }
 
 void surface_points_free(struct surface_points *points) {

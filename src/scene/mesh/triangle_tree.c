@@ -1,0 +1,240 @@
+#include "scene/mesh/triangle_tree.h"
+
+#include "base/memory.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum {
+    LEAF = 4,   /* triangles: so few are not split */
+    BINS = 16,  /* of their middles, along the longest side */
+    DEPTH = 64, /* of the tree: deeper ones are leaves of any size */
+};
+
+struct box {
+    float low[3], high[3];
+};
+
+struct tree_node {
+    struct box box;
+    uint32_t first; /* triangle of a leaf; else the first of two children, which are contiguous */
+    uint32_t count; /* 0: no leaf */
+};
+
+/* --- boxes ------------------------------------------------------------------------------------ */
+
+static struct box empty_box(void) {
+    return (struct box){{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
+}
+
+static void box_add(struct box *box, const struct box *other) {
+    for (int c = 0; c < 3; c++) {
+        box->low[c] = fminf(box->low[c], other->low[c]);
+        box->high[c] = fmaxf(box->high[c], other->high[c]);
+    }
+}
+
+static float half_surface(const struct box *box) {
+    float x = box->high[0] - box->low[0], y = box->high[1] - box->low[1],
+          z = box->high[2] - box->low[2];
+    return x < 0 ? 0 : x * y + y * z + z * x;
+}
+
+static struct box box_of(const struct tree_triangle *triangle) {
+    struct box box;
+    for (int c = 0; c < 3; c++) {
+        float at = triangle->corner.raw[c], a = triangle->edges[0].raw[c],
+              b = triangle->edges[1].raw[c];
+        box.low[c] = at + fminf(fminf(a, b), 0);
+        box.high[c] = at + fmaxf(fmaxf(a, b), 0);
+    }
+    return box;
+}
+
+static float middle_of(const struct tree_triangle *triangle, int axis) {
+    return triangle->corner.raw[axis] +
+           (triangle->edges[0].raw[axis] + triangle->edges[1].raw[axis]) / 3;
+}
+
+/* --- building --------------------------------------------------------------------------------- */
+
+struct split {
+    int axis, bin; /* the last one of the first child */
+    float low, bins_per_metre, cost;
+};
+
+static int bin_of(const struct tree_triangle *triangle, const struct split *split) {
+    float bin = (middle_of(triangle, split->axis) - split->low) * split->bins_per_metre;
+    return (int)fminf(fmaxf(bin, 0), BINS - 1);
+}
+
+/* Where the children's surfaces, times how many triangles they have, are least: [Wald 2007, eq. 2]. */
+static void find_bin(struct split *split, const struct box boxes[BINS],
+                     const uint32_t counts[BINS]) {
+    float after[BINS];
+    struct box box = empty_box();
+    uint32_t count = 0;
+    for (int bin = BINS - 1; bin > 0; bin--) {
+        box_add(&box, &boxes[bin]);
+        count += counts[bin];
+        after[bin] = count ? half_surface(&box) * (float)count : INFINITY;
+    }
+    box = empty_box();
+    count = 0;
+    split->cost = INFINITY;
+    for (int bin = 0; bin < BINS - 1; bin++) {
+        box_add(&box, &boxes[bin]);
+        count += counts[bin];
+        float cost = count ? half_surface(&box) * (float)count + after[bin + 1] : INFINITY;
+        if (cost < split->cost) {
+            split->cost = cost;
+            split->bin = bin;
+        }
+    }
+}
+
+static struct split find_split(const struct tree_triangle *triangles, uint32_t count) {
+    struct box middles = empty_box(), boxes[BINS];
+    uint32_t counts[BINS] = {0};
+    struct split split = {0};
+    for (uint32_t i = 0; i < count; i++)
+        for (int c = 0; c < 3; c++) {
+            float middle = middle_of(&triangles[i], c);
+            middles.low[c] = fminf(middles.low[c], middle);
+            middles.high[c] = fmaxf(middles.high[c], middle);
+        }
+    for (int c = 1; c < 3; c++)
+        if (middles.high[c] - middles.low[c] > middles.high[split.axis] - middles.low[split.axis])
+            split.axis = c;
+    split.low = middles.low[split.axis];
+    split.bins_per_metre = BINS / fmaxf(middles.high[split.axis] - split.low, FLT_MIN);
+    for (int bin = 0; bin < BINS; bin++)
+        boxes[bin] = empty_box();
+    for (uint32_t i = 0; i < count; i++) {
+        int bin = bin_of(&triangles[i], &split);
+        struct box box = box_of(&triangles[i]);
+        box_add(&boxes[bin], &box);
+        counts[bin]++;
+    }
+    find_bin(&split, boxes, counts);
+    return split;
+}
+
+/* How many the first child has; 0: all lie at one place. */
+static uint32_t divide(struct tree_triangle *triangles, uint32_t count) {
+    struct split split = find_split(triangles, count);
+    uint32_t first = 0;
+    for (uint32_t i = 0; isfinite(split.cost) && i < count; i++)
+        if (bin_of(&triangles[i], &split) <= split.bin) {
+            struct tree_triangle swapped = triangles[first];
+            triangles[first++] = triangles[i];
+            triangles[i] = swapped;
+        }
+    return first;
+}
+
+static void build(struct triangle_tree *tree, uint32_t at, uint32_t first, uint32_t count,
+                  int depth) {
+    struct tree_triangle *triangles = tree->triangles + first;
+    struct box box = empty_box();
+    for (uint32_t i = 0; i < count; i++) {
+        struct box own = box_of(&triangles[i]);
+        box_add(&box, &own);
+    }
+    uint32_t half = count > LEAF && depth < DEPTH ? divide(triangles, count) : 0;
+    uint32_t children = tree->node_count;
+    tree->nodes[at] = (struct tree_node){box, half ? children : first, half ? 0 : count};
+    if (half == 0)
+        return;
+    tree->node_count += 2;
+    build(tree, children, first, half, depth + 1);
+    build(tree, children + 1, first + half, count - half, depth + 1);
+}
+
+void triangle_tree_init(struct triangle_tree *tree, struct tree_triangle *triangles,
+                        uint32_t count) {
+    *tree = (struct triangle_tree){
+        .triangles = triangles,
+        .nodes = mem_alloc(2 * (size_t)count + 1, sizeof *tree->nodes),
+        .count = count,
+        .node_count = 1,
+    };
+    build(tree, 0, 0, count, 1);
+}
+
+void triangle_tree_free(struct triangle_tree *tree) {
+    free(tree->triangles);
+    free(tree->nodes);
+    *tree = (struct triangle_tree){0};
+}
+
+/* --- rays ------------------------------------------------------------------------------------- */
+
+struct tree_ray {
+    vec3s origin, direction;
+    float inverse[3]; /* of the direction */
+};
+
+/* Where it enters; INFINITY: not before the limit. */
+static float enter(const struct box *box, const struct tree_ray *ray, float limit) {
+    float near = 0, far = limit;
+    for (int c = 0; c < 3; c++) {
+        float a = (box->low[c] - ray->origin.raw[c]) * ray->inverse[c];
+        float b = (box->high[c] - ray->origin.raw[c]) * ray->inverse[c];
+        float first = a < b ? a : b, last = a < b ? b : a;
+        near = first > near ? first : near;
+        far = last < far ? last : far;
+    }
+    return near <= far ? near : INFINITY;
+}
+
+/* [Möller and Trumbore 1997]. */
+static void meet(const struct tree_triangle *triangle, const struct tree_ray *ray,
+                 struct tree_hit *hit) {
+    vec3s across = glms_vec3_cross(ray->direction, triangle->edges[1]);
+    float determinant = glms_vec3_dot(triangle->edges[0], across);
+    vec3s from = glms_vec3_sub(ray->origin, triangle->corner);
+    vec3s other = glms_vec3_cross(from, triangle->edges[0]);
+    float inverse = 1 / determinant, u = glms_vec3_dot(from, across) * inverse;
+    float v = glms_vec3_dot(ray->direction, other) * inverse;
+    float distance = glms_vec3_dot(triangle->edges[1], other) * inverse;
+    if (u >= 0 && v >= 0 && u + v <= 1 && distance > 0 && distance < hit->distance)
+        *hit = (struct tree_hit){distance, triangle, determinant < 0};
+}
+
+/* Boxes that the ray enters, the nearest on top. */
+struct open_box {
+    uint32_t node;
+    float at;
+};
+
+bool triangle_tree_hit(const struct triangle_tree *tree, vec3s origin, vec3s direction,
+                       struct tree_hit *hit) {
+    struct tree_ray ray = {origin, direction, {0}};
+    struct open_box stack[DEPTH + 1] = {{0}};
+    int height = 1;
+    for (int c = 0; c < 3; c++)
+        ray.inverse[c] = 1 / (fabsf(direction.raw[c]) > FLT_MIN ? direction.raw[c] : FLT_MIN);
+    *hit = (struct tree_hit){.distance = INFINITY};
+    while (height > 0) {
+        struct open_box top = stack[--height];
+        const struct tree_node *node = &tree->nodes[top.node];
+        if (top.at >= hit->distance)
+            continue;
+        for (uint32_t i = 0; i < node->count; i++)
+            meet(&tree->triangles[node->first + i], &ray, hit);
+        if (node->count > 0)
+            continue;
+        struct open_box children[2];
+        for (uint32_t i = 0; i < 2; i++)
+            children[i] = (struct open_box){
+                node->first + i, enter(&tree->nodes[node->first + i].box, &ray, hit->distance)};
+        int near = children[0].at <= children[1].at ? 0 : 1;
+        if (isfinite(children[1 - near].at))
+            stack[height++] = children[1 - near];
+        if (isfinite(children[near].at))
+            stack[height++] = children[near];
+    }
+    return hit->triangle != NULL;
+}
