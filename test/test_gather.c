@@ -368,6 +368,32 @@ static void test_near_faces(void **state) {
     stage_free(&stage);
 }
 
+/* Of the light that would be there the part that is: behind a sheet that divides the room, in whose shadow all is dark, and
+ * in a corner, where nothing is between. */
+static double share_of_unshadowed(const struct stage_desc *desc) {
+    struct stage stage;
+    check_ok(desc->path, stage_init(&stage, desc));
+    struct image frame = render_stage(&stage, "clustered", "vpls=64 vals=64", 64);
+    struct image all = render_stage(&stage, "unshadowed", "vpls=64", 64);
+    double share = layer_mean(&frame, "indirect") / layer_mean(&all, "indirect");
+    image_free(&frame);
+    image_free(&all);
+    stage_free(&stage);
+    return share;
+}
+
+static void test_near_occlusion(void **state) {
+    (void)state;
+    const struct stage_desc behind_sheet = {
+        .path = "scenes/failures/thin-wall.glb",
+        .camera = "0 eye=1.4,1.2,1.8 forward=-.15,-.25,-1 fov=1.1",
+        .light = "0 position=-.4,1,-.5 direction=.6,-.6,-.9 cone=.85,.8",
+    };
+    check_at_most("of unshadowed light, behind a sheet", share_of_unshadowed(&behind_sheet), .018);
+    const struct stage_desc corner = {.path = "scenes/failures/corner.glb"};
+    check_near("in a corner", share_of_unshadowed(&corner), 1, .03);
+}
+
 /* --- visibility ------------------------------------------------------------------------------- */
 
 /* One VPL with one map: each pixel has all of its light or none, as a ray to it says. */
@@ -434,11 +460,12 @@ static void test_batches(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surfaces),     cmocka_unit_test(test_direct),
-        cmocka_unit_test(test_vpls),         cmocka_unit_test(test_vpls_of_facets),
-        cmocka_unit_test(test_sums),         cmocka_unit_test(test_slots),
-        cmocka_unit_test(test_map_of_vpl),   cmocka_unit_test(test_batches),
-        cmocka_unit_test(test_near_samples), cmocka_unit_test(test_near_faces),
+        cmocka_unit_test(test_surfaces),       cmocka_unit_test(test_direct),
+        cmocka_unit_test(test_vpls),           cmocka_unit_test(test_vpls_of_facets),
+        cmocka_unit_test(test_sums),           cmocka_unit_test(test_slots),
+        cmocka_unit_test(test_map_of_vpl),     cmocka_unit_test(test_batches),
+        cmocka_unit_test(test_near_samples),   cmocka_unit_test(test_near_faces),
+        cmocka_unit_test(test_near_occlusion),
     };
     return cmocka_run_group_tests_name("gather", tests, open_group_context, close_group_context);
 }

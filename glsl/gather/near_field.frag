@@ -1,21 +1,23 @@
 // The near field of the lit surfaces: what VPLs, a spacing apart, cannot resolve. Each pixel gathers from
 // the reflective shadow map around its own place in each light's view [Dachsbacher and Stamminger 2005],
-// log-polar, so that a corner is resolved at every distance. Unoccluded.
+// log-polar, so that a corner is resolved at every distance. OCCLUDED: of some samples one asks whether something is
+// between; else nothing is.
 //     E = 1/n sum_j  rho I / pi  cos cos / d^2  near(d)  dw_j
 // A draw fills one tile, whose pixels share their samples, as in the gather.
 #include "lib/gbuffer.glsl"
 #include "gather/near_field.glsl"
+#include "gather/near_lights.glsl"
 #include "gather/receiver.glsl"
-#include "gather/near_light.glsl"
-#include "lib/light.glsl"
 #include "lib/vpl_shares.glsl"
 #include "shared/near_field.h"
 #include "shared/vpl.h"
+#if OCCLUDED
+#include "gather/near_occlusion.glsl"
+#endif
 
 layout(std140, binding = BLOCK_NEAR_SAMPLES) uniform sample_uniforms {
     vec4 sample_rows[NEAR_SAMPLES_MAX];
 };
-layout(binding = UNIT_NEAR_LIGHT) uniform usampler2DArray near_lights[LIGHT_MAP_KINDS];
 
 layout(location = LOCATION_SLOT) uniform ivec4 slot; // first sample, count, the tile's place in the pattern
 // The lights that this tile takes, and each one's weight: of a group of many one stands for all.
@@ -26,22 +28,14 @@ layout(location = TARGET_RESULT) out vec4 irradiance;
 
 const float PI = 3.14159265358979;
 
-// Of maps of the kind, texels a side.
-int near_size(int kind) {
-    return kind == LIGHT_MAP_FACE ? textureSize(near_lights[LIGHT_MAP_FACE], 0).x
-                                  : textureSize(near_lights[LIGHT_MAP_SINGLE], 0).x;
-}
+// What reaches the receiver from a sample where nothing is between, per unit of ndc area and spread of the view.
+struct near_arrival {
+    vec3 light, position; // of the sample
+    int view_index;       // of the view that has it
+};
 
-near_light near_fetch(light_view v, ivec2 texel) {
-    ivec3 place = ivec3(texel, v.layer);
-    return near_light_unpack(v.kind == LIGHT_MAP_FACE
-                                 ? texelFetch(near_lights[LIGHT_MAP_FACE], place, 0)
-                                 : texelFetch(near_lights[LIGHT_MAP_SINGLE], place, 0));
-}
-
-// What reaches the receiver from where the light's view of that number has the point `ndc`, per unit of
-// ndc area and spread of the view.
-vec3 sample_light(surface receiver, light l, int index, vec2 ndc, float reach) {
+// Where the light's view of that number has the point `ndc`.
+near_arrival arrival_from(surface receiver, light l, int index, vec2 ndc, float reach) {
     light_view seen = light_view_at(index);
     view v = seen.view;
     float measure = 1.0;
@@ -57,11 +51,12 @@ vec3 sample_light(surface receiver, light l, int index, vec2 ndc, float reach) {
         ndc = clip.xy / clip.w;
         measure = 1.0 / (clip.w * clip.w * clip.w);
     }
+    index = other;
 #endif
-    vec2 size = vec2(near_size(seen.kind));
-    ivec2 texel = clamp(ivec2((ndc * 0.5 + 0.5) * size), ivec2(0), ivec2(size) - 1);
+    int size = near_size(seen.kind);
+    ivec2 texel = near_texel(ndc, size);
     near_light near = near_fetch(seen, texel);
-    vec3 position = view_position_at(v, (vec2(texel) + 0.5) / size * 2.0 - 1.0, near.z);
+    vec3 position = view_position_at(v, (vec2(texel) + 0.5) / float(size) * 2.0 - 1.0, near.z);
     vec3 to_sample = (position - receiver.position) * params.inverse_radius;
     float distance2 = dot(to_sample, to_sample);
     float cosines = max(dot(receiver.normal, to_sample), 0.0) *
@@ -69,11 +64,69 @@ vec3 sample_light(surface receiver, light l, int index, vec2 ndc, float reach) {
     float share = near_share(distance2, near.spacing * near.spacing, reach);
     // No branches: a software rasteriser executes both sides.
     bool seen_lit = all(lessThan(abs(ndc), vec2(1.0))) && near.z > 0.0 && cosines > 0.0;
-    return near.power * (seen_lit ? cosines / (distance2 * distance2) * share * measure : 0.0);
+    vec3 light = near.power * (seen_lit ? cosines / (distance2 * distance2) * share * measure : 0.0);
+    return near_arrival(light, position, index);
+}
+
+// Where samples of one light lie, in the view of that number.
+struct near_places {
+    int view_index;
+    vec2 center, aspect; // ndc
+    float least, span;   // radius; logarithm of the greatest over it
+    float reach;
+};
+
+near_arrival arrival_of_sample(surface s, light l, near_places around, int i) {
+    near_sample place = near_sample(sample_rows[i].xy, sample_rows[i].z, 0.0);
+    float r = around.least * exp(around.span * place.log_radius);
+    // Log-polar density: 1 / (2 pi r^2 span) per ndc area.
+    vec2 ndc = around.center + r * place.direction * around.aspect;
+    near_arrival arrival = arrival_from(s, l, around.view_index, ndc, around.reach);
+    arrival.light *= r * r;
+    return arrival;
+}
+
+#if OCCLUDED
+// Of so many samples one, taken by its light, asks for all: on average each counts as if it had asked.
+const int TOGETHER = 16;
+
+vec3 light_together(surface s, light l, near_places around, int first, int last, float random) {
+    vec3 sum = vec3(0.0);
+    const float none = 1e-20;
+    float strength = none;
+    near_arrival asks = near_arrival(vec3(0.0), s.position, around.view_index);
+    for (int i = first; i < last; i++) {
+        near_arrival own = arrival_of_sample(s, l, around, i);
+        float own_strength = dot(own.light, vec3(1.0));
+        sum += own.light;
+        strength += own_strength;
+        // One number for all: within the part that it fell into it is as random as before.
+        float at = random * strength;
+        bool taken = at < own_strength;
+        random = (taken ? at : at - own_strength) / max(taken ? own_strength : strength - own_strength, none);
+        asks.position = taken ? own.position : asks.position;
+        asks.view_index = taken ? own.view_index : asks.view_index;
+    }
+    return is_hidden(s.position, asks.position, light_view_at(asks.view_index), strength > none) ? vec3(0.0) : sum;
+}
+#endif
+
+vec3 light_of_samples(surface s, light l, near_places around, int first, int last, float random) {
+    vec3 sum = vec3(0.0);
+#if OCCLUDED
+    for (int i = first; i < last; i += TOGETHER) {
+        sum += light_together(s, l, around, i, min(i + TOGETHER, last), random);
+        random = fract(random + 0.6180339887);
+    }
+#else
+    for (int i = first; i < last; i++)
+        sum += arrival_of_sample(s, l, around, i).light;
+#endif
+    return sum;
 }
 
 // Of one light, where there is something that receives it.
-vec3 near_field(surface s, bool receives, light l, vpl_share share) {
+vec3 near_field(surface s, bool receives, light l, vpl_share share, float random) {
     int index = light_view_index(l, s.position - l.position);
     light_view seen = light_view_at(index);
     view v = seen.view;
@@ -86,14 +139,8 @@ vec3 near_field(surface s, bool receives, light l, vpl_share share) {
     // A count and no branch around the loop, which a software rasteriser would keep books of at each step.
     bool reached = receives && clip.w > 0.0 && all(lessThanEqual(abs(center), vec2(1.0 + radius))) && span > 0.0;
     int last = reached ? slot.x + slot.y : slot.x;
-    vec3 sum = vec3(0.0);
-    for (int i = slot.x; i < last; i++) {
-        near_sample place = near_sample(sample_rows[i].xy, sample_rows[i].z, 0.0);
-        float r = least * exp(span * place.log_radius);
-        // Log-polar density: 1 / (2 pi r^2 span) per ndc area.
-        vec2 ndc = center + r * place.direction * aspect;
-        sum += sample_light(s, l, index, ndc, share.reach) * (r * r);
-    }
+    near_places around = near_places(index, center, aspect, least, span, share.reach);
+    vec3 sum = light_of_samples(s, l, around, slot.x, last, random);
     float spread = length(v.right) * length(v.up);
     float weight = 2.0 * PI * span * aspect.y * spread / float(slot.y);
     return reached ? sum * (weight / PI) : vec3(0.0);
@@ -105,12 +152,14 @@ void main() {
     bool receives = receiver_pixel(params.pattern, slot.zw, pixel);
     surface s = receiver_surface(pixel);
     receives = receives && s.present;
+    // A lattice: pixels side by side have numbers far apart.
+    float random = fract(dot(vec2(pixel), vec2(0.7548776662, 0.5698402910)));
 #if LIGHTS == 1 // or none
-    irradiance.rgb = near_field(s, receives && pick_count > 0, light_at(0), vpl_share_at(0));
+    irradiance.rgb = near_field(s, receives && pick_count > 0, light_at(0), vpl_share_at(0), random);
 #else
     for (int i = 0; i < pick_count; i++) {
         int index = int(picks[i].x);
-        irradiance.rgb += picks[i].y * near_field(s, receives, light_at(index), vpl_share_at(index));
+        irradiance.rgb += picks[i].y * near_field(s, receives, light_at(index), vpl_share_at(index), random);
     }
 #endif
 }

@@ -182,13 +182,16 @@ static int rsm_size(const struct technique_desc *desc) {
     return shared > RSM_SIZE_MIN ? shared : RSM_SIZE_MIN;
 }
 
-static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc) {
+/* VPLs that take the near field back know of what is between themselves. */
+static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc,
+                            const struct many_lights_visibility *visibility) {
     const struct gather_settings *own = settings_of(desc->settings, &gather_part);
     lights->has_near_field =
         own->clamp == GATHER_CLAMP_NEAR || own->clamp == GATHER_CLAMP_RECTANGLE_NEAR;
     struct near_field_desc near_field = {
         .samples = own->near_samples,
         .listed = lights->has_detail,
+        .occluded = visibility->lookup != VISIBILITY_LOOKUP_NONE && own->take_back <= 0,
         .rsm_size = rsm_size(desc),
         .lights = *desc->lights,
     };
@@ -285,7 +288,7 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
         vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) &&
         init_bounces(lights, desc, visibility) && init_gather(lights, desc, visibility) &&
-        init_gloss(lights, desc, visibility) && init_near_field(lights, desc) &&
+        init_gloss(lights, desc, visibility) && init_near_field(lights, desc, visibility) &&
         init_blur(lights, desc))
         return true;
     many_lights_free(lights);

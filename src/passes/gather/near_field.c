@@ -40,9 +40,10 @@ static bool init_programs(struct near_field_pass *pass) {
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
     int room = lights->lights > 0 ? lights->lights : 1; /* GLSL has no empty arrays */
     char *of_light = mem_printf("LIGHTS %d;MAP_KINDS %d", room, kinds);
-    char *defines = mem_printf("RECEIVERS %d;%s",
+    char *defines = mem_printf("OCCLUDED 0;RECEIVERS %d;%s",
                                pass->desc.listed ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
-    char *listed = mem_printf("RECEIVERS %d;%s", RECEIVERS_LISTED, of_light);
+    char *listed =
+        mem_printf("OCCLUDED %d;RECEIVERS %d;%s", pass->desc.occluded, RECEIVERS_LISTED, of_light);
     bool ok =
         program_init(&pass->light_program,
                      &(struct program_desc){

@@ -5,8 +5,9 @@
  * split: with near(d) = (1 - d^2 / (reach^2 area))^2 the VPLs give (1 - near), and this pass gives
  * near, from the texels of the reflective shadow map around the receiver [Dachsbacher and
  * Stamminger 2005]. It takes the place of clamping and compensation [Kollig and Keller 2004]. What
- * is near counts as unoccluded: the bias of it. Cost: pixels x samples x groups of lights, for pixels in
- * reach of a light alone: the tiles of a pattern share the lights of a group out by their flux.
+ * is near counts as unoccluded: the bias of it, but where there is detail (glsl/gather/near_occlusion.glsl).
+ * Cost: pixels x samples x groups of lights, for pixels in reach of a light alone: the tiles of a pattern
+ * share the lights of a group out by their flux.
  */
 #ifndef PASSES_NEAR_FIELD_H
 #define PASSES_NEAR_FIELD_H
@@ -18,6 +19,7 @@ struct near_field_desc {
     bool listed; /* pixels of lists come by themselves, and not with all others */
     int list_slots
         [LIST_KINDS]; /* what is on a list takes the samples of so many slots side by side; 0: none */
+    bool occluded;    /* what the light sees hides near light from what is on a list */
     int rsm_size;     /* as lights' settings have it */
     struct light_layout lights;
 };
