@@ -382,6 +382,39 @@ static double share_of_unshadowed(const struct stage_desc *desc) {
     return share;
 }
 
+/* Brightest pixel over the mean, of near light from a shadow map of so many texels a side. */
+static double brightest_from(const struct stage *stage, int texels) {
+    char settings[128];
+    snprintf(settings, sizeof settings,
+             "vpls=64 interleave=1 samples=1 near-reach=4 near-samples=256 facets=on rsm-size=%d",
+             texels);
+    struct image frame = render_stage(stage, "unshadowed", settings, 128);
+    int channel = image_find_channel(&frame, "indirect.G");
+    double sum = 0, most = 0;
+    for (int i = 0; i < 128 * 128; i++) {
+        double light = frame.pixels[i * frame.channel_count + channel];
+        sum += light;
+        most = fmax(most, light);
+    }
+    image_free(&frame);
+    return most * 128 * 128 / sum;
+}
+
+/* Where a receiver lies in the middle of a texel, the texel is no nearer than it is wide. */
+static void test_near_facets(void **state) {
+    (void)state;
+    const struct stage_desc desc = {
+        .path = "scenes/cornell-animal.glb",
+        .camera = "0 eye=.31,1.2,.9 forward=-.3,-1,-.9 fov=1.1",
+        .light = "0 position=.3,1.2,.9 direction=-.3,-1,-.9 cone=.85,.8",
+    };
+    struct stage stage;
+    check_ok(desc.path, stage_init(&stage, &desc));
+    check_at_most("brightest pixel, 32 texels a side over 1024",
+                  brightest_from(&stage, 32) / brightest_from(&stage, 1024), 1.5);
+    stage_free(&stage);
+}
+
 static void test_near_occlusion(void **state) {
     (void)state;
     const struct stage_desc behind_sheet = {
@@ -460,12 +493,12 @@ static void test_batches(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surfaces),       cmocka_unit_test(test_direct),
-        cmocka_unit_test(test_vpls),           cmocka_unit_test(test_vpls_of_facets),
-        cmocka_unit_test(test_sums),           cmocka_unit_test(test_slots),
-        cmocka_unit_test(test_map_of_vpl),     cmocka_unit_test(test_batches),
-        cmocka_unit_test(test_near_samples),   cmocka_unit_test(test_near_faces),
-        cmocka_unit_test(test_near_occlusion),
+        cmocka_unit_test(test_surfaces),     cmocka_unit_test(test_direct),
+        cmocka_unit_test(test_vpls),         cmocka_unit_test(test_vpls_of_facets),
+        cmocka_unit_test(test_sums),         cmocka_unit_test(test_slots),
+        cmocka_unit_test(test_map_of_vpl),   cmocka_unit_test(test_batches),
+        cmocka_unit_test(test_near_samples), cmocka_unit_test(test_near_faces),
+        cmocka_unit_test(test_near_facets),  cmocka_unit_test(test_near_occlusion),
     };
     return cmocka_run_group_tests_name("gather", tests, open_group_context, close_group_context);
 }

@@ -62,6 +62,11 @@ near_arrival arrival_from(surface receiver, light l, int index, vec2 ndc, float 
     float cosines = max(dot(receiver.normal, to_sample), 0.0) *
                     max(-dot(octahedral_decode(near.normal_code), to_sample), 0.0);
     float share = near_share(distance2, near.spacing * near.spacing, reach);
+#if FACETS
+    // Places are known to a texel: from nearer than that a triangle beside the receiver would shine without a bound.
+    float texel_width = 2.0 / float(size) * length(v.right) * (v.orthographic ? 1.0 : near.z) * params.inverse_radius;
+    cosines *= min(distance2 / (texel_width * texel_width), 1.0);
+#endif
     // No branches: a software rasteriser executes both sides.
     bool seen_lit = all(lessThan(abs(ndc), vec2(1.0))) && near.z > 0.0 && cosines > 0.0;
     vec3 light = near.power * (seen_lit ? cosines / (distance2 * distance2) * share * measure : 0.0);

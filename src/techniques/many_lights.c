@@ -182,6 +182,12 @@ static int rsm_size(const struct technique_desc *desc) {
     return shared > RSM_SIZE_MIN ? shared : RSM_SIZE_MIN;
 }
 
+/* Rays for gloss need the smooth normals of what they meet. */
+static bool sends_as_facets(const struct technique_desc *desc) {
+    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    return own->facets && !desc->gloss;
+}
+
 /* VPLs that take the near field back know of what is between themselves. */
 static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc,
                             const struct many_lights_visibility *visibility) {
@@ -191,6 +197,7 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
     struct near_field_desc near_field = {
         .samples = own->near_samples,
         .listed = lights->has_detail,
+        .facets = sends_as_facets(desc),
         .occluded = visibility->lookup != VISIBILITY_LOOKUP_NONE && own->take_back <= 0,
         .rsm_size = rsm_size(desc),
         .lights = *desc->lights,
@@ -254,12 +261,6 @@ bool many_lights_check(const struct settings *settings) {
     int places = gather->interleave * gather->interleave;
     return lights->vpls >= places || error_set("interleave=%d needs at least %d VPLs, and vpls=%d",
                                                gather->interleave, places, lights->vpls);
-}
-
-/* Rays for gloss need the smooth normals of what they meet. */
-static bool sends_as_facets(const struct technique_desc *desc) {
-    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
-    return own->facets && !desc->gloss;
 }
 
 static bool init_rsm(struct many_lights *lights, const struct technique_desc *desc, int size) {

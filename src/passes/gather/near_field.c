@@ -39,7 +39,7 @@ static bool init_programs(struct near_field_pass *pass) {
     int kinds = (lights->views[LIGHT_MAP_SINGLE] > 0) << LIGHT_MAP_SINGLE |
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
     int room = lights->lights > 0 ? lights->lights : 1; /* GLSL has no empty arrays */
-    char *of_light = mem_printf("LIGHTS %d;MAP_KINDS %d", room, kinds);
+    char *of_light = mem_printf("LIGHTS %d;MAP_KINDS %d;FACETS %d", room, kinds, pass->desc.facets);
     char *defines = mem_printf("OCCLUDED 0;RECEIVERS %d;%s",
                                pass->desc.listed ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
     char *listed =

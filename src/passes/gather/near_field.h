@@ -20,6 +20,7 @@ struct near_field_desc {
     int list_slots
         [LIST_KINDS]; /* what is on a list takes the samples of so many slots side by side; 0: none */
     bool occluded;    /* what the light sees hides near light from what is on a list */
+    bool facets;      /* the shadow map's normals are of triangles */
     int rsm_size;     /* as lights' settings have it */
     struct light_layout lights;
 };
