@@ -14,7 +14,7 @@ static const struct option lights_table[] = {
          "reflective shadow map, texels a side; more than four of them have the texels of four"},
     {"bounces", 0, OPTION_INT, ROW(lights, bounces), 1, 1, 8,
      .help = "of indirect light; those after the first by way of points of all surfaces"},
-    {"surface-points", 0, OPTION_INT, ROW(lights, points), 1024, VPL_PARTNERS_MAX, 16384,
+    {"surface-points", 0, OPTION_INT, ROW(lights, points), 2048, VPL_PARTNERS_MAX, 16384,
      .help = "of surfaces that become VPLs of further bounces, P"},
     {"facets", 0, OPTION_FLAG, ROW(lights, facets), 0,
      .help =

@@ -75,8 +75,7 @@ static const struct preset presets[] = {
      "lights.vpls=512 clustered.vals=12 map.size=128 gather.detail=0 gather.near-samples=256"},
     MANY_LIGHTS_FAST,
     {"fine", "for scenes of many small things: more maps, and lights where detail is",
-     "clustered.vals=60 clustered.bounce-vals=120 lights.surface-points=2048 gather.detail=2 "
-     "gather.detail-times=1"},
+     "clustered.vals=60 clustered.bounce-vals=120 gather.detail=2 gather.detail-times=1"},
     {"paper", "as published: convolution soft shadow maps at each pixel and VPL",
      "clustered.visibility=cssm clustered.visibility-block=0 " MANY_LIGHTS_AS_PUBLISHED},
     {NULL}};
