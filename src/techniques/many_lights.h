@@ -78,7 +78,7 @@ extern const struct settings_part lights_part, map_part, lookup_part, gather_par
  * what patches take from further bounces. */
 #define MANY_LIGHTS_REFINED                                                                        \
     "lights.vpls=64 lights.rsm-size=1024 lights.facets=on gather.interleave=1 gather.clamp=near "  \
-    "gather.near-reach=4 gather.take-back=.67 gather.near-samples=256 blur.radius=0 "              \
+    "gather.near-reach=4 gather.take-back=.4 gather.near-samples=256 blur.radius=0 "               \
     "lights.surface-points=256"
 
 extern const struct refinement many_lights_refinement;

@@ -72,7 +72,7 @@ static const struct option gather_table[] = {
     {"take-back", 0, OPTION_FLOAT, ROW(gather, take_back), 0, 0, 1,
      .help =
          "clamp=near: VPLs that do not arrive take the near field back, which counts as\n"
-         "unoccluded, but within a share of its reach that falls as the passes' number to this\n"
+         "unoccluded, but within .6 of its reach and less, as the passes' number to minus this\n"
          "power; 0 = they do not"},
     {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 1024, 1, 1024,
      .help = "clamp=near: samples of the near field that n x n pixels share out"},

@@ -77,6 +77,10 @@ void gather_pass_clear(const struct gather_pass *pass) {
 /* How many VPLs a ball holds at a radius of 1. */
 static const float neighbours = 10;
 
+/* Of the near field's reach, what counts as unoccluded in pass 0. What one VPL takes back is bounded by 1 / reach^2, and its
+ * variance grows likewise: a reach that falls as a power of -1/2 or faster lets no mean of passes converge. */
+static const float unoccluded_first = .6f;
+
 void gather_pass_write_params(const struct gather_pass *pass, const struct frame *frame,
                               const struct gather_inputs *inputs) {
     const struct gather_desc *desc = &pass->desc;
@@ -90,7 +94,7 @@ void gather_pass_write_params(const struct gather_pass *pass, const struct frame
         .cut_layer = desc->cuts && listed ? inputs->cuts->detail_layer : 0,
         .sphere2 = neighbours / (float)GLM_PI * desc->sphere * desc->sphere,
         .gloss_rays = desc->gloss_rays,
-        .unoccluded = powf((float)(frame->pass + 1), -desc->take_back),
+        .unoccluded = unoccluded_first * powf((float)(frame->pass + 1), -desc->take_back),
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
