@@ -103,6 +103,7 @@
 #define UNIT_PLAIN_PLANES 87
 #define UNIT_PLAIN_NORMALS 88
 #define UNIT_PLAIN_BLOCKS 89
+#define UNIT_TRIANGLE_TREE 90
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0

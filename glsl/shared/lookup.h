@@ -10,25 +10,29 @@
 #define PROJECTION_ORTHOGRAPHIC 2 /* struct view */
 #define PROJECTION_LIGHT_MAP 3    /* struct light_map of visibility/light_map.glsl */
 
-#define FILTER_NONE 0 /* all is lit */
-#define FILTER_HARD 1 /* one texel */
-#define FILTER_CSSM 2 /* convolution soft shadow maps */
-#define FILTER_PCSS 3 /* percentage-closer soft shadows */
-#define FILTER_PCF 4  /* the four nearest texels, weighted */
-#define FILTER_RAY 5  /* the texels along the ray to a VPL */
-#define FILTER_VSSM 6 /* variance soft shadow maps */
-#define FILTER_MSM 7  /* moment shadow maps */
+#define FILTER_NONE 0        /* all is lit */
+#define FILTER_HARD 1        /* one texel */
+#define FILTER_CSSM 2        /* convolution soft shadow maps */
+#define FILTER_PCSS 3        /* percentage-closer soft shadows */
+#define FILTER_PCF 4         /* the four nearest texels, weighted */
+#define FILTER_RAY 5         /* the texels along the ray to a VPL */
+#define FILTER_VSSM 6        /* variance soft shadow maps */
+#define FILTER_MSM 7         /* moment shadow maps */
 #define FILTER_CSSM_WINDOW 8 /* convolution soft shadow maps of lights' own maps */
-#define FILTER_PLANE 9 /* one texel, and the plane of the caster there */
+#define FILTER_TRACED 10     /* a ray to a VPL through the scene's triangles */
+#define FILTER_PLANE 9       /* one texel, and the plane of the caster there */
 
 struct lookup_params {
     float bias;     /* of the point along its normal, texels of the map */
     float map_size; /* texels */
-    float map_bias; /* of the point's distance, where it is compared with a texel, of the distance */
-    float shift;    /* FILTER_CSSM: of the receiver, in the argument of the series */
-    float gain;     /* of the blocked fraction, about one half or, of FILTER_CSSM_WINDOW, from nothing */
+    float
+        map_bias; /* of the point's distance, where it is compared with a texel, of the distance */
+    float shift;  /* FILTER_CSSM: of the receiver, in the argument of the series */
+    float
+        gain; /* of the blocked fraction, about one half or, of FILTER_CSSM_WINDOW, from nothing */
     float sharpen_a, sharpen_b;
-    float contact;  /* windowed filters: what is nearer to the point than this, of its distance, is compared */
+    float
+        contact; /* windowed filters: what is nearer to the point than this, of its distance, is compared */
 };
 STD140_SIZE(lookup_params, 32)
 

@@ -5,6 +5,8 @@
 
 #if FILTER == FILTER_RAY
 #include "visibility/ray.glsl"
+#elif FILTER == FILTER_TRACED
+#include "visibility/traced.glsl"
 #else
 
 // A cluster fills its bounding rectangle thinly towards the rim: over its side, the least error of taps.

@@ -235,7 +235,8 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
 /* Softness is lost in the sum over points, and rays through the map of a cluster take light away: of
  * the 36 % that the second bounce adds in the Cornell box they leave 25, and a hard lookup 29. */
 static enum visibility_lookup bounce_lookup(enum visibility_lookup lookup) {
-    return lookup == VISIBILITY_LOOKUP_NONE ? lookup : VISIBILITY_LOOKUP_HARD;
+    bool as_is = lookup == VISIBILITY_LOOKUP_NONE || lookup == VISIBILITY_LOOKUP_TRACED;
+    return as_is ? lookup : VISIBILITY_LOOKUP_HARD;
 }
 
 static bool init_bounces(struct many_lights *lights, const struct technique_desc *desc,

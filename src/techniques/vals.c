@@ -1,11 +1,17 @@
 #include "techniques/vals.h"
 
-enum visibility_kind { VISIBILITY_CSSM, VISIBILITY_HARD, VISIBILITY_PCSS, VISIBILITY_RAY };
+enum visibility_kind {
+    VISIBILITY_CSSM,
+    VISIBILITY_HARD,
+    VISIBILITY_PCSS,
+    VISIBILITY_RAY,
+    VISIBILITY_TRACED,
+};
 
 #define ROW(name) offsetof(struct vals_settings, name)
 
 static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
-static const char *const visibility_names[] = {"cssm", "hard", "pcss", "ray", NULL};
+static const char *const visibility_names[] = {"cssm", "hard", "pcss", "ray", "traced", NULL};
 
 static const struct option table[] = {
     {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024, .help = "virtual area lights (clusters), M"},
@@ -25,9 +31,12 @@ static const struct option table[] = {
     {"weight-normal", 0, OPTION_FLOAT, ROW(weight_normal), .3, 0, 1000,
      .help = "clustering weight of the angle between normals, w_alpha"},
     {"visibility", 0, OPTION_CHOICE, ROW(visibility), VISIBILITY_RAY, .choices = visibility_names,
-     .help = "lookup in a VAL's map: soft by convolution, hard, percentage-closer soft, or along "
-             "the ray\n"
-             "to each VPL, where blocks of pixels take percentage-closer soft"},
+     .help =
+         "lookup in a VAL's map: soft by convolution, hard, percentage-closer soft, or along "
+         "the ray\n"
+         "to each VPL, where blocks of pixels take percentage-closer soft; or traced through the "
+         "scene's\n"
+         "triangles to each VPL, where blocks do the same: with visibility-block=0 there are none"},
     {"visibility-block", 0, OPTION_INT, ROW(visibility_block), 7, 0, 64,
      .help = "pixels a side of a block that shares its visibility; 0 = each looks itself up;\n"
              "blocks that are no multiple of interleave blur better"},
@@ -38,6 +47,7 @@ const struct settings_part vals_part = {"clustered", "virtual area lights", tabl
                                         sizeof(struct vals_settings)};
 
 static void free_set(struct val_set *set) {
+    caster_pool_release_tree(set->casters, &set->tree);
     cluster_pass_free(&set->cluster);
     paraboloid_pass_free(&set->paraboloid);
     basis_pass_free(&set->basis);
@@ -91,19 +101,24 @@ static bool init_blocks(struct val_set *set, const struct technique_desc *desc) 
 }
 
 /* A ray ends at a VPL: a VAL as a whole has none. */
-static enum visibility_lookup lookup_of_val(enum visibility_lookup lookup) {
-    return lookup == VISIBILITY_LOOKUP_RAY ? VISIBILITY_LOOKUP_PCSS : lookup;
+static enum visibility_lookup lookup_of_val(enum visibility_lookup lookup, bool share) {
+    bool rays = lookup == VISIBILITY_LOOKUP_RAY || (lookup == VISIBILITY_LOOKUP_TRACED && share);
+    return rays ? VISIBILITY_LOOKUP_PCSS : lookup;
 }
 
 enum visibility_lookup vals_lookup(const struct settings *settings) {
     static const enum visibility_lookup lookups[] = {
-        [VISIBILITY_CSSM] = VISIBILITY_LOOKUP_CSSM,
-        [VISIBILITY_HARD] = VISIBILITY_LOOKUP_HARD,
-        [VISIBILITY_PCSS] = VISIBILITY_LOOKUP_PCSS,
-        [VISIBILITY_RAY] = VISIBILITY_LOOKUP_RAY,
+        [VISIBILITY_CSSM] = VISIBILITY_LOOKUP_CSSM,     [VISIBILITY_HARD] = VISIBILITY_LOOKUP_HARD,
+        [VISIBILITY_PCSS] = VISIBILITY_LOOKUP_PCSS,     [VISIBILITY_RAY] = VISIBILITY_LOOKUP_RAY,
+        [VISIBILITY_TRACED] = VISIBILITY_LOOKUP_TRACED,
     };
     const struct vals_settings *own = settings_of(settings, &vals_part);
     return lookups[own->visibility];
+}
+
+/* Somebody looks them up. */
+static bool has_maps(const struct val_set *set) {
+    return set->visibility.lookup != VISIBILITY_LOOKUP_TRACED;
 }
 
 static bool init_set(struct val_set *set, const struct technique_desc *desc, int vpl_count,
@@ -112,8 +127,13 @@ static bool init_set(struct val_set *set, const struct technique_desc *desc, int
     enum visibility_lookup lookup = vals_lookup(desc->settings);
     set->convolve = lookup == VISIBILITY_LOOKUP_CSSM;
     set->share = own->visibility_block > 0;
-    set->visibility = many_lights_lookup(desc->settings, lookup_of_val(lookup), val_count);
-    return init_cluster(set, desc->settings, vpl_count, seeds) && init_maps(set, desc) &&
+    set->visibility =
+        many_lights_lookup(desc->settings, lookup_of_val(lookup, set->share), val_count);
+    set->casters = desc->casters;
+    return init_cluster(set, desc->settings, vpl_count, seeds) &&
+           (!has_maps(set) || init_maps(set, desc)) &&
+           (lookup != VISIBILITY_LOOKUP_TRACED ||
+            caster_pool_acquire_tree(set->casters, &set->tree)) &&
            init_blocks(set, desc);
 }
 
@@ -140,6 +160,7 @@ static struct visibility_inputs maps_of(const struct val_set *set) {
         .views = &set->cluster.views,
         .depth = &set->paraboloid.maps,
         .bases = set->convolve ? &set->basis.maps : NULL,
+        .tree = set->tree,
     };
 }
 
@@ -207,6 +228,8 @@ bool vals_resize(struct vals *vals, struct many_lights *lights, int width, int h
 static void render_set(struct val_set *set, const struct frame *frame,
                        const struct vpl_buffer *vpls) {
     cluster_pass_render(&set->cluster, frame, vpls);
+    if (!has_maps(set))
+        return;
     timer_begin(frame->timers, "maps");
     paraboloid_pass_render(&set->paraboloid, frame, &set->cluster.views);
     if (set->convolve)
@@ -274,7 +297,8 @@ void vals_outputs(const struct vals *vals, struct output_list *outputs) {
          &vals->output},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
-        output_add(outputs, &rows[i]);
+        if (rows[i].kind != OUTPUT_MAP_DEPTH || has_maps(&vals->first))
+            output_add(outputs, &rows[i]);
     if (vals->first.convolve)
         add_bases(&vals->first.basis.maps, outputs);
 }

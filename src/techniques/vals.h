@@ -31,6 +31,8 @@ struct val_set {
     struct basis_pass basis;
     struct block_visibility_pass blocks; /* where share */
     bool convolve, share;
+    struct caster_pool *casters;
+    const struct caster_tree *tree;    /* visibility=traced; then without maps unless shared */
     struct visibility_desc visibility; /* of a VAL as a whole */
 };
 

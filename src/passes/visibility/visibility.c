@@ -20,7 +20,12 @@ static void add_maps(struct pass_state *state, const struct visibility_desc *des
                      const struct visibility_inputs *inputs) {
     if (desc->lookup == VISIBILITY_LOOKUP_NONE)
         return;
-    pass_add_block(state, BLOCK_MAPS, &inputs->views->buffer);
+    if (inputs->views)
+        pass_add_block(state, BLOCK_MAPS, &inputs->views->buffer);
+    if (desc->lookup == VISIBILITY_LOOKUP_TRACED) {
+        pass_add_texture(state, UNIT_TRIANGLE_TREE, inputs->tree->texels);
+        return;
+    }
     if (desc->lookup != VISIBILITY_LOOKUP_CSSM) {
         pass_add_texture(state, UNIT_MAP_DEPTH, inputs->depth->depth.id);
         if (desc->lookup == VISIBILITY_LOOKUP_PLANE)

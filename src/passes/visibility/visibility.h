@@ -4,6 +4,7 @@
 
 #include "gl/pass.h"
 #include "passes/frame.h"
+#include "scene/gpu/caster_tree.h"
 #include "shared/lookup.h"
 
 enum visibility_lookup {
@@ -11,8 +12,9 @@ enum visibility_lookup {
     VISIBILITY_LOOKUP_HARD = FILTER_HARD,
     VISIBILITY_LOOKUP_CSSM = FILTER_CSSM,
     VISIBILITY_LOOKUP_PCSS = FILTER_PCSS,
-    VISIBILITY_LOOKUP_RAY = FILTER_RAY,     /* to the VPL itself, through its VAL's map */
-    VISIBILITY_LOOKUP_PLANE = FILTER_PLANE, /* of maps with planes */
+    VISIBILITY_LOOKUP_RAY = FILTER_RAY,       /* to the VPL itself, through its VAL's map */
+    VISIBILITY_LOOKUP_PLANE = FILTER_PLANE,   /* of maps with planes */
+    VISIBILITY_LOOKUP_TRACED = FILTER_TRACED, /* of no map: through the scene's triangles */
 };
 
 struct visibility_desc {
@@ -30,8 +32,9 @@ struct visibility_desc {
 /* What a lookup reads. */
 struct visibility_inputs {
     const struct map_views *views;
-    const struct depth_maps *depth; /* all but ..._CSSM */
+    const struct depth_maps *depth; /* all but ..._CSSM and ..._TRACED */
     const struct basis_maps *bases; /* ..._CSSM */
+    const struct caster_tree *tree; /* ..._TRACED */
 };
 
 /* Defines for a shader that includes visibility/visibility.glsl; to be freed. */

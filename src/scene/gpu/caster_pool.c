@@ -13,6 +13,8 @@ struct caster_pool {
         int uses;
         struct pooled *next;
     } * first;
+    struct caster_tree tree;
+    int tree_uses;
 };
 
 struct caster_pool *caster_pool_create(const struct geometry *geometry) {
@@ -37,7 +39,8 @@ static void free_unused(struct caster_pool *pool) {
 void caster_pool_free(struct caster_pool *pool) {
     if (pool) {
         free_unused(pool);
-        assert(!pool->first);
+        caster_tree_free(&pool->tree);
+        assert(!pool->first && !pool->tree_uses);
     }
     free(pool);
 }
@@ -96,9 +99,28 @@ void caster_pool_release(struct caster_pool *pool, const struct caster_gpu **cas
     *caster = NULL;
 }
 
+bool caster_pool_acquire_tree(struct caster_pool *pool, const struct caster_tree **tree) {
+    *tree = NULL;
+    if (!caster_tree_update(&pool->tree, pool->geometry)) {
+        caster_tree_free(&pool->tree);
+        return false;
+    }
+    pool->tree_uses++;
+    *tree = &pool->tree;
+    return true;
+}
+
+void caster_pool_release_tree(struct caster_pool *pool, const struct caster_tree **tree) {
+    if (!*tree)
+        return;
+    assert(pool->tree_uses > 0);
+    pool->tree_uses--;
+    *tree = NULL;
+}
+
 bool caster_pool_update(struct caster_pool *pool) {
     for (struct pooled *pooled = pool->first; pooled; pooled = pooled->next)
         if (pooled->uses && !caster_gpu_update(&pooled->gpu, pool->geometry))
             return false;
-    return true;
+    return !pool->tree_uses || caster_tree_update(&pool->tree, pool->geometry);
 }

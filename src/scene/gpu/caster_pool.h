@@ -8,6 +8,7 @@
 #define SCENE_GPU_CASTER_POOL_H
 
 #include "scene/gpu/caster_gpu.h"
+#include "scene/gpu/caster_tree.h"
 
 struct caster_pool;
 
@@ -27,6 +28,12 @@ bool caster_pool_acquire(struct caster_pool *pool, const struct caster_gpu **cas
 
 /* Accepts a pointer to NULL. */
 void caster_pool_release(struct caster_pool *pool, const struct caster_gpu **caster);
+
+/* The same with the tree for rays, of which there is one. Error: caster_tree_init's. */
+bool caster_pool_acquire_tree(struct caster_pool *pool, const struct caster_tree **tree);
+
+/* Accepts a pointer to NULL, of any pool. */
+void caster_pool_release_tree(struct caster_pool *pool, const struct caster_tree **tree);
 
 /* After geometry_pose: moves the casters that are in use. Error: out of GPU memory; the pool
  * must then be freed. */

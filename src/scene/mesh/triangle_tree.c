@@ -12,37 +12,27 @@ enum {
     DEPTH = 64, /* of the tree: deeper ones are leaves of any size */
 };
 
-struct box {
-    float low[3], high[3];
-};
-
-struct tree_node {
-    struct box box;
-    uint32_t first; /* triangle of a leaf; else the first of two children, which are contiguous */
-    uint32_t count; /* 0: no leaf */
-};
-
 /* --- boxes ------------------------------------------------------------------------------------ */
 
-static struct box empty_box(void) {
-    return (struct box){{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
+static struct tree_box empty_box(void) {
+    return (struct tree_box){{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
 }
 
-static void box_add(struct box *box, const struct box *other) {
+static void box_add(struct tree_box *box, const struct tree_box *other) {
     for (int c = 0; c < 3; c++) {
         box->low[c] = fminf(box->low[c], other->low[c]);
         box->high[c] = fmaxf(box->high[c], other->high[c]);
     }
 }
 
-static float half_surface(const struct box *box) {
+static float half_surface(const struct tree_box *box) {
     float x = box->high[0] - box->low[0], y = box->high[1] - box->low[1],
           z = box->high[2] - box->low[2];
     return x < 0 ? 0 : x * y + y * z + z * x;
 }
 
-static struct box box_of(const struct tree_triangle *triangle) {
-    struct box box;
+static struct tree_box box_of(const struct tree_triangle *triangle) {
+    struct tree_box box;
     for (int c = 0; c < 3; c++) {
         float at = triangle->corner.raw[c], a = triangle->edges[0].raw[c],
               b = triangle->edges[1].raw[c];
@@ -70,10 +60,10 @@ static int bin_of(const struct tree_triangle *triangle, const struct split *spli
 }
 
 /* Where the children's surfaces, times how many triangles they have, are least: [Wald 2007, eq. 2]. */
-static void find_bin(struct split *split, const struct box boxes[BINS],
+static void find_bin(struct split *split, const struct tree_box boxes[BINS],
                      const uint32_t counts[BINS]) {
     float after[BINS];
-    struct box box = empty_box();
+    struct tree_box box = empty_box();
     uint32_t count = 0;
     for (int bin = BINS - 1; bin > 0; bin--) {
         box_add(&box, &boxes[bin]);
@@ -95,7 +85,7 @@ static void find_bin(struct split *split, const struct box boxes[BINS],
 }
 
 static struct split find_split(const struct tree_triangle *triangles, uint32_t count) {
-    struct box middles = empty_box(), boxes[BINS];
+    struct tree_box middles = empty_box(), boxes[BINS];
     uint32_t counts[BINS] = {0};
     struct split split = {0};
     for (uint32_t i = 0; i < count; i++)
@@ -113,7 +103,7 @@ static struct split find_split(const struct tree_triangle *triangles, uint32_t c
         boxes[bin] = empty_box();
     for (uint32_t i = 0; i < count; i++) {
         int bin = bin_of(&triangles[i], &split);
-        struct box box = box_of(&triangles[i]);
+        struct tree_box box = box_of(&triangles[i]);
         box_add(&boxes[bin], &box);
         counts[bin]++;
     }
@@ -137,9 +127,9 @@ static uint32_t divide(struct tree_triangle *triangles, uint32_t count) {
 static void build(struct triangle_tree *tree, uint32_t at, uint32_t first, uint32_t count,
                   int depth) {
     struct tree_triangle *triangles = tree->triangles + first;
-    struct box box = empty_box();
+    struct tree_box box = empty_box();
     for (uint32_t i = 0; i < count; i++) {
-        struct box own = box_of(&triangles[i]);
+        struct tree_box own = box_of(&triangles[i]);
         box_add(&box, &own);
     }
     uint32_t half = count > LEAF && depth < DEPTH ? divide(triangles, count) : 0;
@@ -177,7 +167,7 @@ struct tree_ray {
 };
 
 /* Where it enters; INFINITY: not before the limit. */
-static float enter(const struct box *box, const struct tree_ray *ray, float limit) {
+static float enter(const struct tree_box *box, const struct tree_ray *ray, float limit) {
     float near = 0, far = limit;
     for (int c = 0; c < 3; c++) {
         float a = (box->low[c] - ray->origin.raw[c]) * ray->inverse[c];

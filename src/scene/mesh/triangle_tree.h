@@ -16,6 +16,16 @@ struct tree_triangle {
     bool double_sided;      /* of its material: for those who ask */
 };
 
+struct tree_box {
+    float low[3], high[3];
+};
+
+struct tree_node {
+    struct tree_box box;
+    uint32_t first; /* triangle of a leaf; else the first of two children, which are contiguous */
+    uint32_t count; /* 0: no leaf */
+};
+
 struct triangle_tree {
     struct tree_triangle *triangles; /* leaf by leaf */
     struct tree_node *nodes;         /* the root first */

@@ -1,0 +1,86 @@
+#include "scene/gpu/caster_tree.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "scene/mesh/threaded_tree.h"
+
+#include <math.h>
+#include <string.h>
+
+static vec3s corner(const struct geometry *geometry, uint32_t index) {
+    const float *p = geometry->position[index];
+    return (vec3s){{p[0], p[1], p[2]}};
+}
+
+static void plant(struct triangle_tree *tree, const struct geometry *geometry) {
+    uint32_t count = geometry->index_count / 3;
+    struct tree_triangle *triangles = mem_alloc(count, sizeof *triangles);
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t *index = &geometry->indices[3 * (size_t)i];
+        vec3s at = corner(geometry, index[0]);
+        triangles[i] = (struct tree_triangle){
+            .corner = at,
+            .edges = {glms_vec3_sub(corner(geometry, index[1]), at),
+                      glms_vec3_sub(corner(geometry, index[2]), at)},
+        };
+    }
+    triangle_tree_init(tree, triangles, count);
+}
+
+/* About a hundred times the rounding of the scene's coordinates, as the path tracer's. */
+static float clearance_of(const struct geometry *geometry) {
+    float largest = geometry->radius;
+    for (int c = 0; c < 3; c++)
+        largest =
+            fmaxf(largest, fmaxf(fabsf(geometry->bounds_min[c]), fabsf(geometry->bounds_max[c])));
+    return 1e-5F * largest;
+}
+
+static bool upload(struct caster_tree *tree, const struct threaded_tree *threaded) {
+    GLint most;
+    size_t size = threaded->count * sizeof *threaded->texels;
+    gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    if (threaded->count > (uint32_t)most)
+        return error_set("rays through triangles: the scene needs a buffer texture of %u texels, "
+                         "and this OpenGL has %d",
+                         threaded->count, most);
+    if (tree->buffer.size == size) {
+        buffer_write(&tree->buffer, 0, size, threaded->texels);
+        return true;
+    }
+    caster_tree_free(tree);
+    if (!buffer_init(&tree->buffer, "tree of casters", size, threaded->texels))
+        return false;
+    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &tree->texels);
+    gl.TextureBuffer(tree->texels, GL_RGBA32UI, tree->buffer.id);
+    return true;
+}
+
+bool caster_tree_init(struct caster_tree *tree, const struct geometry *geometry) {
+    *tree = (struct caster_tree){0};
+    return caster_tree_update(tree, geometry);
+}
+
+void caster_tree_free(struct caster_tree *tree) {
+    if (tree->texels)
+        gl.DeleteTextures(1, &tree->texels);
+    buffer_free(&tree->buffer);
+    *tree = (struct caster_tree){0};
+}
+
+bool caster_tree_update(struct caster_tree *tree, const struct geometry *geometry) {
+    struct triangle_tree planted;
+    struct threaded_tree threaded;
+    struct threaded_tree_desc desc = {.clearance = clearance_of(geometry)};
+    if (tree->texels && tree->pose == geometry->pose_count)
+        return true;
+    memcpy(desc.low, geometry->bounds_min, sizeof desc.low);
+    memcpy(desc.high, geometry->bounds_max, sizeof desc.high);
+    plant(&planted, geometry);
+    threaded_tree_init(&threaded, &planted, &desc);
+    bool ok = upload(tree, &threaded);
+    tree->pose = geometry->pose_count;
+    threaded_tree_free(&threaded);
+    triangle_tree_free(&planted);
+    return ok;
+}

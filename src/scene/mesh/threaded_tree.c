@@ -1,0 +1,128 @@
+#include "scene/mesh/threaded_tree.h"
+
+#include "base/memory.h"
+#include "shared/triangle_tree.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Of a step, more than the rounding of a ray's places. */
+static const float margin = .5F;
+
+struct layout {
+    const struct triangle_tree *tree;
+    uint32_t (*texels)[4];
+    float low[3], steps[3]; /* a metre */
+    uint32_t next;          /* texel of a box */
+    uint32_t triangles;     /* the first one's texel */
+};
+
+static uint32_t bits(float value) {
+    uint32_t same;
+    memcpy(&same, &value, sizeof same);
+    return same;
+}
+
+static uint32_t step_below(const struct layout *layout, const struct tree_box *box, int axis) {
+    float at = (box->low[axis] - layout->low[axis]) * layout->steps[axis];
+    return (uint32_t)fminf(fmaxf(floorf(at - margin), 0), (float)THREADED_STEPS);
+}
+
+static uint32_t step_above(const struct layout *layout, const struct tree_box *box, int axis) {
+    float at = (box->high[axis] - layout->low[axis]) * layout->steps[axis];
+    return (uint32_t)fminf(fmaxf(ceilf(at + margin), 0), (float)THREADED_STEPS);
+}
+
+static uint32_t *lay_box(struct layout *layout, const struct tree_box *box) {
+    uint32_t *texel = layout->texels[layout->next++];
+    for (int c = 0; c < 3; c++)
+        texel[c] = step_below(layout, box, c) | step_above(layout, box, c) << 16;
+    return &texel[3];
+}
+
+/* More triangles than a number has room for, all of them at one place, are several leaves. */
+static void lay_leaf(struct layout *layout, const struct tree_node *node) {
+    for (uint32_t i = 0, count; i < node->count; i += count) {
+        uint32_t rest = node->count - i;
+        count = rest < THREADED_COUNT_MOST ? rest : THREADED_COUNT_MOST;
+        uint32_t texel = layout->triangles + (node->first + i) * THREADED_TRIANGLE;
+        *lay_box(layout, &node->box) = THREADED_LEAF | count << THREADED_COUNT_SHIFT | texel;
+    }
+}
+
+static float half_surface(const struct tree_box *box) {
+    float x = box->high[0] - box->low[0], y = box->high[1] - box->low[1],
+          z = box->high[2] - box->low[2];
+    return x * y + y * z + z * x;
+}
+
+/* The larger child first: it is the likelier to block, and a blocked ray is done. */
+static void lay_node(struct layout *layout, uint32_t number) {
+    const struct tree_node *node = &layout->tree->nodes[number];
+    if (node->count > 0) {
+        lay_leaf(layout, node);
+        return;
+    }
+    uint32_t *past = lay_box(layout, &node->box);
+    const struct tree_node *children = &layout->tree->nodes[node->first];
+    uint32_t larger = half_surface(&children[1].box) > half_surface(&children[0].box);
+    lay_node(layout, node->first + larger);
+    lay_node(layout, node->first + 1 - larger);
+    *past = layout->next;
+}
+
+static void lay_triangle(struct layout *layout, uint32_t number) {
+    const struct tree_triangle *triangle = &layout->tree->triangles[number];
+    uint32_t(*texels)[4] = layout->texels + layout->triangles + number * THREADED_TRIANGLE;
+    for (int c = 0; c < 3; c++) {
+        texels[0][c] = bits(triangle->corner.raw[c]);
+        texels[1][c] = bits(triangle->edges[0].raw[c]);
+        texels[2][c] = bits(triangle->edges[1].raw[c]);
+    }
+}
+
+static uint32_t count_boxes(const struct triangle_tree *tree) {
+    uint32_t count = tree->node_count;
+    for (uint32_t i = 0; i < tree->node_count; i++)
+        if (tree->nodes[i].count > 0)
+            count += (tree->nodes[i].count - 1) / THREADED_COUNT_MOST;
+    return count;
+}
+
+static void lay_header(struct layout *layout, float clearance) {
+    for (int c = 0; c < 3; c++) {
+        layout->texels[0][c] = bits(layout->low[c]);
+        layout->texels[1][c] = bits(layout->steps[c]);
+    }
+    layout->texels[0][3] = layout->next;
+    layout->texels[1][3] = bits(clearance);
+}
+
+void threaded_tree_init(struct threaded_tree *threaded, const struct triangle_tree *tree,
+                        const struct threaded_tree_desc *desc) {
+    uint32_t first_triangle = THREADED_HEADER + count_boxes(tree);
+    threaded->count = first_triangle + tree->count * THREADED_TRIANGLE;
+    threaded->texels = mem_alloc(threaded->count, sizeof *threaded->texels);
+    struct layout layout = {
+        .tree = tree,
+        .texels = threaded->texels,
+        .next = THREADED_HEADER,
+        .triangles = first_triangle,
+    };
+    for (int c = 0; c < 3; c++) {
+        float side = desc->high[c] - desc->low[c];
+        layout.low[c] = desc->low[c];
+        layout.steps[c] = (float)THREADED_STEPS / fmaxf(side, desc->clearance);
+    }
+    if (tree->count > 0)
+        lay_node(&layout, 0);
+    for (uint32_t i = 0; i < tree->count; i++)
+        lay_triangle(&layout, i);
+    lay_header(&layout, desc->clearance);
+}
+
+void threaded_tree_free(struct threaded_tree *threaded) {
+    free(threaded->texels);
+    *threaded = (struct threaded_tree){0};
+}
