@@ -192,6 +192,8 @@ static void test_text_refusals(void **state) {
         {"red size=-1,0", "light: size=-1,0: less than none"},
         {"red cone=2,0", "light: cone=2,0: cosines, and the first is the greater one"},
         {"red cone=0,-2", "light: cone=0,-2: cosines, and the first is the greater one"},
+        {"red intensity=1,2,1e38", "light: intensity=1,2,1e+38: it is negative or above 1e+12"},
+        {"red intensity=1,-2,3", "light: intensity=1,-2,3: it is negative or above 1e+12"},
     };
     struct scene scene;
     struct emitters emitters = {0};

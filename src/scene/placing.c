@@ -226,10 +226,14 @@ static bool mark_emitters(const struct scene *scene, char *list, bool *marked, i
 }
 
 static bool check_changes(const struct emitter *changes) {
-    const float *size = changes->size;
+    const float *size = changes->size, *intensity = changes->intensity;
     double inner = (double)changes->cos_inner, outer = (double)changes->cos_outer;
     if (size[0] < 0 || size[1] < 0)
         return error_set("size=%g,%g: less than none", (double)size[0], (double)size[1]);
+    for (int c = 0; c < 3; c++)
+        if (!(intensity[c] >= 0 && intensity[c] <= SCENE_LIGHT_MOST))
+            return error_set("intensity=%g,%g,%g: it is negative or above %g", (double)intensity[0],
+                             (double)intensity[1], (double)intensity[2], (double)SCENE_LIGHT_MOST);
     return (-1 <= outer && outer <= inner && inner <= 1) ||
            error_set("cone=%g,%g: cosines, and the first is the greater one", inner, outer);
 }

@@ -94,7 +94,7 @@ enum light_scaling {
     LIGHT_SCALED_EACH_WAY, /* as the surface is */
 };
 
-/* No light of a file has more, in its unit: a millimetre from a surface its square is finite still. */
+/* No light has more, in its unit: a millimetre from a surface its square is finite still. */
 #define SCENE_LIGHT_MOST 1e12F
 
 /* KHR_lights_punctual, EXT_lights_area or an emissive surface, in radiometric units. Shines along
