@@ -238,6 +238,15 @@ static void test_settings(void **state) {
     assert_true(painter->width == 4 && !painter->bright);
     assert_true(settings_number(&settings, "painter.width") == 4);
     assert_false(settings_same(&settings, &before, &painter_part));
+    struct word word = {.at = "painter.width=4"};
+    struct settings given = before;
+    assert_true(word_next(&word));
+    settings_copy_given(&given, &settings); /* what was assigned was not given */
+    assert_true(settings_same(&given, &before, &painter_part));
+    check_ok("give", settings_give_word(&settings, &word));
+    settings_copy_given(&given, &settings);
+    assert_true(settings_number(&given, "painter.width") == 4);
+    assert_true(settings_same(&given, &before, &maker_part));
     settings_copy(&settings, &before, &painter_part);
     assert_true(settings_same(&settings, &before, &painter_part));
     assert_false(settings_same(&settings, &before, &maker_part));

@@ -239,6 +239,51 @@ static void test_split(void **state) {
     image_free(&whole);
 }
 
+/* The frame alone is a part, too, of its own weight: 1 + 7 passes are 8. */
+static void test_one_pass(void **state) {
+    (void)state;
+    char output[2048];
+    struct image whole, part;
+    static const char *const commands[] = {
+        RENDER "--passes 1 --first-pass 0 -o @/one.exr",
+        RENDER "--passes 7 --first-pass 1 -o @/seven.exr",
+        "average @/one.exr @/seven.exr -o @/eight.exr",
+    };
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
+        assert_int_equal(manylight(commands[i], output, sizeof output), 0);
+    read_scratch(&whole, "whole.exr");
+    read_scratch(&part, "eight.exr");
+    check_alike(&part, &whole, 1e-5);
+    assert_string_equal(part.passes, "0..7");
+    check_near("weight", part.weight, whole.weight, 1e-6);
+    image_free(&part);
+    image_free(&whole);
+}
+
+/* What is set by the user holds for all passes, where they have settings of their own, too; what a preset sets does
+ * not, nor what nobody set. */
+static void test_given(void **state) {
+    (void)state;
+    static const struct {
+        const char *given;
+        bool differs;
+    } rows[] = {{"vpls=64", false}, {"vpls=128", true}, {"path=draft", false}};
+    struct stage stage;
+    open_stage(&stage, box);
+    struct renderer_desc plain = desc_of(&stage, NULL, "samples=8", SIZE, SIZE);
+    struct image second = render_mean(&plain, 1, 1);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct renderer_desc desc = desc_of(&stage, NULL, rows[i].given, SIZE, SIZE);
+        struct image other = render_mean(&desc, 1, 1);
+        double worst = worst_difference(&other, &second, "indirect");
+        printf("    second pass with %s: differs by %g\n", rows[i].given, worst);
+        assert_true(rows[i].differs == (worst > 0));
+        image_free(&other);
+    }
+    image_free(&second);
+    stage_free(&stage);
+}
+
 /* What cannot be averaged, and what cannot be a mean. */
 static void test_refusals(void **state) {
     (void)state;
@@ -274,6 +319,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_passes),      cmocka_unit_test(test_beginning_anew),
         cmocka_unit_test(test_convergence), cmocka_unit_test(test_split),
+        cmocka_unit_test(test_one_pass),    cmocka_unit_test(test_given),
         cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);

@@ -32,6 +32,7 @@ struct values {
     int layer;
     const char *frames, *glsl, *aov;
     int quality, passes, first_pass;
+    bool passes_given; /* by --passes, and not by a quality */
     float max_error, budget, fps;
     bool skip_existing, stats;
     struct in_time in_time; /* where budget */
@@ -74,7 +75,8 @@ static const struct option options[] = {
     {"passes", 0, OPTION_INT, offsetof(struct values, passes), 0, 0, 1000000,
      .help =
          "the mean of so many passes, each with lights and places in the pixels of its own: it\n"
-         "goes on converging; 0 = by --quality: 64 of final, else 1"},
+         "goes on converging. Those after the first have settings of their own, over which --set\n"
+         "wins; 0 = by --quality: 64 of final, else 1"},
     {"first-pass", 0, OPTION_INT, offsetof(struct values, first_pass), 0, 0, 1000000,
      .help = "the number of the first of them: passes split between processes, as EXR, and put\n"
              "together by manylight average, make the same mean"},
@@ -129,7 +131,7 @@ static bool check_name(const struct values *values, const char *name, int frame_
 }
 
 static bool has_mean(const struct values *values) {
-    return values->passes > 1 || values->first_pass > 0;
+    return values->passes > 1 || values->first_pass > 0 || (values->passes_given && !values->aov);
 }
 
 static bool check_outputs(const struct values *values, int frame_count) {
@@ -356,6 +358,7 @@ static bool resolve(struct values *values, const struct frames *frames,
     struct quality_choice choice = quality_named((enum quality)values->quality);
     if (!check_choice(values))
         return false;
+    values->passes_given = values->passes > 0;
     if (values->passes == 0 && values->max_error == 0)
         values->passes = choice.passes;
     desc->width = values->size[0];

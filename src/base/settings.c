@@ -28,6 +28,13 @@ static size_t offset_of(const struct settings *settings, const struct settings_p
     return offset;
 }
 
+static int row_count(const struct settings_part *part) {
+    int count = 0;
+    while (part->table[count].name)
+        count++;
+    return count;
+}
+
 void settings_add(struct settings *settings, const struct settings_part *part) {
     bool found;
     size_t offset = offset_of(settings, part, &found);
@@ -35,6 +42,7 @@ void settings_add(struct settings *settings, const struct settings_part *part) {
         return;
     assert(settings->part_count < SETTINGS_PARTS_MAX);
     assert(offset + part->size <= SETTINGS_BYTES_MAX);
+    assert(row_count(part) <= 32); /* as many as there are bits in settings->given */
     settings->parts[settings->part_count++] = part;
     options_set_defaults(part->table, settings->values.bytes + offset);
 }
@@ -156,10 +164,9 @@ double settings_number(const struct settings *settings, const char *name) {
 
 /* --- texts --- */
 
-bool settings_assign_word(struct settings *settings, const struct word *word) {
+static bool assign(struct settings *settings, const struct word *word, struct setting *setting) {
     const char *equals = memchr(word->at, '=', (size_t)word->length);
     char assignment[256];
-    struct setting setting;
     if (!equals)
         return error_set("'%.*s' is not key=value", word->length, word->at);
     if ((size_t)word->length >= sizeof assignment)
@@ -167,8 +174,47 @@ bool settings_assign_word(struct settings *settings, const struct word *word) {
     snprintf(assignment, sizeof assignment, "%.*s", word->length, word->at);
     char *value = assignment + (equals - word->at);
     *value++ = '\0';
-    return settings_find(settings, assignment, &setting) &&
-           setting_parse(&setting, settings, value);
+    return settings_find(settings, assignment, setting) && setting_parse(setting, settings, value);
+}
+
+bool settings_assign_word(struct settings *settings, const struct word *word) {
+    struct setting setting;
+    return assign(settings, word, &setting);
+}
+
+static int part_number(const struct settings *settings, const struct setting *setting) {
+    int part = 0;
+    while (settings->parts[part] != setting->part)
+        part++;
+    return part;
+}
+
+/* In settings->given. */
+static uint32_t row_bit(const struct setting *setting) {
+    return (uint32_t)1 << (setting->option - setting->part->table);
+}
+
+bool settings_give_word(struct settings *settings, const struct word *word) {
+    struct setting setting;
+    if (!assign(settings, word, &setting))
+        return false;
+    settings->given[part_number(settings, &setting)] |= row_bit(&setting);
+    return true;
+}
+
+void settings_forget_given(struct settings *settings) {
+    memset(settings->given, 0, sizeof settings->given);
+}
+
+void settings_copy_given(struct settings *to, const struct settings *from) {
+    for (struct setting s = {0}; settings_next(from, &s);)
+        if (from->given[part_number(from, &s)] & row_bit(&s)) {
+            char text[256];
+            setting_format(&s, from, text, sizeof text);
+            bool parsed = setting_parse(&s, to, text);
+            assert(parsed);
+            (void)parsed;
+        }
 }
 
 bool settings_assign(struct settings *settings, const char *assignments) {

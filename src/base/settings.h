@@ -10,6 +10,8 @@
 #include "base/option.h"
 #include "base/words.h"
 
+#include <stdint.h>
+
 struct settings_part {
     const char *owner; /* "gather" */
     const char *title; /* a heading: "gathering light" */
@@ -23,6 +25,8 @@ enum { SETTINGS_PARTS_MAX = 48, SETTINGS_BYTES_MAX = 2048, SETTING_NAME_SIZE = 6
 struct settings {
     const struct settings_part *parts[SETTINGS_PARTS_MAX];
     int part_count;
+    uint32_t given
+        [SETTINGS_PARTS_MAX]; /* of each part, by rows of its table: those that settings_give_word set */
     union {
         double align;
         unsigned char bytes[SETTINGS_BYTES_MAX]; /* the parts' structs, one after another */
@@ -77,6 +81,12 @@ double settings_number(const struct settings *settings, const char *name);
 /* Parses "name=value", or several with spaces or commas between. Error: of a name, or of a value. */
 bool settings_assign(struct settings *settings, const char *assignments);
 bool settings_assign_word(struct settings *settings, const struct word *word);
+
+/* The same of what a user gives, which is kept in mind, or forgotten again; and copies all that was given, where a
+ * choice of the program's went over it. */
+bool settings_give_word(struct settings *settings, const struct word *word);
+void settings_forget_given(struct settings *settings);
+void settings_copy_given(struct settings *to, const struct settings *from);
 
 /* A line or two per setting of a part but the unused, under its title, for --help. */
 void settings_print_help(FILE *out, const struct settings_part *part, const char *unused);

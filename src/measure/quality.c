@@ -83,11 +83,12 @@ bool quality_is_preset(const char *const *texts, int count) {
 
 bool quality_settings(const struct quality_choice *choice, const struct technique *technique,
                       const char *const *texts, int count, struct settings *settings) {
-    const char *all[TEXT_LIST_MAX + 1] = {quality_is_preset(texts, count) ? "" : choice->settings};
-    for (int i = 0; i < count; i++)
-        all[i + 1] = texts[i];
+    const char *own = quality_is_preset(texts, count) ? "" : choice->settings;
     renderer_settings_init(settings);
-    return renderer_settings_assign(settings, technique, all, count + 1) &&
+    if (!renderer_settings_assign(settings, technique, &own, 1))
+        return false;
+    settings_forget_given(settings);
+    return renderer_settings_assign(settings, technique, texts, count) &&
            technique_check(technique, settings);
 }
 

@@ -112,8 +112,10 @@ static bool init_refiner(struct renderer *renderer) {
         return true;
     struct settings settings = desc->settings;
     refining->technique = technique_find(refinement->technique);
-    return refining->technique && settings_assign(&settings, refinement->settings) &&
-           make_technique(renderer, refining->technique, &settings, &refining->state);
+    if (!refining->technique || !settings_assign(&settings, refinement->settings))
+        return false;
+    settings_copy_given(&settings, &desc->settings);
+    return make_technique(renderer, refining->technique, &settings, &refining->state);
 }
 
 /* For the technique that is there, or else for another's contribution. */

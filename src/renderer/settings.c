@@ -77,7 +77,7 @@ static bool assign(struct settings *settings, const struct technique *technique,
                    const struct word *word, bool presets) {
     int key = (int)strlen(preset_key);
     if (strncmp(word->at, preset_key, (size_t)key) != 0)
-        return presets || settings_assign_word(settings, word);
+        return presets || settings_give_word(settings, word);
     struct word name = {word->at + key, word->length - key};
     return !presets || apply_preset(settings, technique, &name);
 }
