@@ -16,5 +16,5 @@ layout(std430, binding = 1) writeonly buffer answer_storage {
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i < uint(pairs.length()))
-        answers[i] = is_blocked(pairs[i].from.xyz, pairs[i].normal.xyz, pairs[i].to.xyz, true) ? 1u : 0u;
+        answers[i] = is_blocked(pairs[i].from.xyz, pairs[i].normal.xyz, pairs[i].to.xyz) ? 1u : 0u;
 }

@@ -126,7 +126,7 @@ vec3 group_light(light_group group, surface s) {
 
 // Irradiance times pi of the VPLs first .. last.
 vec3 light_together(surface s, int first, int last, float random) {
-    const light_group none = light_group(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0);
+    light_group none = light_group(vec3(0.0), vec3(0.0), s.position, 0.0, 0.0);
     light_group redder = none, greener = none;
     for (int i = first; i < last; i++) {
         vpl light = light_at(i);

@@ -3,7 +3,7 @@
 
 // Of one VPL, whatever its map.
 float visibility_from(int map, vec3 position, vec3 normal, vec3 light) {
-    return is_blocked(position, normal, light, true) ? 0.0 : 1.0;
+    return is_blocked(position, normal, light) ? 0.0 : 1.0;
 }
 
 // Of a VAL's middle.

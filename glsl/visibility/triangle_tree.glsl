@@ -32,19 +32,20 @@ bool meets(tree_ray ray, int texel) {
     return min(u, v) >= 0.0 && u + v <= 1.0 && at > 0.0 && at < ray.end;
 }
 
-// Between a point above a surface of that normal and one on another surface; not where `asks` is false.
-bool is_blocked(vec3 from, vec3 normal, vec3 to, bool asks) {
+// Between a point of a surface and one of another surface; never where they are one.
+bool is_blocked(vec3 from, vec3 normal, vec3 to) {
     uvec4 header = texelFetch(triangle_tree, 0), other_header = texelFetch(triangle_tree, 1);
     vec3 steps = uintBitsToFloat(other_header.xyz);
     float clearance = uintBitsToFloat(other_header.w);
     tree_ray ray;
     ray.origin = from + clearance * normal;
     ray.direction = to - ray.origin;
-    ray.end = 1.0 - clearance / max(length(ray.direction), clearance);
+    float way = distance(from, to);
+    ray.end = 1.0 - clearance / way;
     vec3 along = ray.direction * steps;
     ray.box_origin = (ray.origin - uintBitsToFloat(header.xyz)) * steps;
     ray.box_slope = 1.0 / mix(along, vec3(1e-20), lessThan(abs(along), vec3(1e-20)));
-    int box = THREADED_HEADER, end = asks ? int(header.w) : 0;
+    int box = THREADED_HEADER, end = way > clearance ? int(header.w) : 0;
     bool blocked = false;
     while (box < end) {
         // On to a leaf: a software rasteriser tests triangles for all pixels as soon as one of them has some.

@@ -9,6 +9,7 @@
 #include "shared/vpl.h"
 
 #include <cglm/util.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -115,6 +116,13 @@ static void draw_tile(const struct gather_pass *pass, const struct gather_inputs
         pass_draw_fullscreen(1);
 }
 
+/* llvmpipe ends the loops of a shader after 65,535 steps in all, and a ray takes hundreds in a large scene. Of a list's VPLs
+ * a sixth ask. */
+static int vpls_of_draw(const struct gather_pass *pass) {
+    bool traced = pass->desc.visibility.lookup == VISIBILITY_LOOKUP_TRACED;
+    return !traced ? INT_MAX : pass->desc.receivers == RECEIVERS_LISTED ? 6 * RAYS_MAX : RAYS_MAX;
+}
+
 /* Slot s of S has VPLs s N / S .. (s + 1) N / S; a list may take those of `side` slots side by side. */
 static void draw_slot(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
                       int list, int side) {
@@ -127,13 +135,14 @@ static void draw_slot(const struct gather_pass *pass, const struct gather_inputs
         first = inputs->first;
     if (last > range_last)
         last = range_last;
-    if (first >= last)
-        return;
     GLuint program = program_for(pass, inputs);
     gl.ProgramUniform1f(program, LOCATION_SLOT_WEIGHT, weight);
-    gl.ProgramUniform4i(program, LOCATION_SLOT, first, last - first, slot % n, slot / n);
     gl.ProgramUniform1i(program, LOCATION_FIRST_MAP, -inputs->first);
-    draw_tile(pass, inputs, slot, list);
+    for (int most = vpls_of_draw(pass), count; first < last; first += count) {
+        count = last - first < most ? last - first : most;
+        gl.ProgramUniform4i(program, LOCATION_SLOT, first, count, slot % n, slot / n);
+        draw_tile(pass, inputs, slot, list);
+    }
 }
 
 /* The cuts of a slot's set; a list may take those of `side` slots side by side. */

@@ -37,6 +37,9 @@ struct visibility_inputs {
     const struct caster_tree *tree; /* ..._TRACED */
 };
 
+/* No shader asks for more by ..._TRACED in one draw. */
+enum { RAYS_MAX = 32 };
+
 /* Defines for a shader that includes visibility/visibility.glsl; to be freed. */
 char *visibility_defines(const struct visibility_desc *desc);
 

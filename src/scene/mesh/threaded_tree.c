@@ -10,6 +10,9 @@
 /* Of a step, more than the rounding of a ray's places. */
 static const float margin = .5F;
 
+/* Of the surface of the box around it. */
+static const float worth_a_box = .7F;
+
 struct layout {
     const struct triangle_tree *tree;
     uint32_t (*texels)[4];
@@ -57,19 +60,23 @@ static float half_surface(const struct tree_box *box) {
     return x * y + y * z + z * x;
 }
 
-/* The larger child first: it is the likelier to block, and a blocked ray is done. */
-static void lay_node(struct layout *layout, uint32_t number) {
+/* The larger child first: it is the likelier to block, and a blocked ray is done. A box that is entered nearly whenever
+ * that around it is, of that half surface, saves less than it costs, and is left out. */
+static void lay_node(struct layout *layout, uint32_t number, float around) {
     const struct tree_node *node = &layout->tree->nodes[number];
     if (node->count > 0) {
         lay_leaf(layout, node);
         return;
     }
-    uint32_t *past = lay_box(layout, &node->box);
+    float surface = half_surface(&node->box);
+    bool is_laid = surface < worth_a_box * around;
+    uint32_t *past = is_laid ? lay_box(layout, &node->box) : NULL;
     const struct tree_node *children = &layout->tree->nodes[node->first];
     uint32_t larger = half_surface(&children[1].box) > half_surface(&children[0].box);
-    lay_node(layout, node->first + larger);
-    lay_node(layout, node->first + 1 - larger);
-    *past = layout->next;
+    lay_node(layout, node->first + larger, is_laid ? surface : around);
+    lay_node(layout, node->first + 1 - larger, is_laid ? surface : around);
+    if (is_laid)
+        *past = layout->next;
 }
 
 static void lay_triangle(struct layout *layout, uint32_t number) {
@@ -82,6 +89,7 @@ static void lay_triangle(struct layout *layout, uint32_t number) {
     }
 }
 
+/* At most so many. */
 static uint32_t count_boxes(const struct triangle_tree *tree) {
     uint32_t count = tree->node_count;
     for (uint32_t i = 0; i < tree->node_count; i++)
@@ -116,7 +124,7 @@ void threaded_tree_init(struct threaded_tree *threaded, const struct triangle_tr
         layout.steps[c] = (float)THREADED_STEPS / fmaxf(side, desc->clearance);
     }
     if (tree->count > 0)
-        lay_node(&layout, 0);
+        lay_node(&layout, 0, INFINITY);
     for (uint32_t i = 0; i < tree->count; i++)
         lay_triangle(&layout, i);
     lay_header(&layout, desc->clearance);

@@ -8,7 +8,7 @@
 
 enum {
     LEAF = 4,   /* triangles: so few are not split */
-    BINS = 16,  /* of their middles, along the longest side */
+    BINS = 32,  /* of their middles, along each axis */
     DEPTH = 64, /* of the tree: deeper ones are leaves of any size */
 };
 
@@ -84,21 +84,12 @@ static void find_bin(struct split *split, const struct tree_box boxes[BINS],
     }
 }
 
-static struct split find_split(const struct tree_triangle *triangles, uint32_t count) {
-    struct tree_box middles = empty_box(), boxes[BINS];
+static struct split find_split_along(const struct tree_triangle *triangles, uint32_t count,
+                                     const struct tree_box *middles, int axis) {
+    struct tree_box boxes[BINS];
     uint32_t counts[BINS] = {0};
-    struct split split = {0};
-    for (uint32_t i = 0; i < count; i++)
-        for (int c = 0; c < 3; c++) {
-            float middle = middle_of(&triangles[i], c);
-            middles.low[c] = fminf(middles.low[c], middle);
-            middles.high[c] = fmaxf(middles.high[c], middle);
-        }
-    for (int c = 1; c < 3; c++)
-        if (middles.high[c] - middles.low[c] > middles.high[split.axis] - middles.low[split.axis])
-            split.axis = c;
-    split.low = middles.low[split.axis];
-    split.bins_per_metre = BINS / fmaxf(middles.high[split.axis] - split.low, FLT_MIN);
+    struct split split = {.axis = axis, .low = middles->low[axis]};
+    split.bins_per_metre = BINS / fmaxf(middles->high[axis] - split.low, FLT_MIN);
     for (int bin = 0; bin < BINS; bin++)
         boxes[bin] = empty_box();
     for (uint32_t i = 0; i < count; i++) {
@@ -109,6 +100,23 @@ static struct split find_split(const struct tree_triangle *triangles, uint32_t c
     }
     find_bin(&split, boxes, counts);
     return split;
+}
+
+static struct split find_split(const struct tree_triangle *triangles, uint32_t count) {
+    struct tree_box middles = empty_box();
+    for (uint32_t i = 0; i < count; i++)
+        for (int c = 0; c < 3; c++) {
+            float middle = middle_of(&triangles[i], c);
+            middles.low[c] = fminf(middles.low[c], middle);
+            middles.high[c] = fmaxf(middles.high[c], middle);
+        }
+    struct split best = find_split_along(triangles, count, &middles, 0);
+    for (int axis = 1; axis < 3; axis++) {
+        struct split split = find_split_along(triangles, count, &middles, axis);
+        if (split.cost < best.cost)
+            best = split;
+    }
+    return best;
 }
 
 /* How many the first child has; 0: all lie at one place. */
