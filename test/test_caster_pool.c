@@ -52,7 +52,7 @@ static void test_shared_and_kept(void **state) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-animal.glb");
     size_t before = gpu_memory_total();
-    struct caster_pool *pool = caster_pool_create(&stage.geometry);
+    struct caster_pool *pool = caster_pool_create(&stage.scene, &stage.geometry);
     const struct caster_gpu *a = acquire(pool, &coarse), *same = acquire(pool, &coarse);
     size_t one = gpu_memory_total() - before;
     assert_ptr_equal(a, same);
@@ -88,7 +88,7 @@ static void pose(struct stage *stage, double time) {
 /* Casters follow what moves, also those that were not in use meanwhile. */
 static void check_moved(struct stage *stage, float cell) {
     static const double times[] = {.3, 1, 2.5, 4, 6};
-    struct caster_pool *pool = caster_pool_create(&stage->geometry);
+    struct caster_pool *pool = caster_pool_create(&stage->scene, &stage->geometry);
     const struct caster_gpu *used = acquire(pool, &coarse), *unused = acquire(pool, &few_long);
     caster_pool_release(pool, &unused);
     for (int i = 0; i < stage->scene.metaballs_count; i++)
@@ -136,7 +136,7 @@ static void test_masked(void **state) {
     pose_stage(&stage);
     for (uint32_t i = 0; i < stage.geometry.vertex_count; i++)
         stage.geometry.uv[i][0] = stage.geometry.uv[i][1] = (float)i;
-    struct caster_pool *pool = caster_pool_create(&stage.geometry);
+    struct caster_pool *pool = caster_pool_create(&stage.scene, &stage.geometry);
     const struct caster_gpu *caster = acquire(pool, &few_long);
     assert_true(caster_gpu_has_masked(caster));
     check_buffers(caster, &stage.geometry);

@@ -112,7 +112,7 @@ static void check_scene(const char *path, const double *times, int count) {
     struct stage stage;
     const struct caster_tree *tree;
     open_stage(&stage, path);
-    struct caster_pool *pool = caster_pool_create(&stage.geometry);
+    struct caster_pool *pool = caster_pool_create(&stage.scene, &stage.geometry);
     check_ok("tree", caster_pool_acquire_tree(pool, &tree));
     for (int i = 0; i < count; i++) {
         check_ok("pose", geometry_pose(&stage.geometry, &stage.scene, times[i]));
@@ -132,6 +132,59 @@ static void test_rays(void **state) {
     check_scene("scenes/door.glb", times, 3);
     check_scene("scenes/creatures.glb", times, 2);
     check_scene("scenes/metaballs.glb", times, 2);
+    check_scene("scenes/plant.glb", times, 1);
+}
+
+/* --- masks ------------------------------------------------------------------------------------ */
+
+static uint32_t count_masked(const struct stage *stage) {
+    return (stage->geometry.index_count - stage->geometry.opaque_index_count) / 3;
+}
+
+/* Straight through a place of a triangle with a mask. */
+static struct pair pair_through(const struct rays *rays, const struct stage *stage,
+                                uint32_t number) {
+    const struct geometry *geometry = &stage->geometry;
+    float u = (float)radical_inverse(2, number), v = (float)radical_inverse(3, number);
+    bool turned = u + v > 1;
+    struct triangle_point point = {geometry->opaque_index_count / 3 + number % count_masked(stage),
+                                   turned ? 1 - u : u, turned ? 1 - v : v};
+    vec3s at = hit_position(&rays->table, &point), normal = rays->table.normal_of[point.triangle];
+    vec3s from = glms_vec3_muladds(normal, 5 * rays->scene.clearance, at);
+    vec3s to = glms_vec3_muladds(normal, -5 * rays->scene.clearance, at);
+    return (struct pair){.from = {from.x, from.y, from.z}, .to = {to.x, to.y, to.z}};
+}
+
+/* As holes are for Embree, but for their rims, which are a part wide. */
+static void test_masks(void **state) {
+    (void)state;
+    struct stage stage;
+    struct rays rays;
+    const struct caster_tree *tree;
+    static struct pair pairs[PAIRS];
+    static uint32_t answers[PAIRS];
+    int blocked = 0, other = 0;
+    open_stage(&stage, "scenes/materials.glb");
+    open_rays(&rays, &stage);
+    struct caster_pool *pool = caster_pool_create(&stage.scene, &stage.geometry);
+    check_ok("tree", caster_pool_acquire_tree(pool, &tree));
+    for (uint32_t i = 0; i < PAIRS; i++)
+        pairs[i] = pair_through(&rays, &stage, i + 1);
+    ask(tree, pairs, answers);
+    for (int i = 0; i < PAIRS; i++) {
+        bool visible =
+            ray_scene_visible(&rays.scene, to_vec3s(pairs[i].from), to_vec3s(pairs[i].to));
+        blocked += !visible;
+        other += visible == (answers[i] != 0);
+    }
+    printf("  %u masked triangles: %d of %d rays are blocked, %d otherwise than Embree's\n",
+           count_masked(&stage), blocked, PAIRS, other);
+    assert_true(blocked > PAIRS / 10 && blocked < PAIRS * 9 / 10);
+    check_at_most("rays that differ", other, PAIRS / 50.);
+    caster_pool_release_tree(pool, &tree);
+    caster_pool_free(pool);
+    close_rays(&rays);
+    stage_free(&stage);
 }
 
 /* --- a frame ---------------------------------------------------------------------------------- */
@@ -209,6 +262,7 @@ static void test_frame(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_rays),
+        cmocka_unit_test(test_masks),
         cmocka_unit_test(test_frame),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);

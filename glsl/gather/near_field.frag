@@ -1,7 +1,7 @@
 // The near field of the lit surfaces: what VPLs, a spacing apart, cannot resolve. Each pixel gathers from
 // the reflective shadow map around its own place in each light's view [Dachsbacher and Stamminger 2005],
 // log-polar, so that a corner is resolved at every distance. OCCLUDED: of some samples one asks whether something is
-// between; else nothing is.
+// between, TRACED by a ray, else by what the light sees; else nothing is.
 //     E = 1/n sum_j  rho I / pi  cos cos / d^2  near(d)  dw_j
 // A draw fills one tile, whose pixels share their samples, as in the gather.
 #include "lib/gbuffer.glsl"
@@ -11,7 +11,9 @@
 #include "lib/vpl_shares.glsl"
 #include "shared/near_field.h"
 #include "shared/vpl.h"
-#if OCCLUDED
+#if OCCLUDED && TRACED
+#include "visibility/triangle_tree.glsl"
+#elif OCCLUDED
 #include "gather/near_occlusion.glsl"
 #endif
 
@@ -92,6 +94,15 @@ near_arrival arrival_of_sample(surface s, light l, near_places around, int i) {
 }
 
 #if OCCLUDED
+// Between the receiver and a sample, which may be the receiver.
+bool is_hidden_from(surface s, near_arrival sample_of, bool asks) {
+#if TRACED
+    return is_blocked(s.position, s.normal, sample_of.position);
+#else
+    return is_hidden(s.position, sample_of.position, light_view_at(sample_of.view_index), asks);
+#endif
+}
+
 // Of so many samples one, taken by its light, asks for all: on average each counts as if it had asked.
 const int TOGETHER = 16;
 
@@ -112,7 +123,7 @@ vec3 light_together(surface s, light l, near_places around, int first, int last,
         asks.position = taken ? own.position : asks.position;
         asks.view_index = taken ? own.view_index : asks.view_index;
     }
-    return is_hidden(s.position, asks.position, light_view_at(asks.view_index), strength > none) ? vec3(0.0) : sum;
+    return is_hidden_from(s, asks, strength > none) ? vec3(0.0) : sum;
 }
 #endif
 

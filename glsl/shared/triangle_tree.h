@@ -10,4 +10,6 @@
 #define THREADED_COUNT_MOST 15u
 #define THREADED_STEPS 65535.0 /* of the bounds' sides */
 
+#define OPACITY_SIDE 8 /* parts along an edge of a triangle: 64 bits of all */
+
 #endif

@@ -11,10 +11,6 @@ struct tree_ray {
     vec3 box_origin, box_slope; // in steps of boxes; 1 / the direction
 };
 
-vec3 tree_vector(int texel) {
-    return uintBitsToFloat(texelFetch(triangle_tree, texel).xyz);
-}
-
 bool enters(tree_ray ray, uvec3 sides) {
     vec3 a = (vec3(sides & 0xffffu) - ray.box_origin) * ray.box_slope;
     vec3 b = (vec3(sides >> 16) - ray.box_origin) * ray.box_slope;
@@ -22,14 +18,24 @@ bool enters(tree_ray ray, uvec3 sides) {
     return max(max(first.x, first.y), max(first.z, 0.0)) <= min(min(last.x, last.y), min(last.z, ray.end));
 }
 
+// Whether the part of the triangle there is opaque [Gruen et al. 2020].
+bool is_opaque(vec2 at, uvec2 bits) {
+    vec2 scaled = at * float(OPACITY_SIDE), cell = min(floor(scaled), float(OPACITY_SIDE - 1)), part = scaled - cell;
+    int along = int(cell.x), row = int(cell.y), turned = part.x + part.y > 1.0 ? 1 : 0;
+    int number = row * (2 * OPACITY_SIDE - row) + 2 * along + turned;
+    return ((number < 32 ? bits.x : bits.y) >> (number & 31) & 1u) != 0u;
+}
+
 // [Möller and Trumbore 1997].
 bool meets(tree_ray ray, int texel) {
-    vec3 corner = tree_vector(texel), edge = tree_vector(texel + 1), other_edge = tree_vector(texel + 2);
+    uvec4 first = texelFetch(triangle_tree, texel), second = texelFetch(triangle_tree, texel + 1);
+    vec3 corner = uintBitsToFloat(first.xyz), edge = uintBitsToFloat(second.xyz);
+    vec3 other_edge = uintBitsToFloat(texelFetch(triangle_tree, texel + 2).xyz);
     vec3 across = cross(ray.direction, other_edge), from = ray.origin - corner, other = cross(from, edge);
     float inverse = 1.0 / dot(edge, across);
     float u = dot(from, across) * inverse, v = dot(ray.direction, other) * inverse;
     float at = dot(other_edge, other) * inverse;
-    return min(u, v) >= 0.0 && u + v <= 1.0 && at > 0.0 && at < ray.end;
+    return min(u, v) >= 0.0 && u + v <= 1.0 && at > 0.0 && at < ray.end && is_opaque(vec2(u, v), uvec2(first.w, second.w));
 }
 
 // Between a point of a surface and one of another surface; never where they are one.

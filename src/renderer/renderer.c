@@ -246,7 +246,7 @@ static bool plan_lights(struct light_plan *plan, const struct light_plan *before
 
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) {
     *renderer = (struct renderer){.desc = *desc,
-                                  .casters = caster_pool_create(desc->geometry),
+                                  .casters = caster_pool_create(desc->scene, desc->geometry),
                                   .light_block = mem_alloc(1, sizeof *renderer->light_block),
                                   .start_block = mem_alloc(1, sizeof *renderer->start_block),
                                   .sky_block = mem_alloc(1, sizeof *renderer->sky_block)};

@@ -199,6 +199,7 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
         .listed = lights->has_detail,
         .facets = sends_as_facets(desc),
         .occluded = visibility->lookup != VISIBILITY_LOOKUP_NONE && own->take_back <= 0,
+        .casters = visibility->lookup == VISIBILITY_LOOKUP_TRACED ? desc->casters : NULL,
         .rsm_size = rsm_size(desc),
         .lights = *desc->lights,
     };

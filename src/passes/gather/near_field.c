@@ -42,8 +42,8 @@ static bool init_programs(struct near_field_pass *pass) {
     char *of_light = mem_printf("LIGHTS %d;MAP_KINDS %d;FACETS %d", room, kinds, pass->desc.facets);
     char *defines = mem_printf("OCCLUDED 0;RECEIVERS %d;%s",
                                pass->desc.listed ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
-    char *listed =
-        mem_printf("OCCLUDED %d;RECEIVERS %d;%s", pass->desc.occluded, RECEIVERS_LISTED, of_light);
+    char *listed = mem_printf("OCCLUDED %d;TRACED %d;RECEIVERS %d;%s", pass->desc.occluded,
+                              pass->desc.casters != NULL, RECEIVERS_LISTED, of_light);
     bool ok =
         program_init(&pass->light_program,
                      &(struct program_desc){
@@ -83,6 +83,7 @@ bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_
     *pass = (struct near_field_pass){.desc = *desc};
     light_picks_init(&pass->picks, &desc->lights);
     bool ok =
+        (!desc->casters || caster_pool_acquire_tree(desc->casters, &pass->tree)) &&
         init_programs(pass) &&
         buffer_init(&pass->samples, "near field samples",
                     NEAR_SAMPLES_MAX * sizeof(struct near_sample), NULL) &&
@@ -95,6 +96,7 @@ bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_
 }
 
 void near_field_pass_free(struct near_field_pass *pass) {
+    caster_pool_release_tree(pass->desc.casters, &pass->tree);
     program_free(&pass->light_program);
     program_free(&pass->program);
     program_free(&pass->listed_program);
@@ -194,6 +196,8 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
                                         : RECEIVERS_ALL);
     if (inputs->of_lists)
         pass_add_texture(&state, UNIT_FURTHER_POINTS, frame->further_points->id);
+    if (inputs->of_lists && pass->tree)
+        pass_add_texture(&state, UNIT_TRIANGLE_TREE, pass->tree->texels);
     write_params(pass, frame, irradiance_pattern(irradiance));
     int slots = irradiance->interleave * irradiance->interleave;
     int picked = light_picks_deal(&pass->picks, frame, slots);

@@ -13,6 +13,7 @@
 #define PASSES_NEAR_FIELD_H
 
 #include "passes/frame.h"
+#include "scene/gpu/caster_pool.h"
 
 struct near_field_desc {
     int samples; /* that the n x n pixels of a pattern share out */
@@ -20,13 +21,15 @@ struct near_field_desc {
     int list_slots
         [LIST_KINDS]; /* what is on a list takes the samples of so many slots side by side; 0: none */
     bool occluded;    /* what the light sees hides near light from what is on a list */
-    bool facets;      /* the shadow map's normals are of triangles */
-    int rsm_size;     /* as lights' settings have it */
+    struct caster_pool *casters; /* or, unless NULL, all triangles do; must outlive the pass */
+    bool facets;                 /* the shadow map's normals are of triangles */
+    int rsm_size;                /* as lights' settings have it */
     struct light_layout lights;
 };
 
 struct near_field_pass {
     struct near_field_desc desc;
+    const struct caster_tree *tree; /* of desc.casters */
     GLuint light_program, program, listed_program;
     struct texture lights[LIGHT_MAP_KINDS]; /* RGBA32UI, maps as the shadow map's,
                                                glsl/gather/near_light.glsl */

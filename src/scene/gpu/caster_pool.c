@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 struct caster_pool {
+    const struct scene *scene;
     const struct geometry *geometry;
     struct pooled {
         struct caster_gpu gpu;
@@ -17,8 +18,9 @@ struct caster_pool {
     int tree_uses;
 };
 
-struct caster_pool *caster_pool_create(const struct geometry *geometry) {
+struct caster_pool *caster_pool_create(const struct scene *scene, const struct geometry *geometry) {
     struct caster_pool *pool = mem_alloc(1, sizeof *pool);
+    pool->scene = scene;
     pool->geometry = geometry;
     return pool;
 }
@@ -101,7 +103,7 @@ void caster_pool_release(struct caster_pool *pool, const struct caster_gpu **cas
 
 bool caster_pool_acquire_tree(struct caster_pool *pool, const struct caster_tree **tree) {
     *tree = NULL;
-    if (!caster_tree_update(&pool->tree, pool->geometry)) {
+    if (!caster_tree_update(&pool->tree, pool->scene, pool->geometry)) {
         caster_tree_free(&pool->tree);
         return false;
     }
@@ -122,5 +124,5 @@ bool caster_pool_update(struct caster_pool *pool) {
     for (struct pooled *pooled = pool->first; pooled; pooled = pooled->next)
         if (pooled->uses && !caster_gpu_update(&pooled->gpu, pool->geometry))
             return false;
-    return !pool->tree_uses || caster_tree_update(&pool->tree, pool->geometry);
+    return !pool->tree_uses || caster_tree_update(&pool->tree, pool->scene, pool->geometry);
 }

@@ -12,8 +12,8 @@
 
 struct caster_pool;
 
-/* The geometry must outlive the pool. */
-struct caster_pool *caster_pool_create(const struct geometry *geometry);
+/* Scene and geometry must outlive the pool. */
+struct caster_pool *caster_pool_create(const struct scene *scene, const struct geometry *geometry);
 
 /* All casters have been released. Accepts NULL. */
 void caster_pool_free(struct caster_pool *pool);

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "scene/mesh/opacity.h"
 #include "scene/mesh/threaded_tree.h"
 
 #include <math.h>
@@ -12,19 +13,31 @@ static vec3s corner(const struct geometry *geometry, uint32_t index) {
     return (vec3s){{p[0], p[1], p[2]}};
 }
 
-static void plant(struct triangle_tree *tree, const struct geometry *geometry) {
-    uint32_t count = geometry->index_count / 3;
-    struct tree_triangle *triangles = mem_alloc(count, sizeof *triangles);
-    for (uint32_t i = 0; i < count; i++) {
-        const uint32_t *index = &geometry->indices[3 * (size_t)i];
+static void add_opaque(struct opaque_triangles *list, const struct geometry *geometry,
+                       const struct geometry_batch *batch) {
+    for (uint32_t i = 0; i < batch->index_count; i += 3) {
+        const uint32_t *index = &geometry->indices[batch->first_index + i];
         vec3s at = corner(geometry, index[0]);
-        triangles[i] = (struct tree_triangle){
-            .corner = at,
-            .edges = {glms_vec3_sub(corner(geometry, index[1]), at),
-                      glms_vec3_sub(corner(geometry, index[2]), at)},
-        };
+        opaque_triangles_add(list, &(struct tree_triangle){
+                                       .corner = at,
+                                       .edges = {glms_vec3_sub(corner(geometry, index[1]), at),
+                                                 glms_vec3_sub(corner(geometry, index[2]), at)},
+                                       .opaque = {~0U, ~0U},
+                                   });
     }
-    triangle_tree_init(tree, triangles, count);
+}
+
+static void plant(struct triangle_tree *tree, const struct scene *scene,
+                  const struct geometry *geometry) {
+    struct opaque_triangles list = {0};
+    for (int b = 0; b < geometry->batch_count; b++) {
+        const struct geometry_batch *batch = &geometry->batches[b];
+        if (scene->materials[batch->material].alpha_mask)
+            opaque_triangles_add_masked(&list, scene, geometry, batch);
+        else
+            add_opaque(&list, geometry, batch);
+    }
+    triangle_tree_init(tree, list.items, list.count);
 }
 
 /* About a hundred times the rounding of the scene's coordinates, as the path tracer's. */
@@ -56,9 +69,10 @@ static bool upload(struct caster_tree *tree, const struct threaded_tree *threade
     return true;
 }
 
-bool caster_tree_init(struct caster_tree *tree, const struct geometry *geometry) {
+bool caster_tree_init(struct caster_tree *tree, const struct scene *scene,
+                      const struct geometry *geometry) {
     *tree = (struct caster_tree){0};
-    return caster_tree_update(tree, geometry);
+    return caster_tree_update(tree, scene, geometry);
 }
 
 void caster_tree_free(struct caster_tree *tree) {
@@ -68,7 +82,8 @@ void caster_tree_free(struct caster_tree *tree) {
     *tree = (struct caster_tree){0};
 }
 
-bool caster_tree_update(struct caster_tree *tree, const struct geometry *geometry) {
+bool caster_tree_update(struct caster_tree *tree, const struct scene *scene,
+                        const struct geometry *geometry) {
     struct triangle_tree planted;
     struct threaded_tree threaded;
     struct threaded_tree_desc desc = {.clearance = clearance_of(geometry)};
@@ -76,7 +91,7 @@ bool caster_tree_update(struct caster_tree *tree, const struct geometry *geometr
         return true;
     memcpy(desc.low, geometry->bounds_min, sizeof desc.low);
     memcpy(desc.high, geometry->bounds_max, sizeof desc.high);
-    plant(&planted, geometry);
+    plant(&planted, scene, geometry);
     threaded_tree_init(&threaded, &planted, &desc);
     bool ok = upload(tree, &threaded);
     tree->pose = geometry->pose_count;

@@ -1,5 +1,6 @@
 /* The scene's triangles as rays of shaders meet them: a buffer texture for UNIT_TRIANGLE_TREE, as
- * scene/mesh/threaded_tree.h lays it out. All triangles hide light, from both sides. */
+ * scene/mesh/threaded_tree.h lays it out. All triangles hide light, from both sides, but where
+ * an alpha mask has a hole. */
 #ifndef SCENE_GPU_CASTER_TREE_H
 #define SCENE_GPU_CASTER_TREE_H
 
@@ -13,10 +14,12 @@ struct caster_tree {
 };
 
 /* Error: out of GPU memory, or more triangles than a buffer texture has room for. */
-bool caster_tree_init(struct caster_tree *tree, const struct geometry *geometry);
+bool caster_tree_init(struct caster_tree *tree, const struct scene *scene,
+                      const struct geometry *geometry);
 void caster_tree_free(struct caster_tree *tree);
 
 /* To where the geometry is now. Error: as of init; the tree must then be freed. */
-bool caster_tree_update(struct caster_tree *tree, const struct geometry *geometry);
+bool caster_tree_update(struct caster_tree *tree, const struct scene *scene,
+                        const struct geometry *geometry);
 
 #endif

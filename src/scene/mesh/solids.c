@@ -44,7 +44,8 @@ static struct tree_triangle triangle_of(const struct geometry *geometry, const u
     return (struct tree_triangle){at,
                                   {glms_vec3_sub(corner(geometry, index[1]), at),
                                    glms_vec3_sub(corner(geometry, index[2]), at)},
-                                  double_sided};
+                                  double_sided,
+                                  {0}};
 }
 
 static void plant_tree(struct solids *solids, const struct scene *scene,

@@ -87,6 +87,8 @@ static void lay_triangle(struct layout *layout, uint32_t number) {
         texels[1][c] = bits(triangle->edges[0].raw[c]);
         texels[2][c] = bits(triangle->edges[1].raw[c]);
     }
+    for (int i = 0; i < 2; i++)
+        texels[i][3] = triangle->opaque[i];
 }
 
 /* At most so many. */

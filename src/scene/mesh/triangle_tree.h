@@ -13,7 +13,9 @@
 /* By its corners: the front is where they go counter-clockwise. */
 struct tree_triangle {
     vec3s corner, edges[2]; /* from the corner to the two others, metres */
-    bool double_sided;      /* of its material: for those who ask */
+    /* For those who ask: */
+    bool double_sided;  /* of its material */
+    uint32_t opaque[2]; /* which of its 64 parts are (scene/mesh/opacity.h) */
 };
 
 struct tree_box {
