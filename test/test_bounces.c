@@ -1,10 +1,11 @@
-/* Light of further bounces: points of surfaces, exact answers inside a sphere, energy, and the path
- * tracer's picture. */
+/* Light of further bounces: exact answers inside a sphere, energy, and the path tracer's picture; and points of
+ * surfaces. */
 #include "render_support.h"
 
 #include "base/memory.h"
 #include "reference/path_tracer.h"
 #include "scene/mesh/surface_points.h"
+#include "scene/mesh/triangle_albedos.h"
 #include "shared/vpl.h"
 
 #include <math.h>
@@ -153,36 +154,20 @@ static double mean_indirect(const struct stage *stage, const char *technique,
     return mean;
 }
 
-/* Of what there is, what the points of a sphere exchange as patches (glsl/gather/patch.glsl). */
-static double patches_exchange(int points) {
-    double count = points;
-    return 1 - atan(count) / count + log(1 + count * count) / (2 * count);
-}
-
-/* And what pixels gain by theirs, up to the sphere's diameter: sqrt(t) radii. */
-static double patches_at_pixel(int points) {
-    double t = points / (6.5 * (double)GLM_PIf);
-    return 1 + 2.504 / (t * t);
-}
-
-/* Albedo 1/2, one bounce is 1/2 everywhere (test_light.c), and each after it half of the one before, but for patches:
- * the n-th comes through n - 1 exchanges of points. */
+/* Albedo 1/2, one bounce is 1/2 everywhere (test_light.c), and each after it half of the one before: what paths carry
+ * is right to the last one, and what patches gain or lose is given back. */
 static void check_furnace(const struct stage *stage, const char *technique, int points,
                           const char *more, double tolerance) {
-    double before = 0, exact = 0, exchange = patches_exchange(points);
-    double at_pixel = patches_at_pixel(points);
-    for (int bounces = 1, n = 1; bounces <= 8; bounces *= 2) {
+    double before = 0;
+    for (int bounces = 1; bounces <= 8; bounces *= 2) {
         char settings[160], what[64];
         snprintf(settings, sizeof settings, "clamp=none bounces=%d surface-points=%d %s", bounces,
                  points, more);
-        for (; n <= bounces; n++)
-            exact += pow(.5, n) * (n > 1 ? at_pixel * pow(exchange, n - 1) : 1);
-        double mean = mean_indirect(stage, technique, settings);
+        double mean = mean_indirect(stage, technique, settings), exact = 1 - pow(.5, bounces);
         snprintf(what, sizeof what, "%s, %d bounces", technique, bounces);
         check_near(what, mean / exact, 1, tolerance);
         if (bounces == 2)
-            check_near("the second over the first, but for patches",
-                       (mean - before) / before / .5 / exchange / at_pixel, 1, .01);
+            check_near("the second over the first", (mean - before) / before / .5, 1, .01);
         before = mean;
     }
 }
@@ -202,7 +187,11 @@ static void test_furnace(void **state) {
 
 /* --- energy ----------------------------------------------------------------------------------- */
 
-/* What the points reflect of all further bounces, and the VPLs of the first one. */
+static double power(const struct vpl *vpl) {
+    return (double)(vpl->flux[0] + vpl->flux[1] + vpl->flux[2]);
+}
+
+/* What paths leave of all further bounces, and the VPLs of the first one. */
 static void read_fluxes(const struct stage *stage, int bounces, double *first, double *further,
                         int *black) {
     char settings[64];
@@ -221,9 +210,9 @@ static void read_fluxes(const struct stage *stage, int bounces, double *first, d
     *first = *further = 0;
     *black = 0;
     for (int i = 0; i < (int)settings_number(&renderer.desc.settings, "vpls"); i++)
-        *first += (double)vpls[i].flux[0];
+        *first += power(&vpls[i]);
     for (int i = 0; i < buffer->count; i++) {
-        *further += (double)points[i].flux[0];
+        *further += power(&points[i]);
         *black += points[i].flux[0] == 0 && points[i].flux[1] + points[i].flux[2] > 0;
     }
     free(vpls);
@@ -242,7 +231,7 @@ static void test_energy(void **state) {
     stage.scene.materials[2].base_color[0] = 0;
     read_fluxes(&stage, 2, &first, &further, &black);
     last = first;
-    for (int bounces = 2; bounces <= 8; bounces++) {
+    for (int bounces = 2; bounces <= 5; bounces++) {
         read_fluxes(&stage, bounces, &first, &further, &black);
         double own = further - sum;
         printf("  bounce %d: %.4g W, %.3f of the one before\n", bounces, own, own / last);
@@ -251,8 +240,47 @@ static void test_energy(void **state) {
         last = own;
         sum = further;
     }
-    printf("  %d points on the wall without red\n", black);
+    printf("  %d VPLs on the wall without red\n", black);
     assert_true(black > 20);
+    stage_free(&stage);
+}
+
+/* Inside a sphere that reflects half of it each further bounce has half of the flux of the one before, to the last. */
+static void test_flux(void **state) {
+    (void)state;
+    struct stage stage;
+    int black;
+    open_stage(&stage, "scenes/sphere.glb");
+    for (int bounces = 2; bounces <= 8; bounces++) {
+        double first, further;
+        read_fluxes(&stage, bounces, &first, &further, &black);
+        check_near("flux of further bounces", further / first / (1 - pow(.5, bounces - 1)), 1,
+                   .003);
+    }
+    stage_free(&stage);
+}
+
+/* What paths take for a triangle's colour, on both of its sides. */
+static void test_albedos(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    uint32_t count = stage.geometry.index_count / 3;
+    struct triangle_albedo *albedos = mem_alloc(count, sizeof *albedos);
+    for (int sides = 1; sides <= 2; sides++) {
+        for (int m = 0; m < stage.scene.material_count; m++)
+            stage.scene.materials[m].double_sided = sides == 2;
+        triangle_albedos_find(albedos, &stage.scene, &stage.geometry);
+        for (int b = 0; b < stage.geometry.batch_count; b++) {
+            const struct geometry_batch *batch = &stage.geometry.batches[b];
+            const struct triangle_albedo *albedo = &albedos[batch->first_index / 3];
+            const float *color = stage.scene.materials[batch->material].base_color;
+            for (int c = 0; c < 3; c++)
+                assert_true(albedo->color[c] == color[c]);
+            assert_true(albedo->backs == (float)(sides - 1));
+        }
+    }
+    free(albedos);
     stage_free(&stage);
 }
 
@@ -354,6 +382,7 @@ int main(void) {
         cmocka_unit_test(test_form_factors), cmocka_unit_test(test_sides),
         cmocka_unit_test(test_plain),        cmocka_unit_test(test_furnace),
         cmocka_unit_test(test_energy),       cmocka_unit_test(test_frames),
+        cmocka_unit_test(test_flux),         cmocka_unit_test(test_albedos),
         cmocka_unit_test(test_metaballs),    cmocka_unit_test(test_truth),
     };
     return cmocka_run_group_tests_name("bounces", tests, open_group_context, close_group_context);

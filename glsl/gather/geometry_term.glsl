@@ -28,7 +28,7 @@ float geometry_term(vec3 to_vpl, vec3 normal, vpl light, out float back) {
     // The form factor of a disk of the VPL's area, facing the receiver.
     return cosines / (distance2 * (distance2 + light.area * 0.31830988618));
 #elif CLAMP == 5
-    return patch_term_at_pixel(cosines, distance2, light.area);
+    return patch_term(cosines, distance2, light.area);
 #else
     // The near field comes from the reflective shadow map.
     float far = 1.0 - near_share(distance2, light.area, light.reach);

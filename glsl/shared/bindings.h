@@ -71,6 +71,8 @@
 #define UNIT_LIST_TEXELS 40
 #define UNIT_DETAIL_IRRADIANCE 41
 #define UNIT_VPL_SPREAD 42
+#define UNIT_PATH_AREAS 43
+#define UNIT_PATHS_KEPT 44
 #define UNIT_SKY 49
 #define UNIT_EMISSION 50 /* a material's texture */
 #define UNIT_GBUFFER_EMISSION 51
@@ -104,6 +106,11 @@
 #define UNIT_PLAIN_NORMALS 88
 #define UNIT_PLAIN_BLOCKS 89
 #define UNIT_TRIANGLE_TREE 90
+#define UNIT_TRIANGLE_ALBEDOS 91
+#define UNIT_PATH_NUMBERS 92
+#define UNIT_PATH_POSITIONS 93
+#define UNIT_PATH_NORMALS 94
+#define UNIT_PATH_FLUXES 95
 
 /* Attributes of the scene's vertices. */
 #define ATTRIBUTE_POSITION 0
@@ -137,8 +144,9 @@
 #define TARGET_SUM_PRODUCTS 1
 #define TARGET_PLAIN_PLANE 0
 #define TARGET_PLAIN_NORMAL 1
-#define TARGET_BOUNCE_LAST 0
-#define TARGET_BOUNCE_SUM 1
+#define TARGET_BOUNCE_POSITION 0
+#define TARGET_BOUNCE_NORMAL 1
+#define TARGET_BOUNCE_FLUX 2
 
 /* Uniforms, which change from draw to draw: all else is in blocks. */
 #define LOCATION_SLOT 0 /* of an interleaving pattern */

@@ -11,6 +11,10 @@ struct tree_ray {
     vec3 box_origin, box_slope; // in steps of boxes; 1 / the direction
 };
 
+vec3 tree_vector(int texel) {
+    return uintBitsToFloat(texelFetch(triangle_tree, texel).xyz);
+}
+
 bool enters(tree_ray ray, uvec3 sides) {
     vec3 a = (vec3(sides & 0xffffu) - ray.box_origin) * ray.box_slope;
     vec3 b = (vec3(sides >> 16) - ray.box_origin) * ray.box_slope;
@@ -26,8 +30,8 @@ bool is_opaque(vec2 at, uvec2 bits) {
     return ((number < 32 ? bits.x : bits.y) >> (number & 31) & 1u) != 0u;
 }
 
-// [Möller and Trumbore 1997].
-bool meets(tree_ray ray, int texel) {
+// [Möller and Trumbore 1997]. Where, in lengths of the direction; the ray's end: it does not.
+float met_at(tree_ray ray, int texel) {
     uvec4 first = texelFetch(triangle_tree, texel), second = texelFetch(triangle_tree, texel + 1);
     vec3 corner = uintBitsToFloat(first.xyz), edge = uintBitsToFloat(second.xyz);
     vec3 other_edge = uintBitsToFloat(texelFetch(triangle_tree, texel + 2).xyz);
@@ -35,38 +39,86 @@ bool meets(tree_ray ray, int texel) {
     float inverse = 1.0 / dot(edge, across);
     float u = dot(from, across) * inverse, v = dot(ray.direction, other) * inverse;
     float at = dot(other_edge, other) * inverse;
-    return min(u, v) >= 0.0 && u + v <= 1.0 && at > 0.0 && at < ray.end && is_opaque(vec2(u, v), uvec2(first.w, second.w));
+    bool met = min(u, v) >= 0.0 && u + v <= 1.0 && at > 0.0 && at < ray.end;
+    return met && is_opaque(vec2(u, v), uvec2(first.w, second.w)) ? at : ray.end;
+}
+
+float tree_clearance() {
+    return uintBitsToFloat(texelFetch(triangle_tree, 1).w);
+}
+
+tree_ray tree_ray_along(vec3 origin, vec3 direction, float end) {
+    vec3 low = tree_vector(0), steps = tree_vector(1), along = direction * steps;
+    return tree_ray(origin, direction, end, (origin - low) * steps,
+                    1.0 / mix(along, vec3(1e-20), lessThan(abs(along), vec3(1e-20))));
+}
+
+// Texel after the last box.
+int tree_end() {
+    return int(texelFetch(triangle_tree, 0).w);
+}
+
+// On to a leaf that the ray enters, which is its box's number; 0: there is none before the end. A software rasteriser
+// tests triangles for all pixels as soon as one of them has some.
+uint tree_leaf(tree_ray ray, inout int box, int end) {
+    uint leaf = 0u;
+    while (box < end && leaf == 0u) {
+        uvec4 node = texelFetch(triangle_tree, box);
+        bool is_leaf = node.w >= THREADED_LEAF, entered = enters(ray, node.xyz);
+        leaf = is_leaf && entered ? node.w : 0u;
+        box = is_leaf || entered ? box + 1 : int(node.w);
+    }
+    return leaf;
+}
+
+int leaf_count(uint leaf) {
+    return int(leaf >> THREADED_COUNT_SHIFT & THREADED_COUNT_MOST);
+}
+
+int leaf_texel(uint leaf) {
+    return int(leaf & ((1u << THREADED_COUNT_SHIFT) - 1u));
 }
 
 // Between a point of a surface and one of another surface; never where they are one.
 bool is_blocked(vec3 from, vec3 normal, vec3 to) {
-    uvec4 header = texelFetch(triangle_tree, 0), other_header = texelFetch(triangle_tree, 1);
-    vec3 steps = uintBitsToFloat(other_header.xyz);
-    float clearance = uintBitsToFloat(other_header.w);
-    tree_ray ray;
-    ray.origin = from + clearance * normal;
-    ray.direction = to - ray.origin;
-    float way = distance(from, to);
-    ray.end = 1.0 - clearance / way;
-    vec3 along = ray.direction * steps;
-    ray.box_origin = (ray.origin - uintBitsToFloat(header.xyz)) * steps;
-    ray.box_slope = 1.0 / mix(along, vec3(1e-20), lessThan(abs(along), vec3(1e-20)));
-    int box = THREADED_HEADER, end = way > clearance ? int(header.w) : 0;
+    float clearance = tree_clearance(), way = distance(from, to);
+    vec3 origin = from + clearance * normal;
+    tree_ray ray = tree_ray_along(origin, to - origin, 1.0 - clearance / way);
+    int box = THREADED_HEADER, end = way > clearance ? tree_end() : 0;
     bool blocked = false;
     while (box < end) {
-        // On to a leaf: a software rasteriser tests triangles for all pixels as soon as one of them has some.
-        uint leaf = 0u;
-        while (box < end && leaf == 0u) {
-            uvec4 node = texelFetch(triangle_tree, box);
-            bool is_leaf = node.w >= THREADED_LEAF, entered = enters(ray, node.xyz);
-            leaf = is_leaf && entered ? node.w : 0u;
-            box = is_leaf || entered ? box + 1 : int(node.w);
-        }
-        int count = int(leaf >> THREADED_COUNT_SHIFT & THREADED_COUNT_MOST);
-        int texel = int(leaf & ((1u << THREADED_COUNT_SHIFT) - 1u));
+        uint leaf = tree_leaf(ray, box, end);
+        int count = leaf_count(leaf), texel = leaf_texel(leaf);
         for (int i = 0; i < count && !blocked; i++)
-            blocked = meets(ray, texel + i * THREADED_TRIANGLE);
+            blocked = met_at(ray, texel + i * THREADED_TRIANGLE) < ray.end;
         box = blocked ? end : box;
     }
     return blocked;
+}
+
+// What a ray meets first.
+struct tree_hit {
+    float distance;
+    int triangle;    // its number in the geometry; -1: there is none
+    vec3 normal;     // unit, of the side that is met
+    bool back;
+};
+
+// Along a unit direction; not where `asks` is false.
+tree_hit tree_meet(vec3 origin, vec3 direction, bool asks) {
+    const float FAR = 1e30;
+    tree_ray ray = tree_ray_along(origin, direction, FAR);
+    int box = THREADED_HEADER, end = asks ? tree_end() : 0, met = 0;
+    while (box < end) {
+        uint leaf = tree_leaf(ray, box, end);
+        int count = leaf_count(leaf), texel = leaf_texel(leaf);
+        for (int i = 0; i < count; i++) {
+            float at = met_at(ray, texel + i * THREADED_TRIANGLE);
+            met = at < ray.end ? texel + i * THREADED_TRIANGLE : met;
+            ray.end = at;
+        }
+    }
+    vec3 normal = normalize(cross(tree_vector(met + 1), tree_vector(met + 2)));
+    bool back = dot(normal, direction) > 0.0;
+    return tree_hit(ray.end, met > 0 ? int(texelFetch(triangle_tree, met + 2).w) : -1, back ? -normal : normal, back);
 }

@@ -233,28 +233,17 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
     return !lights->has_blur || blur_pass_init(&lights->blur, &blur);
 }
 
-/* Softness is lost in the sum over points, and rays through the map of a cluster take light away: of
- * the 36 % that the second bounce adds in the Cornell box they leave 25, and a hard lookup 29. */
-static enum visibility_lookup bounce_lookup(enum visibility_lookup lookup) {
-    bool as_is = lookup == VISIBILITY_LOOKUP_NONE || lookup == VISIBILITY_LOOKUP_TRACED;
-    return as_is ? lookup : VISIBILITY_LOOKUP_HARD;
-}
-
-static bool init_bounces(struct many_lights *lights, const struct technique_desc *desc,
-                         const struct many_lights_visibility *visibility) {
+static bool init_bounces(struct many_lights *lights, const struct technique_desc *desc) {
     const struct lights_settings *own = settings_of(desc->settings, &lights_part);
     lights->bounces = own->bounces;
-    return lights->bounces == 1 ||
-           bounce_pass_init(&lights->bounce,
-                            &(struct bounce_desc){
-                                .scene = desc->scene,
-                                .geometry = desc->geometry,
-                                .count = own->points,
-                                .seed = own->seed,
-                                .map_per_vpl = visibility->map_per_vpl,
-                                .visibility = lookup_of(
-                                    desc->settings, bounce_lookup(visibility->lookup), visibility),
-                            });
+    return lights->bounces == 1 || bounce_pass_init(&lights->bounce, &(struct bounce_desc){
+                                                                         .scene = desc->scene,
+                                                                         .geometry = desc->geometry,
+                                                                         .casters = desc->casters,
+                                                                         .bounces = own->bounces,
+                                                                         .count = own->points,
+                                                                         .seed = own->seed,
+                                                                     });
 }
 
 bool many_lights_check(const struct settings *settings) {
@@ -289,10 +278,9 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
             &lights->geometry,
             &(struct geometry_desc){.has_gloss = desc->gloss, .facets = sends_as_facets(desc)}) &&
         vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach}) &&
-        vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) &&
-        init_bounces(lights, desc, visibility) && init_gather(lights, desc, visibility) &&
-        init_gloss(lights, desc, visibility) && init_near_field(lights, desc, visibility) &&
-        init_blur(lights, desc))
+        vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) && init_bounces(lights, desc) &&
+        init_gather(lights, desc, visibility) && init_gloss(lights, desc, visibility) &&
+        init_near_field(lights, desc, visibility) && init_blur(lights, desc))
         return true;
     many_lights_free(lights);
     return false;
@@ -374,24 +362,10 @@ void many_lights_render_vpls(struct many_lights *lights, const struct frame *fra
     vpl_pass_render(&lights->vpl, frame, lights->rsm, &lights->vpls);
     if (lights->has_near_field)
         near_field_pass_render_lights(&lights->near_field, frame, lights->rsm, &lights->vpl.shares);
-}
-
-void many_lights_end_bounce(const struct many_lights *lights, const struct frame *frame,
-                            int bounce) {
-    bounce_pass_reflect(&lights->bounce, frame, bounce == lights->bounces);
+    if (lights->bounces == 1)
+        return;
+    bounce_pass_render(&lights->bounce, frame, &lights->vpls);
     vpl_pass_measure_spread(&lights->vpl, &lights->bounce.vpls);
-}
-
-void many_lights_render_unshadowed_bounces(struct many_lights *lights, const struct frame *frame) {
-    struct bounce_inputs inputs = {.vpls = &lights->vpls};
-    if (lights->bounces > 1)
-        bounce_pass_pick(&lights->bounce, frame, &inputs);
-    for (int bounce = 2; bounce <= lights->bounces; bounce++) {
-        bounce_pass_begin(&lights->bounce);
-        bounce_pass_gather(&lights->bounce, frame, &inputs);
-        many_lights_end_bounce(lights, frame, bounce);
-        inputs.vpls = &lights->bounce.vpls;
-    }
 }
 
 void many_lights_begin(const struct many_lights *lights, const struct frame *frame,

@@ -135,18 +135,9 @@ bool many_lights_resize(void *state, int width, int height);
 /* The casters that the settings ask for. */
 struct caster_desc many_lights_caster(const struct settings *settings);
 
-/* RSM and VPLs, into lights->vpls. */
+/* RSM and VPLs, into lights->vpls; and where there are more bounces, those of all further ones into
+ * lights->bounce.vpls. */
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame);
-
-/* The n-th bounce, from 2 to lights->bounces, is what points of surfaces reflect of the (n - 1)-th.
- * For the second the points are picked first (bounce_pass_pick). Then begin, gather the light of all
- * VPLs of the one before (bounce_pass_gather), and end: lights->bounce.vpls are the n-th's, and after
- * the last bounce those of all. */
-void many_lights_end_bounce(const struct many_lights *lights, const struct frame *frame,
-                            int bounce);
-
-/* All further bounces, where nothing says what light arrives. */
-void many_lights_render_unshadowed_bounces(struct many_lights *lights, const struct frame *frame);
 
 /* The gather: begins at zero, and then adds VPLs in as many calls as the technique likes. */
 void many_lights_begin(const struct many_lights *lights, const struct frame *frame,

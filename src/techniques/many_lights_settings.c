@@ -8,14 +8,14 @@
 static const struct option lights_table[] = {
     {"vpls", 0, OPTION_INT, ROW(lights, vpls), 1024, 1, 65536, .help = "virtual point lights, N"},
     {"seed", 0, OPTION_INT, ROW(lights, seed), 0, 0, 1e9,
-     .help = "another set of VPLs, and of surface points; 0 = Halton's as they are"},
+     .help = "another set of VPLs, and of paths; 0 = Halton's as they are"},
     {"rsm-size", 0, OPTION_INT, ROW(lights, rsm_size), 512, RSM_SIZE_MIN, 8192,
      .help =
          "reflective shadow map, texels a side; more than four of them have the texels of four"},
     {"bounces", 0, OPTION_INT, ROW(lights, bounces), 1, 1, 8,
-     .help = "of indirect light; those after the first by way of points of all surfaces"},
-    {"surface-points", 0, OPTION_INT, ROW(lights, points), 2048, VPL_PARTNERS_MAX, 16384,
-     .help = "of surfaces that become VPLs of further bounces, P"},
+     .help = "of indirect light; those after the first by paths of light from VPLs"},
+    {"surface-points", 0, OPTION_INT, ROW(lights, points), 4096, VPL_PARTNERS_MAX, 16384,
+     .help = "at which paths of light leave VPLs of further bounces, P"},
     {"facets", 0, OPTION_FLAG, ROW(lights, facets), 0,
      .help =
          "where nothing is glossy VPLs and near field send light as triangles do, and not as the\n"

@@ -237,22 +237,6 @@ static void render_set(struct val_set *set, const struct frame *frame,
     timer_end(frame->timers);
 }
 
-/* The points' VALs are those of the second bounce: later ones light the same surfaces. */
-static void render_bounce(struct vals *vals, struct many_lights *lights, const struct frame *frame,
-                          int bounce) {
-    struct val_set *further = &vals->further, *from = bounce == 2 ? &vals->first : further;
-    struct bounce_inputs inputs = {.vpls = &from->cluster.vpls, .visibility = maps_of(from)};
-    if (bounce == 2)
-        bounce_pass_pick(&lights->bounce, frame, &inputs);
-    bounce_pass_begin(&lights->bounce);
-    bounce_pass_gather(&lights->bounce, frame, &inputs);
-    many_lights_end_bounce(lights, frame, bounce);
-    if (bounce == 2)
-        render_set(further, frame, &lights->bounce.vpls);
-    else
-        cluster_pass_map(&further->cluster, &lights->bounce.vpls, &further->cluster.vpls);
-}
-
 void vals_render(struct vals *vals, struct many_lights *lights, const struct frame *frame) {
     if (vals->counts) {
         cluster_pass_render(&vals->probe, frame, &lights->vpls);
@@ -260,8 +244,8 @@ void vals_render(struct vals *vals, struct many_lights *lights, const struct fra
                               cluster_pass_centers(&vals->probe));
     }
     render_set(&vals->first, frame, &lights->vpls);
-    for (int bounce = 2; bounce <= lights->bounces; bounce++)
-        render_bounce(vals, lights, frame, bounce);
+    if (lights->bounces > 1)
+        render_set(&vals->further, frame, &lights->bounce.vpls);
     find_centers(vals);
 }
 

@@ -54,28 +54,10 @@ struct visibility_inputs vpl_maps_inputs(const struct vpl_maps *maps) {
     return (struct visibility_inputs){.views = &maps->views.views, .depth = maps->desc.maps};
 }
 
-static void render_bounce(struct vpl_maps *maps, struct many_lights *lights,
-                          const struct frame *frame, int bounce) {
-    const struct vpl_buffer *vpls = bounce == 2 ? &lights->vpls : &lights->bounce.vpls;
-    bounce_pass_begin(&lights->bounce);
-    for (int first = 0, count; (count = vpl_maps_render_batch(maps, frame, vpls, first)) > 0;
-         first += count) {
-        struct bounce_inputs inputs = {vpls, first, count, vpl_maps_inputs(maps)};
-        if (bounce == 2 && first == 0)
-            bounce_pass_pick(&lights->bounce, frame, &inputs);
-        bounce_pass_gather(&lights->bounce, frame, &inputs);
-    }
-    many_lights_end_bounce(lights, frame, bounce);
-    /* The points' spread, which their near clip is measured by, is another now. */
-    vpl_maps_drop(maps);
-}
-
 void vpl_maps_render_vpls(struct vpl_maps *maps, struct many_lights *lights,
                           const struct frame *frame) {
     many_lights_render_vpls(lights, frame);
     vpl_maps_drop(maps);
-    for (int bounce = 2; bounce <= lights->bounces; bounce++)
-        render_bounce(maps, lights, frame, bounce);
 }
 
 void vpl_maps_render_lights(struct vpl_maps *maps, struct many_lights *lights,

@@ -1,213 +1,216 @@
 #include "passes/lights/bounce.h"
 
+#include "base/halton.h"
 #include "base/memory.h"
 #include "gl/framebuffer.h"
+#include "gl/pass.h"
 #include "gl/program.h"
+#include "scene/mesh/triangle_albedos.h"
 #include "shared/bounce.h"
-#include "shared/vpl.h"
 
+#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-static int candidate_count(const struct bounce_pass *pass) {
-    return pass->desc.count * BOUNCE_CANDIDATES;
-}
+/* Where the light's own map has a VPL, its texels may lie below the surface by as much: over the scene's radius. */
+static const float start_above = 1e-3F;
 
-static bool init_gather_program(GLuint *program, const struct bounce_desc *desc, bool candidates) {
-    char *lookup = visibility_defines(&desc->visibility);
-    char *defines =
-        mem_printf("%s;MAP_PER_VPL %d;CANDIDATES %d", lookup, desc->map_per_vpl, candidates);
-    bool ok = program_init(program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                           .fragment = "lights/bounce_gather.frag",
-                                                           .defines = defines});
-    free(lookup);
-    free(defines);
-    return ok;
-}
+/* --- programs and targets --------------------------------------------------------------------- */
 
 static bool init_programs(struct bounce_pass *pass) {
-    return init_gather_program(&pass->candidate_program, &pass->desc, true) &&
-           init_gather_program(&pass->gather_program, &pass->desc, false) &&
-           program_init(&pass->pick_program,
-                        &(struct program_desc){.vertex = "lights/bounce_pick.vert"}) &&
-           program_init(&pass->reflect_program,
-                        &(struct program_desc){.vertex = "lights/bounce_reflect.vert"});
+    const struct {
+        GLuint *program;
+        const char *fragment;
+    } drawn[] = {{&pass->path_program, "lights/bounce_path.frag"},
+                 {&pass->area_program, "lights/bounce_area.frag"},
+                 {&pass->kept_program, "lights/bounce_kept.frag"}};
+    for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
+        if (!program_init(drawn[i].program, &(struct program_desc){.vertex = "fullscreen.vert",
+                                                                   .fragment = drawn[i].fragment}))
+            return false;
+    return program_init(&pass->vpl_program,
+                        &(struct program_desc){.vertex = "lights/bounce_vpl.vert"});
 }
 
-static bool init_light(struct texture *texture, int count, int rows) {
-    return texture_init(texture, &(struct texture_desc){.label = "light of bounces",
-                                                        .format = GL_RGBA32F,
-                                                        .width = count,
-                                                        .height = rows});
+static bool init_row(struct texture *texture, int count) {
+    return texture_init(
+        texture,
+        &(struct texture_desc){.label = "paths of light", .format = GL_RGBA32F, .width = count});
 }
 
 static bool init_targets(struct bounce_pass *pass) {
     int count = pass->desc.count;
-    struct framebuffer_desc desc = {.label = "light of bounces"};
-    desc.colors[TARGET_BOUNCE_LAST] = &pass->last;
-    desc.colors[TARGET_BOUNCE_SUM] = &pass->sum;
-    return init_light(&pass->candidate_light, count, BOUNCE_CANDIDATES) &&
-           init_light(&pass->last, count, BOUNCE_ROWS) &&
-           init_light(&pass->sum, count, BOUNCE_ROWS) &&
-           framebuffer_init(&pass->candidate_framebuffer,
-                            &(struct framebuffer_desc){.label = "light of candidates",
-                                                       .colors = {&pass->candidate_light}}) &&
-           framebuffer_init(&pass->framebuffer, &desc);
+    struct framebuffer_desc paths = {.label = "paths of light"};
+    paths.colors[TARGET_BOUNCE_POSITION] = &pass->positions;
+    paths.colors[TARGET_BOUNCE_NORMAL] = &pass->normals;
+    paths.colors[TARGET_BOUNCE_FLUX] = &pass->fluxes;
+    const struct framebuffer_desc areas = {.label = "areas of paths", .colors = {&pass->areas}};
+    const struct framebuffer_desc kept = {.label = "what patches keep", .colors = {&pass->kept}};
+    return init_row(&pass->positions, count) && init_row(&pass->normals, count) &&
+           init_row(&pass->fluxes, count) && init_row(&pass->areas, count) &&
+           init_row(&pass->kept, 1) && framebuffer_init(&pass->path_framebuffer, &paths) &&
+           framebuffer_init(&pass->area_framebuffer, &areas) &&
+           framebuffer_init(&pass->kept_framebuffer, &kept);
 }
 
-/* Passes of a picture that converges have candidates of their own. */
-static void deal_candidates(struct bounce_pass *pass, const struct geometry *geometry,
-                            int frame_pass) {
-    int count = candidate_count(pass);
-    surface_points_free(&pass->candidates);
-    surface_points_init(&pass->candidates, &(struct surface_points_desc){
-                                               .scene = pass->desc.scene,
-                                               .geometry = geometry,
-                                               .count = count,
-                                               .first = (uint32_t)frame_pass * (uint32_t)count,
-                                               .seed = pass->desc.seed,
-                                               .solids = &pass->solids,
-                                           });
-    pass->dealt_pass = frame_pass;
-    pass->pose = 0;
+/* --- numbers of paths ------------------------------------------------------------------------- */
+
+/* VPLs have the dimensions of 2 and 3. The most even ones of those left are the first rays', whatever the bounces. */
+static double number_of(uint32_t i, int row, int axis, int seed) {
+    static const uint32_t primes[][2] = {{11, 13}, {5, 7},   {17, 19}, {23, 29}, {31, 37},
+                                         {41, 43}, {47, 53}, {59, 61}, {67, 71}};
+    uint32_t base = primes[row][axis];
+    return fmod(radical_inverse(base, i) + (seed ? radical_inverse(base, (uint32_t)seed) : 0), 1);
 }
+
+/* Passes of a picture that converges go on in the sequence. */
+static void deal_numbers(struct bounce_pass *pass, int frame_pass) {
+    int count = pass->desc.count, rows = pass->numbers.desc.height;
+    float(*numbers)[2] = mem_alloc((size_t)count * (size_t)rows, sizeof *numbers);
+    for (int row = 0; row < rows; row++)
+        for (int i = 0; i < count; i++)
+            for (int axis = 0; axis < 2; axis++)
+                numbers[row * count + i][axis] =
+                    (float)number_of((uint32_t)frame_pass * (uint32_t)count + (uint32_t)i, row,
+                                     axis, pass->desc.seed);
+    gl.TextureSubImage2D(pass->numbers.id, 0, 0, 0, count, rows, GL_RG, GL_FLOAT, numbers);
+    pass->dealt_pass = frame_pass;
+    free(numbers);
+}
+
+static bool init_numbers(struct bounce_pass *pass) {
+    if (!texture_init(&pass->numbers,
+                      &(struct texture_desc){.label = "numbers of paths",
+                                             .format = GL_RG32F,
+                                             .width = pass->desc.count,
+                                             .height = BOUNCE_ROW_RAYS + pass->desc.bounces}))
+        return false;
+    deal_numbers(pass, 0);
+    return true;
+}
+
+/* --- what triangles reflect ------------------------------------------------------------------- */
+
+static void free_albedos(struct bounce_pass *pass) {
+    if (pass->albedo_texels)
+        gl.DeleteTextures(1, &pass->albedo_texels);
+    pass->albedo_texels = 0;
+    buffer_free(&pass->albedos);
+}
+
+static bool init_albedos(struct bounce_pass *pass, const struct geometry *geometry) {
+    size_t count = geometry->index_count / 3;
+    struct triangle_albedo *albedos = mem_alloc(count, sizeof *albedos);
+    triangle_albedos_find(albedos, pass->desc.scene, geometry);
+    bool ok = buffer_init(&pass->albedos, "albedos of triangles", count * sizeof *albedos, albedos);
+    free(albedos);
+    pass->laid_out = geometry->laid_out;
+    if (!ok)
+        return false;
+    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &pass->albedo_texels);
+    gl.TextureBuffer(pass->albedo_texels, GL_RGBA32F, pass->albedos.id);
+    return true;
+}
+
+/* --- life ------------------------------------------------------------------------------------- */
 
 bool bounce_pass_init(struct bounce_pass *pass, const struct bounce_desc *desc) {
     *pass = (struct bounce_pass){.desc = *desc};
-    int candidates = candidate_count(pass);
-    solids_init(&pass->solids, desc->scene, desc->geometry);
-    deal_candidates(pass, desc->geometry, 0);
-    pass->room = mem_alloc((size_t)candidates, sizeof *pass->room);
-    if (init_programs(pass) && init_targets(pass) &&
-        vpl_buffer_init(&pass->places, "candidates of points", candidates) &&
-        vpl_buffer_init(&pass->points, "surface points", desc->count) &&
+    if (caster_pool_acquire_tree(desc->casters, &pass->tree) && init_programs(pass) &&
+        init_targets(pass) && init_numbers(pass) && init_albedos(pass, desc->geometry) &&
         vpl_buffer_init(&pass->vpls, "VPLs of bounces", desc->count) &&
-        buffer_init(&pass->lookup_params, "lookup parameters", sizeof(struct lookup_params), NULL))
+        buffer_init(&pass->params, "paths' parameters", sizeof(struct bounce_params), NULL))
         return true;
     bounce_pass_free(pass);
     return false;
 }
 
 void bounce_pass_free(struct bounce_pass *pass) {
-    program_free(&pass->candidate_program);
-    program_free(&pass->pick_program);
-    program_free(&pass->gather_program);
-    program_free(&pass->reflect_program);
-    solids_free(&pass->solids);
-    surface_points_free(&pass->candidates);
-    free(pass->room);
-    vpl_buffer_free(&pass->places);
-    vpl_buffer_free(&pass->points);
-    framebuffer_free(&pass->candidate_framebuffer);
-    framebuffer_free(&pass->framebuffer);
-    texture_free(&pass->candidate_light);
-    texture_free(&pass->last);
-    texture_free(&pass->sum);
+    caster_pool_release_tree(pass->desc.casters, &pass->tree);
+    program_free(&pass->path_program);
+    program_free(&pass->area_program);
+    program_free(&pass->kept_program);
+    program_free(&pass->vpl_program);
+    free_albedos(pass);
+    framebuffer_free(&pass->path_framebuffer);
+    framebuffer_free(&pass->area_framebuffer);
+    framebuffer_free(&pass->kept_framebuffer);
+    texture_free(&pass->numbers);
+    texture_free(&pass->positions);
+    texture_free(&pass->normals);
+    texture_free(&pass->fluxes);
+    texture_free(&pass->areas);
+    texture_free(&pass->kept);
     vpl_buffer_free(&pass->vpls);
-    buffer_free(&pass->lookup_params);
+    buffer_free(&pass->params);
     *pass = (struct bounce_pass){0};
 }
 
-/* --- points ----------------------------------------------------------------------------------- */
+/* --- the frame -------------------------------------------------------------------------------- */
 
-/* Puts the candidates where the geometry is. */
-static void place(struct bounce_pass *pass, const struct frame *frame) {
+/* Where there is no memory for metaballs that have grown, the old albedos serve: those past their end are black. */
+static void follow(struct bounce_pass *pass, const struct frame *frame, int vpls) {
+    struct bounce_params params = {.vpls = vpls,
+                                   .paths = pass->desc.count,
+                                   .bounces = pass->desc.bounces,
+                                   .start = start_above * frame->radius,
+                                   .radius = frame->radius};
     if (pass->dealt_pass != frame->pass)
-        deal_candidates(pass, frame->geometry, frame->pass);
-    if (pass->pose == frame->geometry->pose_count)
-        return;
-    pass->pose = frame->geometry->pose_count;
-    int count = candidate_count(pass);
-    for (int i = 0; i < count; i++) {
-        struct surface_place place = surface_points_place(&pass->candidates, frame->geometry, i);
-        struct vpl *vpl = &pass->room[i];
-        *vpl = (struct vpl){.area = place.area, .reach = 1};
-        memcpy(vpl->position, place.position.raw, sizeof vpl->position);
-        memcpy(vpl->normal, place.normal.raw, sizeof vpl->normal);
-        memcpy(vpl->flux, place.albedo.raw, sizeof vpl->flux);
+        deal_numbers(pass, frame->pass);
+    if (pass->laid_out != frame->geometry->laid_out) {
+        free_albedos(pass);
+        init_albedos(pass, frame->geometry);
     }
-    buffer_write(&pass->places.buffer, 0, (size_t)count * sizeof *pass->room, pass->room);
+    buffer_write(&pass->params, 0, sizeof params, &params);
 }
 
-/* --- light ------------------------------------------------------------------------------------ */
-
-static void draw_runs(GLuint program, const struct bounce_inputs *inputs, int first, int last) {
-    for (struct vpl_run run = {.next = first}; vpl_run_next(&run, inputs->vpls, last);) {
-        gl.ProgramUniform4i(program, LOCATION_SLOT, run.first, run.count, 0, 0);
-        gl.ProgramUniform1i(program, LOCATION_FIRST_MAP, run.block - inputs->first);
-        pass_draw_fullscreen(1);
-    }
+static struct pass_state state_of(const struct bounce_pass *pass, GLuint program) {
+    return (struct pass_state){
+        .name = "bounces",
+        .program = program,
+        .textures = {{UNIT_PATH_POSITIONS, pass->positions.id},
+                     {UNIT_PATH_NORMALS, pass->normals.id},
+                     {UNIT_PATH_FLUXES, pass->fluxes.id},
+                     {UNIT_PATH_AREAS, pass->areas.id},
+                     {UNIT_PATHS_KEPT, pass->kept.id}},
+        .blocks = {{BLOCK_PASS, &pass->params}},
+    };
 }
 
-/* From the inputs' first VPLs, at most so many, with program and target of the state. */
-static void gather(const struct bounce_pass *pass, struct pass_state state,
-                   const struct bounce_inputs *inputs, int most) {
-    int rest = inputs->vpls->count - inputs->first;
-    int count = inputs->count ? inputs->count : rest;
-    state.name = "bounces";
-    state.width = pass->desc.count;
-    state.blend = PASS_BLEND_ADD;
-    visibility_add(&state, &pass->desc.visibility, &pass->lookup_params, &inputs->visibility);
+static void trace_paths(const struct bounce_pass *pass, const struct vpl_buffer *vpls) {
+    pass_set_state(&(struct pass_state){
+        .name = "bounces",
+        .program = pass->path_program,
+        .framebuffer = pass->path_framebuffer,
+        .width = pass->desc.count,
+        .height = 1,
+        .textures = {{UNIT_VPLS, vpls->texels},
+                     {UNIT_TRIANGLE_TREE, pass->tree->texels},
+                     {UNIT_TRIANGLE_ALBEDOS, pass->albedo_texels},
+                     {UNIT_PATH_NUMBERS, pass->numbers.id}},
+        .blocks = {{BLOCK_PASS, &pass->params}},
+    });
+    pass_draw_fullscreen(1);
+}
+
+static void draw_row(const struct bounce_pass *pass, GLuint program, GLuint framebuffer,
+                     int width) {
+    struct pass_state state = state_of(pass, program);
+    state.framebuffer = framebuffer;
+    state.width = width;
+    state.height = 1;
     pass_set_state(&state);
-    draw_runs(state.program, inputs, inputs->first, inputs->first + (count < most ? count : most));
+    pass_draw_fullscreen(1);
 }
 
-static void light_candidates(const struct bounce_pass *pass, const struct bounce_inputs *inputs) {
-    static const float none[4] = {0};
-    framebuffer_clear_color(pass->candidate_framebuffer, TARGET_RESULT, none);
-    gather(pass,
-           (struct pass_state){
-               .program = pass->candidate_program,
-               .framebuffer = pass->candidate_framebuffer,
-               .height = BOUNCE_CANDIDATES,
-               .textures = {{UNIT_VPLS, pass->places.texels}},
-           },
-           inputs, BOUNCE_PICKING_VPLS);
-}
-
-void bounce_pass_pick(struct bounce_pass *pass, const struct frame *frame,
-                      const struct bounce_inputs *inputs) {
-    static const float none[4] = {0};
+void bounce_pass_render(struct bounce_pass *pass, const struct frame *frame,
+                        const struct vpl_buffer *vpls) {
     timer_begin(frame->timers, "bounces");
-    place(pass, frame);
-    light_candidates(pass, inputs);
-    pass_set_state(&(struct pass_state){
-        .name = "bounces",
-        .program = pass->pick_program,
-        .textures = {{UNIT_VPLS, pass->places.texels}, {UNIT_IRRADIANCE, pass->candidate_light.id}},
-    });
-    pass_feedback(pass->points.buffer.id, 0, pass->desc.count);
-    framebuffer_clear_color(pass->framebuffer, TARGET_BOUNCE_SUM, none);
-    timer_end(frame->timers);
-}
-
-void bounce_pass_begin(const struct bounce_pass *pass) {
-    static const float none[4] = {0};
-    framebuffer_clear_color(pass->framebuffer, TARGET_BOUNCE_LAST, none);
-}
-
-void bounce_pass_gather(const struct bounce_pass *pass, const struct frame *frame,
-                        const struct bounce_inputs *inputs) {
-    timer_begin(frame->timers, "bounces");
-    gather(pass,
-           (struct pass_state){
-               .program = pass->gather_program,
-               .framebuffer = pass->framebuffer,
-               .height = BOUNCE_ROWS,
-               .textures = {{UNIT_VPLS, pass->points.texels}},
-           },
-           inputs, inputs->vpls->count);
-    timer_end(frame->timers);
-}
-
-void bounce_pass_reflect(const struct bounce_pass *pass, const struct frame *frame, bool all) {
-    timer_begin(frame->timers, "bounces");
-    pass_set_state(&(struct pass_state){
-        .name = "bounces",
-        .program = pass->reflect_program,
-        .vertex_array = pass->points.vertices,
-        .textures = {{UNIT_IRRADIANCE, all ? pass->sum.id : pass->last.id}},
-    });
+    follow(pass, frame, vpls->count);
+    trace_paths(pass, vpls);
+    draw_row(pass, pass->area_program, pass->area_framebuffer, pass->desc.count);
+    draw_row(pass, pass->kept_program, pass->kept_framebuffer, 1);
+    struct pass_state leave = state_of(pass, pass->vpl_program);
+    pass_set_state(&leave);
     pass_feedback(pass->vpls.buffer.id, 0, pass->desc.count);
     timer_end(frame->timers);
 }

@@ -1,74 +1,54 @@
-/* Light of further bounces: points of surfaces gather from VPLs and become VPLs themselves
- * [Keller 1997, Instant Radiosity].
+/* Light of further bounces: paths of light leave VPLs where they meet surfaces [Keller 1997, Instant Radiosity].
  *
- * The first bounce is the VPLs' of the reflective shadow map. E at P points makes each a VPL of flux
- * albedo E A: the second bounce. From these the points gather again, and so on; what they gathered of
- * all bounces is what they reflect in the end, so that one gather of the picture serves all.
+ * Each of P paths takes an even share of the first bounce's VPLs, and follows it from surface to surface by rays through
+ * the scene's triangles (glsl/lights/bounce_path.frag). It leaves one VPL with the light of all its bounces, at one of its
+ * surfaces, picked by light: one gather of the picture serves all bounces. What there is of light is right on the mean,
+ * whatever the scene is made of: nothing leaks, and nothing is lost between what is near.
  *
- * Each point is picked from BOUNCE_CANDIDATES, spread by area over all surfaces that do not lie within solids
- * (scene/mesh/surface_points.h), by what they reflect of a few VPLs: much of a hall lies in the dark, and VPLs should
- * be where light is (glsl/lights/bounce_pick.vert). Candidates and the numbers that pick depend on no light and no
- * camera, so that a frame depends on its time alone.
+ * Pixels take the VPLs as patches (glsl/gather/patch.glsl), which lose light where surfaces are small or crooked. What
+ * they keep of it on the whole is told by how far each path's light goes from its VPL, and is given back to all alike.
  *
- * Metaballs are lit, but pass none of it on. Visibility is that of the VPLs' maps. Cost: P lookups for each VPL and
- * bounce, and a third of that to pick; and once rays for the candidates. Bias: what is nearer than points are apart
- * they light as patches (glsl/gather/patch.glsl); and what maps cannot resolve.
+ * A path's numbers depend on no light and no camera, so that a frame depends on its time alone. Cost: P rays for each
+ * bounce, and one; and P places of others for each VPL's area, at most BOUNCE_PARTNERS. A triangle has one colour to
+ * paths.
  */
 #ifndef PASSES_BOUNCE_H
 #define PASSES_BOUNCE_H
 
-#include "passes/visibility/visibility.h"
-#include "scene/mesh/surface_points.h"
-
-/* VPLs by which points are picked: the first ones, which are an even subset. */
-enum { BOUNCE_PICKING_VPLS = 32 };
+#include "passes/frame.h"
+#include "scene/gpu/caster_pool.h"
 
 struct bounce_desc {
     const struct scene *scene;
-    const struct geometry *geometry; /* as it is posed now: candidates are dealt by its areas */
-    int count;                       /* P */
-    int seed;                        /* of the candidates */
-    bool map_per_vpl;                /* as in struct gather_desc */
-    struct visibility_desc visibility;
+    const struct geometry *geometry;
+    struct caster_pool *casters; /* of the geometry */
+    int bounces;
+    int count; /* P */
+    int seed;  /* 0 = Halton's points as they are; else shifted on the torus */
 };
 
 struct bounce_pass {
     struct bounce_desc desc;
-    GLuint candidate_program, pick_program, gather_program, reflect_program;
-    struct solids solids;             /* within which no candidate lies */
-    struct surface_points candidates; /* those of a point after those of the one before */
-    int dealt_pass;                   /* that they are those of */
-    unsigned pose;                    /* that they were uploaded for; 0: none */
-    struct vpl *room;                 /* for what is uploaded */
-    struct vpl_buffer places, points; /* the candidates and the points: flux is the albedo */
-    struct texture candidate_light;   /* P x BOUNCE_CANDIDATES, RGBA32F: irradiance */
-    struct texture last, sum; /* P x BOUNCE_ROWS, RGBA32F: irradiance of the last bounce, of all */
-    GLuint candidate_framebuffer, framebuffer;
-    struct vpl_buffer vpls; /* what the points reflect; C(i) = 0 */
-    struct buffer lookup_params;
+    GLuint path_program, area_program, kept_program, vpl_program;
+    const struct caster_tree *tree;
+    struct buffer albedos; /* struct triangle_albedo of each triangle */
+    GLuint albedo_texels;
+    unsigned laid_out;      /* the geometry's, that they are of */
+    struct texture numbers; /* P x (1 + bounces), RG32F: shared/bounce.h */
+    int dealt_pass;         /* that they are those of */
+    struct texture positions, normals, fluxes, areas; /* P x 1, RGBA32F: what paths leave */
+    struct texture kept;                              /* a pixel */
+    GLuint path_framebuffer, area_framebuffer, kept_framebuffer;
+    struct vpl_buffer vpls; /* C(i) = 0 */
+    struct buffer params;
 };
 
+/* Error: driver, memory, or more triangles than OpenGL has room for. */
 bool bounce_pass_init(struct bounce_pass *pass, const struct bounce_desc *desc);
 void bounce_pass_free(struct bounce_pass *pass);
 
-struct bounce_inputs {
-    const struct vpl_buffer *vpls;
-    int first, count;                    /* of the VPLs; all of them where count is 0 */
-    struct visibility_inputs visibility; /* unless VISIBILITY_LOOKUP_NONE */
-};
-
-/* Picks the points by the light of the inputs' first VPLs; they have no light then. */
-void bounce_pass_pick(struct bounce_pass *pass, const struct frame *frame,
-                      const struct bounce_inputs *inputs);
-
-/* Begins the next bounce. */
-void bounce_pass_begin(const struct bounce_pass *pass);
-
-/* Adds the VPLs' light. */
-void bounce_pass_gather(const struct bounce_pass *pass, const struct frame *frame,
-                        const struct bounce_inputs *inputs);
-
-/* Makes pass->vpls of what arrived in the last bounce, or in all. Timer "bounces", as of all. */
-void bounce_pass_reflect(const struct bounce_pass *pass, const struct frame *frame, bool all);
+/* From the first bounce's VPLs to pass->vpls. Timer "bounces". */
+void bounce_pass_render(struct bounce_pass *pass, const struct frame *frame,
+                        const struct vpl_buffer *vpls);
 
 #endif

@@ -23,6 +23,7 @@ static void add_opaque(struct opaque_triangles *list, const struct geometry *geo
                                        .edges = {glms_vec3_sub(corner(geometry, index[1]), at),
                                                  glms_vec3_sub(corner(geometry, index[2]), at)},
                                        .opaque = {~0U, ~0U},
+                                       .number = (batch->first_index + i) / 3,
                                    });
     }
 }

@@ -65,11 +65,13 @@ static void add(struct opaque_triangles *list, const struct masked *masked, cons
         struct corners corners = corners_at(masked, part->at[k]);
         places[k] = corners_vector(&corners, masked->geometry->position);
     }
+    uint32_t number = (uint32_t)(masked->index - masked->geometry->indices) / 3;
     opaque_triangles_add(list, &(struct tree_triangle){
                                    .corner = places[0],
                                    .edges = {glms_vec3_sub(places[1], places[0]),
                                              glms_vec3_sub(places[2], places[0])},
                                    .opaque = {bits[0], bits[1]},
+                                   .number = number,
                                });
 }
 

@@ -171,20 +171,6 @@ static void locate(struct surface_point *point, const struct running_sums *sums,
     set_weights(point, fmod(sides * rest, 1), y);
 }
 
-/* What is told of a side by the normal of its vertices, as points have it, is asked of the triangle's own. */
-static bool is_hidden(const struct surface_point *point, const struct surface_points_desc *desc,
-                      uint32_t number) {
-    const struct geometry *geometry = desc->geometry;
-    if (!desc->solids)
-        return false;
-    struct corners corners = corners_of(point, geometry);
-    vec3s normal = glms_vec3_normalize(triangle_cross(geometry, corners.index));
-    bool turned = glms_vec3_dot(normal, corners_vector(&corners, geometry->normal)) < 0;
-    return solids_hide(desc->solids, &geometry->parts[point->part],
-                       corners_vector(&corners, geometry->position),
-                       turned != point->back ? glms_vec3_negate(normal) : normal, number);
-}
-
 /* Numbers of the sequence, tried side by side. */
 struct trial {
     const struct surface_points_desc *desc;
@@ -204,8 +190,7 @@ static void try_point(void *context, size_t i) {
     double y = fmod(radical_inverse(3, number) + radical_inverse(7, seed), 1);
     struct surface_point *point = &trial->points[i];
     locate(point, &trial->sums, trial->desc, x * all, y);
-    trial->good[i] = find_albedo(point, trial->desc, trial->srgb_to_linear) &&
-                     !is_hidden(point, trial->desc, number);
+    trial->good[i] = find_albedo(point, trial->desc, trial->srgb_to_linear);
 }
 
 void surface_points_init(struct surface_points *points, const struct surface_points_desc *desc) {
@@ -222,7 +207,7 @@ void surface_points_init(struct surface_points *points, const struct surface_poi
     while (found < count && tried < TRIES * count && all > 0) {
         int round = TRIES * count - tried < ROUND ? TRIES * count - tried : ROUND;
         trial.first = 1 + desc->first * TRIES + (uint32_t)tried;
-        parallel_for((size_t)round, desc->solids ? 0 : 1, try_point, &trial);
+        parallel_for((size_t)round, 1, try_point, &trial);
         for (int i = 0; i < round && found < count; i++, tried++)
             if (trial.good[i])
                 points->items[found++] = trial.points[i];

@@ -7,14 +7,13 @@
  * alpha masks have none.
  *
  * Where light is gathered, what reflects nothing has none either: black surfaces, and the backs of single-sided
- * ones; nor has what lies within solids, if these are told; nor have metaballs, whose triangles come and go: points would jump from frame to frame. Casters have them
+ * ones; nor have metaballs, whose triangles come and go: points would jump from frame to frame. Casters have them
  * all, each surface once: both of its sides hide light. Where there are metaballs, they are dealt anew for each pose.
  */
 #ifndef SCENE_MESH_SURFACE_POINTS_H
 #define SCENE_MESH_SURFACE_POINTS_H
 
 #include "scene/mesh/corners.h"
-#include "scene/mesh/solids.h"
 
 struct surface_point {
     int part;
@@ -32,8 +31,6 @@ struct surface_points_desc {
     uint32_t first; /* of the sequence: points first .. first + count */
     bool casters;
     int seed; /* 0 = Halton's points as they are; else shifted on the torus */
-    const struct solids
-        *solids; /* within which there are no points; NULL: there are. Not of casters */
 };
 
 struct surface_points {

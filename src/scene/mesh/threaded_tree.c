@@ -89,6 +89,7 @@ static void lay_triangle(struct layout *layout, uint32_t number) {
     }
     for (int i = 0; i < 2; i++)
         texels[i][3] = triangle->opaque[i];
+    texels[2][3] = triangle->number;
 }
 
 /* At most so many. */

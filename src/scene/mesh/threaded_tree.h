@@ -7,7 +7,8 @@
  *               the clearance
  *     boxes     low and high sides, two to a number; THREADED_LEAF with the triangles' first texel and count, or where to
  *               go on past what the box holds
- *     triangles three: a corner and the edges from it, and 64 bits that say which parts are opaque (scene/mesh/opacity.h)
+ *     triangles three: a corner and the edges from it, and 64 bits that say which parts are opaque (scene/mesh/opacity.h);
+ *               and the triangle's number in the geometry
  */
 #ifndef SCENE_MESH_THREADED_TREE_H
 #define SCENE_MESH_THREADED_TREE_H

@@ -1,5 +1,5 @@
-/* The nearest triangle along a ray: a binary tree of boxes, split where the surface area heuristic over bins has its
- * least [Wald 2007]. For the few rays that a frame asks of still surfaces; the path tracer has Embree
+/* Triangles for rays: a binary tree of boxes, split where the surface area heuristic over bins has its
+ * least [Wald 2007]. What shaders walk is laid out of it (scene/mesh/threaded_tree.h); the path tracer has Embree
  * (reference/scene/ray_scene.h).
  */
 #ifndef SCENE_MESH_TRIANGLE_TREE_H
@@ -13,9 +13,8 @@
 /* By its corners: the front is where they go counter-clockwise. */
 struct tree_triangle {
     vec3s corner, edges[2]; /* from the corner to the two others, metres */
-    /* For those who ask: */
-    bool double_sided;  /* of its material */
-    uint32_t opaque[2]; /* which of its 64 parts are (scene/mesh/opacity.h) */
+    uint32_t opaque[2];     /* which of its 64 parts are (scene/mesh/opacity.h) */
+    uint32_t number;        /* in the geometry */
 };
 
 struct tree_box {
@@ -38,15 +37,5 @@ struct triangle_tree {
 void triangle_tree_init(struct triangle_tree *tree, struct tree_triangle *triangles,
                         uint32_t count);
 void triangle_tree_free(struct triangle_tree *tree);
-
-struct tree_hit {
-    float distance; /* in lengths of the direction */
-    const struct tree_triangle *triangle;
-    bool back;
-};
-
-/* False: nothing is met. Thread-safe. */
-bool triangle_tree_hit(const struct triangle_tree *tree, vec3s origin, vec3s direction,
-                       struct tree_hit *hit);
 
 #endif

@@ -207,8 +207,6 @@ static void render_lights(void *state, const struct frame *frame) {
     many_lights_render_vpls(lights, frame);
     if (technique->has_vals)
         vals_render(&technique->vals, lights, frame);
-    else
-        many_lights_render_unshadowed_bounces(lights, frame);
     if (!technique->by_importance)
         render_first(technique, frame);
     if (lights->bounces > 1)

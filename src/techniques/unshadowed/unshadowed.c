@@ -18,9 +18,7 @@ static bool init(void **state, const struct technique_desc *desc) {
 }
 
 static void render_lights(void *state, const struct frame *frame) {
-    struct many_lights *lights = state;
-    many_lights_render_vpls(lights, frame);
-    many_lights_render_unshadowed_bounces(lights, frame);
+    many_lights_render_vpls(state, frame);
 }
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
