@@ -259,11 +259,49 @@ static void test_frame(void **state) {
     check_frame("scenes/atrium.glb", 16, 1024); /* llvmpipe has an end to a shader's loops */
 }
 
+/* Of red light, over its mean: how far means over blocks are apart. */
+static double block_difference(const struct image *a, const struct image *b) {
+    enum { BLOCK = 16 };
+    int channel = image_find_channel(a, "indirect.R");
+    double worst = 0;
+    for (int y = 0; y < a->height; y += BLOCK)
+        for (int x = 0; x < a->width; x += BLOCK) {
+            double sum = 0;
+            for (int i = 0; i < BLOCK * BLOCK; i++)
+                sum += (double)(image_at(a, x + i % BLOCK, y + i / BLOCK)[channel] -
+                                image_at(b, x + i % BLOCK, y + i / BLOCK)[channel]);
+            worst = fmax(worst, fabs(sum) / (BLOCK * BLOCK));
+        }
+    return worst / layer_mean(b, "indirect");
+}
+
+/* Of the same VPLs: where two of twelve ask for all, the mean is that of all that ask, in shadows of coloured light too, and
+ * it is not the same picture. */
+static void test_together(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    struct image each = render_stage(&stage, "clustered",
+                                     "visibility=traced visibility-block=0 vpls=64 interleave=1 "
+                                     "clamp=disk blur-radius=0 gather.detail=0",
+                                     96);
+    struct image few = render_stage(&stage, "instant-radiosity",
+                                    "rays=on vpls=64 interleave=1 clamp=disk blur-radius=0", 96);
+    assert_false(same_pixels(&each, &few));
+    check_near("mean of those that ask together",
+               layer_mean(&few, "indirect") / layer_mean(&each, "indirect"), 1, .005);
+    check_at_most("worst block of red light", block_difference(&few, &each), .05);
+    image_free(&each);
+    image_free(&few);
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_rays),
         cmocka_unit_test(test_masks),
         cmocka_unit_test(test_frame),
+        cmocka_unit_test(test_together),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

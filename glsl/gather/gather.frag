@@ -40,12 +40,11 @@ const float INVERSE_PI = 0.31830988618;
 #endif
 
 // Of light i: what geometry_term has of points and balls, or of its rectangle.
-float light_term(int i, vec3 to_light, vec3 normal, vpl light, out float back) {
+float light_term(int i, vec3 to_light, vec3 normal, vpl light) {
 #if CLAMP >= 6
-    back = 0.0;
     return rectangle_term(i, to_light, normal, light);
 #else
-    return geometry_term(to_light, normal, light, back);
+    return geometry_term(to_light, normal, light);
 #endif
 }
 
@@ -78,33 +77,23 @@ int map_of(int i, vpl light) {
 }
 
 // Irradiance times pi, or with SPECULAR reflected radiance times pi, from a VPL where it arrives, and what it takes back
-// where it does not. What is reflected of near VPLs counts as unoccluded, as the near field does.
+// where it does not: what is reflected of near VPLs counts as unoccluded.
 vec3 unshadowed(int i, vpl light, surface s, out vec3 back) {
-    float share;
 #if SPECULAR
     vec3 to_vpl = light.position - s.position, reflected = specular_light(light, s, light.area * weight);
     back = -reflected * near_share(dot(to_vpl, to_vpl), light.area, light.reach);
     return reflected;
 #endif
-    vec3 light_there = light.flux * light_term(i, light.position - s.position, s.normal, light, share);
-    back = light.flux * share;
-    return light_there;
+    back = vec3(0.0);
+    return light.flux * light_term(i, light.position - s.position, s.normal, light);
 }
 
-#if RECEIVERS == RECEIVERS_LISTED
-// VPLs of which two ask for all: most of the time goes there. Of rectangles, which each stand for several VPLs and whose
-// answers nothing blurs, there are fewer.
-#if CLAMP >= 6
-const int TOGETHER = 4;
-#else
-const int TOGETHER = 12;
-#endif
-
-// Those of much the same hue, of which one, taken by its light, asks for the visibility of all: on average
+#if TOGETHER > 0
+// Of TOGETHER VPLs those of much the same hue, of which one, taken by its light, asks for the visibility of all: on average
 // each counts as if it had asked. Where red light and green shared an answer, shadows would be of neither's
 // hue.
 struct light_group {
-    vec3 arriving, back, place;
+    vec3 arriving, back, hidden, place; // hidden: what its light is less where the one that asks does not arrive
     float strength, map;
 };
 
@@ -115,18 +104,25 @@ void group_add(inout light_group group, bool its_own, vec3 own, vec3 own_back, f
     group.back += its_own ? own_back : vec3(0.0);
     group.strength = its_own ? strength : group.strength;
     taken = taken && its_own;
+    group.hidden = taken ? own + own_back : group.hidden;
     group.place = taken ? place : group.place;
     group.map = taken ? map : group.map;
 }
 
 vec3 group_light(light_group group, surface s) {
     float visible = visibility_from(int(group.map), s.position, s.normal, group.place);
+#if RECEIVERS == RECEIVERS_LISTED
     return mix(-group.back, group.arriving, visible);
+#else
+    // In the hue of the one that asks, which no group's is in all of its lights: less even, and right on the mean.
+    vec3 hidden = group.hidden * (group.strength / max(dot(group.hidden, vec3(1.0)), 1e-30));
+    return group.arriving - (1.0 - visible) * hidden;
+#endif
 }
 
 // Irradiance times pi of the VPLs first .. last.
 vec3 light_together(surface s, int first, int last, float random) {
-    light_group none = light_group(vec3(0.0), vec3(0.0), s.position, 0.0, 0.0);
+    light_group none = light_group(vec3(0.0), vec3(0.0), vec3(0.0), s.position, 0.0, 0.0);
     light_group redder = none, greener = none;
     for (int i = first; i < last; i++) {
         vpl light = light_at(i);
@@ -148,7 +144,7 @@ vec3 light_together(surface s, int first, int last, float random) {
 vec3 light_of_slot(surface s, ivec2 pixel, ivec2 lights) {
     vec3 sum = vec3(0.0);
     // A lattice: pixels side by side have numbers far apart. Each group has its own, as one has no digits for more.
-    float random = fract(dot(vec2(pixel), vec2(0.7548776662, 0.5698402910)));
+    float random = fract(dot(vec2(pixel), vec2(0.7548776662, 0.5698402910)) + params.turn);
     for (int i = lights.x; i < lights.y; i += TOGETHER) {
         sum += light_together(s, i, min(i + TOGETHER, lights.y), random);
         random = fract(random + 0.6180339887);
@@ -194,7 +190,7 @@ vec3 light_of_slot(surface s, ivec2 pixel, ivec2 lights) {
         float visible = 1.0;
         for (int lit = arriving + back != vec3(0.0) ? 1 : 0; lit > 0; lit--)
             visible = visibility_from(map_of(i, light), s.position, s.normal, light.position);
-#if TAKE_BACK || SPECULAR
+#if SPECULAR
         sum += mix(-back, arriving, visible);
 #else
         sum += arriving * visible;

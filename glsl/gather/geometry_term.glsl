@@ -1,4 +1,4 @@
-// How much of a VPL's light a surface takes, but for its visibility: by CLAMP and TAKE_BACK, and the gather's parameters.
+// How much of a VPL's light a surface takes, but for its visibility: by CLAMP and the gather's parameters.
 #include "gather/near_field.glsl"
 #include "gather/patch.glsl"
 #include "gather/sphere.glsl"
@@ -7,12 +7,7 @@
 
 // cos_i cos_x / d^2, bounded as the setting says: near a VPL the point light is no longer the patch
 // that it stands for.
-//
-// The near field counts as unoccluded, within the VPL's reach: with TAKE_BACK `back` is what of it is wrong
-// where the VPL does not arrive, but for what lies within a smaller reach, which bounds it. The mean over VPLs
-// is then biased by the smaller reach alone, while the larger one bounds the light of VPLs that arrive.
-float geometry_term(vec3 to_vpl, vec3 normal, vpl light, out float back) {
-    back = 0.0;
+float geometry_term(vec3 to_vpl, vec3 normal, vpl light) {
 #if CLAMP == 4
     return sphere_term(to_vpl, normal, light.normal, params.sphere2 * light.area);
 #endif
@@ -32,10 +27,6 @@ float geometry_term(vec3 to_vpl, vec3 normal, vpl light, out float back) {
 #else
     // The near field comes from the reflective shadow map.
     float far = 1.0 - near_share(distance2, light.area, light.reach);
-#if TAKE_BACK
-    float bounded = 1.0 - near_share(distance2, light.area, light.reach * params.unoccluded);
-    back = cosines * max(bounded - far, 0.0) / (distance2 * distance2);
-#endif
     return cosines * far / (distance2 * distance2);
 #endif
 }

@@ -1,7 +1,7 @@
 // The near field of the lit surfaces: what VPLs, a spacing apart, cannot resolve. Each pixel gathers from
 // the reflective shadow map around its own place in each light's view [Dachsbacher and Stamminger 2005],
-// log-polar, so that a corner is resolved at every distance. OCCLUDED: of some samples one asks whether something is
-// between, TRACED by a ray, else by what the light sees; else nothing is.
+// log-polar, so that a corner is resolved at every distance. OCCLUSION: of some samples one asks whether something is
+// between, by what the light sees or by a ray; else nothing is.
 //     E = 1/n sum_j  rho I / pi  cos cos / d^2  near(d)  dw_j
 // A draw fills one tile, whose pixels share their samples, as in the gather.
 #include "lib/gbuffer.glsl"
@@ -11,10 +11,10 @@
 #include "lib/vpl_shares.glsl"
 #include "shared/near_field.h"
 #include "shared/vpl.h"
-#if OCCLUDED && TRACED
-#include "visibility/triangle_tree.glsl"
-#elif OCCLUDED
+#if OCCLUSION == NEAR_BY_VIEWS
 #include "gather/near_occlusion.glsl"
+#elif OCCLUSION == NEAR_BY_RAYS
+#include "visibility/triangle_tree.glsl"
 #endif
 
 layout(std140, binding = BLOCK_NEAR_SAMPLES) uniform sample_uniforms {
@@ -29,6 +29,13 @@ layout(location = LOCATION_PICKS) uniform vec2 picks[LIGHTS];
 layout(location = TARGET_RESULT) out vec4 irradiance;
 
 const float PI = 3.14159265358979;
+// Places are known to a texel's middle, and other passes have others: what is nearer than this, over a texel's width,
+// would shine without a bound, and light from there is lost.
+#if FACETS
+const float NEAREST = 0.25;
+#else
+const float NEAREST = 1.0;
+#endif
 
 // What reaches the receiver from a sample where nothing is between, per unit of ndc area and spread of the view.
 struct near_arrival {
@@ -65,9 +72,8 @@ near_arrival arrival_from(surface receiver, light l, int index, vec2 ndc, float 
                     max(-dot(octahedral_decode(near.normal_code), to_sample), 0.0);
     float share = near_share(distance2, near.spacing * near.spacing, reach);
 #if FACETS
-    // Places are known to a texel: from nearer than that a triangle beside the receiver would shine without a bound.
-    float texel_width = 2.0 / float(size) * length(v.right) * (v.orthographic ? 1.0 : near.z) * params.inverse_radius;
-    cosines *= min(distance2 / (texel_width * texel_width), 1.0);
+    float nearest = NEAREST * 2.0 / float(size) * length(v.right) * (v.orthographic ? 1.0 : near.z) * params.inverse_radius;
+    cosines *= min(distance2 / (nearest * nearest), 1.0);
 #endif
     // No branches: a software rasteriser executes both sides.
     bool seen_lit = all(lessThan(abs(ndc), vec2(1.0))) && near.z > 0.0 && cosines > 0.0;
@@ -93,18 +99,17 @@ near_arrival arrival_of_sample(surface s, light l, near_places around, int i) {
     return arrival;
 }
 
-#if OCCLUDED
-// Between the receiver and a sample, which may be the receiver.
-bool is_hidden_from(surface s, near_arrival sample_of, bool asks) {
-#if TRACED
-    return is_blocked(s.position, s.normal, sample_of.position);
-#else
-    return is_hidden(s.position, sample_of.position, light_view_at(sample_of.view_index), asks);
-#endif
-}
-
+#if OCCLUSION != NEAR_UNOCCLUDED
 // Of so many samples one, taken by its light, asks for all: on average each counts as if it had asked.
 const int TOGETHER = 16;
+
+bool is_between(surface s, near_arrival asks, bool any) {
+#if OCCLUSION == NEAR_BY_RAYS
+    return is_blocked(s.position, s.normal, asks.position); // its own where there is none
+#else
+    return is_hidden(s.position, asks.position, light_view_at(asks.view_index), any);
+#endif
+}
 
 vec3 light_together(surface s, light l, near_places around, int first, int last, float random) {
     vec3 sum = vec3(0.0);
@@ -120,16 +125,23 @@ vec3 light_together(surface s, light l, near_places around, int first, int last,
         float at = random * strength;
         bool taken = at < own_strength;
         random = (taken ? at : at - own_strength) / max(taken ? own_strength : strength - own_strength, none);
+        asks.light = taken ? own.light : asks.light;
         asks.position = taken ? own.position : asks.position;
         asks.view_index = taken ? own.view_index : asks.view_index;
     }
-    return is_hidden_from(s, asks, strength > none) ? vec3(0.0) : sum;
+    bool hidden = is_between(s, asks, strength > none);
+#if OCCLUSION == NEAR_BY_RAYS && RECEIVERS == RECEIVERS_ALL
+    // In the hue of the one that asks: less even, and right on the mean.
+    return hidden ? sum - asks.light * (dot(sum, vec3(1.0)) / max(dot(asks.light, vec3(1.0)), none)) : sum;
+#else
+    return hidden ? vec3(0.0) : sum;
+#endif
 }
 #endif
 
 vec3 light_of_samples(surface s, light l, near_places around, int first, int last, float random) {
     vec3 sum = vec3(0.0);
-#if OCCLUDED
+#if OCCLUSION != NEAR_UNOCCLUDED
     for (int i = first; i < last; i += TOGETHER) {
         sum += light_together(s, l, around, i, min(i + TOGETHER, last), random);
         random = fract(random + 0.6180339887);
@@ -151,7 +163,7 @@ vec3 near_field(surface s, bool receives, light l, vpl_share share, float random
     // The reach of the widest VPL, in ndc.
     float radius = share.reach * sqrt(share.measure / VPL_COSINE_MIN) / length(v.right);
     vec2 aspect = vec2(1.0, length(v.right) / length(v.up));
-    float least = 1.0 / float(near_size(seen.kind)), span = log(radius / least);
+    float least = NEAREST / float(near_size(seen.kind)), span = log(radius / least);
     // A count and no branch around the loop, which a software rasteriser would keep books of at each step.
     bool reached = receives && clip.w > 0.0 && all(lessThanEqual(abs(center), vec2(1.0 + radius))) && span > 0.0;
     int last = reached ? slot.x + slot.y : slot.x;
@@ -169,7 +181,7 @@ void main() {
     surface s = receiver_surface(pixel);
     receives = receives && s.present;
     // A lattice: pixels side by side have numbers far apart.
-    float random = fract(dot(vec2(pixel), vec2(0.7548776662, 0.5698402910)));
+    float random = fract(dot(vec2(pixel), vec2(0.7548776662, 0.5698402910)) + params.turn);
 #if LIGHTS == 1 // or none
     irradiance.rgb = near_field(s, receives && pick_count > 0, light_at(0), vpl_share_at(0), random);
 #else

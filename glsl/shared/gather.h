@@ -13,14 +13,14 @@
 
 struct gather_params {
     STRUCT(interleaving) pattern;
-    float scale;      /* of the stored irradiance */
-    float clamp_at;   /* 1/m2 */
-    int block;        /* pixels a side of a block that shares its visibility */
-    float unoccluded; /* of its reach, within which a blocked VPL takes nothing back */
-    float sphere2;    /* squared radius of a VPL's ball, over the area that it stands for */
-    int cut_block;    /* pixels a side of a block that shares a cut */
-    int cut_layer;    /* the first of the cuts that are read */
-    int gloss_rays;   /* of a pixel */
+    float scale;    /* of the stored irradiance */
+    float clamp_at; /* 1/m2 */
+    int block;      /* pixels a side of a block that shares its visibility */
+    float turn;     /* of the numbers that say which VPL asks for others, from pass to pass */
+    float sphere2;  /* squared radius of a VPL's ball, over the area that it stands for */
+    int cut_block;  /* pixels a side of a block that shares a cut */
+    int cut_layer;  /* the first of the cuts that are read */
+    int gloss_rays; /* of a pixel */
     int unused0, unused1, unused2, unused3;
 };
 PASS_BLOCK(gather_params, 64)

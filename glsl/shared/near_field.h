@@ -4,11 +4,17 @@
 
 #include "shared/interleaving.h"
 
+/* What hides near light: nothing; what the light sees; all triangles. */
+#define NEAR_UNOCCLUDED 0
+#define NEAR_BY_VIEWS 1
+#define NEAR_BY_RAYS 2
+
 struct near_field_params {
     STRUCT(interleaving) pattern;
     float power_scale;    /* of the stored power: that of the irradiance over the squared radius */
     float inverse_radius; /* of the scene, 1/m */
-    float unused0, unused1;
+    float turn; /* of the numbers that say which sample asks for others, from pass to pass */
+    float unused;
 };
 PASS_BLOCK(near_field_params, 32)
 

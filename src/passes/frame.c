@@ -10,6 +10,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+float frame_turn(const struct frame *frame) {
+    return (float)fmod(frame->pass * .6180339887498949, 1);
+}
+
 static bool init_part(struct texture *texture, const char *label, const char *part,
                       struct texture_desc desc) {
     char full[40];
@@ -250,9 +254,11 @@ int light_picks_deal(const struct light_picks *picks, const struct frame *frame,
     return picked;
 }
 
-void light_picks_set(const struct light_picks *picks, int slot, int count, GLuint program) {
+void light_picks_set(const struct light_picks *picks, int slot, int first, int count,
+                     GLuint program) {
     gl.ProgramUniform1i(program, LOCATION_PICK_COUNT, count);
-    gl.ProgramUniform2fv(program, LOCATION_PICKS, count, picks->items[slot * picks->stride]);
+    gl.ProgramUniform2fv(program, LOCATION_PICKS, count,
+                         picks->items[slot * picks->stride + first]);
 }
 
 int pixel_lists_height(int height, int interleave) {

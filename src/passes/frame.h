@@ -37,6 +37,9 @@ struct frame {
                                            keeps half floats in range at every scale of scene and light */
 };
 
+/* From 0 to 1, 0 in the first pass: multiples of the golden ratio, for numbers of pixels that are others in each pass. */
+float frame_turn(const struct frame *frame);
+
 /* Surfaces seen from the camera (one layer) or from the lights (the reflective shadow map: one of
  * LIGHT_MAP_KINDS, a layer each view; without textures where there are none of the kind). Arrays of
  * layers:
@@ -242,8 +245,9 @@ void light_picks_free(struct light_picks *picks);
 /* Deals the frame's lights out to that many slots, by their flux; returns how many each takes. */
 int light_picks_deal(const struct light_picks *picks, const struct frame *frame, int slots);
 
-/* Sets the slot's, so many, at LOCATION_PICK_COUNT and LOCATION_PICKS. */
-void light_picks_set(const struct light_picks *picks, int slot, int count, GLuint program);
+/* Sets so many of the slot's, from the first on, at LOCATION_PICK_COUNT and LOCATION_PICKS. */
+void light_picks_set(const struct light_picks *picks, int slot, int first, int count,
+                     GLuint program);
 
 /* Of the tiles of lists over a picture of that height, all of them. */
 int pixel_lists_height(int height, int interleave);

@@ -169,6 +169,16 @@ static float place_in_pixel(uint32_t base, int pass) {
     return (float)(fmod(radical_inverse(base, (uint32_t)pass) + .5, 1) - .5);
 }
 
+/* Each pass's reflective shadow maps lie elsewhere, by a texel of 1024 or less: what no texel's middle sees in one of them
+ * another one's does. */
+static void shift_starts(struct renderer *renderer) {
+    const struct light_block *block = renderer->start_block;
+    const float ndc[2] = {place_in_pixel(5, renderer->pass) / 512,
+                          place_in_pixel(7, renderer->pass) / 512};
+    for (int i = 0; i < block->single_count + block->face_count; i++)
+        view_shift(&renderer->start_block->views[i].view, ndc);
+}
+
 static void place_starts(struct renderer *renderer) {
     const struct light_plan *plan = &renderer->plan;
     light_starts_place(&renderer->starts, &renderer->desc.emitters,
@@ -190,6 +200,8 @@ void renderer_write_views(struct renderer *renderer) {
     sky_block_of(renderer->sky_block, &renderer->plan.sky, desc->emitters.sky, desc->geometry);
     skylight_write(&renderer->skylight, renderer->sky_block);
     views_of_emitters(renderer->start_block, &renderer->start_emitters, desc->geometry);
+    if (renderer->pass > 0)
+        shift_starts(renderer);
     buffer_write(&renderer->view_buffer, 0, sizeof renderer->camera_view, &renderer->camera_view);
     buffer_write(&renderer->light_buffer, 0, sizeof *renderer->light_block, renderer->light_block);
     buffer_write(&renderer->start_buffer, 0, sizeof *renderer->start_block, renderer->start_block);

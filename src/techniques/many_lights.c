@@ -76,6 +76,12 @@ static const struct texture *plain_pixels(const struct many_lights *lights) {
     return lights->has_plain ? &lights->plain.pixels : NULL;
 }
 
+/* Most of the time of a gather whose pixels look themselves up goes there, and there a few that ask for all do. Of
+ * rectangles, which each stand for several VPLs and whose answers nothing blurs, there are fewer. */
+static int asked_together(enum gather_clamp clamp) {
+    return clamp >= GATHER_CLAMP_RECTANGLE ? 4 : 12;
+}
+
 /* Half the blur's radius away: farther off an edge it finds enough on one side.
  *
  * What is listed looks itself up: a block of pixels does not speak for it. */
@@ -85,6 +91,7 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     struct gather_desc gather_desc = lights->gather.desc;
     gather_desc.interleave = gather->detail;
     gather_desc.receivers = RECEIVERS_LISTED;
+    gather_desc.together = asked_together(gather_desc.clamp);
     fill_list_slots(gather, gather_desc.list_slots);
     gather_desc.share = false;
     return !lights->has_detail || (init_plain(lights, desc, block) &&
@@ -117,7 +124,6 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
         .clamp = (enum gather_clamp)own->clamp,
         .clamp_value = own->clamp_value,
         .sphere = own->sphere,
-        .take_back = own->take_back,
         .further = lights->bounces > 1,
     };
     /* Where each takes all lights, those that are listed ask for their own visibility alone; else, where all
@@ -128,6 +134,8 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
                               : own->detail < own->interleave && blur_radius(desc->settings) > 0);
     gather_desc.receivers = lights->has_detail ? RECEIVERS_OTHERS : RECEIVERS_ALL;
     /* Of rectangles several blocks speak for a pixel. */
+    if (visibility->tree && !lights->has_detail)
+        gather_desc.together = asked_together(gather_desc.clamp);
     bool rectangles = gather_desc.clamp >= GATHER_CLAMP_RECTANGLE;
     return gather_pass_init(&lights->gather, &gather_desc) &&
            init_detail(lights, desc, rectangles ? 0 : visibility->block);
@@ -143,7 +151,6 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
     int n = own->gloss_interleave < own->interleave ? own->gloss_interleave : own->interleave;
     gather.interleave = n;
     gather.receivers = RECEIVERS_ALL;
-    gather.take_back = 0;
     gather.cuts = false;
     gather.specular = own->gloss + 1;
     gather.gloss_rays = own->gloss_rays;
@@ -188,7 +195,13 @@ static bool sends_as_facets(const struct technique_desc *desc) {
     return own->facets && !desc->gloss;
 }
 
-/* VPLs that take the near field back know of what is between themselves. */
+/* As VPLs are. */
+static int near_occlusion(enum visibility_lookup lookup) {
+    return lookup == VISIBILITY_LOOKUP_TRACED ? NEAR_BY_RAYS
+           : lookup == VISIBILITY_LOOKUP_NONE ? NEAR_UNOCCLUDED
+                                              : NEAR_BY_VIEWS;
+}
+
 static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc,
                             const struct many_lights_visibility *visibility) {
     const struct gather_settings *own = settings_of(desc->settings, &gather_part);
@@ -198,7 +211,7 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
         .samples = own->near_samples,
         .listed = lights->has_detail,
         .facets = sends_as_facets(desc),
-        .occluded = visibility->lookup != VISIBILITY_LOOKUP_NONE && own->take_back <= 0,
+        .occlusion = near_occlusion(visibility->lookup),
         .casters = visibility->lookup == VISIBILITY_LOOKUP_TRACED ? desc->casters : NULL,
         .rsm_size = rsm_size(desc),
         .lights = *desc->lights,
@@ -272,7 +285,7 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
                       const struct many_lights_visibility *visibility) {
     const struct lights_settings *own = settings_of(desc->settings, &lights_part);
     const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
-    *lights = (struct many_lights){0};
+    *lights = (struct many_lights){.tree = visibility->tree};
     if (init_rsm(lights, desc, rsm_size(desc)) &&
         geometry_pass_init(
             &lights->geometry,
@@ -427,6 +440,18 @@ void many_lights_finish(const struct many_lights *lights, const struct frame *fr
         inputs.detail = &lights->detail_gather.irradiance;
     }
     blur_pass_render(&lights->blur, frame, gbuffer, &inputs);
+}
+
+void many_lights_render_view(const struct many_lights *lights, const struct frame *frame,
+                             const struct gbuffer *gbuffer) {
+    struct gather_inputs inputs = {.vpls = &lights->vpls, .visibility.tree = lights->tree};
+    many_lights_begin(lights, frame, gbuffer);
+    many_lights_gather(lights, frame, gbuffer, &inputs);
+    inputs.vpls = &lights->bounce.vpls;
+    inputs.further = true;
+    if (lights->bounces > 1)
+        many_lights_gather(lights, frame, gbuffer, &inputs);
+    many_lights_finish(lights, frame, gbuffer);
 }
 
 struct caster_desc many_lights_caster(const struct settings *settings) {

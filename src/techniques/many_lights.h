@@ -43,7 +43,7 @@ struct lookup_settings {
 
 struct gather_settings {
     int interleave, clamp; /* enum gather_clamp */
-    float clamp_value, sphere, near_reach, take_back;
+    float clamp_value, sphere, near_reach;
     int near_samples;
     int detail; /* n of pixels with few like neighbours; 0: as all others */
     int detail_times;
@@ -72,13 +72,11 @@ extern const struct settings_part lights_part, map_part, lookup_part, gather_par
 
 #define MANY_LIGHTS_AS_PUBLISHED "gather.detail=0 caster.error=0 blur.separable=off blur.cosine=.8"
 
-/* Passes after the first: few VPLs, each with a map of all triangles that each pixel looks up itself,
- * nothing interleaved or blurred. The mean of many passes is unbiased, but for near light that counts as
- * unoccluded within a distance that shrinks, for what a map's texels and depth bias cannot show, and for
- * what patches take from further bounces. */
+/* Passes after the first: few VPLs, nothing interleaved or blurred. Where rays say what light arrives the mean of many
+ * passes is unbiased, but for what patches take from further bounces, and for gloss. */
 #define MANY_LIGHTS_REFINED                                                                        \
-    "lights.vpls=64 lights.rsm-size=1024 lights.facets=on gather.interleave=1 gather.clamp=near "  \
-    "gather.near-reach=4 gather.take-back=.4 gather.near-samples=256 blur.radius=0 "               \
+    "lights.vpls=64 lights.rsm-size=2048 lights.facets=on gather.interleave=1 gather.clamp=near "  \
+    "gather.near-reach=4 gather.near-samples=256 blur.radius=0 "                                   \
     "lights.surface-points=256"
 
 extern const struct refinement many_lights_refinement;
@@ -87,6 +85,8 @@ extern const struct refinement many_lights_refinement;
 
 struct many_lights {
     struct gbuffer rsm[LIGHT_MAP_KINDS];
+    const struct caster_tree
+        *tree; /* what says what light arrives; NULL: the technique's maps, or nothing */
     struct geometry_pass geometry;
     struct vpl_pass vpl;
     struct vpl_buffer vpls;
@@ -116,6 +116,8 @@ struct many_lights_visibility {
     bool cuts;        /* but what is reflected as by a mirror takes VPLs */
     int map_size;     /* 0: as the settings have it */
     int block;        /* pixels a side of a block that shares its visibility; 0: none does */
+    const struct caster_tree
+        *tree; /* of ..._TRACED at all pixels: it hides near light and further bounces, too */
 };
 
 /* The settings of a lookup. */
@@ -148,6 +150,10 @@ void many_lights_gather(const struct many_lights *lights, const struct frame *fr
 /* The near field, where it is not the VPLs', and the blur: after the gather. */
 void many_lights_finish(const struct many_lights *lights, const struct frame *frame,
                         const struct gbuffer *gbuffer);
+
+/* All of it, where nothing is drawn between: of all bounces, with the tree or without visibility. */
+void many_lights_render_view(const struct many_lights *lights, const struct frame *frame,
+                             const struct gbuffer *gbuffer);
 
 /* As technique->contribution. */
 struct contribution many_lights_contribution(const void *state);

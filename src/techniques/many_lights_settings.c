@@ -69,11 +69,6 @@ static const struct option gather_table[] = {
      .help = "clamp=sphere and gloss=sphere: radius, over the distance within which ten VPLs lie"},
     {"near-reach", 0, OPTION_FLOAT, ROW(gather, near_reach), 5, .1, 100,
      .help = "clamp=near: reach of the near field, in spacings of VPLs"},
-    {"take-back", 0, OPTION_FLOAT, ROW(gather, take_back), 0, 0, 1,
-     .help =
-         "clamp=near: VPLs that do not arrive take the near field back, which counts as\n"
-         "unoccluded, but within .6 of its reach and less, as the passes' number to minus this\n"
-         "power; 0 = they do not"},
     {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 1024, 1, 1024,
      .help = "clamp=near: samples of the near field that n x n pixels share out"},
     {"gloss", 0, OPTION_CHOICE, ROW(gather, gloss), SPECULAR_RAYS - 1, .choices = gloss_names,
@@ -138,7 +133,6 @@ PART(caster, "casters in the maps");
 
 const struct refinement many_lights_refinement = {
     .technique = "instant-radiosity",
-    .settings = MANY_LIGHTS_REFINED " map.size=512 map.near-clip=.002 caster.long=20000 "
-                                    "lookup.bias=.1 lookup.map-bias=.002",
+    .settings = MANY_LIGHTS_REFINED " instant-radiosity.rays=on",
     .first_weight = 2,
 };

@@ -16,11 +16,10 @@
 static bool init_program(GLuint *program, const struct gather_desc *desc, enum gather_clamp clamp,
                          int specular) {
     char *lookup = visibility_defines(&desc->visibility);
-    bool take_back = clamp == desc->clamp && desc->take_back > 0;
     char *defines =
-        mem_printf("%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d;RECEIVERS %d;TAKE_BACK %d;"
+        mem_printf("%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d;RECEIVERS %d;TOGETHER %d;"
                    "SPECULAR %d;CUTS %d",
-                   lookup, clamp, desc->map_per_vpl, desc->share, desc->receivers, take_back,
+                   lookup, clamp, desc->map_per_vpl, desc->share, desc->receivers, desc->together,
                    specular, desc->cuts);
     bool ok =
         program_init(program, &(struct program_desc){.vertex = desc->receivers == RECEIVERS_LISTED
@@ -78,10 +77,6 @@ void gather_pass_clear(const struct gather_pass *pass) {
 /* How many VPLs a ball holds at a radius of 1. */
 static const float neighbours = 10;
 
-/* Of the near field's reach, what counts as unoccluded in pass 0. What one VPL takes back is bounded by 1 / reach^2, and its
- * variance grows likewise: a reach that falls as a power of -1/2 or faster lets no mean of passes converge. */
-static const float unoccluded_first = .6f;
-
 void gather_pass_write_params(const struct gather_pass *pass, const struct frame *frame,
                               const struct gather_inputs *inputs) {
     const struct gather_desc *desc = &pass->desc;
@@ -95,7 +90,7 @@ void gather_pass_write_params(const struct gather_pass *pass, const struct frame
         .cut_layer = desc->cuts && listed ? inputs->cuts->detail_layer : 0,
         .sphere2 = neighbours / (float)GLM_PI * desc->sphere * desc->sphere,
         .gloss_rays = desc->gloss_rays,
-        .unoccluded = unoccluded_first * powf((float)(frame->pass + 1), -desc->take_back),
+        .turn = frame_turn(frame),
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
 }

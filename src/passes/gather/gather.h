@@ -33,6 +33,7 @@ struct gather_desc {
     bool map_per_vpl; /* map i - first of the draw belongs to VPL i; else map C(i) */
     bool share;       /* visibility comes by blocks */
     bool cuts; /* each pixel takes its block's cut; a slot is a set of pixels (struct vpl_tree) */
+    int together; /* so many lights side by side, of which two ask for the visibility of all; 0: each asks */
     int receivers; /* RECEIVERS_LISTED: pixels of lists, whose pattern is interleave */
     int list_slots
         [LIST_KINDS]; /* of those: of the pattern's slots, as many side by side as what is on
@@ -45,9 +46,6 @@ struct gather_desc {
     int specular;   /* SPECULAR_...: radiance towards the eye in irradiance's place, of a G-buffer
                           with gloss */
     int gloss_rays; /* of SPECULAR_RAYS: of each pixel */
-    float
-        take_back; /* > 0, of GATHER_CLAMP_NEAR with a map per VPL: blocked VPLs take the near field back,
-                          but within a share of its reach that falls as the number of the pass to this power */
 };
 
 struct gather_pass {

@@ -94,7 +94,7 @@ void gloss_rays_pass_render(const struct gloss_rays_pass *pass, const struct fra
         pass_viewport(slot % n * radiance->tile_width, slot / n * radiance->tile_height,
                       radiance->tile_width, radiance->tile_height);
         gl.ProgramUniform4i(pass->program, LOCATION_SLOT, 0, 0, slot % n, slot / n);
-        light_picks_set(&pass->picks, slot, picked, pass->program);
+        light_picks_set(&pass->picks, slot, 0, picked, pass->program);
         pass_draw_fullscreen(1);
     }
     pass_end(frame->timers);

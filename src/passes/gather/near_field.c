@@ -5,7 +5,6 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/near_field.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -40,10 +39,12 @@ static bool init_programs(struct near_field_pass *pass) {
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
     int room = lights->lights > 0 ? lights->lights : 1; /* GLSL has no empty arrays */
     char *of_light = mem_printf("LIGHTS %d;MAP_KINDS %d;FACETS %d", room, kinds, pass->desc.facets);
-    char *defines = mem_printf("OCCLUDED 0;RECEIVERS %d;%s",
-                               pass->desc.listed ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
-    char *listed = mem_printf("OCCLUDED %d;TRACED %d;RECEIVERS %d;%s", pass->desc.occluded,
-                              pass->desc.casters != NULL, RECEIVERS_LISTED, of_light);
+    bool by_rays = !pass->desc.listed && pass->desc.occlusion == NEAR_BY_RAYS;
+    char *defines =
+        mem_printf("OCCLUSION %d;RECEIVERS %d;%s", by_rays ? NEAR_BY_RAYS : NEAR_UNOCCLUDED,
+                   pass->desc.listed ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
+    char *listed = mem_printf("OCCLUSION %d;RECEIVERS %d;%s", pass->desc.occlusion,
+                              RECEIVERS_LISTED, of_light);
     bool ok =
         program_init(&pass->light_program,
                      &(struct program_desc){
@@ -116,6 +117,7 @@ static void write_params(const struct near_field_pass *pass, const struct frame 
         .pattern = pattern,
         .power_scale = frame->irradiance_scale / (frame->radius * frame->radius),
         .inverse_radius = 1 / frame->radius,
+        .turn = frame_turn(frame),
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
@@ -151,6 +153,11 @@ struct near_draw {
     int picked; /* lights */
 };
 
+/* llvmpipe ends the loops of a shader after 65,535 steps in all, of which a ray takes many. */
+static int lights_of_draw(const struct near_field_pass *pass, int picked) {
+    return pass->desc.occlusion == NEAR_BY_RAYS ? 1 : picked;
+}
+
 static void draw_tile(const struct near_field_pass *pass, GLuint program,
                       const struct near_field_inputs *inputs, struct near_draw draw) {
     int slot = draw.slot;
@@ -162,11 +169,15 @@ static void draw_tile(const struct near_field_pass *pass, GLuint program,
                   irradiance->tile_width, irradiance->tile_height);
     gl.ProgramUniform4i(program, LOCATION_SLOT, slot / draw.side % patterns * samples, samples,
                         slot % n, slot / n);
-    light_picks_set(&pass->picks, slot, draw.picked, program);
-    if (inputs->of_lists)
-        pixel_lists_draw(inputs->lists, draw.list, program);
-    else
-        pass_draw_fullscreen(1);
+    int together = lights_of_draw(pass, draw.picked);
+    for (int light = 0; light < draw.picked; light += together) {
+        int rest = draw.picked - light;
+        light_picks_set(&pass->picks, slot, light, rest < together ? rest : together, program);
+        if (inputs->of_lists)
+            pixel_lists_draw(inputs->lists, draw.list, program);
+        else
+            pass_draw_fullscreen(1);
+    }
 }
 
 void near_field_pass_render(const struct near_field_pass *pass, const struct frame *frame,
@@ -196,7 +207,7 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
                                         : RECEIVERS_ALL);
     if (inputs->of_lists)
         pass_add_texture(&state, UNIT_FURTHER_POINTS, frame->further_points->id);
-    if (inputs->of_lists && pass->tree)
+    if (pass->tree)
         pass_add_texture(&state, UNIT_TRIANGLE_TREE, pass->tree->texels);
     write_params(pass, frame, irradiance_pattern(irradiance));
     int slots = irradiance->interleave * irradiance->interleave;

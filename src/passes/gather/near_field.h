@@ -5,7 +5,8 @@
  * split: with near(d) = (1 - d^2 / (reach^2 area))^2 the VPLs give (1 - near), and this pass gives
  * near, from the texels of the reflective shadow map around the receiver [Dachsbacher and
  * Stamminger 2005]. It takes the place of clamping and compensation [Kollig and Keller 2004]. What
- * is near counts as unoccluded: the bias of it, but where there is detail (glsl/gather/near_occlusion.glsl).
+ * is near counts as unoccluded: the bias of it, but where there is detail (glsl/gather/near_occlusion.glsl), and where one of
+ * some samples, taken by its light, asks by a ray for all: that is unbiased.
  * Cost: pixels x samples x groups of lights, for pixels in reach of a light alone: the tiles of a pattern
  * share the lights of a group out by their flux.
  */
@@ -14,14 +15,15 @@
 
 #include "passes/frame.h"
 #include "scene/gpu/caster_pool.h"
+#include "shared/near_field.h"
 
 struct near_field_desc {
     int samples; /* that the n x n pixels of a pattern share out */
     bool listed; /* pixels of lists come by themselves, and not with all others */
     int list_slots
         [LIST_KINDS]; /* what is on a list takes the samples of so many slots side by side; 0: none */
-    bool occluded;    /* what the light sees hides near light from what is on a list */
-    struct caster_pool *casters; /* or, unless NULL, all triangles do; must outlive the pass */
+    int occlusion;    /* NEAR_...: by views from what is on a list alone */
+    struct caster_pool *casters; /* of NEAR_BY_RAYS; must outlive the pass */
     bool facets;                 /* the shadow map's normals are of triangles */
     int rsm_size;                /* as lights' settings have it */
     struct light_layout lights;

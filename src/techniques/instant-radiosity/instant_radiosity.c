@@ -1,5 +1,5 @@
 /* Instant radiosity with a hard paraboloid shadow map per VPL [Keller 1997; Dong 2009 §7, Fig. 10]:
- * the brute force that clustered visibility approximates. */
+ * the brute force that clustered visibility approximates; or with rays in place of maps. */
 #include "base/memory.h"
 #include "techniques/vpl_maps.h"
 
@@ -7,11 +7,16 @@
 
 struct instant_radiosity_settings {
     int map_batch; /* maps in memory at once */
+    bool rays;     /* in place of maps */
 };
 
 static const struct option table[] = {
     {"map-batch", 0, OPTION_INT, offsetof(struct instant_radiosity_settings, map_batch), 64, 1,
      1024, .help = "maps in memory at once"},
+    {"rays", 0, OPTION_FLAG, offsetof(struct instant_radiosity_settings, rays), 0,
+     .help = "through the scene's triangles, in place of maps; where all pixels gather alike of 12 "
+             "VPLs\n"
+             "two ask for all, and of 16 samples of the near field one"},
     {NULL},
 };
 
@@ -20,6 +25,8 @@ static const struct settings_part own_part = {"instant-radiosity", "a map per VP
 
 struct instant_radiosity {
     struct many_lights lights;
+    struct caster_pool *casters;
+    const struct caster_tree *tree; /* rays; else: */
     struct paraboloid_pass paraboloid;
     struct vpl_maps maps;
 };
@@ -28,16 +35,24 @@ static void free_state(void *state) {
     struct instant_radiosity *technique = state;
     if (technique) {
         many_lights_free(&technique->lights);
+        caster_pool_release_tree(technique->casters, &technique->tree);
         paraboloid_pass_free(&technique->paraboloid);
         vpl_maps_free(&technique->maps);
     }
     free(technique);
 }
 
-static bool init(void **state, const struct technique_desc *desc) {
+static bool init_rays(struct instant_radiosity *technique, const struct technique_desc *desc) {
+    return caster_pool_acquire_tree(desc->casters, &technique->tree) &&
+           many_lights_init(&technique->lights, desc,
+                            &(struct many_lights_visibility){VISIBILITY_LOOKUP_TRACED,
+                                                             .map_per_vpl = true, .map_count = 1,
+                                                             .tree = technique->tree});
+}
+
+static bool init_maps(struct instant_radiosity *technique, const struct technique_desc *desc) {
     const struct instant_radiosity_settings *own = settings_of(desc->settings, &own_part);
     const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
-    struct instant_radiosity *technique = *state = mem_alloc(1, sizeof *technique);
     int batch = own->map_batch < lights->vpls ? own->map_batch : lights->vpls;
     return many_lights_init(&technique->lights, desc,
                             &(struct many_lights_visibility){VISIBILITY_LOOKUP_PLANE,
@@ -46,19 +61,35 @@ static bool init(void **state, const struct technique_desc *desc) {
            vpl_maps_init_true(&technique->maps, &technique->paraboloid, desc, batch);
 }
 
+static bool init(void **state, const struct technique_desc *desc) {
+    const struct instant_radiosity_settings *own = settings_of(desc->settings, &own_part);
+    struct instant_radiosity *technique = *state = mem_alloc(1, sizeof *technique);
+    technique->casters = desc->casters;
+    return own->rays ? init_rays(technique, desc) : init_maps(technique, desc);
+}
+
 static void render_lights(void *state, const struct frame *frame) {
     struct instant_radiosity *technique = state;
-    vpl_maps_render_lights(&technique->maps, &technique->lights, frame);
+    if (!technique->tree) {
+        vpl_maps_render_lights(&technique->maps, &technique->lights, frame);
+        return;
+    }
+    many_lights_render_vpls(&technique->lights, frame);
 }
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct instant_radiosity *technique = state;
-    vpl_maps_render_view(&technique->maps, &technique->lights, frame, gbuffer);
+    if (technique->tree)
+        many_lights_render_view(&technique->lights, frame, gbuffer);
+    else
+        vpl_maps_render_view(&technique->maps, &technique->lights, frame, gbuffer);
 }
 
 static void outputs(const void *state, struct output_list *outputs) {
     const struct instant_radiosity *technique = state;
     many_lights_outputs(&technique->lights, &technique->lights.vpls, outputs);
+    if (technique->tree)
+        return;
     output_add(outputs, &(struct output){"vpl-depth", "paraboloid depth maps of the last VPLs",
                                          OUTPUT_MAP_DEPTH, &technique->paraboloid.maps});
 }

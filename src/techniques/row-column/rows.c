@@ -11,7 +11,7 @@
 
 static bool init_program(GLuint *program, const struct rows_desc *desc, enum gather_clamp clamp) {
     char *lookup = visibility_defines(&desc->visibility);
-    char *defines = mem_printf("%s;CLAMP %d;TAKE_BACK 0", lookup, clamp);
+    char *defines = mem_printf("%s;CLAMP %d", lookup, clamp);
     bool ok =
         program_init(program, &(struct program_desc){.vertex = "fullscreen.vert",
                                                      .fragment = "techniques/row-column/rows.frag",

@@ -14,7 +14,7 @@ void main() {
     vpl v = vpl_at(texel.x);
     map_view pixel = map_view_at(texel.y);
     float back;
-    vec3 arriving = v.flux * geometry_term(v.position - pixel.center, pixel.axis, v, back);
+    vec3 arriving = v.flux * geometry_term(v.position - pixel.center, pixel.axis, v);
     float visible = 1.0;
     for (int lit = arriving != vec3(0.0) ? 1 : 0; lit > 0; lit--)
         visible = visibility(texel.y, v.position, v.normal);

@@ -22,13 +22,7 @@ static void render_lights(void *state, const struct frame *frame) {
 }
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
-    struct many_lights *lights = state;
-    many_lights_begin(lights, frame, gbuffer);
-    many_lights_gather(lights, frame, gbuffer, &(struct gather_inputs){.vpls = &lights->vpls});
-    if (lights->bounces > 1)
-        many_lights_gather(lights, frame, gbuffer,
-                           &(struct gather_inputs){.vpls = &lights->bounce.vpls, .further = true});
-    many_lights_finish(lights, frame, gbuffer);
+    many_lights_render_view(state, frame, gbuffer);
 }
 
 static void outputs(const void *state, struct output_list *outputs) {
