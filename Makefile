@@ -445,7 +445,7 @@ test-all: deps
 COVERED := base scene metrics
 COVERING := base options exr gltf gltf_refusals packed scene scene_parts animation framing metrics heat_map compare output_file info emissive emitters \
     environment environment_fit memory seeds light starts robust failures reference_app several_lights bench sky \
-    marching_cubes caster caster_pool solids sequence hostile reference imperfect area_lights faults machine
+    marching_cubes caster caster_pool sequence hostile reference imperfect area_lights faults machine
 COVERAGE := --coverage -fprofile-update=atomic
 
 coverage: deps
