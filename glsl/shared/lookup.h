@@ -19,20 +19,17 @@
 #define FILTER_VSSM 6        /* variance soft shadow maps */
 #define FILTER_MSM 7         /* moment shadow maps */
 #define FILTER_CSSM_WINDOW 8 /* convolution soft shadow maps of lights' own maps */
-#define FILTER_TRACED 10     /* a ray to a VPL through the scene's triangles */
 #define FILTER_PLANE 9       /* one texel, and the plane of the caster there */
+#define FILTER_TRACED 10     /* a ray to a VPL through the scene's triangles */
 
 struct lookup_params {
     float bias;     /* of the point along its normal, texels of the map */
     float map_size; /* texels */
-    float
-        map_bias; /* of the point's distance, where it is compared with a texel, of the distance */
-    float shift;  /* FILTER_CSSM: of the receiver, in the argument of the series */
-    float
-        gain; /* of the blocked fraction, about one half or, of FILTER_CSSM_WINDOW, from nothing */
+    float map_bias; /* of the point where it is compared with a texel, of its distance */
+    float shift;    /* FILTER_CSSM: of the receiver, in the argument of the series */
+    float gain;     /* of the blocked part, about a half; FILTER_CSSM_WINDOW: from nothing */
     float sharpen_a, sharpen_b;
-    float
-        contact; /* windowed filters: what is nearer to the point than this, of its distance, is compared */
+    float contact; /* windowed filters: what is nearer than this, of its distance, is compared */
 };
 STD140_SIZE(lookup_params, 32)
 

@@ -4,8 +4,8 @@
 
 #define THREADED_HEADER 2 /* texels */
 #define THREADED_TRIANGLE 3
-#define THREADED_LEAF                                                                              \
-    0x80000000u /* of a box's last number; the triangles' count follows, then their first texel */
+/* A bit of a box's last number: the triangles' count follows, then their first texel. */
+#define THREADED_LEAF 0x80000000u
 #define THREADED_COUNT_SHIFT 27
 #define THREADED_COUNT_MOST 15u
 #define THREADED_STEPS 65535.0 /* of the bounds' sides */
