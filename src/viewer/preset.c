@@ -3,8 +3,11 @@
 #include <string.h>
 
 const char *preset_title(const struct preset *preset) {
-    static const char *const titles[][2] = {
-        {"draft", "Draft"}, {"fast", "Normal"}, {"fine", "High"}, {"paper", "Published"}};
+    static const char *const titles[][2] = {{"draft", "Draft"},
+                                            {"fast", "Normal"},
+                                            {"fine", "High"},
+                                            {"traced", "Traced"},
+                                            {"paper", "Published"}};
     for (size_t i = 0; i < sizeof titles / sizeof *titles; i++)
         if (strcmp(preset->name, titles[i][0]) == 0)
             return titles[i][1];

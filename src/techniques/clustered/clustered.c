@@ -76,6 +76,10 @@ static const struct preset presets[] = {
     MANY_LIGHTS_FAST,
     {"fine", "for scenes of many small things: more maps, and lights where detail is",
      "clustered.vals=60 clustered.bounce-vals=120 gather.detail=2 gather.detail-times=1"},
+    {"traced",
+     "the truest frame: rays through the triangles in place of maps, lights where detail is",
+     "clustered.visibility=traced clustered.visibility-block=0 gather.detail=2 "
+     "gather.detail-times=1"},
     {"paper", "as published: convolution soft shadow maps at each pixel and VPL",
      "clustered.visibility=cssm clustered.visibility-block=0 " MANY_LIGHTS_AS_PUBLISHED},
     {NULL}};
