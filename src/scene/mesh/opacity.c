@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-enum { SIDE = OPACITY_SIDE, DEPTH = 4 }; /* times a triangle is cut at most */
+enum { SIDE = OPACITY_SIDE, DEPTH = 2 }; /* times a triangle is cut at most */
 
 enum fill { FILL_NONE, FILL_SOME, FILL_ALL };
 

@@ -1,5 +1,5 @@
 /* Triangles with an alpha mask as opaque parts: 8 x 8 to a triangle, a bit each [Gruen et al. 2020]. Triangles of many
- * texels are cut in four first, until a part has about one.
+ * texels are cut in four first, at most twice.
  */
 #ifndef SCENE_MESH_OPACITY_H
 #define SCENE_MESH_OPACITY_H
