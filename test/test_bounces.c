@@ -161,7 +161,7 @@ static void check_furnace(const struct stage *stage, const char *technique, int 
     double before = 0;
     for (int bounces = 1; bounces <= 8; bounces *= 2) {
         char settings[160], what[64];
-        snprintf(settings, sizeof settings, "clamp=none bounces=%d surface-points=%d %s", bounces,
+        snprintf(settings, sizeof settings, "clamp=none bounces=%d paths=%d %s", bounces,
                  points, more);
         double mean = mean_indirect(stage, technique, settings), exact = 1 - pow(.5, bounces);
         snprintf(what, sizeof what, "%s, %d bounces", technique, bounces);
@@ -293,7 +293,7 @@ static void test_frames(void **state) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-animal.glb");
     struct image one = render_stage(&stage, "clustered", "", 48);
-    struct image other = render_stage(&stage, "clustered", "bounces=1 surface-points=300", 48);
+    struct image other = render_stage(&stage, "clustered", "bounces=1 paths=300", 48);
     assert_true(same_pixels(&one, &other));
     image_free(&one);
     image_free(&other);

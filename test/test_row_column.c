@@ -241,7 +241,7 @@ static void test_all_columns(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
-    static const char *const more[] = {"", "bounces=2 surface-points=256"};
+    static const char *const more[] = {"", "bounces=2 paths=256"};
     for (int i = 0; i < 2; i++) {
         char settings[160];
         snprintf(settings, sizeof settings, PLAIN "%s", more[i]);

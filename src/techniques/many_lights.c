@@ -254,7 +254,7 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
                                                                          .geometry = desc->geometry,
                                                                          .casters = desc->casters,
                                                                          .bounces = own->bounces,
-                                                                         .count = own->points,
+                                                                         .count = own->paths,
                                                                          .seed = own->seed,
                                                                      });
 }

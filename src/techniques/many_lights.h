@@ -25,7 +25,7 @@ enum { RSM_SIZE_MIN = 16 };
 struct lights_settings {
     int vpls; /* N */
     int seed, rsm_size;
-    int bounces, points; /* P */
+    int bounces, paths; /* P */
     bool facets;
 };
 
@@ -76,8 +76,7 @@ extern const struct settings_part lights_part, map_part, lookup_part, gather_par
  * passes is unbiased, but for what patches take from further bounces, and for gloss. */
 #define MANY_LIGHTS_REFINED                                                                        \
     "lights.vpls=64 lights.rsm-size=2048 lights.facets=on gather.interleave=1 gather.clamp=near "  \
-    "gather.near-reach=4 gather.near-samples=256 blur.radius=0 "                                   \
-    "lights.surface-points=256"
+    "gather.near-reach=4 gather.near-samples=256 blur.radius=0 lights.paths=256"
 
 extern const struct refinement many_lights_refinement;
 
@@ -85,8 +84,7 @@ extern const struct refinement many_lights_refinement;
 
 struct many_lights {
     struct gbuffer rsm[LIGHT_MAP_KINDS];
-    const struct caster_tree
-        *tree; /* what says what light arrives; NULL: the technique's maps, or nothing */
+    const struct caster_tree *tree; /* which tells what light arrives; NULL: maps, or nothing */
     struct geometry_pass geometry;
     struct vpl_pass vpl;
     struct vpl_buffer vpls;

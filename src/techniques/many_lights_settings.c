@@ -14,8 +14,8 @@ static const struct option lights_table[] = {
          "reflective shadow map, texels a side; more than four of them have the texels of four"},
     {"bounces", 0, OPTION_INT, ROW(lights, bounces), 1, 1, 8,
      .help = "of indirect light; those after the first by paths of light from VPLs"},
-    {"surface-points", 0, OPTION_INT, ROW(lights, points), 4096, VPL_PARTNERS_MAX, 16384,
-     .help = "at which paths of light leave VPLs of further bounces, P"},
+    {"paths", 0, OPTION_INT, ROW(lights, paths), 4096, VPL_PARTNERS_MAX, 16384,
+     .help = "of light, which each leave a VPL of further bounces, P"},
     {"facets", 0, OPTION_FLAG, ROW(lights, facets), 0,
      .help =
          "where nothing is glossy VPLs and near field send light as triangles do, and not as the\n"

@@ -179,7 +179,7 @@ bool vals_init(struct vals *vals, const struct technique_desc *desc) {
         !init_set(&vals->first, desc, lights->vpls, own->vals,
                   vals->counts ? &vals->count.seeds : NULL) ||
         (lights->bounces > 1 &&
-         !init_set(&vals->further, desc, lights->points, own->bounce_vals, NULL)))
+         !init_set(&vals->further, desc, lights->paths, own->bounce_vals, NULL)))
         return false;
     vals->output = (struct val_output){
         .extremes = &vals->first.cluster.extremes,

@@ -11,7 +11,7 @@ struct relevance {
 };
 
 static const struct relevance of_all[] = {
-    {"lights.surface-points", "lights.bounces>1"},
+    {"lights.paths", "lights.bounces>1"},
     {"clustered.bounce-vals", "lights.bounces>1"},
     {"lookup.terms", "clustered.visibility=cssm"},
     {"lookup.shift", "clustered.visibility=cssm"},

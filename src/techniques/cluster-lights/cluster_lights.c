@@ -169,7 +169,7 @@ static bool init(void **state, const struct technique_desc *desc) {
     }
     return init_first(technique, desc) &&
            (lights->bounces == 1 ||
-            init_set(&technique->further, desc->settings, lights->points, NULL)) &&
+            init_set(&technique->further, desc->settings, lights->paths, NULL)) &&
            many_lights_init(&technique->lights, &with_settings, &visibility);
 }
 

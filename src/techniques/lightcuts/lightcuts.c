@@ -55,7 +55,7 @@ static bool init_trees(struct lightcuts *technique, const struct technique_desc 
     int sets = gather->interleave * gather->interleave;
     return vpl_tree_pass_init(&technique->first, &(struct vpl_tree_desc){lights->vpls, sets}) &&
            (lights->bounces == 1 ||
-            vpl_tree_pass_init(&technique->further, &(struct vpl_tree_desc){lights->points, sets}));
+            vpl_tree_pass_init(&technique->further, &(struct vpl_tree_desc){lights->paths, sets}));
 }
 
 static bool init_cut(struct lightcuts *technique, const struct technique_desc *desc) {

@@ -88,7 +88,7 @@ static bool check(const struct settings *settings) {
     const struct row_column_settings *own = settings_of(settings, &own_part);
     const struct lights_settings *lights = settings_of(settings, &lights_part);
     int n = interleave_of(settings), most = lights->vpls;
-    most += lights->bounces > 1 ? lights->points : 0;
+    most += lights->bounces > 1 ? lights->paths : 0;
     if (own->columns < n * n || lights->vpls < n * n)
         return error_set("column-interleave=%d needs at least %d columns and VPLs", n, n * n);
     return most <= LIGHTS_OF_MATRIX ||
@@ -137,7 +137,7 @@ static bool init(void **state, const struct technique_desc *desc) {
     gather->near_samples = (gather->near_samples * n * n + before * before - 1) / (before * before);
     gather->interleave = n;
     with_own.settings = &settings;
-    int all = lights->vpls + (lights->bounces > 1 ? lights->points : 0);
+    int all = lights->vpls + (lights->bounces > 1 ? lights->paths : 0);
     struct many_lights_visibility visibility = {VISIBILITY_LOOKUP_PLANE, .map_per_vpl = true,
                                                 .map_count = MAP_BATCH};
     return many_lights_init(&technique->lights, &with_own, &visibility) &&
