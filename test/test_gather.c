@@ -425,8 +425,8 @@ static void test_near_occlusion(void **state) {
         .light = "0 position=-.4,1,-.5 direction=.6,-.6,-.9 cone=.85,.8",
     };
     const struct stage_desc corner = {.path = "scenes/failures/corner.glb"};
-    static const char *const views = "vpls=64 vals=64", *const rays =
-                                                            "vpls=64 interleave=1 rays=on";
+    static const char *const views = "vpls=64 vals=64",
+                             *const rays = "vpls=64 interleave=1 instant-radiosity.traced=on";
     check_at_most("of unshadowed light, behind a sheet",
                   share_of_unshadowed(&behind_sheet, "clustered", views), .018);
     check_near("in a corner", share_of_unshadowed(&corner, "clustered", views), 1, .03);

@@ -3,7 +3,7 @@
 #include "render_support.h"
 
 #include "base/memory.h"
-#include "scene/mesh/surface_points.h"
+#include "techniques/imperfect-shadow-maps/surface_points.h"
 #include "shared/map_view.h"
 #include "shared/vpl.h"
 #include "techniques/imperfect-shadow-maps/fill.h"
@@ -44,8 +44,7 @@ static void check_points(const char *path, bool black, bool double_sided) {
     surface_points_init(&points, &(struct surface_points_desc){.scene = &stage.scene,
                                                                .geometry = &stage.geometry,
                                                                .count = 4096,
-                                                               .first = 4096,
-                                                               .casters = true});
+                                                               .first = 4096});
     for (int i = 0; i < points.count; i++)
         area += (double)surface_points_place(&points, &stage.geometry, i).area;
     check_near(path, area / area_of(&stage.geometry), 1, .01);
@@ -58,6 +57,72 @@ static void test_points(void **state) {
     check_points("scenes/cornell-box.glb", true, false);
     check_points("scenes/cornell-box.glb", false, true);
     check_points("scenes/metaballs.glb", false, false);
+}
+
+/* In a closed scene the form factors of all that a point sees sum up to 1: sum A cos cos / (pi d^2). A
+ * sphere has the same cos cos / d^2 everywhere. Checks places, normals and areas at once. */
+static void check_form_factors(const struct stage *stage, int count) {
+    struct surface_points points;
+    double area = 0, least = INFINITY, most = 0;
+    surface_points_init(&points, &(struct surface_points_desc){.scene = &stage->scene,
+                                                               .geometry = &stage->geometry,
+                                                               .count = count});
+    struct surface_place *places = mem_alloc((size_t)count, sizeof *places);
+    for (int i = 0; i < count; i++) {
+        places[i] = surface_points_place(&points, &stage->geometry, i);
+        area += (double)places[i].area;
+    }
+    for (int x = 0; x < 32; x++) {
+        double sum = 0;
+        for (int i = 0; i < count; i++) {
+            vec3s to = glms_vec3_sub(places[i].position, places[x].position);
+            float d2 = glms_vec3_norm2(to), cos_x = glms_vec3_dot(places[x].normal, to),
+                  cos_i = -glms_vec3_dot(places[i].normal, to);
+            if (cos_x > 0 && cos_i > 0)
+                sum += (double)(places[i].area * cos_x * cos_i / (d2 * d2)) / (double)GLM_PIf;
+        }
+        least = fmin(least, sum);
+        most = fmax(most, sum);
+    }
+    printf("  %d points: form factors from %.4f to %.4f\n", count, least, most);
+    check_near("area of all points, over the surface's", area / area_of(&stage->geometry), 1, .01);
+    check_near("least sum of form factors", least, 1, .02);
+    check_near("greatest sum of form factors", most, 1, .02);
+    free(places);
+    surface_points_free(&points);
+}
+
+static void test_form_factors(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/sphere.glb");
+    check_form_factors(&stage, 1024);
+    check_form_factors(&stage, 16384);
+    stage_free(&stage);
+}
+
+/* A plain of two triangles, of ten thousand times the area, has no more than a fifth of the points. */
+static void test_plain(void **state) {
+    (void)state;
+    struct stage stage;
+    struct surface_points points;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    struct geometry *geometry = &stage.geometry;
+    const struct geometry_part *floor = &geometry->parts[0];
+    for (uint32_t i = 0; i < floor->vertex_count; i++)
+        for (int c = 0; c < 3; c++)
+            geometry->position[floor->first_vertex + i][c] *= 100;
+    surface_points_init(&points, &(struct surface_points_desc){
+                                     .scene = &stage.scene, .geometry = geometry, .count = 4096});
+    int on_plain = 0;
+    for (int i = 0; i < points.count; i++)
+        on_plain += points.items[i].part == 0;
+    printf("  %d of %d points on a part of %u triangles\n", on_plain, points.count,
+           floor->index_count / 3);
+    check_at_most("share of the points on the plain", (double)on_plain / points.count,
+                  .15 * floor->index_count / 3);
+    surface_points_free(&points);
+    stage_free(&stage);
 }
 
 /* --- what a point hides ----------------------------------------------------------------------- */
@@ -120,8 +185,7 @@ static void test_solid_angle(void **state) {
     struct vpl *vpls = read_vpls(&renderer);
     surface_points_init(&points, &(struct surface_points_desc){.scene = &stage.scene,
                                                                .geometry = &stage.geometry,
-                                                               .count = POINTS,
-                                                               .casters = true});
+                                                               .count = POINTS});
     double shown = 0, exact = 0;
     for (int i = 0; i < VPLS; i++) {
         double map = map_solid_angle(&depths[i * SIZE * SIZE], SIZE);
@@ -328,7 +392,8 @@ static void test_frames(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_points),  cmocka_unit_test(test_solid_angle),
+        cmocka_unit_test(test_points),  cmocka_unit_test(test_form_factors),
+        cmocka_unit_test(test_plain),   cmocka_unit_test(test_solid_angle),
         cmocka_unit_test(test_filling), cmocka_unit_test(test_converges),
         cmocka_unit_test(test_sphere),  cmocka_unit_test(test_frames),
     };

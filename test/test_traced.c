@@ -285,8 +285,9 @@ static void test_together(void **state) {
                                      "visibility=traced visibility-block=0 vpls=64 interleave=1 "
                                      "clamp=disk blur-radius=0 gather.detail=0",
                                      96);
-    struct image few = render_stage(&stage, "instant-radiosity",
-                                    "rays=on vpls=64 interleave=1 clamp=disk blur-radius=0", 96);
+    struct image few = render_stage(
+        &stage, "instant-radiosity",
+        "instant-radiosity.traced=on vpls=64 interleave=1 clamp=disk blur-radius=0", 96);
     assert_false(same_pixels(&each, &few));
     check_near("mean of those that ask together",
                layer_mean(&few, "indirect") / layer_mean(&each, "indirect"), 1, .005);

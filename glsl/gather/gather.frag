@@ -83,9 +83,10 @@ vec3 unshadowed(int i, vpl light, surface s, out vec3 back) {
     vec3 to_vpl = light.position - s.position, reflected = specular_light(light, s, light.area * weight);
     back = -reflected * near_share(dot(to_vpl, to_vpl), light.area, light.reach);
     return reflected;
-#endif
+#else
     back = vec3(0.0);
     return light.flux * light_term(i, light.position - s.position, s.normal, light);
+#endif
 }
 
 #if TOGETHER > 0
@@ -93,7 +94,7 @@ vec3 unshadowed(int i, vpl light, surface s, out vec3 back) {
 // each counts as if it had asked. Where red light and green shared an answer, shadows would be of neither's
 // hue.
 struct light_group {
-    vec3 arriving, back, hidden, place; // hidden: what its light is less where the one that asks does not arrive
+    vec3 arriving, hidden, place; // hidden: what its light is less where the one that asks does not arrive
     float strength, map;
 };
 
@@ -101,7 +102,6 @@ struct light_group {
 void group_add(inout light_group group, bool its_own, vec3 own, vec3 own_back, float strength, bool taken, vec3 place,
                float map) {
     group.arriving += its_own ? own : vec3(0.0);
-    group.back += its_own ? own_back : vec3(0.0);
     group.strength = its_own ? strength : group.strength;
     taken = taken && its_own;
     group.hidden = taken ? own + own_back : group.hidden;
@@ -112,7 +112,7 @@ void group_add(inout light_group group, bool its_own, vec3 own, vec3 own_back, f
 vec3 group_light(light_group group, surface s) {
     float visible = visibility_from(int(group.map), s.position, s.normal, group.place);
 #if RECEIVERS == RECEIVERS_LISTED
-    return mix(-group.back, group.arriving, visible);
+    return group.arriving * visible;
 #else
     // In the hue of the one that asks, which no group's is in all of its lights: less even, and right on the mean.
     vec3 hidden = group.hidden * (group.strength / max(dot(group.hidden, vec3(1.0)), 1e-30));
@@ -122,7 +122,7 @@ vec3 group_light(light_group group, surface s) {
 
 // Irradiance times pi of the VPLs first .. last.
 vec3 light_together(surface s, int first, int last, float random) {
-    light_group none = light_group(vec3(0.0), vec3(0.0), vec3(0.0), s.position, 0.0, 0.0);
+    light_group none = light_group(vec3(0.0), vec3(0.0), s.position, 0.0, 0.0);
     light_group redder = none, greener = none;
     for (int i = first; i < last; i++) {
         vpl light = light_at(i);

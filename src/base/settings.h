@@ -25,8 +25,8 @@ enum { SETTINGS_PARTS_MAX = 48, SETTINGS_BYTES_MAX = 2048, SETTING_NAME_SIZE = 6
 struct settings {
     const struct settings_part *parts[SETTINGS_PARTS_MAX];
     int part_count;
-    uint32_t given
-        [SETTINGS_PARTS_MAX]; /* of each part, by rows of its table: those that settings_give_word set */
+    /* Of each part, by rows of its table: those that settings_give_word set. */
+    uint32_t given[SETTINGS_PARTS_MAX];
     union {
         double align;
         unsigned char bytes[SETTINGS_BYTES_MAX]; /* the parts' structs, one after another */

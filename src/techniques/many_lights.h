@@ -114,8 +114,8 @@ struct many_lights_visibility {
     bool cuts;        /* but what is reflected as by a mirror takes VPLs */
     int map_size;     /* 0: as the settings have it */
     int block;        /* pixels a side of a block that shares its visibility; 0: none does */
-    const struct caster_tree
-        *tree; /* of ..._TRACED at all pixels: it hides near light and further bounces, too */
+    /* Of ..._TRACED at all pixels: it hides near light and further bounces, too. */
+    const struct caster_tree *tree;
 };
 
 /* The settings of a lookup. */

@@ -133,6 +133,6 @@ PART(caster, "casters in the maps");
 
 const struct refinement many_lights_refinement = {
     .technique = "instant-radiosity",
-    .settings = MANY_LIGHTS_REFINED " instant-radiosity.rays=on",
+    .settings = MANY_LIGHTS_REFINED " instant-radiosity.traced=on",
     .first_weight = 2,
 };

@@ -70,15 +70,6 @@ static void attach_triangles(struct ray_scene *rays, unsigned id, uint32_t first
     rtcReleaseGeometry(triangles);
 }
 
-static float largest_coordinate(const struct geometry *geometry) {
-    float largest = geometry->radius;
-    for (int c = 0; c < 3; c++) {
-        largest = fmaxf(largest, fabsf(geometry->bounds_min[c]));
-        largest = fmaxf(largest, fabsf(geometry->bounds_max[c]));
-    }
-    return largest;
-}
-
 static const char *error_text(enum RTCError code) {
     static const char *const texts[] = {
         [RTC_ERROR_NONE] = "no reason given",
@@ -96,7 +87,7 @@ bool ray_scene_init(struct ray_scene *rays, const struct hit_table *table) {
     const struct geometry *geometry = table->geometry;
     *rays = (struct ray_scene){
         .table = table,
-        .clearance = 1e-5f * largest_coordinate(geometry),
+        .clearance = geometry_clearance(geometry),
         .device = rtcNewDevice(NULL),
     };
     if (!rays->device)

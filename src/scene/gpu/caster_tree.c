@@ -2,29 +2,21 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "scene/mesh/corners.h"
 #include "scene/mesh/opacity.h"
 #include "scene/mesh/threaded_tree.h"
 
 #include <math.h>
 #include <string.h>
 
-static vec3s corner(const struct geometry *geometry, uint32_t index) {
-    const float *p = geometry->position[index];
-    return (vec3s){{p[0], p[1], p[2]}};
-}
-
 static void add_opaque(struct opaque_triangles *list, const struct geometry *geometry,
                        const struct geometry_batch *batch) {
     for (uint32_t i = 0; i < batch->index_count; i += 3) {
         const uint32_t *index = &geometry->indices[batch->first_index + i];
-        vec3s at = corner(geometry, index[0]);
-        opaque_triangles_add(list, &(struct tree_triangle){
-                                       .corner = at,
-                                       .edges = {glms_vec3_sub(corner(geometry, index[1]), at),
-                                                 glms_vec3_sub(corner(geometry, index[2]), at)},
-                                       .opaque = {~0U, ~0U},
-                                       .number = (batch->first_index + i) / 3,
-                                   });
+        struct tree_triangle triangle = {.opaque = {~0U, ~0U},
+                                         .number = (batch->first_index + i) / 3};
+        triangle.corner = corners_edges(geometry, index, triangle.edges);
+        opaque_triangles_add(list, &triangle);
     }
 }
 
@@ -39,15 +31,6 @@ static void plant(struct triangle_tree *tree, const struct scene *scene,
             add_opaque(&list, geometry, batch);
     }
     triangle_tree_init(tree, list.items, list.count);
-}
-
-/* About a hundred times the rounding of the scene's coordinates, as the path tracer's. */
-static float clearance_of(const struct geometry *geometry) {
-    float largest = geometry->radius;
-    for (int c = 0; c < 3; c++)
-        largest =
-            fmaxf(largest, fmaxf(fabsf(geometry->bounds_min[c]), fabsf(geometry->bounds_max[c])));
-    return 1e-5F * largest;
 }
 
 static bool upload(struct caster_tree *tree, const struct threaded_tree *threaded) {
@@ -70,12 +53,6 @@ static bool upload(struct caster_tree *tree, const struct threaded_tree *threade
     return true;
 }
 
-bool caster_tree_init(struct caster_tree *tree, const struct scene *scene,
-                      const struct geometry *geometry) {
-    *tree = (struct caster_tree){0};
-    return caster_tree_update(tree, scene, geometry);
-}
-
 void caster_tree_free(struct caster_tree *tree) {
     if (tree->texels)
         gl.DeleteTextures(1, &tree->texels);
@@ -87,7 +64,7 @@ bool caster_tree_update(struct caster_tree *tree, const struct scene *scene,
                         const struct geometry *geometry) {
     struct triangle_tree planted;
     struct threaded_tree threaded;
-    struct threaded_tree_desc desc = {.clearance = clearance_of(geometry)};
+    struct threaded_tree_desc desc = {.clearance = geometry_clearance(geometry)};
     if (tree->texels && tree->pose == geometry->pose_count)
         return true;
     memcpy(desc.low, geometry->bounds_min, sizeof desc.low);

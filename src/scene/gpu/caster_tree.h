@@ -13,13 +13,10 @@ struct caster_tree {
     unsigned pose; /* of the geometry, that it is of */
 };
 
-/* Error: out of GPU memory, or more triangles than a buffer texture has room for. */
-bool caster_tree_init(struct caster_tree *tree, const struct scene *scene,
-                      const struct geometry *geometry);
-void caster_tree_free(struct caster_tree *tree);
-
-/* To where the geometry is now. Error: as of init; the tree must then be freed. */
+/* Makes it of where the geometry is now; zeroed before the first time. Error: out of GPU memory, or more triangles than a
+ * buffer texture has room for; the tree must then be freed. */
 bool caster_tree_update(struct caster_tree *tree, const struct scene *scene,
                         const struct geometry *geometry);
+void caster_tree_free(struct caster_tree *tree);
 
 #endif

@@ -1,5 +1,30 @@
 #include "scene/mesh/corners.h"
 
+#include <math.h>
+#include <string.h>
+
+vec3s corners_edges(const struct geometry *geometry, const uint32_t index[3], vec3s edges[2]) {
+    vec3s corner[3];
+    for (int k = 0; k < 3; k++)
+        memcpy(corner[k].raw, geometry->position[index[k]], sizeof corner[k].raw);
+    for (int e = 0; e < 2; e++)
+        edges[e] = glms_vec3_sub(corner[e + 1], corner[0]);
+    return corner[0];
+}
+
+double corners_area(const struct geometry *geometry, const uint32_t index[3]) {
+    vec3s edges[2];
+    corners_edges(geometry, index, edges);
+    return (double)glms_vec3_norm(glms_vec3_cross(edges[0], edges[1])) / 2;
+}
+
+void corners_spread(float weight[3], double x, double y) {
+    double root = sqrt(x);
+    weight[0] = (float)(1 - root);
+    weight[1] = (float)(root * (1 - y));
+    weight[2] = (float)(root * y);
+}
+
 vec3s corners_vector(const struct corners *corners, float (*vectors)[3]) {
     vec3s sum = glms_vec3_zero();
     for (int k = 0; k < 3; k++) {

@@ -11,6 +11,15 @@ struct corners {
     float weight[3];
 };
 
+/* The first corner of the triangle of these vertices, and the edges from it to the two others. */
+vec3s corners_edges(const struct geometry *geometry, const uint32_t index[3], vec3s edges[2]);
+
+/* m2 */
+double corners_area(const struct geometry *geometry, const uint32_t index[3]);
+
+/* The weights of a place in a triangle that is uniform where x and y are, in [0, 1). */
+void corners_spread(float weight[3], double x, double y);
+
 /* Of positions or normals; these come out shorter than 1 where they differ. */
 vec3s corners_vector(const struct corners *corners, float (*vectors)[3]);
 

@@ -425,6 +425,15 @@ void geometry_free(struct geometry *geometry) {
     *geometry = (struct geometry){0};
 }
 
+float geometry_clearance(const struct geometry *geometry) {
+    float largest = geometry->radius;
+    for (int c = 0; c < 3; c++) {
+        largest = fmaxf(largest, fabsf(geometry->bounds_min[c]));
+        largest = fmaxf(largest, fabsf(geometry->bounds_max[c]));
+    }
+    return 1e-5F * largest;
+}
+
 uint32_t geometry_triangle_count(const struct geometry *geometry) {
     uint32_t indices = 0;
     for (int i = 0; i < geometry->part_count; i++)

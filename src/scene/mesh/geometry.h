@@ -85,6 +85,10 @@ void geometry_free(struct geometry *geometry);
  * Error: something ends up too far away; the geometry must not be used until a pose succeeds. */
 bool geometry_pose(struct geometry *geometry, const struct scene *scene, double time);
 
+/* How far above a surface a ray begins that is not to meet it: about a hundred times the rounding of the scene's
+ * coordinates, metres. */
+float geometry_clearance(const struct geometry *geometry);
+
 /* Triangles in use. */
 uint32_t geometry_triangle_count(const struct geometry *geometry);
 

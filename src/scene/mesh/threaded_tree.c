@@ -54,12 +54,6 @@ static void lay_leaf(struct layout *layout, const struct tree_node *node) {
     }
 }
 
-static float half_surface(const struct tree_box *box) {
-    float x = box->high[0] - box->low[0], y = box->high[1] - box->low[1],
-          z = box->high[2] - box->low[2];
-    return x * y + y * z + z * x;
-}
-
 /* The larger child first: it is the likelier to block, and a blocked ray is done. A box that is entered nearly whenever
  * that around it is, of that half surface, saves less than it costs, and is left out. */
 static void lay_node(struct layout *layout, uint32_t number, float around) {
@@ -68,11 +62,12 @@ static void lay_node(struct layout *layout, uint32_t number, float around) {
         lay_leaf(layout, node);
         return;
     }
-    float surface = half_surface(&node->box);
+    float surface = tree_box_half_surface(&node->box);
     bool is_laid = surface < worth_a_box * around;
     uint32_t *past = is_laid ? lay_box(layout, &node->box) : NULL;
     const struct tree_node *children = &layout->tree->nodes[node->first];
-    uint32_t larger = half_surface(&children[1].box) > half_surface(&children[0].box);
+    uint32_t larger =
+        tree_box_half_surface(&children[1].box) > tree_box_half_surface(&children[0].box);
     lay_node(layout, node->first + larger, is_laid ? surface : around);
     lay_node(layout, node->first + 1 - larger, is_laid ? surface : around);
     if (is_laid)

@@ -22,8 +22,8 @@ struct threaded_tree {
 
 struct threaded_tree_desc {
     float low[3], high[3]; /* bounds of the triangles, metres */
-    float
-        clearance; /* rays begin so far above a surface, and end so far before their end, metres */
+    /* Rays begin so far above a surface, and end so far before their end, metres. */
+    float clearance;
 };
 
 void threaded_tree_init(struct threaded_tree *threaded, const struct triangle_tree *tree,

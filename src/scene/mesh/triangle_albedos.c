@@ -16,27 +16,11 @@ struct finder {
     float srgb_to_linear[256];
 };
 
-static double area_of(const struct geometry *geometry, const uint32_t index[3]) {
-    vec3s corner[3];
-    for (int k = 0; k < 3; k++)
-        memcpy(corner[k].raw, geometry->position[index[k]], sizeof corner[k].raw);
-    vec3s edge = glms_vec3_sub(corner[1], corner[0]), other = glms_vec3_sub(corner[2], corner[0]);
-    return (double)glms_vec3_norm(glms_vec3_cross(edge, other)) / 2;
-}
-
-/* The i-th of even places within a triangle. */
-static void set_place(struct corners *corners, uint32_t i) {
-    float root = sqrtf((float)radical_inverse(2, i)), y = (float)radical_inverse(3, i);
-    corners->weight[0] = 1 - root;
-    corners->weight[1] = root * (1 - y);
-    corners->weight[2] = root * y;
-}
-
 static uint32_t count_places(const struct finder *finder, const struct material *material,
                              const uint32_t index[3]) {
     if (material->base_color_texture < 0)
         return 1;
-    double share = area_of(finder->geometry, index) / finder->area;
+    double share = corners_area(finder->geometry, index) / finder->area;
     return 1 + (uint32_t)fmin(share * PLACES, PLACES_MOST - 1);
 }
 
@@ -47,7 +31,7 @@ static vec3s mean_color(const struct finder *finder, const struct material *mate
     uint32_t places = count_places(finder, material, index);
     memcpy(corners.index, index, sizeof corners.index);
     for (uint32_t i = 0; i < places; i++) {
-        set_place(&corners, 1 + i);
+        corners_spread(corners.weight, radical_inverse(2, 1 + i), radical_inverse(3, 1 + i));
         vec4s color = corners_base_color(&corners, finder->scene, finder->geometry,
                                          finder->srgb_to_linear, material);
         sum = glms_vec3_add(sum, glms_vec3_clamp(glms_vec3(color), 0, 1));
@@ -70,7 +54,7 @@ void triangle_albedos_find(struct triangle_albedo *albedos, const struct scene *
     struct finder finder = {.scene = scene, .geometry = geometry};
     texture_decode_table(finder.srgb_to_linear);
     for (uint32_t at = 0; at < geometry->index_count; at += 3)
-        finder.area += area_of(geometry, &geometry->indices[at]);
+        finder.area += corners_area(geometry, &geometry->indices[at]);
     for (int b = 0; b < geometry->batch_count; b++)
         find_in_batch(albedos, &finder, &geometry->batches[b]);
 }

@@ -25,7 +25,7 @@ static void box_add(struct tree_box *box, const struct tree_box *other) {
     }
 }
 
-static float half_surface(const struct tree_box *box) {
+float tree_box_half_surface(const struct tree_box *box) {
     float x = box->high[0] - box->low[0], y = box->high[1] - box->low[1],
           z = box->high[2] - box->low[2];
     return x < 0 ? 0 : x * y + y * z + z * x;
@@ -68,7 +68,7 @@ static void find_bin(struct split *split, const struct tree_box boxes[BINS],
     for (int bin = BINS - 1; bin > 0; bin--) {
         box_add(&box, &boxes[bin]);
         count += counts[bin];
-        after[bin] = count ? half_surface(&box) * (float)count : INFINITY;
+        after[bin] = count ? tree_box_half_surface(&box) * (float)count : INFINITY;
     }
     box = empty_box();
     count = 0;
@@ -76,7 +76,7 @@ static void find_bin(struct split *split, const struct tree_box boxes[BINS],
     for (int bin = 0; bin < BINS - 1; bin++) {
         box_add(&box, &boxes[bin]);
         count += counts[bin];
-        float cost = count ? half_surface(&box) * (float)count + after[bin + 1] : INFINITY;
+        float cost = count ? tree_box_half_surface(&box) * (float)count + after[bin + 1] : INFINITY;
         if (cost < split->cost) {
             split->cost = cost;
             split->bin = bin;

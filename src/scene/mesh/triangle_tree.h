@@ -33,6 +33,8 @@ struct triangle_tree {
     uint32_t count, node_count;
 };
 
+float tree_box_half_surface(const struct tree_box *box);
+
 /* Takes the triangles, an array of the heap. */
 void triangle_tree_init(struct triangle_tree *tree, struct tree_triangle *triangles,
                         uint32_t count);

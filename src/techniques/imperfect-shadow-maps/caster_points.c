@@ -14,8 +14,7 @@ static int count_all(const struct caster_points *points) {
 static void deal(struct caster_points *points, const struct geometry *geometry) {
     surface_points_init(&points->points, &(struct surface_points_desc){.scene = points->desc.scene,
                                                                        .geometry = geometry,
-                                                                       .count = count_all(points),
-                                                                       .casters = true});
+                                                                       .count = count_all(points)});
 }
 
 static bool has_dynamic_parts(const struct geometry *geometry) {

@@ -1,10 +1,10 @@
 /* The points that imperfect shadow maps are made of, spread by area over all surfaces
- * (scene/mesh/surface_points.h). They move with their triangles. */
+ * (surface_points.h). They move with their triangles. */
 #ifndef TECHNIQUES_CASTER_POINTS_H
 #define TECHNIQUES_CASTER_POINTS_H
 
 #include "passes/frame.h"
-#include "scene/mesh/surface_points.h"
+#include "techniques/imperfect-shadow-maps/surface_points.h"
 
 struct caster_points_desc {
     const struct scene *scene;

@@ -7,16 +7,17 @@
 
 struct instant_radiosity_settings {
     int map_batch; /* maps in memory at once */
-    bool rays;     /* in place of maps */
+    bool traced;   /* rays in place of maps */
 };
 
 static const struct option table[] = {
     {"map-batch", 0, OPTION_INT, offsetof(struct instant_radiosity_settings, map_batch), 64, 1,
      1024, .help = "maps in memory at once"},
-    {"rays", 0, OPTION_FLAG, offsetof(struct instant_radiosity_settings, rays), 0,
-     .help = "through the scene's triangles, in place of maps; where all pixels gather alike of 12 "
-             "VPLs\n"
-             "two ask for all, and of 16 samples of the near field one"},
+    {"traced", 0, OPTION_FLAG, offsetof(struct instant_radiosity_settings, traced), 0,
+     .help =
+         "rays through the scene's triangles in place of maps; where all pixels gather alike of 12 "
+         "VPLs\n"
+         "two ask for all, and of 16 samples of the near field one"},
     {NULL},
 };
 
@@ -26,7 +27,7 @@ static const struct settings_part own_part = {"instant-radiosity", "a map per VP
 struct instant_radiosity {
     struct many_lights lights;
     struct caster_pool *casters;
-    const struct caster_tree *tree; /* rays; else: */
+    const struct caster_tree *tree; /* traced; else: */
     struct paraboloid_pass paraboloid;
     struct vpl_maps maps;
 };
@@ -42,7 +43,7 @@ static void free_state(void *state) {
     free(technique);
 }
 
-static bool init_rays(struct instant_radiosity *technique, const struct technique_desc *desc) {
+static bool init_traced(struct instant_radiosity *technique, const struct technique_desc *desc) {
     return caster_pool_acquire_tree(desc->casters, &technique->tree) &&
            many_lights_init(&technique->lights, desc,
                             &(struct many_lights_visibility){VISIBILITY_LOOKUP_TRACED,
@@ -65,16 +66,15 @@ static bool init(void **state, const struct technique_desc *desc) {
     const struct instant_radiosity_settings *own = settings_of(desc->settings, &own_part);
     struct instant_radiosity *technique = *state = mem_alloc(1, sizeof *technique);
     technique->casters = desc->casters;
-    return own->rays ? init_rays(technique, desc) : init_maps(technique, desc);
+    return own->traced ? init_traced(technique, desc) : init_maps(technique, desc);
 }
 
 static void render_lights(void *state, const struct frame *frame) {
     struct instant_radiosity *technique = state;
-    if (!technique->tree) {
+    if (technique->tree)
+        many_lights_render_vpls(&technique->lights, frame);
+    else
         vpl_maps_render_lights(&technique->maps, &technique->lights, frame);
-        return;
-    }
-    many_lights_render_vpls(&technique->lights, frame);
 }
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {

@@ -13,7 +13,6 @@ void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy) - first.xy;
     vpl v = vpl_at(texel.x);
     map_view pixel = map_view_at(texel.y);
-    float back;
     vec3 arriving = v.flux * geometry_term(v.position - pixel.center, pixel.axis, v);
     float visible = 1.0;
     for (int lit = arriving != vec3(0.0) ? 1 : 0; lit > 0; lit--)

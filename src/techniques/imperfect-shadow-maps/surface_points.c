@@ -1,4 +1,4 @@
-#include "scene/mesh/surface_points.h"
+#include "techniques/imperfect-shadow-maps/surface_points.h"
 
 #include "base/halton.h"
 #include "base/memory.h"
@@ -13,25 +13,9 @@
 /* No triangle has more than this part of all points. */
 static const double largest_share = .1;
 
-static vec3s corner_position(const struct geometry *geometry, uint32_t vertex) {
-    const float *p = geometry->position[vertex];
-    return (vec3s){{p[0], p[1], p[2]}};
-}
-
 static const uint32_t *triangle_indices(const struct geometry *geometry,
                                         const struct geometry_part *part, uint32_t triangle) {
     return &geometry->indices[part->first_index + 3 * triangle];
-}
-
-/* Twice the area, along the front's normal. */
-static vec3s triangle_cross(const struct geometry *geometry, const uint32_t index[3]) {
-    vec3s p0 = corner_position(geometry, index[0]);
-    return glms_vec3_cross(glms_vec3_sub(corner_position(geometry, index[1]), p0),
-                           glms_vec3_sub(corner_position(geometry, index[2]), p0));
-}
-
-static double triangle_area(const struct geometry *geometry, const uint32_t index[3]) {
-    return (double)glms_vec3_norm(triangle_cross(geometry, index)) / 2;
 }
 
 static const struct material *part_material(const struct scene *scene,
@@ -51,10 +35,6 @@ static double total(const struct running_sums *sums, int part_count) {
     return count ? sums->ends[count - 1] : 0;
 }
 
-static int sides_of(const struct surface_points_desc *desc, const struct geometry_part *part) {
-    return !desc->casters && part_material(desc->scene, part)->double_sided ? 2 : 1;
-}
-
 /* All triangles' own. */
 static double *measure_areas(const struct geometry *geometry) {
     double *areas = mem_alloc(geometry->index_count / 3, sizeof *areas);
@@ -62,22 +42,19 @@ static double *measure_areas(const struct geometry *geometry) {
     for (int p = 0; p < geometry->part_count; p++)
         for (uint32_t t = 0; t < geometry->parts[p].index_count / 3; t++)
             areas[at++] =
-                triangle_area(geometry, triangle_indices(geometry, &geometry->parts[p], t));
+                corners_area(geometry, triangle_indices(geometry, &geometry->parts[p], t));
     return areas;
 }
 
-/* No side of a triangle counts for more than the cap. */
-static void sum_up(struct running_sums *sums, const struct surface_points_desc *desc,
-                   const double *areas, double cap) {
-    const struct geometry *geometry = desc->geometry;
+/* No triangle counts for more than the cap. */
+static void sum_up(struct running_sums *sums, const struct geometry *geometry, const double *areas,
+                   double cap) {
     double sum = 0;
     uint32_t at = 0;
     for (int p = 0; p < geometry->part_count; p++) {
-        const struct geometry_part *part = &geometry->parts[p];
-        int sides = part->dynamic && !desc->casters ? 0 : sides_of(desc, part);
         sums->first[p] = at;
-        for (uint32_t t = 0; t < part->index_count / 3; t++, at++)
-            sums->ends[at] = sum += sides * fmin(areas[at], cap);
+        for (uint32_t t = 0; t < geometry->parts[p].index_count / 3; t++, at++)
+            sums->ends[at] = sum += fmin(areas[at], cap);
     }
     sums->first[geometry->part_count] = at;
 }
@@ -85,17 +62,16 @@ static void sum_up(struct running_sums *sums, const struct surface_points_desc *
 /* Each round lowers the cap to the largest share of what the one before left. They are enough for a
  * plain of two triangles 10^10 times as large as the rest, and end where there are too few triangles
  * for any to have less than that share. */
-static void init_sums(struct running_sums *sums, const struct surface_points_desc *desc) {
+static void init_sums(struct running_sums *sums, const struct geometry *geometry) {
     enum { ROUNDS = 16 };
-    const struct geometry *geometry = desc->geometry;
     double *areas = measure_areas(geometry);
     *sums = (struct running_sums){
         .ends = mem_alloc(geometry->index_count / 3, sizeof *sums->ends),
         .first = mem_alloc((size_t)geometry->part_count + 1, sizeof *sums->first),
     };
-    sum_up(sums, desc, areas, INFINITY);
+    sum_up(sums, geometry, areas, INFINITY);
     for (int round = 0; round < ROUNDS; round++)
-        sum_up(sums, desc, areas, largest_share * total(sums, geometry->part_count));
+        sum_up(sums, geometry, areas, largest_share * total(sums, geometry->part_count));
     free(areas);
 }
 
@@ -119,14 +95,6 @@ static uint32_t find(const double *ends, uint32_t count, double value) {
 
 /* --- dealing ---------------------------------------------------------------------------------- */
 
-/* Uniform in the triangle. */
-static void set_weights(struct surface_point *point, double x, double y) {
-    double root = sqrt(x);
-    point->weight[0] = (float)(1 - root);
-    point->weight[1] = (float)(root * (1 - y));
-    point->weight[2] = (float)(root * y);
-}
-
 static struct corners corners_of(const struct surface_point *point,
                                  const struct geometry *geometry) {
     struct corners corners;
@@ -137,38 +105,31 @@ static struct corners corners_of(const struct surface_point *point,
     return corners;
 }
 
-/* What the point reflects, but for holes and, unless they are casters, black surfaces. */
-static bool find_albedo(struct surface_point *point, const struct surface_points_desc *desc,
-                        const float srgb_to_linear[256]) {
+static bool is_hole(const struct surface_point *point, const struct surface_points_desc *desc,
+                    const float srgb_to_linear[256]) {
     const struct geometry *geometry = desc->geometry;
     const struct material *material = part_material(desc->scene, &geometry->parts[point->part]);
-    if (desc->casters && !material->alpha_mask)
-        return true;
+    if (!material->alpha_mask)
+        return false;
     struct corners corners = corners_of(point, geometry);
     vec4s color = corners_base_color(&corners, desc->scene, geometry, srgb_to_linear, material);
-    point->albedo = glms_vec3_clamp(glms_vec3(color), 0, 1);
-    bool hole = material->alpha_mask && color.a < material->alpha_cutoff;
-    return !hole && (desc->casters || glms_vec3_max(point->albedo) > 0);
+    return color.a < material->alpha_cutoff;
 }
 
-/* The place of a value in the sums. What is left of it within its triangle's span says which side,
- * and is one of the two numbers of the place within: triangles of many points have even ones. */
+/* The place of a value in the sums. What is left of it within its triangle's span is one of the two numbers of the
+ * place within: triangles of many points have even ones. */
 static void locate(struct surface_point *point, const struct running_sums *sums,
-                   const struct surface_points_desc *desc, double value, double y) {
-    const struct geometry *geometry = desc->geometry;
+                   const struct geometry *geometry, double value, double y) {
     uint32_t at = find(sums->ends, sums->first[geometry->part_count], value);
     double begin = at ? sums->ends[at - 1] : 0, span = sums->ends[at] - begin;
     double rest = fmin(fmax((value - begin) / span, 0), 1 - 1e-12);
     int p = 0;
     while (sums->first[p + 1] <= at)
         p++;
-    const struct geometry_part *part = &geometry->parts[p];
-    int sides = sides_of(desc, part);
-    *point = (struct surface_point){
-        .part = p, .triangle = at - sums->first[p], .back = sides * rest >= 1};
-    /* The inverse of how many there are on its side, but for the number of all. */
-    point->share = (float)(sides / span);
-    set_weights(point, fmod(sides * rest, 1), y);
+    *point = (struct surface_point){.part = p, .triangle = at - sums->first[p]};
+    /* The inverse of how many there are, but for the number of all. */
+    point->share = (float)(1 / span);
+    corners_spread(point->weight, rest, y);
 }
 
 /* Numbers of the sequence, tried side by side. */
@@ -184,24 +145,22 @@ struct trial {
 static void try_point(void *context, size_t i) {
     const struct trial *trial = context;
     uint32_t number = trial->first + (uint32_t)i;
-    uint32_t seed = (uint32_t)trial->desc->seed;
     double all = total(&trial->sums, trial->desc->geometry->part_count);
-    double x = fmod(radical_inverse(2, number) + radical_inverse(5, seed), 1);
-    double y = fmod(radical_inverse(3, number) + radical_inverse(7, seed), 1);
     struct surface_point *point = &trial->points[i];
-    locate(point, &trial->sums, trial->desc, x * all, y);
-    trial->good[i] = find_albedo(point, trial->desc, trial->srgb_to_linear);
+    locate(point, &trial->sums, trial->desc->geometry, radical_inverse(2, number) * all,
+           radical_inverse(3, number));
+    trial->good[i] = !is_hole(point, trial->desc, trial->srgb_to_linear);
 }
 
 void surface_points_init(struct surface_points *points, const struct surface_points_desc *desc) {
-    enum { TRIES = 8, ROUND = 4096 }; /* tries for each point: after them the rest stays black */
+    enum { TRIES = 8, ROUND = 4096 }; /* tries for each point: after them the rest is nothing */
     struct trial trial = {.desc = desc,
                           .points = mem_alloc(ROUND, sizeof *trial.points),
                           .good = mem_alloc(ROUND, sizeof *trial.good)};
     int count = desc->count;
     *points = (struct surface_points){count, mem_alloc((size_t)count, sizeof *points->items)};
     texture_decode_table(trial.srgb_to_linear);
-    init_sums(&trial.sums, desc);
+    init_sums(&trial.sums, desc->geometry);
     double all = total(&trial.sums, desc->geometry->part_count);
     int found = 0, tried = 0;
     while (found < count && tried < TRIES * count && all > 0) {
@@ -230,11 +189,9 @@ struct surface_place surface_points_place(const struct surface_points *points,
     if (point->share <= 0)
         return (struct surface_place){.area = 0};
     struct corners corners = corners_of(point, geometry);
-    vec3s normal = glms_vec3_normalize(corners_vector(&corners, geometry->normal));
     return (struct surface_place){
         .position = corners_vector(&corners, geometry->position),
-        .normal = point->back ? glms_vec3_negate(normal) : normal,
-        .albedo = point->albedo,
-        .area = point->share * (float)triangle_area(geometry, corners.index),
+        .normal = glms_vec3_normalize(corners_vector(&corners, geometry->normal)),
+        .area = point->share * (float)corners_area(geometry, corners.index),
     };
 }
