@@ -43,9 +43,10 @@ static void test_turns(void **state) {
     (void)state;
     check_turns("", "");
     check_turns("kata", "2 ");
-    check_turns("kataKakbtbKb", "2 3 1 ");   /* ab */
-    check_turns("k^kaKaK^kbtb", "2 4 ");     /* Ctrl A, then b: never b with Ctrl */
-    check_turns("k^kaKakaKaK^", "2 1 1 2 "); /* twice the same key */
+    check_turns("kataKakbtbKb", "2 3 1 ");     /* ab */
+    check_turns("k^kaKaK^kbtb", "1 1 4 ");     /* Ctrl A, then b: never b with Ctrl */
+    check_turns("k^kaK^Ka", "1 1 2 ");         /* nor A without */
+    check_turns("k^kaKakaKaK^", "1 1 1 1 2 "); /* twice the same key */
     check_turns("tatb", "2 ");
     check_turns("m1m2m3b0B0", "1 1 1 "); /* there, pressed, released */
     check_turns("b0m1m2B0", "1 1 1 ");   /* a drag */

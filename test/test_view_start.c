@@ -240,14 +240,14 @@ static void test_options(void **state) {
     end_viewer();
 }
 
-/* A field of the panel holds a text with these words in it. A slow viewer copies it later than it draws. */
+/* A field of the panel holds a text with these words in it. The server learns later than we that there is one. */
 static void expect_field(const char *name, const char *words) {
     char text[1000] = "";
     press(name);
     xdo("key ctrl+a key ctrl+c key Escape");
     rest_mouse();
     sync_viewer();
-    for (int i = 0; i < 200 && !strstr(text, words); i++)
+    for (int i = 0; i < PATIENCE_MS / 10 && !strstr(text, words); i++)
         desktop_read_clipboard(text, sizeof text);
     printf("    %s: %s\n", name, text);
     assert_non_null(strstr(text, words));

@@ -34,7 +34,8 @@ static bool is_late(const struct events *events, int n) {
         const struct event *before = &events->items[i];
         if (before->kind != EVENT_KEY && before->kind != event->kind)
             return true;
-        if (before->kind == EVENT_KEY && event->kind == EVENT_KEY && before->code == event->code)
+        if (before->kind == EVENT_KEY && event->kind == EVENT_KEY &&
+            (before->down || before->code == event->code))
             return true;
     }
     return false;
