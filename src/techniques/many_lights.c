@@ -133,9 +133,9 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
         (own->interleave == 1 ? own->detail == 1
                               : own->detail < own->interleave && blur_radius(desc->settings) > 0);
     gather_desc.receivers = lights->has_detail ? RECEIVERS_OTHERS : RECEIVERS_ALL;
-    /* Of rectangles several blocks speak for a pixel. */
     if (visibility->tree && !lights->has_detail)
         gather_desc.together = asked_together(gather_desc.clamp);
+    /* Of rectangles several blocks speak for a pixel. */
     bool rectangles = gather_desc.clamp >= GATHER_CLAMP_RECTANGLE;
     return gather_pass_init(&lights->gather, &gather_desc) &&
            init_detail(lights, desc, rectangles ? 0 : visibility->block);
