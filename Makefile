@@ -252,8 +252,8 @@ accuracy: all
 
 # All techniques, error against time. Those of one count of VPLs take turns: a run each. The public rooms are matt and lit
 # by their spot.
-METHODS := $(addprefix --variant ,fine clustered cluster-lights lightcuts row-column imperfect-shadow-maps \
-    instant-radiosity unshadowed)
+METHODS := $(addprefix --variant ,fine clustered traced visibility=traced:technique=clustered,clustered.visibility=traced \
+    cluster-lights lightcuts row-column imperfect-shadow-maps instant-radiosity unshadowed)
 METHODS_RUN = ./manylight bench sweep --reference path --cache $(REFERENCE_CACHE) --size 200x200 --frames 1 $(METHODS)
 METHODS_SMALL := $(SMALL_SCENES) --noise .01
 METHODS_LARGE := $(LARGE_SCENES) $(wildcard ../shared/scenes/sponza.glb) --noise .05

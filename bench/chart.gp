@@ -17,12 +17,12 @@ set style data linespoints
 drawn = 0
 
 # Series differ by mark, dash and grey as well as by colour, so that a black and white print reads.
-colors = "#1b3a6b #b5341b #2f7d4f #7a4fa3 #8a6d1a #1f8a99 #a33a77 #555555 #4f6bd1 #c77d2e"
-marks = "7 4 9 12 5 6 11 8 13 10"
-do for [i = 1:10] {
+colors = "#1b3a6b #b5341b #2f7d4f #7a4fa3 #8a6d1a #1f8a99 #a33a77 #555555 #4f6bd1 #c77d2e #0a0a0a"
+marks = "7 4 9 12 5 6 11 8 13 10 3"
+do for [i = 1:11] {
     set linetype i lc rgb word(colors, i) pt int(word(marks, i)) ps 1.1 dt 1 + (i - 1) % 5 lw 1.3
 }
-set linetype cycle 10
+set linetype cycle 11
 
 svg = "set terminal svg size 900,560 font 'DejaVu Sans,11' background 'white' noenhanced"
 png = "set terminal pngcairo size 1350,840 fontscale 1.3 font 'DejaVu Sans,11' noenhanced"
