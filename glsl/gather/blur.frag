@@ -50,8 +50,9 @@ void main() {
     write(texelFetch(taps, pixel, 0), sum.rgb / sum.a);
 }
 #else
-float of_grade(vec3 values, int grade) {
-    return grade == 0 ? values[0] : grade == 1 ? values[1] : values[2];
+float of_grade(vec4 values, int grade) {
+    vec2 pair = grade < 2 ? values.xy : values.zw;
+    return (grade & 1) == 0 ? pair.x : pair.y;
 }
 
 void main() {
@@ -67,8 +68,8 @@ void main() {
     // Two pixels count for each other between what each counts for its like, so that as much light goes as comes.
     // Pixels of lists take of none beyond their own windows.
     int grade = blur_tap_grade(center);
-    vec3 radii = grade == 0 ? params.taken_radii : min(params.radii, of_grade(params.radii, grade));
-    vec3 weights = sqrt(params.weights * of_grade(params.weights, grade));
+    vec4 radii = grade == BLUR_GRADE_PLAIN ? params.taken_radii : min(params.radii, of_grade(params.radii, grade));
+    vec4 weights = sqrt(params.weights * of_grade(params.weights, grade));
     ivec2 along = params.along, across = along.yx;
     vec4 sum = vec4(0.0);
     // No branches: a software rasteriser executes both sides, and keeps books of which pixel is where.

@@ -9,6 +9,15 @@ layout(binding = UNIT_IRRADIANCE) uniform sampler2D source;
 #if DETAIL
 layout(binding = UNIT_LIST_TEXELS) uniform usampler2D list_texels;
 layout(binding = UNIT_DETAIL_IRRADIANCE) uniform sampler2D detail_irradiance;
+
+// Where so much light arrives it comes from an area no larger than all power over the irradiance, and changes over a
+// part of its width: where that is so few pixels, the window of an edge takes too much from beside it.
+const float STEEP_WITHIN = 100.0;
+
+bool is_steep(vec3 irradiance, float depth) {
+    float pixel = view_height(camera, depth) / float(gbuffer_size().y) * STEEP_WITHIN;
+    return dot(irradiance, vec3(1.0 / 3.0)) * pixel * pixel * params.inverse_power > 1.0;
+}
 #endif
 
 #if GLOSS
@@ -22,17 +31,19 @@ void main() {
     vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, ivec3(pixel, 0), 0).rg);
     float depth = gbuffer_depth(pixel);
     vec3 irradiance = texelFetch(source, interleaved_texel(params.pattern, pixel), 0).rgb;
-    int grade = 0;
+    int grade = BLUR_GRADE_PLAIN;
 #if DETAIL
     uint code = texelFetch(list_texels, pixel, 0).r;
     if (list_texel_has(code)) {
-        grade = 1 + list_grade_of(code);
         irradiance = texelFetch(detail_irradiance, list_texel_of(code), 0).rgb;
+        grade = BLUR_GRADE_OF_LIST(list_grade_of(code));
+        if (list_grade_of(code) == PIXEL_GRADE_EDGE && is_steep(irradiance, depth))
+            grade = BLUR_GRADE_STEEP;
     }
 #endif
 #if GLOSS
     float roughness = gloss_decode(texelFetch(gbuffer_glosses, ivec3(pixel, 0), 0)).a;
-    grade = is_smooth(roughness * roughness) ? 1 : 0;
+    grade = is_smooth(roughness * roughness) ? BLUR_GRADE_OF_LIST(0) : BLUR_GRADE_PLAIN;
 #endif
     packed_tap = blur_tap_pack(blur_tap(depth > 0.0 ? view_linear_depth(camera, depth) : 0.0,
                                         blur_tap_normal_code(normal), irradiance, grade));

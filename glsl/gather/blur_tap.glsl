@@ -4,7 +4,7 @@ struct blur_tap {
     float depth;  // along the view's axis, metres; 0 where nothing is
     uint normal;  // blur_tap_normal_code
     vec3 irradiance;
-    int grade;    // 0, or 1 + PIXEL_GRADE_... of a pixel that a list has
+    int grade;    // BLUR_GRADE_...
 };
 
 // 21 bits of each float: all of its exponent, 13 of its fraction.

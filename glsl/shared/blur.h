@@ -4,6 +4,11 @@
 
 #include "shared/interleaving.h"
 
+/* Grades of taps: pixels that no list has; those of lists' grades; and edges where light is steep. */
+#define BLUR_GRADE_PLAIN 0
+#define BLUR_GRADE_OF_LIST(grade) (1 + (grade))
+#define BLUR_GRADE_STEEP (1 + PIXEL_GRADES)
+
 struct blur_params {
     STRUCT(interleaving) pattern; /* of the picture that is read */
     ivec2 along;                  /* one pixel */
@@ -11,13 +16,11 @@ struct blur_params {
     int rows;                     /* of such taps to each side across */
     float distance;               /* alpha, over the picture's height at the pixel's depth */
     float cosine;                 /* beta */
-    int unused0, unused1;
-    vec3 radii;                   /* of windows: of pixels that no list has, and of each grade */
-    float unused2;
-    vec3 taken_radii;             /* likewise, but of what a pixel that no list has takes of them */
-    float unused3;
-    vec3 weights;                 /* of their estimates: as many more lights have they */
-    float unused4;
+    float inverse_power; /* of all lights; times area and irradiance as it is stored: a share */
+    float unused;
+    vec4 radii;       /* of windows: of taps of each grade */
+    vec4 taken_radii; /* likewise, but of what a pixel that no list has takes of them */
+    vec4 weights;     /* of their estimates: as many more lights have they */
 };
 PASS_BLOCK(blur_params, 96)
 

@@ -82,15 +82,26 @@ void blur_pass_free(struct blur_pass *pass) {
 
 /* Of what a list has another pixel takes within the mean of their windows: of its own it would take light that does
  * not come back, and of theirs places of the pattern would be missing, the same ones all along a slanted edge. What is
- * smooth gloss is never blurred. */
+ * smooth gloss is never blurred. Of what is steep it takes less far, or light would come that does not go: within an
+ * edge's own window. */
 static float taken_radius(const struct blur_desc *desc, int grade) {
     float own = (float)desc->radius, theirs = desc->grade_radius[grade];
     return desc->gloss ? fminf(own, theirs) : .5F * (own + theirs);
 }
 
-static struct blur_params params_along(const struct blur_pass *pass,
+/* Of all that reflected light starts from, W. */
+static double light_power(const struct frame *frame) {
+    double sum = 0;
+    for (int i = 0; i < frame->emitters->count; i++)
+        sum += emitter_flux(&frame->emitters->items[i], frame->radius);
+    return sum;
+}
+
+static struct blur_params params_along(const struct blur_pass *pass, const struct frame *frame,
                                        const struct irradiance *source, bool y) {
     const struct blur_desc *desc = &pass->desc;
+    float own = (float)desc->radius, edge = desc->grade_radius[PIXEL_GRADE_EDGE];
+    double power = (double)frame->irradiance_scale * light_power(frame);
     return (struct blur_params){
         .pattern = irradiance_pattern(source),
         .along = {!y, y},
@@ -98,14 +109,18 @@ static struct blur_params params_along(const struct blur_pass *pass,
         .rows = desc->square ? desc->radius : 0,
         .distance = desc->distance,
         .cosine = desc->cosine,
-        .radii = {(float)desc->radius, desc->grade_radius[0], desc->grade_radius[1]},
-        .taken_radii = {(float)desc->radius, taken_radius(desc, 0), taken_radius(desc, 1)},
-        .weights = {1, desc->grade_weight[0], desc->grade_weight[1]},
+        .inverse_power = power > 0 ? (float)(1 / power) : 0,
+        .radii = {own, edge, desc->grade_radius[PIXEL_GRADE_DETAIL], .5F * edge},
+        .taken_radii = {own, taken_radius(desc, PIXEL_GRADE_EDGE),
+                        taken_radius(desc, PIXEL_GRADE_DETAIL), edge},
+        .weights = {1, desc->grade_weight[0], desc->grade_weight[1], desc->grade_weight[0]},
     };
 }
 
-static void write_params(const struct blur_pass *pass, const struct irradiance *source) {
-    struct blur_params x = params_along(pass, source, false), y = params_along(pass, source, true);
+static void write_params(const struct blur_pass *pass, const struct frame *frame,
+                         const struct irradiance *source) {
+    struct blur_params x = params_along(pass, frame, source, false),
+                       y = params_along(pass, frame, source, true);
     buffer_write(&pass->along_y.params, 0, sizeof y, &y);
     if (!pass->desc.square)
         buffer_write(&pass->along_x.params, 0, sizeof x, &x);
@@ -159,7 +174,7 @@ static void blur_along(const struct blur_pass *pass, const struct frame *frame,
 void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
                       const struct gbuffer *gbuffer, const struct blur_inputs *inputs) {
     timer_begin(frame->timers, "blur");
-    write_params(pass, inputs->source);
+    write_params(pass, frame, inputs->source);
     pack(pass, frame, gbuffer, inputs);
     if (!pass->desc.square)
         blur_along(pass, frame, &pass->along_x, &pass->taps);

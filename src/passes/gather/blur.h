@@ -16,7 +16,7 @@ struct blur_desc {
     float distance;                   /* alpha, over the picture's height at the pixel's depth */
     float cosine;                     /* beta */
     bool detail;                      /* there are pixels of lists */
-    float grade_radius[PIXEL_GRADES]; /* theirs, smaller */
+    float grade_radius[PIXEL_GRADES]; /* theirs, smaller; half an edge's where light is steep */
     float grade_weight[PIXEL_GRADES]; /* how many times as many lights as others they have */
     bool gloss; /* what is smooth, of a G-buffer with gloss, is of the first grade */
     const struct texture
