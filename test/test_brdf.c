@@ -175,6 +175,26 @@ static void test_transmission(void **state) {
     check_near("the mean", brdf.transmitted, .955, 5e-4);
 }
 
+/* What is told of all that a surface reflects of even light, against the sum over views. */
+static void test_even_light(void **state) {
+    (void)state;
+    enum { VIEWS = 32 };
+    static const float roughnesses[] = {.2F, .5F, .9F};
+    const struct material material = {
+        .specular_f0 = {.04F, .04F, .04F}, .specular_f90 = 1, .metal_roughness_texture = -1};
+    const vec3s base = {{.8F, .5F, .2F}};
+    for (int i = 0; i < 6; i++) {
+        float metalness = (float)(i / 3), roughness = roughnesses[i % 3];
+        struct brdf brdf = brdf_of(&material, base, metalness, roughness);
+        double sum = (double)brdf.albedo.x;
+        for (int v = 0; v < VIEWS; v++)
+            sum += albedo_by_samples(&brdf, sqrtf(((float)v + .5F) / VIEWS), 1 << 13) / VIEWS;
+        printf("    metalness %.0f, roughness %.1f:", (double)metalness, (double)roughness);
+        check_near("reflected of even light",
+                   (double)material_reflects(&material, base, metalness, roughness).x, sum, .006);
+    }
+}
+
 static void test_matt(void **state) {
     (void)state;
     struct material material = {.roughness = 1,
@@ -200,7 +220,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_albedo),       cmocka_unit_test(test_reciprocity),
         cmocka_unit_test(test_sampling),     cmocka_unit_test(test_energy),
-        cmocka_unit_test(test_transmission), cmocka_unit_test(test_matt),
+        cmocka_unit_test(test_transmission), cmocka_unit_test(test_even_light),
+        cmocka_unit_test(test_matt),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,8 @@
 // How the G-buffer keeps the specular part of reflection: the reflectance from straight on in rgb, the roughness in a;
 // all 0 where a surface is matt. Reflectance is stored as its square root, so that eight bits serve dark ones too.
 
+#include "shared/brdf.h"
+
 vec4 gloss_encode(vec4 gloss) {
     return vec4(sqrt(clamp(gloss.rgb, 0.0, 1.0)), gloss.a);
 }
@@ -14,9 +16,8 @@ bool is_smooth(float alpha) {
     return alpha < 0.0625; // roughness^2
 }
 
-// The share of light that the specular part reflects, all together: VPLs send it evenly. Within .005 of the BRDF's
-// for metals.
+// The share of a lamp's light, which does not graze much, that the specular part reflects, all together: VPLs send it
+// evenly.
 vec3 evenly_reflected(vec4 gloss) {
-    float r = gloss.a;
-    return gloss.rgb * (1.0 - r * r * (r * (2.176 - 1.29 * r) - 0.293));
+    return gloss.rgb * BRDF_MEAN_LOBE(gloss.a);
 }

@@ -7,7 +7,6 @@
 
 static const float least_roughness = (float)BRDF_LEAST_ROUGHNESS;
 static const float least_cosine = (float)BRDF_LEAST_COSINE;
-static const float mean_schlick = (float)BRDF_MEAN_SCHLICK;
 
 /* Of samples of a surface that has both parts, each takes so many at least. */
 static const float least_share = .1F;
@@ -30,7 +29,7 @@ struct brdf brdf_of(const struct material *material, vec3s base_color, float met
         .outer_f0 = glms_vec3_max(f0),
         .outer_f90 = material->specular_f90,
     };
-    brdf.transmitted = 1 - glm_lerp(brdf.outer_f0, brdf.outer_f90, mean_schlick);
+    brdf.transmitted = material_transmits(material);
     brdf.albedo = glms_vec3_scale(base_color, (1 - metalness) * brdf.transmitted);
     return brdf;
 }

@@ -5,6 +5,8 @@
 #include "base/settings.h"
 #include "scene/scene.h"
 
+#include <cglm/struct.h>
+
 /* Reflectance from straight on of what has an index of refraction of 1.5. */
 #define DIELECTRIC_F0 .04F
 
@@ -24,6 +26,13 @@ extern const struct settings_part material_part;
  * reflectance; or as rough as can be, with the reflectance that files have that do not speak of it, as plain
  * scenes have always meant it. */
 bool material_is_matt(const struct material *material);
+
+/* How much of light that comes evenly a surface of that base colour reflects in all, diffusely and not. */
+vec3s material_reflects(const struct material *material, vec3s base_color, float metalness,
+                        float roughness);
+
+/* The share of light that enters what is no metal, to be reflected diffusely. */
+float material_transmits(const struct material *material);
 
 /* Whether all that meshes have are, and none has a normal map or is unlit: both settings make the same
  * picture. */

@@ -249,14 +249,17 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
 static bool init_bounces(struct many_lights *lights, const struct technique_desc *desc) {
     const struct lights_settings *own = settings_of(desc->settings, &lights_part);
     lights->bounces = own->bounces;
-    return lights->bounces == 1 || bounce_pass_init(&lights->bounce, &(struct bounce_desc){
-                                                                         .scene = desc->scene,
-                                                                         .geometry = desc->geometry,
-                                                                         .casters = desc->casters,
-                                                                         .bounces = own->bounces,
-                                                                         .count = own->paths,
-                                                                         .seed = own->seed,
-                                                                     });
+    return lights->bounces == 1 ||
+           bounce_pass_init(&lights->bounce,
+                            &(struct bounce_desc){
+                                .scene = desc->scene,
+                                .geometry = desc->geometry,
+                                .materials = desc->gloss ? MATERIALS_FULL : MATERIALS_DIFFUSE,
+                                .casters = desc->casters,
+                                .bounces = own->bounces,
+                                .count = own->paths,
+                                .seed = own->seed,
+                            });
 }
 
 bool many_lights_check(const struct settings *settings) {

@@ -100,7 +100,7 @@ static void free_albedos(struct bounce_pass *pass) {
 static bool init_albedos(struct bounce_pass *pass, const struct geometry *geometry) {
     size_t count = geometry->index_count / 3;
     struct triangle_albedo *albedos = mem_alloc(count, sizeof *albedos);
-    triangle_albedos_find(albedos, pass->desc.scene, geometry);
+    triangle_albedos_find(albedos, pass->desc.scene, geometry, pass->desc.materials);
     bool ok = buffer_init(&pass->albedos, "albedos of triangles", count * sizeof *albedos, albedos);
     free(albedos);
     pass->laid_out = geometry->laid_out;

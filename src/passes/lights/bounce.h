@@ -17,11 +17,13 @@
 
 #include "passes/frame.h"
 #include "scene/gpu/caster_pool.h"
+#include "scene/material.h"
 
 struct bounce_desc {
     const struct scene *scene;
     const struct geometry *geometry;
     struct caster_pool *casters; /* of the geometry */
+    enum materials materials;
     int bounces;
     int count; /* P */
     int seed;  /* 0 = Halton's points as they are; else shifted on the torus */

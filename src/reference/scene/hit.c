@@ -77,18 +77,11 @@ static vec3s mapped_normal(const struct hit_table *table, const struct material 
 static struct brdf reflection_at(const struct hit_table *table, const struct material *material,
                                  const struct corners *corners) {
     vec3s color = glms_vec3(base_color(table, material, corners));
-    float metalness = material->metalness, roughness = material->roughness;
     if (!table->has_gloss)
         return brdf_lambertian(color);
-    if (material->metal_roughness_texture >= 0) {
-        const struct scene_texture *texture =
-            &table->scene->textures[material->metal_roughness_texture];
-        vec2s uv = corners_uv(corners, table->geometry->uv);
-        vec4s read = texture_lookup(texture, table->srgb_to_linear, uv);
-        roughness *= read.y;
-        metalness *= read.z;
-    }
-    return brdf_of(material, color, metalness, roughness);
+    vec2s factors = corners_metal_roughness(corners, table->scene, table->geometry,
+                                            table->srgb_to_linear, material);
+    return brdf_of(material, color, factors.x, factors.y);
 }
 
 static const struct material *material_of(const struct hit_table *table, uint32_t triangle) {

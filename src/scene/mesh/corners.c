@@ -65,3 +65,14 @@ vec4s corners_base_color(const struct corners *corners, const struct scene *scen
     return glms_vec4_mul(
         color, texture_lookup(texture, srgb_to_linear, corners_uv(corners, geometry->uv)));
 }
+
+vec2s corners_metal_roughness(const struct corners *corners, const struct scene *scene,
+                              const struct geometry *geometry, const float srgb_to_linear[256],
+                              const struct material *material) {
+    vec2s factors = {{material->metalness, material->roughness}};
+    if (material->metal_roughness_texture < 0)
+        return factors;
+    const struct scene_texture *texture = &scene->textures[material->metal_roughness_texture];
+    vec4s read = texture_lookup(texture, srgb_to_linear, corners_uv(corners, geometry->uv));
+    return glms_vec2_mul(factors, (vec2s){{read.z, read.y}});
+}

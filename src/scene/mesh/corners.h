@@ -31,4 +31,9 @@ vec4s corners_base_color(const struct corners *corners, const struct scene *scen
                          const struct geometry *geometry, const float srgb_to_linear[256],
                          const struct material *material);
 
+/* Metalness and roughness: factors x texture. */
+vec2s corners_metal_roughness(const struct corners *corners, const struct scene *scene,
+                              const struct geometry *geometry, const float srgb_to_linear[256],
+                              const struct material *material);
+
 #endif

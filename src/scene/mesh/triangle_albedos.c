@@ -12,16 +12,31 @@ enum { PLACES = 1 << 16, PLACES_MOST = 1024 };
 struct finder {
     const struct scene *scene;
     const struct geometry *geometry;
+    enum materials materials;
     double area; /* of all */
     float srgb_to_linear[256];
 };
 
 static uint32_t count_places(const struct finder *finder, const struct material *material,
                              const uint32_t index[3]) {
-    if (material->base_color_texture < 0)
+    bool varies = material->base_color_texture >= 0 ||
+                  (finder->materials == MATERIALS_FULL && material->metal_roughness_texture >= 0);
+    if (!varies)
         return 1;
     double share = corners_area(finder->geometry, index) / finder->area;
     return 1 + (uint32_t)fmin(share * PLACES, PLACES_MOST - 1);
+}
+
+static vec3s color_at(const struct finder *finder, const struct material *material,
+                      const struct corners *corners) {
+    const struct scene *scene = finder->scene;
+    const struct geometry *geometry = finder->geometry;
+    const float *table = finder->srgb_to_linear;
+    vec3s color = glms_vec3(corners_base_color(corners, scene, geometry, table, material));
+    if (finder->materials == MATERIALS_DIFFUSE)
+        return color;
+    vec2s factors = corners_metal_roughness(corners, scene, geometry, table, material);
+    return material_reflects(material, color, factors.x, factors.y);
 }
 
 static vec3s mean_color(const struct finder *finder, const struct material *material,
@@ -32,9 +47,7 @@ static vec3s mean_color(const struct finder *finder, const struct material *mate
     memcpy(corners.index, index, sizeof corners.index);
     for (uint32_t i = 0; i < places; i++) {
         corners_spread(corners.weight, radical_inverse(2, 1 + i), radical_inverse(3, 1 + i));
-        vec4s color = corners_base_color(&corners, finder->scene, finder->geometry,
-                                         finder->srgb_to_linear, material);
-        sum = glms_vec3_add(sum, glms_vec3_clamp(glms_vec3(color), 0, 1));
+        sum = glms_vec3_add(sum, glms_vec3_clamp(color_at(finder, material, &corners), 0, 1));
     }
     return glms_vec3_scale(sum, 1 / (float)places);
 }
@@ -50,8 +63,8 @@ static void find_in_batch(struct triangle_albedo *albedos, const struct finder *
 }
 
 void triangle_albedos_find(struct triangle_albedo *albedos, const struct scene *scene,
-                           const struct geometry *geometry) {
-    struct finder finder = {.scene = scene, .geometry = geometry};
+                           const struct geometry *geometry, enum materials materials) {
+    struct finder finder = {.scene = scene, .geometry = geometry, .materials = materials};
     texture_decode_table(finder.srgb_to_linear);
     for (uint32_t at = 0; at < geometry->index_count; at += 3)
         finder.area += corners_area(geometry, &geometry->indices[at]);

@@ -1,8 +1,8 @@
-/* What each triangle of a geometry reflects: the mean of its base colour, for paths of light that know what they meet by
- * its number alone. */
+/* What each triangle of a geometry reflects on the mean, for paths of light that know what they meet by its number alone. */
 #ifndef SCENE_MESH_TRIANGLE_ALBEDOS_H
 #define SCENE_MESH_TRIANGLE_ALBEDOS_H
 
+#include "scene/material.h"
 #include "scene/mesh/geometry.h"
 
 struct triangle_albedo {
@@ -10,8 +10,8 @@ struct triangle_albedo {
     float backs;    /* 1: backs reflect like fronts; 0: they are black */
 };
 
-/* Into one for each of the geometry's triangles. */
+/* Into one for each of the geometry's triangles: all that its material reflects, or with MATERIALS_DIFFUSE its base colour. */
 void triangle_albedos_find(struct triangle_albedo *albedos, const struct scene *scene,
-                           const struct geometry *geometry);
+                           const struct geometry *geometry, enum materials materials);
 
 #endif
