@@ -22,12 +22,12 @@ static double mean_indirect(const struct stage *stage, const char *technique,
 
 /* Albedo 1/2, one bounce is 1/2 everywhere (test_light.c), and each after it half of the one before: what paths carry
  * is right to the last one, and what patches gain or lose is given back. */
-static void check_furnace(const struct stage *stage, const char *technique, int points,
+static void check_furnace(const struct stage *stage, const char *technique, int paths,
                           const char *more, double tolerance) {
     double before = 0;
     for (int bounces = 1; bounces <= 8; bounces *= 2) {
         char settings[160], what[64];
-        snprintf(settings, sizeof settings, "clamp=none bounces=%d paths=%d %s", bounces, points,
+        snprintf(settings, sizeof settings, "clamp=none bounces=%d paths=%d %s", bounces, paths,
                  more);
         double mean = mean_indirect(stage, technique, settings), exact = 1 - pow(.5, bounces);
         snprintf(what, sizeof what, "%s, %d bounces", technique, bounces);
@@ -152,7 +152,7 @@ static void test_albedos(void **state) {
 
 /* --- frames ----------------------------------------------------------------------------------- */
 
-/* One bounce is what it was whatever points there would be; and a frame of several depends on its own
+/* One bounce is what it was whatever paths there would be; and a frame of several depends on its own
  * time alone. */
 static void test_frames(void **state) {
     (void)state;

@@ -1,12 +1,14 @@
 /* Imperfect shadow maps: the points that they are made of, what one of them hides, how holes are closed, and that
  * they become maps of triangles. */
+#include "gltf_parts.h"
 #include "render_support.h"
 
 #include "base/memory.h"
-#include "techniques/imperfect-shadow-maps/surface_points.h"
+#include "scene/open.h"
 #include "shared/map_view.h"
 #include "shared/vpl.h"
 #include "techniques/imperfect-shadow-maps/fill.h"
+#include "techniques/imperfect-shadow-maps/surface_points.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -57,6 +59,45 @@ static void test_points(void **state) {
     check_points("scenes/cornell-box.glb", true, false);
     check_points("scenes/cornell-box.glb", false, true);
     check_points("scenes/metaballs.glb", false, false);
+}
+
+/* Points of the quad stand for its area, and for none of holes. */
+static void test_quad(void **state) {
+    (void)state;
+    enum { POINTS = 64 };
+    static const struct {
+        const char *materials;
+        double area;
+    } rows[] = {
+        {"[{}]", 1},
+        {"[{\"doubleSided\": true}]", 1},
+        {"[{\"pbrMetallicRoughness\": {\"baseColorFactor\": [0, 0, 0, 1]}}]", 1},
+        {"[{\"alphaMode\": \"MASK\"}]", 1},
+        {"[{\"alphaMode\": \"MASK\", \"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 1, 1, "
+         "0.25]}}]",
+         0},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct scene scene;
+        struct geometry geometry;
+        struct surface_points points;
+        double area = 0, lower = 0;
+        const struct gltf_parts parts = {.materials = rows[i].materials};
+        check_ok("open", scene_open(&scene, &geometry, write_parts("points.glb", &parts), NULL));
+        surface_points_init(
+            &points, &(struct surface_points_desc){
+                         .scene = &scene, .geometry = &geometry, .count = POINTS, .first = 7});
+        for (int p = 0; p < POINTS; p++) {
+            struct surface_place place = surface_points_place(&points, &geometry, p);
+            area += (double)place.area;
+            lower += place.position.y < .5F ? (double)place.area : 0;
+        }
+        check_near(rows[i].materials, area, rows[i].area, 1e-4);
+        check_near("half of it below the middle", lower, area / 2, .1 * area);
+        surface_points_free(&points);
+        geometry_free(&geometry);
+        scene_free(&scene);
+    }
 }
 
 /* In a closed scene the form factors of all that a point sees sum up to 1: sum A cos cos / (pi d^2). A
@@ -392,10 +433,11 @@ static void test_frames(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_points),  cmocka_unit_test(test_form_factors),
-        cmocka_unit_test(test_plain),   cmocka_unit_test(test_solid_angle),
-        cmocka_unit_test(test_filling), cmocka_unit_test(test_converges),
-        cmocka_unit_test(test_sphere),  cmocka_unit_test(test_frames),
+        cmocka_unit_test(test_points),       cmocka_unit_test(test_quad),
+        cmocka_unit_test(test_form_factors), cmocka_unit_test(test_plain),
+        cmocka_unit_test(test_solid_angle),  cmocka_unit_test(test_filling),
+        cmocka_unit_test(test_converges),    cmocka_unit_test(test_sphere),
+        cmocka_unit_test(test_frames),
     };
     return cmocka_run_group_tests_name("imperfect", tests, open_group_context, close_group_context);
 }

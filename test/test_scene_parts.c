@@ -8,7 +8,6 @@
 #include "scene/environment.h"
 #include "scene/hash.h"
 #include "scene/material.h"
-#include "techniques/imperfect-shadow-maps/surface_points.h"
 #include "scene/node.h"
 #include "scene/open.h"
 #include "scene/stand_in.h"
@@ -153,45 +152,6 @@ static void test_layouts(void **state) {
     emitters_free(&copy);
 }
 
-/* Points of the quad stand for its area, and for none of holes. */
-static void test_surface_points(void **state) {
-    (void)state;
-    enum { POINTS = 64 };
-    static const struct {
-        const char *materials;
-        double area;
-    } rows[] = {
-        {"[{}]", 1},
-        {"[{\"doubleSided\": true}]", 1},
-        {"[{\"pbrMetallicRoughness\": {\"baseColorFactor\": [0, 0, 0, 1]}}]", 1},
-        {"[{\"alphaMode\": \"MASK\"}]", 1},
-        {"[{\"alphaMode\": \"MASK\", \"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 1, 1, "
-         "0.25]}}]",
-         0},
-    };
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct scene scene;
-        struct geometry geometry;
-        struct surface_points points;
-        double area = 0, lower = 0;
-        const struct gltf_parts parts = {.materials = rows[i].materials};
-        check_ok("open", scene_open(&scene, &geometry, write_parts("points.glb", &parts), NULL));
-        surface_points_init(
-            &points, &(struct surface_points_desc){
-                         .scene = &scene, .geometry = &geometry, .count = POINTS, .first = 7});
-        for (int p = 0; p < POINTS; p++) {
-            struct surface_place place = surface_points_place(&points, &geometry, p);
-            area += (double)place.area;
-            lower += place.position.y < .5F ? (double)place.area : 0;
-        }
-        check_near(rows[i].materials, area, rows[i].area, 1e-4);
-        check_near("half of it below the middle", lower, area / 2, .1 * area);
-        surface_points_free(&points);
-        geometry_free(&geometry);
-        scene_free(&scene);
-    }
-}
-
 /* What is matt: no metal, rough all over, and reflecting as usual or not at all. */
 static void test_matt(void **state) {
     (void)state;
@@ -222,9 +182,9 @@ static void test_matt(void **state) {
 int main(void) {
     log_set_level(LOG_QUIET);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_texture),        cmocka_unit_test(test_hash),
-        cmocka_unit_test(test_flat_nodes),     cmocka_unit_test(test_layouts),
-        cmocka_unit_test(test_surface_points), cmocka_unit_test(test_matt),
+        cmocka_unit_test(test_texture),    cmocka_unit_test(test_hash),
+        cmocka_unit_test(test_flat_nodes), cmocka_unit_test(test_layouts),
+        cmocka_unit_test(test_matt),
     };
     return cmocka_run_group_tests_name("scene parts", tests, NULL, NULL);
 }

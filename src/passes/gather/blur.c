@@ -97,11 +97,10 @@ static double light_power(const struct frame *frame) {
     return sum;
 }
 
-static struct blur_params params_along(const struct blur_pass *pass, const struct frame *frame,
-                                       const struct irradiance *source, bool y) {
+static struct blur_params params_along(const struct blur_pass *pass,
+                                       const struct irradiance *source, double power, bool y) {
     const struct blur_desc *desc = &pass->desc;
     float own = (float)desc->radius, edge = desc->grade_radius[PIXEL_GRADE_EDGE];
-    double power = (double)frame->irradiance_scale * light_power(frame);
     return (struct blur_params){
         .pattern = irradiance_pattern(source),
         .along = {!y, y},
@@ -113,14 +112,16 @@ static struct blur_params params_along(const struct blur_pass *pass, const struc
         .radii = {own, edge, desc->grade_radius[PIXEL_GRADE_DETAIL], .5F * edge},
         .taken_radii = {own, taken_radius(desc, PIXEL_GRADE_EDGE),
                         taken_radius(desc, PIXEL_GRADE_DETAIL), edge},
-        .weights = {1, desc->grade_weight[0], desc->grade_weight[1], desc->grade_weight[0]},
+        .weights = {1, desc->grade_weight[PIXEL_GRADE_EDGE], desc->grade_weight[PIXEL_GRADE_DETAIL],
+                    desc->grade_weight[PIXEL_GRADE_EDGE]},
     };
 }
 
 static void write_params(const struct blur_pass *pass, const struct frame *frame,
                          const struct irradiance *source) {
-    struct blur_params x = params_along(pass, frame, source, false),
-                       y = params_along(pass, frame, source, true);
+    double power = (double)frame->irradiance_scale * light_power(frame);
+    struct blur_params x = params_along(pass, source, power, false),
+                       y = params_along(pass, source, power, true);
     buffer_write(&pass->along_y.params, 0, sizeof y, &y);
     if (!pass->desc.square)
         buffer_write(&pass->along_x.params, 0, sizeof x, &x);

@@ -18,9 +18,9 @@ static struct corners find_corners(const struct hit_table *table,
 
 /* Counter-clockwise as seen from the front. */
 static vec3s winding_normal(const struct geometry *geometry, const uint32_t index[3]) {
-    vec3s p0 = vector_of(geometry->position[index[0]]);
-    return glms_vec3_crossn(glms_vec3_sub(vector_of(geometry->position[index[1]]), p0),
-                            glms_vec3_sub(vector_of(geometry->position[index[2]]), p0));
+    vec3s edges[2];
+    corners_edges(geometry, index, edges);
+    return glms_vec3_crossn(edges[0], edges[1]);
 }
 
 static vec4s base_color(const struct hit_table *table, const struct material *material,
@@ -42,13 +42,12 @@ static vec3s emission_at(const struct hit_table *table, const struct material *m
 /* Along u and against v, in the plane of the triangle; zero where its uv have no area. */
 static void tangents_of(const struct geometry *geometry, const uint32_t index[3], vec3s *along_u,
                         vec3s *against_v) {
-    vec3s edges[2], p0 = vector_of(geometry->position[index[0]]);
+    vec3s edges[2];
     float uv[2][2];
-    for (int i = 0; i < 2; i++) {
-        edges[i] = glms_vec3_sub(vector_of(geometry->position[index[i + 1]]), p0);
+    corners_edges(geometry, index, edges);
+    for (int i = 0; i < 2; i++)
         for (int c = 0; c < 2; c++)
             uv[i][c] = geometry->uv[index[i + 1]][c] - geometry->uv[index[0]][c];
-    }
     float side = copysignf(1, uv[0][0] * uv[1][1] - uv[1][0] * uv[0][1]);
     *along_u =
         glms_vec3_muladds(edges[0], side * uv[1][1], glms_vec3_scale(edges[1], -side * uv[0][1]));

@@ -4,6 +4,7 @@
 
 #include "base/halton.h"
 #include "base/memory.h"
+#include "scene/mesh/corners.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -58,12 +59,7 @@ static double mean_radiance(const struct hit_table *table, uint32_t triangle) {
 }
 
 static double area_of(const struct hit_table *table, uint32_t triangle) {
-    const struct geometry *geometry = table->geometry;
-    const uint32_t *index = &geometry->indices[3 * (size_t)triangle];
-    vec3s p = vector_of(geometry->position[index[0]]);
-    vec3s across = glms_vec3_cross(glms_vec3_sub(vector_of(geometry->position[index[1]]), p),
-                                   glms_vec3_sub(vector_of(geometry->position[index[2]]), p));
-    return (double)glms_vec3_norm(across) / 2;
+    return corners_area(table->geometry, &table->geometry->indices[3 * (size_t)triangle]);
 }
 
 /* --- the list --------------------------------------------------------------------------------- */
