@@ -402,25 +402,39 @@ static void test_log(void **state) {
     free(text);
 }
 
-static void show_progress(void) {
-    struct progress progress = {.shown = true};
+static void show_progress(bool rewritten) {
+    struct progress progress = {.shown = true, .rewritten = rewritten};
     progress_show(&progress, 0, "nothing is done");
     progress_show(&progress, .25, "noise");
     progress_show(&progress, .5, "too soon");
     assert_true(progress_end(&progress) > 0);
     progress.shown = false;
     progress.last = 0;
-    progress_show(&progress, .5, "no terminal");
+    progress_show(&progress, .5, "quiet");
     progress_end(&progress);
 }
 
+static void show_on_terminal(void) {
+    show_progress(true);
+}
+
+static void show_in_log(void) {
+    show_progress(false);
+}
+
+/* One line of those that are there to tell, which a terminal clears and a log keeps. */
 static void test_progress(void **state) {
     (void)state;
-    char *text = stderr_of(show_progress);
-    assert_non_null(strstr(text, "  25 %"));
-    assert_non_null(strstr(text, "left  noise"));
+    char *text = stderr_of(show_on_terminal);
+    assert_non_null(strstr(text, "\r  25 %"));
+    assert_non_null(strstr(text, "left  noise\033[K\r\033[K"));
+    assert_null(strchr(text, '\n'));
     assert_null(strstr(text, "nothing") ? strstr(text, "nothing") : strstr(text, "too soon"));
-    assert_null(strstr(text, "no terminal"));
+    assert_null(strstr(text, "quiet"));
+    free(text);
+    text = stderr_of(show_in_log);
+    assert_string_equal(strstr(text, "left"), "left, noise\n");
+    assert_ptr_equal(strstr(text, "manylight: note: 25 %, "), text);
     free(text);
 }
 

@@ -1,6 +1,5 @@
-/* A line on the terminal that tells how long work goes on: "  42 %  0:13 left  noise 1.8 %".
- *
- * Nothing is written where stderr is not a terminal or after --quiet.
+/* A line that tells how long work goes on: "  42 %  0:13 left  noise 1.8 %". On a terminal it is written over the one
+ * before; elsewhere, as in a log, it is a note each half minute. After --quiet there is none.
  */
 #ifndef BASE_PROGRESS_H
 #define BASE_PROGRESS_H
@@ -8,13 +7,13 @@
 #include <stdbool.h>
 
 struct progress {
-    bool shown;
+    bool shown, rewritten;
     double start, last; /* seconds */
 };
 
 void progress_start(struct progress *progress);
 
-/* done in [0, 1], and what else to say. Rewrites the line a few times a second. */
+/* done in [0, 1], and what else to say. */
 void progress_show(struct progress *progress, double done, const char *note);
 
 /* Clears the line. Returns the seconds since the start. */

@@ -36,6 +36,8 @@ struct tracer {
     struct image *image;      /* once developed */
     uint32_t done, end;       /* samples of a pixel: of earlier passes, and after the present one */
     double noise;             /* after the last pass */
+    uint32_t first_done;      /* both after the first */
+    double first_noise;
 };
 
 /* --- samples --- */
@@ -161,14 +163,22 @@ static void add_pass(const struct tracer *tracer, int px, int py) {
 
 /* --- passes --- */
 
-/* With these low-dimensional integrands the error falls about as samples^-0.75. */
+/* The power of samples by which the noise falls: about .75 with integrands of few dimensions, .5 where it is chance alone, as of
+ * caustics; as it has fallen so far, once that tells. */
+static double falls_by(const struct tracer *tracer) {
+    double times = (double)tracer->done / tracer->first_done;
+    if (times < 2)
+        return .75;
+    return fmin(fmax(log(tracer->first_noise / tracer->noise) / log(times), .5), .75);
+}
+
 static double samples_needed(const struct tracer *tracer) {
     const struct path_tracer_desc *desc = &tracer->desc;
     if (desc->samples > 0)
         return desc->samples;
     if (tracer->done == 0)
         return EXPECTED_SAMPLES;
-    return tracer->done * pow(tracer->noise / desc->noise, 1 / 0.75);
+    return tracer->done * pow(tracer->noise / desc->noise, 1 / falls_by(tracer));
 }
 
 /* rows_done: the share of the present pass. */
@@ -243,6 +253,10 @@ static bool render_pass(struct tracer *tracer, uint32_t end) {
     tracer->done = end;
     tracer->noise = fmax(estimate_noise(tracer), estimate_direct_noise(tracer));
     tracer->noise = fmax(tracer->noise, estimate_gloss_noise(tracer));
+    if (tracer->first_done == 0) {
+        tracer->first_done = tracer->done;
+        tracer->first_noise = tracer->noise;
+    }
     return true;
 }
 
