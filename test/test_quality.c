@@ -202,51 +202,52 @@ static void test_climb(void **state) {
     (void)state;
     static const struct {
         const char *name;
-        double asked, errors[QUALITY_CHOICES_MAX]; /* twelve frames, 4, 8 and 16 passes */
-        int told, chosen;
+        double asked, frames[5],
+            passes[3]; /* errors: of all further frames the last; of 4, 8 and 16 passes */
+        int told_frames, told_passes; /* 0 frames: all */
+        int frame, passes_chosen;     /* what is chosen: of a frame the place on the ladder */
         bool reached;
     } cases[] = {
-        {"the first", .3, {.25}, 1, 0, true},
-        {"one that cannot be made", .1, {.2, INFINITY, .09}, 3, 2, true},
-        {"passes",
-         .05,
-         {.3, .3, .3, .3, .3, .2, .2, .2, .2, .2, .2, .2, .2, .1, .04},
-         15,
-         14,
-         true},
-        {"no gain from passes",
-         .05,
-         {.3, .3, .2, .2, .11, .2, .2, .2, .2, .2, .2, .2, .105, .1},
-         14,
-         4,
-         false},
-        {"the best",
-         .01,
-         {.3, .3, .3, .3, .3, .3, .3, .3, .3, .3, .3, .3, .2, .1, .08},
-         15,
-         14,
-         false},
-        {"none can be made",
-         .1,
-         {INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY,
-          INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY},
-         15,
-         0,
-         false},
+        {"the first", .3, {.25}, {0}, 1, 0, 0, 1, true},
+        {"one that cannot be made", .1, {.2, INFINITY, .09}, {0}, 3, 0, 2, 1, true},
+        {"passes", .05, {.3, .3, .2}, {.1, .04}, 0, 2, 0, 8, true},
+        {"no gain from passes", .05, {.3, .3, .2, .11, .2}, {.105, .1}, 0, 2, 3, 1, false},
+        {"the best", .01, {.3}, {.2, .1, .08}, 0, 3, 0, 16, false},
+        {"none can be made", .1, {INFINITY}, {INFINITY, INFINITY, INFINITY}, 0, 3, 0, 1, false},
     };
     struct quality_choice choices[QUALITY_CHOICES_MAX];
-    assert_int_equal(quality_ladder(choices, 16), 15);
+    int frames = quality_ladder(choices, 1);
+    assert_int_equal(quality_ladder(choices, 16), frames + 3);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct made_up made_up = {.asked = 0};
         struct quality_found found;
-        memcpy(made_up.errors, cases[i].errors, sizeof made_up.errors);
+        for (int k = 0, last = 0; k < frames; k++) {
+            last = k < 5 && cases[i].frames[k] > 0 ? k : last;
+            made_up.errors[k] = cases[i].frames[last];
+        }
+        memcpy(&made_up.errors[frames], cases[i].passes, sizeof cases[i].passes);
         assert_true(quality_climb(cases[i].asked, 16, tell_made_up, &made_up, &found));
         printf("    %s: %d told, %d passes of '%s'\n", cases[i].name, made_up.asked,
                found.choice.passes, found.choice.settings);
-        assert_int_equal(made_up.asked, cases[i].told);
-        assert_string_equal(found.choice.settings, choices[cases[i].chosen].settings);
-        assert_int_equal(found.choice.passes, choices[cases[i].chosen].passes);
+        assert_int_equal(made_up.asked, (cases[i].told_frames ? cases[i].told_frames : frames) +
+                                            cases[i].told_passes);
+        assert_int_equal(found.choice.passes, cases[i].passes_chosen);
+        if (found.choice.passes == 1)
+            assert_string_equal(found.choice.settings, choices[cases[i].frame].settings);
         assert_int_equal(found.reached, cases[i].reached);
+    }
+}
+
+/* A rung that cannot be made would be passed over in silence. */
+static void test_rungs(void **state) {
+    (void)state;
+    struct quality_choice choices[QUALITY_CHOICES_MAX];
+    int count = quality_ladder(choices, QUALITY_MOST_PASSES);
+    check_at_most("rungs", count, QUALITY_CHOICES_MAX);
+    for (int i = 0; i < count; i++) {
+        struct settings settings;
+        const struct technique *technique = quality_technique(&choices[i], technique_default);
+        check_ok(choices[i].settings, quality_settings(&choices[i], technique, NULL, 0, &settings));
     }
 }
 
@@ -330,11 +331,11 @@ static void test_words(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_places),   cmocka_unit_test(test_some_pixels),
-        cmocka_unit_test(test_estimate), cmocka_unit_test(test_slivers),
-        cmocka_unit_test(test_climb),    cmocka_unit_test(test_ladder),
-        cmocka_unit_test(test_given),    cmocka_unit_test(test_techniques),
-        cmocka_unit_test(test_words),
+        cmocka_unit_test(test_places),     cmocka_unit_test(test_some_pixels),
+        cmocka_unit_test(test_estimate),   cmocka_unit_test(test_slivers),
+        cmocka_unit_test(test_climb),      cmocka_unit_test(test_rungs),
+        cmocka_unit_test(test_ladder),     cmocka_unit_test(test_given),
+        cmocka_unit_test(test_techniques), cmocka_unit_test(test_words),
     };
     return cmocka_run_group_tests_name("quality", tests, open_box, close_box);
 }

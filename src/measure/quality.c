@@ -11,25 +11,24 @@
 
 const char *const quality_names[] = {"draft", "normal", "high", "final", NULL};
 
-/* Of the VALs those that the light needs: eight in boxes, nearly all in halls. */
-#define VALS_NEEDED "clustered.distortion=.085"
-
-/* Each is on the front of error against CPU time in some of six scenes, and behind it in none of them by much
- * (bench/PARSIMONY.md). Cheapest first. */
+/* Each is on the front of error against CPU time in some of forty scenes, and behind it in none of them by much
+ * (bench/PARSIMONY.md): drafts by maps, then rays. What is by maps above them is for techniques that have no rays, too.
+ * Cheapest first. */
 static const struct quality_choice frames[] = {
     QUALITY_FRAME("path=draft clustered.vals=4"),
     QUALITY_FRAME("path=draft"),
     QUALITY_FRAME("gather.detail=0 clustered.vals=8"),
-    QUALITY_FRAME("clustered.vals=8"),
-    QUALITY_FRAME(VALS_NEEDED),
+    QUALITY_FRAME("path=traced lights.vpls=128 gather.interleave=4"),
+    QUALITY_FRAME("path=traced lights.vpls=256 gather.interleave=4"),
     QUALITY_FRAME(""),
-    QUALITY_FRAME("picture.samples=16"),
+    QUALITY_FRAME("path=traced lights.vpls=512 picture.samples=16"),
     QUALITY_FRAME("gather.interleave=4 gather.detail=2"),
     {"picture.samples=16", 1, "cluster-lights"},
-    QUALITY_FRAME("path=fine"),
+    QUALITY_FRAME("path=traced lights.vpls=256 gather.interleave=2 gather.detail=1"),
     QUALITY_FRAME("gather.interleave=2 gather.detail=1 clustered.vals=60 picture.samples=16"),
-    QUALITY_FRAME("gather.interleave=2 gather.detail=1 clustered.vals=120 map.size=512"
-                  " picture.samples=16"),
+    QUALITY_FRAME(
+        "path=traced lights.vpls=512 gather.interleave=2 gather.detail=1 picture.samples=16"),
+    QUALITY_FRAME("path=traced gather.interleave=2 gather.detail=1 picture.samples=16"),
 };
 
 /* Fewer passes than that are worse than one of as much time. */
