@@ -5,6 +5,7 @@
 #include "passes/gather/blur.h"
 #include "passes/gather/detail.h"
 #include "passes/gather/plain.h"
+#include "passes/picture/planes.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -230,6 +231,7 @@ static void test_plain(void **state) {
     for (int steps = 0; steps < 2; steps++) {
         struct detail_bench bench;
         struct plain_pass plain;
+        struct planes_pass planes;
         struct gbuffer gbuffer;
         struct irradiance source, detail;
         open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", 1);
@@ -238,12 +240,15 @@ static void test_plain(void **state) {
             step_stripes(&gbuffer);
         struct frame frame = renderer_frame(&bench.renderer);
         list_pixels(&bench, &gbuffer);
+        check_ok("planes", planes_pass_init(&planes, SIZE, SIZE));
+        planes_pass_render(&planes, &frame, &gbuffer);
+        frame.planes = &planes.planes;
         check_ok("plain", plain_pass_init(&plain, &(struct plain_desc){.width = SIZE,
                                                                        .height = SIZE,
                                                                        .radius = BLUR,
                                                                        .distance = .1f,
                                                                        .cosine = .98f}));
-        plain_pass_render(&plain, &frame, &gbuffer);
+        plain_pass_render(&plain, &frame);
         static float noise[2 * SIZE * SIZE][4], all[SIZE * SIZE], others[SIZE * SIZE];
         static GLuint texels[SIZE * SIZE];
         for (int i = 0; i < 2 * SIZE * SIZE; i++)
@@ -274,6 +279,7 @@ static void test_plain(void **state) {
         irradiance_free(&source);
         irradiance_free(&detail);
         plain_pass_free(&plain);
+        planes_pass_free(&planes);
         gbuffer_free(&gbuffer);
         close_bench(&bench);
     }

@@ -2,6 +2,7 @@
 // or with ERODE, whether all around it do.
 #include "lib/camera.glsl"
 #include "shared/plain.h"
+#include "shared/planes.h"
 
 layout(location = TARGET_RESULT) out float plain;
 
@@ -12,30 +13,41 @@ bool is_plain(ivec2 from, ivec2 at) {
     return texelFetch(plain_blocks, at, 0).r > 0.5;
 }
 #else
-layout(binding = UNIT_PLAIN_PLANES) uniform sampler2D planes;
-layout(binding = UNIT_PLAIN_NORMALS) uniform sampler2D normal_codes;
+#include "lib/block_plane.glsl"
 
-bool is_same_plane(ivec2 from, ivec2 at) {
-    vec4 here = texelFetch(planes, from, 0), there = texelFetch(planes, at, 0);
-    vec2 pixels = vec2(at - from) * float(PLAIN_BLOCK), bent = abs(there.yz - here.yz);
-    vec2 turn = abs(texelFetch(normal_codes, at, 0).rg - texelFetch(normal_codes, from, 0).rg);
-    float off = abs(here.x + dot(here.yz, pixels) - there.x) + float(PLAIN_BLOCK / 2) * (bent.x + bent.y);
-    return here.x > 0.0 && there.x > 0.0 && off < here.w && turn.x + turn.y < params.code_apart;
+// Of what lists take for the same surface an eighth for each step, from a pixel to its block, to the next block, to a
+// pixel of that: the rest is left to normals, which may differ a little.
+const float STEP = 0.125;
+
+// How far off a plane a depth may lie, over the width of a pixel there.
+float off_limit() {
+    float height_in_pixels = length(camera.up) / length(camera.right) * float(params.width);
+    return min(STEP * PLANE_APART * height_in_pixels, BLOCK_OFF_MOST);
+}
+
+bool is_plane(block_plane p) {
+    return p.depth > 0.0 && p.off < off_limit() && p.turned < params.code_apart;
+}
+
+bool is_same_plane(block_plane here, block_plane there, ivec2 blocks) {
+    vec2 turn = abs(there.normal_code - here.normal_code);
+    return is_plane(here) && is_plane(there) && planes_apart(here, there, blocks) < off_limit() * here.across &&
+           turn.x + turn.y < params.code_apart;
 }
 
 // No pixel that blur or lists ask for, as far along x or y, or half as far along both, is farther away than by its place
 // in the picture and by its depth along the longest ray.
-bool is_near(ivec2 from) {
-    vec4 here = texelFetch(planes, from, 0);
+bool is_near(block_plane here) {
     vec2 extent = vec2(length(camera.right), length(camera.up));
-    float pixels = float(params.reach * PLAIN_BLOCK), aside = pixels * 2.0 * extent.x / float(params.width);
-    float change = pixels * max(abs(here.y), abs(here.z)) + 2.0 * here.w;
-    float along = camera.orthographic ? change * camera.far : change / max(here.x - change, 1e-30);
+    float pixels = float(params.reach * PLANE_BLOCK), aside = pixels * 2.0 * extent.x / float(params.width);
+    float change = pixels * max(abs(here.slope.x), abs(here.slope.y)) + 2.0 * off_limit() * here.across;
+    float along = camera.orthographic ? change * camera.far : change / max(here.depth - change, 1e-30);
     return along * (1.0 + extent.x + extent.y) + aside < params.distance * 2.0 * extent.y;
 }
 
 bool is_plain(ivec2 from, ivec2 at) {
-    return is_same_plane(from, at) && is_near(from);
+    block_plane here = block_plane_fetch(from);
+    return is_same_plane(here, block_plane_fetch(at), at - from) && is_near(here);
 }
 #endif
 
@@ -44,7 +56,7 @@ void main() {
 #if ERODE
     ivec2 last = textureSize(plain_blocks, 0) - 1;
 #else
-    ivec2 last = textureSize(planes, 0) - 1;
+    ivec2 last = textureSize(block_planes, 0) - 1;
 #endif
     plain = 1.0;
     for (int y = -params.reach; y <= params.reach; y++)

@@ -7,5 +7,5 @@ centroid in vec3 surface_normal;
 layout(location = TARGET_GBUFFER_NORMAL) out vec2 normal_code;
 
 void main() {
-    normal_code = octahedral_encode(normalize(gl_FrontFacing ? surface_normal : -surface_normal));
+    normal_code = octahedral_encode(gl_FrontFacing ? surface_normal : -surface_normal);
 }

@@ -4,7 +4,6 @@
 
 #include "shared/types.h"
 
-#define PLAIN_BLOCK 4 /* pixels a side */
 /* A pixel this far off another's plane, over the picture's height there, is another surface. */
 #define PLANE_APART 0.008f
 

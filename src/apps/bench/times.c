@@ -20,7 +20,7 @@ static const struct step {
     double ms, percent;
 } steps[] = {
     {"deferred rendering",
-     "/gbuffer/shadow map/light maps/depth "
+     "/gbuffer/planes/shadow map/light maps/depth "
      "bounds/sums/range/basis/mips/direct/antialias/composite/",
      .4, .8},
     {"VPL generation", "/rsm/vpls/", .1, .2},

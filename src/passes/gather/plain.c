@@ -4,6 +4,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/plain.h"
+#include "shared/planes.h"
 
 #include <cglm/util.h>
 
@@ -16,36 +17,17 @@ static bool init_program(GLuint *program, const char *fragment, const char *defi
 }
 
 static bool init_programs(struct plain_pass *pass) {
-    return init_program(&pass->block_program, "gather/plain_block.frag", NULL) &&
-           init_program(&pass->around_program, "gather/plain_around.frag", "ERODE 0") &&
+    return init_program(&pass->around_program, "gather/plain_around.frag", "ERODE 0") &&
            init_program(&pass->erode_program, "gather/plain_around.frag", "ERODE 1") &&
            init_program(&pass->program, "gather/plain.frag", NULL);
 }
 
-static int blocks_of(int pixels) {
-    return (pixels + PLAIN_BLOCK - 1) / PLAIN_BLOCK;
-}
-
-static bool init_texture(const struct plain_pass *pass, struct texture *texture, const char *label,
-                         GLenum format) {
-    return texture_init(texture, &(struct texture_desc){.label = label,
-                                                        .format = format,
-                                                        .width = blocks_of(pass->desc.width),
-                                                        .height = blocks_of(pass->desc.height)});
-}
-
 static bool init_blocks(struct plain_pass *pass) {
-    bool ok =
-        init_texture(pass, &pass->planes, "planes of blocks", GL_RGBA32F) &&
-        init_texture(pass, &pass->normals, "normals of blocks", GL_RG16) &&
-        framebuffer_init(
-            &pass->plane_framebuffer,
-            &(struct framebuffer_desc){
-                .label = "planes of blocks",
-                .colors = {
-                    [TARGET_PLAIN_PLANE] = &pass->planes, [TARGET_PLAIN_NORMAL] = &pass->normals}});
+    const struct plain_desc *desc = &pass->desc;
+    bool ok = true;
     for (int i = 0; ok && i < 2; i++)
-        ok = init_texture(pass, &pass->blocks[i], "plain blocks", GL_R8) &&
+        ok = block_texture_init(&pass->blocks[i], "plain blocks", GL_R8, desc->width,
+                                desc->height) &&
              framebuffer_init(
                  &pass->block_framebuffers[i],
                  &(struct framebuffer_desc){.label = "plain blocks", .colors = {&pass->blocks[i]}});
@@ -75,7 +57,7 @@ static bool init_params(struct plain_pass *pass) {
         .distance = desc->distance,
         .code_apart = turn / angle_per_code,
         .width = desc->width,
-        .reach = blocks_of(desc->radius),
+        .reach = (desc->radius + PLANE_BLOCK - 1) / PLANE_BLOCK,
     };
     return buffer_init(&pass->params, "plain parameters", sizeof params, &params);
 }
@@ -89,14 +71,10 @@ bool plain_pass_init(struct plain_pass *pass, const struct plain_desc *desc) {
 }
 
 void plain_pass_free(struct plain_pass *pass) {
-    program_free(&pass->block_program);
     program_free(&pass->around_program);
     program_free(&pass->erode_program);
     program_free(&pass->program);
-    framebuffer_free(&pass->plane_framebuffer);
     framebuffer_free(&pass->framebuffer);
-    texture_free(&pass->planes);
-    texture_free(&pass->normals);
     texture_free(&pass->pixels);
     for (int i = 0; i < 2; i++) {
         framebuffer_free(&pass->block_framebuffers[i]);
@@ -113,27 +91,16 @@ static struct pass_state over_blocks(const struct plain_pass *pass, const struct
         .name = "plain",
         .program = program,
         .framebuffer = framebuffer,
-        .width = pass->planes.desc.width,
-        .height = pass->planes.desc.height,
+        .width = pass->blocks[0].desc.width,
+        .height = pass->blocks[0].desc.height,
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
-}
-
-static void draw_planes(const struct plain_pass *pass, const struct frame *frame,
-                        const struct gbuffer *gbuffer) {
-    struct pass_state state =
-        over_blocks(pass, frame, pass->block_program, pass->plane_framebuffer);
-    pass_add_texture(&state, UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
-    pass_add_texture(&state, UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
-    pass_set_state(&state);
-    pass_draw_fullscreen(1);
 }
 
 static void compare_blocks(const struct plain_pass *pass, const struct frame *frame) {
     struct pass_state around =
         over_blocks(pass, frame, pass->around_program, pass->block_framebuffers[0]);
-    pass_add_texture(&around, UNIT_PLAIN_PLANES, pass->planes.id);
-    pass_add_texture(&around, UNIT_PLAIN_NORMALS, pass->normals.id);
+    block_planes_add(&around, frame->planes);
     pass_set_state(&around);
     pass_draw_fullscreen(1);
     struct pass_state erode =
@@ -158,10 +125,8 @@ static void mark_pixels(const struct plain_pass *pass, const struct frame *frame
     pass_draw_fullscreen(1);
 }
 
-void plain_pass_render(const struct plain_pass *pass, const struct frame *frame,
-                       const struct gbuffer *gbuffer) {
+void plain_pass_render(const struct plain_pass *pass, const struct frame *frame) {
     timer_begin(frame->timers, "plain");
-    draw_planes(pass, frame, gbuffer);
     compare_blocks(pass, frame);
     mark_pixels(pass, frame);
     timer_end(frame->timers);

@@ -1,8 +1,8 @@
 /* Finds plain pixels: one plane is all that blur and lists see around them, out to where the blur reaches, and around
  * each pixel there.
  *
- * Of four by four pixels the plane is found once, and blocks are compared: a pixel costs two fetches. What lies on no
- * plane or bends by more than a degree is not plain, whatever the blur takes for alike.
+ * Blocks of pixels are compared (passes/picture/planes.h). What lies on no plane or bends by more than a degree is not
+ * plain, whatever the blur takes for alike.
  */
 #ifndef PASSES_PLAIN_H
 #define PASSES_PLAIN_H
@@ -17,12 +17,11 @@ struct plain_desc {
 
 struct plain_pass {
     struct plain_desc desc;
-    GLuint block_program, around_program, erode_program, program;
-    struct texture planes, normals; /* of blocks */
+    GLuint around_program, erode_program, program;
     struct texture
         blocks[2]; /* 1 where it and those around it lie on one plane; where all of these are so */
     struct texture pixels; /* depth: 0 where plain, else 1 */
-    GLuint plane_framebuffer, block_framebuffers[2], framebuffer;
+    GLuint block_framebuffers[2], framebuffer;
     struct buffer params;
 };
 
@@ -30,7 +29,6 @@ bool plain_pass_init(struct plain_pass *pass, const struct plain_desc *desc);
 void plain_pass_free(struct plain_pass *pass);
 
 /* Fills pass->pixels. Timer "plain". */
-void plain_pass_render(const struct plain_pass *pass, const struct frame *frame,
-                       const struct gbuffer *gbuffer);
+void plain_pass_render(const struct plain_pass *pass, const struct frame *frame);
 
 #endif
