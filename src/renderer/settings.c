@@ -16,7 +16,7 @@ static const char *const tone_map_names[] = {"clamp", "filmic", NULL};
 static const struct option table[] = {
     {"exposure", 0, OPTION_FLOAT, offsetof(struct picture_settings, exposure), 0, -EXPOSURE_MOST,
      EXPOSURE_MOST, .help = "EV"},
-    {"samples", 0, OPTION_INT, offsetof(struct picture_settings, samples), 8, 1, 16,
+    {"samples", 0, OPTION_INT, offsetof(struct picture_settings, samples), 12, 1, 16,
      .help = "places of a pixel at which edges are told: antialiasing; 1 = its centre alone,\n"
              "more count in fours"},
     {"tone-map", 0, OPTION_CHOICE, offsetof(struct picture_settings, tone_map), TONE_MAP_CLAMP,

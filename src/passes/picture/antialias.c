@@ -80,13 +80,20 @@ static bool init_picks(struct antialias_pass *pass) {
     return true;
 }
 
-/* Where layer i of n moves its samples, over the spacing of a layer's: across x and y in different
- * orders, so that no two samples share a row or a column. */
+/* As near to a pixel's border as rasterisers place what they draw: of what a sliver of a pixel shows a layer of light
+ * is the mean, however narrow it is. */
+static const float outermost = .5F - 1 / 256.F;
+
+/* Where layer i of n moves its samples, pixels: the outermost ones to the border, the others evenly between, across x and
+ * y in different orders. */
 static void layer_shift(int i, int n, float shift[2]) {
     static const int orders[][SAMPLES_MAX / SAMPLES_PER_LAYER] = {
         {0}, {0, 1}, {1, 2, 0}, {2, 0, 3, 1}};
-    shift[0] = ((float)orders[n - 1][i] + .5F) / (float)n - .5F;
-    shift[1] = ((float)i + .5F) / (float)n - .5F;
+    const int at[2] = {orders[n - 1][i], i};
+    /* A layer's own lie in the middles of fourths of rows and columns. */
+    float most = outermost - (.5F - .5F / SAMPLES_PER_LAYER);
+    for (int axis = 0; axis < 2; axis++)
+        shift[axis] = n > 1 ? most * (2 * (float)at[axis] / (float)(n - 1) - 1) : 0;
 }
 
 /* The driver tells where it puts samples for the framebuffer that is bound. */
@@ -98,7 +105,6 @@ static bool init_params(struct antialias_pass *pass) {
         layer_shift(layer, pass->layers, shift);
         for (int axis = 0; axis < 2; axis++) {
             int pixels = axis == 0 ? pass->desc.width : pass->desc.height;
-            shift[axis] /= SAMPLES_PER_LAYER;
             params.shifts[layer][axis] = -2 * shift[axis] / (float)pixels;
         }
         for (int i = 0; i < SAMPLES_PER_LAYER; i++) {
