@@ -10,6 +10,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 static const struct subcommand {
     const char *name, *help;
@@ -42,6 +43,10 @@ static void guard_streams(void) {
         if (fcntl(stream, F_GETFD) < 0)
             open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);
     signal(SIGXFSZ, SIG_IGN);
+    /* Of a write that fails when the stream is closed it is known why, of one in between no more. */
+    static char page[1 << 16];
+    if (!isatty(STDOUT_FILENO))
+        setvbuf(stdout, page, _IOFBF, sizeof page);
 }
 
 /* Results that stdout did not take were not told. */
