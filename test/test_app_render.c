@@ -307,6 +307,21 @@ static void test_stats(void **state) {
 }
 
 /* --glsl reads the very shaders that are embedded. */
+/* On a terminal, which script makes. */
+static void test_passes_progress(void **state) {
+    (void)state;
+    char command[1024];
+    snprintf(
+        command, sizeof command,
+        "script -qec '%s render scenes/moving-spot.glb --size 64x48 --frames 2,5 --passes 8 -o "
+        "%s' /dev/null",
+        binary_path(), scratch("passes-#.exr"));
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+    expect_text(" left  frame 2, pass ");
+    expect_text("of 8\033[K");
+    expect_text("2 frames in ");
+}
+
 static void test_shader_folder(void **state) {
     (void)state;
     const char *embedded = scratch("embedded.exr"), *folder = scratch("folder.exr");
@@ -455,21 +470,14 @@ static void test_vpl_layer(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_usage_errors),
-        cmocka_unit_test(test_ranges),
-        cmocka_unit_test(test_preset_first),
-        cmocka_unit_test(test_failures),
-        cmocka_unit_test(test_own_texture),
-        cmocka_unit_test(test_nothing_half_written),
-        cmocka_unit_test(test_files),
-        cmocka_unit_test(test_exposure),
-        cmocka_unit_test(test_stats),
-        cmocka_unit_test(test_shader_folder),
-        cmocka_unit_test(test_aov),
-        cmocka_unit_test(test_gathered),
-        cmocka_unit_test(test_visibility_share),
-        cmocka_unit_test(test_light_layer),
-        cmocka_unit_test(test_vpl_layer),
+        cmocka_unit_test(test_usage_errors),  cmocka_unit_test(test_ranges),
+        cmocka_unit_test(test_preset_first),  cmocka_unit_test(test_failures),
+        cmocka_unit_test(test_own_texture),   cmocka_unit_test(test_nothing_half_written),
+        cmocka_unit_test(test_files),         cmocka_unit_test(test_exposure),
+        cmocka_unit_test(test_stats),         cmocka_unit_test(test_passes_progress),
+        cmocka_unit_test(test_shader_folder), cmocka_unit_test(test_aov),
+        cmocka_unit_test(test_gathered),      cmocka_unit_test(test_visibility_share),
+        cmocka_unit_test(test_light_layer),   cmocka_unit_test(test_vpl_layer),
     };
     return cmocka_run_group_tests_name("render", tests, open_group_context, close_group_context);
 }

@@ -14,6 +14,7 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/progress.h"
+#include "gl/api.h"
 #include "gl/glsl.h"
 #include "inspect/aov.h"
 #include "measure/quality.h"
@@ -209,48 +210,73 @@ static bool is_there(const struct values *values, struct renderer *renderer, con
     return false;
 }
 
+/* What is done of the frames, and what tells of it. */
+struct work {
+    struct progress progress;
+    int count, done, skipped; /* frames */
+};
+
+/* Also of the frame at hand a share. */
+static void show_work(struct work *work, double share, const char *note) {
+    progress_show(&work->progress, (work->done + share) / (work->count - work->skipped), note);
+}
+
+/* Waits for each pass: a GPU would take hundreds at once, and they are not done then. */
+static void add_passes(const struct values *values, struct renderer *renderer, struct work *work,
+                       int frame) {
+    for (int i = 0; i < values->passes; i++) {
+        char note[64] = "";
+        renderer_add_pass(renderer, values->first_pass + i);
+        gl.Finish();
+        if (work->count > 1)
+            snprintf(note, sizeof note, "frame %d, ", frame);
+        size_t used = strlen(note);
+        snprintf(note + used, sizeof note - used, "pass %d of %d", i + 1, values->passes);
+        show_work(work, (i + 1.) / values->passes, note);
+    }
+}
+
 static bool render_frame(struct values *values, struct renderer *renderer, struct stage *stage,
-                         int frame) {
+                         struct work *work, int frame) {
     double time = (double)values->stage.time + frame / (double)values->fps;
     if (!stage_pose(stage, time) || !stage_show(stage, renderer))
         return false;
     if (values->budget > 0)
         return in_time_render(&values->in_time, renderer, stage, time) &&
                each_output(values, renderer, frame, write_output);
-    for (int i = 0; has_mean(values) && i < values->passes; i++)
-        renderer_add_pass(renderer, values->first_pass + i);
-    if (!has_mean(values))
+    if (has_mean(values))
+        add_passes(values, renderer, work, frame);
+    else
         renderer_render(renderer);
     return each_output(values, renderer, frame, write_output);
 }
 
 static bool render_frames(struct values *values, const struct frames *frames,
                           struct renderer *renderer, struct stage *stage) {
-    struct progress progress;
-    int done = 0, skipped = 0;
+    struct work work = {.count = frames->count};
     bool ok = true;
-    progress_start(&progress);
+    progress_start(&work.progress);
     for (int i = 0; ok && i < frames->count; i++) {
         int frame = frames->numbers[i];
         if (interrupt_came()) {
             ok = error_set("stopped before frame %d: %d rendered, %d were there, %d are left "
                            "(--skip-existing)",
-                           frame, done, skipped, frames->count - i);
+                           frame, work.done, work.skipped, frames->count - i);
             break;
         }
         if (values->skip_existing && each_output(values, renderer, frame, is_there)) {
-            skipped++;
+            work.skipped++;
             continue;
         }
-        ok = render_frame(values, renderer, stage, frame) || error_prefix("frame %d", frame);
-        done++;
+        ok = render_frame(values, renderer, stage, &work, frame) || error_prefix("frame %d", frame);
+        work.done++;
         char note[32];
         snprintf(note, sizeof note, "frame %d", frame);
-        progress_show(&progress, (double)done / (frames->count - skipped), note);
+        show_work(&work, 0, note);
     }
-    double seconds = progress_end(&progress);
+    double seconds = progress_end(&work.progress);
     if (ok && frames->count > 1)
-        log_note("%d frames in %.1f s, %d were there", done, seconds, skipped);
+        log_note("%d frames in %.1f s, %d were there", work.done, seconds, work.skipped);
     return ok;
 }
 
