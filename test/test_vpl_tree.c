@@ -263,6 +263,58 @@ static void test_same_bounds(void **state) {
     }
 }
 
+/* As glsl/gather/patch.glsl has it: cos cos / d^2 where both are 1. */
+static double patch_of(double distance2, double area) {
+    const double c = (GLM_PI - 6) / (GLM_PI - 2), t = distance2 / (6.5 * area);
+    double rest = 1 + t * t;
+    return (1 - (1 - (3 - c) * t - c * t * t) / (rest * rest)) / distance2;
+}
+
+/* A place of the box, of three numbers of which one is taken twice. */
+static vec3s place_in(const struct light_extent *extent, vec2s number) {
+    vec3s share = {{number.x, number.y, number.x}};
+    return glms_vec3_add(extent->low,
+                         glms_vec3_mul(share, glms_vec3_sub(extent->high, extent->low)));
+}
+
+/* No patch of the node's area or a larger one sends more from any place of its box to any of the receiver's, and from
+ * a single place near by one of that area sends as much. */
+static void test_patch_bounds(void **state) {
+    (void)state;
+    static struct question questions[QUESTIONS];
+    static float answers[QUESTIONS];
+    double most = 0, apart = 0;
+    for (uint32_t i = 0; i < QUESTIONS; i++) {
+        struct light_extent receiver = any_extent(i, 0), node = any_extent(i, 5);
+        receiver.cosine = node.cosine = -1; /* all directions */
+        if (i % 2) {
+            receiver.high = receiver.low;
+            node.high = node.low;
+        }
+        put_extent(&receiver, questions[i].receiver);
+        put_extent(&node, questions[i].node);
+        questions[i].area_and_clamp[0] = powf(10, -3 + 3 * (float)i / QUESTIONS);
+    }
+    ask(GATHER_CLAMP_PATCH, questions, answers);
+    for (uint32_t i = 0; i < QUESTIONS; i++) {
+        struct sampler sampler = {.seed = 6, .index = i};
+        struct light_extent receiver = any_extent(i, 0), node = any_extent(i, 5);
+        vec2s larger = sampler_next(&sampler);
+        double area = (double)questions[i].area_and_clamp[0], bound = (double)answers[i];
+        if (i % 2) {
+            receiver.high = receiver.low;
+            node.high = node.low;
+        }
+        double distance2 = (double)glms_vec3_distance2(place_in(&receiver, sampler_next(&sampler)),
+                                                       place_in(&node, sampler_next(&sampler)));
+        most = fmax(most, patch_of(distance2, area * (1 + 9 * (double)larger.x)) / bound);
+        if (i % 2 && distance2 < 3.9 * area)
+            apart = fmax(apart, fabs(patch_of(distance2, area) / bound - 1));
+    }
+    check_at_most("of the bound at most", most, 1 + 1e-3);
+    check_near("off it where it is reached", apart, 0, 1e-3);
+}
+
 /* --- cuts ------------------------------------------------------------------------------------- */
 
 static float term_of(const struct geometry_term *term, vec3s x, vec3s normal,
@@ -432,9 +484,10 @@ static void test_all_leaves(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tree),  cmocka_unit_test(test_order),
-        cmocka_unit_test(test_picks), cmocka_unit_test(test_same_bounds),
-        cmocka_unit_test(test_cuts),  cmocka_unit_test(test_all_leaves),
+        cmocka_unit_test(test_tree),         cmocka_unit_test(test_order),
+        cmocka_unit_test(test_picks),        cmocka_unit_test(test_same_bounds),
+        cmocka_unit_test(test_patch_bounds), cmocka_unit_test(test_cuts),
+        cmocka_unit_test(test_all_leaves),
     };
     return cmocka_run_group_tests_name("vpl_tree", tests, open_group_context, close_group_context);
 }

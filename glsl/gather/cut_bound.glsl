@@ -1,5 +1,6 @@
 // The most that cos_i cos_x / d^2 can be, bounded as the gather's CLAMP says, between the points of a box with a cone
 // of normals and VPLs in another [Walter et al. 2005, §4; 2006]. Of two points and normals it is the term itself.
+#include "gather/patch.glsl"
 #include "lib/tangent.glsl"
 #include "lib/vpl_tree.glsl"
 
@@ -43,8 +44,7 @@ float greatest_share(float distance2, float area, float near2) {
 #elif CLAMP == 2 || CLAMP == 4
     return 1.0 / max(distance2 + area * CUT_INVERSE_PI, 1e-30);
 #elif CLAMP == 5
-    float radius2 = area * CUT_INVERSE_PI;
-    return distance2 < radius2 ? 0.5 / radius2 : 1.0 / max(distance2 + radius2 * radius2 / distance2, 1e-30);
+    return patch_most(distance2, area);
 #else
     // What the near field leaves is (2 - q) / near2 with q = d^2 / near2.
     return distance2 < near2 ? (2.0 - distance2 / near2) / near2 : 1.0 / max(distance2, 1e-30);
