@@ -322,6 +322,18 @@ static void test_passes_progress(void **state) {
     expect_text("2 frames in ");
 }
 
+/* Higher or wider than half of what textures may be, which lists of pixels take twice. */
+static void test_strips(void **state) {
+    (void)state;
+    static const char *const sizes[] = {"8x9000", "9000x8", "7x8193"};
+    for (int i = 0; i < 3; i++) {
+        char arguments[256];
+        snprintf(arguments, sizeof arguments, "scenes/moving-spot.glb --size %s -o %s", sizes[i],
+                 scratch("strip.png"));
+        expect(0, arguments);
+    }
+}
+
 static void test_shader_folder(void **state) {
     (void)state;
     const char *embedded = scratch("embedded.exr"), *folder = scratch("folder.exr");
@@ -470,14 +482,23 @@ static void test_vpl_layer(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_usage_errors),  cmocka_unit_test(test_ranges),
-        cmocka_unit_test(test_preset_first),  cmocka_unit_test(test_failures),
-        cmocka_unit_test(test_own_texture),   cmocka_unit_test(test_nothing_half_written),
-        cmocka_unit_test(test_files),         cmocka_unit_test(test_exposure),
-        cmocka_unit_test(test_stats),         cmocka_unit_test(test_passes_progress),
-        cmocka_unit_test(test_shader_folder), cmocka_unit_test(test_aov),
-        cmocka_unit_test(test_gathered),      cmocka_unit_test(test_visibility_share),
-        cmocka_unit_test(test_light_layer),   cmocka_unit_test(test_vpl_layer),
+        cmocka_unit_test(test_usage_errors),
+        cmocka_unit_test(test_ranges),
+        cmocka_unit_test(test_preset_first),
+        cmocka_unit_test(test_failures),
+        cmocka_unit_test(test_own_texture),
+        cmocka_unit_test(test_nothing_half_written),
+        cmocka_unit_test(test_files),
+        cmocka_unit_test(test_exposure),
+        cmocka_unit_test(test_stats),
+        cmocka_unit_test(test_passes_progress),
+        cmocka_unit_test(test_strips),
+        cmocka_unit_test(test_shader_folder),
+        cmocka_unit_test(test_aov),
+        cmocka_unit_test(test_gathered),
+        cmocka_unit_test(test_visibility_share),
+        cmocka_unit_test(test_light_layer),
+        cmocka_unit_test(test_vpl_layer),
     };
     return cmocka_run_group_tests_name("render", tests, open_group_context, close_group_context);
 }

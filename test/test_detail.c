@@ -162,6 +162,13 @@ static void read_blurred(struct detail_bench *bench, const struct blur_desc *des
     blur_pass_free(&pass);
 }
 
+/* Of a square picture, whose lists have its width. */
+static int lists_height(void) {
+    int size[2] = {SIZE, SIZE};
+    pixel_lists_size(size, LISTS);
+    return size[1];
+}
+
 /* Weights sum to one, whatever is listed, along lines and in squares. */
 static void test_blur_conserves(void **state) {
     (void)state;
@@ -172,7 +179,7 @@ static void test_blur_conserves(void **state) {
     make_stripes(&gbuffer);
     list_pixels(&bench, &gbuffer);
     fill(&source, SIZE, 8, .75f);
-    fill(&detail, pixel_lists_height(SIZE, LISTS), LISTS, .75f);
+    fill(&detail, lists_height(), LISTS, .75f);
     for (int square = 0; square < 2; square++) {
         static float blurred[SIZE * SIZE];
         struct blur_desc desc = blur_of_lists;
@@ -254,7 +261,7 @@ static void test_plain(void **state) {
         for (int i = 0; i < 2 * SIZE * SIZE; i++)
             noise[i][0] = (float)(i * 7919 % 1021) / 1021;
         fill(&source, SIZE, 8, 0);
-        fill(&detail, pixel_lists_height(SIZE, LISTS), LISTS, 0);
+        fill(&detail, lists_height(), LISTS, 0);
         gl.TextureSubImage2D(source.texture.id, 0, 0, 0, SIZE, SIZE, GL_RGBA, GL_FLOAT, noise);
         gl.TextureSubImage2D(detail.texture.id, 0, 0, 0, SIZE, 2 * SIZE, GL_RGBA, GL_FLOAT, noise);
         read_texels(&bench, &plain.pixels, &gbuffer, texels);

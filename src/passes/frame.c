@@ -279,8 +279,11 @@ void light_picks_set(const struct light_picks *picks, int slot, int first, int c
                          picks->items[slot * picks->stride + first]);
 }
 
-int pixel_lists_height(int height, int interleave) {
-    return 2 * ((height + interleave - 1) / interleave) * interleave;
+void pixel_lists_size(int size[2], int interleave) {
+    int shorter = size[0] < size[1] ? 0 : 1;
+    for (int axis = 0; axis < 2; axis++)
+        size[axis] = (size[axis] + interleave - 1) / interleave * interleave;
+    size[shorter] *= 2;
 }
 
 void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, int receivers) {

@@ -167,7 +167,7 @@ struct irradiance {
  * (LIST_FURTHER) and place of the n x n pattern. */
 struct pixel_lists {
     struct texture
-        pixels; /* R32UI, x | y << 16, in tiles, twice as high as a picture's; a list fills its tile
+        pixels; /* R32UI, x | y << 16, in tiles, twice as large as a picture's; a list fills its tile
                               row by row: of one grade from its begin, of the other from the end of its first
                               half, of points from there on */
     struct texture texels;         /* R32UI, of each pixel of the picture its texel in the lists
@@ -263,8 +263,9 @@ int light_picks_deal(const struct light_picks *picks, const struct frame *frame,
 void light_picks_set(const struct light_picks *picks, int slot, int first, int count,
                      GLuint program);
 
-/* Of the tiles of lists over a picture of that height, all of them. */
-int pixel_lists_height(int height, int interleave);
+/* From a picture's size to that of the tiles of its lists, all of them: along its shorter side twice as large, as
+ * textures have a limit. */
+void pixel_lists_size(int size[2], int interleave);
 
 /* What a pass over such RECEIVERS_ binds, for gather/receiver.glsl; lists are not read for all. And the draw
  * of one place's list of a kind, after LOCATION_SLOT is set. */

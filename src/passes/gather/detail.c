@@ -15,13 +15,13 @@ static bool init_picture(struct texture *texture, const char *label, int width, 
 }
 
 static bool init_lists(struct pixel_lists *lists, const struct detail_desc *desc) {
-    int n = desc->interleave;
+    int n = desc->interleave, size[2] = {desc->width, desc->height};
     assert(n * n * LIST_KINDS <= PIXEL_LISTS_MAX);
+    pixel_lists_size(size, n);
     lists->interleave = n;
-    lists->tile_width = (desc->width + n - 1) / n;
-    lists->tile_height = pixel_lists_height(desc->height, n) / n;
-    return init_picture(&lists->pixels, "listed pixels", lists->tile_width * n,
-                        lists->tile_height * n) &&
+    lists->tile_width = size[0] / n;
+    lists->tile_height = size[1] / n;
+    return init_picture(&lists->pixels, "listed pixels", size[0], size[1]) &&
            init_picture(&lists->texels, "list texels", desc->width, desc->height) &&
            init_picture(&lists->further_texels, "further texels", desc->width, desc->height) &&
            buffer_init(&lists->counts, "list counts", PIXEL_LISTS_MAX * sizeof(GLuint), NULL);

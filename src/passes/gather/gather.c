@@ -44,14 +44,14 @@ static int further_specular(int specular) {
 }
 
 bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) {
-    int height = desc->receivers == RECEIVERS_LISTED
-                     ? pixel_lists_height(desc->height, desc->interleave)
-                     : desc->height;
+    int size[2] = {desc->width, desc->height};
+    if (desc->receivers == RECEIVERS_LISTED)
+        pixel_lists_size(size, desc->interleave);
     *pass = (struct gather_pass){.desc = *desc};
     if (init_program(&pass->program, desc, desc->clamp, desc->specular) &&
         (!desc->further || init_program(&pass->further_program, desc, further_clamp(desc->clamp),
                                         further_specular(desc->specular))) &&
-        irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, desc->width, height,
+        irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, size[0], size[1],
                         desc->interleave) &&
         buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL) &&
         buffer_init(&pass->lookup_params, "lookup parameters", sizeof(struct lookup_params), NULL))
