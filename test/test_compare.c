@@ -208,10 +208,10 @@ static void test_files_that_do_not_compare(void **state) {
     char arguments[1200];
     snprintf(arguments, sizeof arguments, "%s no-such-file.exr", test_exr);
     expect(1, arguments);
-    expect_text("manylight compare: no-such-file.exr: ");
+    expect_text("manylight compare: cannot open no-such-file.exr: No such file or directory");
     snprintf(arguments, sizeof arguments, "%s /dev/zero", test_exr);
     expect(1, arguments);
-    expect_text("manylight compare: /dev/zero: not a file"); /* and without an end */
+    expect_text("manylight compare: cannot read /dev/zero: not a file"); /* and without an end */
 
     struct image image;
     const char *path = scratch("compare-odd.exr");

@@ -86,8 +86,8 @@ bool reference_take(struct reference *reference, struct image *picture) {
 
 bool reference_load(struct reference *reference, const char *path) {
     struct image picture = {0};
-    return (image_read(&picture, path) && reference_take(reference, &picture)) ||
-           error_prefix("%s", path);
+    return image_read(&picture, path) &&
+           (reference_take(reference, &picture) || error_prefix("%s", path));
 }
 
 void reference_free(struct reference *reference) {

@@ -10,14 +10,25 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
+
+static bool find(const char *path, struct stat *status) {
+    if (stat(path, status) != 0)
+        return error_set("cannot open %s: %s", path, strerror(errno));
+    return S_ISREG(status->st_mode) || error_set("cannot read %s: not a file", path);
+}
+
+bool file_can_be_read(const char *path) {
+    struct stat status;
+    return find(path, &status) &&
+           (access(path, R_OK) == 0 || error_set("cannot open %s: %s", path, strerror(errno)));
+}
 
 bool file_read(struct file_bytes *bytes, const char *path) {
     *bytes = (struct file_bytes){0};
     struct stat status;
-    if (stat(path, &status) != 0)
-        return error_set("cannot open %s: %s", path, strerror(errno));
-    if (!S_ISREG(status.st_mode))
-        return error_set("cannot read %s: not a file", path);
+    if (!find(path, &status))
+        return false;
     if (status.st_size >= (off_t)UINT32_MAX)
         return error_set("cannot read %s: 4 GiB or more", path);
     FILE *file = fopen(path, "rb");

@@ -17,6 +17,9 @@ bool file_read(struct file_bytes *bytes, const char *path);
 /* The same as text, to be freed by the caller; NULL on error. */
 char *file_read_text(const char *path);
 
+/* A regular file that is there, and not forbidden. Error: names the path and the reason. */
+bool file_can_be_read(const char *path);
+
 /* A device or a pipe, which may have no end. */
 bool file_is_stream(const char *path);
 

@@ -183,8 +183,8 @@ bool is_half(const struct image *image) {
 
 extern "C" bool image_read(struct image *image, const char *path) try {
     *image = {};
-    if (file_is_stream(path))
-        return fail(path, "not a file");
+    if (!file_can_be_read(path))
+        return false;
     auto in = ImageInput::open(path);
     if (!in)
         return fail(path, geterror());
