@@ -5,9 +5,8 @@
 
 #include "shared/types.h"
 
-/* Depths of [0, 1] and their powers have so many bits: boxes of up to 128 x 128 texels are told. */
-#define SUM_BITS 18
-#define SUM_ONE 262143.0 /* 2^SUM_BITS - 1 */
+/* Depths of [0, 1] and their powers have 18 bits: boxes of up to 128 x 128 texels are told. */
+#define SUM_ONE 262143.0 /* 2^18 - 1 */
 #define SUM_BOX_MAX 128
 
 /* Bases, of [-1, 1], have 12 bits: boxes of up to 1024 x 1024 texels, for what is compared with them is a step in K terms.

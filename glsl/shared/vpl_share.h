@@ -1,4 +1,4 @@
-/* How the VPLs are shared among the lights; passes/vpl.h fills it. */
+/* How the VPLs are shared among the lights; passes/lights/vpl.h fills it. */
 #ifndef SHARED_VPL_SHARE_H
 #define SHARED_VPL_SHARE_H
 

@@ -177,11 +177,6 @@ static bool assign(struct settings *settings, const struct word *word, struct se
     return settings_find(settings, assignment, setting) && setting_parse(setting, settings, value);
 }
 
-bool settings_assign_word(struct settings *settings, const struct word *word) {
-    struct setting setting;
-    return assign(settings, word, &setting);
-}
-
 static int part_number(const struct settings *settings, const struct setting *setting) {
     int part = 0;
     while (settings->parts[part] != setting->part)
@@ -218,8 +213,9 @@ void settings_copy_given(struct settings *to, const struct settings *from) {
 }
 
 bool settings_assign(struct settings *settings, const char *assignments) {
+    struct setting setting;
     for (struct word word = {.at = assignments}; word_next(&word);)
-        if (!settings_assign_word(settings, &word))
+        if (!assign(settings, &word, &setting))
             return false;
     return true;
 }

@@ -80,7 +80,6 @@ double settings_number(const struct settings *settings, const char *name);
 
 /* Parses "name=value", or several with spaces or commas between. Error: of a name, or of a value. */
 bool settings_assign(struct settings *settings, const char *assignments);
-bool settings_assign_word(struct settings *settings, const struct word *word);
 
 /* The same of what a user gives, which is kept in mind, or forgotten again; and copies all that was given, where a
  * choice of the program's went over it. */

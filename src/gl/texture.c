@@ -100,8 +100,7 @@ static void allocate(GLuint id, const struct texture_desc *desc) {
 }
 
 static void set_sampling(GLuint id, const struct texture_desc *desc) {
-    static const GLint min_filters[] = {GL_NEAREST, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR,
-                                        GL_LINEAR_MIPMAP_NEAREST};
+    static const GLint min_filters[] = {GL_NEAREST, GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR};
     bool nearest = desc->filter == FILTER_NEAREST;
     gl.TextureParameteri(id, GL_TEXTURE_MIN_FILTER, min_filters[desc->filter]);
     gl.TextureParameteri(id, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);

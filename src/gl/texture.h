@@ -11,8 +11,7 @@
 enum texture_filter {
     FILTER_NEAREST,
     FILTER_LINEAR,
-    FILTER_TRILINEAR,      /* GL_LINEAR_MIPMAP_LINEAR */
-    FILTER_LINEAR_NEAREST, /* bilinear in the nearest level: GL_LINEAR_MIPMAP_NEAREST */
+    FILTER_TRILINEAR, /* GL_LINEAR_MIPMAP_LINEAR */
 };
 
 /* Zero means default. */

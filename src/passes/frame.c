@@ -150,8 +150,7 @@ static bool init_spread(struct vpl_buffer *vpls) {
 
 bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {
     *vpls = (struct vpl_buffer){.count = count};
-    /* A uniform block may begin at any VPL and then reaches a whole block further. */
-    size_t size = ((size_t)count + VPLS_PER_BLOCK) * sizeof(struct vpl);
+    size_t size = (size_t)(count > VPLS_PER_BLOCK ? count : VPLS_PER_BLOCK) * sizeof(struct vpl);
     if (!buffer_init(&vpls->buffer, label, size, NULL) || !init_spread(vpls)) {
         vpl_buffer_free(vpls);
         return false;
@@ -173,26 +172,6 @@ void vpl_buffer_free(struct vpl_buffer *vpls) {
         gl.DeleteTextures(1, &vpls->texels);
     buffer_free(&vpls->buffer);
     *vpls = (struct vpl_buffer){0};
-}
-
-/* Uniform ranges begin at multiples of 256 bytes, which are 16 VPLs. */
-enum { VPL_ALIGNMENT = 16 };
-
-bool vpl_run_next(struct vpl_run *run, const struct vpl_buffer *vpls, int last) {
-    int at = run->next;
-    if (at >= last)
-        return false;
-    run->block = at / VPL_ALIGNMENT * VPL_ALIGNMENT;
-    run->first = at - run->block;
-    run->next = run->block + VPLS_PER_BLOCK < last ? run->block + VPLS_PER_BLOCK : last;
-    run->count = run->next - at;
-    pass_bind_block(&(struct pass_block){
-        .block = BLOCK_VPLS,
-        .buffer = &vpls->buffer,
-        .offset = (size_t)run->block * sizeof(struct vpl),
-        .size = VPLS_PER_BLOCK * sizeof(struct vpl),
-    });
-    return true;
 }
 
 bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum format, int width,

@@ -67,7 +67,7 @@ struct block_planes {
     struct texture planes, normals;
 };
 
-/* N virtual point lights: struct vpl (shared/vpl.h), padded for whole uniform blocks; and how far
+/* N virtual point lights: struct vpl (shared/vpl.h), at least as many as a uniform block has room for; and how far
  * they are apart: the scale of what is lit. */
 struct vpl_buffer {
     struct buffer buffer;
@@ -228,19 +228,6 @@ void rsm_add(struct pass_state *state, const struct gbuffer rsm[LIGHT_MAP_KINDS]
 
 bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count);
 void vpl_buffer_free(struct vpl_buffer *vpls);
-
-/* VPLs that one uniform block holds: the block's first VPL, and the run's first within it.
- *
- *     for (struct vpl_run run = {.next = first}; vpl_run_next(&run, vpls, last);)
- *         ... draws with the run bound
- */
-struct vpl_run {
-    int block, first, count;
-    int next; /* VPL after the run */
-};
-
-/* Binds the next run of those before `last`; false where there is none. */
-bool vpl_run_next(struct vpl_run *run, const struct vpl_buffer *vpls, int last);
 
 bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum format, int width,
                      int height, int interleave);

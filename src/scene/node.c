@@ -82,7 +82,8 @@ void node_world(const struct scene *scene, int node, double time, float world[16
     free(worlds);
 }
 
-int node_carries(const struct node *node, enum node_kind kind) {
+/* The index into its array of what the node carries of that kind; -1 = nothing. */
+static int node_carries(const struct node *node, enum node_kind kind) {
     switch (kind) {
     case NODE_MESH:
         return node->mesh;

@@ -8,9 +8,6 @@
 /* What a node may carry. */
 enum node_kind { NODE_MESH, NODE_LIGHT, NODE_CAMERA };
 
-/* The index into its array of what the node carries of that kind; -1 = nothing. */
-int node_carries(const struct node *node, enum node_kind kind);
-
 int node_count_carrying(const struct scene *scene, enum node_kind kind);
 
 /* The n-th node that carries one, in node order. Asserts that there is one. */

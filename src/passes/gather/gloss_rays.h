@@ -32,7 +32,7 @@ void gloss_rays_pass_free(struct gloss_rays_pass *pass);
 
 struct gloss_rays_inputs {
     const struct gbuffer *rsm;         /* LIGHT_MAP_KINDS of them, with gloss */
-    const struct buffer *shares;       /* passes/vpl.h's */
+    const struct buffer *shares;       /* passes/lights/vpl.h's */
     const struct irradiance *radiance; /* to be added to: a gather's with SPECULAR_RAYS */
     struct visibility_inputs visibility;
 };

@@ -45,13 +45,13 @@ struct near_field_pass {
 bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_desc *desc);
 void near_field_pass_free(struct near_field_pass *pass);
 
-/* What the reflective shadow map says, made ready; shares are passes/vpl.h's. Timer "near light". */
+/* What the reflective shadow map says, made ready; shares are passes/lights/vpl.h's. Timer "near light". */
 void near_field_pass_render_lights(struct near_field_pass *pass, const struct frame *frame,
                                    const struct gbuffer rsm[LIGHT_MAP_KINDS],
                                    const struct buffer *shares);
 
 struct near_field_inputs {
-    const struct buffer *shares;         /* passes/vpl.h's */
+    const struct buffer *shares;         /* passes/lights/vpl.h's */
     const struct irradiance *irradiance; /* to be added to */
     const struct pixel_lists *lists;     /* where desc.listed */
     bool of_lists; /* the tiles are these lists', not those of all other pixels */

@@ -5,7 +5,6 @@
 #include "gl/program.h"
 #include "shared/cluster.h"
 #include "shared/map_view.h"
-
 #include "shared/vpl.h"
 
 #include <cglm/util.h>

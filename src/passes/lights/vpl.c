@@ -71,7 +71,8 @@ static void deal_points(struct vpl_pass *pass, int frame_pass) {
     deal(pass->fluxes, pass->light_count, dealt, count, pass->counts);
     for (int i = 0; i < count; i++) {
         int light = dealt[i].taker;
-        uint32_t number = (uint32_t)(frame_pass * pass->counts[light] + dealt[i].number);
+        uint32_t first = (uint32_t)frame_pass * (uint32_t)pass->counts[light];
+        uint32_t number = first + (uint32_t)dealt[i].number;
         pass->points[i].light = (float)light;
         for (int axis = 0; axis < 2; axis++) {
             double point = radical_inverse(axis ? 3 : 2, number);
