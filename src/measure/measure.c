@@ -100,7 +100,7 @@ double measure_pixel_vpls(const struct measure_desc *desc) {
     return slots > 0 ? measure_pixels(desc) * measure_setting(desc, "vpls") / (slots * slots) : 0;
 }
 
-bool measure_start(struct renderer *renderer, const struct measure_desc *desc) {
+static bool start(struct renderer *renderer, const struct measure_desc *desc, bool progressive) {
     *renderer = (struct renderer){0};
     return (technique_check(desc->technique, &desc->settings) &&
             renderer_init(renderer, &(struct renderer_desc){.width = desc->width,
@@ -112,6 +112,15 @@ bool measure_start(struct renderer *renderer, const struct measure_desc *desc) {
                                                             .geometry = &desc->stage->geometry,
                                                             .emitters = desc->stage->emitters,
                                                             .camera = desc->stage->camera,
+                                                            .progressive = progressive,
                                                             .timed = true})) ||
            blame(desc);
+}
+
+bool measure_start(struct renderer *renderer, const struct measure_desc *desc) {
+    return start(renderer, desc, false);
+}
+
+bool measure_start_mean(struct renderer *renderer, const struct measure_desc *desc) {
+    return start(renderer, desc, true);
 }

@@ -51,7 +51,9 @@ int measure_bounces(const struct measure_desc *desc);
  * there are none. */
 double measure_pixel_vpls(const struct measure_desc *desc);
 
-/* A renderer of it, timed. Error: of the settings or the renderer; names the variant. */
+/* A renderer of it, timed; and one that is ready for renderer_add_pass. Error: of the settings or the renderer; names
+ * the variant. */
 bool measure_start(struct renderer *renderer, const struct measure_desc *desc);
+bool measure_start_mean(struct renderer *renderer, const struct measure_desc *desc);
 
 #endif

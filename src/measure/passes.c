@@ -6,17 +6,6 @@
 #include <math.h>
 #include <stdio.h>
 
-static bool start(struct renderer *renderer, const struct measure_desc *desc) {
-    if (!measure_start(renderer, desc))
-        return false;
-    struct renderer_desc progressive = renderer->desc;
-    progressive.progressive = true;
-    bool ok = renderer_follow(renderer, &progressive);
-    if (!ok)
-        renderer_free(renderer);
-    return ok;
-}
-
 /* What is shown now: the mean of so many passes. */
 static bool add_mean(struct results *results, const struct measure_desc *desc,
                      struct renderer *renderer, int passes, const struct image *truth) {
@@ -44,7 +33,7 @@ bool passes_measure(struct results *results, const struct measure_desc *desc,
     struct image exact;
     if (!truth_get(truth, desc, &exact))
         return false;
-    bool ok = start(&renderer, desc);
+    bool ok = measure_start_mean(&renderer, desc);
     if (ok) {
         for (int pass = 0, next = 1; ok && pass < count; pass++) {
             renderer_add_pass(&renderer, pass);

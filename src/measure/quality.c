@@ -176,17 +176,9 @@ static bool tell_frame(struct draft *draft, double *error) {
     return ok;
 }
 
-static bool start_mean(struct draft *draft) {
-    if (!measure_start(&draft->mean, &draft->measure))
-        return false;
-    struct renderer_desc progressive = draft->mean.desc;
-    progressive.progressive = true;
-    return renderer_follow(&draft->mean, &progressive);
-}
-
 /* One mean that goes on: each number of passes adds to the one before. */
 static bool tell_mean(struct draft *draft, int passes, double *error) {
-    if (draft->passes == 0 && !start_mean(draft))
+    if (draft->passes == 0 && !measure_start_mean(&draft->mean, &draft->measure))
         return false;
     while (draft->passes < passes)
         renderer_add_pass(&draft->mean, draft->passes++);

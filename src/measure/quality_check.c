@@ -84,13 +84,16 @@ static bool measure_error(struct check *check, struct tried *tried) {
 
 /* --- drawing --- */
 
-static bool start(struct check *check, const struct tried *tried, struct renderer *renderer) {
+typedef bool measure_starter(struct renderer *renderer, const struct measure_desc *desc);
+
+static bool start(struct check *check, const struct tried *tried, measure_starter *start_as,
+                  struct renderer *renderer) {
     const struct quality_check_desc *desc = check->desc;
     struct measure_desc measure = *desc->measure;
     measure.technique = tried->technique;
     if (!quality_settings(&tried->choice, measure.technique, desc->texts, desc->text_count,
                           &measure.settings) ||
-        !measure_start(renderer, &measure))
+        !start_as(renderer, &measure))
         return false;
     renderer->timers.enabled = false;
     return true;
@@ -114,7 +117,7 @@ static void time_frames(struct renderer *renderer, struct tried *tried) {
 
 static bool try_frame(struct check *check, struct tried *tried) {
     struct renderer renderer;
-    if (!start(check, tried, &renderer))
+    if (!start(check, tried, measure_start, &renderer))
         return false;
     renderer_render(&renderer); /* compiles */
     if (!check->desc->told)
@@ -131,14 +134,10 @@ static bool try_means(struct check *check, struct tried *tried, int count) {
     int done = 0;
     if (count == 0)
         return true;
-    bool ok = start(check, tried, &renderer);
-    if (!ok)
+    if (!start(check, tried, measure_start_mean, &renderer))
         return false;
-    struct renderer_desc progressive = renderer.desc;
-    progressive.progressive = true;
-    ok = renderer_follow(&renderer, &progressive);
-    renderer.timers.enabled = false;
-    for (int pass = 0; ok && pass < 2; pass++) /* compiles */
+    bool ok = true;
+    for (int pass = 0; pass < 2; pass++) /* compiles */
         renderer_add_pass(&renderer, pass);
     for (int i = 0; ok && i < count; i++) {
         gl.Finish();
