@@ -189,6 +189,27 @@ static void test_matt_truth(void **state) {
     stage_free(&stage);
 }
 
+/* The truth that was just made is the one that is there the next time, bit for bit. */
+static void test_same_truth(void **state) {
+    (void)state;
+    struct stage stage;
+    struct image truths[2];
+    struct truth_desc truth = {TRUTH_PATH, scratch("fresh-references"), .5};
+    open_stage(&stage, "scenes/cornell-box.glb");
+    struct measure_desc desc = measure_default(&stage, 16, 16);
+    char *path = truth_path(&truth, &desc);
+    remove(path);
+    for (int i = 0; i < 2; i++)
+        check_ok("truth", truth_get(&truth, &desc, &truths[i]));
+    assert_int_equal(truths[0].channel_count, truths[1].channel_count);
+    assert_memory_equal(truths[0].pixels, truths[1].pixels,
+                        16 * 16 * (size_t)truths[0].channel_count * sizeof(float));
+    for (int i = 0; i < 2; i++)
+        image_free(&truths[i]);
+    free(path);
+    stage_free(&stage);
+}
+
 /* --- virtual lights --------------------------------------------------------------------------- */
 
 static void test_lights(void **state) {
@@ -346,7 +367,7 @@ int main(void) {
         cmocka_unit_test(test_summary),    cmocka_unit_test(test_slope),
         cmocka_unit_test(test_grids),      cmocka_unit_test(test_grid_refusals),
         cmocka_unit_test(test_subjects),   cmocka_unit_test(test_truth_names),
-        cmocka_unit_test(test_matt_truth),
+        cmocka_unit_test(test_matt_truth), cmocka_unit_test(test_same_truth),
     };
     const struct CMUnitTest rendering[] = {
         cmocka_unit_test(test_lights),

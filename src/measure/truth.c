@@ -90,25 +90,27 @@ static bool render_all_vpls(const struct measure_desc *desc, struct image *image
            picture_render(&all, image);
 }
 
+static bool make_file(const struct truth_desc *truth, const struct measure_desc *desc,
+                      const char *path) {
+    struct image image = {0};
+    log_note("making reference %s", path);
+    bool ok = folder_make_for(path) &&
+              (truth->kind == TRUTH_VPLS ? render_all_vpls(desc, &image)
+                                         : truth_trace(truth, desc, &image)) &&
+              image_write(&image, path);
+    image_free(&image);
+    return ok;
+}
+
+/* Also what was made now comes from its file, which has half floats: figures are the same the first time. */
 bool truth_get(const struct truth_desc *truth, const struct measure_desc *desc,
                struct image *image) {
     *image = (struct image){0};
     char *path = truth_path(truth, desc);
     if (!path)
         return false;
-    bool ok;
-    if (access(path, F_OK) == 0) {
-        log_detail("reference %s", path);
-        ok = image_read(image, path);
-    } else {
-        log_note("making reference %s", path);
-        ok = folder_make_for(path) &&
-             (truth->kind == TRUTH_VPLS ? render_all_vpls(desc, image)
-                                        : truth_trace(truth, desc, image)) &&
-             image_write(image, path);
-    }
-    if (!ok)
-        image_free(image), *image = (struct image){0};
+    log_detail("reference %s", path);
+    bool ok = (access(path, F_OK) == 0 || make_file(truth, desc, path)) && image_read(image, path);
     free(path);
     return ok;
 }
