@@ -1,0 +1,95 @@
+#include "scene/mesh/tree_ray.h"
+
+#include <math.h>
+
+enum { STACK = 72 }; /* the tree is less deep */
+
+struct ray {
+    vec3s origin, direction, inverse;
+};
+
+/* Of which one is no number: the second. */
+static float least(float a, float b) {
+    return a < b ? a : b;
+}
+
+static float most(float a, float b) {
+    return a > b ? a : b;
+}
+
+/* The distance at which a ray enters a box, INFINITY where it does not before its end. One along a side of the box has
+ * 0 / 0 there, which bounds nothing. */
+static float entry(const struct tree_box *box, const struct ray *ray, float end) {
+    float from = 0;
+    for (int c = 0; c < 3; c++) {
+        float a = (box->low[c] - ray->origin.raw[c]) * ray->inverse.raw[c];
+        float b = (box->high[c] - ray->origin.raw[c]) * ray->inverse.raw[c];
+        from = most(least(a, b), from);
+        end = least(most(a, b), end);
+    }
+    return from <= end ? from : INFINITY;
+}
+
+/* [Möller and Trumbore 1997] */
+static void meet(struct tree_hit *nearest, const struct tree_triangle *triangle,
+                 const struct ray *ray) {
+    vec3s across = glms_vec3_cross(ray->direction, triangle->edges[1]);
+    float volume = glms_vec3_dot(triangle->edges[0], across);
+    if (volume == 0)
+        return;
+    float inverse = 1 / volume;
+    vec3s to = glms_vec3_sub(ray->origin, triangle->corner);
+    vec3s around = glms_vec3_cross(to, triangle->edges[0]);
+    float u = glms_vec3_dot(to, across) * inverse;
+    float v = glms_vec3_dot(ray->direction, around) * inverse;
+    float distance = glms_vec3_dot(triangle->edges[1], around) * inverse;
+    if (u >= 0 && v >= 0 && u + v <= 1 && distance > 0 && distance < nearest->distance)
+        *nearest = (struct tree_hit){triangle, distance, volume > 0};
+}
+
+/* A node that the ray enters at so far. */
+struct entered {
+    uint32_t node;
+    float distance;
+};
+
+struct pending {
+    struct entered nodes[STACK];
+    int count;
+};
+
+/* The farther child first. */
+static void push_children(struct pending *pending, const struct triangle_tree *tree, uint32_t first,
+                          const struct ray *ray, float end) {
+    const struct tree_node *child = &tree->nodes[first];
+    struct entered nearer = {first, entry(&child[0].box, ray, end)},
+                   farther = {first + 1, entry(&child[1].box, ray, end)};
+    if (farther.distance < nearer.distance) {
+        struct entered swapped = nearer;
+        nearer = farther;
+        farther = swapped;
+    }
+    if (farther.distance < INFINITY)
+        pending->nodes[pending->count++] = farther;
+    if (nearer.distance < INFINITY)
+        pending->nodes[pending->count++] = nearer;
+}
+
+struct tree_hit tree_ray_trace(const struct triangle_tree *tree, vec3s origin, vec3s direction) {
+    struct ray ray = {origin, direction, glms_vec3_div(glms_vec3_one(), direction)};
+    struct tree_hit nearest = {NULL, INFINITY, false};
+    struct pending pending;
+    pending.nodes[0] = (struct entered){0, 0};
+    pending.count = 1;
+    while (pending.count > 0) {
+        struct entered entered = pending.nodes[--pending.count];
+        const struct tree_node *node = &tree->nodes[entered.node];
+        if (entered.distance > nearest.distance)
+            continue;
+        for (uint32_t i = 0; i < node->count; i++)
+            meet(&nearest, &tree->triangles[node->first + i], &ray);
+        if (node->count == 0)
+            push_children(&pending, tree, node->first, &ray, nearest.distance);
+    }
+    return nearest;
+}

@@ -1,0 +1,18 @@
+/* Rays on the CPU through a tree of triangles: a few at load. Shaders have visibility/triangle_tree.glsl, the path
+ * tracer Embree (reference/scene/ray_scene.h).
+ */
+#ifndef SCENE_MESH_TREE_RAY_H
+#define SCENE_MESH_TREE_RAY_H
+
+#include "scene/mesh/triangle_tree.h"
+
+struct tree_hit {
+    const struct tree_triangle *triangle; /* NULL = the ray meets none */
+    float distance;                       /* over the direction's length */
+    bool front;                           /* else it comes from behind */
+};
+
+/* The nearest triangle beyond the origin, opaque or not, from either side. The tree has one at least. */
+struct tree_hit tree_ray_trace(const struct triangle_tree *tree, vec3s origin, vec3s direction);
+
+#endif
