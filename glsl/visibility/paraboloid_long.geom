@@ -134,6 +134,10 @@ void main() {
     // texel of it is many depths, and it would shadow itself.
     if (abs(volume) <= v.near * length(normal))
         return;
+#ifdef SOLID
+    if (volume > 0.0)
+        return; // turned away from the centre
+#endif
     caster drawn;
     drawn.range = vec2(v.near, 1.0 / v.z_far);
     drawn.plane = normal / volume;

@@ -95,6 +95,7 @@
     X(PFNGLDISABLEPROC, Disable)                                                                   \
     X(PFNGLVIEWPORTPROC, Viewport)                                                                 \
     X(PFNGLDEPTHFUNCPROC, DepthFunc)                                                               \
+    X(PFNGLCULLFACEPROC, CullFace)                                                                 \
     X(PFNGLDEPTHMASKPROC, DepthMask)                                                               \
     X(PFNGLCOLORMASKPROC, ColorMask)                                                               \
     X(PFNGLBLENDFUNCPROC, BlendFunc)                                                               \

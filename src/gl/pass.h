@@ -22,6 +22,13 @@ enum pass_blend {
     PASS_BLEND_OVER, /* colour comes multiplied by its alpha */
 };
 
+/* Faces: the front is where corners go counter-clockwise in the picture. */
+enum pass_cull {
+    PASS_CULL_NONE,
+    PASS_CULL_BACK,
+    PASS_CULL_FRONT,
+};
+
 /* Channels of colour, as bits. */
 enum { PASS_RED = 1, PASS_GREEN = 2, PASS_BLUE = 4, PASS_ALPHA = 8 };
 
@@ -58,7 +65,7 @@ struct pass_state {
     enum pass_depth depth;
     enum pass_blend blend;
     unsigned kept_colors; /* PASS_RED | ...: channels that are not written */
-    bool cull_back;       /* faces seen from behind are left out */
+    enum pass_cull cull;  /* which faces are left out */
     bool point_size;      /* points as wide as gl_PointSize says, not one pixel */
     int clip_distances;   /* gl_ClipDistance[0 .. this) */
     struct pass_texture textures[PASS_TEXTURES_MAX];

@@ -172,11 +172,11 @@ static void render_samples(const struct antialias_pass *pass, const struct frame
     pass_begin(frame->timers, &state);
     framebuffer_clear_depth(pass->sample_framebuffer, 0);
     scene_gpu_draw_solid(frame->scene, true, pass->layers);
-    state.cull_back = true;
+    state.cull = PASS_CULL_BACK;
     pass_set_state(&state);
     scene_gpu_draw_solid(frame->scene, false, pass->layers);
     if (frame->scene->has_masked) {
-        state.cull_back = false;
+        state.cull = PASS_CULL_NONE;
         state.program = pass->masked_program;
         pass_set_state(&state);
         scene_gpu_draw_masked(frame->scene, pass->layers);

@@ -12,28 +12,43 @@
  * have them farther off by this much of the error. */
 static const float set_back = .5F;
 
-static bool init_pair(GLuint programs[2], bool masked, bool planes) {
-    char *defines = mem_printf("PLANES %d%s", planes, masked ? ";MASKED" : "");
-    char *long_defines = mem_printf("LONG;%s", defines);
-    bool ok = program_init(&programs[CASTER_SHORT],
-                           &(struct program_desc){.vertex = "visibility/paraboloid.vert",
-                                                  .fragment = "visibility/paraboloid.frag",
-                                                  .defines = defines}) &&
-              program_init(&programs[CASTER_LONG],
-                           &(struct program_desc){.vertex = "visibility/paraboloid_long.vert",
-                                                  .geometry = "visibility/paraboloid_long.geom",
-                                                  .fragment = "visibility/paraboloid.frag",
-                                                  .defines = long_defines});
-    free(defines);
-    free(long_defines);
+static bool is_long(enum caster_kind kind) {
+    return kind == CASTER_LONG || kind == CASTER_LONG_SOLID;
+}
+
+static bool is_solid(enum caster_kind kind) {
+    return kind == CASTER_SHORT_SOLID || kind == CASTER_LONG_SOLID;
+}
+
+static bool init_program(GLuint *program, enum caster_kind kind, const char *defines) {
+    char *own = mem_printf("%s%s%s", defines, is_long(kind) ? ";LONG" : "",
+                           kind == CASTER_LONG_SOLID ? ";SOLID" : "");
+    bool ok = program_init(program,
+                           &(struct program_desc){
+                               .vertex = is_long(kind) ? "visibility/paraboloid_long.vert"
+                                                       : "visibility/paraboloid.vert",
+                               .geometry = is_long(kind) ? "visibility/paraboloid_long.geom" : NULL,
+                               .fragment = "visibility/paraboloid.frag",
+                               .defines = own,
+                           });
+    free(own);
+    return ok;
+}
+
+static bool init_programs(struct paraboloid_pass *pass) {
+    const char *opaque = pass->desc.planes ? "PLANES 1" : "PLANES 0";
+    const char *masked = pass->desc.planes ? "PLANES 1;MASKED" : "PLANES 0;MASKED";
+    bool ok = true;
+    for (int l = 0; l < CASTER_KIND_COUNT; l++)
+        ok = ok && init_program(&pass->opaque_programs[l], (enum caster_kind)l, opaque);
+    for (int l = 0; l <= CASTER_LONG; l++)
+        ok = ok && init_program(&pass->masked_programs[l], (enum caster_kind)l, masked);
     return ok;
 }
 
 bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_desc *desc) {
     *pass = (struct paraboloid_pass){.desc = *desc};
-    if (caster_pool_acquire(desc->casters, &pass->caster, &desc->caster) &&
-        init_pair(pass->opaque_programs, false, desc->planes) &&
-        init_pair(pass->masked_programs, true, desc->planes) &&
+    if (caster_pool_acquire(desc->casters, &pass->caster, &desc->caster) && init_programs(pass) &&
         depth_maps_init(&pass->maps, &(struct depth_maps_desc){"paraboloid", desc->size,
                                                                desc->count, desc->planes}) &&
         buffer_init(&pass->params, "map parameters", sizeof(struct paraboloid_params), NULL))
@@ -44,10 +59,10 @@ bool paraboloid_pass_init(struct paraboloid_pass *pass, const struct paraboloid_
 
 void paraboloid_pass_free(struct paraboloid_pass *pass) {
     caster_pool_release(pass->desc.casters, &pass->caster);
-    for (int l = 0; l < 2; l++) {
+    for (int l = 0; l < CASTER_KIND_COUNT; l++)
         program_free(&pass->opaque_programs[l]);
+    for (int l = 0; l <= CASTER_LONG; l++)
         program_free(&pass->masked_programs[l]);
-    }
     depth_maps_free(&pass->maps);
     buffer_free(&pass->params);
     *pass = (struct paraboloid_pass){0};
@@ -63,15 +78,17 @@ static void write_params(const struct paraboloid_pass *pass) {
 }
 
 static void draw_casters(const struct paraboloid_pass *pass, struct pass_state *state,
-                         enum caster_length length, const struct scene_gpu *scene, int count) {
-    struct caster_draw draw = {length, count};
-    state->clip_distances = length == CASTER_SHORT ? 2 : 0;
-    state->program = pass->opaque_programs[length];
+                         enum caster_kind kind, const struct scene_gpu *scene, int count) {
+    struct caster_draw draw = {kind, count};
+    state->clip_distances = is_long(kind) ? 0 : 2;
+    /* Directions go to the right, up and away from the eye, and so are the other way around in the map. */
+    state->cull = kind == CASTER_SHORT_SOLID ? PASS_CULL_FRONT : PASS_CULL_NONE;
+    state->program = pass->opaque_programs[kind];
     pass_set_state(state);
     caster_gpu_draw_opaque(pass->caster, &draw);
-    if (!caster_gpu_has_masked(pass->caster))
+    if (is_solid(kind) || !caster_gpu_has_masked(pass->caster))
         return;
-    state->program = pass->masked_programs[length];
+    state->program = pass->masked_programs[kind];
     pass_set_state(state);
     caster_gpu_draw_masked(pass->caster, scene, &draw);
 }
@@ -91,7 +108,7 @@ void paraboloid_pass_render(const struct paraboloid_pass *pass, const struct fra
     write_params(pass);
     pass_begin(frame->timers, &state);
     framebuffer_clear_depth(pass->maps.framebuffer, 1);
-    for (int l = 0; l < 2; l++)
-        draw_casters(pass, &state, (enum caster_length)l, frame->scene, views->count);
+    for (int l = 0; l < CASTER_KIND_COUNT; l++)
+        draw_casters(pass, &state, (enum caster_kind)l, frame->scene, views->count);
     pass_end(frame->timers);
 }

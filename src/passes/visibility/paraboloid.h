@@ -16,7 +16,8 @@ struct paraboloid_desc {
 struct paraboloid_pass {
     struct paraboloid_desc desc;
     const struct caster_gpu *caster;
-    GLuint opaque_programs[2], masked_programs[2]; /* at caster_length */
+    GLuint opaque_programs[CASTER_KIND_COUNT];
+    GLuint masked_programs[CASTER_LONG + 1]; /* no masked triangle is of a solid */
     struct depth_maps maps;
     struct buffer params;
 };

@@ -76,13 +76,13 @@ void sky_map_pass_render(const struct sky_map_pass *pass, const struct frame *fr
     pass_begin(frame->timers, &state);
     framebuffer_clear_depth(pass->framebuffer, 1);
     begin(pass, &state, pass->opaque_program);
-    for (int l = 0; l < 2; l++)
-        caster_gpu_draw_opaque(pass->caster, &(struct caster_draw){(enum caster_length)l, count});
+    for (int l = 0; l < CASTER_KIND_COUNT; l++)
+        caster_gpu_draw_opaque(pass->caster, &(struct caster_draw){(enum caster_kind)l, count});
     if (caster_gpu_has_masked(pass->caster)) {
         begin(pass, &state, pass->masked_program);
-        for (int l = 0; l < 2; l++)
+        for (int l = 0; l <= CASTER_LONG; l++)
             caster_gpu_draw_masked(pass->caster, frame->scene,
-                                   &(struct caster_draw){(enum caster_length)l, count});
+                                   &(struct caster_draw){(enum caster_kind)l, count});
     }
     pass_end(frame->timers);
 }

@@ -12,18 +12,20 @@ static bool init_attributes(struct caster_gpu *gpu, const struct geometry *geome
 }
 
 /* Where a list begins in the buffer of indices. */
-static uint32_t first_of(const struct caster *caster, enum caster_length length) {
-    return length == CASTER_LONG ? caster->list[CASTER_SHORT].index_count : 0;
+static uint32_t first_of(const struct caster *caster, enum caster_kind kind) {
+    uint32_t first = 0;
+    for (int l = 0; l < (int)kind; l++)
+        first += caster->list[l].index_count;
+    return first;
 }
 
 static bool init_indices(struct caster_gpu *gpu) {
     const struct caster_list *list = gpu->caster.list;
-    size_t count = (size_t)list[CASTER_SHORT].index_count + list[CASTER_LONG].index_count;
+    size_t count = first_of(&gpu->caster, CASTER_KIND_COUNT);
     if (!buffer_init(&gpu->indices, "caster indices", count * sizeof(uint32_t), NULL))
         return false;
-    for (int l = 0; l < 2; l++)
-        buffer_write(&gpu->indices,
-                     first_of(&gpu->caster, (enum caster_length)l) * sizeof(uint32_t),
+    for (int l = 0; l < CASTER_KIND_COUNT; l++)
+        buffer_write(&gpu->indices, first_of(&gpu->caster, (enum caster_kind)l) * sizeof(uint32_t),
                      list[l].index_count * sizeof(uint32_t), list[l].indices);
     return true;
 }
@@ -108,7 +110,7 @@ bool caster_gpu_update(struct caster_gpu *gpu, const struct geometry *geometry) 
 
 static void draw(const struct caster_gpu *gpu, const struct caster_draw *what, uint32_t first,
                  uint32_t count) {
-    size_t offset = (first_of(&gpu->caster, what->length) + first) * sizeof(uint32_t);
+    size_t offset = (first_of(&gpu->caster, what->kind) + first) * sizeof(uint32_t);
     if (count)
         gl.DrawElementsInstanced(GL_TRIANGLES, (GLsizei)count, GL_UNSIGNED_INT,
                                  (const void *)offset, what->instances);
@@ -121,12 +123,12 @@ bool caster_gpu_has_masked(const struct caster_gpu *gpu) {
 }
 
 void caster_gpu_draw_opaque(const struct caster_gpu *gpu, const struct caster_draw *what) {
-    draw(gpu, what, 0, gpu->caster.list[what->length].opaque_index_count);
+    draw(gpu, what, 0, gpu->caster.list[what->kind].opaque_index_count);
 }
 
 void caster_gpu_draw_masked(const struct caster_gpu *gpu, const struct scene_gpu *scene,
                             const struct caster_draw *what) {
-    const struct caster_list *list = &gpu->caster.list[what->length];
+    const struct caster_list *list = &gpu->caster.list[what->kind];
     for (int i = 0; i < gpu->caster.batch_count; i++) {
         const struct geometry_batch *batch = &list->batches[i];
         if (batch->first_index < list->opaque_index_count || !batch->index_count)

@@ -9,7 +9,7 @@
 struct caster_gpu {
     struct caster caster;
     struct buffer positions, uvs; /* uvs only where there is an alpha mask */
-    struct buffer indices;        /* of the short list, then of the long one */
+    struct buffer indices;        /* of all lists, in the order of their kinds */
     GLuint vertices;              /* vertex array of positions and uvs */
     unsigned pose;                /* of the geometry, that was uploaded last */
 };
@@ -25,10 +25,10 @@ bool caster_gpu_update(struct caster_gpu *gpu, const struct geometry *geometry);
 
 bool caster_gpu_has_masked(const struct caster_gpu *gpu);
 
-/* With vertex array vertices: the short triangles, or the long ones; the masked ones bind the scene's
+/* With vertex array vertices: the triangles of a kind; the masked ones, of which none is of a solid, bind the scene's
  * BLOCK_MATERIAL and UNIT_BASE_COLOR. */
 struct caster_draw {
-    enum caster_length length;
+    enum caster_kind kind;
     int instances;
 };
 void caster_gpu_draw_opaque(const struct caster_gpu *gpu, const struct caster_draw *what);

@@ -1,6 +1,7 @@
 #include "scene/gpu/caster_pool.h"
 
 #include "base/memory.h"
+#include "scene/camera.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -59,10 +60,21 @@ bool caster_pool_has(const struct caster_pool *pool, const struct caster_desc *d
     return find(pool, desc);
 }
 
+/* Whatever clip plays. */
+static bool is_still(const struct scene *scene) {
+    return scene->clip_count == 0 && scene->metaballs_count == 0;
+}
+
 static struct pooled *add(struct caster_pool *pool, const struct caster_desc *desc) {
     struct pooled *pooled = mem_alloc(1, sizeof *pooled);
     free_unused(pool);
-    if (!caster_gpu_init(&pooled->gpu, pool->geometry, desc)) {
+    struct caster_desc own = *desc;
+    struct camera camera;
+    if (desc->error > 0 && is_still(pool->scene)) {
+        camera_place(&camera, pool->scene, 0, 0);
+        own.eye = camera.eye;
+    }
+    if (!caster_gpu_init(&pooled->gpu, pool->geometry, &own)) {
         free(pooled);
         return NULL;
     }

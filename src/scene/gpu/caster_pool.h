@@ -21,8 +21,9 @@ void caster_pool_free(struct caster_pool *pool);
 /* Whether to acquire such a caster makes none, be the geometry posed as it may. */
 bool caster_pool_has(const struct caster_pool *pool, const struct caster_desc *desc);
 
-/* The caster is that of the pose in which it was first acquired, moved to the present one. Error:
- * out of GPU memory. */
+/* The caster is that of the pose in which it was first acquired, moved to the present one. Of one that may
+ * stray, where nothing ever moves, the eye is the scene's first camera, whatever desc has; exact casters have none: near
+ * a map's centre fronts are left out, and backs are all that blocks. Error: out of GPU memory. */
 bool caster_pool_acquire(struct caster_pool *pool, const struct caster_gpu **caster,
                          const struct caster_desc *desc);
 

@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "scene/mesh/simplify.h"
+#include "scene/mesh/solid.h"
 
 #include <assert.h>
 #include <cglm/cglm.h>
@@ -145,22 +146,41 @@ static void list_all(struct caster_list *list, const struct geometry *geometry,
 
 /* --- the caster ------------------------------------------------------------------------------- */
 
+static enum caster_kind kind_of(bool is_long, bool is_solid) {
+    if (is_solid)
+        return is_long ? CASTER_LONG_SOLID : CASTER_SHORT_SOLID;
+    return is_long ? CASTER_LONG : CASTER_SHORT;
+}
+
+/* is_solid: of each triangle. */
 static void sort_out(struct caster *caster, const struct caster_list *all,
-                     const struct geometry *geometry) {
-    for (int l = 0; l < 2; l++)
+                     const struct geometry *geometry, const bool *is_solid) {
+    for (int l = 0; l < CASTER_KIND_COUNT; l++)
         list_init(&caster->list[l], geometry, all->index_count);
     for (int i = 0; i < geometry->batch_count; i++) {
         const struct geometry_batch *batch = &all->batches[i];
-        for (int l = 0; l < 2; l++)
+        for (int l = 0; l < CASTER_KIND_COUNT; l++)
             list_begin_batch(&caster->list[l], geometry, i);
         for (uint32_t k = 0; k < batch->index_count; k += 3) {
-            const uint32_t *corner = all->indices + batch->first_index + k;
+            uint32_t first = batch->first_index + k;
+            const uint32_t *corner = all->indices + first;
             bool is_long = !batch->dynamic && longest_edge(geometry, corner) > caster->long_edge;
-            list_add(&caster->list[is_long ? CASTER_LONG : CASTER_SHORT], corner, 3);
+            list_add(&caster->list[kind_of(is_long, is_solid[first / 3])], corner, 3);
         }
-        for (int l = 0; l < 2; l++)
+        for (int l = 0; l < CASTER_KIND_COUNT; l++)
             list_end_batch(&caster->list[l], geometry, i);
     }
+}
+
+/* Masked triangles hide no back. */
+static bool *find_solid(const struct caster_list *all, const struct geometry *geometry,
+                        const float *eye) {
+    bool *is_solid = mem_alloc(all->index_count / 3, sizeof *is_solid);
+    struct solid_mesh opaque = {geometry->position, all->indices, all->opaque_index_count / 3,
+                                geometry_clearance(geometry)};
+    if (eye)
+        solid_find(is_solid, &opaque, eye);
+    return is_solid;
 }
 
 void caster_init(struct caster *caster, const struct geometry *geometry,
@@ -177,13 +197,15 @@ void caster_init(struct caster *caster, const struct geometry *geometry,
     struct caster_list all;
     list_all(&all, geometry, moved_to);
     caster->long_edge = find_long_edge(&all, geometry, (uint32_t)desc->long_count);
-    sort_out(caster, &all, geometry);
+    bool *is_solid = find_solid(&all, geometry, desc->eye);
+    sort_out(caster, &all, geometry, is_solid);
+    free(is_solid);
     list_free(&all);
     free(moved_to);
 }
 
 void caster_free(struct caster *caster) {
-    for (int l = 0; l < 2; l++)
+    for (int l = 0; l < CASTER_KIND_COUNT; l++)
         list_free(&caster->list[l]);
     *caster = (struct caster){0};
 }

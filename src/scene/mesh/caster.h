@@ -5,6 +5,8 @@
  * their edges as each map does (paraboloid_long.geom), which for all would cost too much. Which are long is told by rank, not by a length: it depends neither on the scene's units nor
  * on a plain that surrounds a room.
  *
+ * Of what is solid (solid.h) a map need not show the faces that are turned away: such triangles have lists of their own.
+ *
  * Vertices are the geometry's own: when it moves, the triangles stay.
  */
 #ifndef SCENE_MESH_CASTER_H
@@ -19,21 +21,30 @@ struct caster_list {
     struct geometry_batch *batches; /* as many as the geometry has; some may be empty */
 };
 
+/* Those of a solid cast from their fronts alone, seen from the open. */
+enum caster_kind {
+    CASTER_SHORT,
+    CASTER_LONG,
+    CASTER_SHORT_SOLID,
+    CASTER_LONG_SOLID,
+    CASTER_KIND_COUNT
+};
+
 struct caster {
-    struct caster_list list[2]; /* at caster_length */
-    float error;                /* how far it may stray, metres */
-    float long_edge;            /* each long triangle has a longer one, and no other has, metres */
+    struct caster_list list[CASTER_KIND_COUNT];
+    float error;     /* how far it may stray, metres */
+    float long_edge; /* each long triangle has a longer one, and no other has, metres */
     uint32_t vertex_count;
     int batch_count;
 };
-
-enum caster_length { CASTER_SHORT, CASTER_LONG };
 
 struct caster_desc {
     float error;    /* how far rigid opaque parts may stray (scene/mesh/simplify.h), over the root
                     of the area of all; 0 = not at all */
     int long_count; /* no more triangles are long: those with the longest edges. Of dynamic batches
                        none is. */
+    const float *eye; /* a place in the open, in a scene where nothing moves; NULL: no triangle is
+                         taken for one of a solid */
 };
 
 /* Simplifies the geometry as it is posed now, then sorts out what is long. */
