@@ -69,16 +69,17 @@ void caster_gpu_free(struct caster_gpu *gpu) {
 
 /* --- what has moved --------------------------------------------------------------------------- */
 
-/* The triangles of dynamic batches, of which none is long. The others keep theirs: whether a
- * triangle is seen from behind is all one to a depth map. */
+/* The triangles of dynamic batches. The others keep theirs: where things move none of them is of a solid, and whether it is
+ * seen from behind is all one to a depth map. */
 static void update_indices(struct caster_gpu *gpu, const struct geometry *geometry) {
-    const struct caster_list *list = &gpu->caster.list[CASTER_SHORT];
-    for (int i = 0; i < gpu->caster.batch_count; i++) {
-        const struct geometry_batch *batch = &list->batches[i];
-        if (!batch->dynamic)
+    for (int i = 0; i < geometry->batch_count; i++) {
+        if (!geometry->batches[i].dynamic)
             continue;
-        caster_take_batch(&gpu->caster, geometry, i);
-        buffer_write(&gpu->indices, batch->first_index * sizeof *list->indices,
+        enum caster_kind kind = caster_take_batch(&gpu->caster, geometry, i);
+        const struct caster_list *list = &gpu->caster.list[kind];
+        const struct geometry_batch *batch = &list->batches[i];
+        buffer_write(&gpu->indices,
+                     (first_of(&gpu->caster, kind) + batch->first_index) * sizeof *list->indices,
                      batch->index_count * sizeof *list->indices,
                      list->indices + batch->first_index);
     }

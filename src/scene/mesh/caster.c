@@ -172,14 +172,27 @@ static void sort_out(struct caster *caster, const struct caster_list *all,
     }
 }
 
+/* Metaballs close, whatever their pose; but near a map's centre fronts are left out, and of exact casters backs are all
+ * that blocks. */
+static enum caster_kind kind_of_dynamic(const struct caster *caster,
+                                        const struct geometry *geometry, int batch) {
+    bool opaque = geometry->batches[batch].first_index < geometry->opaque_index_count;
+    return kind_of(false, opaque && caster->error > 0);
+}
+
 /* Masked triangles hide no back. */
-static bool *find_solid(const struct caster_list *all, const struct geometry *geometry,
-                        const float *eye) {
+static bool *find_solid(const struct caster *caster, const struct caster_list *all,
+                        const struct geometry *geometry, const float *eye) {
     bool *is_solid = mem_alloc(all->index_count / 3, sizeof *is_solid);
     struct solid_mesh opaque = {geometry->position, all->indices, all->opaque_index_count / 3,
                                 geometry_clearance(geometry)};
     if (eye)
         solid_find(is_solid, &opaque, eye);
+    for (int i = 0; i < geometry->batch_count; i++) {
+        const struct geometry_batch *batch = &all->batches[i];
+        if (batch->dynamic && kind_of_dynamic(caster, geometry, i) == CASTER_SHORT_SOLID)
+            memset(is_solid + batch->first_index / 3, true, batch->index_count / 3);
+    }
     return is_solid;
 }
 
@@ -197,7 +210,7 @@ void caster_init(struct caster *caster, const struct geometry *geometry,
     struct caster_list all;
     list_all(&all, geometry, moved_to);
     caster->long_edge = find_long_edge(&all, geometry, (uint32_t)desc->long_count);
-    bool *is_solid = find_solid(&all, geometry, desc->eye);
+    bool *is_solid = find_solid(caster, &all, geometry, desc->eye);
     sort_out(caster, &all, geometry, is_solid);
     free(is_solid);
     list_free(&all);
@@ -210,27 +223,35 @@ void caster_free(struct caster *caster) {
     *caster = (struct caster){0};
 }
 
-void caster_take_batch(struct caster *caster, const struct geometry *geometry, int batch) {
-    struct caster_list *list = &caster->list[CASTER_SHORT];
+enum caster_kind caster_take_batch(struct caster *caster, const struct geometry *geometry,
+                                   int batch) {
+    enum caster_kind kind = kind_of_dynamic(caster, geometry, batch);
+    struct caster_list *list = &caster->list[kind];
     const struct geometry_batch *from = &geometry->batches[batch], *to = &list->batches[batch];
     assert(from->dynamic && from->index_count == to->index_count);
     memcpy(list->indices + to->first_index, geometry->indices + from->first_index,
            from->index_count * sizeof *list->indices);
+    return kind;
 }
 
 /* Static vertices keep their numbers. */
-void caster_lay_out(struct caster *caster, const struct geometry *geometry) {
-    struct caster_list *list = &caster->list[CASTER_SHORT], old = *list;
+static void lay_out(struct caster *caster, const struct geometry *geometry, enum caster_kind kind) {
+    struct caster_list *list = &caster->list[kind], old = *list;
     list_init(list, geometry, old.index_count + geometry->index_count);
     for (int i = 0; i < caster->batch_count; i++) {
         const struct geometry_batch *now = &geometry->batches[i], *batch = &old.batches[i];
         list_begin_batch(list, geometry, i);
-        if (now->dynamic)
-            list_add(list, geometry->indices + now->first_index, now->index_count);
-        else
+        if (!now->dynamic)
             list_add(list, old.indices + batch->first_index, batch->index_count);
+        else if (kind == kind_of_dynamic(caster, geometry, i))
+            list_add(list, geometry->indices + now->first_index, now->index_count);
         list_end_batch(list, geometry, i);
     }
-    caster->vertex_count = geometry->vertex_count;
     list_free(&old);
+}
+
+void caster_lay_out(struct caster *caster, const struct geometry *geometry) {
+    for (int l = 0; l < CASTER_KIND_COUNT; l++)
+        lay_out(caster, geometry, (enum caster_kind)l);
+    caster->vertex_count = geometry->vertex_count;
 }

@@ -43,8 +43,8 @@ struct caster_desc {
                     of the area of all; 0 = not at all */
     int long_count; /* no more triangles are long: those with the longest edges. Of dynamic batches
                        none is. */
-    const float *eye; /* a place in the open, in a scene where nothing moves; NULL: no triangle is
-                         taken for one of a solid */
+    const float *eye; /* a place in the open, in a scene where nothing moves; NULL: only metaballs
+                         that may stray are taken for solid */
 };
 
 /* Simplifies the geometry as it is posed now, then sorts out what is long. */
@@ -52,8 +52,9 @@ void caster_init(struct caster *caster, const struct geometry *geometry,
                  const struct caster_desc *desc);
 void caster_free(struct caster *caster);
 
-/* Takes over the geometry's present triangles of a dynamic batch. */
-void caster_take_batch(struct caster *caster, const struct geometry *geometry, int batch);
+/* Takes over the geometry's present triangles of a dynamic batch, into the list of the kind that it returns. */
+enum caster_kind caster_take_batch(struct caster *caster, const struct geometry *geometry,
+                                   int batch);
 
 /* Follows a geometry whose arrays were laid out anew, with other room for dynamic batches. */
 void caster_lay_out(struct caster *caster, const struct geometry *geometry);
