@@ -407,6 +407,8 @@ static void show_progress(bool rewritten) {
     progress_show(&progress, 0, "nothing is done");
     progress_show(&progress, .25, "noise");
     progress_show(&progress, .5, "too soon");
+    progress.last = rewritten ? progress.last : 0;
+    progress_show(&progress, 1, "the end, which a log is told otherwise");
     assert_true(progress_end(&progress) > 0);
     progress.shown = false;
     progress.last = 0;

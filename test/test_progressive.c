@@ -294,7 +294,7 @@ static void test_refusals(void **state) {
         {"average --help", "weight", 0},
         {"average", "arguments are missing", 2},
         {"average @/a.exr", "no output", 2},
-        {"average @/a.exr -o x.png", "only EXR", 1},
+        {"average @/a.exr -o x.png", "only EXR", 2},
         {"average @/a.exr @/a.exr -o @/x.exr", "pass 0 is in it and in one before", 1},
         {"average @/whole.exr @/b.exr -o @/x.exr", "pass 4", 1},
         {"average @/a.exr @/b.exr -o @/b.exr", "b.exr", 1},

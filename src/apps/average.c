@@ -171,13 +171,12 @@ int app_average(int argc, char **argv) {
     int count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, paths, &count, &status))
         return status;
-    if (!values.output) {
+    if (!values.output)
         error_set("no output: -o FILE.exr");
+    if (!values.output || !image_name_holds_layers(values.output))
         return arguments_misuse(argv[0]);
-    }
     struct mean mean = {0};
-    bool ok =
-        image_name_holds_layers(values.output) && output_file_check(values.output, paths, count);
+    bool ok = output_file_check(values.output, paths, count);
     for (int i = 0; ok && i < count; i++)
         ok = add_file(&mean, paths[i]);
     ok = ok && write_mean(&mean, values.output);

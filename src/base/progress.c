@@ -18,7 +18,8 @@ void progress_start(struct progress *progress) {
 void progress_show(struct progress *progress, double done, const char *note) {
     double time = clock_ms() / 1e3, elapsed = time - progress->start;
     double between = progress->rewritten ? seconds_between_lines : seconds_between_notes;
-    if (!progress->shown || time - progress->last < between || done <= 0)
+    bool tells = done > 0 && (done < 1 || progress->rewritten);
+    if (!progress->shown || !tells || time - progress->last < between)
         return;
     progress->last = time;
     int left = (int)(elapsed * (1 - done) / done + 0.5);

@@ -1,5 +1,5 @@
 /* A line that tells how long work goes on: "  42 %  0:13 left  noise 1.8 %". On a terminal it is written over the one
- * before; elsewhere, as in a log, it is a note each half minute. After --quiet there is none.
+ * before; elsewhere, as in a log, it is a note each half minute, but not of the end. After --quiet there is none.
  */
 #ifndef BASE_PROGRESS_H
 #define BASE_PROGRESS_H
