@@ -32,9 +32,9 @@ float farthest(vec3 origin, vec3 direction) {
 
 // Two numbers of [0, 1) for each pixel and ray: neighbours' lie far apart, and so do one pixel's.
 vec2 sample_of(ivec2 pixel, int ray) {
-    const vec2 STEP = vec2(0.7548776662, 0.5698402910);
+    const vec2 STEP = vec2(GLOSS_STEP_X, GLOSS_STEP_Y);
     vec2 shift = vec2(dot(vec2(pixel), STEP), dot(vec2(pixel), vec2(0.8191725134, 0.6710436067)));
-    return fract(fract(shift) + float(params.first + ray) * STEP);
+    return fract(fract(shift) + params.start + float(ray) * STEP);
 }
 
 vec4 hit_gloss(march_hit hit) {

@@ -4,15 +4,19 @@
 
 #include "shared/interleaving.h"
 
+/* From one ray's place in the lobe's square to the next one's. */
+#define GLOSS_STEP_X 0.7548776662
+#define GLOSS_STEP_Y 0.5698402910
+
 struct gloss_rays_params {
     STRUCT(interleaving) pattern;
     vec3 bounds_min; /* of the scene, metres */
     float scale;     /* of the stored radiance */
     vec3 bounds_max;
     int rays;         /* of a pixel */
-    int first;        /* number of the first one: others in each pass of many */
+    vec2 start;       /* of a pass's first ray, in [0, 1): others in each pass of many */
     float vpl_weight; /* of the VPLs that share a receiver with the rays: one stands for so many */
-    float unused0, unused1;
+    float unused;
 };
 PASS_BLOCK(gloss_rays_params, 64)
 

@@ -7,6 +7,7 @@
 #include "shared/lookup.h"
 
 #include <cglm/vec3.h>
+#include <math.h>
 #include <stdlib.h>
 
 static bool init_program(struct gloss_rays_pass *pass) {
@@ -47,14 +48,20 @@ void gloss_rays_pass_free(struct gloss_rays_pass *pass) {
     *pass = (struct gloss_rays_pass){0};
 }
 
+/* In doubles: floats would leave late passes only a few places. */
+static float steps(double step, double count) {
+    return (float)fmod(step * count, 1);
+}
+
 static void write_params(const struct gloss_rays_pass *pass, const struct frame *frame,
                          const struct irradiance *radiance) {
     int slots = radiance->interleave * radiance->interleave;
+    double first = (double)frame->pass * pass->desc.rays;
     struct gloss_rays_params params = {
         .pattern = irradiance_pattern(radiance),
         .scale = frame->irradiance_scale,
         .rays = pass->desc.rays,
-        .first = frame->pass * pass->desc.rays,
+        .start = {steps(GLOSS_STEP_X, first), steps(GLOSS_STEP_Y, first)},
         .vpl_weight = (float)slots,
     };
     glm_vec3_copy((float *)frame->bounds_min, params.bounds_min);
