@@ -41,10 +41,6 @@ static const struct texture *direct_specular(const struct renderer *renderer) {
     return renderer->gbuffer.gloss.id ? direct->specular(renderer->direct_state) : NULL;
 }
 
-static const struct picture_settings *picture_of(const struct renderer *renderer) {
-    return settings_of(&renderer->desc.settings, &picture_part);
-}
-
 /* Passes have samples of their own in each. */
 static const struct antialias_pass *antialias_of(const struct renderer *renderer) {
     return renderer->pass > 0 ? &renderer->refining.centers : &renderer->antialias;
@@ -108,7 +104,7 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
         .sky = renderer->desc.emitters.sky,
         .samples = antialias->samples,
         .exposure = renderer_exposure(renderer),
-        .tone_map = (enum tone_map)picture_of(renderer)->tone_map,
+        .tone_map = (enum tone_map)renderer_picture(renderer)->tone_map,
         .layer = LAYER_BEAUTY,
     };
 }
@@ -173,7 +169,7 @@ static void show_mean(struct renderer *renderer, const struct frame *frame, int 
     const struct refining *refining = &renderer->refining;
     mean_pass_render_display(
         &refining->mean, frame, refining->weight, layer, renderer_exposure(renderer),
-        picture_of(renderer)->tone_map == TONE_MAP_FILMIC, renderer->composite.framebuffer);
+        renderer_picture(renderer)->tone_map == TONE_MAP_FILMIC, renderer->composite.framebuffer);
 }
 
 /* Of a pass in the mean. */
@@ -234,8 +230,12 @@ struct contribution renderer_contribution(const struct renderer *renderer) {
     return renderer->technique->contribution(renderer->technique_state);
 }
 
+const struct picture_settings *renderer_picture(const struct renderer *renderer) {
+    return settings_of(&renderer->desc.settings, &picture_part);
+}
+
 float renderer_exposure(const struct renderer *renderer) {
-    return picture_of(renderer)->exposure;
+    return renderer_picture(renderer)->exposure;
 }
 
 void renderer_outputs(const struct renderer *renderer, struct output_list *outputs) {

@@ -27,10 +27,6 @@ enum part {
     PART_LIGHTS = PART_DIRECT | PART_SKY | PART_TECHNIQUE, /* what render_lights draws with */
 };
 
-static const struct picture_settings *picture_of(const struct renderer *renderer) {
-    return settings_of(&renderer->desc.settings, &picture_part);
-}
-
 /* Whether the G-buffer, and all that reads it, has gloss: else all surfaces are matt. */
 static bool has_gloss(const struct renderer_desc *desc) {
     const struct material_settings *own = settings_of(&desc->settings, &material_part);
@@ -46,7 +42,7 @@ static bool init_antialias(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     return antialias_pass_init(
         &renderer->antialias,
-        &(struct antialias_desc){desc->width, desc->height, picture_of(renderer)->samples});
+        &(struct antialias_desc){desc->width, desc->height, renderer_picture(renderer)->samples});
 }
 
 static bool init_direct(struct renderer *renderer) {
@@ -443,7 +439,7 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         parts |= PART_SKY;
     if (!light_layouts_same(&plan->start_layout, &renderer->plan.start_layout))
         parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER;
-    if (picture->samples != picture_of(renderer)->samples)
+    if (picture->samples != renderer_picture(renderer)->samples)
         parts |= PART_ANTIALIAS;
     if (desc->width != old->width || desc->height != old->height)
         parts |= PART_SIZE;

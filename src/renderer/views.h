@@ -7,6 +7,9 @@
 /* The buffers of views, by what the desc says and for the pass at hand. */
 void renderer_write_views(struct renderer *renderer);
 
+/* How the picture is drawn and shown, as the settings have it. */
+const struct picture_settings *renderer_picture(const struct renderer *renderer);
+
 /* A power of two near what all lights could make, inverted: exact to multiply by, and keeps half
  * floats in range whatever the units. */
 float renderer_irradiance_scale(const struct renderer *renderer);
