@@ -23,18 +23,18 @@ layout(std430, binding = STORAGE_LIST_COUNTS) buffer list_counts {
 
 layout(location = TARGET_RESULT) out uint list_texel;
 
-// Of the four pixels diagonally around it those that lie on the same surface: beside a straight edge two, at a corner
-// three.
-int like_neighbours(surface s, ivec2 pixel, ivec2 size) {
-    int like = 0;
+// Of the four pixels diagonally around it those that lie on the same surface, beside a straight edge two, at a corner
+// three; and those that do, or would but for gentle relief.
+ivec2 like_neighbours(surface s, ivec2 pixel, ivec2 size) {
+    ivec2 like = ivec2(0);
     float height = view_height(camera, gbuffer_depth(pixel)), reach = params.distance * height;
     for (int i = 0; i < 4; i++) {
         ivec2 away = params.radius * (ivec2(i & 1, i >> 1) * 2 - 1);
         surface c = gbuffer_surface(clamp(pixel + away, ivec2(0), size - 1));
         vec3 apart = c.position - s.position;
-        bool alike = c.present && dot(apart, apart) < reach * reach && dot(c.normal, s.normal) > params.cosine &&
-                     abs(dot(apart, s.normal)) < params.apart * height;
-        like += alike ? 1 : 0;
+        bool near = c.present && dot(apart, apart) < reach * reach && abs(dot(apart, s.normal)) < params.apart * height;
+        float cosine = dot(c.normal, s.normal);
+        like += ivec2(near && cosine > params.cosine, near && cosine > params.sharp_cosine);
     }
     return like;
 }
@@ -57,7 +57,7 @@ void list_further_point(ivec2 pixel) {
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy), size = gbuffer_size();
     surface s = gbuffer_surface(pixel);
-    int like = s.present ? like_neighbours(s, pixel, size) : 4;
+    ivec2 like = s.present ? like_neighbours(s, pixel, size) : ivec2(4);
     bool has_block = true;
     list_texel = 0u;
 #if SHARE_VISIBILITY
@@ -65,8 +65,8 @@ void main() {
     has_block = !s.present || nearest_block(s, pixel, block);
     list_texel = s.present ? block_away_code(block - block_at(pixel)) : 0u;
 #endif
-    if (float(like) < params.fewest || !has_block) {
-        int grade = like < 2 ? PIXEL_GRADE_DETAIL : PIXEL_GRADE_EDGE;
+    if (float(like.x) < params.fewest || !has_block) {
+        int grade = like.y < 2 ? PIXEL_GRADE_DETAIL : PIXEL_GRADE_EDGE;
         ivec2 texel = next_texel(pixel, grade);
         imageStore(listed_pixels, texel, uvec4(pixel.x | pixel.y << 16));
         list_texel = list_texel_code(texel, grade);

@@ -12,7 +12,8 @@ struct detail_params {
     float fewest;   /* like neighbours of a smooth pixel */
     int radius;     /* of the neighbours that are asked, pixels along x and y */
     int block;      /* pixels a side of a block that shares its visibility */
-    int unused0, unused1;
+    float sharp_cosine; /* where normals are farther apart, they are so for more than gentle relief */
+    int unused;
 };
 PASS_BLOCK(detail_params, 48)
 

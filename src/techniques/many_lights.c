@@ -38,6 +38,9 @@ static struct visibility_desc lookup_of(const struct settings *settings,
  * degrees it finds no neighbours on small round things. */
 static const float gloss_cosine = .966F;
 
+/* Eight degrees within a few pixels. */
+static const float sharp_cosine = .99F;
+
 static int blur_radius(const struct settings *settings) {
     const struct gather_settings *gather = settings_of(settings, &gather_part);
     const struct blur_settings *blur = settings_of(settings, &blur_part);
@@ -94,20 +97,22 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     gather_desc.together = asked_together(gather_desc.clamp);
     fill_list_slots(gather, gather_desc.list_slots);
     gather_desc.share = false;
-    return !lights->has_detail || (init_plain(lights, desc, block) &&
-                                   detail_pass_init(&lights->detail,
-                                                    &(struct detail_desc){
-                                                        .width = desc->width,
-                                                        .height = desc->height,
-                                                        .interleave = gather->detail,
-                                                        .radius = detail_radius(desc->settings),
-                                                        .distance = blur->distance,
-                                                        .cosine = blur->cosine,
-                                                        .share = gather->detail_share,
-                                                        .block = block,
-                                                        .plain = plain_pixels(lights),
-                                                    }) &&
-                                   gather_pass_init(&lights->detail_gather, &gather_desc));
+    return !lights->has_detail ||
+           (init_plain(lights, desc, block) &&
+            detail_pass_init(&lights->detail,
+                             &(struct detail_desc){
+                                 .width = desc->width,
+                                 .height = desc->height,
+                                 .interleave = gather->detail,
+                                 .radius = detail_radius(desc->settings),
+                                 .distance = blur->distance,
+                                 .cosine = blur->cosine,
+                                 .sharp_cosine = fminf(blur->cosine, sharp_cosine),
+                                 .share = gather->detail_share,
+                                 .block = block,
+                                 .plain = plain_pixels(lights),
+                             }) &&
+            gather_pass_init(&lights->detail_gather, &gather_desc));
 }
 
 static bool init_gather(struct many_lights *lights, const struct technique_desc *desc,

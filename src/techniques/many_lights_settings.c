@@ -87,7 +87,8 @@ static const struct option gather_table[] = {
          "lookups alone; 0 = as all others"},
     {"detail-times", 0, OPTION_INT, ROW(gather, detail_times), 4, 1, 64,
      .help =
-         "as many times as many VPLs again for those of whose neighbours fewer than two are like"},
+         "as many times as many VPLs again for those of whose neighbours fewer than two are like,\n"
+         "or turned by less than 8 degrees"},
     {"detail-share", 0, OPTION_FLOAT, ROW(gather, detail_share), 1, 0, 1,
      .help =
          "such are pixels of whose four neighbours, half the blur's radius away, fewer than this\n"
@@ -106,7 +107,7 @@ static const struct option blur_table[] = {
      .help = "along x, then y, not over the whole square at once"},
     {"distance", 0, OPTION_FLOAT, ROW(blur, distance), .1, 0, 10,
      .help = "within this distance, over the picture's height at the pixel's depth, alpha"},
-    {"cosine", 0, OPTION_FLOAT, ROW(blur, cosine), .98, -1, 1,
+    {"cosine", 0, OPTION_FLOAT, ROW(blur, cosine), .995, -1, 1,
      .help = "within this cosine of the normals, beta"},
     {NULL},
 };

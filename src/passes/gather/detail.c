@@ -70,6 +70,7 @@ static void write_params(const struct detail_pass *pass) {
         .fewest = desc->share * 4,
         .radius = desc->radius,
         .block = desc->block,
+        .sharp_cosine = desc->sharp_cosine,
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
     buffer_write(&pass->lists.counts, 0, sizeof none, none);
