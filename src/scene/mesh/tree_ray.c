@@ -81,11 +81,14 @@ struct tree_hit tree_ray_trace(const struct triangle_tree *tree, vec3s origin, v
     struct pending pending;
     pending.nodes[0] = (struct entered){0, 0};
     pending.count = 1;
-    while (pending.count > 0) {
+    for (uint32_t tests = 0; pending.count > 0;) {
         struct entered entered = pending.nodes[--pending.count];
         const struct tree_node *node = &tree->nodes[entered.node];
         if (entered.distance > nearest.distance)
             continue;
+        tests += node->count;
+        if (tests > TREE_RAY_TESTS)
+            return (struct tree_hit){NULL, INFINITY, false};
         for (uint32_t i = 0; i < node->count; i++)
             meet(&nearest, &tree->triangles[node->first + i], &ray);
         if (node->count == 0)

@@ -12,7 +12,9 @@ struct tree_hit {
     bool front;                           /* else it comes from behind */
 };
 
-/* The nearest triangle beyond the origin, opaque or not, from either side. The tree has one at least. */
+/* The nearest triangle beyond the origin, opaque or not, from either side; none where the ray would ask more than so many,
+ * as where a file has thousands in one place. The tree has one at least. */
+enum { TREE_RAY_TESTS = 2048 };
 struct tree_hit tree_ray_trace(const struct triangle_tree *tree, vec3s origin, vec3s direction);
 
 #endif
