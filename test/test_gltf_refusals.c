@@ -125,7 +125,7 @@ static void test_texts(void **state) {
     static const struct {
         const char *text, *message;
     } texts[] = {
-        {"hello", "syntax error"},
+        {"hello", "not a scene: neither glTF nor GLB"},
         {"[]", "the JSON is not an object"},
         {"{\"asset\": ", "unexpected end"},
         {"{}", "it has no 'asset'"},

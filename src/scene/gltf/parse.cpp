@@ -82,6 +82,14 @@ void change_json(OwnedBytes &bytes, const struct glb_chunks &chunks, bool binary
     bytes.size = size;
 }
 
+/* A file of another kind rarely begins like that; a zero follows its last byte. */
+bool may_be_json(const char *text) {
+    const char mark[] = "\xEF\xBB\xBF";
+    text += strncmp(text, mark, 3) == 0 ? 3 : 0;
+    text += strspn(text, " \t\r\n");
+    return *text == '{' || *text == '[';
+}
+
 /* Their names were for tinygltf alone. */
 bool finish_absent(Loader &loader) {
     loader.is_absent.resize(loader.model.buffers.size());
@@ -104,6 +112,8 @@ bool parse(Loader &loader, const char *path) {
     allow_memory(loader, bytes.size);
     struct glb_chunks chunks = {reinterpret_cast<char *>(bytes.data), bytes.size, 0};
     bool binary = glb_is(&bytes);
+    if (!binary && !may_be_json(chunks.json))
+        return error_set("%s: not a scene: neither glTF nor GLB", path);
     std::string changed;
     if ((binary && !glb_check(&bytes, &chunks)) ||
         !check_schema(chunks.json, chunks.json_size, chunks.bin_size, changed))
