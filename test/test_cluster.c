@@ -51,10 +51,10 @@ struct means {
     int empty;     /* clusters that were, in any step */
 };
 
-/* Seeds are numbers of VPLs, or NULL. */
+/* Seeds are numbers of VPLs, or NULL; values what VPLs would give to a picture, or NULL: all count alike. */
 struct expected {
     const struct cluster_desc *desc;
-    const float *seeds;
+    const float *seeds, *values;
     struct means means;
 };
 
@@ -124,14 +124,28 @@ static void map(struct expected *e, const struct vpl *vpls) {
     }
 }
 
+/* By its value, and a tenth by the mean of those that have light. */
+static double weight_of(const struct expected *e, const struct vpl *vpls, int i) {
+    double sum = 0, count = 0;
+    if (e->desc->metric == CLUSTER_METRIC_SQUARES)
+        return (double)(vpls[i].flux[0] + vpls[i].flux[1] + vpls[i].flux[2]);
+    if (!e->values)
+        return 1;
+    for (int k = 0; k < POINTS; k++)
+        if (vpls[k].reach > 0) {
+            sum += (double)e->values[k];
+            count++;
+        }
+    return .9 * (double)e->values[i] + .1 * sum / count;
+}
+
 static void mean_of(struct expected *e, const struct vpl *vpls, int k) {
     double sums[2][3] = {{0}}, flux[3] = {0}, weights = 0, count = 0;
     for (int i = 0; i < POINTS; i++) {
         const struct vpl *v = &vpls[i];
         if (v->reach == 0 || e->means.nearest[i] != k)
             continue;
-        bool alike = e->desc->metric == CLUSTER_METRIC_LENGTHS;
-        double weight = alike ? 1 : (double)(v->flux[0] + v->flux[1] + v->flux[2]);
+        double weight = weight_of(e, vpls, i);
         for (int c = 0; c < 3; c++) {
             sums[0][c] += weight * (double)v->position[c];
             sums[1][c] += weight * (double)v->normal[c];
@@ -190,6 +204,7 @@ static void expect_clear(struct expected *e, struct vpl vpls[POINTS], int *cloud
 struct clustering {
     struct vpl_buffer vpls;
     struct texture seeds;
+    struct vpl_weights weights;
     struct cluster_desc desc;
     struct cluster_pass pass;
     struct expected expected;
@@ -218,25 +233,47 @@ static const struct cluster_desc squares = {
     .means_of_map = true,
 };
 
+static void open_row(struct texture *row, const char *label, GLenum format, int width) {
+    check_ok(label, texture_init(row, &(struct texture_desc){
+                                          .label = label, .format = format, .width = width}));
+}
+
+/* Of VPLs without light there is nothing, and they are no part of the mean. */
+static void write_weights(const struct clustering *c, const struct vpl *vpls) {
+    float values[POINTS], sum[4] = {0};
+    for (int i = 0; i < POINTS; i++) {
+        values[i] = vpls[i].reach > 0 ? c->expected.values[i] : 0;
+        sum[0] += values[i];
+        sum[1] += vpls[i].reach > 0 ? 1 : 0;
+    }
+    gl.TextureSubImage2D(c->weights.values.id, 0, 0, 0, POINTS, 1, GL_RED, GL_FLOAT, values);
+    gl.TextureSubImage2D(c->weights.sum.id, 0, 0, 0, 1, 1, GL_RGBA, GL_FLOAT, sum);
+}
+
 static void open_clustering(struct clustering *c, const struct cluster_desc *desc,
-                            const float *seeds) {
+                            const float *seeds, const float *values) {
     *c = (struct clustering){.desc = *desc};
     check_ok("points", vpl_buffer_init(&c->vpls, "points", POINTS));
     framebuffer_clear_color(c->vpls.spread_framebuffer, 0, pairs);
     if (seeds) {
-        check_ok("seeds", texture_init(&c->seeds, &(struct texture_desc){.label = "seeds",
-                                                                         .format = GL_R32F,
-                                                                         .width = CLUSTERS}));
+        open_row(&c->seeds, "seeds", GL_R32F, CLUSTERS);
         gl.TextureSubImage2D(c->seeds.id, 0, 0, 0, CLUSTERS, 1, GL_RED, GL_FLOAT, seeds);
         c->desc.seeds = &c->seeds;
     }
-    c->expected = (struct expected){.desc = &c->desc, .seeds = seeds};
+    if (values) {
+        open_row(&c->weights.values, "values", GL_R32F, POINTS);
+        open_row(&c->weights.sum, "sum of values", GL_RGBA32F, 1);
+        c->desc.weights = &c->weights;
+    }
+    c->expected = (struct expected){.desc = &c->desc, .seeds = seeds, .values = values};
     check_ok("clusters", cluster_pass_init(&c->pass, &c->desc));
 }
 
 static void close_clustering(struct clustering *c) {
     cluster_pass_free(&c->pass);
     texture_free(&c->seeds);
+    texture_free(&c->weights.values);
+    texture_free(&c->weights.sum);
     vpl_buffer_free(&c->vpls);
 }
 
@@ -274,6 +311,8 @@ static const struct frame frame = {
 static void check_frame(struct clustering *c, const struct vpl *vpls) {
     const struct means *means = &c->expected.means;
     buffer_write(&c->vpls.buffer, 0, POINTS * sizeof *vpls, vpls);
+    if (c->expected.values)
+        write_weights(c, vpls);
     cluster_pass_render(&c->pass, &frame, &c->vpls);
     const struct val_targets *found = cluster_pass_centers(&c->pass);
     check_at_most("positions", worst_of(&found->position, (double(*)[3])means->position), 1e-5);
@@ -288,11 +327,11 @@ static void check_frame(struct clustering *c, const struct vpl *vpls) {
 
 /* --- tests ---------------------------------------------------------------------------------------- */
 
-static void check_frames(const struct cluster_desc *desc) {
+static void check_frames(const struct cluster_desc *desc, const float *values) {
     struct clustering c;
     struct vpl vpls[POINTS];
     int cloud = 0;
-    open_clustering(&c, desc, NULL);
+    open_clustering(&c, desc, NULL, values);
     for (int i = 0; i < 3; i++) {
         expect_clear(&c.expected, vpls, &cloud);
         check_frame(&c, vpls);
@@ -303,13 +342,22 @@ static void check_frames(const struct cluster_desc *desc) {
 /* As the paper has it: the same seeds each frame. */
 static void test_lengths(void **state) {
     (void)state;
-    check_frames(&lengths);
+    check_frames(&lengths, NULL);
+}
+
+/* Likewise, but VPLs count by what a picture would have of them: few of them most, some not at all. */
+static void test_weights(void **state) {
+    (void)state;
+    float values[POINTS];
+    for (int i = 0; i < POINTS; i++)
+        values[i] = i % 5 == 0 ? 0 : powf((float)radical_inverse(2, (uint32_t)i + 1), 4);
+    check_frames(&lengths, values);
 }
 
 /* By squares, weighted by flux, each frame from the means of the one before. */
 static void test_squares(void **state) {
     (void)state;
-    check_frames(&squares);
+    check_frames(&squares, NULL);
 }
 
 /* Two that take turns, each with seeds of its own: some alike, so that one of them is lost, some nowhere, some not told.
@@ -320,7 +368,7 @@ static void check_turns(const struct cluster_desc *desc) {
     struct vpl vpls[POINTS];
     int cloud = 0, empty = 0;
     for (int i = 0; i < 2; i++)
-        open_clustering(&c[i], desc, seeds[i]);
+        open_clustering(&c[i], desc, seeds[i], NULL);
     for (int i = 0; i < 6; i++) {
         expect_clear(&c[i % 2].expected, vpls, &cloud);
         check_frame(&c[i % 2], vpls);
@@ -351,7 +399,7 @@ static void test_others(void **state) {
     struct vpl vpls[POINTS], others[POINTS];
     struct vpl_buffer there;
     int cloud = 0;
-    open_clustering(&c, &lengths, NULL);
+    open_clustering(&c, &lengths, NULL, NULL);
     expect_clear(&c.expected, vpls, &cloud);
     check_frame(&c, vpls);
     do {
@@ -411,7 +459,7 @@ static void test_views(void **state) {
     desc.iterations = 1;
     desc.start = CLUSTER_START_WARM;
     desc.means_of_map = true;
-    open_clustering(&c, &desc, first_seeds);
+    open_clustering(&c, &desc, first_seeds, NULL);
     render_lights(&c, before, sizeof before);
     render_lights(&c, lights, sizeof lights);
     buffer_read(&c.pass.views.buffer, 0, sizeof views, views);
@@ -446,7 +494,7 @@ static void test_opposed(void **state) {
     struct cluster_desc desc = lengths;
     float normals[CLUSTERS][4], positions[CLUSTERS][4];
     static const float seeds[CLUSTERS] = {0, -2, -2, -2, -2, -2, -2};
-    open_clustering(&c, &desc, seeds);
+    open_clustering(&c, &desc, seeds, NULL);
     render_lights(&c, lights, sizeof lights);
     const struct val_targets *found = cluster_pass_centers(&c.pass);
     gl.GetTextureImage(found->normal.id, 0, GL_RGBA, GL_FLOAT, sizeof normals, normals);
@@ -515,9 +563,9 @@ static void test_memory(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_lengths), cmocka_unit_test(test_squares),
-        cmocka_unit_test(test_lost),    cmocka_unit_test(test_others),
-        cmocka_unit_test(test_views),   cmocka_unit_test(test_opposed),
-        cmocka_unit_test(test_memory),
+        cmocka_unit_test(test_weights), cmocka_unit_test(test_lost),
+        cmocka_unit_test(test_others),  cmocka_unit_test(test_views),
+        cmocka_unit_test(test_opposed), cmocka_unit_test(test_memory),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

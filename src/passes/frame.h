@@ -78,6 +78,12 @@ struct vpl_buffer {
     GLuint spread_framebuffer;
 };
 
+/* How much VPLs count where they are clustered (lights/vpl_weight.glsl): what each would give to the picture, R32F, a texel
+ * a VPL; and a pixel of what all would, and of how many there are, RGBA32F. */
+struct vpl_weights {
+    struct texture values, sum;
+};
+
 /* A binary tree over VPLs (shared/vpl_tree.h), and the VPL that stands for each node, as many times as there are sets
  * of pixels: R32UI, a layer a set. */
 struct vpl_tree {

@@ -8,10 +8,18 @@ enum visibility_kind {
     VISIBILITY_TRACED,
 };
 
+enum vals_importance {
+    IMPORTANCE_NONE,
+    IMPORTANCE_BOUNCES,
+    IMPORTANCE_ALWAYS,
+};
+
 #define ROW(name) offsetof(struct vals_settings, name)
 
 static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
 static const char *const visibility_names[] = {"cssm", "hard", "pcss", "ray", "traced", NULL};
+
+static const char *const importance_names[] = {"none", "bounces", "always", NULL};
 
 static const struct option table[] = {
     {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024, .help = "virtual area lights (clusters), M"},
@@ -30,6 +38,13 @@ static const struct option table[] = {
      .help = "clustering weight of distance, w_x"},
     {"weight-normal", 0, OPTION_FLOAT, ROW(weight_normal), .3, 0, 1000,
      .help = "clustering weight of the angle between normals, w_alpha"},
+    {"importance", 0, OPTION_CHOICE, ROW(importance), IMPORTANCE_BOUNCES,
+     .choices = importance_names,
+     .help = "VPLs count there by what they would give to the picture, so that VALs lie where the "
+             "camera\n"
+             "sees their light: never, where there are further bounces (lights.bounces), or "
+             "always; VALs\n"
+             "are then made anew for each view"},
     {"visibility", 0, OPTION_CHOICE, ROW(visibility), VISIBILITY_RAY, .choices = visibility_names,
      .help =
          "lookup in a VAL's map: soft by convolution, hard, percentage-closer soft, or along "
@@ -49,26 +64,31 @@ const struct settings_part vals_part = {"clustered", "virtual area lights", tabl
 static void free_set(struct val_set *set) {
     caster_pool_release_tree(set->casters, &set->tree);
     cluster_pass_free(&set->cluster);
+    vpl_weight_pass_free(&set->weight);
     paraboloid_pass_free(&set->paraboloid);
     basis_pass_free(&set->basis);
     block_visibility_pass_free(&set->blocks);
 }
 
 static bool init_cluster(struct val_set *set, const struct settings *settings, int vpl_count,
-                         const struct texture *seeds) {
+                         const struct texture *seeds, bool by_importance) {
     const struct vals_settings *own = settings_of(settings, &vals_part);
     const struct map_settings *map = settings_of(settings, &map_part);
-    return cluster_pass_init(&set->cluster, &(struct cluster_desc){
-                                                .vpl_count = vpl_count,
-                                                .val_count = set->visibility.map_count,
-                                                .start = (enum cluster_start)own->start,
-                                                .seeds = seeds,
-                                                .iterations = own->iterations,
-                                                .weight_position = own->weight_position,
-                                                .weight_normal = own->weight_normal,
-                                                .has_views = true,
-                                                .near_clip = map->near_clip,
-                                            });
+    if (by_importance && !vpl_weight_pass_init(&set->weight, vpl_count))
+        return false;
+    return cluster_pass_init(&set->cluster,
+                             &(struct cluster_desc){
+                                 .vpl_count = vpl_count,
+                                 .val_count = set->visibility.map_count,
+                                 .start = (enum cluster_start)own->start,
+                                 .seeds = seeds,
+                                 .weights = by_importance ? &set->weight.weights : NULL,
+                                 .iterations = own->iterations,
+                                 .weight_position = own->weight_position,
+                                 .weight_normal = own->weight_normal,
+                                 .has_views = true,
+                                 .near_clip = map->near_clip,
+                             });
 }
 
 static bool init_maps(struct val_set *set, const struct technique_desc *desc) {
@@ -122,7 +142,7 @@ static bool has_maps(const struct val_set *set) {
 }
 
 static bool init_set(struct val_set *set, const struct technique_desc *desc, int vpl_count,
-                     int val_count, const struct texture *seeds) {
+                     int val_count, const struct texture *seeds, bool by_importance) {
     const struct vals_settings *own = settings_of(desc->settings, &vals_part);
     enum visibility_lookup lookup = vals_lookup(desc->settings);
     set->convolve = lookup == VISIBILITY_LOOKUP_CSSM;
@@ -130,7 +150,7 @@ static bool init_set(struct val_set *set, const struct technique_desc *desc, int
     set->visibility =
         many_lights_lookup(desc->settings, lookup_of_val(lookup, set->share), val_count);
     set->casters = desc->casters;
-    return init_cluster(set, desc->settings, vpl_count, seeds) &&
+    return init_cluster(set, desc->settings, vpl_count, seeds, by_importance) &&
            (!has_maps(set) || init_maps(set, desc)) &&
            (lookup != VISIBILITY_LOOKUP_TRACED ||
             caster_pool_acquire_tree(set->casters, &set->tree)) &&
@@ -172,14 +192,23 @@ static void find_centers(struct vals *vals) {
     vals->output.fluxes = &centers->flux;
 }
 
-bool vals_init(struct vals *vals, const struct technique_desc *desc) {
+static bool is_by_importance(const struct settings *settings) {
+    const struct vals_settings *own = settings_of(settings, &vals_part);
+    const struct lights_settings *lights = settings_of(settings, &lights_part);
+    bool asked = own->visibility != VISIBILITY_TRACED || own->visibility_block > 0;
+    return asked && (own->importance == IMPORTANCE_ALWAYS ||
+                     (own->importance == IMPORTANCE_BOUNCES && lights->bounces > 1));
+}
+
+bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow) {
     const struct vals_settings *own = settings_of(desc->settings, &vals_part);
     const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
+    vals->by_importance = follow && is_by_importance(desc->settings);
     if (!init_count(vals, own, lights->vpls) ||
         !init_set(&vals->first, desc, lights->vpls, own->vals,
-                  vals->counts ? &vals->count.seeds : NULL) ||
-        (lights->bounces > 1 &&
-         !init_set(&vals->further, desc, lights->paths, own->bounce_vals, NULL)))
+                  vals->counts ? &vals->count.seeds : NULL, vals->by_importance) ||
+        (lights->bounces > 1 && !init_set(&vals->further, desc, lights->paths, own->bounce_vals,
+                                          NULL, vals->by_importance)))
         return false;
     vals->output = (struct val_output){
         .extremes = &vals->first.cluster.extremes,
@@ -226,7 +255,9 @@ bool vals_resize(struct vals *vals, struct many_lights *lights, int width, int h
 }
 
 static void render_set(struct val_set *set, const struct frame *frame,
-                       const struct vpl_buffer *vpls) {
+                       const struct gbuffer *gbuffer, const struct vpl_buffer *vpls) {
+    if (gbuffer)
+        vpl_weight_pass_render(&set->weight, frame, gbuffer, vpls);
     cluster_pass_render(&set->cluster, frame, vpls);
     if (!has_maps(set))
         return;
@@ -237,15 +268,16 @@ static void render_set(struct val_set *set, const struct frame *frame,
     timer_end(frame->timers);
 }
 
-void vals_render(struct vals *vals, struct many_lights *lights, const struct frame *frame) {
+void vals_render(struct vals *vals, struct many_lights *lights, const struct frame *frame,
+                 const struct gbuffer *gbuffer) {
     if (vals->counts) {
         cluster_pass_render(&vals->probe, frame, &lights->vpls);
         val_count_pass_render(&vals->count, frame, &lights->vpls,
                               cluster_pass_centers(&vals->probe));
     }
-    render_set(&vals->first, frame, &lights->vpls);
+    render_set(&vals->first, frame, gbuffer, &lights->vpls);
     if (lights->bounces > 1)
-        render_set(&vals->further, frame, &lights->bounce.vpls);
+        render_set(&vals->further, frame, gbuffer, &lights->bounce.vpls);
     find_centers(vals);
 }
 

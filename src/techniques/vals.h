@@ -5,6 +5,7 @@
 
 #include "passes/lights/cluster.h"
 #include "passes/lights/val_count.h"
+#include "passes/lights/vpl_weight.h"
 #include "passes/visibility/basis.h"
 #include "passes/visibility/block_visibility.h"
 #include "passes/visibility/paraboloid.h"
@@ -19,6 +20,7 @@ struct vals_settings {
     float weight_position, weight_normal; /* w_x, w_alpha */
     int visibility;                       /* enum visibility_kind */
     int visibility_block;                 /* pixels a side; 0 = each pixel looks itself up */
+    int importance;                       /* enum vals_importance */
 };
 
 /* Called as the technique that they were made for: "clustered". */
@@ -26,7 +28,8 @@ extern const struct settings_part vals_part;
 
 /* Those of some VPLs. */
 struct val_set {
-    struct cluster_pass cluster; /* has the VPLs with their VALs' numbers */
+    struct vpl_weight_pass weight; /* where VPLs count by importance */
+    struct cluster_pass cluster;   /* has the VPLs with their VALs' numbers */
     struct paraboloid_pass paraboloid;
     struct basis_pass basis;
     struct block_visibility_pass blocks; /* where share */
@@ -37,7 +40,8 @@ struct val_set {
 };
 
 struct vals {
-    bool counts; /* how many of the first are needed: */
+    bool by_importance; /* what the camera sees changes them */
+    bool counts;        /* how many of the first are needed: */
     struct cluster_pass probe;
     struct val_count_pass count;
     struct val_set first, further; /* of the first bounce; of further ones, where there are any */
@@ -47,15 +51,18 @@ struct vals {
 /* How a pixel asks for a VPL's visibility. */
 enum visibility_lookup vals_lookup(const struct settings *settings);
 
-/* Like a technique's; what a failed init leaves is to be freed. */
-bool vals_init(struct vals *vals, const struct technique_desc *desc);
+/* Like a technique's; what a failed init leaves is to be freed. follow: the settings may have them made for what the camera
+ * sees (vals->by_importance). */
+bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow);
 void vals_free(struct vals *vals);
 
 /* As technique->resize, of the lights too. */
 bool vals_resize(struct vals *vals, struct many_lights *lights, int width, int height);
 
-/* Of all bounces, which are made with it: after many_lights_render_vpls. */
-void vals_render(struct vals *vals, struct many_lights *lights, const struct frame *frame);
+/* Of all bounces, which are made with it: after many_lights_render_vpls. Where they are by importance in each view, for what it
+ * sees; else once for all views, and without a G-buffer. */
+void vals_render(struct vals *vals, struct many_lights *lights, const struct frame *frame,
+                 const struct gbuffer *gbuffer);
 
 /* Visibility by blocks, where it is shared; and what a gather of lights reads beside them: maps, blocks. */
 struct gather_inputs vals_render_blocks(const struct val_set *set, const struct frame *frame,

@@ -36,8 +36,8 @@ static void free_targets(struct val_targets *targets) {
 
 static bool init_programs(struct cluster_pass *pass) {
     char defines[64];
-    snprintf(defines, sizeof defines, "METRIC %d;SEEDED %d", pass->desc.metric,
-             pass->desc.seeds != NULL);
+    snprintf(defines, sizeof defines, "METRIC %d;SEEDED %d;WEIGHTED %d", pass->desc.metric,
+             pass->desc.seeds != NULL, pass->desc.weights != NULL);
     struct {
         GLuint *program;
         struct program_desc desc;
@@ -171,6 +171,10 @@ static void scatter(const struct cluster_pass *pass, GLuint program, GLuint fram
     struct pass_state state = row_state(pass, program, framebuffer, centers);
     state.vertex_array = vpls->vertices;
     state.blend = blend;
+    if (pass->desc.weights) {
+        pass_add_texture(&state, UNIT_VPL_VALUES, pass->desc.weights->values.id);
+        pass_add_texture(&state, UNIT_VPL_VALUE_SUM, pass->desc.weights->sum.id);
+    }
     pass_set_state(&state);
     pass_draw(GL_POINTS, vpls->count, 1);
 }

@@ -23,6 +23,7 @@ struct cluster_desc {
     enum cluster_start start;
     const struct texture
         *seeds; /* val_count x 1, R32F: numbers of VPLs, -1 for the usual one's; NULL */
+    const struct vpl_weights *weights; /* of VPLs in the means of lengths; NULL: all count alike */
     int iterations;
     int metric;                           /* CLUSTER_METRIC_... (shared/cluster.h) */
     float weight_position, weight_normal; /* w_x, w_alpha; or w_d, w_n */

@@ -161,7 +161,7 @@ static bool init(void **state, const struct technique_desc *desc) {
     struct many_lights_visibility visibility = {VISIBILITY_LOOKUP_NONE, .map_count = 1};
     technique->has_vals = own->visibility == LIGHT_VISIBILITY_VALS;
     if (technique->has_vals) {
-        if (!vals_init(&technique->vals, desc))
+        if (!vals_init(&technique->vals, desc, false))
             return false;
         visibility.lookup = vals_lookup(desc->settings);
         visibility.map_count = technique->vals.first.visibility.map_count;
@@ -206,7 +206,7 @@ static void render_lights(void *state, const struct frame *frame) {
     struct many_lights *lights = &technique->lights;
     many_lights_render_vpls(lights, frame);
     if (technique->has_vals)
-        vals_render(&technique->vals, lights, frame);
+        vals_render(&technique->vals, lights, frame, NULL);
     if (!technique->by_importance)
         render_first(technique, frame);
     if (lights->bounces > 1)
@@ -269,7 +269,8 @@ const struct technique cluster_lights_technique = {
     .name = "cluster-lights",
     .help = "clusters of VPLs as area lights, all at each pixel",
     .parts = parts,
-    .unused = "gather.interleave gather.clamp gather.near-samples gather.detail-times blur.radius",
+    .unused = "clustered.importance gather.interleave gather.clamp gather.near-samples "
+              "gather.detail-times blur.radius",
     .presets = presets,
     .refinement = &many_lights_refinement,
     .check = check,

@@ -23,7 +23,7 @@ static void free_state(void *state) {
 static bool init(void **state, const struct technique_desc *desc) {
     struct clustered *technique = *state = mem_alloc(1, sizeof *technique);
     const struct val_set *first = &technique->vals.first;
-    return vals_init(&technique->vals, desc) &&
+    return vals_init(&technique->vals, desc, true) &&
            many_lights_init(&technique->lights, desc,
                             &(struct many_lights_visibility){
                                 .lookup = vals_lookup(desc->settings),
@@ -40,7 +40,8 @@ static bool resize(void *state, int width, int height) {
 static void render_lights(void *state, const struct frame *frame) {
     struct clustered *technique = state;
     many_lights_render_vpls(&technique->lights, frame);
-    vals_render(&technique->vals, &technique->lights, frame);
+    if (!technique->vals.by_importance)
+        vals_render(&technique->vals, &technique->lights, frame, NULL);
 }
 
 static void gather(const struct clustered *technique, const struct val_set *vals, bool further,
@@ -53,6 +54,8 @@ static void gather(const struct clustered *technique, const struct val_set *vals
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct clustered *technique = state;
+    if (technique->vals.by_importance)
+        vals_render(&technique->vals, &technique->lights, frame, gbuffer);
     many_lights_begin(&technique->lights, frame, gbuffer);
     gather(technique, &technique->vals.first, false, frame, gbuffer);
     if (technique->lights.bounces > 1)
@@ -81,7 +84,8 @@ static const struct preset presets[] = {
      "clustered.visibility=traced clustered.visibility-block=0 gather.detail=2 "
      "gather.detail-times=1"},
     {"paper", "as published: convolution soft shadow maps at each pixel and VPL",
-     "clustered.visibility=cssm clustered.visibility-block=0 " MANY_LIGHTS_AS_PUBLISHED},
+     "clustered.visibility=cssm clustered.visibility-block=0 "
+     "clustered.importance=none " MANY_LIGHTS_AS_PUBLISHED},
     {NULL}};
 
 extern const struct technique clustered_technique;

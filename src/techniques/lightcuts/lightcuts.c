@@ -81,7 +81,7 @@ static bool init_cut(struct lightcuts *technique, const struct technique_desc *d
 static bool init(void **state, const struct technique_desc *desc) {
     struct lightcuts *technique = *state = mem_alloc(1, sizeof *technique);
     const struct val_set *first = &technique->vals.first;
-    return vals_init(&technique->vals, desc) && init_trees(technique, desc) &&
+    return vals_init(&technique->vals, desc, false) && init_trees(technique, desc) &&
            init_cut(technique, desc) &&
            many_lights_init(&technique->lights, desc,
                             &(struct many_lights_visibility){
@@ -112,7 +112,7 @@ static bool resize(void *state, int width, int height) {
 static void render_lights(void *state, const struct frame *frame) {
     struct lightcuts *technique = state;
     many_lights_render_vpls(&technique->lights, frame);
-    vals_render(&technique->vals, &technique->lights, frame);
+    vals_render(&technique->vals, &technique->lights, frame, NULL);
     vpl_tree_pass_render(&technique->first, frame, &technique->vals.first.cluster.vpls);
     if (technique->lights.bounces > 1)
         vpl_tree_pass_render(&technique->further, frame, &technique->vals.further.cluster.vpls);
@@ -156,6 +156,7 @@ const struct technique lightcuts_technique = {
     .name = "lightcuts",
     .help = "cuts through a tree of VPLs, a block of pixels each",
     .parts = parts,
+    .unused = "clustered.importance",
     .presets = presets,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,

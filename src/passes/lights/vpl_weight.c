@@ -1,0 +1,82 @@
+#include "passes/lights/vpl_weight.h"
+
+#include "gl/framebuffer.h"
+#include "gl/program.h"
+#include "shared/vpl_weight.h"
+
+static bool init_programs(struct vpl_weight_pass *pass) {
+    const struct {
+        GLuint *program;
+        const char *fragment;
+    } drawn[] = {{&pass->program, "lights/vpl_weight.frag"},
+                 {&pass->sum_program, "lights/vpl_weight_sum.frag"}};
+    for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
+        if (!program_init(drawn[i].program, &(struct program_desc){.vertex = "fullscreen.vert",
+                                                                   .fragment = drawn[i].fragment}))
+            return false;
+    return true;
+}
+
+static bool init_row(struct texture *texture, GLuint *framebuffer, GLenum format, int width) {
+    static const char label[] = "weights of VPLs";
+    return texture_init(texture,
+                        &(struct texture_desc){.label = label, .format = format, .width = width}) &&
+           framebuffer_init(framebuffer,
+                            &(struct framebuffer_desc){.label = label, .colors = {texture}});
+}
+
+bool vpl_weight_pass_init(struct vpl_weight_pass *pass, int vpl_count) {
+    *pass = (struct vpl_weight_pass){.vpl_count = vpl_count};
+    struct vpl_weight_params params = {.vpls = vpl_count};
+    if (init_programs(pass) &&
+        init_row(&pass->weights.values, &pass->value_framebuffer, GL_R32F, vpl_count) &&
+        init_row(&pass->weights.sum, &pass->sum_framebuffer, GL_RGBA32F, 1) &&
+        buffer_init(&pass->params, "parameters of weights", sizeof params, &params))
+        return true;
+    vpl_weight_pass_free(pass);
+    return false;
+}
+
+void vpl_weight_pass_free(struct vpl_weight_pass *pass) {
+    program_free(&pass->program);
+    program_free(&pass->sum_program);
+    framebuffer_free(&pass->value_framebuffer);
+    framebuffer_free(&pass->sum_framebuffer);
+    texture_free(&pass->weights.values);
+    texture_free(&pass->weights.sum);
+    buffer_free(&pass->params);
+    *pass = (struct vpl_weight_pass){0};
+}
+
+static struct pass_state row_state(const struct vpl_weight_pass *pass, GLuint program,
+                                   GLuint framebuffer, int width, const struct vpl_buffer *vpls) {
+    return (struct pass_state){
+        .name = "importance",
+        .program = program,
+        .framebuffer = framebuffer,
+        .width = width,
+        .height = 1,
+        .textures = {{UNIT_VPLS, vpls->texels}},
+        .blocks = {{BLOCK_PASS, &pass->params}},
+    };
+}
+
+static void draw_row(const struct pass_state *state) {
+    pass_set_state(state);
+    pass_draw_fullscreen(1);
+}
+
+void vpl_weight_pass_render(const struct vpl_weight_pass *pass, const struct frame *frame,
+                            const struct gbuffer *gbuffer, const struct vpl_buffer *vpls) {
+    struct pass_state values = row_state(pass, pass->program, pass->value_framebuffer,
+                                         pass->vpl_count, vpls),
+                      sum = row_state(pass, pass->sum_program, pass->sum_framebuffer, 1, vpls);
+    pass_add_block(&values, BLOCK_VIEW, frame->view);
+    pass_add_texture(&values, UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
+    pass_add_texture(&values, UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
+    pass_add_texture(&sum, UNIT_VPL_VALUES, pass->weights.values.id);
+    timer_begin(frame->timers, "importance");
+    draw_row(&values);
+    draw_row(&sum);
+    timer_end(frame->timers);
+}
