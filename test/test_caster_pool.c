@@ -81,21 +81,24 @@ static void test_shared_and_kept(void **state) {
     stage_free(&stage);
 }
 
-/* Solids are told where nothing moves and casters may stray; metaballs close as they move. */
+/* Solids are told where nothing moves, a camera stands and casters may stray; metaballs close as they move. */
 static void test_solid(void **state) {
     static const struct {
         const char *path;
         const struct caster_desc *desc;
-        bool solid;
-    } rows[] = {{"scenes/cornell-animal.glb", &coarse, true},
-                {"scenes/cornell-animal.glb", &exact, false},
-                {"scenes/door.glb", &coarse, false},
-                {"scenes/metaballs.glb", &coarse, true},
-                {"scenes/metaballs.glb", &exact, false}};
+        bool solid, has_camera;
+    } rows[] = {{"scenes/cornell-animal.glb", &coarse, true, true},
+                {"scenes/cornell-animal.glb", &coarse, false, false},
+                {"scenes/cornell-animal.glb", &exact, false, true},
+                {"scenes/door.glb", &coarse, false, true},
+                {"scenes/metaballs.glb", &coarse, true, true},
+                {"scenes/metaballs.glb", &exact, false, true}};
     (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct stage stage;
         open_stage(&stage, rows[i].path);
+        for (int n = 0; n < stage.scene.node_count && !rows[i].has_camera; n++)
+            stage.scene.nodes[n].camera = -1;
         struct caster_pool *pool = caster_pool_create(&stage.scene, &stage.geometry);
         const struct caster_gpu *caster = acquire(pool, rows[i].desc);
         uint32_t all = triangles(caster, CASTER_SHORT),

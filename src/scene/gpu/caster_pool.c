@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "scene/camera.h"
+#include "scene/node.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -60,9 +61,10 @@ bool caster_pool_has(const struct caster_pool *pool, const struct caster_desc *d
     return find(pool, desc);
 }
 
-/* Whatever clip plays. */
-static bool is_still(const struct scene *scene) {
-    return scene->clip_count == 0 && scene->metaballs_count == 0;
+/* Nothing moves, whatever clip plays, and a camera stands in the open; what stands in for a scene has none. */
+static bool tells_solids(const struct scene *scene) {
+    return scene->clip_count == 0 && scene->metaballs_count == 0 &&
+           node_count_carrying(scene, NODE_CAMERA) > 0;
 }
 
 static struct pooled *add(struct caster_pool *pool, const struct caster_desc *desc) {
@@ -70,7 +72,7 @@ static struct pooled *add(struct caster_pool *pool, const struct caster_desc *de
     free_unused(pool);
     struct caster_desc own = *desc;
     struct camera camera;
-    if (desc->error > 0 && is_still(pool->scene)) {
+    if (desc->error > 0 && tells_solids(pool->scene)) {
         camera_place(&camera, pool->scene, 0, 0);
         own.eye = camera.eye;
     }
