@@ -206,10 +206,20 @@ bool ui_tile(const char *name, unsigned texture, float width, float height, cons
     return clicked;
 }
 
+/* What each of so many buttons has beside its name, where the names and their gaps fill a line. */
+static float beside_names(const char *const *names, int count, float gap) {
+    float left = ImGui::GetContentRegionAvail().x - gap * (float)(count - 1);
+    for (int i = 0; i < count; i++)
+        left -= ImGui::CalcTextSize(names[i], nullptr, true).x;
+    return ImMax(left, 0.F) / (float)count;
+}
+
 bool ui_segments(const char *id, int *value, const char *const *names, int count) {
     bool changed = false;
-    float gap = units(.1F);
-    float width = (ImGui::GetContentRegionAvail().x - gap * (float)(count - 1)) / (float)count;
+    float gap = units(.1F), beside = beside_names(names, count, gap);
+    ImVec2 padding = ImGui::GetStyle().FramePadding;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        ImVec2(ImMin(padding.x, beside / 2), padding.y));
     ImGui::PushID(id);
     for (int i = 0; i < count; i++) {
         if (i > 0)
@@ -217,6 +227,7 @@ bool ui_segments(const char *id, int *value, const char *const *names, int count
         bool on = *value == i;
         ImGui::PushStyleColor(ImGuiCol_Button, on ? accent_dark : raised);
         ImGui::PushStyleColor(ImGuiCol_ButtonHovered, on ? accent_dark : raised_more);
+        float width = ImGui::CalcTextSize(names[i], nullptr, true).x + beside;
         if (ImGui::Button(names[i], ImVec2(width, 0)) && !on) {
             *value = i;
             changed = true;
@@ -225,6 +236,7 @@ bool ui_segments(const char *id, int *value, const char *const *names, int count
         look_mark(names[i]);
     }
     ImGui::PopID();
+    ImGui::PopStyleVar();
     return changed;
 }
 
