@@ -18,7 +18,7 @@
 
 enum { POINTS = 60, CLUSTERS = 7, CLOUDS_MAX = 400 };
 
-/* What the buffer of VPLs says of its spread: sum of logarithms, pairs. */
+/* What the buffer of VPLs has of their spread: sum of logarithms, pairs. */
 static const float pairs[4] = {3, 2, 0, 0};
 
 /* --- points ------------------------------------------------------------------------------------- */
@@ -254,7 +254,7 @@ static void open_clustering(struct clustering *c, const struct cluster_desc *des
                             const float *seeds, const float *values) {
     *c = (struct clustering){.desc = *desc};
     check_ok("points", vpl_buffer_init(&c->vpls, "points", POINTS));
-    framebuffer_clear_color(c->vpls.spread_framebuffer, 0, pairs);
+    framebuffer_clear_color(c->vpls.sums_framebuffer, 0, pairs);
     if (seeds) {
         open_row(&c->seeds, "seeds", GL_R32F, CLUSTERS);
         gl.TextureSubImage2D(c->seeds.id, 0, 0, 0, CLUSTERS, 1, GL_RED, GL_FLOAT, seeds);

@@ -201,7 +201,7 @@ static void open_maker(struct maker *maker, int vpl_count, const struct cluster_
     check_ok("lights", cluster_light_pass_init(
                            &maker->shape, &(struct cluster_light_desc){.count = desc->val_count}));
     /* Lengths over one metre. */
-    framebuffer_clear_color(maker->vpls.spread_framebuffer, 0, (float[]){0, 1, 0, 0});
+    framebuffer_clear_color(maker->vpls.sums_framebuffer, 0, (float[]){0, 1, 0, 0});
 }
 
 static void close_maker(struct maker *maker) {

@@ -317,6 +317,30 @@ static void check_order(struct renderer *renderer, int interleave, int run) {
     free(after);
 }
 
+/* VPLs with their clusters have the sums of those that they were made of. */
+static void test_hue(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    open_stage(&stage, cornell_animal);
+    struct renderer_desc desc = desc_of(&stage, "clustered", "vpls=1024", SIZE, SIZE);
+    open_renderer(&renderer, &desc);
+    struct output_list outputs;
+    renderer_outputs(&renderer, &outputs);
+    float sums[4];
+    gl.GetTextureImage(output_vpls(&outputs)->sums.id, 0, GL_RGBA, GL_FLOAT, sizeof sums, sums);
+    struct vpl *vpls = read_vpls(&renderer);
+    double light[2] = {0};
+    for (int i = 0; i < 1024; i++)
+        for (int c = 0; c < 2; c++)
+            light[c] += vpls[i].reach > 0 ? (double)vpls[i].flux[c] : 0;
+    free(vpls);
+    check_near("sum of red light", (double)sums[2] / light[0], 1, 1e-4);
+    check_near("sum of green light", (double)sums[3] / light[1], 1, 1e-4);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
 static void test_order(void **state) {
     (void)state;
     struct stage stage;
@@ -432,6 +456,7 @@ int main(void) {
         cmocka_unit_test(test_contexts_of_binary),
         cmocka_unit_test(test_split_meshes),
         cmocka_unit_test(test_turns),
+        cmocka_unit_test(test_hue),
         cmocka_unit_test(test_order),
         cmocka_unit_test(test_seeds),
         cmocka_unit_test(test_more_vpls),

@@ -213,7 +213,7 @@ static void test_rows(void **state) {
     rows_pass_pick(&rows, &frame, &renderer.gbuffer, 7);
     assert_int_equal(rows.pixels.count, SIZE * SIZE);
     struct vpl_buffer pixels = rows.pixels;
-    pixels.spread = vpls->spread;
+    pixels.sums = vpls->sums;
     vpl_views_pass_render(&views, &frame, &pixels, 0, pixels.count);
     rows_pass_render(&rows, &frame,
                      &(struct rows_inputs){.vpls = vpls,

@@ -90,6 +90,8 @@ vec3 unshadowed(int i, vpl light, surface s, out vec3 back) {
 }
 
 #if TOGETHER > 0
+#include "lib/vpl_sums.glsl"
+
 // Of TOGETHER VPLs those of much the same hue, of which one, taken by its light, asks for the visibility of all: on average
 // each counts as if it had asked. Where red light and green shared an answer, shadows would be of neither's
 // hue.
@@ -120,14 +122,14 @@ vec3 group_light(light_group group, surface s) {
 #endif
 }
 
-// Irradiance times pi of the VPLs first .. last.
-vec3 light_together(surface s, int first, int last, float random) {
+// Irradiance times pi of the VPLs first .. last, of which some are redder than that hue, that of all.
+vec3 light_together(surface s, int first, int last, vec2 hue, float random) {
     light_group none = light_group(vec3(0.0), vec3(0.0), s.position, 0.0, 0.0);
     light_group redder = none, greener = none;
     for (int i = first; i < last; i++) {
         vpl light = light_at(i);
         vec3 back, own = unshadowed(i, light, s, back);
-        bool is_red = light.flux.r > light.flux.g;
+        bool is_red = light.flux.r * hue.g > light.flux.g * hue.r;
         float own_strength = dot(own + back, vec3(1.0));
         float strength = own_strength + (is_red ? redder.strength : greener.strength);
         // One number for all: within the part that it fell into it is as random as before.
@@ -144,9 +146,10 @@ vec3 light_together(surface s, int first, int last, float random) {
 vec3 light_of_slot(surface s, ivec2 pixel, ivec2 lights) {
     vec3 sum = vec3(0.0);
     // A lattice: pixels side by side have numbers far apart. Each group has its own, as one has no digits for more.
+    vec2 hue = vpl_hue();
     float random = fract(dot(vec2(pixel), vec2(0.7548776662, 0.5698402910)) + params.turn);
     for (int i = lights.x; i < lights.y; i += TOGETHER) {
-        sum += light_together(s, i, min(i + TOGETHER, lights.y), random);
+        sum += light_together(s, i, min(i + TOGETHER, lights.y), hue, random);
         random = fract(random + 0.6180339887);
     }
     return sum;

@@ -4,7 +4,7 @@
 // Distances are taken over the spread of the VPLs, so that neither units nor what no light reaches count.
 #include "shared/cluster.h"
 #include "shared/vpl.h"
-#include "lib/vpl_spread.glsl"
+#include "lib/vpl_sums.glsl"
 
 layout(binding = UNIT_VAL_POSITION) uniform sampler2D val_positions; // xyz, count
 layout(binding = UNIT_VAL_NORMAL) uniform sampler2D val_normals;

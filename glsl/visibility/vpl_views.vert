@@ -5,7 +5,7 @@
 #include "visibility/map_view_output.glsl"
 #include "lib/tangent.glsl"
 #include "lib/vpl_input.glsl"
-#include "lib/vpl_spread.glsl"
+#include "lib/vpl_sums.glsl"
 #include "shared/vpl_views.h"
 
 void main() {

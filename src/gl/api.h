@@ -21,6 +21,7 @@
     X(PFNGLTEXTURESTORAGE2DPROC, TextureStorage2D)                                                 \
     X(PFNGLTEXTURESTORAGE3DPROC, TextureStorage3D)                                                 \
     X(PFNGLTEXTURESTORAGE3DMULTISAMPLEPROC, TextureStorage3DMultisample)                           \
+    X(PFNGLCOPYIMAGESUBDATAPROC, CopyImageSubData)                                                 \
     X(PFNGLTEXTURESUBIMAGE2DPROC, TextureSubImage2D)                                               \
     X(PFNGLTEXTURESUBIMAGE3DPROC, TextureSubImage3D)                                               \
     X(PFNGLTEXTUREPARAMETERIPROC, TextureParameteri)                                               \

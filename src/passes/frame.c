@@ -138,20 +138,20 @@ static void add_attribute(const struct vpl_buffer *vpls, GLuint location, size_t
         &(struct vertex_attribute){&vpls->buffer, 4, GL_FLOAT, sizeof(struct vpl), offset});
 }
 
-static bool init_spread(struct vpl_buffer *vpls) {
-    return texture_init(&vpls->spread, &(struct texture_desc){.label = "spread of VPLs",
-                                                              .format = GL_RGBA32F,
-                                                              .width = 1,
-                                                              .height = 1}) &&
+static bool init_sums(struct vpl_buffer *vpls) {
+    return texture_init(&vpls->sums, &(struct texture_desc){.label = "sums of VPLs",
+                                                            .format = GL_RGBA32F,
+                                                            .width = 1,
+                                                            .height = 1}) &&
            framebuffer_init(
-               &vpls->spread_framebuffer,
-               &(struct framebuffer_desc){.label = "spread of VPLs", .colors = {&vpls->spread}});
+               &vpls->sums_framebuffer,
+               &(struct framebuffer_desc){.label = "sums of VPLs", .colors = {&vpls->sums}});
 }
 
 bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {
     *vpls = (struct vpl_buffer){.count = count};
     size_t size = (size_t)(count > VPLS_PER_BLOCK ? count : VPLS_PER_BLOCK) * sizeof(struct vpl);
-    if (!buffer_init(&vpls->buffer, label, size, NULL) || !init_spread(vpls)) {
+    if (!buffer_init(&vpls->buffer, label, size, NULL) || !init_sums(vpls)) {
         vpl_buffer_free(vpls);
         return false;
     }
@@ -164,9 +164,14 @@ bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {
     return true;
 }
 
+void vpl_buffer_take_sums(const struct vpl_buffer *vpls, const struct vpl_buffer *from) {
+    gl.CopyImageSubData(from->sums.id, GL_TEXTURE_2D, 0, 0, 0, 0, vpls->sums.id, GL_TEXTURE_2D, 0,
+                        0, 0, 0, 1, 1, 1);
+}
+
 void vpl_buffer_free(struct vpl_buffer *vpls) {
-    framebuffer_free(&vpls->spread_framebuffer);
-    texture_free(&vpls->spread);
+    framebuffer_free(&vpls->sums_framebuffer);
+    texture_free(&vpls->sums);
     vertex_array_free(&vpls->vertices);
     if (vpls->texels)
         gl.DeleteTextures(1, &vpls->texels);

@@ -67,15 +67,15 @@ struct block_planes {
     struct texture planes, normals;
 };
 
-/* N virtual point lights: struct vpl (shared/vpl.h), at least as many as a uniform block has room for; and how far
- * they are apart: the scale of what is lit. */
+/* N virtual point lights: struct vpl (shared/vpl.h), at least as many as a uniform block has room for; and sums
+ * over them, which tell how far they are apart, the scale of what is lit, and their hue. */
 struct vpl_buffer {
     struct buffer buffer;
     GLuint vertices; /* vertex array: position 0, normal 1, flux 2 */
     GLuint texels;   /* buffer texture: lib/vpl_texels.glsl */
     int count;
-    struct texture spread; /* a pixel, RGBA32F: lib/vpl_spread.glsl */
-    GLuint spread_framebuffer;
+    struct texture sums; /* a pixel, RGBA32F: lib/vpl_sums.glsl */
+    GLuint sums_framebuffer;
 };
 
 /* How much VPLs count where they are clustered (lights/vpl_weight.glsl): what each would give to the picture, R32F, a texel
@@ -234,6 +234,9 @@ void rsm_add(struct pass_state *state, const struct gbuffer rsm[LIGHT_MAP_KINDS]
 
 bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count);
 void vpl_buffer_free(struct vpl_buffer *vpls);
+
+/* The sums of what the VPLs stand for. */
+void vpl_buffer_take_sums(const struct vpl_buffer *vpls, const struct vpl_buffer *from);
 
 bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum format, int width,
                      int height, int interleave);

@@ -386,7 +386,7 @@ void many_lights_render_vpls(struct many_lights *lights, const struct frame *fra
     if (lights->bounces == 1)
         return;
     bounce_pass_render(&lights->bounce, frame, &lights->vpls);
-    vpl_pass_measure_spread(&lights->vpl, &lights->bounce.vpls);
+    vpl_pass_sum_up(&lights->vpl, &lights->bounce.vpls);
 }
 
 void many_lights_begin(const struct many_lights *lights, const struct frame *frame,

@@ -132,7 +132,7 @@ static struct pass_state row_state(const struct cluster_pass *pass, GLuint progr
                      {UNIT_VAL_POSITION, centers->position.id},
                      {UNIT_VAL_NORMAL, centers->normal.id},
                      {UNIT_VAL_FLUX, centers->flux.id},
-                     {UNIT_VPL_SPREAD, pass->vpl_spread}},
+                     {UNIT_VPL_SUMS, pass->vpl_sums}},
         .blocks = {{BLOCK_PASS, &pass->params}},
     };
 }
@@ -202,12 +202,13 @@ void cluster_pass_map(const struct cluster_pass *pass, const struct vpl_buffer *
     state.vertex_array = vpls->vertices;
     pass_set_state(&state);
     pass_feedback(to->buffer.id, 0, vpls->count);
+    vpl_buffer_take_sums(to, vpls);
 }
 
 /* k-means; afterwards pass->last is where the means are. */
 static void find_centers(struct cluster_pass *pass, const struct vpl_buffer *vpls) {
     pass->vpl_texels = vpls->texels;
-    pass->vpl_spread = vpls->spread.id;
+    pass->vpl_sums = vpls->sums.id;
     if (pass->desc.start == CLUSTER_START_SEEDS || !pass->started)
         seed(pass);
     pass->started = true;

@@ -43,7 +43,7 @@ struct cluster_pass {
     struct texture extremes;
     GLuint extremes_framebuffer;
     GLuint vpl_texels;      /* of the VPLs that are read: those that come in, then its own */
-    GLuint vpl_spread;      /* theirs */
+    GLuint vpl_sums;        /* theirs */
     struct vpl_buffer vpls; /* the VPLs with C(i) */
     struct map_views views; /* one a VAL, where they have any */
     struct buffer params;

@@ -97,5 +97,6 @@ void cluster_light_pass_render(const struct cluster_light_pass *pass, const stru
     add_moments(pass, vpls, means);
     write_lights(pass, means, pass->light_program, &pass->lights.buffer);
     write_lights(pass, means, pass->rectangle_program, &pass->rectangles);
+    vpl_buffer_take_sums(&pass->lights, vpls);
     timer_end(frame->timers);
 }

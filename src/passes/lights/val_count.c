@@ -81,7 +81,7 @@ static void measure(const struct val_count_pass *pass, const struct vpl_buffer *
         .blend = PASS_BLEND_ADD,
         .textures = {{UNIT_VAL_POSITION, probes->position.id},
                      {UNIT_VAL_NORMAL, probes->normal.id},
-                     {UNIT_VPL_SPREAD, vpls->spread.id}},
+                     {UNIT_VPL_SUMS, vpls->sums.id}},
         .blocks = {{BLOCK_PASS, &pass->params}},
     });
     pass_draw(GL_POINTS, vpls->count, 1);

@@ -23,11 +23,11 @@ struct vpl_point {
 static bool init_programs(struct vpl_pass *pass) {
     int count = pass->desc.count < VPL_PARTNERS_MAX ? pass->desc.count : VPL_PARTNERS_MAX;
     char *defines = mem_printf("PARTNERS %d", count);
-    bool ok = program_init(&pass->program, &(struct program_desc){.vertex = "lights/vpl.vert"}) &&
-              program_init(&pass->spread_program,
-                           &(struct program_desc){.vertex = "lights/vpl_spread.vert",
-                                                  .fragment = "lights/vpl_spread.frag",
-                                                  .defines = defines});
+    bool ok =
+        program_init(&pass->program, &(struct program_desc){.vertex = "lights/vpl.vert"}) &&
+        program_init(&pass->sums_program, &(struct program_desc){.vertex = "lights/vpl_sums.vert",
+                                                                 .fragment = "lights/vpl_sums.frag",
+                                                                 .defines = defines});
     free(defines);
     return ok;
 }
@@ -50,7 +50,7 @@ bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc) {
 
 void vpl_pass_free(struct vpl_pass *pass) {
     program_free(&pass->program);
-    program_free(&pass->spread_program);
+    program_free(&pass->sums_program);
     vertex_array_free(&pass->vertices);
     buffer_free(&pass->samples);
     buffer_free(&pass->shares);
@@ -126,13 +126,13 @@ static void write_shares(const struct vpl_pass *pass, const struct frame *frame)
     buffer_write(&pass->shares, 0, sizeof shares, &shares);
 }
 
-void vpl_pass_measure_spread(const struct vpl_pass *pass, const struct vpl_buffer *vpls) {
+void vpl_pass_sum_up(const struct vpl_pass *pass, const struct vpl_buffer *vpls) {
     static const float none[4] = {0};
-    framebuffer_clear_color(vpls->spread_framebuffer, TARGET_RESULT, none);
+    framebuffer_clear_color(vpls->sums_framebuffer, TARGET_RESULT, none);
     pass_set_state(&(struct pass_state){
         .name = "vpls",
-        .program = pass->spread_program,
-        .framebuffer = vpls->spread_framebuffer,
+        .program = pass->sums_program,
+        .framebuffer = vpls->sums_framebuffer,
         .vertex_array = vpls->vertices,
         .width = 1,
         .height = 1,
@@ -155,6 +155,6 @@ void vpl_pass_render(struct vpl_pass *pass, const struct frame *frame,
     rsm_add(&state, rsm);
     pass_begin(frame->timers, &state);
     pass_feedback(vpls->buffer.id, 0, pass->desc.count);
-    vpl_pass_measure_spread(pass, vpls);
+    vpl_pass_sum_up(pass, vpls);
     pass_end(frame->timers);
 }

@@ -26,7 +26,7 @@ struct vpl_desc {
 
 struct vpl_pass {
     struct vpl_desc desc;
-    GLuint program, spread_program, vertices;
+    GLuint program, sums_program, vertices;
     struct vpl_point *points;      /* as the buffer has them */
     int light_count;               /* of the lights that they were dealt to; 0 = none yet */
     int dealt_pass;                /* which they were dealt for */
@@ -38,11 +38,11 @@ struct vpl_pass {
 bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc);
 void vpl_pass_free(struct vpl_pass *pass);
 
-/* Fills vpls (C(i) = 0), with their spread, and pass->shares. Timer "vpls". */
+/* Fills vpls (C(i) = 0), with their sums, and pass->shares. Timer "vpls". */
 void vpl_pass_render(struct vpl_pass *pass, const struct frame *frame,
                      const struct gbuffer rsm[LIGHT_MAP_KINDS], const struct vpl_buffer *vpls);
 
-/* Sets the spread of other VPLs: as many as the pass makes, or VPL_PARTNERS_MAX at least. */
-void vpl_pass_measure_spread(const struct vpl_pass *pass, const struct vpl_buffer *vpls);
+/* Sets the sums of other VPLs: as many as the pass makes, or VPL_PARTNERS_MAX at least. */
+void vpl_pass_sum_up(const struct vpl_pass *pass, const struct vpl_buffer *vpls);
 
 #endif

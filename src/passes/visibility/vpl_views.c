@@ -41,7 +41,7 @@ void vpl_views_pass_render(struct vpl_views_pass *pass, const struct frame *fram
         .name = "depth maps",
         .program = pass->program,
         .vertex_array = vpls->vertices,
-        .textures = {{UNIT_VPL_SPREAD, vpls->spread.id}},
+        .textures = {{UNIT_VPL_SUMS, vpls->sums.id}},
         .blocks = {{BLOCK_PASS, &pass->params}},
     });
     pass_feedback(pass->views.buffer.id, first, count);

@@ -148,9 +148,9 @@ static bool init(void **state, const struct technique_desc *desc) {
 /* --- rows ------------------------------------------------------------------------------------- */
 
 /* VPLs of their own that are as far apart as all: maps of these leave out as much of what is near. */
-static struct vpl_buffer spread_as(const struct vpl_buffer *vpls, const struct vpl_buffer *all) {
+static struct vpl_buffer with_sums_of(const struct vpl_buffer *vpls, const struct vpl_buffer *all) {
     struct vpl_buffer like = *vpls;
-    like.spread = all->spread;
+    like.sums = all->sums;
     return like;
 }
 
@@ -158,7 +158,7 @@ static void render_rows(struct row_column *technique, const struct frame *frame,
                         const struct gbuffer *gbuffer, uint32_t seed) {
     struct many_lights *lights = &technique->lights;
     rows_pass_pick(&technique->rows, frame, gbuffer, seed);
-    struct vpl_buffer pixels = spread_as(&technique->rows.pixels, &lights->vpls);
+    struct vpl_buffer pixels = with_sums_of(&technique->rows.pixels, &lights->vpls);
     gather_pass_write_params(&lights->gather, frame, &(struct gather_inputs){.count = 0});
     vpl_maps_drop(&technique->maps);
     for (int first = 0, count;
@@ -248,8 +248,8 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     choose_columns(technique, frame, seed);
     many_lights_begin(lights, frame, gbuffer);
     for (int kind = 0; kind < KINDS; kind++) {
-        struct vpl_buffer chosen = spread_as(&technique->chosen[kind],
-                                             kind == FIRST ? &lights->vpls : &lights->bounce.vpls);
+        struct vpl_buffer chosen = with_sums_of(
+            &technique->chosen[kind], kind == FIRST ? &lights->vpls : &lights->bounce.vpls);
         vpl_maps_gather(&technique->maps, lights, &chosen, kind == FURTHER, frame, gbuffer);
         vpl_maps_drop(&technique->maps);
     }

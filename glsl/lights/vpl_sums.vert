@@ -1,13 +1,15 @@
-// Each VPL adds up how far it is from others, and all land on one pixel. PARTNERS: how many others, which lie as
+// Each VPL adds up how far it is from others, and its light, and all land on one pixel. PARTNERS: how many others, which lie as
 // all do: Halton's first points.
 #include "lib/vpl_block.glsl"
 #include "lib/vpl_input.glsl"
 
 flat out vec2 pairs; // sum of the logarithms of their distances, and how many
+flat out vec2 hue; // red and green light
 
 void main() {
     vpl v = vpl_input();
     pairs = vec2(0.0);
+    hue = v.flux.rg;
     for (int i = 0; i < PARTNERS; i++) {
         vpl other = vpl_in_block(i);
         vec3 apart = other.position - v.position;
