@@ -96,7 +96,7 @@ static void test_banding(void **state) {
 }
 
 /* Smaller blocks come nearer to a lookup a pixel and VPL. At 200 pixels a block of 8 is as wide as
- * one of 32 at 800. */
+ * one of 32 at 800. Blocks of 3 are as good as none: what is left are clusters, and which of listed lights ask. */
 static void test_blocks(void **state) {
     (void)state;
     double wide = error_of(30, "visibility=pcss visibility-block=8"),
@@ -104,7 +104,7 @@ static void test_blocks(void **state) {
            none = error_of(30, "visibility=pcss visibility-block=0");
     check_at_most("blocks of 8", wide, .04);
     check_at_most("blocks of 3 over blocks of 8", narrow / wide, 1);
-    check_at_most("no blocks over blocks of 3", none / narrow, 1);
+    check_at_most("no blocks over blocks of 3", none / narrow, 1.02);
 }
 
 /* The paper's lookup at each pixel. */
