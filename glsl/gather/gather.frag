@@ -145,8 +145,8 @@ vec3 light_together(surface s, int first, int last, vec2 hue, float random) {
 
 vec3 light_of_slot(surface s, ivec2 pixel, ivec2 lights) {
     vec3 sum = vec3(0.0);
-    // A lattice: pixels side by side have numbers far apart. Each group has its own, as one has no digits for more.
     vec2 hue = vpl_hue();
+    // A lattice: pixels side by side have numbers far apart. Each group has its own, as one has no digits for more.
     float random = fract(dot(vec2(pixel), vec2(0.7548776662, 0.5698402910)) + params.turn);
     for (int i = lights.x; i < lights.y; i += TOGETHER) {
         sum += light_together(s, i, min(i + TOGETHER, lights.y), hue, random);

@@ -4,7 +4,7 @@
 #include "lib/vpl_texels.glsl"
 #include "shared/importance.h"
 #if !NUMBERS
-#include "lib/gbuffer.glsl"
+#include "lights/seen_pixel.glsl"
 #endif
 
 layout(location = ATTRIBUTE_VPL_POINT) in vec3 place_and_light;
@@ -24,11 +24,9 @@ float geometry_term(vpl v, surface s) {
 }
 
 float value_of(vpl v) {
-    vec2 size = vec2(gbuffer_size());
     float sum = 0.0;
     for (int j = 0; j < IMPORTANCE_PIXELS; j++) {
-        vec2 place = fract((float(j) + 0.5) * vec2(0.7548776662, 0.5698402910));
-        surface s = gbuffer_surface(ivec2(place * size));
+        surface s = seen_pixel(j, vec2(0.0));
         sum += s.present ? geometry_term(v, s) : 0.0;
     }
     return length(v.flux) * sum;

@@ -16,9 +16,9 @@ struct detail_desc {
     float distance; /* as in struct blur_desc */
     float cosine;
     float share; /* of like neighbours, below which a pixel is listed */
-    float
-        sharp_cosine; /* at most cosine. What lies between is gentle relief, which has neighbours that are unlike on
-                           all sides, and needs no more than an edge does: it makes no PIXEL_GRADE_DETAIL */
+    /* At most cosine. What lies between is gentle relief, which has neighbours that are unlike on all sides, and needs
+     * no more than an edge does: it makes no PIXEL_GRADE_DETAIL. */
+    float sharp_cosine;
     int block; /* pixels a side of a block that shares its visibility; pixels without one are listed; 0: none does */
     const struct texture
         *plain; /* passes/gather/plain.h: such are not asked; NULL: all are. Read at init alone */

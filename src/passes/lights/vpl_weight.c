@@ -2,7 +2,6 @@
 
 #include "gl/framebuffer.h"
 #include "gl/program.h"
-#include "shared/vpl_weight.h"
 
 static bool init_programs(struct vpl_weight_pass *pass) {
     const struct {
@@ -26,12 +25,10 @@ static bool init_row(struct texture *texture, GLuint *framebuffer, GLenum format
 }
 
 bool vpl_weight_pass_init(struct vpl_weight_pass *pass, int vpl_count) {
-    *pass = (struct vpl_weight_pass){.vpl_count = vpl_count};
-    struct vpl_weight_params params = {.vpls = vpl_count};
+    *pass = (struct vpl_weight_pass){0};
     if (init_programs(pass) &&
         init_row(&pass->weights.values, &pass->value_framebuffer, GL_R32F, vpl_count) &&
-        init_row(&pass->weights.sum, &pass->sum_framebuffer, GL_RGBA32F, 1) &&
-        buffer_init(&pass->params, "parameters of weights", sizeof params, &params))
+        init_row(&pass->weights.sum, &pass->sum_framebuffer, GL_RGBA32F, 1))
         return true;
     vpl_weight_pass_free(pass);
     return false;
@@ -44,20 +41,18 @@ void vpl_weight_pass_free(struct vpl_weight_pass *pass) {
     framebuffer_free(&pass->sum_framebuffer);
     texture_free(&pass->weights.values);
     texture_free(&pass->weights.sum);
-    buffer_free(&pass->params);
     *pass = (struct vpl_weight_pass){0};
 }
 
-static struct pass_state row_state(const struct vpl_weight_pass *pass, GLuint program,
-                                   GLuint framebuffer, int width, const struct vpl_buffer *vpls) {
+static struct pass_state row_state(GLuint program, GLuint framebuffer, const struct texture *row,
+                                   const struct vpl_buffer *vpls) {
     return (struct pass_state){
         .name = "importance",
         .program = program,
         .framebuffer = framebuffer,
-        .width = width,
+        .width = row->desc.width,
         .height = 1,
         .textures = {{UNIT_VPLS, vpls->texels}},
-        .blocks = {{BLOCK_PASS, &pass->params}},
     };
 }
 
@@ -68,9 +63,10 @@ static void draw_row(const struct pass_state *state) {
 
 void vpl_weight_pass_render(const struct vpl_weight_pass *pass, const struct frame *frame,
                             const struct gbuffer *gbuffer, const struct vpl_buffer *vpls) {
-    struct pass_state values = row_state(pass, pass->program, pass->value_framebuffer,
-                                         pass->vpl_count, vpls),
-                      sum = row_state(pass, pass->sum_program, pass->sum_framebuffer, 1, vpls);
+    struct pass_state values = row_state(pass->program, pass->value_framebuffer,
+                                         &pass->weights.values, vpls),
+                      sum = row_state(pass->sum_program, pass->sum_framebuffer, &pass->weights.sum,
+                                      vpls);
     pass_add_block(&values, BLOCK_VIEW, frame->view);
     pass_add_texture(&values, UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
     pass_add_texture(&values, UNIT_GBUFFER_NORMAL, gbuffer->normal.id);

@@ -9,11 +9,9 @@
 #include "passes/frame.h"
 
 struct vpl_weight_pass {
-    int vpl_count;
     GLuint program, sum_program;
     struct vpl_weights weights;
     GLuint value_framebuffer, sum_framebuffer;
-    struct buffer params;
 };
 
 bool vpl_weight_pass_init(struct vpl_weight_pass *pass, int vpl_count);
