@@ -100,6 +100,24 @@ static void test_times(void **state) {
     free(text);
 }
 
+/* A frame by some of the lights alone takes no passes of the others. */
+static void test_times_by_light(void **state) {
+    (void)state;
+    static const char *const lights[] = {"", " --light 0", " --light sky"};
+    for (size_t i = 0; i < sizeof lights / sizeof *lights; i++) {
+        char arguments[1024];
+        snprintf(
+            arguments, sizeof arguments,
+            "times scenes/cornell-box.glb --size 24x16 --frames 1 --set map-size=32 --set vals=4 "
+            "--set sky.lights=6 --variant fast --environment scenes/overcast.hdr%s",
+            lights[i]);
+        check_runs(arguments);
+        bool sky = strstr(output, "frame/sky maps") != NULL;
+        printf("    all%s: %s of the sky\n", lights[i], sky ? "passes" : "no pass");
+        assert_int_equal(sky, i != 1);
+    }
+}
+
 /* A sweep measures errors against a reference that the second run finds where the first put it. */
 static void test_sweep_and_cache(void **state) {
     (void)state;
@@ -411,6 +429,7 @@ static void test_refusals(void **state) {
         {"chart", "FILE.csv is missing", 2},
         {"chart /dev/zero", "/dev/zero: not a file", 2},
         {"times no-such-scene.glb", "cannot open no-such-scene.glb", 1},
+        {"times scenes/cornell-box.glb --light woof", "no light 'woof'", 1},
         {"direct scenes/cornell-box.glb --light woof", "no light 'woof'", 1},
         {"temporal scenes/cornell-box.glb", "cornell-box: nothing moves", 1},
     };
@@ -424,12 +443,19 @@ static void test_refusals(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_times),         cmocka_unit_test(test_sweep_and_cache),
-        cmocka_unit_test(test_chart),         cmocka_unit_test(test_front),
-        cmocka_unit_test(test_other_charts),  cmocka_unit_test(test_odd_names),
-        cmocka_unit_test(test_scaling),       cmocka_unit_test(test_budget),
-        cmocka_unit_test(test_quality),       cmocka_unit_test(test_direct),
-        cmocka_unit_test(test_vpl_raytraced), cmocka_unit_test(test_help),
+        cmocka_unit_test(test_times),
+        cmocka_unit_test(test_times_by_light),
+        cmocka_unit_test(test_sweep_and_cache),
+        cmocka_unit_test(test_chart),
+        cmocka_unit_test(test_front),
+        cmocka_unit_test(test_other_charts),
+        cmocka_unit_test(test_odd_names),
+        cmocka_unit_test(test_scaling),
+        cmocka_unit_test(test_budget),
+        cmocka_unit_test(test_quality),
+        cmocka_unit_test(test_direct),
+        cmocka_unit_test(test_vpl_raytraced),
+        cmocka_unit_test(test_help),
         cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
