@@ -2,6 +2,7 @@
 #include "render_support.h"
 
 #include "base/memory.h"
+#include "passes/lights/bounce.h"
 #include "reference/path_tracer.h"
 #include "scene/mesh/triangle_albedos.h"
 #include "shared/vpl.h"
@@ -47,7 +48,8 @@ static void test_furnace(void **state) {
     check_furnace(&stage, "clustered", 4096, "", .02);
     check_furnace(&stage, "clustered", 1024, "", .02);
     check_furnace(&stage, "clustered", 1024, "path=paper", .005);
-    check_furnace(&stage, "instant-radiosity", 256, "map-size=64 vpls=256", .005);
+    /* Of so few paths the camera sees the light of some dozen, which tell what patches keep. */
+    check_furnace(&stage, "instant-radiosity", 256, "map-size=64 vpls=256", .02);
     stage_free(&stage);
 }
 
@@ -150,6 +152,86 @@ static void test_albedos(void **state) {
     stage_free(&stage);
 }
 
+/* --- what patches keep ------------------------------------------------------------------------ */
+
+struct row {
+    float (*texels)[4];
+};
+
+static struct row read_row(const struct texture *texture) {
+    int count = texture->desc.width;
+    struct row row = {mem_alloc((size_t)count, sizeof *row.texels)};
+    gl.GetTextureImage(texture->id, 0, GL_RGBA, GL_FLOAT, count * (int)sizeof *row.texels,
+                       row.texels);
+    return row;
+}
+
+/* By Embree: whether light from one place to another arrives on the side that the camera sees of it. */
+static bool camera_sees(const struct rays *rays, const struct view *view, const float from[3],
+                        const float to[3]) {
+    vec4s clip =
+        glms_mat4_mulv(*(const mat4s *)view->world_to_clip, (vec4s){{to[0], to[1], to[2], 1}});
+    if (clip.w <= 0 || fabsf(clip.x) >= clip.w || fabsf(clip.y) >= clip.w)
+        return false;
+    vec3s eye = to_vec3s(view->origin), way = glms_vec3_sub(to_vec3s(to), eye);
+    struct hit hit;
+    return ray_scene_hit(&rays->scene, eye, glms_vec3_normalize(way), &hit) &&
+           glms_vec3_distance(hit.position, to_vec3s(to)) < 1e-3F * glms_vec3_norm(way) &&
+           glms_vec3_dot(glms_vec3_sub(to_vec3s(from), to_vec3s(to)), hit.geometric_normal) > 0;
+}
+
+/* Paths count for what patches keep whose light goes to what the camera sees, and no others. */
+static void test_seen(void **state) {
+    (void)state;
+    struct stage stage;
+    struct rays rays;
+    struct renderer renderer;
+    struct output_list outputs;
+    struct view view;
+    open_stage(&stage, "scenes/cornell-animal.glb");
+    stage.camera.fov_y *= .5F;
+    open_rays(&rays, &stage);
+    struct renderer_desc desc = desc_of(&stage, "unshadowed", "bounces=3 paths=1024", 32, 32);
+    open_renderer(&renderer, &desc);
+    renderer_outputs(&renderer, &outputs);
+    const char *vpls = output_find(&outputs, "bounce-vpl")->source;
+    const struct bounce_pass *pass =
+        (const struct bounce_pass *)(const void *)(vpls - offsetof(struct bounce_pass, vpls));
+    struct row places = read_row(&pass->positions), nexts = read_row(&pass->nexts),
+               seen = read_row(&pass->seen), kept = read_row(&pass->kept);
+    view_of_camera(&view, &stage.camera, &stage.geometry, 1);
+    int arrive = 0, see = 0, differ = 0;
+    double as_patch[2] = {0}, as_it_is[2] = {0}; /* of the seen, of all */
+    for (int i = 0; i < pass->desc.count; i++) {
+        const float *own = seen.texels[i];
+        if (own[3] <= 0)
+            continue;
+        bool sees = camera_sees(&rays, &view, places.texels[i], nexts.texels[i]);
+        arrive++;
+        see += sees;
+        differ += sees != (own[1] > 0);
+        for (int k = 0; k < 2; k++) {
+            as_patch[k] += (double)own[2 * k];
+            as_it_is[k] += (double)own[2 * k + 1];
+        }
+    }
+    double of_seen = as_patch[0] / as_it_is[0], of_all = as_patch[1] / as_it_is[1];
+    printf("  the light of %d of %d paths is seen, %d otherwise by Embree\n", see, arrive, differ);
+    printf("  kept of it %.4f, of all %.4f, taken %.4f\n", of_seen, of_all,
+           (double)kept.texels[0][0]);
+    assert_true(see > arrive / 8 && see < arrive * 7 / 8);
+    check_at_most("share that differs", (double)differ / arrive, .005);
+    assert_true((double)kept.texels[0][0] >= fmin(of_seen, of_all) - 1e-4 &&
+                (double)kept.texels[0][0] <= fmax(of_seen, of_all) + 1e-4);
+    free(places.texels);
+    free(nexts.texels);
+    free(seen.texels);
+    free(kept.texels);
+    renderer_free(&renderer);
+    close_rays(&rays);
+    stage_free(&stage);
+}
+
 /* --- frames ----------------------------------------------------------------------------------- */
 
 /* One bounce is what it was whatever paths there would be; and a frame of several depends on its own
@@ -216,7 +298,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_furnace), cmocka_unit_test(test_energy),
         cmocka_unit_test(test_frames),  cmocka_unit_test(test_flux),
-        cmocka_unit_test(test_albedos), cmocka_unit_test(test_truth),
+        cmocka_unit_test(test_albedos), cmocka_unit_test(test_seen),
+        cmocka_unit_test(test_truth),
     };
     return cmocka_run_group_tests_name("bounces", tests, open_group_context, close_group_context);
 }

@@ -39,6 +39,18 @@ const float INVERSE_PI = 0.31830988618;
 #include "gather/rectangle.glsl"
 #endif
 
+#if CLAMP == 5 && !SPECULAR // patches
+layout(binding = UNIT_PATHS_KEPT) uniform sampler2D paths_kept;
+
+float given_back() {
+    return 1.0 / texelFetch(paths_kept, ivec2(0), 0).r;
+}
+#else
+float given_back() {
+    return 1.0;
+}
+#endif
+
 // Of light i: what geometry_term has of points and balls, or of its rectangle.
 float light_term(int i, vec3 to_light, vec3 normal, vpl light) {
 #if CLAMP >= 6
@@ -215,6 +227,6 @@ void main() {
 #endif
     // No lights, and no branch around the loops, which a software rasteriser would keep books of at each step.
     ivec2 lights = receives ? lights_of(pixel) : ivec2(0);
-    vec3 light = light_of_slot(s, pixel, lights) * (INVERSE_PI * weight * params.scale);
+    vec3 light = light_of_slot(s, pixel, lights) * (INVERSE_PI * weight * params.scale * given_back());
     irradiance = receives ? vec4(light, 1.0) : vec4(0.0);
 }

@@ -12,7 +12,7 @@ const float LIKE = 0.5; // cosine of normals
 float nearest2(int i, vec3 position, vec3 normal, int first, int last) {
     float nearest = params.radius * params.radius;
     for (int k = first; k < last; k++) {
-        vec3 apart = path_position(k).xyz - position;
+        vec3 apart = path_position(k) - position;
         bool like = k != i && dot(path_normal(k), normal) > LIKE;
         nearest = min(nearest, like ? dot(apart, apart) : nearest);
     }
@@ -21,14 +21,13 @@ float nearest2(int i, vec3 position, vec3 normal, int first, int last) {
 
 void main() {
     int i = int(gl_FragCoord.x), partners = min(params.paths, BOUNCE_PARTNERS);
-    vec4 position = path_position(i);
-    vec3 normal = path_normal(i);
+    vec3 position = path_position(i), normal = path_normal(i);
     float power = path_power(i), sum = 0.0;
     for (int run = 0; run < (power > 0.0 ? BOUNCE_RUNS : 0); run++)
-        sum += nearest2(i, position.xyz, normal, run * partners / BOUNCE_RUNS, (run + 1) * partners / BOUNCE_RUNS);
+        sum += nearest2(i, position, normal, run * partners / BOUNCE_RUNS, (run + 1) * partners / BOUNCE_RUNS);
     float share = float(partners) / float(params.paths * BOUNCE_RUNS);
     float area = PI * share * sum / float(BOUNCE_RUNS);
-    float arrives = position.w >= 0.0 ? power : 0.0;
-    float as_patch = arrives > 0.0 ? arrives * patch_share(position.w * position.w, area) : 0.0;
+    float apart = path_next(i).w, arrives = apart >= 0.0 ? power : 0.0;
+    float as_patch = arrives > 0.0 ? arrives * patch_share(apart * apart, area) : 0.0;
     area_and_powers = vec4(area, as_patch, arrives, 0.0);
 }

@@ -1,6 +1,6 @@
 // Path i begins with a share of a VPL's light, and follows it from surface to surface: a ray in a direction by the cosine,
 // and of its flux what the surface there reflects [Keller 1997]. At one of its surfaces, picked by flux, it leaves a VPL
-// with the flux of all. One more ray tells how far from there the light goes.
+// with the flux of all. One more ray tells where its light goes from there.
 #include "visibility/triangle_tree.glsl"
 #include "lib/tangent.glsl"
 #include "lib/vpl_texels.glsl"
@@ -9,9 +9,10 @@
 layout(binding = UNIT_PATH_NUMBERS) uniform sampler2D path_numbers;
 layout(binding = UNIT_TRIANGLE_ALBEDOS) uniform samplerBuffer albedos; // A: 1 where backs reflect, too
 
-layout(location = TARGET_BOUNCE_POSITION) out vec4 position_and_next; // -1: it meets nothing
+layout(location = TARGET_BOUNCE_POSITION) out vec4 position;
 layout(location = TARGET_BOUNCE_NORMAL) out vec4 normal;
 layout(location = TARGET_BOUNCE_FLUX) out vec4 flux;
+layout(location = TARGET_BOUNCE_NEXT) out vec4 next; // A: how far from there, -1: it meets nothing
 
 vec3 cosine_direction(vec3 axis, vec2 number) {
     float turn = 6.28318530718 * number.y, radius = sqrt(number.x);
@@ -34,15 +35,15 @@ void main() {
     bool goes = light.reach > 0.0;
     float pick = choice.y, all = 0.0, left = 0.0;
     int chosen = 0;
-    position_and_next = vec4(0.0, 0.0, 0.0, -1.0);
-    normal = flux = vec4(0.0);
+    next = vec4(0.0, 0.0, 0.0, -1.0);
+    position = normal = flux = vec4(0.0);
     for (int bounce = 2; bounce <= params.bounces + 1; bounce++) {
         vec2 number = texelFetch(path_numbers, ivec2(i, BOUNCE_ROW_RAYS + bounce - 2), 0).rg;
         vec3 direction = cosine_direction(axis, number);
         tree_hit hit = tree_meet(place, direction, goes);
         goes = goes && hit.triangle >= 0;
         if (goes && chosen == bounce - 1)
-            position_and_next.w = hit.distance;
+            next = vec4(place + hit.distance * direction, hit.distance);
         goes = goes && bounce <= params.bounces;
         if (goes) {
             vec3 met = place + hit.distance * direction;
@@ -55,7 +56,8 @@ void main() {
             bool taken = pick < share;
             pick = taken ? pick / share : (pick - share) / max(1.0 - share, 1e-6);
             if (taken) {
-                position_and_next = vec4(met, -1.0);
+                position = vec4(met, 0.0);
+                next.w = -1.0;
                 normal = vec4(hit.normal, 0.0);
                 flux = vec4(carried, 0.0);
                 left = own;

@@ -1,12 +1,11 @@
-// What path i has left becomes VPL i, with what patches do not keep given back.
+// What path i has left becomes VPL i.
 #include "lights/bounce_paths.glsl"
 #include "lib/vpl_output.glsl"
 
 layout(binding = UNIT_PATH_AREAS) uniform sampler2D path_areas;
-layout(binding = UNIT_PATHS_KEPT) uniform sampler2D paths_kept;
 
 void main() {
     int i = gl_VertexID;
-    float area = texelFetch(path_areas, ivec2(i, 0), 0).x, kept = texelFetch(paths_kept, ivec2(0), 0).x;
-    vpl_output(vpl(path_position(i).xyz, 0.0, path_normal(i), area, path_flux(i) / kept, path_power(i) > 0.0 ? 1.0 : 0.0));
+    float area = texelFetch(path_areas, ivec2(i, 0), 0).x;
+    vpl_output(vpl(path_position(i), 0.0, path_normal(i), area, path_flux(i), path_power(i) > 0.0 ? 1.0 : 0.0));
 }

@@ -76,6 +76,7 @@
 #define UNIT_EVEN_BLOCKS 45
 #define UNIT_VPL_VALUES 46
 #define UNIT_VPL_VALUE_SUM 47
+#define UNIT_PATHS_SEEN 48
 #define UNIT_SKY 49
 #define UNIT_EMISSION 50 /* a material's texture */
 #define UNIT_GBUFFER_EMISSION 51
@@ -102,6 +103,7 @@
 #define UNIT_SUM_SQUARES 80
 #define UNIT_SUM_PRODUCTS 81
 #define UNIT_RSM_GLOSS 82
+#define UNIT_PATH_NEXT 83
 #define UNIT_IMPORTANCE 84
 #define UNIT_VPL_NUMBERS 85
 #define UNIT_SEEDS 86
@@ -150,6 +152,7 @@
 #define TARGET_BOUNCE_POSITION 0
 #define TARGET_BOUNCE_NORMAL 1
 #define TARGET_BOUNCE_FLUX 2
+#define TARGET_BOUNCE_NEXT 3
 
 /* Uniforms, which change from draw to draw: all else is in blocks. */
 #define LOCATION_SLOT 0 /* of an interleaving pattern */

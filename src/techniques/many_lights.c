@@ -392,6 +392,8 @@ void many_lights_render_vpls(struct many_lights *lights, const struct frame *fra
 void many_lights_begin(const struct many_lights *lights, const struct frame *frame,
                        const struct gbuffer *gbuffer) {
     gather_pass_clear(&lights->gather);
+    if (lights->bounces > 1)
+        bounce_pass_find_kept(&lights->bounce, frame);
     if (lights->has_gloss)
         gather_pass_clear(&lights->gloss_gather);
     if (!lights->has_detail)
@@ -404,13 +406,14 @@ void many_lights_begin(const struct many_lights *lights, const struct frame *fra
 
 void many_lights_gather(const struct many_lights *lights, const struct frame *frame,
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
-    struct gather_inputs with_lists = *inputs;
-    with_lists.lists = &lights->detail.lists;
-    gather_pass_render(&lights->gather, frame, gbuffer, &with_lists);
+    struct gather_inputs all = *inputs;
+    all.lists = &lights->detail.lists;
+    all.kept = inputs->further ? &lights->bounce.kept : NULL;
+    gather_pass_render(&lights->gather, frame, gbuffer, &all);
     if (lights->has_detail)
-        gather_pass_render(&lights->detail_gather, frame, gbuffer, &with_lists);
+        gather_pass_render(&lights->detail_gather, frame, gbuffer, &all);
     if (lights->has_gloss)
-        gather_pass_render(&lights->gloss_gather, frame, gbuffer, &with_lists);
+        gather_pass_render(&lights->gloss_gather, frame, gbuffer, &all);
     if (lights->gloss_rays.program && inputs->first == 0 && !inputs->further)
         gloss_rays_pass_render(
             &lights->gloss_rays, frame, gbuffer,

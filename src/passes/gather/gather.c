@@ -187,6 +187,8 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
         pass_add_texture(&state, UNIT_GBUFFER_GLOSS, gbuffer->gloss.id);
     if (pass->desc.share)
         pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, inputs->blocks->texture.id);
+    if (inputs->kept)
+        pass_add_texture(&state, UNIT_PATHS_KEPT, inputs->kept->id);
     if (inputs->rectangles)
         pass_add_block(&state, BLOCK_LIGHT_RECTANGLES, inputs->rectangles);
     pass_add_texture(&state, UNIT_VPLS,

@@ -68,6 +68,7 @@ struct gather_inputs {
     bool
         further; /* they are of further bounces, and no near field is theirs: bounded as patches, unless
                      they are rectangles */
+    const struct texture *kept;              /* of patches: what they keep of light, a pixel */
     const struct buffer *rectangles;         /* of the lights, with GATHER_CLAMP_RECTANGLE */
     struct visibility_inputs visibility;     /* unless VISIBILITY_LOOKUP_NONE */
     const struct block_visibilities *blocks; /* where desc.share */

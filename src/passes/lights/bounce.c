@@ -22,6 +22,7 @@ static bool init_programs(struct bounce_pass *pass) {
         const char *fragment;
     } drawn[] = {{&pass->path_program, "lights/bounce_path.frag"},
                  {&pass->area_program, "lights/bounce_area.frag"},
+                 {&pass->seen_program, "lights/bounce_seen.frag"},
                  {&pass->kept_program, "lights/bounce_kept.frag"}};
     for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
         if (!program_init(drawn[i].program, &(struct program_desc){.vertex = "fullscreen.vert",
@@ -43,12 +44,16 @@ static bool init_targets(struct bounce_pass *pass) {
     paths.colors[TARGET_BOUNCE_POSITION] = &pass->positions;
     paths.colors[TARGET_BOUNCE_NORMAL] = &pass->normals;
     paths.colors[TARGET_BOUNCE_FLUX] = &pass->fluxes;
+    paths.colors[TARGET_BOUNCE_NEXT] = &pass->nexts;
     const struct framebuffer_desc areas = {.label = "areas of paths", .colors = {&pass->areas}};
+    const struct framebuffer_desc seen = {.label = "seen light of paths", .colors = {&pass->seen}};
     const struct framebuffer_desc kept = {.label = "what patches keep", .colors = {&pass->kept}};
     return init_row(&pass->positions, count) && init_row(&pass->normals, count) &&
-           init_row(&pass->fluxes, count) && init_row(&pass->areas, count) &&
+           init_row(&pass->fluxes, count) && init_row(&pass->nexts, count) &&
+           init_row(&pass->areas, count) && init_row(&pass->seen, count) &&
            init_row(&pass->kept, 1) && framebuffer_init(&pass->path_framebuffer, &paths) &&
            framebuffer_init(&pass->area_framebuffer, &areas) &&
+           framebuffer_init(&pass->seen_framebuffer, &seen) &&
            framebuffer_init(&pass->kept_framebuffer, &kept);
 }
 
@@ -128,17 +133,21 @@ void bounce_pass_free(struct bounce_pass *pass) {
     caster_pool_release_tree(pass->desc.casters, &pass->tree);
     program_free(&pass->path_program);
     program_free(&pass->area_program);
+    program_free(&pass->seen_program);
     program_free(&pass->kept_program);
     program_free(&pass->vpl_program);
     free_albedos(pass);
     framebuffer_free(&pass->path_framebuffer);
     framebuffer_free(&pass->area_framebuffer);
+    framebuffer_free(&pass->seen_framebuffer);
     framebuffer_free(&pass->kept_framebuffer);
     texture_free(&pass->numbers);
     texture_free(&pass->positions);
     texture_free(&pass->normals);
     texture_free(&pass->fluxes);
+    texture_free(&pass->nexts);
     texture_free(&pass->areas);
+    texture_free(&pass->seen);
     texture_free(&pass->kept);
     vpl_buffer_free(&pass->vpls);
     buffer_free(&pass->params);
@@ -170,8 +179,9 @@ static struct pass_state state_of(const struct bounce_pass *pass, GLuint program
         .textures = {{UNIT_PATH_POSITIONS, pass->positions.id},
                      {UNIT_PATH_NORMALS, pass->normals.id},
                      {UNIT_PATH_FLUXES, pass->fluxes.id},
+                     {UNIT_PATH_NEXT, pass->nexts.id},
                      {UNIT_PATH_AREAS, pass->areas.id},
-                     {UNIT_PATHS_KEPT, pass->kept.id}},
+                     {UNIT_PATHS_SEEN, pass->seen.id}},
         .blocks = {{BLOCK_PASS, &pass->params}},
     };
 }
@@ -192,13 +202,11 @@ static void trace_paths(const struct bounce_pass *pass, const struct vpl_buffer 
     pass_draw_fullscreen(1);
 }
 
-static void draw_row(const struct bounce_pass *pass, GLuint program, GLuint framebuffer,
-                     int width) {
-    struct pass_state state = state_of(pass, program);
-    state.framebuffer = framebuffer;
-    state.width = width;
-    state.height = 1;
-    pass_set_state(&state);
+static void draw_row(struct pass_state *state, GLuint framebuffer, int width) {
+    state->framebuffer = framebuffer;
+    state->width = width;
+    state->height = 1;
+    pass_set_state(state);
     pass_draw_fullscreen(1);
 }
 
@@ -207,10 +215,21 @@ void bounce_pass_render(struct bounce_pass *pass, const struct frame *frame,
     timer_begin(frame->timers, "bounces");
     follow(pass, frame, vpls->count);
     trace_paths(pass, vpls);
-    draw_row(pass, pass->area_program, pass->area_framebuffer, pass->desc.count);
-    draw_row(pass, pass->kept_program, pass->kept_framebuffer, 1);
+    struct pass_state areas = state_of(pass, pass->area_program);
+    draw_row(&areas, pass->area_framebuffer, pass->desc.count);
     struct pass_state leave = state_of(pass, pass->vpl_program);
     pass_set_state(&leave);
     pass_feedback(pass->vpls.buffer.id, 0, pass->desc.count);
+    timer_end(frame->timers);
+}
+
+void bounce_pass_find_kept(const struct bounce_pass *pass, const struct frame *frame) {
+    struct pass_state seen = state_of(pass, pass->seen_program),
+                      kept = state_of(pass, pass->kept_program);
+    pass_add_texture(&seen, UNIT_TRIANGLE_TREE, pass->tree->texels);
+    pass_add_block(&seen, BLOCK_VIEW, frame->view);
+    timer_begin(frame->timers, "bounces");
+    draw_row(&seen, pass->seen_framebuffer, pass->desc.count);
+    draw_row(&kept, pass->kept_framebuffer, 1);
     timer_end(frame->timers);
 }

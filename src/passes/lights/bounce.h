@@ -6,11 +6,12 @@
  * whatever the scene is made of: nothing leaks, and nothing is lost between what is near.
  *
  * Pixels take the VPLs as patches (glsl/gather/patch.glsl), which lose light where surfaces are small or crooked. What
- * they keep of it on the whole is told by how far each path's light goes from its VPL, and is given back to all alike.
+ * they keep of it is told by how far each path's light goes from its VPL, of those whose light goes to what the camera
+ * sees, and what is lost is given back to all pixels alike.
  *
  * A path's numbers depend on no light and no camera, so that a frame depends on its time alone. Cost: P rays for each
- * bounce, and one; and P places of others for each VPL's area, at most BOUNCE_PARTNERS. A triangle has one colour to
- * paths.
+ * bounce, and two, one of them for each view; and P places of others for each VPL's area, at most BOUNCE_PARTNERS. A
+ * triangle has one colour to paths.
  */
 #ifndef PASSES_BOUNCE_H
 #define PASSES_BOUNCE_H
@@ -31,16 +32,17 @@ struct bounce_desc {
 
 struct bounce_pass {
     struct bounce_desc desc;
-    GLuint path_program, area_program, kept_program, vpl_program;
+    GLuint path_program, area_program, seen_program, kept_program, vpl_program;
     const struct caster_tree *tree;
     struct buffer albedos; /* struct triangle_albedo of each triangle */
     GLuint albedo_texels;
     unsigned laid_out;      /* the geometry's, that they are of */
     struct texture numbers; /* P x (1 + bounces), RG32F: shared/bounce.h */
     int dealt_pass;         /* that they are those of */
-    struct texture positions, normals, fluxes, areas; /* P x 1, RGBA32F: what paths leave */
-    struct texture kept;                              /* a pixel */
-    GLuint path_framebuffer, area_framebuffer, kept_framebuffer;
+    struct texture positions, normals, fluxes, nexts, areas; /* P x 1, RGBA32F: what paths leave */
+    struct texture seen;                                     /* P x 1, RGBA32F, of the last view */
+    struct texture kept;                                     /* a pixel, likewise */
+    GLuint path_framebuffer, area_framebuffer, seen_framebuffer, kept_framebuffer;
     struct vpl_buffer vpls; /* C(i) = 0 */
     struct buffer params;
 };
@@ -52,5 +54,8 @@ void bounce_pass_free(struct bounce_pass *pass);
 /* From the first bounce's VPLs to pass->vpls. Timer "bounces". */
 void bounce_pass_render(struct bounce_pass *pass, const struct frame *frame,
                         const struct vpl_buffer *vpls);
+
+/* What patches keep of the light that goes to what the camera sees, into pass->kept. Timer "bounces". */
+void bounce_pass_find_kept(const struct bounce_pass *pass, const struct frame *frame);
 
 #endif
