@@ -95,6 +95,29 @@ static void test_banding(void **state) {
     image_free(&reference);
 }
 
+/* Beside the wall that shines nothing is between: the other wall, within a texel of a map, is no caster. */
+static void test_corner(void **state) {
+    (void)state;
+    enum { WIDE = 400, LEFT = 84, RIGHT = 100, TOP = 95, BOTTOM = 150 }; /* of the wall at the back */
+    struct image seen =
+        render_stage(&stage, "clustered", "vpls=256 visibility=pcss visibility-block=0", WIDE);
+    struct image all = render_stage(&stage, "unshadowed", "vpls=256", WIDE);
+    int red = image_find_channel(&seen, "indirect.R");
+    double least = 1;
+    for (int x = LEFT; x < RIGHT; x++) {
+        double lit = 0, sum = 0;
+        for (int y = TOP; y < BOTTOM; y++) {
+            lit += (double)image_at(&seen, x, y)[red];
+            sum += (double)image_at(&all, x, y)[red];
+        }
+        least = fmin(least, lit / sum);
+    }
+    printf("    beside the corner the least column has %.3f of what it has unshadowed\n", least);
+    assert_true(least > .94);
+    image_free(&seen);
+    image_free(&all);
+}
+
 /* Smaller blocks come nearer to a lookup a pixel and VPL. At 200 pixels a block of 8 is as wide as
  * one of 32 at 800. Blocks of 3 are as good as none: what is left are clusters, and which of listed lights ask. */
 static void test_blocks(void **state) {
@@ -184,8 +207,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_convergence),  cmocka_unit_test(test_val_per_vpl),
         cmocka_unit_test(test_rays),         cmocka_unit_test(test_banding),
-        cmocka_unit_test(test_blocks),       cmocka_unit_test(test_terms),
-        cmocka_unit_test(test_flat_blocker),
+        cmocka_unit_test(test_corner),       cmocka_unit_test(test_blocks),
+        cmocka_unit_test(test_terms),        cmocka_unit_test(test_flat_blocker),
     };
     return cmocka_run_group_tests_name("visibility", tests, open_truth, close_truth);
 }

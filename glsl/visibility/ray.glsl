@@ -12,25 +12,9 @@ bool within_caster(float distance, float seen, float deep) {
     return distance > seen && distance < seen + deep;
 }
 
-float seen_in(int map, receiver r, ivec2 texel) {
-    return map_depth(r, texelFetch(depth_maps, ivec3(texel, map), 0).r) * r.unit;
-}
-
 // The map has nothing behind its plane, and little beside it.
 bool is_known(vec3 place, float distance) {
     return place.z > 0.05 * distance;
-}
-
-// Where what a texel's middle sees is met in the receiver's own direction: in a corner that is the other wall, which
-// lies behind the receiver there. Its slope is that towards the texels on the far side of the middle, within what no
-// edge between two surfaces has.
-float seen_from_receiver(int map, receiver r, ivec2 texel, float seen) {
-    vec2 aside = r.uv * lookup.map_size - vec2(texel) - 0.5;
-    ivec2 away = ivec2(aside.x < 0.0 ? 1 : -1, aside.y < 0.0 ? 1 : -1);
-    vec2 beside = vec2(seen_in(map, r, texel + ivec2(away.x, 0)), seen_in(map, r, texel + ivec2(0, away.y)));
-    // Over a plane the inverse of depth is nearly linear.
-    vec2 slope = clamp(seen / beside - 1.0, -0.2, 0.2);
-    return seen / (1.0 - dot(slope, abs(aside)));
 }
 
 // Whether the ray is blocked where it begins.
