@@ -98,7 +98,13 @@ static void test_banding(void **state) {
 /* Beside the wall that shines nothing is between: the other wall, within a texel of a map, is no caster. */
 static void test_corner(void **state) {
     (void)state;
-    enum { WIDE = 400, LEFT = 84, RIGHT = 100, TOP = 95, BOTTOM = 150 }; /* of the wall at the back */
+    enum {
+        WIDE = 400,
+        LEFT = 84,
+        RIGHT = 100,
+        TOP = 95,
+        BOTTOM = 150
+    }; /* of the wall at the back */
     struct image seen =
         render_stage(&stage, "clustered", "vpls=256 visibility=pcss visibility-block=0", WIDE);
     struct image all = render_stage(&stage, "unshadowed", "vpls=256", WIDE);
@@ -205,10 +211,10 @@ static void test_flat_blocker(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_convergence),  cmocka_unit_test(test_val_per_vpl),
-        cmocka_unit_test(test_rays),         cmocka_unit_test(test_banding),
-        cmocka_unit_test(test_corner),       cmocka_unit_test(test_blocks),
-        cmocka_unit_test(test_terms),        cmocka_unit_test(test_flat_blocker),
+        cmocka_unit_test(test_convergence), cmocka_unit_test(test_val_per_vpl),
+        cmocka_unit_test(test_rays),        cmocka_unit_test(test_banding),
+        cmocka_unit_test(test_corner),      cmocka_unit_test(test_blocks),
+        cmocka_unit_test(test_terms),       cmocka_unit_test(test_flat_blocker),
     };
     return cmocka_run_group_tests_name("visibility", tests, open_truth, close_truth);
 }
