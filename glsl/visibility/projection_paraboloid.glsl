@@ -9,12 +9,20 @@ struct receiver {
     float distance, unit;
 };
 
+// Where a ray begins the slope within the texel is known (visibility/ray.glsl). Lifted as far as all others, what is
+// round is lit behind its horizon, and leaves and rails of a texel lose the shade that they cast beside them.
+#if FILTER == FILTER_RAY
+const float LIFTED = 0.4;
+#else
+const float LIFTED = 1.0;
+#endif
+
 // The point is lifted off its surface by so many of the map's texels, as wide as they are at its distance:
 // a surface must not shadow itself where a texel of it is deeper than its middle. A texel in the middle of
 // the map spans 4 / size radians.
 bool project(map_view v, vec3 position, vec3 normal, out receiver r) {
     float texel = 4.0 / lookup.map_size * distance(position, v.center);
-    r.point = paraboloid_local(v, position + normal * (lookup.bias * texel));
+    r.point = paraboloid_local(v, position + normal * (LIFTED * lookup.bias * texel));
     r.normal = paraboloid_rotate(v, normal);
     r.distance = length(r.point);
     r.direction = r.point / r.distance;

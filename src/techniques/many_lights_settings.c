@@ -36,7 +36,8 @@ static const struct option lookup_table[] = {
     {"terms", 0, OPTION_INT, ROW(lookup, terms), 4, 1, 16,
      .help = "terms of the Fourier series, K"},
     {"bias", 0, OPTION_FLOAT, ROW(lookup, bias), .25, 0, 100,
-     .help = "receiver offset along its normal, in texels of the map at its distance"},
+     .help = "receiver offset along its normal, in texels of the map at its distance; of rays two\n"
+             "fifths of it"},
     {"map-bias", 0, OPTION_FLOAT, ROW(lookup, map_bias), .005, 0, 1,
      .help = "depth bias of hard lookups, of the distance"},
     {"shift", 0, OPTION_FLOAT, ROW(lookup, shift), .25, 0, 2,

@@ -10,7 +10,7 @@
 
 /* Simplified casters come before what they stand for by up to their error, and would shadow it: maps
  * have them farther off by this much of the error. */
-static const float set_back = .5F;
+static const float set_back = .25F;
 
 static bool is_long(enum caster_kind kind) {
     return kind == CASTER_LONG || kind == CASTER_LONG_SOLID;
