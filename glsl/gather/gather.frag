@@ -4,6 +4,7 @@
 // [Segovia et al. 2006].
 #include "lib/gbuffer.glsl"
 #include "gather/receiver.glsl"
+#include "gather/receiver_facet.glsl"
 #if CUTS
 #include "gather/cut.glsl"
 #else
@@ -51,11 +52,17 @@ float given_back() {
 }
 #endif
 
+vec3 receiver_facet = vec3(0.0); // the normal of the triangle that the receiver lies on, of any length
+
 // Of light i: what geometry_term has of points and balls, or of its rectangle.
 float light_term(int i, vec3 to_light, vec3 normal, vpl light) {
 #if CLAMP >= 6
     return rectangle_term(i, to_light, normal, light);
 #else
+#if CLAMP != 4 // balls may rise above a horizon in part
+    if (dot(receiver_facet, to_light) <= 0.0)
+        return 0.0;
+#endif
     return geometry_term(to_light, normal, light);
 #endif
 }
@@ -221,6 +228,11 @@ void main() {
     bool receives = receiver_pixel(params.pattern, slot.zw, pixel);
     surface s = receiver_surface(pixel);
     receives = receives && s.present;
+#if RECEIVERS == RECEIVERS_LISTED
+    receiver_facet = listed.z == LIST_FURTHER ? s.normal : facet_of(s, pixel);
+#else
+    receiver_facet = facet_of(s, pixel);
+#endif
 #if SPECULAR
     receiver_shine = gbuffer_shine(s, pixel);
     receives = receives && receiver_shine.f90 != vec3(0.0);
