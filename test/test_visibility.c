@@ -225,13 +225,72 @@ static void test_flat_blocker(void **state) {
     stage_free(&flat);
 }
 
+/* --- a triangle that its smooth normal leans away from ------------------------------------------ */
+
+/* A quad whose normals lean 30 degrees towards a wall that shines, below the quad's plane or above it. The camera looks
+ * at the quad alone, which no light reaches but the wall's. */
+static const char leaning_nodes[] =
+    "[{\"name\": \"quad\", \"mesh\": 0},"
+    " {\"name\": \"wall\", \"mesh\": 1,"
+    "  \"matrix\": [0,0,1.2,0, 0,1,0,0, -1,0,0,0, 1.5,0,%s,1]},"
+    " {\"name\": \"light\", \"matrix\": [0,0,1,0, 0,1,0,0, -1,0,0,0, 0.3,0.5,%s,1],"
+    "  \"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}},"
+    " {\"name\": \"camera\", \"camera\": 0, \"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0.5,0.5,3,1]}]";
+
+static double light_of_leaning(const char *wall, const char *light) {
+    static const float normals[4][3] = {
+        {.5F, 0, .8660254F}, {.5F, 0, .8660254F}, {.5F, 0, .8660254F}, {.5F, 0, .8660254F}};
+    char nodes[1024];
+    snprintf(nodes, sizeof nodes, leaning_nodes, wall, light);
+    struct gltf_parts parts = {
+        .accessors =
+            "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
+            " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"
+            " \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\":"
+            " 5126, \"count\": 4, \"type\": \"VEC3\"}]",
+        .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"NORMAL\": 2},"
+                  " \"indices\": 1, \"material\": 0}]},"
+                  " {\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
+                  " \"material\": 0}]}]",
+        .materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]",
+        .more = "\"extensionsUsed\": [\"KHR_lights_punctual\"],"
+                "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\","
+                " \"intensity\": 10, \"spot\": {\"innerConeAngle\": 0.4,"
+                " \"outerConeAngle\": 0.42}}]}},"
+                "\"cameras\": [{\"type\": \"orthographic\", \"orthographic\":"
+                " {\"xmag\": 0.4, \"ymag\": 0.4, \"znear\": 0.1, \"zfar\": 10}}],",
+        .nodes = nodes,
+        .extra = normals,
+        .extra_size = sizeof normals,
+    };
+    struct stage leaning;
+    struct scene scene;
+    check_ok("scene", load_parts(&scene, "leaning.glb", &parts));
+    scene_free(&scene);
+    open_stage(&leaning, scratch("leaning.glb"));
+    struct image image = render_stage(&leaning, "unshadowed", "vpls=256 clamp=none", 64);
+    double mean = layer_mean(&image, "indirect");
+    image_free(&image);
+    stage_free(&leaning);
+    return mean;
+}
+
+/* What a triangle is turned away from lights it nowhere, whatever its normals say: paths find it dark, too. */
+static void test_facet(void **state) {
+    (void)state;
+    double below = light_of_leaning("-1.5", "-0.9"), above = light_of_leaning("0.3", "0.9");
+    printf("    light of a wall below the plane %g, above it %g\n", below, above);
+    assert_true(above > .01);
+    check_at_most("from below over from above", below / above, 1e-3);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_convergence),  cmocka_unit_test(test_val_per_vpl),
         cmocka_unit_test(test_rays),         cmocka_unit_test(test_rays_begin_low),
         cmocka_unit_test(test_banding),      cmocka_unit_test(test_corner),
         cmocka_unit_test(test_blocks),       cmocka_unit_test(test_terms),
-        cmocka_unit_test(test_flat_blocker),
+        cmocka_unit_test(test_flat_blocker), cmocka_unit_test(test_facet),
     };
     return cmocka_run_group_tests_name("visibility", tests, open_truth, close_truth);
 }
