@@ -1,0 +1,385 @@
+/* Which passes the techniques share, as the settings have them: made, made anew for another size, and freed. */
+#include "techniques/many_lights.h"
+
+#include "base/error.h"
+#include "shared/gather.h"
+
+#include <math.h>
+
+struct visibility_desc many_lights_lookup(const struct settings *settings,
+                                          enum visibility_lookup lookup, int map_count) {
+    const struct map_settings *map = settings_of(settings, &map_part);
+    const struct lookup_settings *own = settings_of(settings, &lookup_part);
+    return (struct visibility_desc){
+        .lookup = lookup,
+        .map_size = map->size,
+        .map_count = map_count,
+        .basis_terms = own->terms,
+        .bias = own->bias,
+        .map_bias = own->map_bias,
+        .shift = own->shift,
+        .gain = own->gain,
+        .sharpen_a = own->sharpen_a,
+        .sharpen_b = own->sharpen_b,
+        .taps = own->taps,
+        .filter_jacobian = own->filter_jacobian,
+    };
+}
+
+struct caster_desc many_lights_caster(const struct settings *settings) {
+    const struct caster_settings *own = settings_of(settings, &caster_part);
+    return (struct caster_desc){.error = own->error, .long_count = own->long_count};
+}
+
+static struct visibility_desc lookup_of(const struct settings *settings,
+                                        enum visibility_lookup lookup,
+                                        const struct many_lights_visibility *visibility) {
+    struct visibility_desc desc = many_lights_lookup(settings, lookup, visibility->map_count);
+    if (visibility->map_size)
+        desc.map_size = visibility->map_size;
+    return desc;
+}
+
+/* 15 degrees: with no more than a pixel to each side the blur is as sharp as the lobe, and within fewer
+ * degrees it finds no neighbours on small round things. */
+static const float gloss_cosine = .966F;
+
+/* Eight degrees within a few pixels. */
+static const float sharp_cosine = .99F;
+
+static int blur_radius(const struct settings *settings) {
+    const struct gather_settings *gather = settings_of(settings, &gather_part);
+    const struct blur_settings *blur = settings_of(settings, &blur_part);
+    return blur->radius < 0 ? gather->interleave / 2 : blur->radius;
+}
+
+static void fill_list_slots(const struct gather_settings *gather, int slots[LIST_KINDS]) {
+    int all = gather->detail * gather->detail;
+    slots[PIXEL_GRADE_EDGE] = 1;
+    slots[PIXEL_GRADE_DETAIL] = gather->detail_times < all ? gather->detail_times : all;
+    slots[LIST_FURTHER] = gather->further_points ? 1 : 0;
+}
+
+static int detail_radius(const struct settings *settings) {
+    int radius = blur_radius(settings);
+    return radius > 0 ? (radius + 1) / 2 : 2;
+}
+
+/* With blocks that share visibility the nearest one speaks for a plain pixel. */
+static bool init_plain(struct many_lights *lights, const struct technique_desc *desc, int block) {
+    const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
+    int radius = blur_radius(desc->settings), asked = detail_radius(desc->settings);
+    int nearest = (block + 1) / 2, around = radius > asked ? radius : asked;
+    lights->has_plain = blur->separable && radius > 0;
+    return !lights->has_plain ||
+           plain_pass_init(&lights->plain,
+                           &(struct plain_desc){.width = desc->width,
+                                                .height = desc->height,
+                                                .radius = around > nearest ? around : nearest,
+                                                .distance = blur->distance,
+                                                .cosine = blur->cosine});
+}
+
+/* Those of the pass; none where there are none. */
+static const struct texture *plain_pixels(const struct many_lights *lights) {
+    return lights->has_plain ? &lights->plain.pixels : NULL;
+}
+
+/* Most of the time of a gather whose pixels look themselves up goes there, and there a few that ask for all do. Of
+ * rectangles, which each stand for several VPLs and whose answers nothing blurs, there are fewer. */
+static int asked_together(enum gather_clamp clamp) {
+    return clamp >= GATHER_CLAMP_RECTANGLE ? 4 : 12;
+}
+
+/* Half the blur's radius away: farther off an edge it finds enough on one side.
+ *
+ * What is listed looks itself up: a block of pixels does not speak for it. */
+static bool init_detail(struct many_lights *lights, const struct technique_desc *desc, int block) {
+    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
+    const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
+    struct gather_desc gather_desc = lights->gather.desc;
+    gather_desc.interleave = gather->detail;
+    gather_desc.receivers = RECEIVERS_LISTED;
+    gather_desc.together = asked_together(gather_desc.clamp);
+    fill_list_slots(gather, gather_desc.list_slots);
+    gather_desc.share = false;
+    return !lights->has_detail ||
+           (init_plain(lights, desc, block) &&
+            detail_pass_init(&lights->detail,
+                             &(struct detail_desc){
+                                 .width = desc->width,
+                                 .height = desc->height,
+                                 .interleave = gather->detail,
+                                 .radius = detail_radius(desc->settings),
+                                 .distance = blur->distance,
+                                 .cosine = blur->cosine,
+                                 .sharp_cosine = fminf(blur->cosine, sharp_cosine),
+                                 .share = gather->detail_share,
+                                 .block = block,
+                                 .plain = plain_pixels(lights),
+                             }) &&
+            gather_pass_init(&lights->detail_gather, &gather_desc));
+}
+
+static bool init_gather(struct many_lights *lights, const struct technique_desc *desc,
+                        const struct many_lights_visibility *visibility) {
+    const struct gather_settings *own = settings_of(desc->settings, &gather_part);
+    struct gather_desc gather_desc = {
+        .width = desc->width,
+        .height = desc->height,
+        .interleave = own->interleave,
+        .map_per_vpl = visibility->map_per_vpl,
+        .share = visibility->block > 0,
+        .cuts = visibility->cuts,
+        .visibility = lookup_of(desc->settings, visibility->lookup, visibility),
+        .clamp = (enum gather_clamp)own->clamp,
+        .clamp_value = own->clamp_value,
+        .sphere = own->sphere,
+        .further = lights->bounces > 1,
+    };
+    /* Where each takes all lights, those that are listed ask for their own visibility alone; else, where all
+     * gather as much, or none is blurred, none needs more. */
+    lights->has_detail =
+        own->detail > 0 &&
+        (own->interleave == 1 ? own->detail == 1
+                              : own->detail < own->interleave && blur_radius(desc->settings) > 0);
+    gather_desc.receivers = lights->has_detail ? RECEIVERS_OTHERS : RECEIVERS_ALL;
+    if (visibility->tree && !lights->has_detail)
+        gather_desc.together = asked_together(gather_desc.clamp);
+    /* Of rectangles several blocks speak for a pixel. */
+    bool rectangles = gather_desc.clamp >= GATHER_CLAMP_RECTANGLE;
+    return gather_pass_init(&lights->gather, &gather_desc) &&
+           init_detail(lights, desc, rectangles ? 0 : visibility->block);
+}
+
+/* Gloss is sharper than what is diffuse: each pixel takes more VPLs, and is blurred less. It is no
+ * share of light that the near field could take: near VPLs are bounded as disks. */
+static bool init_gloss(struct many_lights *lights, const struct technique_desc *desc,
+                       const struct many_lights_visibility *visibility) {
+    const struct gather_settings *own = settings_of(desc->settings, &gather_part);
+    const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
+    struct gather_desc gather = lights->gather.desc;
+    int n = own->gloss_interleave < own->interleave ? own->gloss_interleave : own->interleave;
+    gather.interleave = n;
+    gather.receivers = RECEIVERS_ALL;
+    gather.cuts = false;
+    gather.specular = own->gloss + 1;
+    gather.gloss_rays = own->gloss_rays;
+    bool rays = gather.specular == SPECULAR_RAYS;
+    const struct gloss_rays_desc of_rays = {
+        .rays = own->gloss_rays,
+        .has_maps = !visibility->map_per_vpl && gather.visibility.lookup != VISIBILITY_LOOKUP_NONE,
+        .visibility = gather.visibility,
+        .lights = *desc->lights,
+    };
+    const struct blur_desc of_blur = {
+        .width = desc->width,
+        .height = desc->height,
+        .radius = n / 2,
+        .distance = blur->distance,
+        .cosine = gloss_cosine,
+        .gloss = rays,
+        .grade_radius = {.5F, .5F},
+        .grade_weight = {1, 1},
+        .square = true,
+    };
+    lights->has_gloss = desc->gloss;
+    return !desc->gloss || (gather_pass_init(&lights->gloss_gather, &gather) &&
+                            (!rays || gloss_rays_pass_init(&lights->gloss_rays, &of_rays)) &&
+                            blur_pass_init(&lights->gloss_blur, &of_blur));
+}
+
+/* Many views share the texels of a few: a dozen directions of a sky need not cost as much as the picture. */
+static int rsm_size(const struct technique_desc *desc) {
+    static const int full_views = 4;
+    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    int size = own->rsm_size, views = desc->lights->views[LIGHT_MAP_SINGLE];
+    if (views <= full_views)
+        return size;
+    int shared = (int)((float)size * sqrtf((float)full_views / (float)views));
+    return shared > RSM_SIZE_MIN ? shared : RSM_SIZE_MIN;
+}
+
+/* Rays for gloss need the smooth normals of what they meet. */
+static bool sends_as_facets(const struct technique_desc *desc) {
+    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    return own->facets && !desc->gloss;
+}
+
+/* As VPLs are. */
+static int near_occlusion(enum visibility_lookup lookup) {
+    return lookup == VISIBILITY_LOOKUP_TRACED ? NEAR_BY_RAYS
+           : lookup == VISIBILITY_LOOKUP_NONE ? NEAR_UNOCCLUDED
+                                              : NEAR_BY_VIEWS;
+}
+
+static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc,
+                            const struct many_lights_visibility *visibility) {
+    const struct gather_settings *own = settings_of(desc->settings, &gather_part);
+    lights->has_near_field =
+        own->clamp == GATHER_CLAMP_NEAR || own->clamp == GATHER_CLAMP_RECTANGLE_NEAR;
+    struct near_field_desc near_field = {
+        .samples = own->near_samples,
+        .listed = lights->has_detail,
+        .facets = sends_as_facets(desc),
+        .occlusion = near_occlusion(visibility->lookup),
+        .casters = visibility->lookup == VISIBILITY_LOOKUP_TRACED ? desc->casters : NULL,
+        .rsm_size = rsm_size(desc),
+        .lights = *desc->lights,
+    };
+    fill_list_slots(own, near_field.list_slots);
+    return !lights->has_near_field || near_field_pass_init(&lights->near_field, &near_field);
+}
+
+/* The more lights a pixel has, the fewer of its neighbours it needs. */
+static bool init_blur(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct blur_settings *own = settings_of(desc->settings, &blur_part);
+    int radius = blur_radius(desc->settings);
+    int n = lights->gather.desc.interleave;
+    struct blur_desc blur = {
+        .width = desc->width,
+        .height = desc->height,
+        .radius = radius,
+        .detail = lights->has_detail,
+        .distance = own->distance,
+        .cosine = own->cosine,
+        .square = !own->separable || radius == 0,
+        .plain = plain_pixels(lights),
+    };
+    const struct gather_desc *listed = &lights->detail_gather.desc;
+    for (int grade = 0; lights->has_detail && grade < PIXEL_GRADES; grade++) {
+        float slots = (float)listed->list_slots[grade],
+              places = sqrtf(slots) / (float)listed->interleave;
+        blur.grade_radius[grade] = .5f / places;
+        blur.grade_weight[grade] = places * places * (float)(n * n);
+    }
+    lights->has_blur = n > 1 || radius > 0 || lights->has_detail;
+    return !lights->has_blur || blur_pass_init(&lights->blur, &blur);
+}
+
+static bool init_bounces(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    lights->bounces = own->bounces;
+    return lights->bounces == 1 ||
+           bounce_pass_init(&lights->bounce,
+                            &(struct bounce_desc){
+                                .scene = desc->scene,
+                                .geometry = desc->geometry,
+                                .materials = desc->gloss ? MATERIALS_FULL : MATERIALS_DIFFUSE,
+                                .casters = desc->casters,
+                                .bounces = own->bounces,
+                                .count = own->paths,
+                                .seed = own->seed,
+                            });
+}
+
+bool many_lights_check(const struct settings *settings) {
+    const struct lights_settings *lights = settings_of(settings, &lights_part);
+    const struct gather_settings *gather = settings_of(settings, &gather_part);
+    int places = gather->interleave * gather->interleave;
+    return lights->vpls >= places || error_set("interleave=%d needs at least %d VPLs, and vpls=%d",
+                                               gather->interleave, places, lights->vpls);
+}
+
+static bool init_rsm(struct many_lights *lights, const struct technique_desc *desc, int size) {
+    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
+    const struct light_layout *layout = desc->lights;
+    bool ok = true, has_gloss = desc->gloss && gather->gloss + 1 == SPECULAR_RAYS;
+    bool facets = sends_as_facets(desc);
+    for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++) {
+        int texels = light_map_size(kind, size), layers = layout->views[kind];
+        ok = layers == 0 ||
+             gbuffer_init(&lights->rsm[kind], &(struct gbuffer_desc){"rsm", texels, texels, layers,
+                                                                     false, has_gloss, facets});
+    }
+    return ok;
+}
+
+bool many_lights_init(struct many_lights *lights, const struct technique_desc *desc,
+                      const struct many_lights_visibility *visibility) {
+    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
+    *lights = (struct many_lights){.tree = visibility->tree};
+    if (init_rsm(lights, desc, rsm_size(desc)) &&
+        geometry_pass_init(
+            &lights->geometry,
+            &(struct geometry_desc){.has_gloss = desc->gloss, .facets = sends_as_facets(desc)}) &&
+        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach}) &&
+        vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) && init_bounces(lights, desc) &&
+        init_gather(lights, desc, visibility) && init_gloss(lights, desc, visibility) &&
+        init_near_field(lights, desc, visibility) && init_blur(lights, desc))
+        return true;
+    many_lights_free(lights);
+    return false;
+}
+
+void many_lights_free(struct many_lights *lights) {
+    for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
+        gbuffer_free(&lights->rsm[kind]);
+    geometry_pass_free(&lights->geometry);
+    vpl_pass_free(&lights->vpl);
+    vpl_buffer_free(&lights->vpls);
+    bounce_pass_free(&lights->bounce);
+    gather_pass_free(&lights->gather);
+    near_field_pass_free(&lights->near_field);
+    plain_pass_free(&lights->plain);
+    detail_pass_free(&lights->detail);
+    gather_pass_free(&lights->detail_gather);
+    gather_pass_free(&lights->gloss_gather);
+    gloss_rays_pass_free(&lights->gloss_rays);
+    blur_pass_free(&lights->gloss_blur);
+    blur_pass_free(&lights->blur);
+}
+
+/* What is as large as the picture. */
+static bool init_sized(struct many_lights *fresh, const struct many_lights *old, int width,
+                       int height) {
+    struct gather_desc gather = old->gather.desc, detail_gather = old->detail_gather.desc;
+    struct detail_desc detail = old->detail.desc;
+    struct gather_desc gloss_gather = old->gloss_gather.desc;
+    struct blur_desc blur = old->blur.desc, gloss_blur = old->gloss_blur.desc;
+    gather.width = detail_gather.width = detail.width = blur.width = width;
+    gather.height = detail_gather.height = detail.height = blur.height = height;
+    gloss_gather.width = gloss_blur.width = width;
+    gloss_gather.height = gloss_blur.height = height;
+    struct plain_desc plain = old->plain.desc;
+    plain.width = width;
+    plain.height = height;
+    fresh->has_plain = old->has_plain;
+    detail.plain = blur.plain = plain_pixels(fresh);
+    return gather_pass_init(&fresh->gather, &gather) &&
+           (!old->has_plain || plain_pass_init(&fresh->plain, &plain)) &&
+           (!old->has_gloss || (gather_pass_init(&fresh->gloss_gather, &gloss_gather) &&
+                                blur_pass_init(&fresh->gloss_blur, &gloss_blur))) &&
+           (!old->has_blur || blur_pass_init(&fresh->blur, &blur)) &&
+           (!old->has_detail || (detail_pass_init(&fresh->detail, &detail) &&
+                                 gather_pass_init(&fresh->detail_gather, &detail_gather)));
+}
+
+static void free_sized(struct many_lights *lights) {
+    gather_pass_free(&lights->gather);
+    plain_pass_free(&lights->plain);
+    detail_pass_free(&lights->detail);
+    gather_pass_free(&lights->detail_gather);
+    gather_pass_free(&lights->gloss_gather);
+    blur_pass_free(&lights->gloss_blur);
+    blur_pass_free(&lights->blur);
+}
+
+bool many_lights_resize(void *state, int width, int height) {
+    struct many_lights *lights = state;
+    struct many_lights fresh = {0};
+    if (!init_sized(&fresh, lights, width, height)) {
+        free_sized(&fresh);
+        return false;
+    }
+    free_sized(lights);
+    lights->gather = fresh.gather;
+    lights->plain = fresh.plain;
+    lights->detail = fresh.detail;
+    lights->detail_gather = fresh.detail_gather;
+    lights->gloss_gather = fresh.gloss_gather;
+    lights->gloss_blur = fresh.gloss_blur;
+    lights->blur = fresh.blur;
+    return true;
+}
