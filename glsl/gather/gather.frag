@@ -52,7 +52,7 @@ float given_back() {
 }
 #endif
 
-vec3 receiver_facet = vec3(0.0); // the normal of the triangle that the receiver lies on, of any length
+vec3 receiver_facet = vec3(0.0); // the normal of the triangle that the receiver lies on
 
 // Of light i: what geometry_term has of points and balls, or of its rectangle.
 float light_term(int i, vec3 to_light, vec3 normal, vpl light) {
@@ -60,7 +60,7 @@ float light_term(int i, vec3 to_light, vec3 normal, vpl light) {
     return rectangle_term(i, to_light, normal, light);
 #else
 #if CLAMP != 4 // balls may rise above a horizon in part
-    if (dot(receiver_facet, to_light) <= 0.0)
+    if (dot(receiver_facet, to_light) < -FACET_HORIZON * length(to_light))
         return 0.0;
 #endif
     return geometry_term(to_light, normal, light);

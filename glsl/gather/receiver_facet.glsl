@@ -7,25 +7,31 @@
 const float FACET_BENT = 0.2;
 // A facet and a smooth surface are no farther apart.
 const float FACET_COSINE = 0.7;
+// What lies on the triangle itself, or on the next one, is on either side of its plane by what places are rounded.
+const float FACET_HORIZON = 0.005;
 
-vec3 position_of(ivec2 pixel, ivec2 size) {
-    return view_position(camera, (vec2(pixel) + 0.5) / vec2(size) * 2.0 - 1.0, gbuffer_depth(pixel));
+float depth_beside(ivec2 pixel, ivec2 step) {
+    return gbuffer_depth(clamp(pixel + step, ivec2(0), gbuffer_size() - 1));
 }
 
-bool is_straight(ivec2 pixel, ivec2 step, ivec2 size, float depth) {
-    float before = depth - gbuffer_depth(max(pixel - step, ivec2(0)));
-    float after = gbuffer_depth(min(pixel + step, size - 1)) - depth;
-    return abs(before - after) < FACET_BENT * min(abs(before), abs(after)) + 1e-4 * depth;
+// The normal, of any length, of the plane that has this depth at `ndc`, and that slope over ndc: along the camera's axes
+// places are z (forward + x right + y up), where near / z is the depth, linear in x and y; of an orthographic one z is.
+vec3 plane_normal(vec2 ndc, float depth, vec2 slope) {
+    vec3 forward = camera.forward / dot(camera.forward, camera.forward);
+    vec3 right = camera.right / dot(camera.right, camera.right), up = camera.up / dot(camera.up, camera.up);
+    return camera.orthographic ? forward + camera.far * (slope.x * right + slope.y * up)
+                               : (depth - dot(slope, ndc)) * forward + slope.x * right + slope.y * up;
 }
 
-// Its normal, of any length; the surface's own where the neighbours do not tell.
+// Its normal; the surface's own where the neighbours do not tell.
 vec3 facet_of(surface s, ivec2 pixel) {
-    ivec2 size = gbuffer_size();
+    vec2 size = vec2(gbuffer_size());
     float depth = gbuffer_depth(pixel);
-    vec3 right = position_of(pixel + ivec2(1, 0), size) - s.position;
-    vec3 up = position_of(pixel + ivec2(0, 1), size) - s.position;
-    vec3 facet = cross(right, up);
+    vec2 before = depth - vec2(depth_beside(pixel, ivec2(-1, 0)), depth_beside(pixel, ivec2(0, -1)));
+    vec2 after = vec2(depth_beside(pixel, ivec2(1, 0)), depth_beside(pixel, ivec2(0, 1))) - depth;
+    bool known = all(lessThan(abs(before - after), FACET_BENT * min(abs(before), abs(after)) + 1e-4 * depth));
+    vec3 facet = plane_normal((vec2(pixel) + 0.5) / size * 2.0 - 1.0, depth, 0.25 * size * (before + after));
     float cosine = dot(facet, s.normal);
-    bool known = is_straight(pixel, ivec2(1, 0), size, depth) && is_straight(pixel, ivec2(0, 1), size, depth);
-    return known && abs(cosine) > FACET_COSINE * length(facet) ? facet * sign(cosine) : s.normal;
+    float inverse_length = inversesqrt(max(dot(facet, facet), 1e-30)) * sign(cosine);
+    return known && abs(cosine * inverse_length) > FACET_COSINE ? facet * inverse_length : s.normal;
 }
