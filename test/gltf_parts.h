@@ -12,6 +12,13 @@
 /* What the buffer holds: positions at 0, indices at 48, a place for the test's own bytes at 64. */
 enum { PARTS_EXTRA = 64, PARTS_BIN = 64 + 256 };
 
+/* Accessors of the quad whose normals, accessor 2, are four vectors of the test's own. */
+#define PARTS_OWN_NORMALS                                                                          \
+    "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"             \
+    " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"              \
+    " \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126,"     \
+    " \"count\": 4, \"type\": \"VEC3\"}]"
+
 /* Values of the top-level members; NULL = the quad's. */
 struct gltf_parts {
     const char *asset, *buffers, *views, *accessors, *materials, *meshes, *nodes;

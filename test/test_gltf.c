@@ -185,11 +185,7 @@ static void test_hopeless_normals(void **state) {
     (void)state;
     static const float normals[4][3] = {{0, 0, 0}, {NAN, 0, 0}, {0, INFINITY, 0}, {0, 1e-20F, 0}};
     static const struct gltf_parts parts[] = {
-        {.accessors =
-             "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
-             " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"
-             " \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\":"
-             " 5126, \"count\": 4, \"type\": \"VEC3\"}]",
+        {.accessors = PARTS_OWN_NORMALS,
          .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"NORMAL\": 2},"
                    " \"indices\": 1}]}]",
          .extra = normals,

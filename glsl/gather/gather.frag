@@ -60,7 +60,7 @@ float light_term(int i, vec3 to_light, vec3 normal, vpl light) {
     return rectangle_term(i, to_light, normal, light);
 #else
 #if CLAMP != 4 // balls may rise above a horizon in part
-    if (dot(receiver_facet, to_light) < -FACET_HORIZON * length(to_light))
+    if (is_behind_horizon(receiver_facet, to_light))
         return 0.0;
 #endif
     return geometry_term(to_light, normal, light);

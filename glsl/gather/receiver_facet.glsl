@@ -35,3 +35,8 @@ vec3 facet_of(surface s, ivec2 pixel) {
     float inverse_length = inversesqrt(max(dot(facet, facet), 1e-30)) * sign(cosine);
     return known && abs(cosine * inverse_length) > FACET_COSINE ? facet * inverse_length : s.normal;
 }
+
+// Whether the triangle of that normal is turned away from what lies there.
+bool is_behind_horizon(vec3 facet, vec3 to_light) {
+    return dot(facet, to_light) < -FACET_HORIZON * length(to_light);
+}
