@@ -137,7 +137,8 @@ bool quality_climb(double error, int most_passes, quality_teller *tell, void *us
         char *what = quality_describe(choice);
         ok = tell(user, choice, told);
         enough = *told <= error || has_converged(&climb);
-        log_detail("%s errs %.1f %%", what, 100 * *told);
+        if (ok && !isinf(*told))
+            log_note("%s errs %.1f %%", what, 100 * *told);
         free(what);
     }
     if (ok)
