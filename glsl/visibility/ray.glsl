@@ -4,9 +4,11 @@
 #include "visibility/depth_maps.glsl"
 
 const int RAY_PLACES = 8;
-// Casters are as deep as this, over the point's distance from the centre: farther behind them the ray passes where
-// the centre does not see. A little more than between two places, so that no wall is stepped over.
-const float CASTER_DEPTH = 0.3;
+// Casters are as deep as this, over the point's distance from the centre, or over the ray's length where that is less:
+// farther behind them the ray passes where the centre does not see. Over the length it is a little more than from place
+// to place, so that no wall is stepped over; beside a VPL what the centre does not see is mostly free.
+const float CASTER_DEPTH = 0.4;
+const float CASTER_DEPTH_OF_WAY = 0.3;
 
 bool within_caster(float distance, float seen, float deep) {
     return distance > seen && distance < seen + deep;
@@ -29,8 +31,8 @@ float visibility_from(int map, vec3 position, vec3 normal, vec3 light) {
     map_view v = map_view_at(map);
     receiver r;
     bool projected = project(v, position, normal, r);
-    float deep = CASTER_DEPTH * r.distance;
     vec3 to_light = paraboloid_local(v, light) - r.point;
+    float deep = min(CASTER_DEPTH * r.distance, CASTER_DEPTH_OF_WAY * length(to_light));
     bool hidden = is_receiver_hidden(map, r, deep);
     // A count that is not known beforehand. A software rasteriser executes what a loop holds once even where no pixel
     // enters it: unrolled, that would be all places.
