@@ -231,21 +231,35 @@ static void test_flat_blocker(void **state) {
 
 /* --- a triangle that its smooth normal leans away from ------------------------------------------ */
 
-/* A quad whose normals lean 30 degrees towards a wall that shines, below the quad's plane or above it. The camera looks
- * at the quad alone, which no light reaches but the wall's. */
+/* A quad whose normals lean 30 degrees towards a wall that shines, below the quad's plane or above it, and towards a lamp.
+ * The camera looks at the quad alone; a spot lights the wall alone. */
 static const char leaning_nodes[] =
     "[{\"name\": \"quad\", \"mesh\": 0},"
     " {\"name\": \"wall\", \"mesh\": 1,"
-    "  \"matrix\": [0,0,1.2,0, 0,1,0,0, -1,0,0,0, 1.5,0,%s,1]},"
-    " {\"name\": \"light\", \"matrix\": [0,0,1,0, 0,1,0,0, -1,0,0,0, 0.3,0.5,%s,1],"
+    "  \"matrix\": [0,0,1.2,0, 0,1,0,0, -1,0,0,0, %s,0,%s,1]},"
+    " {\"name\": \"light\", \"matrix\": [0,0,1,0, 0,1,0,0, -1,0,0,0, %s,0.5,%s,1],"
     "  \"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}},"
     " {\"name\": \"camera\", \"camera\": 0, \"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0.5,0.5,3,1]}]";
 
-static double light_of_leaning(const char *wall, const char *light) {
+struct leaning {
+    const char *wall[2], *light[2]; /* x and z */
+    const char *type, *layer;
+};
+
+static double light_of_leaning(const struct leaning *lit) {
     static const float normals[4][3] = {
         {.5F, 0, .8660254F}, {.5F, 0, .8660254F}, {.5F, 0, .8660254F}, {.5F, 0, .8660254F}};
-    char nodes[1024];
-    snprintf(nodes, sizeof nodes, leaning_nodes, wall, light);
+    char nodes[1024], more[512];
+    snprintf(nodes, sizeof nodes, leaning_nodes, lit->wall[0], lit->wall[1], lit->light[0],
+             lit->light[1]);
+    snprintf(more, sizeof more,
+             "\"extensionsUsed\": [\"KHR_lights_punctual\"],"
+             "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"%s\","
+             " \"intensity\": 10, \"spot\": {\"innerConeAngle\": 0.4,"
+             " \"outerConeAngle\": 0.42}}]}},"
+             "\"cameras\": [{\"type\": \"orthographic\", \"orthographic\":"
+             " {\"xmag\": 0.4, \"ymag\": 0.4, \"znear\": 0.1, \"zfar\": 10}}],",
+             lit->type);
     struct gltf_parts parts = {
         .accessors = PARTS_OWN_NORMALS,
         .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"NORMAL\": 2},"
@@ -253,12 +267,7 @@ static double light_of_leaning(const char *wall, const char *light) {
                   " {\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
                   " \"material\": 0}]}]",
         .materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]",
-        .more = "\"extensionsUsed\": [\"KHR_lights_punctual\"],"
-                "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\","
-                " \"intensity\": 10, \"spot\": {\"innerConeAngle\": 0.4,"
-                " \"outerConeAngle\": 0.42}}]}},"
-                "\"cameras\": [{\"type\": \"orthographic\", \"orthographic\":"
-                " {\"xmag\": 0.4, \"ymag\": 0.4, \"znear\": 0.1, \"zfar\": 10}}],",
+        .more = more,
         .nodes = nodes,
         .extra = normals,
         .extra_size = sizeof normals,
@@ -269,7 +278,7 @@ static double light_of_leaning(const char *wall, const char *light) {
     scene_free(&scene);
     open_stage(&leaning, scratch("leaning.glb"));
     struct image image = render_stage(&leaning, "unshadowed", "vpls=256 clamp=none", 64);
-    double mean = layer_mean(&image, "indirect");
+    double mean = layer_mean(&image, lit->layer);
     image_free(&image);
     stage_free(&leaning);
     return mean;
@@ -278,10 +287,19 @@ static double light_of_leaning(const char *wall, const char *light) {
 /* What a triangle is turned away from lights it nowhere, whatever its normals say: paths find it dark, too. */
 static void test_facet(void **state) {
     (void)state;
-    double below = light_of_leaning("-1.5", "-0.9"), above = light_of_leaning("0.3", "0.9");
-    printf("    light of a wall below the plane %g, above it %g\n", below, above);
-    assert_true(above > .01);
-    check_at_most("from below over from above", below / above, 1e-6);
+    static const struct leaning rows[][2] = {
+        {{{"1.5", "-1.5"}, {"0.3", "-0.9"}, "spot", "indirect"},
+         {{"1.5", "0.3"}, {"0.3", "0.9"}, "spot", "indirect"}},
+        {{{"9", "0"}, {"4", "-0.05"}, "point", "direct"},
+         {{"9", "0"}, {"4", "0.05"}, "point", "direct"}},
+    };
+    for (int i = 0; i < 2; i++) {
+        double below = light_of_leaning(&rows[i][0]), above = light_of_leaning(&rows[i][1]);
+        printf("    %s light from below the plane %g, from above it %g\n", rows[i][0].layer, below,
+               above);
+        assert_true(above > .01);
+        check_at_most("from below over from above", below / above, 1e-6);
+    }
 }
 
 int main(void) {

@@ -1,4 +1,6 @@
 // Direct light of one light, at the G-buffer. Who includes it says which share of the light arrives:
+#include "gather/receiver_facet.glsl"
+
 float arriving(surface s, light l, vec3 direction);
 
 layout(location = LOCATION_LIGHT) uniform int light_index;
@@ -10,6 +12,13 @@ layout(location = TARGET_RESULT) out vec4 direct;
 
 layout(location = TARGET_DIRECT_SPECULAR) out vec4 specular;
 #endif
+
+// Whether the triangle is turned away from all of the light, of which nothing is farther from its middle than its sides.
+// A map tells only beyond its bias, so that what is round would be lit behind its horizon, in a strip.
+bool is_turned_away(surface s, ivec2 pixel, light l, vec3 to_light) {
+    vec3 facet = facet_of(s, pixel);
+    return is_behind_horizon(facet, to_light + facet * (0.5 * (l.width + l.height)));
+}
 
 void main() {
     direct = vec4(0.0);
@@ -25,6 +34,8 @@ void main() {
     float distance2 = dot(to_light, to_light);
     vec3 direction = l.type == LIGHT_TYPE_DIRECTIONAL ? l.direction : -to_light * inversesqrt(distance2);
     float share = unshadowed(l, s.position, s.normal, direction, distance2);
+    if (is_turned_away(s, pixel, l, l.type == LIGHT_TYPE_DIRECTIONAL ? -direction : to_light))
+        share = 0.0;
 #ifdef HAS_GLOSS
     if (share <= 0.0)
         return;
