@@ -68,16 +68,19 @@ near_arrival arrival_from(surface receiver, light l, int index, vec2 ndc, float 
     vec3 position = view_position_at(v, (vec2(texel) + 0.5) / float(size) * 2.0 - 1.0, near.z);
     vec3 to_sample = (position - receiver.position) * params.inverse_radius;
     float distance2 = dot(to_sample, to_sample);
-    float cosines = max(dot(receiver.normal, to_sample), 0.0) *
-                    max(-dot(octahedral_decode(near.normal_code), to_sample), 0.0);
-    float share = near_share(distance2, near.spacing * near.spacing, reach);
+    vec3 normal = octahedral_unfold(near.normal_code);
+    float cosines = max(dot(receiver.normal, to_sample), 0.0) * max(-dot(normal, to_sample), 0.0);
+    // One division for the normal's length, the share and the distance.
+    float reach2 = reach * near.spacing * reach * near.spacing;
+    float scaled4 = distance2 * distance2 * length(normal), inverse = 1.0 / max(scaled4 * reach2, 1e-37);
+    float share = near_share_at(distance2 * scaled4 * inverse);
 #if FACETS
     float nearest = NEAREST * 2.0 / float(size) * length(v.right) * (v.orthographic ? 1.0 : near.z) * params.inverse_radius;
     cosines *= min(distance2 / (nearest * nearest), 1.0);
 #endif
     // No branches: a software rasteriser executes both sides.
     bool seen_lit = all(lessThan(abs(ndc), vec2(1.0))) && near.z > 0.0 && cosines > 0.0;
-    vec3 light = near.power * (seen_lit ? cosines / (distance2 * distance2) * share * measure : 0.0);
+    vec3 light = near.power * (seen_lit ? cosines * inverse * reach2 * share * measure : 0.0);
     return near_arrival(light, position, index);
 }
 

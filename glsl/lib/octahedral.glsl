@@ -6,10 +6,15 @@ vec2 octahedral_encode(vec3 n) {
     return (n.z >= 0.0 ? n.xy : folded) * 0.5 + 0.5;
 }
 
-vec3 octahedral_decode(vec2 code) {
+// Of any length.
+vec3 octahedral_unfold(vec2 code) {
     vec2 p = code * 2.0 - 1.0;
     vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
     float fold = max(-n.z, 0.0);
     n.xy -= mix(vec2(-fold), vec2(fold), greaterThanEqual(n.xy, vec2(0.0)));
-    return normalize(n);
+    return n;
+}
+
+vec3 octahedral_decode(vec2 code) {
+    return normalize(octahedral_unfold(code));
 }
