@@ -362,6 +362,60 @@ static void test_step(void **state) {
     close_lookups(lookups);
 }
 
+/* --- what lies behind a VAL's plane ------------------------------------------------------------- */
+
+static struct map_view view_of(float x, float y, float axis_x, float axis_y, float near_clip) {
+    return (struct map_view){
+        .center = {x, y, 0}, .axis = {axis_x, axis_y, 0}, .tangent = {0, 0, 1}, .near = near_clip};
+}
+
+/* VAL 0 looks along +x. Of the others the nearest is empty, the next looks away from it, two on the left look back at it and see
+ * what is behind it, and another has its back to all that is there. */
+static void test_map_in_front(void **state) {
+    (void)state;
+    enum { VALS = 6, ASKED = 4 };
+    struct map_view views[MAP_VIEWS_MAX] = {
+        view_of(0, 0, 1, 0, .01F),      view_of(-1, 0, 1, 0, MAP_VIEW_EMPTY),
+        view_of(-1.5F, 0, -1, 0, .01F), view_of(-3, 0, 1, 0, .01F),
+        view_of(-2, 0, 1, 0, .01F),     view_of(0, -1, 0, -1, .01F),
+    };
+    static const float points[ASKED][4] = {
+        {1, 2, 0, 0},        /* in front: its own */
+        {-.5F, 4, 0, 0},     /* behind: the nearest that sees it */
+        {-2.5F, 3.5F, 0, 0}, /* behind that one, too: the next */
+        {-.5F, 1, 0, 0},     /* nearer to VAL 0 than any: its own */
+    };
+    static const int expected[ASKED] = {0, 4, 3, 0};
+    int answers[ASKED];
+    struct lookup_params params = {.map_count = VALS};
+    struct timers untimed = {0};
+    struct buffer maps, block, asked, answered;
+    GLuint program;
+    check_ok("program", program_init(&program, &(struct program_desc){
+                                                   .compute = "../test/map_in_front.comp"}));
+    check_ok("views", buffer_init(&maps, "views", sizeof views, views));
+    check_ok("params", buffer_init(&block, "lookup", sizeof params, &params));
+    check_ok("points", buffer_init(&asked, "points", sizeof points, points));
+    check_ok("answers", buffer_init(&answered, "answers", sizeof answers, NULL));
+    pass_begin(&untimed,
+               &(struct pass_state){.name = "maps in front",
+                                    .program = program,
+                                    .blocks = {{BLOCK_MAPS, &maps}, {BLOCK_LOOKUP, &block}},
+                                    .storages = {{0, &asked}, {1, &answered}}});
+    pass_dispatch(ASKED, 1, 1);
+    pass_end(&untimed);
+    buffer_read(&answered, 0, sizeof answers, answers);
+    for (int i = 0; i < ASKED; i++) {
+        printf("    point %d is known by map %d\n", i, answers[i]);
+        assert_int_equal(answers[i], expected[i]);
+    }
+    buffer_free(&maps);
+    buffer_free(&block);
+    buffer_free(&asked);
+    buffer_free(&answered);
+    program_free(&program);
+}
+
 static int open_tests(void **state) {
     glsl_set_folder("glsl"); /* the test's own shader lies beside the test */
     return open_group_context(state);
@@ -378,6 +432,7 @@ int main(void) {
         cmocka_unit_test(test_orthographic), cmocka_unit_test(test_hard),
         cmocka_unit_test(test_pcf),          cmocka_unit_test(test_pcss),
         cmocka_unit_test(test_cssm),         cmocka_unit_test(test_step),
+        cmocka_unit_test(test_map_in_front),
     };
     return cmocka_run_group_tests_name("lookup", tests, open_tests, close_tests);
 }

@@ -30,7 +30,9 @@ struct lookup_params {
     float gain;     /* of the blocked part, about a half; FILTER_CSSM_WINDOW: from nothing */
     float sharpen_a, sharpen_b;
     float contact; /* windowed filters: what is nearer than this, of its distance, is compared */
+    int map_count; /* VALs' maps */
+    int unused0, unused1, unused2;
 };
-STD140_SIZE(lookup_params, 32)
+STD140_SIZE(lookup_params, 48)
 
 #endif

@@ -3,6 +3,10 @@
 #include "visibility/lookup.glsl"
 #include "visibility/map_views.glsl"
 
+#if FILTER == FILTER_PCSS
+#include "visibility/map_in_front.glsl"
+#endif
+
 #if FILTER == FILTER_RAY
 #include "visibility/ray.glsl"
 #elif FILTER == FILTER_TRACED
@@ -20,6 +24,9 @@ float visibility(int map, vec3 position, vec3 normal) {
 #if FILTER == FILTER_NONE
     return 1.0;
 #else
+#if FILTER == FILTER_PCSS
+    map = map_in_front(map, position);
+#endif
     receiver r;
     if (!project(map_view_at(map), position, normal, r))
         return 1.0;

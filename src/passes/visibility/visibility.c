@@ -50,6 +50,7 @@ void visibility_add(struct pass_state *state, const struct visibility_desc *desc
         .gain = desc->gain,
         .sharpen_a = desc->sharpen_a,
         .sharpen_b = desc->sharpen_b,
+        .map_count = desc->map_count,
     };
     buffer_write(params, 0, sizeof values, &values);
     pass_add_block(state, BLOCK_LOOKUP, params);
