@@ -22,6 +22,8 @@ layout(std140, binding = BLOCK_NEAR_SAMPLES) uniform sample_uniforms {
 };
 
 layout(location = LOCATION_SLOT) uniform ivec4 slot; // first sample, count, the tile's place in the pattern
+// What the tile's samples are turned by, cosine and sine; what their numbers have more than integers; one over the count.
+layout(location = LOCATION_NEAR_SHIFT) uniform vec4 shift;
 // The lights that this tile takes, and each one's weight: of a group of many one stands for all.
 layout(location = LOCATION_PICK_COUNT) uniform int pick_count;
 layout(location = LOCATION_PICKS) uniform vec2 picks[LIGHTS];
@@ -87,16 +89,18 @@ near_arrival arrival_from(surface receiver, light l, int index, vec2 ndc, float 
 // Where samples of one light lie, in the view of that number.
 struct near_places {
     int view_index;
-    vec2 center, aspect; // ndc
-    float least, span;   // radius; logarithm of the greatest over it
+    vec2 center; // ndc
+    mat2 turn;   // to ndc
+    float least; // radius, of a sample of number 0
+    float step;  // of its logarithm, to the next sample
     float reach;
 };
 
 near_arrival arrival_of_sample(surface s, light l, near_places around, int i) {
     near_sample place = near_sample(sample_rows[i].xy, sample_rows[i].z, 0.0);
-    float r = around.least * exp(around.span * place.log_radius);
+    float r = around.least * exp(around.step * place.number);
     // Log-polar density: 1 / (2 pi r^2 span) per ndc area.
-    vec2 ndc = around.center + r * place.direction * around.aspect;
+    vec2 ndc = around.center + r * (around.turn * place.direction);
     near_arrival arrival = arrival_from(s, l, around.view_index, ndc, around.reach);
     arrival.light *= r * r;
     return arrival;
@@ -170,7 +174,9 @@ vec3 near_field(surface s, bool receives, light l, vpl_share share, float random
     // A count and no branch around the loop, which a software rasteriser would keep books of at each step.
     bool reached = receives && clip.w > 0.0 && all(lessThanEqual(abs(center), vec2(1.0 + radius))) && span > 0.0;
     int last = reached ? slot.x + slot.y : slot.x;
-    near_places around = near_places(index, center, aspect, least, span, share.reach);
+    float step = span * shift.w;
+    mat2 turn = mat2(shift.x, shift.y * aspect.y, -shift.y, shift.x * aspect.y); // aspect.x is 1
+    near_places around = near_places(index, center, turn, least * exp(step * shift.z), step, share.reach);
     vec3 sum = light_of_samples(s, l, around, slot.x, last, random);
     float spread = length(v.right) * length(v.up);
     float weight = 2.0 * PI * span * aspect.y * spread / float(slot.y);

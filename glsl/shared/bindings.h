@@ -165,6 +165,7 @@
 #define LOCATION_SET_BACK 7
 #define LOCATION_PICK_COUNT 8
 #define LOCATION_TREE_STEP 9
-#define LOCATION_PICKS 10 /* LIGHTS_MAX of them (shared/light.h) */
+#define LOCATION_NEAR_SHIFT 10
+#define LOCATION_PICKS 11 /* LIGHTS_MAX of them (shared/light.h) */
 
 #endif

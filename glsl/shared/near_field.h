@@ -18,10 +18,10 @@ struct near_field_params {
 };
 PASS_BLOCK(near_field_params, 32)
 
-/* A place around the receiver's own in a light's view. */
+/* A place around the receiver's own in a light's view (base/spiral.h). */
 struct near_sample {
-    vec2 direction;   /* unit */
-    float log_radius; /* 0 at the least radius, 1 at the greatest */
+    vec2 direction; /* unit, before it is turned */
+    float number;
     float unused;
 };
 STD140_SIZE(near_sample, 16)

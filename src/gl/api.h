@@ -80,6 +80,7 @@
     /* Uniforms of a named program. */                                                             \
     X(PFNGLPROGRAMUNIFORM1IPROC, ProgramUniform1i)                                                 \
     X(PFNGLPROGRAMUNIFORM4IPROC, ProgramUniform4i)                                                 \
+    X(PFNGLPROGRAMUNIFORM4FPROC, ProgramUniform4f)                                                 \
     X(PFNGLPROGRAMUNIFORM1FPROC, ProgramUniform1f)                                                 \
     X(PFNGLPROGRAMUNIFORM2FVPROC, ProgramUniform2fv)                                               \
     /* Draws and dispatches. */                                                                    \

@@ -1,7 +1,7 @@
 #include "passes/gather/near_field.h"
 
-#include "base/halton.h"
 #include "base/memory.h"
+#include "base/spiral.h"
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
@@ -15,20 +15,12 @@ static int share_of_samples(const struct near_field_desc *desc, int n) {
     return share > 0 ? share : 1;
 }
 
-/* A pass of many goes on where the one before ended. */
-static void write_samples(struct near_field_pass *pass, int frame_pass) {
+static void write_samples(const struct near_field_pass *pass) {
     struct near_sample samples[NEAR_SAMPLES_MAX];
-    if (pass->sampled && pass->sampled_pass == frame_pass)
-        return;
-    pass->sampled = true;
-    pass->sampled_pass = frame_pass;
-    uint32_t first = (uint32_t)frame_pass * (uint32_t)pass->desc.samples;
-    for (uint32_t i = 0; i < NEAR_SAMPLES_MAX; i++) {
-        double turn = 2 * acos(-1) * radical_inverse(3, first + i);
-        samples[i] = (struct near_sample){
-            .direction = {(float)cos(turn), (float)sin(turn)},
-            .log_radius = (float)radical_inverse(2, first + i),
-        };
+    for (int i = 0; i < NEAR_SAMPLES_MAX; i++) {
+        double turn = 2 * acos(-1) * spiral_turn(i);
+        samples[i] = (struct near_sample){.direction = {(float)cos(turn), (float)sin(turn)},
+                                          .number = (float)i};
     }
     buffer_write(&pass->samples, 0, sizeof samples, samples);
 }
@@ -91,7 +83,9 @@ bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_
         buffer_init(&pass->params, "near field parameters", sizeof(struct near_field_params), NULL);
     for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++)
         ok = init_lights(pass, kind);
-    if (!ok)
+    if (ok)
+        write_samples(pass);
+    else
         near_field_pass_free(pass);
     return ok;
 }
@@ -133,7 +127,6 @@ void near_field_pass_render_lights(struct near_field_pass *pass, const struct fr
                    {BLOCK_PASS, &pass->params}},
     };
     rsm_add(&state, rsm);
-    write_samples(pass, frame->pass);
     write_params(pass, frame, (struct interleaving){.n = 1});
     timer_begin(frame->timers, "near light");
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
@@ -147,15 +140,24 @@ void near_field_pass_render_lights(struct near_field_pass *pass, const struct fr
     timer_end(frame->timers);
 }
 
-/* A tile of a slot of the pattern, or one of its lists, with the samples of `side` slots side by side. */
+/* A tile of a slot of the pattern, or one of its lists, with as many samples as `side` slots have. */
 struct near_draw {
     int slot, list, side;
     int picked; /* lights */
+    int pass;
 };
 
 /* llvmpipe ends the loops of a shader after 65,535 steps in all, of which a ray takes many. */
 static int lights_of_draw(const struct near_field_pass *pass, int picked) {
     return pass->desc.occlusion == NEAR_BY_RAYS ? 1 : picked;
+}
+
+static void set_samples(GLuint program, int x, int y, int samples, int pass) {
+    struct spiral_shift shift = spiral_shift(x, y, pass);
+    double turn = 2 * acos(-1) * shift.turn;
+    gl.ProgramUniform4i(program, LOCATION_SLOT, 0, samples, x, y);
+    gl.ProgramUniform4f(program, LOCATION_NEAR_SHIFT, (float)cos(turn), (float)sin(turn),
+                        shift.along, 1 / (float)samples);
 }
 
 static void draw_tile(const struct near_field_pass *pass, GLuint program,
@@ -164,11 +166,9 @@ static void draw_tile(const struct near_field_pass *pass, GLuint program,
     const struct irradiance *irradiance = inputs->irradiance;
     int n = irradiance->interleave, samples = share_of_samples(&pass->desc, n) * draw.side;
     samples = samples < pass->desc.samples ? samples : pass->desc.samples;
-    int patterns = pass->desc.samples / samples;
     pass_viewport(slot % n * irradiance->tile_width, slot / n * irradiance->tile_height,
                   irradiance->tile_width, irradiance->tile_height);
-    gl.ProgramUniform4i(program, LOCATION_SLOT, slot / draw.side % patterns * samples, samples,
-                        slot % n, slot / n);
+    set_samples(program, slot % n, slot / n, samples, draw.pass);
     int together = lights_of_draw(pass, draw.picked);
     for (int light = 0; light < draw.picked; light += together) {
         int rest = draw.picked - light;
@@ -217,9 +217,8 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
     for (int list = 0; list < (listed ? LIST_KINDS : 1); list++) {
         int side = listed ? pass->desc.list_slots[list] : 1;
         for (int slot = 0; side > 0 && slot < slots; slot++)
-            draw_tile(
-                pass, state.program, inputs,
-                (struct near_draw){.slot = slot, .list = list, .side = side, .picked = picked});
+            draw_tile(pass, state.program, inputs,
+                      (struct near_draw){slot, list, side, picked, frame->pass});
     }
     pass_end(frame->timers);
 }

@@ -21,7 +21,7 @@ struct near_field_desc {
     int samples; /* that the n x n pixels of a pattern share out */
     bool listed; /* pixels of lists come by themselves, and not with all others */
     int list_slots
-        [LIST_KINDS]; /* what is on a list takes the samples of so many slots side by side; 0: none */
+        [LIST_KINDS]; /* what is on a list takes as many samples as so many slots have; 0: none */
     int occlusion;    /* NEAR_...: by views from what is on a list alone */
     struct caster_pool *casters; /* of NEAR_BY_RAYS; must outlive the pass */
     bool facets;                 /* the shadow map's normals are of triangles */
@@ -38,8 +38,6 @@ struct near_field_pass {
     GLuint lights_framebuffers[LIGHT_MAP_KINDS];
     struct buffer samples, params;
     struct light_picks picks;
-    bool sampled; /* the samples are there, and those of that pass */
-    int sampled_pass;
 };
 
 bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_desc *desc);
