@@ -3,9 +3,11 @@
 // its second, so that a draw finds them side by side. The order within a list is that of arrival; no pixel's light
 // depends on it.
 //
-// With SHARE_VISIBILITY such pixels are listed, too, that no block speaks for; the others are told which one does.
+// With SHARE_VISIBILITY such pixels are listed, too, that no block speaks for; the others are told which one does. Pixels
+// that are not listed are told their triangle's normal: what draws tiles has no neighbours at hand.
 #include "lib/gbuffer.glsl"
 #include "gather/list_texel.glsl"
+#include "gather/receiver_facet.glsl"
 #include "picture/picks.glsl"
 #include "shared/detail.h"
 #if SHARE_VISIBILITY
@@ -59,11 +61,11 @@ void main() {
     surface s = gbuffer_surface(pixel);
     ivec2 like = s.present ? like_neighbours(s, pixel, size) : ivec2(4);
     bool has_block = true;
-    list_texel = 0u;
+    list_texel = s.present ? facet_code(facet_of(s, pixel)) : 0u;
 #if SHARE_VISIBILITY
     ivec2 block;
     has_block = !s.present || nearest_block(s, pixel, block);
-    list_texel = s.present ? block_away_code(block - block_at(pixel)) : 0u;
+    list_texel |= s.present ? block_away_code(block - block_at(pixel)) : 0u;
 #endif
     if (float(like.x) < params.fewest || !has_block) {
         int grade = like.y < 2 ? PIXEL_GRADE_DETAIL : PIXEL_GRADE_EDGE;

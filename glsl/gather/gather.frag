@@ -230,6 +230,8 @@ void main() {
     receives = receives && s.present;
 #if RECEIVERS == RECEIVERS_LISTED
     receiver_facet = listed.z == LIST_FURTHER ? s.normal : facet_of(s, pixel);
+#elif RECEIVERS == RECEIVERS_OTHERS
+    receiver_facet = facet_of_code(texelFetch(list_texels, pixel, 0).r, s.normal);
 #else
     receiver_facet = facet_of(s, pixel);
 #endif

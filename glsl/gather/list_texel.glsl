@@ -1,17 +1,19 @@
-// Where the lists have a pixel, in one number, whose lower half is 0 where they do not: then the upper has the block that
-// speaks for its visibility, by how far it is from that which the pixel lies in.
+// Where the lists have a pixel, in one number, whose lowest bit is 0 where they do not: then it has the block that speaks
+// for the pixel's visibility, by how far it is from that which the pixel lies in, and the normal of the triangle that the
+// pixel sees. 0, as of plain pixels: its own block, and its own normal.
 #include "shared/interleaving.h"
+#include "lib/octahedral.glsl"
 
 uint list_texel_code(ivec2 texel, int grade) {
-    return uint(texel.x + 1 | texel.y << 16) | uint(grade) << 31;
+    return 1u | uint(texel.x << 1 | texel.y << 16) | uint(grade) << 31;
 }
 
 bool list_texel_has(uint code) {
-    return (code & 0xffffu) != 0u;
+    return (code & 1u) != 0u;
 }
 
 ivec2 list_texel_of(uint code) {
-    return ivec2((code & 0xffffu) - 1u, code >> 16 & 0x7fffu);
+    return ivec2(code >> 1 & 0x7fffu, code >> 16 & 0x7fffu);
 }
 
 int list_grade_of(uint code) {
@@ -20,9 +22,22 @@ int list_grade_of(uint code) {
 
 // -1 to 1 along x and y.
 uint block_away_code(ivec2 away) {
-    return uint(away.x & 3 | (away.y & 3) << 2) << 16;
+    return uint(away.x & 3 | (away.y & 3) << 2) << 1;
 }
 
 ivec2 block_away_of(uint code) {
-    return ivec2(bitfieldExtract(int(code), 16, 2), bitfieldExtract(int(code), 18, 2));
+    return ivec2(bitfieldExtract(int(code), 1, 2), bitfieldExtract(int(code), 3, 2));
+}
+
+const float FACET_CODES = 8191.0;
+
+uint facet_code(vec3 facet) {
+    uvec2 code = uvec2(octahedral_encode(facet) * FACET_CODES + 0.5);
+    return 1u << 5 | code.x << 6 | code.y << 19;
+}
+
+// `normal` where the code has none.
+vec3 facet_of_code(uint code, vec3 normal) {
+    vec3 facet = octahedral_decode(vec2(code >> 6 & 0x1fffu, code >> 19) / FACET_CODES);
+    return (code & 1u << 5) != 0u ? facet : normal;
 }
