@@ -5,7 +5,6 @@
 #include "passes/lights/bounce.h"
 #include "reference/path_tracer.h"
 #include "scene/mesh/triangle_albedos.h"
-#include "shared/bounce.h"
 #include "shared/vpl.h"
 
 #include <math.h>
@@ -58,22 +57,6 @@ static void test_furnace(void **state) {
 
 static double power(const struct vpl *vpl) {
     return (double)(vpl->flux[0] + vpl->flux[1] + vpl->flux[2]);
-}
-
-/* The VPLs of further bounces; the caller frees them. */
-static struct vpl *read_further(const struct stage *stage, const char *settings, int *count) {
-    struct renderer renderer;
-    struct output_list outputs;
-    struct renderer_desc desc = desc_of(stage, "unshadowed", settings, 32, 32);
-    open_renderer(&renderer, &desc);
-    renderer_outputs(&renderer, &outputs);
-    const struct vpl_buffer *buffer = output_find(&outputs, "bounce-vpl")->source;
-    size_t bytes = (size_t)buffer->count * sizeof(struct vpl);
-    struct vpl *vpls = mem_alloc(bytes, 1);
-    buffer_read(&buffer->buffer, 0, bytes, vpls);
-    *count = buffer->count;
-    renderer_free(&renderer);
-    return vpls;
 }
 
 /* What paths leave of all further bounces, and the VPLs of the first one. */
@@ -145,52 +128,6 @@ static void test_flux(void **state) {
     stage_free(&stage);
 }
 
-/* What an eighth of a sphere has over what it should have, of places and of light: adds up the squares of how far that is
- * off, and the light. */
-static void add_eighths(const struct vpl *vpls, int count, double squares[2], double *light) {
-    double places[8] = {0}, powers[8] = {0}, all = 0;
-    for (int i = 0; i < count; i++) {
-        const float *p = vpls[i].position;
-        int eighth = (p[0] > 0) + 2 * (p[1] > 0) + 4 * (p[2] > 0);
-        places[eighth] += 1. / count;
-        powers[eighth] += power(&vpls[i]);
-        all += power(&vpls[i]);
-    }
-    for (int k = 0; k < 8; k++) {
-        squares[0] += pow(8 * places[k] - 1, 2);
-        squares[1] += pow(8 * powers[k] / all - 1, 2);
-    }
-    *light += all;
-}
-
-/* VPLs have the light of more paths than those that left them, so that parts of a sphere have more even light than numbers
- * of VPLs. However few VPLs there are, what is too far from all of them is given back. */
-static void test_shared(void **state) {
-    (void)state;
-    enum { SETS = 6 };
-    static const int counts[] = {256, 512, 4096};
-    double lights[3] = {0};
-    struct stage stage;
-    open_stage(&stage, "scenes/sphere.glb");
-    for (int n = 0; n < 3; n++) {
-        double squares[2] = {0};
-        for (int seed = 1; seed <= SETS; seed++) {
-            char settings[64];
-            int count;
-            snprintf(settings, sizeof settings, "bounces=2 paths=%d seed=%d", counts[n], seed);
-            struct vpl *vpls = read_further(&stage, settings, &count);
-            add_eighths(vpls, count, squares, &lights[n]);
-            free(vpls);
-        }
-        printf("  %d VPLs: eighths are off by %.4f of places, %.4f of light\n", counts[n],
-               sqrt(squares[0] / (8 * SETS)), sqrt(squares[1] / (8 * SETS)));
-        if (counts[n] >= BOUNCE_POOL)
-            check_at_most("light's over places'", sqrt(squares[1] / squares[0]), .9);
-        check_near("light of so many over that of 256", lights[n] / lights[0], 1, .005);
-    }
-    stage_free(&stage);
-}
-
 /* What paths take for a triangle's colour, on both of its sides. */
 static void test_albedos(void **state) {
     (void)state;
@@ -224,8 +161,8 @@ struct row {
 static struct row read_row(const struct texture *texture) {
     int count = texture->desc.width;
     struct row row = {mem_alloc((size_t)count, sizeof *row.texels)};
-    gl.GetTextureSubImage(texture->id, 0, 0, 0, 0, count, 1, 1, GL_RGBA, GL_FLOAT,
-                          count * (int)sizeof *row.texels, row.texels);
+    gl.GetTextureImage(texture->id, 0, GL_RGBA, GL_FLOAT, count * (int)sizeof *row.texels,
+                       row.texels);
     return row;
 }
 
@@ -282,7 +219,7 @@ static void test_seen(void **state) {
     printf("  the light of %d of %d paths is seen, %d otherwise by Embree\n", see, arrive, differ);
     printf("  kept of it %.4f, of all %.4f, taken %.4f\n", of_seen, of_all,
            (double)kept.texels[0][0]);
-    assert_true(see > arrive / 16 && see < arrive * 7 / 8);
+    assert_true(see > arrive / 8 && see < arrive * 7 / 8);
     check_at_most("share that differs", (double)differ / arrive, .005);
     assert_true((double)kept.texels[0][0] >= fmin(of_seen, of_all) - 1e-4 &&
                 (double)kept.texels[0][0] <= fmax(of_seen, of_all) + 1e-4);
@@ -361,8 +298,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_furnace), cmocka_unit_test(test_energy),
         cmocka_unit_test(test_frames),  cmocka_unit_test(test_flux),
-        cmocka_unit_test(test_shared),  cmocka_unit_test(test_albedos),
-        cmocka_unit_test(test_seen),    cmocka_unit_test(test_truth),
+        cmocka_unit_test(test_albedos), cmocka_unit_test(test_seen),
+        cmocka_unit_test(test_truth),
     };
     return cmocka_run_group_tests_name("bounces", tests, open_group_context, close_group_context);
 }
