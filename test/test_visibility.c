@@ -231,7 +231,7 @@ static void test_flat_blocker(void **state) {
 
 /* --- a triangle that its smooth normal leans away from ------------------------------------------ */
 
-/* A quad whose normals lean 30 degrees towards a wall that shines, below the quad's plane or above it, and towards a lamp.
+/* A quad whose normals lean towards a wall that shines, below the quad's plane or above it, and towards a lamp.
  * The camera looks at the quad alone; a spot lights the wall alone. */
 static const char leaning_nodes[] =
     "[{\"name\": \"quad\", \"mesh\": 0},"
@@ -244,11 +244,15 @@ static const char leaning_nodes[] =
 struct leaning {
     const char *wall[2], *light[2]; /* x and z */
     const char *type, *layer;
+    double lean; /* degrees */
+    const char *material;
 };
 
 static double light_of_leaning(const struct leaning *lit) {
-    static const float normals[4][3] = {
-        {.5F, 0, .8660254F}, {.5F, 0, .8660254F}, {.5F, 0, .8660254F}, {.5F, 0, .8660254F}};
+    double lean = lit->lean / 180 * 3.14159265358979;
+    float normals[4][3];
+    for (int i = 0; i < 4; i++)
+        memcpy(normals[i], (float[]){(float)sin(lean), 0, (float)cos(lean)}, sizeof normals[i]);
     char nodes[1024], more[512];
     snprintf(nodes, sizeof nodes, leaning_nodes, lit->wall[0], lit->wall[1], lit->light[0],
              lit->light[1]);
@@ -266,7 +270,7 @@ static double light_of_leaning(const struct leaning *lit) {
                   " \"indices\": 1, \"material\": 0}]},"
                   " {\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
                   " \"material\": 0}]}]",
-        .materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]",
+        .materials = lit->material,
         .more = more,
         .nodes = nodes,
         .extra = normals,
@@ -287,19 +291,27 @@ static double light_of_leaning(const struct leaning *lit) {
 /* What a triangle is turned away from lights it nowhere, whatever its normals say: paths find it dark, too. */
 static void test_facet(void **state) {
     (void)state;
+#define MATT "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]"
+#define METAL "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 1, \"roughnessFactor\": 0.5}}]"
     static const struct leaning rows[][2] = {
-        {{{"1.5", "-1.5"}, {"0.3", "-0.9"}, "spot", "indirect"},
-         {{"1.5", "0.3"}, {"0.3", "0.9"}, "spot", "indirect"}},
-        {{{"9", "0"}, {"4", "-0.05"}, "point", "direct"},
-         {{"9", "0"}, {"4", "0.05"}, "point", "direct"}},
+        {{{"1.5", "-1.5"}, {"0.3", "-0.9"}, "spot", "indirect", 30, MATT},
+         {{"1.5", "0.3"}, {"0.3", "0.9"}, "spot", "indirect", 30, MATT}},
+        {{{"1.5", "-1.5"}, {"0.3", "-0.9"}, "spot", "indirect", 60, MATT},
+         {{"1.5", "0.3"}, {"0.3", "0.9"}, "spot", "indirect", 60, MATT}},
+        {{{"1.5", "-1.5"}, {"0.3", "-0.9"}, "spot", "indirect.specular", 60, METAL},
+         {{"1.5", "0.3"}, {"0.3", "0.9"}, "spot", "indirect.specular", 60, METAL}},
+        {{{"9", "0"}, {"4", "-0.05"}, "point", "direct", 30, MATT},
+         {{"9", "0"}, {"4", "0.05"}, "point", "direct", 30, MATT}},
     };
-    for (int i = 0; i < 2; i++) {
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         double below = light_of_leaning(&rows[i][0]), above = light_of_leaning(&rows[i][1]);
-        printf("    %s light from below the plane %g, from above it %g\n", rows[i][0].layer, below,
-               above);
+        printf("    %s, leaning by %g: light from below the plane %g, from above it %g\n",
+               rows[i][0].layer, rows[i][0].lean, below, above);
         assert_true(above > .01);
         check_at_most("from below over from above", below / above, 1e-6);
     }
+#undef MATT
+#undef METAL
 }
 
 int main(void) {

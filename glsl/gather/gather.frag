@@ -99,7 +99,9 @@ int map_of(int i, vpl light) {
 // where it does not: what is reflected of near VPLs counts as unoccluded.
 vec3 unshadowed(int i, vpl light, surface s, out vec3 back) {
 #if SPECULAR
-    vec3 to_vpl = light.position - s.position, reflected = specular_light(light, s, light.area * weight);
+    vec3 to_vpl = light.position - s.position;
+    vec3 reflected = is_behind_horizon(receiver_facet, to_vpl) ? vec3(0.0)
+                                                               : specular_light(light, s, light.area * weight);
     back = -reflected * near_share(dot(to_vpl, to_vpl), light.area, light.reach);
     return reflected;
 #else

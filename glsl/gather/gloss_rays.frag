@@ -3,6 +3,7 @@
 // A draw fills one tile, whose pixels take the same lights, as in the near field.
 #include "lib/gbuffer_shine.glsl"
 #include "gather/receiver.glsl"
+#include "gather/receiver_facet.glsl"
 #include "gather/gloss_share.glsl"
 #include "gather/light_march.glsl"
 #include "gather/near_field.glsl"
@@ -118,11 +119,12 @@ void main() {
         return;
     bool all_lights = is_smooth(seen.alpha);
     int count = all_lights ? light_count : pick_count;
+    vec3 facet = facet_of(s, pixel);
     for (int ray = 0; ray < params.rays; ray++) {
         vec2 place = sample_of(pixel, ray);
         vec3 direction = lobe_sample(seen, place);
         float density = lobe_density(seen, direction);
-        if (dot(direction, s.normal) <= 0.0 || density <= 0.0)
+        if (dot(direction, s.normal) <= 0.0 || is_behind_horizon(facet, direction) || density <= 0.0)
             continue;
         float far = farthest(s.position, direction);
         vec3 share = specular_brdf(seen, direction) / density, sum = vec3(0.0);

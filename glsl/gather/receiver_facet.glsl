@@ -5,8 +5,8 @@
 
 // Depth is linear across a plane (shared/view.h): its differences to both sides are the same, but for so much.
 const float FACET_BENT = 0.2;
-// A facet and a smooth surface are no farther apart.
-const float FACET_COSINE = 0.7;
+// What a normal map bends is no farther from its triangle.
+const float FACET_COSINE = 0.1;
 // What lies on the triangle itself, or on the next one, is on either side of its plane by what places are rounded.
 const float FACET_HORIZON = 0.005;
 
