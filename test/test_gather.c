@@ -371,7 +371,7 @@ static double edge_light_of_place(double away, double edge, int x, int y) {
     double sum = 0;
     for (int i = 0; i < samples; i++)
         sum += edge_light(away, ((double)i + (double)shift.along) / samples,
-                          spiral_turn(i) + (double)shift.turn + edge);
+                          SPIRAL_TURN * i + (double)shift.turn + edge);
     return sum / samples;
 }
 

@@ -17,12 +17,8 @@
 #include "visibility/triangle_tree.glsl"
 #endif
 
-layout(std140, binding = BLOCK_NEAR_SAMPLES) uniform sample_uniforms {
-    vec4 sample_rows[NEAR_SAMPLES_MAX];
-};
-
-layout(location = LOCATION_SLOT) uniform ivec4 slot; // first sample, count, the tile's place in the pattern
-// What the tile's samples are turned by, cosine and sine; what their numbers have more than integers; one over the count.
+layout(location = LOCATION_SLOT) uniform ivec4 slot; // samples, in its second; the tile's place in the pattern
+// What the tile's first sample is turned by, cosine and sine; what numbers have more than integers; one over the count.
 layout(location = LOCATION_NEAR_SHIFT) uniform vec4 shift;
 // The lights that this tile takes, and each one's weight: of a group of many one stands for all.
 layout(location = LOCATION_PICK_COUNT) uniform int pick_count;
@@ -86,23 +82,23 @@ near_arrival arrival_from(surface receiver, light l, int index, vec2 ndc, float 
     return near_arrival(light, position, index);
 }
 
-// Where samples of one light lie, in the view of that number.
-struct near_places {
+// Where samples of one light lie, in the view of that number: on a spiral around the receiver, each turned and farther
+// out by as much as the one before (base/spiral.h). A step is one complex product: a software rasteriser would fetch
+// what it read from a table for each pixel by itself.
+struct near_spiral {
     int view_index;
-    vec2 center; // ndc
-    mat2 turn;   // to ndc
-    float least; // radius, of a sample of number 0
-    float step;  // of its logarithm, to the next sample
     float reach;
+    vec2 center; // ndc
+    vec2 at;     // of the next sample, from there, in widths of the view
+    mat2 step;
+    float aspect; // of a width over a height
 };
 
-near_arrival arrival_of_sample(surface s, light l, near_places around, int i) {
-    near_sample place = near_sample(sample_rows[i].xy, sample_rows[i].z, 0.0);
-    float r = around.least * exp(around.step * place.number);
-    // Log-polar density: 1 / (2 pi r^2 span) per ndc area.
-    vec2 ndc = around.center + r * (around.turn * place.direction);
+near_arrival next_arrival(surface s, light l, inout near_spiral around) {
+    vec2 ndc = around.center + vec2(around.at.x, around.at.y * around.aspect);
     near_arrival arrival = arrival_from(s, l, around.view_index, ndc, around.reach);
-    arrival.light *= r * r;
+    arrival.light *= dot(around.at, around.at); // log-polar density: 1 / (2 pi r^2 span) per ndc area
+    around.at = around.step * around.at;
     return arrival;
 }
 
@@ -118,13 +114,13 @@ bool is_between(surface s, near_arrival asks, bool any) {
 #endif
 }
 
-vec3 light_together(surface s, light l, near_places around, int first, int last, float random) {
+vec3 light_together(surface s, light l, inout near_spiral around, int count, float random) {
     vec3 sum = vec3(0.0);
     const float none = 1e-20;
     float strength = none;
     near_arrival asks = near_arrival(vec3(0.0), s.position, around.view_index);
-    for (int i = first; i < last; i++) {
-        near_arrival own = arrival_of_sample(s, l, around, i);
+    for (int i = 0; i < count; i++) {
+        near_arrival own = next_arrival(s, l, around);
         float own_strength = dot(own.light, vec3(1.0));
         sum += own.light;
         strength += own_strength;
@@ -146,16 +142,16 @@ vec3 light_together(surface s, light l, near_places around, int first, int last,
 }
 #endif
 
-vec3 light_of_samples(surface s, light l, near_places around, int first, int last, float random) {
+vec3 light_of_samples(surface s, light l, near_spiral around, int count, float random) {
     vec3 sum = vec3(0.0);
 #if OCCLUSION != NEAR_UNOCCLUDED
-    for (int i = first; i < last; i += TOGETHER) {
-        sum += light_together(s, l, around, i, min(i + TOGETHER, last), random);
+    for (int i = 0; i < count; i += TOGETHER) {
+        sum += light_together(s, l, around, min(TOGETHER, count - i), random);
         random = fract(random + 0.6180339887);
     }
 #else
-    for (int i = first; i < last; i++)
-        sum += arrival_of_sample(s, l, around, i).light;
+    for (int i = 0; i < count; i++)
+        sum += next_arrival(s, l, around).light;
 #endif
     return sum;
 }
@@ -169,17 +165,17 @@ vec3 near_field(surface s, bool receives, light l, vpl_share share, float random
     vec2 center = clip.xy / clip.w;
     // The reach of the widest VPL, in ndc.
     float radius = share.reach * sqrt(share.measure / VPL_COSINE_MIN) / length(v.right);
-    vec2 aspect = vec2(1.0, length(v.right) / length(v.up));
+    float aspect = length(v.right) / length(v.up);
     float least = NEAREST / float(near_size(seen.kind)), span = log(radius / least);
     // A count and no branch around the loop, which a software rasteriser would keep books of at each step.
     bool reached = receives && clip.w > 0.0 && all(lessThanEqual(abs(center), vec2(1.0 + radius))) && span > 0.0;
-    int last = reached ? slot.x + slot.y : slot.x;
     float step = span * shift.w;
-    mat2 turn = mat2(shift.x, shift.y * aspect.y, -shift.y, shift.x * aspect.y); // aspect.x is 1
-    near_places around = near_places(index, center, turn, least * exp(step * shift.z), step, share.reach);
-    vec3 sum = light_of_samples(s, l, around, slot.x, last, random);
+    vec2 next = exp(step) * params.next_turn;
+    near_spiral around = near_spiral(index, share.reach, center, least * exp(step * shift.z) * shift.xy,
+                                     mat2(next, -next.y, next.x), aspect);
+    vec3 sum = light_of_samples(s, l, around, reached ? slot.y : 0, random);
     float spread = length(v.right) * length(v.up);
-    float weight = 2.0 * PI * span * aspect.y * spread / float(slot.y);
+    float weight = 2.0 * PI * span * aspect * spread / float(slot.y);
     return reached ? sum * (weight / PI) : vec3(0.0);
 }
 

@@ -11,12 +11,11 @@
 #define BLOCK_MAPS 4
 #define BLOCK_VPLS 5
 #define BLOCK_LOOKUP 6
-#define BLOCK_NEAR_SAMPLES 7
-#define BLOCK_VPL_SHARES 8
-#define BLOCK_LIST_COUNTS 9
-#define BLOCK_SERIES_RANGES 10
-#define BLOCK_SKY 11
-#define BLOCK_LIGHT_RECTANGLES 12
+#define BLOCK_VPL_SHARES 7
+#define BLOCK_LIST_COUNTS 8
+#define BLOCK_SERIES_RANGES 9
+#define BLOCK_SKY 10
+#define BLOCK_LIGHT_RECTANGLES 11
 
 /* Storages and images, which shaders write. GL promises 8 each to compute shaders. */
 #define STORAGE_LIST_COUNTS 0

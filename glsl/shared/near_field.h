@@ -15,16 +15,10 @@ struct near_field_params {
     float inverse_radius; /* of the scene, 1/m */
     float turn; /* of the numbers that say which sample asks for others, from pass to pass */
     float unused;
+    vec2 next_turn; /* from sample to sample, cosine and sine (base/spiral.h) */
+    vec2 unused2;
 };
-PASS_BLOCK(near_field_params, 32)
-
-/* A place around the receiver's own in a light's view (base/spiral.h). */
-struct near_sample {
-    vec2 direction; /* unit, before it is turned */
-    float number;
-    float unused;
-};
-STD140_SIZE(near_sample, 16)
+PASS_BLOCK(near_field_params, 48)
 
 #define NEAR_SAMPLES_MAX 1024
 

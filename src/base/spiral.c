@@ -15,8 +15,3 @@ struct spiral_shift spiral_shift(int x, int y, int pass) {
         .along = (float)fraction(.5 + along_x * x + along_pass * pass),
     };
 }
-
-double spiral_turn(int i) {
-    static const double golden = .6180339887498949;
-    return fraction(golden * i);
-}

@@ -18,7 +18,7 @@ struct spiral_shift {
 /* Each pass of many has its own. */
 struct spiral_shift spiral_shift(int x, int y, int pass);
 
-/* Turns to the i-th sample, [0, 1). */
-double spiral_turn(int i);
+/* Of a turn, from sample to sample. */
+#define SPIRAL_TURN .6180339887498949
 
 #endif

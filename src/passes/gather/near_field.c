@@ -15,16 +15,6 @@ static int share_of_samples(const struct near_field_desc *desc, int n) {
     return share > 0 ? share : 1;
 }
 
-static void write_samples(const struct near_field_pass *pass) {
-    struct near_sample samples[NEAR_SAMPLES_MAX];
-    for (int i = 0; i < NEAR_SAMPLES_MAX; i++) {
-        double turn = 2 * acos(-1) * spiral_turn(i);
-        samples[i] = (struct near_sample){.direction = {(float)cos(turn), (float)sin(turn)},
-                                          .number = (float)i};
-    }
-    buffer_write(&pass->samples, 0, sizeof samples, samples);
-}
-
 static bool init_programs(struct near_field_pass *pass) {
     const struct light_layout *lights = &pass->desc.lights;
     int kinds = (lights->views[LIGHT_MAP_SINGLE] > 0) << LIGHT_MAP_SINGLE |
@@ -78,14 +68,10 @@ bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_
     bool ok =
         (!desc->casters || caster_pool_acquire_tree(desc->casters, &pass->tree)) &&
         init_programs(pass) &&
-        buffer_init(&pass->samples, "near field samples",
-                    NEAR_SAMPLES_MAX * sizeof(struct near_sample), NULL) &&
         buffer_init(&pass->params, "near field parameters", sizeof(struct near_field_params), NULL);
     for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++)
         ok = init_lights(pass, kind);
-    if (ok)
-        write_samples(pass);
-    else
+    if (!ok)
         near_field_pass_free(pass);
     return ok;
 }
@@ -99,7 +85,6 @@ void near_field_pass_free(struct near_field_pass *pass) {
         texture_free(&pass->lights[kind]);
         framebuffer_free(&pass->lights_framebuffers[kind]);
     }
-    buffer_free(&pass->samples);
     buffer_free(&pass->params);
     light_picks_free(&pass->picks);
     *pass = (struct near_field_pass){0};
@@ -107,11 +92,13 @@ void near_field_pass_free(struct near_field_pass *pass) {
 
 static void write_params(const struct near_field_pass *pass, const struct frame *frame,
                          struct interleaving pattern) {
+    double turn = 2 * acos(-1) * SPIRAL_TURN;
     struct near_field_params params = {
         .pattern = pattern,
         .power_scale = frame->irradiance_scale / (frame->radius * frame->radius),
         .inverse_radius = 1 / frame->radius,
         .turn = frame_turn(frame),
+        .next_turn = {(float)cos(turn), (float)sin(turn)},
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
@@ -195,8 +182,7 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_LIGHTS, frame->lights},
                    {BLOCK_VPL_SHARES, inputs->shares},
-                   {BLOCK_PASS, &pass->params},
-                   {BLOCK_NEAR_SAMPLES, &pass->samples}},
+                   {BLOCK_PASS, &pass->params}},
     };
     for (GLuint kind = 0; kind < LIGHT_MAP_KINDS; kind++) /* as rsm_add */
         pass_add_texture(&state, UNIT_NEAR_LIGHT + kind,

@@ -36,7 +36,7 @@ struct near_field_pass {
     struct texture lights[LIGHT_MAP_KINDS]; /* RGBA32UI, maps as the shadow map's,
                                                glsl/gather/near_light.glsl */
     GLuint lights_framebuffers[LIGHT_MAP_KINDS];
-    struct buffer samples, params;
+    struct buffer params;
     struct light_picks picks;
 };
 
