@@ -452,12 +452,43 @@ static void test_one_asks_for_all(void **state) {
     close_bench(&bench);
 }
 
+/* Pixels of large pictures take fewer lights: of 4 and 5 times as many in one of 400x400, 1 in one of 800x800. */
+static void test_times_of_large_pictures(void **state) {
+    (void)state;
+    static const struct {
+        int size;
+        bool same;
+    } rows[] = {{400, false}, {800, true}};
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-animal.glb");
+    for (int i = 0; i < 2; i++) {
+        struct image four =
+            render_stage(&stage, "unshadowed", "vpls=256 detail-times=4", rows[i].size);
+        struct image five =
+            render_stage(&stage, "unshadowed", "vpls=256 detail-times=5", rows[i].size);
+        size_t size = (size_t)four.width * (size_t)four.height * (size_t)four.channel_count *
+                      sizeof *four.pixels;
+        bool same = memcmp(four.pixels, five.pixels, size) == 0;
+        printf("    %dx%d: pictures of 4 and 5 times are %s\n", rows[i].size, rows[i].size,
+               same ? "the same" : "others");
+        assert_int_equal(same, rows[i].same);
+        image_free(&four);
+        image_free(&five);
+    }
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lists),          cmocka_unit_test(test_grades),
-        cmocka_unit_test(test_blur_conserves), cmocka_unit_test(test_all_smooth),
-        cmocka_unit_test(test_listed_sums),    cmocka_unit_test(test_one_asks_for_all),
-        cmocka_unit_test(test_plain),          cmocka_unit_test(test_blocks),
+        cmocka_unit_test(test_times_of_large_pictures),
+        cmocka_unit_test(test_lists),
+        cmocka_unit_test(test_grades),
+        cmocka_unit_test(test_blur_conserves),
+        cmocka_unit_test(test_all_smooth),
+        cmocka_unit_test(test_listed_sums),
+        cmocka_unit_test(test_one_asks_for_all),
+        cmocka_unit_test(test_plain),
+        cmocka_unit_test(test_blocks),
     };
     return cmocka_run_group_tests_name("detail", tests, open_group_context, close_group_context);
 }

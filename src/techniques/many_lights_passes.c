@@ -53,10 +53,20 @@ static int blur_radius(const struct settings *settings) {
     return blur->radius < 0 ? gather->interleave / 2 : blur->radius;
 }
 
-static void fill_list_slots(const struct gather_settings *gather, int slots[LIST_KINDS]) {
+/* What is seen of a thing errs as little where more pixels show it: those of large pictures take fewer. */
+static const float detail_pixels = 400 * 400;
+
+static int detail_times(const struct gather_settings *gather, const struct technique_desc *desc) {
+    float share = detail_pixels / ((float)desc->width * (float)desc->height);
+    int times = (int)roundf((float)gather->detail_times * fminf(share, 1));
     int all = gather->detail * gather->detail;
+    return times < 1 ? 1 : times < all ? times : all;
+}
+
+static void fill_list_slots(const struct gather_settings *gather, const struct technique_desc *desc,
+                            int slots[LIST_KINDS]) {
     slots[PIXEL_GRADE_EDGE] = 1;
-    slots[PIXEL_GRADE_DETAIL] = gather->detail_times < all ? gather->detail_times : all;
+    slots[PIXEL_GRADE_DETAIL] = detail_times(gather, desc);
     slots[LIST_FURTHER] = gather->further_points ? 1 : 0;
 }
 
@@ -101,7 +111,7 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     gather_desc.interleave = gather->detail;
     gather_desc.receivers = RECEIVERS_LISTED;
     gather_desc.together = asked_together(gather_desc.clamp);
-    fill_list_slots(gather, gather_desc.list_slots);
+    fill_list_slots(gather, desc, gather_desc.list_slots);
     gather_desc.share = false;
     return !lights->has_detail ||
            (init_plain(lights, desc, block) &&
@@ -227,7 +237,7 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
         .rsm_size = rsm_size(desc),
         .lights = *desc->lights,
     };
-    fill_list_slots(own, near_field.list_slots);
+    fill_list_slots(own, desc, near_field.list_slots);
     return !lights->has_near_field || near_field_pass_init(&lights->near_field, &near_field);
 }
 

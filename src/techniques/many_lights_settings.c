@@ -71,7 +71,8 @@ static const struct option gather_table[] = {
     {"near-reach", 0, OPTION_FLOAT, ROW(gather, near_reach), 5, .1, 100,
      .help = "clamp=near: reach of the near field, in spacings of VPLs"},
     {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 1024, 1, 1024,
-     .help = "clamp=near: samples of the near field that n x n pixels share out"},
+     .help = "clamp=near: samples of the near field that n x n pixels share out; where there is\n"
+             "detail such pixels take half of theirs"},
     {"gloss", 0, OPTION_CHOICE, ROW(gather, gloss), SPECULAR_RAYS - 1, .choices = gloss_names,
      .help =
          "as what VPLs are reflected: points, whose images are spots, the balls that hold what\n"
@@ -89,7 +90,7 @@ static const struct option gather_table[] = {
     {"detail-times", 0, OPTION_INT, ROW(gather, detail_times), 4, 1, 64,
      .help =
          "as many times as many VPLs again for those of whose neighbours fewer than two are like,\n"
-         "or turned by less than 8 degrees"},
+         "or turned by less than 8 degrees; in pictures of more than 400x400 as many fewer"},
     {"detail-share", 0, OPTION_FLOAT, ROW(gather, detail_share), 1, 0, 1,
      .help =
          "such are pixels of whose four neighbours, half the blur's radius away, fewer than this\n"

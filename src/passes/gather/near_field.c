@@ -9,10 +9,20 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Of each of n x n pixels. */
-static int share_of_samples(const struct near_field_desc *desc, int n) {
-    int share = desc->samples / (n * n);
-    return share > 0 ? share : 1;
+/* Of each of n x n pixels, with as many as `side` slots have. */
+static int samples_of_pixel(const struct near_field_desc *desc, int n, int side) {
+    int share = desc->samples / (n * n), samples = (share > 0 ? share : 1) * side;
+    return samples < desc->samples ? samples : desc->samples;
+}
+
+/* What is listed errs by what hides light, hardly by samples of the near field: by half of them nothing that is seen, for
+ * a tenth of a large scene's frame (bench/TRIED.md). Fewer than so many are too few for a corner. */
+enum { LISTED_LESS = 2, LISTED_LEAST = 32 };
+
+static int samples_of_listed(const struct near_field_desc *desc, int n, int side) {
+    int all = samples_of_pixel(desc, n, side), less = all / LISTED_LESS;
+    int least = all < LISTED_LEAST ? all : LISTED_LEAST;
+    return n == 1 ? all : less > least ? less : least;
 }
 
 static bool init_programs(struct near_field_pass *pass) {
@@ -151,8 +161,9 @@ static void draw_tile(const struct near_field_pass *pass, GLuint program,
                       const struct near_field_inputs *inputs, struct near_draw draw) {
     int slot = draw.slot;
     const struct irradiance *irradiance = inputs->irradiance;
-    int n = irradiance->interleave, samples = share_of_samples(&pass->desc, n) * draw.side;
-    samples = samples < pass->desc.samples ? samples : pass->desc.samples;
+    int n = irradiance->interleave;
+    int samples = inputs->of_lists ? samples_of_listed(&pass->desc, n, draw.side)
+                                   : samples_of_pixel(&pass->desc, n, draw.side);
     pass_viewport(slot % n * irradiance->tile_width, slot / n * irradiance->tile_height,
                   irradiance->tile_width, irradiance->tile_height);
     set_samples(program, slot % n, slot / n, samples, draw.pass);
