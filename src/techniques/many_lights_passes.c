@@ -53,12 +53,16 @@ static int blur_radius(const struct settings *settings) {
     return blur->radius < 0 ? gather->interleave / 2 : blur->radius;
 }
 
-/* What is seen of a thing errs as little where more pixels show it: those of large pictures take fewer. */
+/* What is seen of a thing errs as little where more pixels show it: those of large pictures take fewer lights, and half
+ * of the near samples, which are what they err by least (bench/TRIED.md). */
 static const float detail_pixels = 400 * 400;
 
+static float share_of_large(const struct technique_desc *desc) {
+    return fminf(detail_pixels / ((float)desc->width * (float)desc->height), 1);
+}
+
 static int detail_times(const struct gather_settings *gather, const struct technique_desc *desc) {
-    float share = detail_pixels / ((float)desc->width * (float)desc->height);
-    int times = (int)roundf((float)gather->detail_times * fminf(share, 1));
+    int times = (int)roundf((float)gather->detail_times * share_of_large(desc));
     int all = gather->detail * gather->detail;
     return times < 1 ? 1 : times < all ? times : all;
 }
@@ -231,6 +235,7 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
     struct near_field_desc near_field = {
         .samples = own->near_samples,
         .listed = lights->has_detail,
+        .listed_part = fmaxf(share_of_large(desc), .5f),
         .facets = sends_as_facets(desc),
         .occlusion = near_occlusion(visibility->lookup),
         .casters = visibility->lookup == VISIBILITY_LOOKUP_TRACED ? desc->casters : NULL,

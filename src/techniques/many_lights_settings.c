@@ -71,8 +71,9 @@ static const struct option gather_table[] = {
     {"near-reach", 0, OPTION_FLOAT, ROW(gather, near_reach), 5, .1, 100,
      .help = "clamp=near: reach of the near field, in spacings of VPLs"},
     {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 1024, 1, 1024,
-     .help = "clamp=near: samples of the near field that n x n pixels share out; where there is\n"
-             "detail such pixels take half of theirs"},
+     .help =
+         "clamp=near: samples of the near field that n x n pixels share out; in pictures of more\n"
+         "than 400x400 those where detail is take fewer, down to half"},
     {"gloss", 0, OPTION_CHOICE, ROW(gather, gloss), SPECULAR_RAYS - 1, .choices = gloss_names,
      .help =
          "as what VPLs are reflected: points, whose images are spots, the balls that hold what\n"

@@ -15,13 +15,12 @@ static int samples_of_pixel(const struct near_field_desc *desc, int n, int side)
     return samples < desc->samples ? samples : desc->samples;
 }
 
-/* What is listed errs by what hides light, hardly by samples of the near field: by half of them nothing that is seen, for
- * a tenth of a large scene's frame (bench/TRIED.md). Fewer than so many are too few for a corner. */
-enum { LISTED_LESS = 2, LISTED_LEAST = 32 };
+/* Fewer than so many are too few for a corner. */
+static const int listed_least = 32;
 
 static int samples_of_listed(const struct near_field_desc *desc, int n, int side) {
-    int all = samples_of_pixel(desc, n, side), less = all / LISTED_LESS;
-    int least = all < LISTED_LEAST ? all : LISTED_LEAST;
+    int all = samples_of_pixel(desc, n, side), less = (int)((float)all * desc->listed_part);
+    int least = all < listed_least ? all : listed_least;
     return n == 1 ? all : less > least ? less : least;
 }
 

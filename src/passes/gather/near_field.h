@@ -21,8 +21,9 @@ struct near_field_desc {
     int samples; /* that the n x n pixels of a pattern share out */
     bool listed; /* pixels of lists come by themselves, and not with all others */
     int list_slots
-        [LIST_KINDS]; /* what is on a list takes as many samples as so many slots have; 0: none */
-    int occlusion;    /* NEAR_...: by views from what is on a list alone */
+        [LIST_KINDS];  /* what is on a list takes as many samples as so many slots have; 0: none */
+    float listed_part; /* of them, of patterns of more than a pixel */
+    int occlusion;     /* NEAR_...: by views from what is on a list alone */
     struct caster_pool *casters; /* of NEAR_BY_RAYS; must outlive the pass */
     bool facets;                 /* the shadow map's normals are of triangles */
     int rsm_size;                /* as lights' settings have it */
