@@ -12,6 +12,10 @@
 #endif
 #include "visibility/visibility.glsl"
 #include "gather/geometry_term.glsl"
+#include "shared/gather.h"
+#if CALIBRATED
+#include "gather/calibration.glsl"
+#endif
 #if SHARE_VISIBILITY
 layout(binding = UNIT_BLOCK_VISIBILITY) uniform sampler2DArray block_visibilities;
 #if CLAMP >= 6
@@ -110,6 +114,19 @@ vec3 unshadowed(int i, vpl light, surface s, out vec3 back) {
 #endif
 }
 
+#if CALIBRATED
+vec2 receiver_place = vec2(0.0); // in the picture
+#endif
+
+// Whether a light's own arrives there, by that map.
+float visibility_of(int map, surface s, vec3 light) {
+    float visible = visibility_from(map, s.position, s.normal, light);
+#if CALIBRATED
+    visible = calibrated(visible, calibration_at(map, receiver_place).r);
+#endif
+    return visible;
+}
+
 #if TOGETHER > 0
 #include "lib/vpl_sums.glsl"
 
@@ -133,7 +150,7 @@ void group_add(inout light_group group, bool its_own, vec3 own, vec3 own_back, f
 }
 
 vec3 group_light(light_group group, surface s) {
-    float visible = visibility_from(int(group.map), s.position, s.normal, group.place);
+    float visible = visibility_of(int(group.map), s, group.place);
 #if RECEIVERS == RECEIVERS_LISTED
     return group.arriving * visible;
 #else
@@ -213,7 +230,7 @@ vec3 light_of_slot(surface s, ivec2 pixel, ivec2 lights) {
         vec3 arriving = unshadowed(i, light, s, back);
         float visible = 1.0;
         for (int lit = arriving + back != vec3(0.0) ? 1 : 0; lit > 0; lit--)
-            visible = visibility_from(map_of(i, light), s.position, s.normal, light.position);
+            visible = visibility_of(map_of(i, light), s, light.position);
 #if SPECULAR
         sum += mix(-back, arriving, visible);
 #else
@@ -230,6 +247,9 @@ void main() {
     bool receives = receiver_pixel(params.pattern, slot.zw, pixel);
     surface s = receiver_surface(pixel);
     receives = receives && s.present;
+#if CALIBRATED
+    receiver_place = (vec2(pixel) + 0.5) / vec2(gbuffer_size());
+#endif
 #if RECEIVERS == RECEIVERS_LISTED
     receiver_facet = listed.z == LIST_FURTHER ? s.normal : facet_of(s, pixel);
 #elif RECEIVERS == RECEIVERS_OTHERS

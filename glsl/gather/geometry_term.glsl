@@ -3,7 +3,9 @@
 #include "gather/patch.glsl"
 #include "gather/sphere.glsl"
 #include "lib/vpl_rows.glsl"
+#if CLAMP == 1 || CLAMP == 4
 #include "shared/gather.h"
+#endif
 
 // cos_i cos_x / d^2, bounded as the setting says: near a VPL the point light is no longer the patch
 // that it stands for.

@@ -156,6 +156,7 @@ struct basis_maps {
 /* R8: the visibility of map k at the centre of each block of block x block pixels, in layer k. */
 struct block_visibilities {
     struct texture texture;
+    GLuint framebuffer;
     int block;
 };
 

@@ -114,6 +114,7 @@ struct many_lights_visibility {
     bool cuts;        /* but what is reflected as by a mirror takes VPLs */
     int map_size;     /* 0: as the settings have it */
     int block;        /* pixels a side of a block that shares its visibility; 0: none does */
+    bool calibrated;  /* as in struct visibility_desc */
     /* Of ..._TRACED at all pixels: it hides near light and further bounces, too. */
     const struct caster_tree *tree;
 };

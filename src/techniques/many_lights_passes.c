@@ -37,6 +37,7 @@ static struct visibility_desc lookup_of(const struct settings *settings,
     struct visibility_desc desc = many_lights_lookup(settings, lookup, visibility->map_count);
     if (visibility->map_size)
         desc.map_size = visibility->map_size;
+    desc.calibrated = visibility->calibrated;
     return desc;
 }
 

@@ -1,5 +1,7 @@
 #include "techniques/vals.h"
 
+#include "scene/animation.h"
+
 enum visibility_kind {
     VISIBILITY_CSSM,
     VISIBILITY_HARD,
@@ -52,6 +54,12 @@ static const struct option table[] = {
          "to each VPL, where blocks of pixels take percentage-closer soft; or traced through the "
          "scene's\n"
          "triangles to each VPL, where blocks do the same: with visibility-block=0 there are none"},
+    {"ray-tests", 0, OPTION_INT, ROW(ray_tests), 512, 0, 16384,
+     .help = "of each VAL: rays through the scene's triangles that say how much of its light "
+             "arrives in sum,\n"
+             "by which lookups are corrected: of visibility=ray alone, and up to a million "
+             "triangles, or\n"
+             "20000 where something moves; 0 = none"},
     {"visibility-block", 0, OPTION_INT, ROW(visibility_block), 7, 0, 64,
      .help = "pixels a side of a block that shares its visibility; 0 = each looks itself up;\n"
              "blocks that are no multiple of interleave blur better"},
@@ -68,21 +76,30 @@ static void free_set(struct val_set *set) {
     paraboloid_pass_free(&set->paraboloid);
     basis_pass_free(&set->basis);
     block_visibility_pass_free(&set->blocks);
+    calibration_pass_free(&set->calibration);
 }
 
-static bool init_cluster(struct val_set *set, const struct settings *settings, int vpl_count,
-                         const struct texture *seeds, bool by_importance) {
+/* What the first bounce's set and that of further ones differ in. */
+struct set_desc {
+    int vpl_count, val_count;
+    const struct texture *seeds;
+    enum gather_clamp clamp;
+    bool follow, by_importance;
+};
+
+static bool init_cluster(struct val_set *set, const struct settings *settings,
+                         const struct set_desc *of) {
     const struct vals_settings *own = settings_of(settings, &vals_part);
     const struct map_settings *map = settings_of(settings, &map_part);
-    if (by_importance && !vpl_weight_pass_init(&set->weight, vpl_count))
+    if (of->by_importance && !vpl_weight_pass_init(&set->weight, of->vpl_count))
         return false;
     return cluster_pass_init(&set->cluster,
                              &(struct cluster_desc){
-                                 .vpl_count = vpl_count,
+                                 .vpl_count = of->vpl_count,
                                  .val_count = set->visibility.map_count,
                                  .start = (enum cluster_start)own->start,
-                                 .seeds = seeds,
-                                 .weights = by_importance ? &set->weight.weights : NULL,
+                                 .seeds = of->seeds,
+                                 .weights = of->by_importance ? &set->weight.weights : NULL,
                                  .iterations = own->iterations,
                                  .weight_position = own->weight_position,
                                  .weight_normal = own->weight_normal,
@@ -120,6 +137,31 @@ static bool init_blocks(struct val_set *set, const struct technique_desc *desc) 
                                                     });
 }
 
+/* Rays need a tree of all triangles, which is planted at load, and anew for each pose: a second for each 150,000. */
+static bool has_few_triangles(const struct technique_desc *desc) {
+    static const uint32_t most_that_move = 20000, most = 1 << 20;
+    bool moves = scene_duration(desc->scene) > 0;
+    return geometry_triangle_count(desc->geometry) <= (moves ? most_that_move : most);
+}
+
+/* What bounds light by parameters counts as disks do: this says no more than how much a test counts. */
+static enum gather_clamp clamp_of_tests(enum gather_clamp clamp) {
+    return clamp == GATHER_CLAMP_NEAR || clamp == GATHER_CLAMP_PATCH ? clamp : GATHER_CLAMP_DISK;
+}
+
+static bool init_calibration(struct val_set *set, const struct technique_desc *desc,
+                             const struct set_desc *of) {
+    const struct vals_settings *own = settings_of(desc->settings, &vals_part);
+    struct calibration_desc calibration = {
+        .vpl_count = of->vpl_count,
+        .tests = own->ray_tests * of->val_count,
+        .clamp = clamp_of_tests(of->clamp),
+        .visibility =
+            many_lights_lookup(desc->settings, VISIBILITY_LOOKUP_RAY, set->visibility.map_count),
+    };
+    return !set->calibrated || calibration_pass_init(&set->calibration, &calibration);
+}
+
 /* A ray ends at a VPL: a VAL as a whole has none. */
 static enum visibility_lookup lookup_of_val(enum visibility_lookup lookup, bool share) {
     bool rays = lookup == VISIBILITY_LOOKUP_RAY || (lookup == VISIBILITY_LOOKUP_TRACED && share);
@@ -141,20 +183,21 @@ static bool has_maps(const struct val_set *set) {
     return set->visibility.lookup != VISIBILITY_LOOKUP_TRACED;
 }
 
-static bool init_set(struct val_set *set, const struct technique_desc *desc, int vpl_count,
-                     int val_count, const struct texture *seeds, bool by_importance) {
+static bool init_set(struct val_set *set, const struct technique_desc *desc,
+                     const struct set_desc *of) {
     const struct vals_settings *own = settings_of(desc->settings, &vals_part);
     enum visibility_lookup lookup = vals_lookup(desc->settings);
     set->convolve = lookup == VISIBILITY_LOOKUP_CSSM;
     set->share = own->visibility_block > 0;
     set->visibility =
-        many_lights_lookup(desc->settings, lookup_of_val(lookup, set->share), val_count);
+        many_lights_lookup(desc->settings, lookup_of_val(lookup, set->share), of->val_count);
     set->casters = desc->casters;
-    return init_cluster(set, desc->settings, vpl_count, seeds, by_importance) &&
-           (!has_maps(set) || init_maps(set, desc)) &&
-           (lookup != VISIBILITY_LOOKUP_TRACED ||
+    set->calibrated = of->follow && lookup == VISIBILITY_LOOKUP_RAY && own->ray_tests > 0 &&
+                      has_few_triangles(desc);
+    return init_cluster(set, desc->settings, of) && (!has_maps(set) || init_maps(set, desc)) &&
+           ((lookup != VISIBILITY_LOOKUP_TRACED && !set->calibrated) ||
             caster_pool_acquire_tree(set->casters, &set->tree)) &&
-           init_blocks(set, desc);
+           init_blocks(set, desc) && init_calibration(set, desc, of);
 }
 
 /* Those of the probe are the clustering's, but begin where the VALs do. */
@@ -181,6 +224,7 @@ static struct visibility_inputs maps_of(const struct val_set *set) {
         .depth = &set->paraboloid.maps,
         .bases = set->convolve ? &set->basis.maps : NULL,
         .tree = set->tree,
+        .calibration = set->calibrated ? &set->calibration.gains : NULL,
     };
 }
 
@@ -203,12 +247,23 @@ static bool is_by_importance(const struct settings *settings) {
 bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow) {
     const struct vals_settings *own = settings_of(desc->settings, &vals_part);
     const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
+    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
     vals->by_importance = follow && is_by_importance(desc->settings);
-    if (!init_count(vals, own, lights->vpls) ||
-        !init_set(&vals->first, desc, lights->vpls, own->vals,
-                  vals->counts ? &vals->count.seeds : NULL, vals->by_importance) ||
-        (lights->bounces > 1 && !init_set(&vals->further, desc, lights->paths, own->bounce_vals,
-                                          NULL, vals->by_importance)))
+    struct set_desc first = {
+        .vpl_count = lights->vpls,
+        .val_count = own->vals,
+        .seeds = own->distortion > 0 ? &vals->count.seeds : NULL,
+        .clamp = (enum gather_clamp)gather->clamp,
+        .follow = follow,
+        .by_importance = vals->by_importance,
+    };
+    struct set_desc further = first;
+    further.vpl_count = lights->paths;
+    further.val_count = own->bounce_vals;
+    further.seeds = NULL;
+    further.clamp = GATHER_CLAMP_PATCH;
+    if (!init_count(vals, own, lights->vpls) || !init_set(&vals->first, desc, &first) ||
+        (lights->bounces > 1 && !init_set(&vals->further, desc, &further)))
         return false;
     vals->output = (struct val_output){
         .extremes = &vals->first.cluster.extremes,
@@ -286,6 +341,9 @@ struct gather_inputs vals_render_blocks(const struct val_set *set, const struct 
     struct gather_inputs inputs = {.visibility = maps_of(set), .blocks = &set->blocks.blocks};
     if (set->share)
         block_visibility_pass_render(&set->blocks, frame, gbuffer, &inputs.visibility);
+    if (set->calibrated)
+        calibration_pass_render(&set->calibration, frame, gbuffer, &set->cluster.vpls,
+                                &inputs.visibility, set->share ? inputs.blocks : NULL);
     return inputs;
 }
 

@@ -3,6 +3,7 @@
 #ifndef TECHNIQUES_VALS_H
 #define TECHNIQUES_VALS_H
 
+#include "passes/gather/calibration.h"
 #include "passes/lights/cluster.h"
 #include "passes/lights/val_count.h"
 #include "passes/lights/vpl_weight.h"
@@ -21,6 +22,7 @@ struct vals_settings {
     int visibility;                       /* enum visibility_kind */
     int visibility_block;                 /* pixels a side; 0 = each pixel looks itself up */
     int importance;                       /* enum vals_importance */
+    int ray_tests;
 };
 
 /* Called as the technique that they were made for: "clustered". */
@@ -33,9 +35,11 @@ struct val_set {
     struct paraboloid_pass paraboloid;
     struct basis_pass basis;
     struct block_visibility_pass blocks; /* where share */
-    bool convolve, share;
+    struct calibration_pass calibration; /* where calibrated */
+    bool convolve, share, calibrated;
     struct caster_pool *casters;
-    const struct caster_tree *tree;    /* visibility=traced; then without maps unless shared */
+    const struct caster_tree
+        *tree; /* where calibrated; and of visibility=traced, then without maps unless shared */
     struct visibility_desc visibility; /* of a VAL as a whole */
 };
 
@@ -52,7 +56,7 @@ struct vals {
 enum visibility_lookup vals_lookup(const struct settings *settings);
 
 /* Like a technique's; what a failed init leaves is to be freed. follow: the settings may have them made for what the camera
- * sees (vals->by_importance). */
+ * sees (vals->by_importance), and calibrated there. */
 bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow);
 void vals_free(struct vals *vals);
 

@@ -27,7 +27,8 @@ static const struct step {
     {"VAL clustering", "/clustering/", .5, 1.0},
     {"VAL maps", "/maps/depth maps/", 4.2, 8.1},
     {"indirect illumination",
-     "/plain/gather/block visibility/near light/near field/detail/gather of detail/near field of "
+     "/plain/gather/block visibility/calibration/near light/near field/detail/gather of "
+     "detail/near field of "
      "detail/",
      35.0, 69.0},
     {"blur", "/blur/", 10.7, 21.0},

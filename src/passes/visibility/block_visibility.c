@@ -30,10 +30,10 @@ static bool init_target(struct block_visibility_pass *pass) {
                             .height = (desc->height + desc->block - 1) / desc->block,
                             .layers = desc->visibility.map_count,
                         }) &&
-           framebuffer_init(&pass->framebuffer, &(struct framebuffer_desc){
-                                                    .label = "block visibility",
-                                                    .colors = {texture},
-                                                });
+           framebuffer_init(&pass->blocks.framebuffer, &(struct framebuffer_desc){
+                                                           .label = "block visibility",
+                                                           .colors = {texture},
+                                                       });
 }
 
 bool block_visibility_pass_init(struct block_visibility_pass *pass,
@@ -50,7 +50,7 @@ bool block_visibility_pass_init(struct block_visibility_pass *pass,
 
 void block_visibility_pass_free(struct block_visibility_pass *pass) {
     program_free(&pass->program);
-    framebuffer_free(&pass->framebuffer);
+    framebuffer_free(&pass->blocks.framebuffer);
     texture_free(&pass->blocks.texture);
     buffer_free(&pass->params);
     buffer_free(&pass->lookup_params);
@@ -64,7 +64,7 @@ void block_visibility_pass_render(const struct block_visibility_pass *pass,
     struct pass_state state = {
         .name = "block visibility",
         .program = pass->program,
-        .framebuffer = pass->framebuffer,
+        .framebuffer = pass->blocks.framebuffer,
         .width = target->desc.width,
         .height = target->desc.height,
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},

@@ -15,7 +15,7 @@ struct block_visibility_desc {
 
 struct block_visibility_pass {
     struct block_visibility_desc desc;
-    GLuint program, framebuffer;
+    GLuint program;
     struct block_visibilities blocks;
     struct buffer params, lookup_params;
 };

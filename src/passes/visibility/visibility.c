@@ -11,9 +11,9 @@ char *visibility_defines(const struct visibility_desc *desc) {
     /* Other programs serve any number of maps. */
     int count = desc->lookup == VISIBILITY_LOOKUP_CSSM ? desc->map_count : 0;
     return mem_printf("FILTER %d;MAP_COUNT %d;BASIS_TERMS %d;BASIS_GROUPS %d;JACOBIAN %d;"
-                      "SHARPEN %d;FILTER_TAPS %d;SEARCH_TAPS %d",
+                      "SHARPEN %d;FILTER_TAPS %d;SEARCH_TAPS %d;CALIBRATED %d",
                       desc->lookup, count, terms, (terms + 3) / 4, jacobian, desc->sharpen_a > 0,
-                      desc->taps, (desc->taps + 1) / 2);
+                      desc->taps, (desc->taps + 1) / 2, desc->calibrated);
 }
 
 static void add_maps(struct pass_state *state, const struct visibility_desc *desc,
@@ -54,5 +54,7 @@ void visibility_add(struct pass_state *state, const struct visibility_desc *desc
     };
     buffer_write(params, 0, sizeof values, &values);
     pass_add_block(state, BLOCK_LOOKUP, params);
+    if (desc->calibrated)
+        pass_add_texture(state, UNIT_CALIBRATION, inputs->calibration->id);
     add_maps(state, desc, inputs);
 }

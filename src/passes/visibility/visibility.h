@@ -27,14 +27,16 @@ struct visibility_desc {
     float sharpen_a, sharpen_b; /* [Dong 2011, eq. 5.9]; A = 0: off */
     int taps;                   /* of a PCSS lookup: the filter's; the search has half as many */
     bool filter_jacobian;       /* of a CSSM lookup: exact Jacobian in place of alpha / pi */
+    bool calibrated;            /* a pixel's lookups are corrected (passes/gather/calibration.h) */
 };
 
 /* What a lookup reads. */
 struct visibility_inputs {
     const struct map_views *views;
-    const struct depth_maps *depth; /* all but ..._CSSM and ..._TRACED */
-    const struct basis_maps *bases; /* ..._CSSM */
-    const struct caster_tree *tree; /* ..._TRACED */
+    const struct depth_maps *depth;    /* all but ..._CSSM and ..._TRACED */
+    const struct basis_maps *bases;    /* ..._CSSM */
+    const struct caster_tree *tree;    /* ..._TRACED */
+    const struct texture *calibration; /* where desc.calibrated */
 };
 
 /* No shader asks for more by ..._TRACED in one draw. */

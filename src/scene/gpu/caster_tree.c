@@ -41,7 +41,7 @@ static bool upload(struct caster_tree *tree, const struct threaded_tree *threade
         return error_set("rays through triangles: the scene needs a buffer texture of %u texels, "
                          "and this OpenGL has %d",
                          threaded->count, most);
-    if (tree->buffer.size == size) {
+    if (tree->buffer.size >= size) { /* what is left over lies past the last box */
         buffer_write(&tree->buffer, 0, size, threaded->texels);
         return true;
     }
@@ -60,13 +60,23 @@ void caster_tree_free(struct caster_tree *tree) {
     *tree = (struct caster_tree){0};
 }
 
+/* Since the tree was planted. */
+static bool has_moved(const struct caster_tree *tree, const struct geometry *geometry) {
+    for (int i = 0; i < geometry->part_count; i++)
+        if (geometry->parts[i].moved > tree->pose || geometry->parts[i].rewound > tree->pose)
+            return true;
+    return false;
+}
+
 bool caster_tree_update(struct caster_tree *tree, const struct scene *scene,
                         const struct geometry *geometry) {
     struct triangle_tree planted;
     struct threaded_tree threaded;
     struct threaded_tree_desc desc = {.clearance = geometry_clearance(geometry)};
-    if (tree->texels && tree->pose == geometry->pose_count)
+    if (tree->texels && !has_moved(tree, geometry)) {
+        tree->pose = geometry->pose_count;
         return true;
+    }
     memcpy(desc.low, geometry->bounds_min, sizeof desc.low);
     memcpy(desc.high, geometry->bounds_max, sizeof desc.high);
     plant(&planted, scene, geometry);

@@ -1,0 +1,180 @@
+#include "passes/gather/calibration.h"
+
+#include "base/memory.h"
+#include "gl/framebuffer.h"
+#include "gl/program.h"
+#include "shared/calibration.h"
+
+#include <stdlib.h>
+
+static int group_count(const struct calibration_desc *desc) {
+    return (desc->vpl_count + CALIBRATION_TOGETHER - 1) / CALIBRATION_TOGETHER;
+}
+
+/* As wide as any driver's textures are. */
+enum { TESTS_OF_CELL_MAX = 8192 };
+
+static int cell_tests(const struct calibration_desc *desc) {
+    int cells = CALIBRATION_SIDE * CALIBRATION_SIDE;
+    int tests = (desc->tests + cells - 1) / cells;
+    return tests < TESTS_OF_CELL_MAX ? tests : TESTS_OF_CELL_MAX;
+}
+
+static bool init_test_program(struct calibration_pass *pass) {
+    char *lookup = visibility_defines(&pass->desc.visibility);
+    char *defines = mem_printf("%s;CLAMP %d", lookup, pass->desc.clamp);
+    bool ok = program_init(&pass->test_program,
+                           &(struct program_desc){.vertex = "fullscreen.vert",
+                                                  .fragment = "gather/calibration_test.frag",
+                                                  .defines = defines});
+    free(lookup);
+    free(defines);
+    return ok;
+}
+
+static bool init_programs(struct calibration_pass *pass) {
+    return init_test_program(pass) &&
+           program_init(&pass->sum_program,
+                        &(struct program_desc){.vertex = "layers.vert",
+                                               .fragment = "gather/calibration_sum.frag"}) &&
+           program_init(&pass->gain_program,
+                        &(struct program_desc){.vertex = "layers.vert",
+                                               .fragment = "gather/calibration_gain.frag"}) &&
+           program_init(&pass->block_program,
+                        &(struct program_desc){.vertex = "layers.vert",
+                                               .fragment = "gather/calibrate_blocks.frag"});
+}
+
+static bool init_target(struct texture *texture, GLuint *framebuffer,
+                        const struct texture_desc *desc) {
+    return texture_init(texture, desc) &&
+           framebuffer_init(framebuffer,
+                            &(struct framebuffer_desc){.label = desc->label, .colors = {texture}});
+}
+
+static bool init_targets(struct calibration_pass *pass) {
+    const struct texture_desc tests = {.label = "calibration tests",
+                                       .format = GL_RGBA32F,
+                                       .width = cell_tests(&pass->desc),
+                                       .height = CALIBRATION_SIDE * CALIBRATION_SIDE};
+    const struct texture_desc sums = {.label = "calibration sums",
+                                      .target = GL_TEXTURE_2D_ARRAY,
+                                      .format = GL_RGBA32F,
+                                      .width = CALIBRATION_SIDE,
+                                      .height = CALIBRATION_SIDE,
+                                      .layers = pass->desc.visibility.map_count};
+    struct texture_desc squares = sums, gains = sums;
+    squares.format = GL_RG32F;
+    gains.label = "calibration";
+    gains.format = GL_RG16F;
+    gains.filter = FILTER_LINEAR;
+    gains.wrap_s = gains.wrap_t = GL_CLAMP_TO_EDGE;
+    return init_target(&pass->tests, &pass->test_framebuffer, &tests) &&
+           texture_init(&pass->sums, &sums) && texture_init(&pass->squares, &squares) &&
+           framebuffer_init(&pass->sum_framebuffer,
+                            &(struct framebuffer_desc){
+                                .label = sums.label,
+                                .colors = {[TARGET_CALIBRATION_SUM] = &pass->sums,
+                                           [TARGET_CALIBRATION_SQUARE] = &pass->squares}}) &&
+           init_target(&pass->gains, &pass->gain_framebuffer, &gains);
+}
+
+bool calibration_pass_init(struct calibration_pass *pass, const struct calibration_desc *desc) {
+    *pass = (struct calibration_pass){.desc = *desc};
+    if (init_programs(pass) && init_targets(pass) &&
+        buffer_init(&pass->params, "calibration parameters", sizeof(struct calibration_params),
+                    NULL) &&
+        buffer_init(&pass->lookup_params, "lookup parameters", sizeof(struct lookup_params), NULL))
+        return true;
+    calibration_pass_free(pass);
+    return false;
+}
+
+void calibration_pass_free(struct calibration_pass *pass) {
+    program_free(&pass->test_program);
+    program_free(&pass->sum_program);
+    program_free(&pass->gain_program);
+    program_free(&pass->block_program);
+    framebuffer_free(&pass->test_framebuffer);
+    framebuffer_free(&pass->sum_framebuffer);
+    framebuffer_free(&pass->gain_framebuffer);
+    texture_free(&pass->tests);
+    texture_free(&pass->sums);
+    texture_free(&pass->squares);
+    texture_free(&pass->gains);
+    buffer_free(&pass->params);
+    buffer_free(&pass->lookup_params);
+    *pass = (struct calibration_pass){0};
+}
+
+static void test(const struct calibration_pass *pass, const struct frame *frame,
+                 const struct gbuffer *gbuffer, const struct vpl_buffer *vpls,
+                 const struct visibility_inputs *inputs, const struct block_visibilities *blocks) {
+    struct pass_state state = {
+        .name = "calibration",
+        .program = pass->test_program,
+        .framebuffer = pass->test_framebuffer,
+        .width = pass->tests.desc.width,
+        .height = pass->tests.desc.height,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                     {UNIT_TRIANGLE_TREE, inputs->tree->texels},
+                     {UNIT_VPLS, vpls->texels}},
+        .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+    };
+    if (blocks)
+        pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, blocks->texture.id);
+    visibility_add(&state, &pass->desc.visibility, &pass->lookup_params, inputs);
+    pass_set_state(&state);
+    pass_draw_fullscreen(1);
+}
+
+static void draw_cells(const struct calibration_pass *pass, GLuint program, GLuint framebuffer,
+                       struct pass_texture texture, struct pass_texture beside) {
+    pass_set_state(&(struct pass_state){
+        .name = "calibration",
+        .program = program,
+        .framebuffer = framebuffer,
+        .width = CALIBRATION_SIDE,
+        .height = CALIBRATION_SIDE,
+        .textures = {texture, beside},
+    });
+    pass_draw_fullscreen(pass->gains.desc.layers);
+}
+
+static void correct_blocks(const struct calibration_pass *pass, const struct gbuffer *gbuffer,
+                           const struct block_visibilities *blocks) {
+    pass_set_state(&(struct pass_state){
+        .name = "calibration",
+        .program = pass->block_program,
+        .framebuffer = blocks->framebuffer,
+        .width = blocks->texture.desc.width,
+        .height = blocks->texture.desc.height,
+        .blend = PASS_BLEND_OVER,
+        .textures = {{UNIT_CALIBRATION, pass->gains.id}, {UNIT_GBUFFER_DEPTH, gbuffer->depth.id}},
+        .blocks = {{BLOCK_PASS, &pass->params}},
+    });
+    pass_draw_fullscreen(blocks->texture.desc.layers);
+}
+
+void calibration_pass_render(const struct calibration_pass *pass, const struct frame *frame,
+                             const struct gbuffer *gbuffer, const struct vpl_buffer *vpls,
+                             const struct visibility_inputs *inputs,
+                             const struct block_visibilities *blocks) {
+    struct calibration_params params = {.tests_of_cell = pass->tests.desc.width,
+                                        .vpl_count = vpls->count,
+                                        .groups = group_count(&pass->desc),
+                                        .block = blocks ? blocks->block : 0};
+    timer_begin(frame->timers, "calibration");
+    buffer_write(&pass->params, 0, sizeof params, &params);
+    test(pass, frame, gbuffer, vpls, inputs, blocks);
+    draw_cells(pass, pass->sum_program, pass->sum_framebuffer,
+               (struct pass_texture){UNIT_CALIBRATION_TESTS, pass->tests.id},
+               (struct pass_texture){0});
+    draw_cells(pass, pass->gain_program, pass->gain_framebuffer,
+               (struct pass_texture){UNIT_CALIBRATION_SUMS, pass->sums.id},
+               (struct pass_texture){UNIT_CALIBRATION_SQUARES, pass->squares.id});
+    if (blocks)
+        correct_blocks(pass, gbuffer, blocks);
+    timer_end(frame->timers);
+}
