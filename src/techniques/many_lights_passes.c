@@ -54,12 +54,16 @@ static int blur_radius(const struct settings *settings) {
     return blur->radius < 0 ? gather->interleave / 2 : blur->radius;
 }
 
-/* What is seen of a thing errs as little where more pixels show it: those of large pictures take fewer lights, and half
- * of the near samples, which are what they err by least (bench/TRIED.md). */
-static const float detail_pixels = 400 * 400;
+float many_lights_growth(const struct technique_desc *desc) {
+    static const float side = 400;
+    return fmaxf(sqrtf((float)desc->width * (float)desc->height) / side, 1);
+}
 
+/* What is seen of a thing errs as little where more pixels show it: those of large pictures take fewer lights, ask for
+ * fewer of them, and take half of the near samples, which are what they err by least (bench/TRIED.md). */
 static float share_of_large(const struct technique_desc *desc) {
-    return fminf(detail_pixels / ((float)desc->width * (float)desc->height), 1);
+    float growth = many_lights_growth(desc);
+    return 1 / (growth * growth);
 }
 
 static int detail_times(const struct gather_settings *gather, const struct technique_desc *desc) {
@@ -100,10 +104,11 @@ static const struct texture *plain_pixels(const struct many_lights *lights) {
     return lights->has_plain ? &lights->plain.pixels : NULL;
 }
 
-/* Most of the time of a gather whose pixels look themselves up goes there, and there a few that ask for all do. Of
- * rectangles, which each stand for several VPLs and whose answers nothing blurs, there are fewer. */
-static int asked_together(enum gather_clamp clamp) {
-    return clamp >= GATHER_CLAMP_RECTANGLE ? 4 : 12;
+/* Most of the time of a gather whose pixels look themselves up goes there, and there a few that ask for all do: of large
+ * pictures up to twice as many have to. Of rectangles, which each stand for several VPLs and whose answers nothing
+ * blurs, there are fewer. */
+static int asked_together(enum gather_clamp clamp, const struct technique_desc *desc) {
+    return clamp >= GATHER_CLAMP_RECTANGLE ? 4 : (int)(12 * fminf(many_lights_growth(desc), 2));
 }
 
 /* Half the blur's radius away: farther off an edge it finds enough on one side.
@@ -115,7 +120,7 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     struct gather_desc gather_desc = lights->gather.desc;
     gather_desc.interleave = gather->detail;
     gather_desc.receivers = RECEIVERS_LISTED;
-    gather_desc.together = asked_together(gather_desc.clamp);
+    gather_desc.together = asked_together(gather_desc.clamp, desc);
     fill_list_slots(gather, desc, gather_desc.list_slots);
     gather_desc.share = false;
     return !lights->has_detail ||
@@ -160,7 +165,7 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
                               : own->detail < own->interleave && blur_radius(desc->settings) > 0);
     gather_desc.receivers = lights->has_detail ? RECEIVERS_OTHERS : RECEIVERS_ALL;
     if (visibility->tree && !lights->has_detail)
-        gather_desc.together = asked_together(gather_desc.clamp);
+        gather_desc.together = asked_together(gather_desc.clamp, desc);
     /* Of rectangles several blocks speak for a pixel. */
     bool rectangles = gather_desc.clamp >= GATHER_CLAMP_RECTANGLE;
     return gather_pass_init(&lights->gather, &gather_desc) &&

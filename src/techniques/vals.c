@@ -2,6 +2,8 @@
 
 #include "scene/animation.h"
 
+#include <math.h>
+
 enum visibility_kind {
     VISIBILITY_CSSM,
     VISIBILITY_HARD,
@@ -62,7 +64,8 @@ static const struct option table[] = {
              "20000 where something moves; 0 = none"},
     {"visibility-block", 0, OPTION_INT, ROW(visibility_block), 7, 0, 64,
      .help = "pixels a side of a block that shares its visibility; 0 = each looks itself up;\n"
-             "blocks that are no multiple of interleave blur better"},
+             "blocks that are no multiple of interleave blur better; above 400x400 they grow\n"
+             "as the root of the picture's sides"},
     {NULL},
 };
 
@@ -126,13 +129,18 @@ static bool init_maps(struct val_set *set, const struct technique_desc *desc) {
                                                            }));
 }
 
-static bool init_blocks(struct val_set *set, const struct technique_desc *desc) {
+/* Shadows are soft, but not all: blocks grow less than what they show. */
+static int block_side(const struct technique_desc *desc) {
     const struct vals_settings *own = settings_of(desc->settings, &vals_part);
+    return (int)roundf((float)own->visibility_block * sqrtf(many_lights_growth(desc)));
+}
+
+static bool init_blocks(struct val_set *set, const struct technique_desc *desc) {
     return !set->share ||
            block_visibility_pass_init(&set->blocks, &(struct block_visibility_desc){
                                                         .width = desc->width,
                                                         .height = desc->height,
-                                                        .block = own->visibility_block,
+                                                        .block = block_side(desc),
                                                         .visibility = set->visibility,
                                                     });
 }
