@@ -1,13 +1,14 @@
 // Visibility shared by blocks of pixels, of a pass with `block` among its parameters: which block speaks for a pixel.
+#include "lib/divide.glsl"
 #include "lib/gbuffer.glsl"
 
 const float BLOCK_COSINE = 0.8;
 // Over the picture's height: farther off a block's plane, a pixel is not the block's.
 const float BLOCK_APART = 0.008;
 
-// The block that a pixel lies in. By floats: a software rasteriser divides integers one by one.
+// The block that a pixel lies in.
 ivec2 block_at(ivec2 pixel) {
-    return ivec2((vec2(pixel) + 0.5) / float(params.block));
+    return divide(pixel, ivec2(params.block));
 }
 
 // The pixel where a block looks itself up.

@@ -1,5 +1,6 @@
 // The lights of a pixel are those of its block's cut: each is the VPL that stands for its node in the pixel's set, with as
 // much flux as all have, of its own colour. The mean over sets is then right for each colour.
+#include "lib/divide.glsl"
 #include "lib/vpl_texels.glsl"
 #include "lib/vpl_tree_nodes.glsl"
 
@@ -10,7 +11,7 @@ ivec3 cut_texel;
 
 // A cut has a layer with its count, and then its nodes. Returns how many there are.
 int cut_open(ivec2 pixel, int block, int first_layer) {
-    cut_texel = ivec3(pixel / block, first_layer);
+    cut_texel = ivec3(divide(pixel, ivec2(block)), first_layer);
     return int(texelFetch(cuts, cut_texel, 0).r);
 }
 

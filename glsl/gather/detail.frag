@@ -5,6 +5,7 @@
 //
 // With SHARE_VISIBILITY such pixels are listed, too, that no block speaks for; the others are told which one does. Pixels
 // that are not listed are told their triangle's normal: what draws tiles has no neighbours at hand.
+#include "lib/divide.glsl"
 #include "lib/gbuffer.glsl"
 #include "gather/list_texel.glsl"
 #include "gather/receiver_facet.glsl"
@@ -44,10 +45,11 @@ ivec2 like_neighbours(surface s, ivec2 pixel, ivec2 size) {
 // A list's next texel.
 ivec2 next_texel(ivec2 pixel, int list) {
     int n = params.pattern.n;
-    ivec2 place = pixel % n, tile = params.pattern.tile;
+    ivec2 place = pixel - divide(pixel, ivec2(n)) * n, tile = params.pattern.tile;
     int at = int(atomicAdd(counts[(list * n + place.y) * n + place.x], 1u)), half_tile = tile.x * tile.y / 2;
     at = list == PIXEL_GRADE_DETAIL ? half_tile - 1 - at : list == LIST_FURTHER ? half_tile + at : at;
-    return place * tile + ivec2(at % tile.x, at / tile.x);
+    int row = divide(ivec2(at), tile.xx).x;
+    return place * tile + ivec2(at - row * tile.x, row);
 }
 
 void list_further_point(ivec2 pixel) {

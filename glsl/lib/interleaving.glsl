@@ -1,3 +1,4 @@
+#include "lib/divide.glsl"
 #include "shared/interleaving.h"
 
 // The pixel of the picture that a texel of a tile stands for; the tile by its place in the pattern.
@@ -7,5 +8,6 @@ ivec2 interleaved_pixel(interleaving pattern, ivec2 texel, ivec2 place) {
 
 // And back.
 ivec2 interleaved_texel(interleaving pattern, ivec2 pixel) {
-    return pixel % pattern.n * pattern.tile + pixel / pattern.n;
+    ivec2 texel = divide(pixel, ivec2(pattern.n)), place = pixel - texel * pattern.n;
+    return place * pattern.tile + texel;
 }
