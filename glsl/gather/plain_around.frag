@@ -9,7 +9,11 @@ layout(location = TARGET_RESULT) out float plain;
 #if ERODE
 layout(binding = UNIT_PLAIN_BLOCKS) uniform sampler2D plain_blocks;
 
-bool is_plain(ivec2 from, ivec2 at) {
+bool is_plain(ivec2 block) {
+    return true;
+}
+
+bool is_like(ivec2 block, ivec2 at) {
     return texelFetch(plain_blocks, at, 0).r > 0.5;
 }
 #else
@@ -25,19 +29,21 @@ float off_limit() {
     return min(STEP * PLANE_APART * height_in_pixels, BLOCK_OFF_MOST);
 }
 
+block_plane here = block_plane(0.0, vec2(0.0), 0.0, vec2(0.0), 0.0, 0.0);
+
 bool is_plane(block_plane p) {
     return p.depth > 0.0 && p.off < off_limit() && p.turned < params.code_apart;
 }
 
-bool is_same_plane(block_plane here, block_plane there, ivec2 blocks) {
+bool is_same_plane(block_plane there, ivec2 blocks) {
     vec2 turn = abs(there.normal_code - here.normal_code);
-    return is_plane(here) && is_plane(there) && planes_apart(here, there, blocks) < off_limit() * here.across &&
+    return is_plane(there) && planes_apart(here, there, blocks) < off_limit() * here.across &&
            turn.x + turn.y < params.code_apart;
 }
 
 // No pixel that blur or lists ask for, as far along x or y, or half as far along both, is farther away than by its place
 // in the picture and by its depth along the longest ray.
-bool is_near(block_plane here) {
+bool is_near() {
     vec2 extent = vec2(length(camera.right), length(camera.up));
     float pixels = float(params.reach * PLANE_BLOCK), aside = pixels * 2.0 * extent.x / float(params.width);
     float change = pixels * max(abs(here.slope.x), abs(here.slope.y)) + 2.0 * off_limit() * here.across;
@@ -45,9 +51,13 @@ bool is_near(block_plane here) {
     return along * (1.0 + extent.x + extent.y) + aside < params.distance * 2.0 * extent.y;
 }
 
-bool is_plain(ivec2 from, ivec2 at) {
-    block_plane here = block_plane_fetch(from);
-    return is_same_plane(here, block_plane_fetch(at), at - from) && is_near(here);
+bool is_plain(ivec2 block) {
+    here = block_plane_fetch(block);
+    return is_plane(here) && is_near();
+}
+
+bool is_like(ivec2 block, ivec2 at) {
+    return is_same_plane(block_plane_fetch(at), at - block);
 }
 #endif
 
@@ -58,8 +68,8 @@ void main() {
 #else
     ivec2 last = textureSize(block_planes, 0) - 1;
 #endif
-    plain = 1.0;
+    plain = is_plain(block) ? 1.0 : 0.0;
     for (int y = -params.reach; y <= params.reach; y++)
         for (int x = -params.reach; x <= params.reach; x++)
-            plain = is_plain(block, clamp(block + ivec2(x, y), ivec2(0), last)) ? plain : 0.0;
+            plain = is_like(block, clamp(block + ivec2(x, y), ivec2(0), last)) ? plain : 0.0;
 }
