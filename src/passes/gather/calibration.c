@@ -37,6 +37,9 @@ static bool init_programs(struct calibration_pass *pass) {
            program_init(&pass->sum_program,
                         &(struct program_desc){.vertex = "layers.vert",
                                                .fragment = "gather/calibration_sum.frag"}) &&
+           program_init(&pass->mean_program,
+                        &(struct program_desc){.vertex = "fullscreen.vert",
+                                               .fragment = "gather/calibration_mean.frag"}) &&
            program_init(&pass->gain_program,
                         &(struct program_desc){.vertex = "layers.vert",
                                                .fragment = "gather/calibration_gain.frag"}) &&
@@ -63,6 +66,8 @@ static bool init_targets(struct calibration_pass *pass) {
                                       .width = CALIBRATION_SIDE,
                                       .height = CALIBRATION_SIDE,
                                       .layers = pass->desc.visibility.map_count};
+    const struct texture_desc mean = {
+        .label = "mean calibration", .format = GL_RG32F, .width = 1, .height = 1};
     struct texture_desc squares = sums, gains = sums;
     squares.format = GL_RG32F;
     gains.label = "calibration";
@@ -76,6 +81,7 @@ static bool init_targets(struct calibration_pass *pass) {
                                 .label = sums.label,
                                 .colors = {[TARGET_CALIBRATION_SUM] = &pass->sums,
                                            [TARGET_CALIBRATION_SQUARE] = &pass->squares}}) &&
+           init_target(&pass->mean, &pass->mean_framebuffer, &mean) &&
            init_target(&pass->gains, &pass->gain_framebuffer, &gains);
 }
 
@@ -93,14 +99,17 @@ bool calibration_pass_init(struct calibration_pass *pass, const struct calibrati
 void calibration_pass_free(struct calibration_pass *pass) {
     program_free(&pass->test_program);
     program_free(&pass->sum_program);
+    program_free(&pass->mean_program);
     program_free(&pass->gain_program);
     program_free(&pass->block_program);
     framebuffer_free(&pass->test_framebuffer);
     framebuffer_free(&pass->sum_framebuffer);
+    framebuffer_free(&pass->mean_framebuffer);
     framebuffer_free(&pass->gain_framebuffer);
     texture_free(&pass->tests);
     texture_free(&pass->sums);
     texture_free(&pass->squares);
+    texture_free(&pass->mean);
     texture_free(&pass->gains);
     buffer_free(&pass->params);
     buffer_free(&pass->lookup_params);
@@ -129,16 +138,41 @@ static void test(const struct calibration_pass *pass, const struct frame *frame,
     pass_draw_fullscreen(1);
 }
 
-static void draw_cells(const struct calibration_pass *pass, GLuint program, GLuint framebuffer,
-                       struct pass_texture texture, struct pass_texture beside) {
+static void sum_tests(const struct calibration_pass *pass) {
     pass_set_state(&(struct pass_state){
+        .name = "calibration",
+        .program = pass->sum_program,
+        .framebuffer = pass->sum_framebuffer,
+        .width = CALIBRATION_SIDE,
+        .height = CALIBRATION_SIDE,
+        .textures = {{UNIT_CALIBRATION_TESTS, pass->tests.id}},
+    });
+    pass_draw_fullscreen(pass->sums.desc.layers);
+}
+
+/* The state of a draw that reads the sums. */
+static struct pass_state over_sums(const struct calibration_pass *pass, GLuint program,
+                                   GLuint framebuffer, const struct texture *target) {
+    return (struct pass_state){
         .name = "calibration",
         .program = program,
         .framebuffer = framebuffer,
-        .width = CALIBRATION_SIDE,
-        .height = CALIBRATION_SIDE,
-        .textures = {texture, beside},
-    });
+        .width = target->desc.width,
+        .height = target->desc.height,
+        .textures = {{UNIT_CALIBRATION_SUMS, pass->sums.id},
+                     {UNIT_CALIBRATION_SQUARES, pass->squares.id}},
+    };
+}
+
+static void find_gains(const struct calibration_pass *pass) {
+    struct pass_state mean =
+        over_sums(pass, pass->mean_program, pass->mean_framebuffer, &pass->mean);
+    pass_set_state(&mean);
+    pass_draw_fullscreen(1);
+    struct pass_state gains =
+        over_sums(pass, pass->gain_program, pass->gain_framebuffer, &pass->gains);
+    pass_add_texture(&gains, UNIT_CALIBRATION, pass->mean.id);
+    pass_set_state(&gains);
     pass_draw_fullscreen(pass->gains.desc.layers);
 }
 
@@ -168,12 +202,8 @@ void calibration_pass_render(const struct calibration_pass *pass, const struct f
     timer_begin(frame->timers, "calibration");
     buffer_write(&pass->params, 0, sizeof params, &params);
     test(pass, frame, gbuffer, vpls, inputs, blocks);
-    draw_cells(pass, pass->sum_program, pass->sum_framebuffer,
-               (struct pass_texture){UNIT_CALIBRATION_TESTS, pass->tests.id},
-               (struct pass_texture){0});
-    draw_cells(pass, pass->gain_program, pass->gain_framebuffer,
-               (struct pass_texture){UNIT_CALIBRATION_SUMS, pass->sums.id},
-               (struct pass_texture){UNIT_CALIBRATION_SQUARES, pass->squares.id});
+    sum_tests(pass);
+    find_gains(pass);
     if (blocks)
         correct_blocks(pass, gbuffer, blocks);
     timer_end(frame->timers);

@@ -1,0 +1,11 @@
+// The gains of all VALs together.
+#include "gather/calibration_gain.glsl"
+
+layout(location = TARGET_RESULT) out vec2 gains;
+
+void main() {
+    test_sums all = test_sums(vec4(0.0), vec2(0.0));
+    for (int val = 0; val < textureSize(sums, 0).z; val++)
+        sums_add(all, val);
+    gains = gains_of(all, vec2(0.0));
+}
