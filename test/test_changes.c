@@ -167,6 +167,24 @@ static void write_text(const char *path, const char *text) {
     fclose(file);
 }
 
+/* Where pixels share more in large pictures, a picture that became large has nothing left of a small one's. */
+static void test_sizes(void **state) {
+    struct fixture *fixture = need_context(state);
+    struct renderer renderer;
+    struct renderer_desc desc = fixture->desc;
+    check_ok("init", renderer_init(&renderer, &desc));
+    for (const struct technique *const *t = techniques; *t; t++) {
+        desc.technique = *t;
+        desc.width = WIDTH, desc.height = HEIGHT;
+        check_ok((*t)->name, renderer_follow(&renderer, &desc));
+        desc.width = 480, desc.height = 440;
+        check_followed((*t)->name, &renderer, &desc);
+        desc.width = WIDTH, desc.height = HEIGHT;
+        check_followed((*t)->name, &renderer, &desc);
+    }
+    renderer_free(&renderer);
+}
+
 static void test_failures(void **state) {
     struct fixture *fixture = need_context(state);
     struct renderer renderer;
@@ -303,6 +321,7 @@ static void test_lights_are_kept(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_as_new, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_sizes, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_failures, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_no_leak, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_lights_are_kept, set_up_moving, tear_down),

@@ -127,10 +127,10 @@ float visibility_of(int map, surface s, vec3 light) {
     return visible;
 }
 
-#if TOGETHER > 0
+#if TOGETHER
 #include "lib/vpl_sums.glsl"
 
-// Of TOGETHER VPLs those of much the same hue, of which one, taken by its light, asks for the visibility of all: on average
+// Of VPLs side by side those of much the same hue, of which one, taken by its light, asks for the visibility of all: on average
 // each counts as if it had asked. Where red light and green shared an answer, shadows would be of neither's
 // hue.
 struct light_group {
@@ -186,8 +186,8 @@ vec3 light_of_slot(surface s, ivec2 pixel, ivec2 lights) {
     vec2 hue = vpl_hue();
     // A lattice: pixels side by side have numbers far apart. Each group has its own, as one has no digits for more.
     float random = fract(dot(vec2(pixel), vec2(0.7548776662, 0.5698402910)) + params.turn);
-    for (int i = lights.x; i < lights.y; i += TOGETHER) {
-        sum += light_together(s, i, min(i + TOGETHER, lights.y), hue, random);
+    for (int i = lights.x; i < lights.y; i += params.together) {
+        sum += light_together(s, i, min(i + params.together, lights.y), hue, random);
         random = fract(random + 0.6180339887);
     }
     return sum;

@@ -21,7 +21,8 @@ struct gather_params {
     int cut_block;  /* pixels a side of a block that shares a cut */
     int cut_layer;  /* the first of the cuts that are read */
     int gloss_rays; /* of a pixel */
-    int unused0, unused1, unused2, unused3;
+    int together;   /* VPLs side by side, of which two ask for the visibility of all */
+    int unused0, unused1, unused2;
 };
 PASS_BLOCK(gather_params, 64)
 

@@ -94,6 +94,7 @@ struct many_lights {
     bool has_near_field; /* clamp=near */
     struct near_field_pass near_field;
     bool has_detail; /* pixels with few like neighbours gather more */
+    int detail_times; /* as the settings have it: of a picture that is not large */
     bool has_plain;  /* and with a blur along x and y, what needs no care */
     struct plain_pass plain;
     struct detail_pass detail;
@@ -125,7 +126,7 @@ struct visibility_desc many_lights_lookup(const struct settings *settings,
 
 /* How many times as long as 400 pixels a picture's side is, and 1 up to that: things are seen by as many more pixels,
  * which may share more. */
-float many_lights_growth(const struct technique_desc *desc);
+float many_lights_growth(int width, int height);
 
 /* As technique->check: each place of the pattern takes one VPL at least. */
 bool many_lights_check(const struct settings *settings);
@@ -134,8 +135,10 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
                       const struct many_lights_visibility *visibility);
 void many_lights_free(struct many_lights *lights);
 
-/* As technique->resize; as technique->contribution, below: of a state that begins with its many_lights. */
+/* As technique->resize; as technique->contribution, below: of a state that begins with its many_lights, and without
+ * blocks, which are else as many_lights_visibility has them. */
 bool many_lights_resize(void *state, int width, int height);
+bool many_lights_resize_with(struct many_lights *lights, int width, int height, int block);
 
 /* The casters that the settings ask for. */
 struct caster_desc many_lights_caster(const struct settings *settings);

@@ -5,6 +5,7 @@
 #include "shared/gather.h"
 
 #include <math.h>
+#include <string.h>
 
 struct visibility_desc many_lights_lookup(const struct settings *settings,
                                           enum visibility_lookup lookup, int map_count) {
@@ -54,47 +55,83 @@ static int blur_radius(const struct settings *settings) {
     return blur->radius < 0 ? gather->interleave / 2 : blur->radius;
 }
 
-float many_lights_growth(const struct technique_desc *desc) {
+float many_lights_growth(int width, int height) {
     static const float side = 400;
-    return fmaxf(sqrtf((float)desc->width * (float)desc->height) / side, 1);
+    return fmaxf(sqrtf((float)width * (float)height) / side, 1);
 }
 
 /* What is seen of a thing errs as little where more pixels show it: those of large pictures take fewer lights, ask for
  * fewer of them, and take half of the near samples, which are what they err by least (bench/TRIED.md). */
-static float share_of_large(const struct technique_desc *desc) {
-    float growth = many_lights_growth(desc);
+static float share_of_large(int width, int height) {
+    float growth = many_lights_growth(width, height);
     return 1 / (growth * growth);
 }
 
-static int detail_times(const struct gather_settings *gather, const struct technique_desc *desc) {
-    int times = (int)roundf((float)gather->detail_times * share_of_large(desc));
-    int all = gather->detail * gather->detail;
+static int detail_slots(const struct gather_desc *listed, int detail_times) {
+    float share = share_of_large(listed->width, listed->height);
+    int times = (int)roundf((float)detail_times * share);
+    int all = listed->interleave * listed->interleave;
     return times < 1 ? 1 : times < all ? times : all;
 }
 
-static void fill_list_slots(const struct gather_settings *gather, const struct technique_desc *desc,
-                            int slots[LIST_KINDS]) {
-    slots[PIXEL_GRADE_EDGE] = 1;
-    slots[PIXEL_GRADE_DETAIL] = detail_times(gather, desc);
-    slots[LIST_FURTHER] = gather->further_points ? 1 : 0;
+/* Most of the time of a gather whose pixels look themselves up goes there, and there a few that ask for all do: of large
+ * pictures up to twice as many have to. Of rectangles, which each stand for several VPLs and whose answers nothing
+ * blurs, there are fewer. */
+static int asked_together(const struct gather_desc *desc) {
+    float growth = fminf(many_lights_growth(desc->width, desc->height), 2);
+    return desc->clamp >= GATHER_CLAMP_RECTANGLE ? 4 : (int)(12 * growth);
 }
+
+/* --- what goes by the picture's size, where a pass is made and where it takes another one --- */
+
+static void fit_listed(struct gather_desc *listed, int detail_times) {
+    listed->list_slots[PIXEL_GRADE_DETAIL] = detail_slots(listed, detail_times);
+    listed->together = asked_together(listed);
+}
+
+static void fit_near_field(struct near_field_desc *near_field, const struct gather_desc *listed) {
+    memcpy(near_field->list_slots, listed->list_slots, sizeof near_field->list_slots);
+    near_field->listed_part = fmaxf(share_of_large(listed->width, listed->height), .5F);
+}
+
+/* The more lights a pixel has, the fewer of its neighbours it needs. n: of the others' pattern. */
+static void fit_blur(struct blur_desc *blur, const struct gather_desc *listed, int n) {
+    for (int grade = 0; blur->detail && grade < PIXEL_GRADES; grade++) {
+        float slots = (float)listed->list_slots[grade],
+              places = sqrtf(slots) / (float)listed->interleave;
+        blur->grade_radius[grade] = .5f / places;
+        blur->grade_weight[grade] = places * places * (float)(n * n);
+    }
+}
+
+/* The side of the one block that speaks for a pixel; 0: there is none, as of rectangles, where several do. */
+static int block_of_pixel(const struct gather_desc *gather, int block) {
+    return gather->clamp >= GATHER_CLAMP_RECTANGLE ? 0 : block;
+}
+
+/* With blocks that share visibility the nearest one speaks for a plain pixel. */
+static int plain_radius(int blur, const struct detail_desc *detail) {
+    int nearest = (detail->block + 1) / 2, around = blur > detail->radius ? blur : detail->radius;
+    return around > nearest ? around : nearest;
+}
+
+/* --- passes --- */
 
 static int detail_radius(const struct settings *settings) {
     int radius = blur_radius(settings);
     return radius > 0 ? (radius + 1) / 2 : 2;
 }
 
-/* With blocks that share visibility the nearest one speaks for a plain pixel. */
-static bool init_plain(struct many_lights *lights, const struct technique_desc *desc, int block) {
+static bool init_plain(struct many_lights *lights, const struct technique_desc *desc,
+                       const struct detail_desc *detail) {
     const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
-    int radius = blur_radius(desc->settings), asked = detail_radius(desc->settings);
-    int nearest = (block + 1) / 2, around = radius > asked ? radius : asked;
+    int radius = blur_radius(desc->settings);
     lights->has_plain = blur->separable && radius > 0;
     return !lights->has_plain ||
            plain_pass_init(&lights->plain,
                            &(struct plain_desc){.width = desc->width,
                                                 .height = desc->height,
-                                                .radius = around > nearest ? around : nearest,
+                                                .radius = plain_radius(radius, detail),
                                                 .distance = blur->distance,
                                                 .cosine = blur->cosine});
 }
@@ -104,13 +141,6 @@ static const struct texture *plain_pixels(const struct many_lights *lights) {
     return lights->has_plain ? &lights->plain.pixels : NULL;
 }
 
-/* Most of the time of a gather whose pixels look themselves up goes there, and there a few that ask for all do: of large
- * pictures up to twice as many have to. Of rectangles, which each stand for several VPLs and whose answers nothing
- * blurs, there are fewer. */
-static int asked_together(enum gather_clamp clamp, const struct technique_desc *desc) {
-    return clamp >= GATHER_CLAMP_RECTANGLE ? 4 : (int)(12 * fminf(many_lights_growth(desc), 2));
-}
-
 /* Half the blur's radius away: farther off an edge it finds enough on one side.
  *
  * What is listed looks itself up: a block of pixels does not speak for it. */
@@ -118,27 +148,31 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
     const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
     struct gather_desc gather_desc = lights->gather.desc;
+    struct detail_desc detail = {
+        .width = desc->width,
+        .height = desc->height,
+        .interleave = gather->detail,
+        .radius = detail_radius(desc->settings),
+        .distance = blur->distance,
+        .cosine = blur->cosine,
+        .sharp_cosine = fminf(blur->cosine, sharp_cosine),
+        .share = gather->detail_share,
+        .block = block,
+    };
     gather_desc.interleave = gather->detail;
     gather_desc.receivers = RECEIVERS_LISTED;
-    gather_desc.together = asked_together(gather_desc.clamp, desc);
-    fill_list_slots(gather, desc, gather_desc.list_slots);
     gather_desc.share = false;
-    return !lights->has_detail ||
-           (init_plain(lights, desc, block) &&
-            detail_pass_init(&lights->detail,
-                             &(struct detail_desc){
-                                 .width = desc->width,
-                                 .height = desc->height,
-                                 .interleave = gather->detail,
-                                 .radius = detail_radius(desc->settings),
-                                 .distance = blur->distance,
-                                 .cosine = blur->cosine,
-                                 .sharp_cosine = fminf(blur->cosine, sharp_cosine),
-                                 .share = gather->detail_share,
-                                 .block = block,
-                                 .plain = plain_pixels(lights),
-                             }) &&
-            gather_pass_init(&lights->detail_gather, &gather_desc));
+    gather_desc.list_slots[PIXEL_GRADE_EDGE] = 1;
+    gather_desc.list_slots[LIST_FURTHER] = gather->further_points ? 1 : 0;
+    fit_listed(&gather_desc, gather->detail_times);
+    lights->detail_times = gather->detail_times;
+    if (!lights->has_detail)
+        return true;
+    if (!init_plain(lights, desc, &detail))
+        return false;
+    detail.plain = plain_pixels(lights);
+    return detail_pass_init(&lights->detail, &detail) &&
+           gather_pass_init(&lights->detail_gather, &gather_desc);
 }
 
 static bool init_gather(struct many_lights *lights, const struct technique_desc *desc,
@@ -165,11 +199,9 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
                               : own->detail < own->interleave && blur_radius(desc->settings) > 0);
     gather_desc.receivers = lights->has_detail ? RECEIVERS_OTHERS : RECEIVERS_ALL;
     if (visibility->tree && !lights->has_detail)
-        gather_desc.together = asked_together(gather_desc.clamp, desc);
-    /* Of rectangles several blocks speak for a pixel. */
-    bool rectangles = gather_desc.clamp >= GATHER_CLAMP_RECTANGLE;
+        gather_desc.together = asked_together(&gather_desc);
     return gather_pass_init(&lights->gather, &gather_desc) &&
-           init_detail(lights, desc, rectangles ? 0 : visibility->block);
+           init_detail(lights, desc, block_of_pixel(&gather_desc, visibility->block));
 }
 
 /* Gloss is sharper than what is diffuse: each pixel takes more VPLs, and is blurred less. It is no
@@ -241,18 +273,16 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
     struct near_field_desc near_field = {
         .samples = own->near_samples,
         .listed = lights->has_detail,
-        .listed_part = fmaxf(share_of_large(desc), .5f),
         .facets = sends_as_facets(desc),
         .occlusion = near_occlusion(visibility->lookup),
         .casters = visibility->lookup == VISIBILITY_LOOKUP_TRACED ? desc->casters : NULL,
         .rsm_size = rsm_size(desc),
         .lights = *desc->lights,
     };
-    fill_list_slots(own, desc, near_field.list_slots);
+    fit_near_field(&near_field, &lights->detail_gather.desc);
     return !lights->has_near_field || near_field_pass_init(&lights->near_field, &near_field);
 }
 
-/* The more lights a pixel has, the fewer of its neighbours it needs. */
 static bool init_blur(struct many_lights *lights, const struct technique_desc *desc) {
     const struct blur_settings *own = settings_of(desc->settings, &blur_part);
     int radius = blur_radius(desc->settings);
@@ -267,13 +297,7 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
         .square = !own->separable || radius == 0,
         .plain = plain_pixels(lights),
     };
-    const struct gather_desc *listed = &lights->detail_gather.desc;
-    for (int grade = 0; lights->has_detail && grade < PIXEL_GRADES; grade++) {
-        float slots = (float)listed->list_slots[grade],
-              places = sqrtf(slots) / (float)listed->interleave;
-        blur.grade_radius[grade] = .5f / places;
-        blur.grade_weight[grade] = places * places * (float)(n * n);
-    }
+    fit_blur(&blur, &lights->detail_gather.desc, n);
     lights->has_blur = n > 1 || radius > 0 || lights->has_detail;
     return !lights->has_blur || blur_pass_init(&lights->blur, &blur);
 }
@@ -354,18 +378,23 @@ void many_lights_free(struct many_lights *lights) {
 
 /* What is as large as the picture. */
 static bool init_sized(struct many_lights *fresh, const struct many_lights *old, int width,
-                       int height) {
-    struct gather_desc gather = old->gather.desc, detail_gather = old->detail_gather.desc;
+                       int height, int block) {
+    struct gather_desc gather = old->gather.desc, listed = old->detail_gather.desc;
     struct detail_desc detail = old->detail.desc;
     struct gather_desc gloss_gather = old->gloss_gather.desc;
     struct blur_desc blur = old->blur.desc, gloss_blur = old->gloss_blur.desc;
-    gather.width = detail_gather.width = detail.width = blur.width = width;
-    gather.height = detail_gather.height = detail.height = blur.height = height;
+    struct plain_desc plain = old->plain.desc;
+    gather.width = listed.width = detail.width = blur.width = plain.width = width;
+    gather.height = listed.height = detail.height = blur.height = plain.height = height;
     gloss_gather.width = gloss_blur.width = width;
     gloss_gather.height = gloss_blur.height = height;
-    struct plain_desc plain = old->plain.desc;
-    plain.width = width;
-    plain.height = height;
+    detail.block = block_of_pixel(&gather, block);
+    if (gather.together > 0)
+        gather.together = asked_together(&gather);
+    if (old->has_detail)
+        fit_listed(&listed, old->detail_times);
+    fit_blur(&blur, &listed, gather.interleave);
+    plain.radius = plain_radius(blur.radius, &detail);
     fresh->has_plain = old->has_plain;
     detail.plain = blur.plain = plain_pixels(fresh);
     return gather_pass_init(&fresh->gather, &gather) &&
@@ -374,7 +403,7 @@ static bool init_sized(struct many_lights *fresh, const struct many_lights *old,
                                 blur_pass_init(&fresh->gloss_blur, &gloss_blur))) &&
            (!old->has_blur || blur_pass_init(&fresh->blur, &blur)) &&
            (!old->has_detail || (detail_pass_init(&fresh->detail, &detail) &&
-                                 gather_pass_init(&fresh->detail_gather, &detail_gather)));
+                                 gather_pass_init(&fresh->detail_gather, &listed)));
 }
 
 static void free_sized(struct many_lights *lights) {
@@ -387,10 +416,9 @@ static void free_sized(struct many_lights *lights) {
     blur_pass_free(&lights->blur);
 }
 
-bool many_lights_resize(void *state, int width, int height) {
-    struct many_lights *lights = state;
+bool many_lights_resize_with(struct many_lights *lights, int width, int height, int block) {
     struct many_lights fresh = {0};
-    if (!init_sized(&fresh, lights, width, height)) {
+    if (!init_sized(&fresh, lights, width, height, block)) {
         free_sized(&fresh);
         return false;
     }
@@ -402,5 +430,10 @@ bool many_lights_resize(void *state, int width, int height) {
     lights->gloss_gather = fresh.gloss_gather;
     lights->gloss_blur = fresh.gloss_blur;
     lights->blur = fresh.blur;
+    fit_near_field(&lights->near_field.desc, &lights->detail_gather.desc);
     return true;
+}
+
+bool many_lights_resize(void *state, int width, int height) {
+    return many_lights_resize_with(state, width, height, 0);
 }

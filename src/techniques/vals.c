@@ -130,19 +130,19 @@ static bool init_maps(struct val_set *set, const struct technique_desc *desc) {
 }
 
 /* Shadows are soft, but not all: blocks grow less than what they show. */
-static int block_side(const struct technique_desc *desc) {
-    const struct vals_settings *own = settings_of(desc->settings, &vals_part);
-    return (int)roundf((float)own->visibility_block * sqrtf(many_lights_growth(desc)));
+static int block_side(int block, int width, int height) {
+    return (int)roundf((float)block * sqrtf(many_lights_growth(width, height)));
 }
 
-static bool init_blocks(struct val_set *set, const struct technique_desc *desc) {
-    return !set->share ||
-           block_visibility_pass_init(&set->blocks, &(struct block_visibility_desc){
-                                                        .width = desc->width,
-                                                        .height = desc->height,
-                                                        .block = block_side(desc),
-                                                        .visibility = set->visibility,
-                                                    });
+static bool init_blocks(struct block_visibility_pass *blocks, const struct val_set *set, int width,
+                        int height) {
+    return set->block == 0 ||
+           block_visibility_pass_init(blocks, &(struct block_visibility_desc){
+                                                  .width = width,
+                                                  .height = height,
+                                                  .block = block_side(set->block, width, height),
+                                                  .visibility = set->visibility,
+                                              });
 }
 
 /* Rays need a tree of all triangles, which is planted at load, and anew for each pose: a second for each 150,000. */
@@ -196,16 +196,17 @@ static bool init_set(struct val_set *set, const struct technique_desc *desc,
     const struct vals_settings *own = settings_of(desc->settings, &vals_part);
     enum visibility_lookup lookup = vals_lookup(desc->settings);
     set->convolve = lookup == VISIBILITY_LOOKUP_CSSM;
-    set->share = own->visibility_block > 0;
+    set->block = own->visibility_block;
     set->visibility =
-        many_lights_lookup(desc->settings, lookup_of_val(lookup, set->share), of->val_count);
+        many_lights_lookup(desc->settings, lookup_of_val(lookup, set->block > 0), of->val_count);
     set->casters = desc->casters;
     set->calibrated = of->follow && lookup == VISIBILITY_LOOKUP_RAY && own->ray_tests > 0 &&
                       has_few_triangles(desc);
     return init_cluster(set, desc->settings, of) && (!has_maps(set) || init_maps(set, desc)) &&
            ((lookup != VISIBILITY_LOOKUP_TRACED && !set->calibrated) ||
             caster_pool_acquire_tree(set->casters, &set->tree)) &&
-           init_blocks(set, desc) && init_calibration(set, desc, of);
+           init_blocks(&set->blocks, set, desc->width, desc->height) &&
+           init_calibration(set, desc, of);
 }
 
 /* Those of the probe are the clustering's, but begin where the VALs do. */
@@ -289,15 +290,6 @@ void vals_free(struct vals *vals) {
     free_set(&vals->further);
 }
 
-/* Those of another size, beside the ones that are there. */
-static bool init_blocks_anew(struct block_visibility_pass *fresh,
-                             const struct block_visibility_pass *old, int width, int height) {
-    struct block_visibility_desc desc = old->desc;
-    desc.width = width;
-    desc.height = height;
-    return !old->program || block_visibility_pass_init(fresh, &desc);
-}
-
 static void replace_blocks(struct val_set *set, const struct block_visibility_pass *fresh) {
     block_visibility_pass_free(&set->blocks);
     set->blocks = *fresh;
@@ -305,9 +297,9 @@ static void replace_blocks(struct val_set *set, const struct block_visibility_pa
 
 bool vals_resize(struct vals *vals, struct many_lights *lights, int width, int height) {
     struct block_visibility_pass first = {0}, further = {0};
-    if (!init_blocks_anew(&first, &vals->first.blocks, width, height) ||
-        !init_blocks_anew(&further, &vals->further.blocks, width, height) ||
-        !many_lights_resize(lights, width, height)) {
+    if (!init_blocks(&first, &vals->first, width, height) ||
+        !init_blocks(&further, &vals->further, width, height) ||
+        !many_lights_resize_with(lights, width, height, first.desc.block)) {
         block_visibility_pass_free(&first);
         block_visibility_pass_free(&further);
         return false;
@@ -347,11 +339,11 @@ void vals_render(struct vals *vals, struct many_lights *lights, const struct fra
 struct gather_inputs vals_render_blocks(const struct val_set *set, const struct frame *frame,
                                         const struct gbuffer *gbuffer) {
     struct gather_inputs inputs = {.visibility = maps_of(set), .blocks = &set->blocks.blocks};
-    if (set->share)
+    if (set->block > 0)
         block_visibility_pass_render(&set->blocks, frame, gbuffer, &inputs.visibility);
     if (set->calibrated)
         calibration_pass_render(&set->calibration, frame, gbuffer, &set->cluster.vpls,
-                                &inputs.visibility, set->share ? inputs.blocks : NULL);
+                                &inputs.visibility, set->block > 0 ? inputs.blocks : NULL);
     return inputs;
 }
 

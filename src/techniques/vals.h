@@ -34,9 +34,10 @@ struct val_set {
     struct cluster_pass cluster;   /* has the VPLs with their VALs' numbers */
     struct paraboloid_pass paraboloid;
     struct basis_pass basis;
-    struct block_visibility_pass blocks; /* where share */
+    int block; /* as the settings have it: of a picture that is not large; 0: each pixel looks itself up */
+    struct block_visibility_pass blocks; /* where it is not 0 */
     struct calibration_pass calibration; /* where calibrated */
-    bool convolve, share, calibrated;
+    bool convolve, calibrated;
     struct caster_pool *casters;
     const struct caster_tree
         *tree; /* where calibrated; and of visibility=traced, then without maps unless shared */

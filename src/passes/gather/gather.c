@@ -19,8 +19,8 @@ static bool init_program(GLuint *program, const struct gather_desc *desc, enum g
     char *defines =
         mem_printf("%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d;RECEIVERS %d;TOGETHER %d;"
                    "SPECULAR %d;CUTS %d",
-                   lookup, clamp, desc->map_per_vpl, desc->share, desc->receivers, desc->together,
-                   specular, desc->cuts);
+                   lookup, clamp, desc->map_per_vpl, desc->share, desc->receivers,
+                   desc->together > 0, specular, desc->cuts);
     bool ok =
         program_init(program, &(struct program_desc){.vertex = desc->receivers == RECEIVERS_LISTED
                                                                    ? "gather/listed.vert"
@@ -89,6 +89,7 @@ void gather_pass_write_params(const struct gather_pass *pass, const struct frame
         .cut_block = desc->cuts ? inputs->cuts->block : 1,
         .cut_layer = desc->cuts && listed ? inputs->cuts->detail_layer : 0,
         .sphere2 = neighbours / (float)GLM_PI * desc->sphere * desc->sphere,
+        .together = desc->together,
         .gloss_rays = desc->gloss_rays,
         .turn = frame_turn(frame),
     };
