@@ -2,7 +2,7 @@
 // sun meets window frames half of all goes from frame to frame, and is lost there, and little of it in the room.
 #include "shared/bounce.h"
 
-layout(binding = UNIT_PATHS_SEEN) uniform sampler2D paths_seen;
+layout(binding = UNIT_PATH_RESULTS) uniform sampler2D paths_seen;
 
 layout(location = TARGET_RESULT) out vec4 kept;
 
@@ -17,7 +17,7 @@ float shrunk(vec2 seen, vec3 squares, float of_all) {
 void main() {
     vec4 sum = vec4(0.0); // seen, all
     vec3 squares = vec3(0.0);
-    for (int i = 0; i < params.paths; i++) {
+    for (int i = 0; i < params.further; i++) {
         vec4 own = texelFetch(paths_seen, ivec2(i, 0), 0);
         sum += own;
         squares += vec3(own.x * own.x, own.x * own.y, own.y * own.y);

@@ -1,6 +1,6 @@
-// Path i begins with a share of a VPL's light, and follows it from surface to surface: a ray in a direction by the cosine,
-// and of its flux what the surface there reflects [Keller 1997]. At one of its surfaces, picked by flux, it leaves a VPL
-// with the flux of all. One more ray tells where its light goes from there.
+// Path (x, y) begins with a share of a VPL's light, and follows it from surface to surface: a ray in a direction by the
+// cosine, and of its flux what the surface there reflects [Keller 1997]. At one of its surfaces, picked by flux, it leaves
+// the flux of all. Of row 0, which leaves VPLs, one more ray tells where the light goes from there.
 #include "visibility/triangle_tree.glsl"
 #include "lib/tangent.glsl"
 #include "lib/vpl_texels.glsl"
@@ -9,10 +9,12 @@
 layout(binding = UNIT_PATH_NUMBERS) uniform sampler2D path_numbers;
 layout(binding = UNIT_TRIANGLE_ALBEDOS) uniform samplerBuffer albedos; // A: 1 where backs reflect, too
 
-layout(location = TARGET_BOUNCE_POSITION) out vec4 position;
+layout(location = TARGET_BOUNCE_POSITION) out vec4 position; // A: the normal, packed
 layout(location = TARGET_BOUNCE_NORMAL) out vec4 normal;
 layout(location = TARGET_BOUNCE_FLUX) out vec4 flux;
 layout(location = TARGET_BOUNCE_NEXT) out vec4 next; // A: how far from there, -1: it meets nothing
+
+const float NOWHERE = 1e6; // of the radius: where paths are that leave nothing
 
 vec3 cosine_direction(vec3 axis, vec2 number) {
     float turn = 6.28318530718 * number.y, radius = sqrt(number.x);
@@ -25,10 +27,15 @@ vec3 reflected(tree_hit hit) {
     return hit.back ? albedo.rgb * albedo.a : albedo.rgb;
 }
 
+vec2 number_at(ivec2 path, int number) {
+    return texelFetch(path_numbers, ivec2(path.x, (BOUNCE_NUMBER_RAYS + params.bounces) * path.y + number), 0).rg;
+}
+
 void main() {
-    int i = int(gl_FragCoord.x);
-    vec2 choice = texelFetch(path_numbers, ivec2(i, BOUNCE_ROW_CHOICE), 0).rg;
-    float vpls_per_path = float(params.vpls) / float(params.paths);
+    ivec2 path = ivec2(gl_FragCoord.xy);
+    int i = BOUNCE_ROWS * path.x + path.y;
+    vec2 choice = number_at(path, BOUNCE_NUMBER_CHOICE);
+    float vpls_per_path = float(params.vpls) / float(BOUNCE_ROWS * params.further);
     vpl light = vpl_at(min(int((float(i) + choice.x) * vpls_per_path), params.vpls - 1));
     vec3 place = light.position + params.start * light.normal, axis = light.normal;
     vec3 carried = light.flux * vpls_per_path;
@@ -36,10 +43,11 @@ void main() {
     float pick = choice.y, all = 0.0, left = 0.0;
     int chosen = 0;
     next = vec4(0.0, 0.0, 0.0, -1.0);
-    position = normal = flux = vec4(0.0);
-    for (int bounce = 2; bounce <= params.bounces + 1; bounce++) {
-        vec2 number = texelFetch(path_numbers, ivec2(i, BOUNCE_ROW_RAYS + bounce - 2), 0).rg;
-        vec3 direction = cosine_direction(axis, number);
+    position = vec4(vec3(NOWHERE * params.radius), 0.0);
+    normal = flux = vec4(0.0);
+    int last = path.y == 0 ? params.bounces + 1 : params.bounces;
+    for (int bounce = 2; bounce <= last; bounce++) {
+        vec3 direction = cosine_direction(axis, number_at(path, BOUNCE_NUMBER_RAYS + bounce - 2));
         tree_hit hit = tree_meet(place, direction, goes);
         goes = goes && hit.triangle >= 0;
         if (goes && chosen == bounce - 1)
@@ -56,7 +64,8 @@ void main() {
             bool taken = pick < share;
             pick = taken ? pick / share : (pick - share) / max(1.0 - share, 1e-6);
             if (taken) {
-                position = vec4(met, 0.0);
+                // No packed normal is a float that is not a number.
+                position = vec4(met, uintBitsToFloat(packSnorm4x8(vec4(hit.normal, 0.5))));
                 next.w = -1.0;
                 normal = vec4(hit.normal, 0.0);
                 flux = vec4(carried, 0.0);

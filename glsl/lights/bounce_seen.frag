@@ -2,9 +2,9 @@
 // the eye tells, as what is seen may be thinner than a pixel, and the light may have come from behind it.
 #include "visibility/triangle_tree.glsl"
 #include "lights/bounce_paths.glsl"
+#include "lights/bounce_areas.glsl"
+#include "gather/patch.glsl"
 #include "lib/camera.glsl"
-
-layout(binding = UNIT_PATH_AREAS) uniform sampler2D path_areas; // and powers
 
 layout(location = TARGET_RESULT) out vec4 seen_and_all;
 
@@ -19,9 +19,15 @@ bool is_seen(vec3 from, vec3 to) {
     return shown && hit.triangle >= 0 && abs(hit.distance - apart) < SAME * apart && dot(from - to, hit.normal) > 0.0;
 }
 
+// How much arrives as a patch sends it, and as the path does.
+vec2 arriving(int i) {
+    float apart = path_next(i).w, arrives = apart >= 0.0 ? path_power(i) : 0.0;
+    return arrives > 0.0 ? vec2(arrives * patch_share(apart * apart, path_area(i)), arrives) : vec2(0.0);
+}
+
 void main() {
     int i = int(gl_FragCoord.x);
-    vec2 powers = texelFetch(path_areas, ivec2(i, 0), 0).yz;
+    vec2 powers = arriving(i);
     bool seen = powers.y > 0.0 && is_seen(path_position(i), path_next(i).xyz);
     seen_and_all = vec4(seen ? powers : vec2(0.0), powers);
 }

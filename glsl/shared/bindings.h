@@ -79,7 +79,7 @@
 #define UNIT_EVEN_BLOCKS 45
 #define UNIT_VPL_VALUES 46
 #define UNIT_VPL_VALUE_SUM 47
-#define UNIT_PATHS_SEEN 48
+#define UNIT_PATH_RESULTS 48 /* what the pass before has of each path */
 #define UNIT_SKY 49
 #define UNIT_EMISSION 50 /* a material's texture */
 #define UNIT_GBUFFER_EMISSION 51

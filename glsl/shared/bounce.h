@@ -4,16 +4,24 @@
 
 #include "shared/types.h"
 
-/* A path's row of numbers: which VPL it begins at and where it leaves one, and then the directions of its rays. */
-#define BOUNCE_ROW_CHOICE 0
-#define BOUNCE_ROW_RAYS 1
+/* So many paths share their light out to each VPL: path (i, 0) leaves VPL i, and those of the other rows only light. Textures
+ * of paths have a row for each. */
+#define BOUNCE_ROWS 4
+
+/* So many VPLs share out the light of their paths among them: a multiple of what pixels take at once. */
+#define BOUNCE_POOL 512
+
+/* A path's numbers: which VPL it begins at and where it leaves its light, and then the directions of its rays. */
+#define BOUNCE_NUMBER_CHOICE 0
+#define BOUNCE_NUMBER_RAYS 1
 
 /* How much room a VPL has is told by so many runs of those beside it, of at most so many in all. */
 #define BOUNCE_RUNS 8
 #define BOUNCE_PARTNERS 2048
 
 struct bounce_params {
-    int vpls, paths, bounces;
+    int vpls, further; /* of the first bounce; those that paths leave */
+    int bounces;
     float start;  /* above a VPL of the light's own map, metres */
     float radius; /* of the scene */
     float unused0, unused1, unused2;

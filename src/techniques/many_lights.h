@@ -93,9 +93,9 @@ struct many_lights {
     struct gather_pass gather;
     bool has_near_field; /* clamp=near */
     struct near_field_pass near_field;
-    bool has_detail; /* pixels with few like neighbours gather more */
+    bool has_detail;  /* pixels with few like neighbours gather more */
     int detail_times; /* as the settings have it: of a picture that is not large */
-    bool has_plain;  /* and with a blur along x and y, what needs no care */
+    bool has_plain;   /* and with a blur along x and y, what needs no care */
     struct plain_pass plain;
     struct detail_pass detail;
     struct gather_pass detail_gather;

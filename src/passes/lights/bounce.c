@@ -22,6 +22,8 @@ static bool init_programs(struct bounce_pass *pass) {
         const char *fragment;
     } drawn[] = {{&pass->path_program, "lights/bounce_path.frag"},
                  {&pass->area_program, "lights/bounce_area.frag"},
+                 {&pass->share_program, "lights/bounce_shares.frag"},
+                 {&pass->flux_program, "lights/bounce_flux.frag"},
                  {&pass->seen_program, "lights/bounce_seen.frag"},
                  {&pass->kept_program, "lights/bounce_kept.frag"}};
     for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
@@ -32,27 +34,39 @@ static bool init_programs(struct bounce_pass *pass) {
                         &(struct program_desc){.vertex = "lights/bounce_vpl.vert"});
 }
 
-static bool init_row(struct texture *texture, int count) {
+static bool init_rows(struct texture *texture, int count, int rows, GLenum format) {
     return texture_init(
-        texture,
-        &(struct texture_desc){.label = "paths of light", .format = GL_RGBA32F, .width = count});
+        texture, &(struct texture_desc){
+                     .label = "paths of light", .format = format, .width = count, .height = rows});
+}
+
+static bool init_textures(struct bounce_pass *pass) {
+    int count = pass->desc.count;
+    return init_rows(&pass->positions, count, BOUNCE_ROWS, GL_RGBA32F) &&
+           init_rows(&pass->normals, count, BOUNCE_ROWS, GL_RGBA32F) &&
+           init_rows(&pass->fluxes, count, BOUNCE_ROWS, GL_RGBA32F) &&
+           init_rows(&pass->nexts, count, BOUNCE_ROWS, GL_RGBA32F) &&
+           init_rows(&pass->areas, count, BOUNCE_ROWS, GL_R32F) &&
+           init_rows(&pass->shares, count, BOUNCE_ROWS, GL_RGBA32F) &&
+           init_rows(&pass->shared, count, BOUNCE_ROWS, GL_RGBA32F) &&
+           init_rows(&pass->seen, count, 1, GL_RGBA32F) && init_rows(&pass->kept, 1, 1, GL_RGBA32F);
 }
 
 static bool init_targets(struct bounce_pass *pass) {
-    int count = pass->desc.count;
     struct framebuffer_desc paths = {.label = "paths of light"};
     paths.colors[TARGET_BOUNCE_POSITION] = &pass->positions;
     paths.colors[TARGET_BOUNCE_NORMAL] = &pass->normals;
     paths.colors[TARGET_BOUNCE_FLUX] = &pass->fluxes;
     paths.colors[TARGET_BOUNCE_NEXT] = &pass->nexts;
-    const struct framebuffer_desc areas = {.label = "areas of paths", .colors = {&pass->areas}};
-    const struct framebuffer_desc seen = {.label = "seen light of paths", .colors = {&pass->seen}};
-    const struct framebuffer_desc kept = {.label = "what patches keep", .colors = {&pass->kept}};
-    return init_row(&pass->positions, count) && init_row(&pass->normals, count) &&
-           init_row(&pass->fluxes, count) && init_row(&pass->nexts, count) &&
-           init_row(&pass->areas, count) && init_row(&pass->seen, count) &&
-           init_row(&pass->kept, 1) && framebuffer_init(&pass->path_framebuffer, &paths) &&
+    const struct framebuffer_desc areas = {.label = "areas of paths", .colors = {&pass->areas}},
+                                  shares = {.label = "shares of paths", .colors = {&pass->shares}},
+                                  shared = {.label = "shared light", .colors = {&pass->shared}},
+                                  seen = {.label = "seen light of paths", .colors = {&pass->seen}},
+                                  kept = {.label = "what patches keep", .colors = {&pass->kept}};
+    return init_textures(pass) && framebuffer_init(&pass->path_framebuffer, &paths) &&
            framebuffer_init(&pass->area_framebuffer, &areas) &&
+           framebuffer_init(&pass->share_framebuffer, &shares) &&
+           framebuffer_init(&pass->shared_framebuffer, &shared) &&
            framebuffer_init(&pass->seen_framebuffer, &seen) &&
            framebuffer_init(&pass->kept_framebuffer, &kept);
 }
@@ -60,34 +74,37 @@ static bool init_targets(struct bounce_pass *pass) {
 /* --- numbers of paths ------------------------------------------------------------------------- */
 
 /* VPLs have the dimensions of 2 and 3. The most even ones of those left are the first rays', whatever the bounces. */
-static double number_of(uint32_t i, int row, int axis, int seed) {
+static double number_of(uint32_t i, int number, int axis, int seed) {
     static const uint32_t primes[][2] = {{11, 13}, {5, 7},   {17, 19}, {23, 29}, {31, 37},
                                          {41, 43}, {47, 53}, {59, 61}, {67, 71}};
-    uint32_t base = primes[row][axis];
+    uint32_t base = primes[number][axis];
     return fmod(radical_inverse(base, i) + (seed ? radical_inverse(base, (uint32_t)seed) : 0), 1);
 }
 
 /* Passes of a picture that converges go on in the sequence. */
 static void deal_numbers(struct bounce_pass *pass, int frame_pass) {
-    int count = pass->desc.count, rows = pass->numbers.desc.height;
-    float(*numbers)[2] = mem_alloc((size_t)count * (size_t)rows, sizeof *numbers);
-    for (int row = 0; row < rows; row++)
-        for (int i = 0; i < count; i++)
-            for (int axis = 0; axis < 2; axis++)
-                numbers[row * count + i][axis] =
-                    (float)number_of((uint32_t)frame_pass * (uint32_t)count + (uint32_t)i, row,
-                                     axis, pass->desc.seed);
-    gl.TextureSubImage2D(pass->numbers.id, 0, 0, 0, count, rows, GL_RG, GL_FLOAT, numbers);
+    int count = pass->desc.count, each = BOUNCE_NUMBER_RAYS + pass->desc.bounces;
+    float(*numbers)[2] = mem_alloc((size_t)count * (size_t)(BOUNCE_ROWS * each), sizeof *numbers);
+    for (int row = 0; row < BOUNCE_ROWS; row++)
+        for (int number = 0; number < each; number++)
+            for (int i = 0; i < count; i++)
+                for (int axis = 0; axis < 2; axis++)
+                    numbers[(row * each + number) * count + i][axis] = (float)number_of(
+                        BOUNCE_ROWS * ((uint32_t)frame_pass * (uint32_t)count + (uint32_t)i) +
+                            (uint32_t)row,
+                        number, axis, pass->desc.seed);
+    gl.TextureSubImage2D(pass->numbers.id, 0, 0, 0, count, BOUNCE_ROWS * each, GL_RG, GL_FLOAT,
+                         numbers);
     pass->dealt_pass = frame_pass;
     free(numbers);
 }
 
 static bool init_numbers(struct bounce_pass *pass) {
-    if (!texture_init(&pass->numbers,
-                      &(struct texture_desc){.label = "numbers of paths",
-                                             .format = GL_RG32F,
-                                             .width = pass->desc.count,
-                                             .height = BOUNCE_ROW_RAYS + pass->desc.bounces}))
+    int each = BOUNCE_NUMBER_RAYS + pass->desc.bounces;
+    if (!texture_init(&pass->numbers, &(struct texture_desc){.label = "numbers of paths",
+                                                             .format = GL_RG32F,
+                                                             .width = pass->desc.count,
+                                                             .height = BOUNCE_ROWS * each}))
         return false;
     deal_numbers(pass, 0);
     return true;
@@ -133,12 +150,16 @@ void bounce_pass_free(struct bounce_pass *pass) {
     caster_pool_release_tree(pass->desc.casters, &pass->tree);
     program_free(&pass->path_program);
     program_free(&pass->area_program);
+    program_free(&pass->share_program);
+    program_free(&pass->flux_program);
     program_free(&pass->seen_program);
     program_free(&pass->kept_program);
     program_free(&pass->vpl_program);
     free_albedos(pass);
     framebuffer_free(&pass->path_framebuffer);
     framebuffer_free(&pass->area_framebuffer);
+    framebuffer_free(&pass->share_framebuffer);
+    framebuffer_free(&pass->shared_framebuffer);
     framebuffer_free(&pass->seen_framebuffer);
     framebuffer_free(&pass->kept_framebuffer);
     texture_free(&pass->numbers);
@@ -147,6 +168,8 @@ void bounce_pass_free(struct bounce_pass *pass) {
     texture_free(&pass->fluxes);
     texture_free(&pass->nexts);
     texture_free(&pass->areas);
+    texture_free(&pass->shares);
+    texture_free(&pass->shared);
     texture_free(&pass->seen);
     texture_free(&pass->kept);
     vpl_buffer_free(&pass->vpls);
@@ -159,7 +182,7 @@ void bounce_pass_free(struct bounce_pass *pass) {
 /* Where there is no memory for metaballs that have grown, the old albedos serve: those past their end are black. */
 static void follow(struct bounce_pass *pass, const struct frame *frame, int vpls) {
     struct bounce_params params = {.vpls = vpls,
-                                   .paths = pass->desc.count,
+                                   .further = pass->desc.count,
                                    .bounces = pass->desc.bounces,
                                    .start = start_above * frame->radius,
                                    .radius = frame->radius};
@@ -180,46 +203,49 @@ static struct pass_state state_of(const struct bounce_pass *pass, GLuint program
                      {UNIT_PATH_NORMALS, pass->normals.id},
                      {UNIT_PATH_FLUXES, pass->fluxes.id},
                      {UNIT_PATH_NEXT, pass->nexts.id},
-                     {UNIT_PATH_AREAS, pass->areas.id},
-                     {UNIT_PATHS_SEEN, pass->seen.id}},
+                     {UNIT_PATH_AREAS, pass->areas.id}},
         .blocks = {{BLOCK_PASS, &pass->params}},
     };
 }
 
+static void draw_rows(struct pass_state *state, GLuint framebuffer, int width, int rows) {
+    state->framebuffer = framebuffer;
+    state->width = width;
+    state->height = rows;
+    pass_set_state(state);
+    pass_draw_fullscreen(1);
+}
+
 static void trace_paths(const struct bounce_pass *pass, const struct vpl_buffer *vpls) {
-    pass_set_state(&(struct pass_state){
+    struct pass_state trace = {
         .name = "bounces",
         .program = pass->path_program,
-        .framebuffer = pass->path_framebuffer,
-        .width = pass->desc.count,
-        .height = 1,
         .textures = {{UNIT_VPLS, vpls->texels},
                      {UNIT_TRIANGLE_TREE, pass->tree->texels},
                      {UNIT_TRIANGLE_ALBEDOS, pass->albedo_texels},
                      {UNIT_PATH_NUMBERS, pass->numbers.id}},
         .blocks = {{BLOCK_PASS, &pass->params}},
-    });
-    pass_draw_fullscreen(1);
-}
-
-static void draw_row(struct pass_state *state, GLuint framebuffer, int width) {
-    state->framebuffer = framebuffer;
-    state->width = width;
-    state->height = 1;
-    pass_set_state(state);
-    pass_draw_fullscreen(1);
+    };
+    draw_rows(&trace, pass->path_framebuffer, pass->desc.count, BOUNCE_ROWS);
 }
 
 void bounce_pass_render(struct bounce_pass *pass, const struct frame *frame,
                         const struct vpl_buffer *vpls) {
+    int count = pass->desc.count;
     timer_begin(frame->timers, "bounces");
     follow(pass, frame, vpls->count);
     trace_paths(pass, vpls);
-    struct pass_state areas = state_of(pass, pass->area_program);
-    draw_row(&areas, pass->area_framebuffer, pass->desc.count);
-    struct pass_state leave = state_of(pass, pass->vpl_program);
+    struct pass_state areas = state_of(pass, pass->area_program),
+                      shares = state_of(pass, pass->share_program),
+                      fluxes = state_of(pass, pass->flux_program),
+                      leave = state_of(pass, pass->vpl_program);
+    pass_add_texture(&fluxes, UNIT_PATH_RESULTS, pass->shares.id);
+    pass_add_texture(&leave, UNIT_PATH_RESULTS, pass->shared.id);
+    draw_rows(&areas, pass->area_framebuffer, count, BOUNCE_ROWS);
+    draw_rows(&shares, pass->share_framebuffer, count, BOUNCE_ROWS);
+    draw_rows(&fluxes, pass->shared_framebuffer, count, BOUNCE_ROWS);
     pass_set_state(&leave);
-    pass_feedback(pass->vpls.buffer.id, 0, pass->desc.count);
+    pass_feedback(pass->vpls.buffer.id, 0, count);
     timer_end(frame->timers);
 }
 
@@ -228,8 +254,9 @@ void bounce_pass_find_kept(const struct bounce_pass *pass, const struct frame *f
                       kept = state_of(pass, pass->kept_program);
     pass_add_texture(&seen, UNIT_TRIANGLE_TREE, pass->tree->texels);
     pass_add_block(&seen, BLOCK_VIEW, frame->view);
+    pass_add_texture(&kept, UNIT_PATH_RESULTS, pass->seen.id);
     timer_begin(frame->timers, "bounces");
-    draw_row(&seen, pass->seen_framebuffer, pass->desc.count);
-    draw_row(&kept, pass->kept_framebuffer, 1);
+    draw_rows(&seen, pass->seen_framebuffer, pass->desc.count, 1);
+    draw_rows(&kept, pass->kept_framebuffer, 1, 1);
     timer_end(frame->timers);
 }

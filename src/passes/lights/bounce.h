@@ -1,17 +1,22 @@
 /* Light of further bounces: paths of light leave VPLs where they meet surfaces [Keller 1997, Instant Radiosity].
  *
- * Each of P paths takes an even share of the first bounce's VPLs, and follows it from surface to surface by rays through
- * the scene's triangles (glsl/lights/bounce_path.frag). It leaves one VPL with the light of all its bounces, at one of its
- * surfaces, picked by light: one gather of the picture serves all bounces. What there is of light is right on the mean,
- * whatever the scene is made of: nothing leaks, and nothing is lost between what is near.
+ * Each of 4 P paths takes an even share of the first bounce's VPLs, and follows it from surface to surface by rays through
+ * the scene's triangles (glsl/lights/bounce_path.frag). It leaves the light of all its bounces at one of its surfaces, picked
+ * by light: one gather of the picture serves all bounces. What there is of light is right on the mean, whatever the scene is
+ * made of: nothing leaks, and nothing is lost between what is near.
+ *
+ * Where every fourth has left its light there is a VPL, and VPLs share out the light of the others: a pixel looks at P
+ * places, and what they send is known of 4 P paths, so that the picture is steadier and errs less (bench/STABILITY.md). Pools
+ * of 512 VPLs share out the light of their own paths, by nearness along their surface and like normals [Shepard 1968], not
+ * beyond a quarter of the scene's radius; what is lost so where VPLs are few is given back to those that are alone (glsl/lights/bounce_share.glsl).
  *
  * Pixels take the VPLs as patches (glsl/gather/patch.glsl), which lose light where surfaces are small or crooked. What
- * they keep of it is told by how far each path's light goes from its VPL, of those whose light goes to what the camera
+ * they keep of it is told by how far the light of a VPL's own path goes from there, of those whose light goes to what the camera
  * sees, and what is lost is given back to all pixels alike.
  *
- * A path's numbers depend on no light and no camera, so that a frame depends on its time alone. Cost: P rays for each
- * bounce, and two, one of them for each view; and P places of others for each VPL's area, at most BOUNCE_PARTNERS. A
- * triangle has one colour to paths.
+ * A path's numbers depend on no light and no camera, so that a frame depends on its time alone. Cost: 4 P rays for each
+ * bounce, and 2 P, half of them for each view; for each VPL the places of others, at most BOUNCE_PARTNERS, for its area, and
+ * twice those of its pool's paths. A triangle has one colour to paths.
  */
 #ifndef PASSES_BOUNCE_H
 #define PASSES_BOUNCE_H
@@ -32,17 +37,21 @@ struct bounce_desc {
 
 struct bounce_pass {
     struct bounce_desc desc;
-    GLuint path_program, area_program, seen_program, kept_program, vpl_program;
+    GLuint path_program, area_program, share_program, flux_program, vpl_program;
+    GLuint seen_program, kept_program;
     const struct caster_tree *tree;
     struct buffer albedos; /* struct triangle_albedo of each triangle */
     GLuint albedo_texels;
     unsigned laid_out;      /* the geometry's, that they are of */
-    struct texture numbers; /* P x (1 + bounces), RG32F: shared/bounce.h */
+    struct texture numbers; /* P x 4 (1 + bounces), RG32F: shared/bounce.h */
     int dealt_pass;         /* that they are those of */
-    struct texture positions, normals, fluxes, nexts, areas; /* P x 1, RGBA32F: what paths leave */
-    struct texture seen;                                     /* P x 1, RGBA32F, of the last view */
-    struct texture kept;                                     /* a pixel, likewise */
-    GLuint path_framebuffer, area_framebuffer, seen_framebuffer, kept_framebuffer;
+    struct texture positions, normals, fluxes, nexts; /* P x 4, RGBA32F: what paths leave */
+    struct texture areas, shares;                     /* P x 4, R32F */
+    struct texture shared;                            /* P x 4, RGBA32F: light, shared out */
+    struct texture seen;                              /* P x 1, RGBA32F, of the last view */
+    struct texture kept;                              /* a pixel, likewise */
+    GLuint path_framebuffer, area_framebuffer, share_framebuffer, shared_framebuffer;
+    GLuint seen_framebuffer, kept_framebuffer;
     struct vpl_buffer vpls; /* C(i) = 0 */
     struct buffer params;
 };
