@@ -61,7 +61,7 @@ static const struct option table[] = {
              "arrives in sum,\n"
              "by which lookups are corrected: of visibility=ray alone, and up to a million "
              "triangles, or\n"
-             "20000 where something moves; 0 = none"},
+             "20000 where something moves; of several bounces four times as many; 0 = none"},
     {"visibility-block", 0, OPTION_INT, ROW(visibility_block), 7, 0, 64,
      .help = "pixels a side of a block that shares its visibility; 0 = each looks itself up;\n"
              "blocks that are no multiple of interleave blur better; above 400x400 they grow\n"
@@ -157,12 +157,18 @@ static enum gather_clamp clamp_of_tests(enum gather_clamp clamp) {
     return clamp == GATHER_CLAMP_NEAR || clamp == GATHER_CLAMP_PATCH ? clamp : GATHER_CLAMP_DISK;
 }
 
+/* What maps have too much of one bounce, further bounces have beside their own, and a frame of them can pay for more. */
+static int tests_of_val(const struct settings *settings) {
+    const struct vals_settings *own = settings_of(settings, &vals_part);
+    const struct lights_settings *lights = settings_of(settings, &lights_part);
+    return own->ray_tests * (lights->bounces > 1 ? 4 : 1);
+}
+
 static bool init_calibration(struct val_set *set, const struct technique_desc *desc,
                              const struct set_desc *of) {
-    const struct vals_settings *own = settings_of(desc->settings, &vals_part);
     struct calibration_desc calibration = {
         .vpl_count = of->vpl_count,
-        .tests = own->ray_tests * of->val_count,
+        .tests = tests_of_val(desc->settings) * of->val_count,
         .clamp = clamp_of_tests(of->clamp),
         .visibility =
             many_lights_lookup(desc->settings, VISIBILITY_LOOKUP_RAY, set->visibility.map_count),
