@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 static char output[4096];
@@ -118,11 +119,38 @@ static void test_limits(void **state) {
     free(nothing);
 }
 
+/* Pages that the system had to hand out while 128 MiB were allocated piece by piece, written to and freed. */
+static long pages_of_pieces(void) {
+    enum { PIECES = 2048, PIECE = 64 << 10 };
+    static void *pieces[PIECES];
+    struct rusage before, after;
+    getrusage(RUSAGE_SELF, &before);
+    for (int i = 0; i < PIECES; i++)
+        memset(pieces[i] = mem_alloc(PIECE, 1), i, PIECE);
+    for (int i = PIECES - 1; i >= 0; i--)
+        free(pieces[i]);
+    getrusage(RUSAGE_SELF, &after);
+    return after.ru_minflt - before.ru_minflt;
+}
+
+/* A software rasteriser asks for as much each frame. */
+static void test_keep_freed(void **state) {
+    (void)state;
+#ifdef __SANITIZE_ADDRESS__
+    skip(); /* which has an allocator of its own */
+#endif
+    mem_keep_freed();
+    long first = pages_of_pieces(), second = pages_of_pieces();
+    printf("    pages: at first %ld, then %ld\n", first, second);
+    check_at_most("pages anew, over those at first", (double)second / (double)first, .1);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_limits),
         cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_sums),
+        cmocka_unit_test(test_keep_freed),
     };
     return cmocka_run_group_tests_name("memory", tests, NULL, NULL);
 }

@@ -4,6 +4,9 @@
 #include "base/error.h"
 
 #include <inttypes.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -89,6 +92,14 @@ static void *checked(void *pointer, size_t count, size_t size) {
         return pointer;
     fprintf(stderr, "manylight: out of memory (%zu x %zu bytes)\n", count, size);
     _exit(1); /* other threads may be at work, so nothing is torn down */
+}
+
+void mem_keep_freed(void) {
+#ifdef __GLIBC__
+    mallopt(M_TRIM_THRESHOLD, 256 << 20);
+    mallopt(M_MMAP_THRESHOLD,
+            32 << 20); /* to where it would have grown, had the other been left alone */
+#endif
 }
 
 void *mem_alloc(size_t count, size_t size) {

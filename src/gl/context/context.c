@@ -67,6 +67,9 @@ static bool load(struct context *context, void *(*getproc)(const char *name), bo
     make_empty_objects(&context->api);
     context->api.programs = program_cache_create();
     context->api.software = is_software((const char *)context->api.GetString(GL_RENDERER));
+    /* A software rasteriser frees tens of MiB of triangles at the end of what it draws, and asks for them again. */
+    if (context->api.software)
+        mem_keep_freed();
     gl = context->api;
     current = context;
     if (debug)
