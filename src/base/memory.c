@@ -97,8 +97,8 @@ static void *checked(void *pointer, size_t count, size_t size) {
 void mem_keep_freed(void) {
 #ifdef __GLIBC__
     mallopt(M_TRIM_THRESHOLD, 256 << 20);
-    mallopt(M_MMAP_THRESHOLD,
-            32 << 20); /* to where it would have grown, had the other been left alone */
+    /* To where it would have grown, had the other been left alone. */
+    mallopt(M_MMAP_THRESHOLD, 32 << 20);
 #endif
 }
 

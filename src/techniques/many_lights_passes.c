@@ -147,6 +147,8 @@ static const struct texture *plain_pixels(const struct many_lights *lights) {
 static bool init_detail(struct many_lights *lights, const struct technique_desc *desc, int block) {
     const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
     const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
+    if (!lights->has_detail)
+        return true;
     struct gather_desc gather_desc = lights->gather.desc;
     struct detail_desc detail = {
         .width = desc->width,
@@ -166,8 +168,6 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     gather_desc.list_slots[LIST_FURTHER] = gather->further_points ? 1 : 0;
     fit_listed(&gather_desc, gather->detail_times);
     lights->detail_times = gather->detail_times;
-    if (!lights->has_detail)
-        return true;
     if (!init_plain(lights, desc, &detail))
         return false;
     detail.plain = plain_pixels(lights);
