@@ -124,10 +124,6 @@ struct many_lights_visibility {
 struct visibility_desc many_lights_lookup(const struct settings *settings,
                                           enum visibility_lookup lookup, int map_count);
 
-/* How many times as long as 400 pixels a picture's side is, and 1 up to that: things are seen by as many more pixels,
- * which may share more. */
-float many_lights_growth(int width, int height);
-
 /* As technique->check: each place of the pattern takes one VPL at least. */
 bool many_lights_check(const struct settings *settings);
 

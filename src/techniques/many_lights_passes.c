@@ -55,7 +55,9 @@ static int blur_radius(const struct settings *settings) {
     return blur->radius < 0 ? gather->interleave / 2 : blur->radius;
 }
 
-float many_lights_growth(int width, int height) {
+/* How many times as long as 400 pixels a picture's side is, and 1 up to that: things are seen by as many more pixels,
+ * which may share more. */
+static float growth_of(int width, int height) {
     static const float side = 400;
     return fmaxf(sqrtf((float)width * (float)height) / side, 1);
 }
@@ -63,7 +65,7 @@ float many_lights_growth(int width, int height) {
 /* What is seen of a thing errs as little where more pixels show it: those of large pictures take fewer lights, ask for
  * fewer of them, and take half of the near samples, which are what they err by least (bench/TRIED.md). */
 static float share_of_large(int width, int height) {
-    float growth = many_lights_growth(width, height);
+    float growth = growth_of(width, height);
     return 1 / (growth * growth);
 }
 
@@ -78,7 +80,7 @@ static int detail_slots(const struct gather_desc *listed, int detail_times) {
  * pictures up to twice as many have to. Of rectangles, which each stand for several VPLs and whose answers nothing
  * blurs, there are fewer. */
 static int asked_together(const struct gather_desc *desc) {
-    float growth = fminf(many_lights_growth(desc->width, desc->height), 2);
+    float growth = fminf(growth_of(desc->width, desc->height), 2);
     return desc->clamp >= GATHER_CLAMP_RECTANGLE ? 4 : (int)(12 * growth);
 }
 

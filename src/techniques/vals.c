@@ -2,8 +2,6 @@
 
 #include "scene/animation.h"
 
-#include <math.h>
-
 enum visibility_kind {
     VISIBILITY_CSSM,
     VISIBILITY_HARD,
@@ -64,8 +62,7 @@ static const struct option table[] = {
              "20000 where something moves; of several bounces four times as many; 0 = none"},
     {"visibility-block", 0, OPTION_INT, ROW(visibility_block), 7, 0, 64,
      .help = "pixels a side of a block that shares its visibility; 0 = each looks itself up;\n"
-             "blocks that are no multiple of interleave blur better; above 400x400 they grow\n"
-             "as the root of the picture's sides"},
+             "blocks that are no multiple of interleave blur better"},
     {NULL},
 };
 
@@ -129,20 +126,14 @@ static bool init_maps(struct val_set *set, const struct technique_desc *desc) {
                                                            }));
 }
 
-/* Shadows are soft, but not all: blocks grow less than what they show. */
-static int block_side(int block, int width, int height) {
-    return (int)roundf((float)block * sqrtf(many_lights_growth(width, height)));
-}
-
 static bool init_blocks(struct block_visibility_pass *blocks, const struct val_set *set, int width,
                         int height) {
-    return set->block == 0 ||
-           block_visibility_pass_init(blocks, &(struct block_visibility_desc){
-                                                  .width = width,
-                                                  .height = height,
-                                                  .block = block_side(set->block, width, height),
-                                                  .visibility = set->visibility,
-                                              });
+    return set->block == 0 || block_visibility_pass_init(blocks, &(struct block_visibility_desc){
+                                                                     .width = width,
+                                                                     .height = height,
+                                                                     .block = set->block,
+                                                                     .visibility = set->visibility,
+                                                                 });
 }
 
 /* Rays need a tree of all triangles, which is planted at load, and anew for each pose: a second for each 150,000. */
