@@ -131,10 +131,8 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
                       const struct many_lights_visibility *visibility);
 void many_lights_free(struct many_lights *lights);
 
-/* As technique->resize; as technique->contribution, below: of a state that begins with its many_lights, and without
- * blocks, which are else as many_lights_visibility has them. */
+/* As technique->resize; as technique->contribution, below: of a state that begins with its many_lights. */
 bool many_lights_resize(void *state, int width, int height);
-bool many_lights_resize_with(struct many_lights *lights, int width, int height, int block);
 
 /* The casters that the settings ask for. */
 struct caster_desc many_lights_caster(const struct settings *settings);

@@ -106,6 +106,8 @@ static void fit_blur(struct blur_desc *blur, const struct gather_desc *listed, i
     }
 }
 
+/* --- passes --- */
+
 /* The side of the one block that speaks for a pixel; 0: there is none, as of rectangles, where several do. */
 static int block_of_pixel(const struct gather_desc *gather, int block) {
     return gather->clamp >= GATHER_CLAMP_RECTANGLE ? 0 : block;
@@ -116,8 +118,6 @@ static int plain_radius(int blur, const struct detail_desc *detail) {
     int nearest = (detail->block + 1) / 2, around = blur > detail->radius ? blur : detail->radius;
     return around > nearest ? around : nearest;
 }
-
-/* --- passes --- */
 
 static int detail_radius(const struct settings *settings) {
     int radius = blur_radius(settings);
@@ -380,7 +380,7 @@ void many_lights_free(struct many_lights *lights) {
 
 /* What is as large as the picture. */
 static bool init_sized(struct many_lights *fresh, const struct many_lights *old, int width,
-                       int height, int block) {
+                       int height) {
     struct gather_desc gather = old->gather.desc, listed = old->detail_gather.desc;
     struct detail_desc detail = old->detail.desc;
     struct gather_desc gloss_gather = old->gloss_gather.desc;
@@ -390,13 +390,11 @@ static bool init_sized(struct many_lights *fresh, const struct many_lights *old,
     gather.height = listed.height = detail.height = blur.height = plain.height = height;
     gloss_gather.width = gloss_blur.width = width;
     gloss_gather.height = gloss_blur.height = height;
-    detail.block = block_of_pixel(&gather, block);
     if (gather.together > 0)
         gather.together = asked_together(&gather);
     if (old->has_detail)
         fit_listed(&listed, old->detail_times);
     fit_blur(&blur, &listed, gather.interleave);
-    plain.radius = plain_radius(blur.radius, &detail);
     fresh->has_plain = old->has_plain;
     detail.plain = blur.plain = plain_pixels(fresh);
     return gather_pass_init(&fresh->gather, &gather) &&
@@ -418,9 +416,10 @@ static void free_sized(struct many_lights *lights) {
     blur_pass_free(&lights->blur);
 }
 
-bool many_lights_resize_with(struct many_lights *lights, int width, int height, int block) {
+bool many_lights_resize(void *state, int width, int height) {
+    struct many_lights *lights = state;
     struct many_lights fresh = {0};
-    if (!init_sized(&fresh, lights, width, height, block)) {
+    if (!init_sized(&fresh, lights, width, height)) {
         free_sized(&fresh);
         return false;
     }
@@ -434,8 +433,4 @@ bool many_lights_resize_with(struct many_lights *lights, int width, int height, 
     lights->blur = fresh.blur;
     fit_near_field(&lights->near_field.desc, &lights->detail_gather.desc);
     return true;
-}
-
-bool many_lights_resize(void *state, int width, int height) {
-    return many_lights_resize_with(state, width, height, 0);
 }

@@ -296,7 +296,7 @@ bool vals_resize(struct vals *vals, struct many_lights *lights, int width, int h
     struct block_visibility_pass first = {0}, further = {0};
     if (!init_blocks(&first, &vals->first, width, height) ||
         !init_blocks(&further, &vals->further, width, height) ||
-        !many_lights_resize_with(lights, width, height, first.desc.block)) {
+        !many_lights_resize(lights, width, height)) {
         block_visibility_pass_free(&first);
         block_visibility_pass_free(&further);
         return false;
