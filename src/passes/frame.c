@@ -95,10 +95,22 @@ void rsm_add(struct pass_state *state, const struct gbuffer rsm[LIGHT_MAP_KINDS]
     }
 }
 
-int frame_target_views(const struct frame *frame, GLuint program, int kind) {
-    int first = kind == LIGHT_MAP_FACE ? frame->layout.views[LIGHT_MAP_SINGLE] : 0;
+/* Rounding where culling and the driver clip, ndc. */
+static const float clip_margin = 1e-3F;
+
+struct draw_views frame_camera_views(const struct frame *frame, int layers, float margin) {
+    return (struct draw_views){
+        .count = layers, .first = frame->camera, .margin = clip_margin + margin};
+}
+
+struct draw_views frame_light_views(const struct frame *frame, GLuint program, int kind) {
+    bool faces = kind == LIGHT_MAP_FACE; /* which see all around */
+    int first = faces ? frame->layout.views[LIGHT_MAP_SINGLE] : 0;
     gl.ProgramUniform1i(program, LOCATION_FIRST_VIEW, first);
-    return frame->layout.views[kind];
+    return (struct draw_views){.count = frame->layout.views[kind],
+                               .first = faces ? NULL : &frame->light_block->views[0].view,
+                               .stride = sizeof *frame->light_block->views,
+                               .margin = clip_margin};
 }
 
 static bool init_map_layer(struct texture *texture, const char *label, const char *part,

@@ -18,6 +18,7 @@
 struct frame {
     struct timers *timers;
     const struct buffer *view; /* for BLOCK_VIEW */
+    const struct view *camera; /* what it holds */
     /* For direct light those that shine, for a technique those that reflected light starts from: */
     const struct buffer *lights; /* for BLOCK_LIGHTS */
     const struct scene_gpu *scene;
@@ -200,8 +201,11 @@ struct contribution {
     const struct texture *in_scatter, *transmittance; /* both or none */
 };
 
-/* Sets what lib/light_target.glsl needs to draw views of that kind; returns how many there are. */
-int frame_target_views(const struct frame *frame, GLuint program, int kind);
+/* The camera's view, of that many layers; the margin is draw_views'. */
+struct draw_views frame_camera_views(const struct frame *frame, int layers, float margin);
+
+/* Sets what lib/light_target.glsl needs to draw the lights' views of that kind, and returns them. */
+struct draw_views frame_light_views(const struct frame *frame, GLuint program, int kind);
 
 struct gbuffer_desc {
     const char *label;

@@ -51,6 +51,7 @@ struct frame renderer_frame(struct renderer *renderer) {
     struct frame frame = {
         .timers = &renderer->timers,
         .view = &renderer->view_buffer,
+        .camera = &renderer->camera_view,
         .lights = &renderer->start_buffer,
         .scene = &renderer->scene,
         .emitters = &renderer->start_emitters,

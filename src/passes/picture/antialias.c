@@ -171,15 +171,19 @@ static void render_samples(const struct antialias_pass *pass, const struct frame
     };
     pass_begin(frame->timers, &state);
     framebuffer_clear_depth(pass->sample_framebuffer, 0);
-    scene_gpu_draw_solid(frame->scene, true, pass->layers);
+    /* Layers are moved by half a pixel at most. */
+    float margin =
+        1 / (float)(pass->desc.width < pass->desc.height ? pass->desc.width : pass->desc.height);
+    struct draw_views views = frame_camera_views(frame, pass->layers, margin);
+    scene_gpu_draw_solid(frame->scene, true, &views);
     state.cull = PASS_CULL_BACK;
     pass_set_state(&state);
-    scene_gpu_draw_solid(frame->scene, false, pass->layers);
+    scene_gpu_draw_solid(frame->scene, false, &views);
     if (frame->scene->has_masked) {
         state.cull = PASS_CULL_NONE;
         state.program = pass->masked_program;
         pass_set_state(&state);
-        scene_gpu_draw_masked(frame->scene, pass->layers);
+        scene_gpu_draw_masked(frame->scene, &views);
     }
     pass_end(frame->timers);
 }

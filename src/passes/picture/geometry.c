@@ -30,7 +30,7 @@ void geometry_pass_free(struct geometry_pass *pass) {
 
 /* What is seen, and by which program, is in the state that comes in. */
 static void render(struct pass_state state, const struct frame *frame,
-                   const struct gbuffer *gbuffer, int views) {
+                   const struct gbuffer *gbuffer, struct draw_views views) {
     static const float zero[4] = {0};
     state.framebuffer = gbuffer->framebuffer;
     state.vertex_array = frame->scene->shaded_vertices;
@@ -45,7 +45,7 @@ static void render(struct pass_state state, const struct frame *frame,
     if (gbuffer->gloss.id)
         framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_GLOSS, zero);
     framebuffer_clear_depth(gbuffer->framebuffer, 0);
-    scene_gpu_draw_shaded(frame->scene, views);
+    scene_gpu_draw_shaded(frame->scene, &views);
 }
 
 void geometry_pass_render_camera(const struct geometry_pass *pass, const struct frame *frame,
@@ -54,7 +54,7 @@ void geometry_pass_render_camera(const struct geometry_pass *pass, const struct 
     render((struct pass_state){.name = "gbuffer",
                                .program = pass->camera_program,
                                .blocks = {{BLOCK_VIEW, frame->view}}},
-           frame, gbuffer, 1);
+           frame, gbuffer, frame_camera_views(frame, 1, 0));
     timer_end(frame->timers);
 }
 
@@ -65,6 +65,6 @@ void geometry_pass_render_lights(const struct geometry_pass *pass, const struct 
     timer_begin(frame->timers, "rsm");
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
         if (frame->layout.views[kind])
-            render(state, frame, &rsm[kind], frame_target_views(frame, state.program, kind));
+            render(state, frame, &rsm[kind], frame_light_views(frame, state.program, kind));
     timer_end(frame->timers);
 }

@@ -145,6 +145,7 @@ static bool init_geometry(struct scene_gpu *gpu, const struct geometry *geometry
                      geometry->indices))
         return false;
     make_vertex_array(gpu);
+    culling_init(&gpu->culling, geometry);
     return true;
 }
 
@@ -155,6 +156,7 @@ static void free_geometry(struct scene_gpu *gpu) {
     buffer_free(&gpu->uvs);
     buffer_free(&gpu->colors);
     buffer_free(&gpu->indices);
+    culling_free(&gpu->culling);
     free(gpu->batches);
     gpu->batches = NULL;
 }
@@ -220,6 +222,8 @@ bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry) {
             update_vertices(gpu, part, geometry);
         if (part->rewound > seen)
             update_indices(gpu, part, geometry);
+        if (part->moved > seen)
+            culling_measure(&gpu->culling, geometry, part->first_index, part->index_room);
     }
     return true;
 }
@@ -262,9 +266,12 @@ void scene_gpu_set_glow(struct scene_gpu *gpu, const struct emitters *emitters, 
 
 /* --- drawing ---------------------------------------------------------------------------------- */
 
-static void draw_indices(uint32_t first, uint32_t count, int instances) {
-    gl.DrawElementsInstanced(GL_TRIANGLES, (GLsizei)count, GL_UNSIGNED_INT,
-                             (const void *)(uintptr_t)(first * sizeof(uint32_t)), instances);
+static void draw_indices(const struct scene_gpu *gpu, uint32_t first, uint32_t count,
+                         const struct draw_views *views) {
+    uint32_t at = first, end = first + count;
+    while (culling_next(&gpu->culling, views, &at, end, &first, &count))
+        gl.DrawElementsInstanced(GL_TRIANGLES, (GLsizei)count, GL_UNSIGNED_INT,
+                                 (const void *)(uintptr_t)(first * sizeof(uint32_t)), views->count);
 }
 
 void scene_gpu_bind_material(const struct scene_gpu *gpu, int material) {
@@ -288,32 +295,32 @@ void scene_gpu_bind_material(const struct scene_gpu *gpu, int material) {
 }
 
 static void draw_batch(const struct scene_gpu *gpu, const struct geometry_batch *batch,
-                       int instances) {
+                       const struct draw_views *views) {
     scene_gpu_bind_material(gpu, batch->material);
-    draw_indices(batch->first_index, batch->index_count, instances);
+    draw_indices(gpu, batch->first_index, batch->index_count, views);
 }
 
-void scene_gpu_draw_shaded(const struct scene_gpu *gpu, int instances) {
+void scene_gpu_draw_shaded(const struct scene_gpu *gpu, const struct draw_views *views) {
     for (int i = 0; i < gpu->batch_count; i++)
-        draw_batch(gpu, &gpu->batches[i], instances);
+        draw_batch(gpu, &gpu->batches[i], views);
 }
 
-void scene_gpu_draw_masked(const struct scene_gpu *gpu, int instances) {
+void scene_gpu_draw_masked(const struct scene_gpu *gpu, const struct draw_views *views) {
     for (int i = 0; i < gpu->batch_count; i++)
         if (gpu->scene->materials[gpu->batches[i].material].alpha_mask)
-            draw_batch(gpu, &gpu->batches[i], instances);
+            draw_batch(gpu, &gpu->batches[i], views);
 }
 
-void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided, int instances) {
+void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided,
+                          const struct draw_views *views) {
     for (int i = 0; i < gpu->batch_count; i++) {
         const struct geometry_batch *batch = &gpu->batches[i];
         const struct material *material = &gpu->scene->materials[batch->material];
         if (!material->alpha_mask && material->double_sided == double_sided)
-            draw_indices(batch->first_index, batch->index_count, instances);
+            draw_indices(gpu, batch->first_index, batch->index_count, views);
     }
 }
 
-void scene_gpu_draw_opaque(const struct scene_gpu *gpu, int instances) {
-    if (gpu->opaque_indices)
-        draw_indices(0, gpu->opaque_indices, instances);
+void scene_gpu_draw_opaque(const struct scene_gpu *gpu, const struct draw_views *views) {
+    draw_indices(gpu, 0, gpu->opaque_indices, views);
 }

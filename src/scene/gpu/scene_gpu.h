@@ -6,6 +6,7 @@
 #include "gl/buffer.h"
 #include "gl/texture.h"
 #include "scene/emitter.h"
+#include "scene/gpu/culling.h"
 #include "scene/mesh/geometry.h"
 
 struct scene_gpu {
@@ -21,6 +22,7 @@ struct scene_gpu {
     int batch_count;
     bool has_masked; /* batches with an alpha mask */
     uint32_t opaque_indices;
+    struct culling culling;
     unsigned pose;             /* of the geometry, that was uploaded last */
     int16_t (*normal_room)[4]; /* for the conversion of a part's */
     uint32_t normal_room_size;
@@ -40,13 +42,14 @@ void scene_gpu_free(struct scene_gpu *gpu);
 void scene_gpu_set_glow(struct scene_gpu *gpu, const struct emitters *emitters, bool unlit_too,
                         float scale);
 
-/* With vertex array shaded_vertices: all batches; those with an alpha mask; the others with one
- * side or two; all others at once, for depth alone. The first two bind BLOCK_MATERIAL and
+/* With vertex array shaded_vertices, what the views may see of: all batches; those with an alpha mask;
+ * the others with one side or two; all others, for depth alone. The first two bind BLOCK_MATERIAL and
  * the textures. */
-void scene_gpu_draw_shaded(const struct scene_gpu *gpu, int instances);
-void scene_gpu_draw_masked(const struct scene_gpu *gpu, int instances);
-void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided, int instances);
-void scene_gpu_draw_opaque(const struct scene_gpu *gpu, int instances);
+void scene_gpu_draw_shaded(const struct scene_gpu *gpu, const struct draw_views *views);
+void scene_gpu_draw_masked(const struct scene_gpu *gpu, const struct draw_views *views);
+void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided,
+                          const struct draw_views *views);
+void scene_gpu_draw_opaque(const struct scene_gpu *gpu, const struct draw_views *views);
 
 /* Binds BLOCK_MATERIAL and the textures that it has: UNIT_BASE_COLOR, UNIT_EMISSION,
  * UNIT_METAL_ROUGHNESS, UNIT_NORMAL_MAP. */

@@ -1,0 +1,97 @@
+#include "scene/gpu/culling.h"
+
+#include "base/memory.h"
+
+#include <cglm/cglm.h>
+#include <float.h>
+#include <stdlib.h>
+
+/* Indices of a run. Fewer follow what is seen more closely, and are more draws. */
+enum { RUN = 3 * 128 };
+
+static uint32_t least(uint32_t a, uint32_t b) {
+    return a < b ? a : b;
+}
+
+static void measure_run(const struct culling *culling, const struct geometry *geometry,
+                        uint32_t run) {
+    float *low = culling->boxes[run][0], *high = culling->boxes[run][1];
+    glm_vec3_broadcast(FLT_MAX, low);
+    glm_vec3_broadcast(-FLT_MAX, high);
+    for (uint32_t k = run * RUN; k < least((run + 1) * RUN, geometry->index_count); k++) {
+        float *position = geometry->position[geometry->indices[k]];
+        glm_vec3_minv(low, position, low);
+        glm_vec3_maxv(high, position, high);
+    }
+}
+
+void culling_init(struct culling *culling, const struct geometry *geometry) {
+    culling->runs = (geometry->index_count + RUN - 1) / RUN;
+    culling->boxes = mem_alloc(culling->runs, sizeof *culling->boxes);
+    culling_measure(culling, geometry, 0, geometry->index_count);
+}
+
+void culling_free(struct culling *culling) {
+    free(culling->boxes);
+    *culling = (struct culling){0};
+}
+
+void culling_measure(const struct culling *culling, const struct geometry *geometry, uint32_t first,
+                     uint32_t count) {
+    for (uint32_t run = first / RUN; run * RUN < first + count; run++)
+        measure_run(culling, geometry, run);
+}
+
+/* Of what is seen -w <= x, y <= w and 0 <= z <= w in clip space [Gribb and Hartmann 2001]. */
+static void view_planes(const struct view *view, float margin, float planes[6][4]) {
+    for (int c = 0; c < 4; c++) {
+        const float *column = view->world_to_clip[c];
+        for (int axis = 0; axis < 3; axis++) {
+            float low = axis < 2 ? 1 : 0;
+            planes[2 * axis][c] = (low + margin) * column[3] + column[axis];
+            planes[2 * axis + 1][c] = (1 + margin) * column[3] - column[axis];
+        }
+    }
+}
+
+/* How far the box reaches before the plane, at most. */
+static float reach(const float plane[4], float (*box)[3]) {
+    float sum = plane[3];
+    for (int c = 0; c < 3; c++)
+        sum += plane[c] * box[plane[c] > 0][c];
+    return sum;
+}
+
+static bool view_sees(const struct view *view, float margin, float (*box)[3]) {
+    float planes[6][4];
+    view_planes(view, margin, planes);
+    for (int i = 0; i < 6; i++)
+        if (reach(planes[i], box) < 0)
+            return false;
+    return true;
+}
+
+static bool views_see(const struct draw_views *views, float (*box)[3]) {
+    int count = views->stride ? views->count : 1;
+    if (!views->first)
+        return true;
+    for (int i = 0; i < count; i++) {
+        const char *view = (const char *)views->first + (size_t)i * views->stride;
+        if (view_sees((const struct view *)view, views->margin, box))
+            return true;
+    }
+    return false;
+}
+
+bool culling_next(const struct culling *culling, const struct draw_views *views, uint32_t *at,
+                  uint32_t end, uint32_t *first, uint32_t *count) {
+    uint32_t next = *at;
+    while (next < end && !views_see(views, culling->boxes[next / RUN]))
+        next = (next / RUN + 1) * RUN;
+    *first = next;
+    while (next < end && views_see(views, culling->boxes[next / RUN]))
+        next = (next / RUN + 1) * RUN;
+    *at = least(next, end);
+    *count = *at - least(*first, end);
+    return *count > 0;
+}

@@ -1,0 +1,167 @@
+/* What view frustum culling leaves out: nothing that is seen, by all triangles one by one and by pictures, and much of what is
+ * not. */
+#include "render_support.h"
+
+#include "base/memory.h"
+#include "scene/gpu/culling.h"
+
+#include <cglm/cglm.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- triangles -------------------------------------------------------------------------------- */
+
+/* Whether all three corners lie beyond one plane of clip space. */
+static bool is_beside(const struct view *view, const struct geometry *geometry, uint32_t triangle) {
+    int beyond = 63;
+    for (int k = 0; k < 3; k++) {
+        vec4 corner = {0, 0, 0, 1}, at;
+        glm_vec3_copy(geometry->position[geometry->indices[3 * triangle + (uint32_t)k]], corner);
+        glm_mat4_mulv((vec4 *)view->world_to_clip, corner, at);
+        beyond &= (at[0] < -at[3]) | (at[0] > at[3]) << 1 | (at[1] < -at[3]) << 2 |
+                  (at[1] > at[3]) << 3 | (at[2] < 0) << 4 | (at[2] > at[3]) << 5;
+    }
+    return beyond != 0;
+}
+
+/* The share of the triangles that a draw leaves out, of which no view sees one. */
+static double left_out(const struct culling *culling, const struct geometry *geometry,
+                       const struct draw_views *views) {
+    uint32_t triangles = geometry->index_count / 3, drawn = 0, at = 0, before = 0, first, count;
+    bool *is_drawn = mem_alloc(triangles, sizeof *is_drawn);
+    while (culling_next(culling, views, &at, geometry->index_count, &first, &count)) {
+        assert_true(first >= before && first % 3 == 0 && count % 3 == 0);
+        for (uint32_t i = first / 3; i < (first + count) / 3; i++)
+            is_drawn[i] = true;
+        drawn += count / 3;
+        before = first + count;
+    }
+    assert_true(before <= geometry->index_count);
+    for (uint32_t i = 0; i < triangles; i++)
+        for (int v = 0; v < views->count && !is_drawn[i]; v++) {
+            const char *view = (const char *)views->first + (size_t)v * views->stride;
+            assert_true(is_beside((const struct view *)view, geometry, i));
+        }
+    free(is_drawn);
+    return 1 - drawn / (double)triangles;
+}
+
+/* A perspective view from near the scene's middle. */
+static void look(struct view *view, const struct stage *stage, float angle, float fov) {
+    static const float up[3] = {0, 1, 0};
+    struct camera camera = {.fov_y = fov};
+    vec3 forward = {cosf(angle), -.2F, sinf(angle)}, eye;
+    glm_vec3_copy((float *)stage->geometry.center, eye);
+    glm_vec3_muladds(forward, -.2F * stage->geometry.radius, eye);
+    camera_look(&camera, eye, forward, up);
+    view_of_camera(view, &camera, &stage->geometry, 1);
+}
+
+/* A directional light's. */
+static void look_along(struct view *view, const struct stage *stage) {
+    struct emitter sun = {.type = EMITTER_DIRECTIONAL,
+                          .direction = {.6F, -.8F, 0},
+                          .right = {.8F, .6F, 0},
+                          .up = {0, 0, 1}};
+    view_of_directional(view, &sun, &stage->geometry);
+}
+
+static const float margin = 1e-3F; /* as frames have it */
+
+static void check_views(const struct stage *stage, const struct culling *culling) {
+    enum { VIEWS = 6 };
+    struct view views[VIEWS], sun;
+    const struct geometry *geometry = &stage->geometry;
+    double least = 1, most = 0;
+    for (int i = 0; i < VIEWS; i++) {
+        look(&views[i], stage, (float)i, .2F + .2F * (float)i);
+        struct draw_views one = {.count = 1, .first = &views[i], .margin = margin};
+        double share = left_out(culling, geometry, &one);
+        least = fmin(least, share);
+        most = fmax(most, share);
+    }
+    look_along(&sun, stage);
+    struct draw_views layers = {.count = 3, .first = views, .margin = margin};
+    struct draw_views three = {3, views, sizeof *views, margin};
+    struct draw_views along = {.count = 1, .first = &sun, .margin = margin};
+    struct draw_views around = {.count = 6};
+    printf("%s: of the triangles %.3f to %.3f left out, of three views %.3f, of the sun %.3f\n",
+           stage->name, least, most, left_out(culling, geometry, &three),
+           left_out(culling, geometry, &along));
+    assert_true(left_out(culling, geometry, &layers) >= left_out(culling, geometry, &three));
+    assert_true(left_out(culling, geometry, &along) == 0);
+    assert_true(left_out(culling, geometry, &around) == 0);
+    assert_true(most > .5);
+}
+
+static const char small[] = "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=64 samples=12";
+
+/* Perspective and orthographic views, one and several; at the beginning of a clip and where its parts have moved, and their
+ * arrays have grown. */
+static void test_triangles(void **state) {
+    (void)state;
+    static const char *const paths[] = {"scenes/atrium.glb", "scenes/creatures.glb",
+                                        "scenes/metaballs.glb", "scenes/character.glb"};
+    for (size_t p = 0; p < sizeof paths / sizeof *paths; p++) {
+        struct stage stage;
+        struct renderer renderer;
+        open_stage(&stage, paths[p]);
+        struct renderer_desc desc = desc_of(&stage, "clustered", small, 16, 16);
+        open_renderer(&renderer, &desc);
+        check_views(&stage, &renderer.scene.culling);
+        check_ok("pose", stage_pose(&stage, 3));
+        check_ok("show", stage_show(&stage, &renderer));
+        check_views(&stage, &renderer.scene.culling);
+        renderer_free(&renderer);
+        stage_free(&stage);
+    }
+}
+
+/* --- pictures --------------------------------------------------------------------------------- */
+
+static void see_all(const struct culling *culling) {
+    for (uint32_t run = 0; run < culling->runs; run++) {
+        glm_vec3_broadcast(-1e30F, culling->boxes[run][0]);
+        glm_vec3_broadcast(1e30F, culling->boxes[run][1]);
+    }
+}
+
+/* Pictures are the same bits as where all is drawn: also tiny ones, of which samples leave a good
+ * part. */
+static void test_pictures(void **state) {
+    (void)state;
+    static const char *const paths[] = {"scenes/atrium.glb", "scenes/three-lights.glb",
+                                        "scenes/plant.glb"};
+    static const int sizes[][2] = {{64, 40}, {3, 2}, {1, 1}};
+    for (size_t p = 0; p < sizeof paths / sizeof *paths; p++)
+        for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+            struct stage stage;
+            struct renderer renderer;
+            struct image culled, whole;
+            open_stage(&stage, paths[p]);
+            struct renderer_desc desc =
+                desc_of(&stage, "clustered", small, sizes[i][0], sizes[i][1]);
+            open_renderer(&renderer, &desc);
+            check_ok("layers", renderer_read_layers(&renderer, &culled));
+            see_all(&renderer.scene.culling);
+            renderer_render(&renderer);
+            check_ok("layers", renderer_read_layers(&renderer, &whole));
+            printf("%s, %d x %d: difference %g\n", stage.name, sizes[i][0], sizes[i][1],
+                   relative_rmse(&culled, &whole, "indirect"));
+            assert_true(same_pixels(&culled, &whole));
+            image_free(&culled);
+            image_free(&whole);
+            renderer_free(&renderer);
+            stage_free(&stage);
+        }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_triangles),
+        cmocka_unit_test(test_pictures),
+    };
+    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
+}
