@@ -2,24 +2,14 @@
 // single-sided surface, which blocks light but reflects none. HAS_GLOSS: surfaces are not all plain.
 // FACETS: what sends light on is each triangle, not the smooth surface that the normals tell of.
 #include "lib/octahedral.glsl"
-#include "shared/material.h"
+#include "picture/base_color.glsl"
 
-layout(std140, binding = BLOCK_MATERIAL) uniform material_uniforms {
-    material_block material;
-};
-layout(binding = UNIT_BASE_COLOR) uniform sampler2D base_color_texture;
 #ifdef HAS_EMISSION
 layout(binding = UNIT_EMISSION) uniform sampler2D emission_texture;
 layout(location = TARGET_GBUFFER_EMISSION) out vec4 emitted;
 #endif
 
-#ifdef NORMAL_ONLY
-centroid in vec3 surface_normal;
-#else
 in vec3 surface_normal;
-#endif
-in vec2 surface_uv;
-in vec4 surface_color;
 #ifdef HAS_GLOSS
 #include "picture/surface_detail.glsl"
 #endif
@@ -29,18 +19,14 @@ in vec4 surface_color;
 
 #ifndef DEPTH_ONLY
 layout(location = TARGET_GBUFFER_NORMAL) out vec2 normal_code;
-#ifndef NORMAL_ONLY
 layout(location = TARGET_GBUFFER_ALBEDO) out vec4 albedo_root;
-#endif
 #ifdef HAS_GLOSS
 layout(location = TARGET_GBUFFER_GLOSS) out vec4 gloss_code; // lib/gloss.glsl
 #endif
 #endif
 
 void main() {
-    vec4 color = material.base_color * surface_color;
-    if (material.textured)
-        color *= texture(base_color_texture, surface_uv);
+    vec4 color = base_color();
 #ifndef DEPTH_ONLY
     vec3 normal = normalize(surface_normal);
 #ifdef HAS_GLOSS
@@ -84,7 +70,7 @@ void main() {
 #endif
     gloss_code = gloss_encode(gloss);
 #endif
-#if !defined(DEPTH_ONLY) && !defined(NORMAL_ONLY)
+#ifndef DEPTH_ONLY
 #ifdef FACETS
     albedo_root = vec4(sqrt(max(color.rgb, 0.0)), 1.0);
 #else

@@ -1,13 +1,8 @@
-// Draws the scene into a G-buffer: the camera's, or the lights' (the reflective shadow map). Or the
-// camera's depth alone, for antialiasing, instance i shifted by the i-th part of a pixel.
+// Draws the scene into a G-buffer: the camera's, or the lights' (the reflective shadow map).
 #ifdef LIGHT_VIEW
 #include "lib/light_target.glsl"
 #else
-#extension GL_ARB_shader_viewport_layer_array : require
 #include "lib/camera.glsl"
-#endif
-#ifdef SAMPLE_LAYERS
-#include "shared/antialias.h"
 #endif
 
 layout(location = ATTRIBUTE_POSITION) in vec3 position;
@@ -31,10 +26,6 @@ void main() {
     gl_Position = v.world_to_clip * vec4(position, 1.0);
 #else
     gl_Position = camera.world_to_clip * vec4(position, 1.0);
-    gl_Layer = gl_InstanceID;
-#endif
-#ifdef SAMPLE_LAYERS
-    gl_Position.xy += params.shifts[gl_InstanceID].xy * gl_Position.w;
 #endif
     surface_normal = normal;
     surface_uv = uv;

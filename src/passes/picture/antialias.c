@@ -11,13 +11,12 @@ static bool init_programs(struct antialias_pass *pass) {
     char samples[32];
     snprintf(samples, sizeof samples, "SAMPLES %d", pass->samples);
     return program_init(&pass->solid_program,
-                        &(struct program_desc){.vertex = "picture/geometry.vert",
-                                               .fragment = "picture/sample_normal.frag",
-                                               .defines = "SAMPLE_LAYERS"}) &&
+                        &(struct program_desc){.vertex = "picture/samples.vert",
+                                               .fragment = "picture/samples.frag"}) &&
            program_init(&pass->masked_program,
-                        &(struct program_desc){.vertex = "picture/geometry.vert",
-                                               .fragment = "picture/geometry.frag",
-                                               .defines = "NORMAL_ONLY;SAMPLE_LAYERS"}) &&
+                        &(struct program_desc){.vertex = "picture/samples.vert",
+                                               .fragment = "picture/samples.frag",
+                                               .defines = "MASKED"}) &&
            program_init(&pass->even_program,
                         &(struct program_desc){.vertex = "fullscreen.vert",
                                                .fragment = "picture/even.frag"}) &&
@@ -46,7 +45,7 @@ static bool init_layers(const struct antialias_pass *pass, struct texture *textu
 
 static bool init_samples(struct antialias_pass *pass) {
     return init_layers(pass, &pass->depths, "sample depths", GL_DEPTH_COMPONENT32F) &&
-           init_layers(pass, &pass->normals, "sample normals", GL_RG8) &&
+           init_layers(pass, &pass->normals, "sample normals", GL_RGBA8) &&
            framebuffer_init(
                &pass->sample_framebuffer,
                &(struct framebuffer_desc){.label = "samples",

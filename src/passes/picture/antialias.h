@@ -21,7 +21,7 @@ struct antialias_pass {
     GLuint solid_program, masked_program, even_program, edge_program, pick_program;
     int layers, samples; /* drawn: whole layers, or the one centre */
     struct texture depths,
-        normals; /* D32F; RG8, octahedral: a layer of four samples after another */
+        normals; /* D32F; RGBA8, half of them above a half: a layer of four samples after another */
     struct texture
         even; /* R8, a texel a block: 1 where one plane, or nothing, is all that is seen there and around */
     struct texture edges; /* D16, 0 where there is one, else 1: picks are tested against it */

@@ -1,0 +1,20 @@
+// The normals of a pixel's samples, beside their depths: half of them above a half, as an octahedron's code takes time at
+// each fragment. MASKED: of surfaces with holes.
+#ifdef MASKED
+#include "picture/base_color.glsl"
+#else
+#include "shared/types.h"
+#endif
+
+noperspective in vec3 surface_normal;
+
+layout(location = TARGET_GBUFFER_NORMAL) out vec3 normal_code;
+
+void main() {
+#ifdef MASKED
+    float alpha = base_color().a;
+    if (alpha < material.alpha_cutoff || (!gl_FrontFacing && !material.double_sided))
+        discard;
+#endif
+    normal_code = 0.5 + (gl_FrontFacing ? 0.5 : -0.5) * surface_normal;
+}
