@@ -22,45 +22,63 @@ const float UNLIKELY = 0.3;
 
 vec3 sample_normal(ivec2 pixel, int i) {
     ivec3 texel = ivec3(pixel, i / SAMPLES_PER_LAYER);
-    return octahedral_decode(texelFetch(sample_normals, texel, i % SAMPLES_PER_LAYER).rg);
-}
-
-// How far two depths lie from each other, over the pixel's width there.
-float apart(float a, float b) {
-    float width = 2.0 * length(camera.right) / float(gbuffer_size().x);
-    return (camera.orthographic ? abs(a - b) * camera.far : abs(a / max(b, 1e-30) - 1.0)) / width;
-}
-
-// How unlikely it is that a sample lies on the plane.
-float unlikelihood(plane p, vec2 place, float depth, vec3 normal) {
-    return off_plane(p, place, depth) / p.across + APART_WEIGHT * apart(p.depth, depth) +
-           UNLIKE_WEIGHT * (1.0 - dot(p.normal, normal));
+    return normalize(texelFetch(sample_normals, texel, i % SAMPLES_PER_LAYER).rgb - 0.5);
 }
 
 // The pixel's samples, and for each the neighbour that it most likely lies on.
 float depth[SAMPLES], least[SAMPLES];
+float apart[SAMPLES]; // what a depth off theirs counts for
 vec3 normal[SAMPLES];
 uint best[SAMPLES];
 
+// None lies on anything where a sample sees nothing.
 void read_samples(ivec2 pixel) {
+    float width = 2.0 * length(camera.right) / float(gbuffer_size().x);
     for (int i = 0; i < SAMPLES; i++) {
         depth[i] = sample_depth(pixel, i);
         normal[i] = sample_normal(pixel, i);
-        least[i] = 1e30;
+        apart[i] = APART_WEIGHT / width * (camera.orthographic ? camera.far : 1.0 / max(depth[i], 1e-30));
+        least[i] = depth[i] > 0.0 ? 1e30 : -1.0;
         best[i] = PICK_NOTHING;
+    }
+}
+
+// A surface that samples may lie on: its plane in widths of a pixel off it, by places from the pixel's centre.
+struct candidate {
+    vec2 slope;
+    float off, scale;
+    float depth;
+    vec3 normal;
+};
+
+// At that place.
+candidate candidate_of(plane p, vec2 place) {
+    if (p.depth <= 0.0)
+        return candidate(vec2(0.0), 1e30, 0.0, 0.0, p.normal); // no surface
+    vec2 slope = p.slope / p.across;
+    return candidate(slope, p.depth / p.across - dot(slope, place), 1.0 / p.across, p.depth, p.normal);
+}
+
+// How unlikely it is that a sample lies there.
+float unlikelihood(candidate c, int i) {
+    float off = abs(c.off + dot(c.slope, params.places[i].xy) - c.scale * depth[i]);
+    return off + apart[i] * abs(c.depth - depth[i]) + UNLIKE_WEIGHT * (1.0 - dot(c.normal, normal[i]));
+}
+
+// The samples that rather lie there than on what was tried before.
+void try_candidate(candidate c, uint pick) {
+    for (int i = 0; i < SAMPLES; i++) {
+        float unlikely = unlikelihood(c, i);
+        bool better = unlikely < least[i];
+        least[i] = better ? unlikely : least[i];
+        best[i] = better ? pick : best[i];
     }
 }
 
 // Of the neighbours, the pixel itself first.
 void try_neighbour(ivec2 pixel, uint pick) {
     ivec2 offset = clamp(pixel + pick_offset(pick), ivec2(0), gbuffer_size() - 1) - pixel;
-    plane p = plane_of(pixel + offset);
-    for (int i = 0; i < SAMPLES; i++) {
-        float unlikely = unlikelihood(p, params.places[i].xy - vec2(offset), depth[i], normal[i]);
-        bool better = p.depth > 0.0 && depth[i] > 0.0 && unlikely < least[i];
-        least[i] = better ? unlikely : least[i];
-        best[i] = better ? pick : best[i];
-    }
+    try_candidate(candidate_of(plane_of(pixel + offset), vec2(offset)), pick);
 }
 
 // One of the samples, in values of its own: an array that is read at a place that is not known beforehand lies in
@@ -92,10 +110,7 @@ void take_further_point(ivec2 pixel, picked_sample chosen) {
     further_point point = further_point(chosen.depth, chosen.normal, chosen.place, chosen.pick);
     imageStore(further_points, pixel, further_point_pack(point));
     plane p = plane_at(vec2(pixel) + 0.5 + chosen.place, chosen.depth, chosen.normal);
-    for (int i = 0; i < SAMPLES; i++) {
-        float unlikely = unlikelihood(p, params.places[i].xy - chosen.place, depth[i], normal[i]);
-        best[i] = depth[i] > 0.0 && unlikely < least[i] ? PICK_FURTHER : best[i];
-    }
+    try_candidate(candidate_of(p, chosen.place), PICK_FURTHER);
 }
 
 void main() {
