@@ -6,7 +6,9 @@
 #include "shared/types.h"
 #endif
 
-noperspective in vec3 surface_normal;
+// Not linear in the picture: where triangles that reach behind the camera are clipped, llvmpipe has it wrong, and black
+// pixels lay along silhouettes.
+centroid in vec3 surface_normal;
 
 layout(location = TARGET_GBUFFER_NORMAL) out vec3 normal_code;
 

@@ -14,7 +14,7 @@ out vec2 surface_uv;
 out vec4 surface_color;
 #endif
 
-noperspective out vec3 surface_normal;
+centroid out vec3 surface_normal;
 
 void main() {
     gl_Position = camera.world_to_clip * vec4(position, 1.0);
