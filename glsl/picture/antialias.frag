@@ -51,10 +51,10 @@ struct candidate {
     vec3 normal;
 };
 
-// At that place.
+// At a place, pixels from the pixel's centre.
 candidate candidate_of(plane p, vec2 place) {
     if (p.depth <= 0.0)
-        return candidate(vec2(0.0), 1e30, 0.0, 0.0, p.normal); // no surface
+        return candidate(vec2(0.0), 2e30, 0.0, 0.0, p.normal); // no surface: worse than none tried
     vec2 slope = p.slope / p.across;
     return candidate(slope, p.depth / p.across - dot(slope, place), 1.0 / p.across, p.depth, p.normal);
 }

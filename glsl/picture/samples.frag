@@ -1,5 +1,5 @@
-// The normals of a pixel's samples, beside their depths: half of them above a half, as an octahedron's code takes time at
-// each fragment. MASKED: of surfaces with holes.
+// The normals of a pixel's samples, beside their depths, as 0.5 + 0.5 n: an octahedron's code takes time at each fragment.
+// MASKED: of surfaces with holes.
 #ifdef MASKED
 #include "picture/base_color.glsl"
 #else
@@ -10,7 +10,7 @@
 // pixels lay along silhouettes.
 centroid in vec3 surface_normal;
 
-layout(location = TARGET_GBUFFER_NORMAL) out vec3 normal_code;
+layout(location = TARGET_GBUFFER_NORMAL) out vec3 stored_normal;
 
 void main() {
 #ifdef MASKED
@@ -18,5 +18,5 @@ void main() {
     if (alpha < material.alpha_cutoff || (!gl_FrontFacing && !material.double_sided))
         discard;
 #endif
-    normal_code = 0.5 + (gl_FrontFacing ? 0.5 : -0.5) * surface_normal;
+    stored_normal = 0.5 + (gl_FrontFacing ? 0.5 : -0.5) * surface_normal;
 }

@@ -15,7 +15,6 @@ static size_t texel_bytes(GLenum format) {
         return 1;
     case GL_R16:
     case GL_R16F:
-    case GL_RG8:
     case GL_DEPTH_COMPONENT16:
         return 2;
     case GL_R32F:

@@ -1,7 +1,7 @@
 /* Which surfaces the pixel's samples see: antialiasing of what was shaded once a pixel [Chajdas et
  * al. 2011, Subpixel Reconstruction Antialiasing].
  *
- * Depth alone is drawn with several samples a pixel: in layers of four, which every driver has,
+ * Depth and normals are drawn with several samples a pixel: in layers of four, which every driver has,
  * each shifted by its own part of a pixel. Each sample is given to the one of the 3 x 3 pixels
  * around it whose surface, taken as a plane, it lies on best; that pixel's shading and albedo are
  * then the sample's, and a picture is the mean over samples (glsl/picture/layer.glsl).
@@ -21,7 +21,7 @@ struct antialias_pass {
     GLuint solid_program, masked_program, even_program, edge_program, pick_program;
     int layers, samples; /* drawn: whole layers, or the one centre */
     struct texture depths,
-        normals; /* D32F; RGBA8, half of them above a half: a layer of four samples after another */
+        normals; /* D32F; RGBA8, 0.5 + 0.5 n: a layer of four samples after another */
     struct texture
         even; /* R8, a texel a block: 1 where one plane, or nothing, is all that is seen there and around */
     struct texture edges; /* D16, 0 where there is one, else 1: picks are tested against it */

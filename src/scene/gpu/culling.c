@@ -4,6 +4,7 @@
 
 #include <cglm/cglm.h>
 #include <float.h>
+#include <math.h>
 #include <stdlib.h>
 
 /* Indices of a run. Fewer follow what is seen more closely, and are more draws. */
@@ -54,19 +55,22 @@ static void view_planes(const struct view *view, float margin, float planes[6][4
     }
 }
 
-/* How far the box reaches before the plane, at most. */
-static float reach(const float plane[4], float (*box)[3]) {
-    float sum = plane[3];
-    for (int c = 0; c < 3; c++)
-        sum += plane[c] * box[plane[c] > 0][c];
-    return sum;
+/* Whether some of the box lies before the plane, as far as rounding tells. */
+static bool reaches(const float plane[4], float (*box)[3]) {
+    float sum = plane[3], size = fabsf(sum);
+    for (int c = 0; c < 3; c++) {
+        float term = plane[c] * box[plane[c] > 0][c];
+        sum += term;
+        size += fabsf(term);
+    }
+    return sum >= -8 * FLT_EPSILON * size;
 }
 
 static bool view_sees(const struct view *view, float margin, float (*box)[3]) {
     float planes[6][4];
     view_planes(view, margin, planes);
     for (int i = 0; i < 6; i++)
-        if (reach(planes[i], box) < 0)
+        if (!reaches(planes[i], box))
             return false;
     return true;
 }

@@ -2,7 +2,7 @@
  *
  * Vertices of all meshes lie in one set of arrays and all triangles in one index array, so that a
  * pass can draw everything at once. Triangles are sorted into batches of one material; batches
- * without alpha mask come first, so that depth passes draw all of them in one call.
+ * without alpha mask come first, so that depth passes draw all of them as one.
  */
 #ifndef SCENE_MESH_GEOMETRY_H
 #define SCENE_MESH_GEOMETRY_H
