@@ -103,14 +103,19 @@ struct draw_views frame_camera_views(const struct frame *frame, int layers, floa
         .count = layers, .first = frame->camera, .margin = clip_margin + margin};
 }
 
-struct draw_views frame_light_views(const struct frame *frame, GLuint program, int kind) {
-    bool faces = kind == LIGHT_MAP_FACE; /* which see all around */
-    int first = faces ? frame->layout.views[LIGHT_MAP_SINGLE] : 0;
-    gl.ProgramUniform1i(program, LOCATION_FIRST_VIEW, first);
+/* Faces see all around. */
+struct draw_views frame_light_views(const struct frame *frame, int kind) {
+    const struct light_view *views = frame->light_block->views;
     return (struct draw_views){.count = frame->layout.views[kind],
-                               .first = faces ? NULL : &frame->light_block->views[0].view,
-                               .stride = sizeof *frame->light_block->views,
+                               .first = kind == LIGHT_MAP_FACE ? NULL : &views->view,
+                               .stride = sizeof *views,
                                .margin = clip_margin};
+}
+
+int frame_target_views(const struct frame *frame, GLuint program, int kind) {
+    int first = kind == LIGHT_MAP_FACE ? frame->layout.views[LIGHT_MAP_SINGLE] : 0;
+    gl.ProgramUniform1i(program, LOCATION_FIRST_VIEW, first);
+    return frame->layout.views[kind];
 }
 
 static bool init_map_layer(struct texture *texture, const char *label, const char *part,

@@ -204,8 +204,11 @@ struct contribution {
 /* The camera's view, of that many layers; the margin is draw_views'. */
 struct draw_views frame_camera_views(const struct frame *frame, int layers, float margin);
 
-/* Sets what lib/light_target.glsl needs to draw the lights' views of that kind, and returns them. */
-struct draw_views frame_light_views(const struct frame *frame, GLuint program, int kind);
+/* The lights' of that kind. */
+struct draw_views frame_light_views(const struct frame *frame, int kind);
+
+/* Sets what lib/light_target.glsl needs to draw views of that kind; returns how many there are. */
+int frame_target_views(const struct frame *frame, GLuint program, int kind);
 
 struct gbuffer_desc {
     const char *label;

@@ -131,7 +131,7 @@ void near_field_pass_render_lights(struct near_field_pass *pass, const struct fr
             state.width = pass->lights[kind].desc.width;
             state.height = pass->lights[kind].desc.height;
             pass_set_state(&state);
-            pass_draw_fullscreen(frame_light_views(frame, state.program, kind).count);
+            pass_draw_fullscreen(frame_target_views(frame, state.program, kind));
         }
     timer_end(frame->timers);
 }

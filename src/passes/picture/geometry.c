@@ -64,7 +64,9 @@ void geometry_pass_render_lights(const struct geometry_pass *pass, const struct 
         .name = "rsm", .program = pass->light_program, .blocks = {{BLOCK_LIGHTS, frame->lights}}};
     timer_begin(frame->timers, "rsm");
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
-        if (frame->layout.views[kind])
-            render(state, frame, &rsm[kind], frame_light_views(frame, state.program, kind));
+        if (frame->layout.views[kind]) {
+            frame_target_views(frame, state.program, kind);
+            render(state, frame, &rsm[kind], frame_light_views(frame, kind));
+        }
     timer_end(frame->timers);
 }
