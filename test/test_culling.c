@@ -92,7 +92,8 @@ static void check_views(const struct stage *stage, const struct culling *culling
     struct draw_views along_part = {.count = 1, .first = &part_of_sun, .margin = margin};
     struct draw_views around = {.count = 6};
     double of_part = left_out(culling, geometry, &along_part);
-    printf("%s: of the triangles %.3f to %.3f left out, of three views %.3f, of part of a sun %.3f\n",
+    printf("%s: of the triangles %.3f to %.3f left out, of three views %.3f, of part of a sun "
+           "%.3f\n",
            stage->name, least, most, left_out(culling, geometry, &three), of_part);
     assert_true(left_out(culling, geometry, &layers) >= left_out(culling, geometry, &three));
     assert_true(left_out(culling, geometry, &along) == 0);
