@@ -20,7 +20,8 @@
 layout(location = LOCATION_SLOT) uniform ivec4 slot; // samples, in its second; the tile's place in the pattern
 // What the tile's first sample is turned by, cosine and sine; what numbers have more than integers; one over the count.
 layout(location = LOCATION_NEAR_SHIFT) uniform vec4 shift;
-// The lights that this tile takes, and each one's weight: of a group of many one stands for all.
+// The lights that this tile takes, and each one's weight: of a group of many one stands for all, but for what is on
+// a list.
 layout(location = LOCATION_PICK_COUNT) uniform int pick_count;
 layout(location = LOCATION_PICKS) uniform vec2 picks[LIGHTS];
 

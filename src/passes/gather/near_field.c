@@ -136,10 +136,11 @@ void near_field_pass_render_lights(struct near_field_pass *pass, const struct fr
     timer_end(frame->timers);
 }
 
-/* A tile of a slot of the pattern, or one of its lists, with as many samples as `side` slots have. */
+/* A tile of a slot of the pattern, or one of its lists. */
 struct near_draw {
-    int slot, list, side;
-    int picked; /* lights */
+    int slot, list;
+    int picks, picked; /* whose lights it takes, and how many they are */
+    int samples;       /* of each light */
     int pass;
 };
 
@@ -161,19 +162,56 @@ static void draw_tile(const struct near_field_pass *pass, GLuint program,
     int slot = draw.slot;
     const struct irradiance *irradiance = inputs->irradiance;
     int n = irradiance->interleave;
-    int samples = inputs->of_lists ? samples_of_listed(&pass->desc, n, draw.side)
-                                   : samples_of_pixel(&pass->desc, n, draw.side);
     pass_viewport(slot % n * irradiance->tile_width, slot / n * irradiance->tile_height,
                   irradiance->tile_width, irradiance->tile_height);
-    set_samples(program, slot % n, slot / n, samples, draw.pass);
+    set_samples(program, slot % n, slot / n, draw.samples, draw.pass);
     int together = lights_of_draw(pass, draw.picked);
     for (int light = 0; light < draw.picked; light += together) {
         int rest = draw.picked - light;
-        light_picks_set(&pass->picks, slot, light, rest < together ? rest : together, program);
+        light_picks_set(&pass->picks, draw.picks, light, rest < together ? rest : together,
+                        program);
         if (inputs->of_lists)
             pixel_lists_draw(inputs->lists, draw.list, program);
         else
             pass_draw_fullscreen(1);
+    }
+}
+
+static void draw_all(const struct near_field_pass *pass, const struct frame *frame, GLuint program,
+                     const struct near_field_inputs *inputs) {
+    int n = inputs->irradiance->interleave, slots = n * n;
+    int picked = light_picks_deal(&pass->picks, frame, slots);
+    for (int slot = 0; slot < slots; slot++)
+        draw_tile(pass, program, inputs,
+                  (struct near_draw){.slot = slot,
+                                     .picks = slot,
+                                     .picked = picked,
+                                     .samples = samples_of_pixel(&pass->desc, n, 1),
+                                     .pass = frame->pass});
+}
+
+/* Of one light, where several share the samples of a pixel. */
+static const int samples_least = 8;
+
+/* What is on a list has few neighbours that are like it, and shows the lights that it takes itself: it takes all of a group,
+ * and as many samples of them together as of those that it would be dealt. */
+static void draw_lists(const struct near_field_pass *pass, const struct frame *frame,
+                       GLuint program, const struct near_field_inputs *inputs) {
+    int n = inputs->irradiance->interleave, slots = n * n;
+    int dealt = light_picks_deal(&pass->picks, frame, slots);
+    int picked = light_picks_deal(&pass->picks, frame, 1);
+    for (int list = 0; list < LIST_KINDS; list++) {
+        int side = pass->desc.list_slots[list];
+        int all = samples_of_listed(&pass->desc, n, side);
+        int share = picked > dealt ? all * dealt / picked : all;
+        int least = all < samples_least ? all : samples_least;
+        for (int slot = 0; side > 0 && slot < slots; slot++)
+            draw_tile(pass, program, inputs,
+                      (struct near_draw){.slot = slot,
+                                         .list = list,
+                                         .picked = picked,
+                                         .samples = share > least ? share : least,
+                                         .pass = frame->pass});
     }
 }
 
@@ -206,15 +244,10 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
     if (pass->tree)
         pass_add_texture(&state, UNIT_TRIANGLE_TREE, pass->tree->texels);
     write_params(pass, frame, irradiance_pattern(irradiance));
-    int slots = irradiance->interleave * irradiance->interleave;
-    int picked = light_picks_deal(&pass->picks, frame, slots);
     pass_begin(frame->timers, &state);
-    bool listed = inputs->of_lists;
-    for (int list = 0; list < (listed ? LIST_KINDS : 1); list++) {
-        int side = listed ? pass->desc.list_slots[list] : 1;
-        for (int slot = 0; side > 0 && slot < slots; slot++)
-            draw_tile(pass, state.program, inputs,
-                      (struct near_draw){slot, list, side, picked, frame->pass});
-    }
+    if (inputs->of_lists)
+        draw_lists(pass, frame, state.program, inputs);
+    else
+        draw_all(pass, frame, state.program, inputs);
     pass_end(frame->timers);
 }

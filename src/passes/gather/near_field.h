@@ -8,7 +8,7 @@
  * is near counts as unoccluded: the bias of it, but where there is detail (glsl/gather/near_occlusion.glsl), and where one of
  * some samples, taken by its light, asks by a ray for all: that is unbiased.
  * Cost: pixels x samples x groups of lights, for pixels in reach of a light alone: the tiles of a pattern
- * share the lights of a group out by their flux.
+ * share the lights of a group out by their flux; what is on a list takes all of them, and divides its samples.
  */
 #ifndef PASSES_NEAR_FIELD_H
 #define PASSES_NEAR_FIELD_H
