@@ -104,9 +104,6 @@ near_arrival next_arrival(surface s, light l, inout near_spiral around) {
 }
 
 #if OCCLUSION != NEAR_UNOCCLUDED
-// Of so many samples one, taken by its light, asks for all: on average each counts as if it had asked.
-const int TOGETHER = 16;
-
 bool is_between(surface s, near_arrival asks, bool any) {
 #if OCCLUSION == NEAR_BY_RAYS
     return is_blocked(s.position, s.normal, asks.position); // its own where there is none
@@ -146,8 +143,8 @@ vec3 light_together(surface s, light l, inout near_spiral around, int count, flo
 vec3 light_of_samples(surface s, light l, near_spiral around, int count, float random) {
     vec3 sum = vec3(0.0);
 #if OCCLUSION != NEAR_UNOCCLUDED
-    for (int i = 0; i < count; i += TOGETHER) {
-        sum += light_together(s, l, around, min(TOGETHER, count - i), random);
+    for (int i = 0; i < count; i += NEAR_TOGETHER) {
+        sum += light_together(s, l, around, min(NEAR_TOGETHER, count - i), random);
         random = fract(random + 0.6180339887);
     }
 #else

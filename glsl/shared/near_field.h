@@ -8,6 +8,8 @@
 #define NEAR_UNOCCLUDED 0
 #define NEAR_BY_VIEWS 1
 #define NEAR_BY_RAYS 2
+/* Of so many samples one, taken by its light, asks for all: on average each counts as if it had asked. */
+#define NEAR_TOGETHER 16
 
 struct near_field_params {
     STRUCT(interleaving) pattern;

@@ -260,11 +260,21 @@ static bool sends_as_facets(const struct technique_desc *desc) {
     return own->facets && !desc->gloss;
 }
 
+/* A sky's views, and those of places over a wide lamp, are many, and each sees little of what is within a room: rays tell what
+ * is between, where there is a tree for them anyway, of what is on lists. */
+static bool asks_by_rays(const struct many_lights *lights, const struct technique_desc *desc,
+                         const struct many_lights_visibility *visibility) {
+    bool has_groups = desc->lights->lights > desc->lights->groups;
+    return visibility->lookup == VISIBILITY_LOOKUP_TRACED ||
+           (visibility->calibrated && lights->has_detail && has_groups);
+}
+
 /* As VPLs are. */
-static int near_occlusion(enum visibility_lookup lookup) {
-    return lookup == VISIBILITY_LOOKUP_TRACED ? NEAR_BY_RAYS
-           : lookup == VISIBILITY_LOOKUP_NONE ? NEAR_UNOCCLUDED
-                                              : NEAR_BY_VIEWS;
+static int near_occlusion(const struct many_lights *lights, const struct technique_desc *desc,
+                          const struct many_lights_visibility *visibility) {
+    return asks_by_rays(lights, desc, visibility)         ? NEAR_BY_RAYS
+           : visibility->lookup == VISIBILITY_LOOKUP_NONE ? NEAR_UNOCCLUDED
+                                                          : NEAR_BY_VIEWS;
 }
 
 static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc,
@@ -272,12 +282,13 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
     const struct gather_settings *own = settings_of(desc->settings, &gather_part);
     lights->has_near_field =
         own->clamp == GATHER_CLAMP_NEAR || own->clamp == GATHER_CLAMP_RECTANGLE_NEAR;
+    int occlusion = near_occlusion(lights, desc, visibility);
     struct near_field_desc near_field = {
         .samples = own->near_samples,
         .listed = lights->has_detail,
         .facets = sends_as_facets(desc),
-        .occlusion = near_occlusion(visibility->lookup),
-        .casters = visibility->lookup == VISIBILITY_LOOKUP_TRACED ? desc->casters : NULL,
+        .occlusion = occlusion,
+        .casters = occlusion == NEAR_BY_RAYS ? desc->casters : NULL,
         .rsm_size = rsm_size(desc),
         .lights = *desc->lights,
     };

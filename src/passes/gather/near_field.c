@@ -145,8 +145,10 @@ struct near_draw {
 };
 
 /* llvmpipe ends the loops of a shader after 65,535 steps in all, of which a ray takes many. */
-static int lights_of_draw(const struct near_field_pass *pass, int picked) {
-    return pass->desc.occlusion == NEAR_BY_RAYS ? 1 : picked;
+static int lights_of_draw(const struct near_field_pass *pass, const struct near_draw *draw) {
+    enum { RAYS_MAX = NEAR_SAMPLES_MAX / NEAR_TOGETHER };
+    int rays = (draw->samples + NEAR_TOGETHER - 1) / NEAR_TOGETHER;
+    return pass->desc.occlusion == NEAR_BY_RAYS ? RAYS_MAX / rays : draw->picked;
 }
 
 static void set_samples(GLuint program, int x, int y, int samples, int pass) {
@@ -165,7 +167,7 @@ static void draw_tile(const struct near_field_pass *pass, GLuint program,
     pass_viewport(slot % n * irradiance->tile_width, slot / n * irradiance->tile_height,
                   irradiance->tile_width, irradiance->tile_height);
     set_samples(program, slot % n, slot / n, draw.samples, draw.pass);
-    int together = lights_of_draw(pass, draw.picked);
+    int together = lights_of_draw(pass, &draw);
     for (int light = 0; light < draw.picked; light += together) {
         int rest = draw.picked - light;
         light_picks_set(&pass->picks, draw.picks, light, rest < together ? rest : together,
