@@ -1,4 +1,4 @@
-/* Direct light of a sky, beside whichever method gives that of all other lights: some sixty area lights with
+/* Direct light of a sky, beside whichever method gives that of all other lights: by default 120 area lights with
  * soft shadows [Dong 2011 §5.3.2]. */
 #ifndef DIRECT_SKYLIGHT_H
 #define DIRECT_SKYLIGHT_H

@@ -16,8 +16,8 @@
 
 /* --- settings ---
  *
- * Defaults are the paper's where it gives them [Dong 2009 §5-7]. Lengths are fractions
- * of the spread of the VPLs, of the picture's height at a pixel's depth, or of the root of the
+ * Defaults differ from the paper's [Dong 2009 §5-7] where others err less; MANY_LIGHTS_AS_PUBLISHED has the paper's.
+ * Lengths are fractions of the spread of the VPLs, of the picture's height at a pixel's depth, or of the root of the
  * surfaces' area: neither units nor a plain around a room change what a setting means. */
 
 enum { RSM_SIZE_MIN = 16 };

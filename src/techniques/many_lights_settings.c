@@ -15,7 +15,8 @@ static const struct option lights_table[] = {
     {"bounces", 0, OPTION_INT, ROW(lights, bounces), 1, 1, 8,
      .help = "of indirect light; those after the first by paths of light from VPLs"},
     {"paths", 0, OPTION_INT, ROW(lights, paths), 4096, VPL_PARTNERS_MAX, 16384,
-     .help = "of light, which each leave a VPL of further bounces, P"},
+     .help = "of light that each leave a VPL of further bounces, P; three more each share\n"
+             "their light out to these"},
     {"facets", 0, OPTION_FLAG, ROW(lights, facets), 0,
      .help =
          "where nothing is glossy VPLs and near field send light as triangles do, and not as the\n"

@@ -30,7 +30,7 @@ static const struct option table[] = {
     {"distortion", 0, OPTION_FLOAT, ROW(distortion), 0, 0, 1,
      .help =
          "so many of the VALs are used as bring the mean distance of VPLs to their VAL down to\n"
-         "this, by the weights below, angles fourfold: few where flat walls shine, more where\n"
+         "this, by the weights below, angles eightfold: few where flat walls shine, more where\n"
          "folds do; .085 is the boxes' with eight; 0 = all are used"},
     {"iterations", 0, OPTION_INT, ROW(iterations), 5, 1, 64, .help = "k-means iterations"},
     {"start", 0, OPTION_CHOICE, ROW(start), 0, .choices = start_names,

@@ -34,7 +34,7 @@ struct val_set {
     struct cluster_pass cluster;   /* has the VPLs with their VALs' numbers */
     struct paraboloid_pass paraboloid;
     struct basis_pass basis;
-    int block; /* as the settings have it: of a picture that is not large; 0: each pixel looks itself up */
+    int block; /* pixels a side, of any picture; 0: each pixel looks itself up */
     struct block_visibility_pass blocks; /* where it is not 0 */
     struct calibration_pass calibration; /* where calibrated */
     bool convolve, calibrated;

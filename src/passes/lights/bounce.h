@@ -46,10 +46,10 @@ struct bounce_pass {
     struct texture numbers; /* P x 4 (1 + bounces), RG32F: shared/bounce.h */
     int dealt_pass;         /* that they are those of */
     struct texture positions, normals, fluxes, nexts; /* P x 4, RGBA32F: what paths leave */
-    struct texture areas, shares;                     /* P x 4, R32F */
-    struct texture shared;                            /* P x 4, RGBA32F: light, shared out */
-    struct texture seen;                              /* P x 1, RGBA32F, of the last view */
-    struct texture kept;                              /* a pixel, likewise */
+    struct texture areas;                             /* P x 4, R32F */
+    struct texture shares, shared; /* P x 4, RGBA32F: light over its shares; light, shared out */
+    struct texture seen;           /* P x 1, RGBA32F, of the last view */
+    struct texture kept;           /* a pixel, likewise */
     GLuint path_framebuffer, area_framebuffer, share_framebuffer, shared_framebuffer;
     GLuint seen_framebuffer, kept_framebuffer;
     struct vpl_buffer vpls; /* C(i) = 0 */

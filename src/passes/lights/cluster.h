@@ -2,7 +2,7 @@
  *
  * Each iteration draws the N VPLs as points: the vertex shader finds the nearest of M centres and
  * scatters the VPL to that VAL's pixel with additive blending; a second draw divides by the count.
- * The start is VPL k N / M, the same each frame, so that VALs move smoothly when the light does
+ * The start is VPL k N / M, of squares VPL k, or what seeds tell; the same each frame, so that VALs move smoothly when the light does
  * (§5.2). A last pass writes C(i); for views MAX blending finds the bounding rectangles. The papers leave the
  * scale of the criterion open: distances are taken over the spread of the VPLs and angles over pi. VPLs
  * without flux take no part.

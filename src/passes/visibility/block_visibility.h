@@ -1,6 +1,6 @@
 /* Visibility once per block of pixels and VAL. Soft shadows of area lights are smooth, so that one
  * lookup can serve a block; the gather takes the nearest block on the same surface, and looks
- * itself up where there is none. With 8 x 8 blocks 30 lookups per 64 pixels take the place of 1024.
+ * itself up where there is none. With 7 x 7 blocks 30 lookups per 49 pixels take the place of 784.
  */
 #ifndef PASSES_BLOCK_VISIBILITY_H
 #define PASSES_BLOCK_VISIBILITY_H

@@ -1,5 +1,5 @@
-/* Paraboloid depth maps from VALs or VPLs [Dong 2009 §4.2, §6]: one instanced draw of all casters
- * into all layers of a depth array; D16, map depth |q| / z_far. With planes, normals beside. */
+/* Paraboloid depth maps from VALs or VPLs [Dong 2009 §4.2, §6]: instanced draws of all casters,
+ * kind by kind, into all layers of a depth array; D16, map depth |q| / z_far. With planes, normals beside. */
 #ifndef PASSES_PARABOLOID_H
 #define PASSES_PARABOLOID_H
 

@@ -1,4 +1,4 @@
-/* Orthographic depth maps from the lights of a sky: one instanced draw of all casters into all layers of a
+/* Orthographic depth maps from the lights of a sky: instanced draws of all casters, kind by kind, into all layers of a
  * depth array; D16, linear. They depend on no camera. */
 #ifndef PASSES_SKY_MAP_H
 #define PASSES_SKY_MAP_H

@@ -1,6 +1,6 @@
 /* The casters of one geometry, by what they are made for.
  *
- * Simplifying and splitting a large scene takes seconds. So whoever asks for a caster that is there
+ * Simplifying a large scene takes seconds. So whoever asks for a caster that is there
  * already shares it, and of those that nobody uses the last one stays until another is asked for:
  * what is made anew with the same casters, and what goes back and forth between two, finds them.
  */
@@ -30,7 +30,7 @@ bool caster_pool_acquire(struct caster_pool *pool, const struct caster_gpu **cas
 /* Accepts a pointer to NULL. */
 void caster_pool_release(struct caster_pool *pool, const struct caster_gpu **caster);
 
-/* The same with the tree for rays, of which there is one. Error: caster_tree_init's. */
+/* The same with the tree for rays, of which there is one. Error: caster_tree_update's. */
 bool caster_pool_acquire_tree(struct caster_pool *pool, const struct caster_tree **tree);
 
 /* Accepts a pointer to NULL, of any pool. */

@@ -1,10 +1,10 @@
-// A point's disk in an imperfect shadow map. The texel that the point lies in shows it however small the disk is.
+// A point's disk in an imperfect shadow map. Texels show it whose middle it covers.
 #include "lib/octahedral.glsl"
 #include "visibility/paraboloid.glsl"
 #include "shared/splat.h"
 
 flat in vec3 center, normal;
-flat in vec3 place_and_depth;
+flat in float map_depth;
 flat in vec2 radius_and_unit;
 flat in float width;
 
@@ -12,7 +12,6 @@ flat in float width;
 layout(location = TARGET_RESULT) out vec2 normal_code;
 
 void main() {
-    vec2 off = abs(gl_FragCoord.xy - place_and_depth.xy);
     vec3 direction = paraboloid_direction(gl_FragCoord.xy / params.map_size * 2.0 - 1.0);
     float facing = dot(normal, direction);
     float met = dot(normal, center) / (abs(facing) > 1e-6 ? facing : 1e-6);
@@ -20,7 +19,7 @@ void main() {
     bool inside = dot(from_center, from_center) <= radius_and_unit.x * radius_and_unit.x;
     if (!inside)
         discard;
-    float distance = place_and_depth.z * radius_and_unit.y;
+    float distance = map_depth * radius_and_unit.y;
     float behind = params.set_back * radius_and_unit.x;
     gl_FragDepth = (clamp(met, 0.5 * distance, 2.0 * distance) + behind) / radius_and_unit.y;
     normal_code = octahedral_encode(normal);

@@ -2,8 +2,8 @@
  *
  * A point stands for a disk of its share of the area, and is drawn as such: each texel shows where its own
  * direction meets the disk's plane, and how that is tilted. Or as published, as a square of the same solid
- * angle at the distance of the point, set back by as much as its surface may come nearer within. Either shows
- * in one texel at least, so that far surfaces hide more than they should.
+ * angle at the distance of the point, set back by as much as its surface may come nearer within. A square shows
+ * in one texel at least, so that far surfaces hide more than they should; a disk where it covers a texel's middle.
  */
 #ifndef TECHNIQUES_SPLAT_H
 #define TECHNIQUES_SPLAT_H

@@ -7,7 +7,7 @@
 layout(binding = UNIT_CASTER_POINTS) uniform samplerBuffer caster_points; // their rows
 
 flat out vec3 center, normal;  // in the map's frame, metres
-flat out vec3 place_and_depth; // in the map, texels and map depth
+flat out float map_depth;
 flat out vec2 radius_and_unit; // metres
 flat out float width;          // texels
 
@@ -50,9 +50,9 @@ void main() {
     size *= SQUARE;
 #endif
     width = clamp(size, 1.0, params.map_size * 0.25);
-    place_and_depth = vec3((p * 0.5 + 0.5) * params.map_size, min(depth / v.z_far, 1.0));
+    map_depth = min(depth / v.z_far, 1.0);
     bool seen = is_seen(v, q, radius);
-    gl_Position = seen ? vec4(p, place_and_depth.z, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+    gl_Position = seen ? vec4(p, map_depth, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
     gl_PointSize = width;
     gl_Layer = map;
 }

@@ -14,10 +14,10 @@ static const struct option table[] = {
     {"map-batch", 0, OPTION_INT, offsetof(struct instant_radiosity_settings, map_batch), 64, 1,
      1024, .help = "maps in memory at once"},
     {"traced", 0, OPTION_FLAG, offsetof(struct instant_radiosity_settings, traced), 0,
-     .help =
-         "rays through the scene's triangles in place of maps; where all pixels gather alike of 12 "
-         "VPLs\n"
-         "two ask for all, and of 16 samples of the near field one"},
+     .help = "rays through the scene's triangles in place of maps; where all pixels gather alike "
+             "of 12\n"
+             "VPLs (of up to 24 in large pictures) two ask for all, and of 16 samples of the near "
+             "field one"},
     {NULL},
 };
 
