@@ -226,13 +226,15 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
         .visibility = gather.visibility,
         .lights = *desc->lights,
     };
+    /* What rays show of one bounce stays sharp where it is smooth; VPLs of further bounces show their pattern there. */
+    bool sharp = rays && lights->bounces == 1;
     const struct blur_desc of_blur = {
         .width = desc->width,
         .height = desc->height,
         .radius = n / 2,
         .distance = blur->distance,
         .cosine = gloss_cosine,
-        .gloss = rays,
+        .gloss = sharp,
         .grade_radius = {.5F, .5F},
         .grade_weight = {1, 1},
         .square = true,
