@@ -82,8 +82,8 @@ void blur_pass_free(struct blur_pass *pass) {
 
 /* Of what a list has another pixel takes within the mean of their windows: of its own it would take light that does
  * not come back, and of theirs places of the pattern would be missing, the same ones all along a slanted edge. What is
- * smooth gloss is never blurred. Of what is steep it takes less far, or light would come that does not go: within an
- * edge's own window. */
+ * smooth gloss, where it is a grade, is never blurred. Of what is steep it takes less far, or light would come that does
+ * not go: within an edge's own window. */
 static float taken_radius(const struct blur_desc *desc, int grade) {
     float own = (float)desc->radius, theirs = desc->grade_radius[grade];
     return desc->gloss ? fminf(own, theirs) : .5F * (own + theirs);
