@@ -15,13 +15,18 @@ static int samples_of_pixel(const struct near_field_desc *desc, int n, int side)
     return samples < desc->samples ? samples : desc->samples;
 }
 
-/* Fewer than so many are too few for a corner. */
-static const int listed_least = 32;
+/* As many of all as are wanted, but no fewer than the least. */
+static int reduced(int all, int wanted, int least) {
+    least = all < least ? all : least;
+    return wanted > least ? wanted : least;
+}
+
+/* Fewer than so many are too few for a corner; of one light, where several share them, than so many. */
+static const int listed_least = 32, light_least = 8;
 
 static int samples_of_listed(const struct near_field_desc *desc, int n, int side) {
-    int all = samples_of_pixel(desc, n, side), less = (int)((float)all * desc->listed_part);
-    int least = all < listed_least ? all : listed_least;
-    return n == 1 ? all : less > least ? less : least;
+    int all = samples_of_pixel(desc, n, side);
+    return n == 1 ? all : reduced(all, (int)((float)all * desc->listed_part), listed_least);
 }
 
 static bool init_programs(struct near_field_pass *pass) {
@@ -192,9 +197,6 @@ static void draw_all(const struct near_field_pass *pass, const struct frame *fra
                                      .pass = frame->pass});
 }
 
-/* Of one light, where several share the samples of a pixel. */
-static const int samples_least = 8;
-
 /* What is on a list has few neighbours that are like it, and shows the lights that it takes itself: it takes all of a group,
  * and as many samples of them together as of those that it would be dealt. */
 static void draw_lists(const struct near_field_pass *pass, const struct frame *frame,
@@ -205,14 +207,13 @@ static void draw_lists(const struct near_field_pass *pass, const struct frame *f
     for (int list = 0; list < LIST_KINDS; list++) {
         int side = pass->desc.list_slots[list];
         int all = samples_of_listed(&pass->desc, n, side);
-        int share = picked > dealt ? all * dealt / picked : all;
-        int least = all < samples_least ? all : samples_least;
+        int samples = picked > dealt ? reduced(all, all * dealt / picked, light_least) : all;
         for (int slot = 0; side > 0 && slot < slots; slot++)
             draw_tile(pass, program, inputs,
                       (struct near_draw){.slot = slot,
                                          .list = list,
                                          .picked = picked,
-                                         .samples = share > least ? share : least,
+                                         .samples = samples,
                                          .pass = frame->pass});
     }
 }
