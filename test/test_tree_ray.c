@@ -6,6 +6,8 @@
 #include "scene/mesh/tree_ray.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 enum { TRIANGLES = 300, RAYS = 4000 };
 
@@ -18,14 +20,15 @@ static vec3s point_of(uint32_t i) {
     return point;
 }
 
-/* Of a tenth of the box, in no order. */
-static struct tree_triangle *scatter_triangles(void) {
-    struct tree_triangle *triangles = mem_alloc(TRIANGLES, sizeof *triangles);
-    for (uint32_t i = 0; i < TRIANGLES; i++)
-        triangles[i] = (struct tree_triangle){.corner = point_of(3 * i),
-                                              .edges = {glms_vec3_scale(point_of(7 * i + 1), .2F),
-                                                        glms_vec3_scale(point_of(11 * i + 2), .2F)},
-                                              .number = i};
+/* Of a tenth of the box at size .2, in no order. */
+static struct tree_triangle *scatter_triangles(uint32_t count, float size) {
+    struct tree_triangle *triangles = mem_alloc(count, sizeof *triangles);
+    for (uint32_t i = 0; i < count; i++)
+        triangles[i] =
+            (struct tree_triangle){.corner = point_of(3 * i),
+                                   .edges = {glms_vec3_scale(point_of(7 * i + 1), size),
+                                             glms_vec3_scale(point_of(11 * i + 2), size)},
+                                   .number = i};
     return triangles;
 }
 
@@ -61,7 +64,7 @@ static void test_nearest(void **state) {
     struct triangle_tree tree;
     int hits = 0, fronts = 0;
     double worst = 0;
-    triangle_tree_init(&tree, scatter_triangles(), TRIANGLES);
+    triangle_tree_init(&tree, scatter_triangles(TRIANGLES, .2F), TRIANGLES);
     for (uint32_t i = 0; i < RAYS; i++) {
         vec3s origin = i % 16 ? point_of(i) : tree.triangles[i % TRIANGLES].corner;
         vec3s direction = direction_of(i);
@@ -84,7 +87,112 @@ static void test_nearest(void **state) {
     triangle_tree_free(&tree);
 }
 
+/* --- the tree --------------------------------------------------------------------------------- */
+
+enum { MANY = 20000 }; /* so many that subtrees are built in parallel */
+
+static bool holds(const struct tree_box *box, const struct tree_box *other) {
+    bool inside = true;
+    for (int c = 0; c < 3; c++)
+        inside = inside && box->low[c] <= other->low[c] && box->high[c] >= other->high[c];
+    return inside;
+}
+
+static bool holds_triangle(const struct tree_box *box, const struct tree_triangle *t) {
+    const vec3s corners[3] = {t->corner, glms_vec3_add(t->corner, t->edges[0]),
+                              glms_vec3_add(t->corner, t->edges[1])};
+    bool inside = true;
+    for (int i = 0; i < 3; i++) {
+        struct tree_box point;
+        memcpy(point.low, corners[i].raw, sizeof point.low);
+        memcpy(point.high, corners[i].raw, sizeof point.high);
+        inside = inside && holds(box, &point);
+    }
+    return inside;
+}
+
+/* What is below a node: triangles, the largest leaf, and the expected cost of a ray that enters the node, in tests of
+ * triangles. */
+struct below {
+    uint32_t triangles, largest_leaf;
+    double cost;
+};
+
+static struct below look_below(const struct triangle_tree *tree, uint32_t number) {
+    const struct tree_node *node = &tree->nodes[number];
+    struct below below = {node->count, node->count, node->count};
+    for (uint32_t i = 0; i < node->count; i++)
+        assert_true(holds_triangle(&node->box, &tree->triangles[node->first + i]));
+    if (node->count > 0)
+        return below;
+    below.cost = 1;
+    for (uint32_t i = 0; i < 2; i++) {
+        const struct tree_box *box = &tree->nodes[node->first + i].box;
+        struct below child = look_below(tree, node->first + i);
+        assert_true(holds(&node->box, box));
+        below.triangles += child.triangles;
+        below.largest_leaf =
+            child.largest_leaf > below.largest_leaf ? child.largest_leaf : below.largest_leaf;
+        below.cost +=
+            child.cost * (double)(tree_box_half_surface(box) / tree_box_half_surface(&node->box));
+    }
+    return below;
+}
+
+/* Every triangle is in one leaf, leaves are small, and threads do not change the order. The cost is 75 here, and 88 where
+ * all nodes of up to four triangles are leaves. */
+static void test_tree(void **state) {
+    (void)state;
+    struct triangle_tree tree, again;
+    bool *seen = mem_alloc(MANY, sizeof *seen);
+    triangle_tree_init(&tree, scatter_triangles(MANY, .02F), MANY);
+    triangle_tree_init(&again, scatter_triangles(MANY, .02F), MANY);
+    struct below below = look_below(&tree, 0);
+    printf("  %u triangles, leaves of up to %u, cost %.1f\n", below.triangles, below.largest_leaf,
+           below.cost);
+    assert_int_equal(below.triangles, MANY);
+    assert_in_range(below.largest_leaf, 1, 4);
+    check_at_most("cost", below.cost, 80);
+    for (uint32_t i = 0; i < MANY; i++) {
+        assert_false(seen[tree.triangles[i].number]);
+        seen[tree.triangles[i].number] = true;
+        assert_int_equal(tree.triangles[i].number, again.triangles[i].number);
+    }
+    triangle_tree_free(&tree);
+    triangle_tree_free(&again);
+    free(seen);
+}
+
+/* Triangles whose boxes have one middle cannot be split. */
+static void test_one_place(void **state) {
+    (void)state;
+    enum { COUNT = 40 };
+    struct triangle_tree tree;
+    struct tree_triangle *triangles = mem_alloc(COUNT, sizeof *triangles);
+    for (uint32_t i = 0; i < COUNT; i++)
+        triangles[i] = (struct tree_triangle){
+            .edges = {{{1, 0, 0}}, {{0, 1, 0}}},
+            .number = i,
+        };
+    triangle_tree_init(&tree, triangles, COUNT);
+    printf("  %u nodes, %u triangles in the first\n", tree.node_count, tree.nodes[0].count);
+    assert_int_equal(tree.node_count, 1);
+    assert_int_equal(tree.nodes[0].count, COUNT);
+    triangle_tree_free(&tree);
+}
+
+static void test_none(void **state) {
+    (void)state;
+    struct triangle_tree tree;
+    triangle_tree_init(&tree, mem_alloc(0, sizeof *tree.triangles), 0);
+    assert_int_equal(tree.count, 0);
+    assert_int_equal(tree.nodes[0].count, 0);
+    triangle_tree_free(&tree);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_nearest)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_nearest), cmocka_unit_test(test_tree),
+                                       cmocka_unit_test(test_one_place),
+                                       cmocka_unit_test(test_none)};
     return cmocka_run_group_tests_name("tree_ray", tests, NULL, NULL);
 }

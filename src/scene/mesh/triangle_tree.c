@@ -1,18 +1,34 @@
 #include "scene/mesh/triangle_tree.h"
 
 #include "base/memory.h"
+#include "base/parallel.h"
 
 #include <float.h>
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
-    LEAF = 4,   /* triangles: so few are not split */
-    BINS = 32,  /* of their middles, along each axis */
-    DEPTH = 64, /* of the tree: deeper ones are leaves of any size */
+    LEAF = 4,   /* triangles at most, where more than one place holds them */
+    BINS = 32,  /* of their middles along each axis, at most */
+    DEPTH = 64, /* of the tree: deeper nodes are leaves of any size */
+    TASKS = 16, /* subtrees of at most this fraction of all triangles are built in parallel */
 };
 
+/* Cost of entering a node's two boxes, in tests of one triangle. */
+static const float traversal_cost = 1;
+
 /* --- boxes ------------------------------------------------------------------------------------ */
+
+/* fminf and fmaxf are calls: the standard's rules about NaN keep compilers from inlining them. */
+static float least(float a, float b) {
+    return a < b ? a : b;
+}
+
+static float most(float a, float b) {
+    return a > b ? a : b;
+}
 
 static struct tree_box empty_box(void) {
     return (struct tree_box){{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
@@ -20,8 +36,8 @@ static struct tree_box empty_box(void) {
 
 static void box_add(struct tree_box *box, const struct tree_box *other) {
     for (int c = 0; c < 3; c++) {
-        box->low[c] = fminf(box->low[c], other->low[c]);
-        box->high[c] = fmaxf(box->high[c], other->high[c]);
+        box->low[c] = least(box->low[c], other->low[c]);
+        box->high[c] = most(box->high[c], other->high[c]);
     }
 }
 
@@ -31,134 +47,182 @@ float tree_box_half_surface(const struct tree_box *box) {
     return x < 0 ? 0 : x * y + y * z + z * x;
 }
 
-static struct tree_box box_of(const struct tree_triangle *triangle) {
+/* A triangle while the tree is built. */
+struct item {
     struct tree_box box;
+    float middle[3]; /* of the box */
+    uint32_t triangle;
+};
+
+static struct item item_of(const struct tree_triangle *triangle, uint32_t number) {
+    struct item item = {.triangle = number};
     for (int c = 0; c < 3; c++) {
         float at = triangle->corner.raw[c], a = triangle->edges[0].raw[c],
               b = triangle->edges[1].raw[c];
-        box.low[c] = at + fminf(fminf(a, b), 0);
-        box.high[c] = at + fmaxf(fmaxf(a, b), 0);
+        item.box.low[c] = at + least(least(a, b), 0);
+        item.box.high[c] = at + most(most(a, b), 0);
+        item.middle[c] = (item.box.low[c] + item.box.high[c]) / 2;
     }
-    return box;
+    return item;
 }
 
-static float middle_of(const struct tree_triangle *triangle, int axis) {
-    return triangle->corner.raw[axis] +
-           (triangle->edges[0].raw[axis] + triangle->edges[1].raw[axis]) / 3;
-}
+/* --- splits ----------------------------------------------------------------------------------- */
 
-/* --- building --------------------------------------------------------------------------------- */
-
-struct split {
-    int axis, bin; /* the last one of the first child */
-    float low, bins_per_metre, cost;
+struct bin {
+    struct tree_box box;
+    uint32_t count;
 };
 
-static int bin_of(const struct tree_triangle *triangle, const struct split *split) {
-    float bin = (middle_of(triangle, split->axis) - split->low) * split->bins_per_metre;
-    return (int)fminf(fmaxf(bin, 0), BINS - 1);
+/* Bins over the middles of items, along each axis. */
+struct binning {
+    struct tree_box middles;
+    int count; /* along each axis; few items need few */
+    float bins_per_metre[3];
+    struct bin bins[3][BINS];
+};
+
+struct split {
+    int axis, bin; /* the last bin of the first child */
+    float cost;    /* half surface times triangles, summed over the children */
+};
+
+static int bin_of(const struct item *item, const struct binning *binning, int axis) {
+    float bin = (item->middle[axis] - binning->middles.low[axis]) * binning->bins_per_metre[axis];
+    return (int)least(bin, (float)(binning->count - 1));
+}
+
+static void binning_init(struct binning *binning, const struct item *items, uint32_t count) {
+    binning->middles = empty_box();
+    binning->count = count < 4 * (BINS - 4) ? 4 + (int)count / 4 : BINS;
+    for (uint32_t i = 0; i < count; i++)
+        for (int c = 0; c < 3; c++) {
+            binning->middles.low[c] = least(binning->middles.low[c], items[i].middle[c]);
+            binning->middles.high[c] = most(binning->middles.high[c], items[i].middle[c]);
+        }
+    for (int c = 0; c < 3; c++) {
+        float side = binning->middles.high[c] - binning->middles.low[c];
+        binning->bins_per_metre[c] = side > 0 ? (float)binning->count / side : 0;
+        for (int bin = 0; bin < binning->count; bin++)
+            binning->bins[c][bin] = (struct bin){empty_box(), 0};
+    }
+    for (uint32_t i = 0; i < count; i++)
+        for (int c = 0; c < 3; c++) {
+            struct bin *bin = &binning->bins[c][bin_of(&items[i], binning, c)];
+            box_add(&bin->box, &items[i].box);
+            bin->count++;
+        }
 }
 
 /* Where the children's surfaces, times how many triangles they have, are least: [Wald 2007, eq. 2]. */
-static void find_bin(struct split *split, const struct tree_box boxes[BINS],
-                     const uint32_t counts[BINS]) {
+static void improve_split(struct split *best, const struct binning *binning, int axis) {
+    const struct bin *bins = binning->bins[axis];
     float after[BINS];
-    struct tree_box box = empty_box();
-    uint32_t count = 0;
-    for (int bin = BINS - 1; bin > 0; bin--) {
-        box_add(&box, &boxes[bin]);
-        count += counts[bin];
-        after[bin] = count ? tree_box_half_surface(&box) * (float)count : INFINITY;
+    struct bin sum = {empty_box(), 0};
+    for (int bin = binning->count - 1; bin > 0; bin--) {
+        box_add(&sum.box, &bins[bin].box);
+        sum.count += bins[bin].count;
+        after[bin] = sum.count ? tree_box_half_surface(&sum.box) * (float)sum.count : INFINITY;
     }
-    box = empty_box();
-    count = 0;
-    split->cost = INFINITY;
-    for (int bin = 0; bin < BINS - 1; bin++) {
-        box_add(&box, &boxes[bin]);
-        count += counts[bin];
-        float cost = count ? tree_box_half_surface(&box) * (float)count + after[bin + 1] : INFINITY;
-        if (cost < split->cost) {
-            split->cost = cost;
-            split->bin = bin;
-        }
+    sum = (struct bin){empty_box(), 0};
+    for (int bin = 0; bin < binning->count - 1; bin++) {
+        box_add(&sum.box, &bins[bin].box);
+        sum.count += bins[bin].count;
+        float cost = tree_box_half_surface(&sum.box) * (float)sum.count + after[bin + 1];
+        if (sum.count > 0 && cost < best->cost)
+            *best = (struct split){axis, bin, cost};
     }
 }
 
-static struct split find_split_along(const struct tree_triangle *triangles, uint32_t count,
-                                     const struct tree_box *middles, int axis) {
-    struct tree_box boxes[BINS];
-    uint32_t counts[BINS] = {0};
-    struct split split = {.axis = axis, .low = middles->low[axis]};
-    split.bins_per_metre = BINS / fmaxf(middles->high[axis] - split.low, FLT_MIN);
-    for (int bin = 0; bin < BINS; bin++)
-        boxes[bin] = empty_box();
-    for (uint32_t i = 0; i < count; i++) {
-        int bin = bin_of(&triangles[i], &split);
-        struct tree_box box = box_of(&triangles[i]);
-        box_add(&boxes[bin], &box);
-        counts[bin]++;
-    }
-    find_bin(&split, boxes, counts);
-    return split;
-}
-
-static struct split find_split(const struct tree_triangle *triangles, uint32_t count) {
-    struct tree_box middles = empty_box();
-    for (uint32_t i = 0; i < count; i++)
-        for (int c = 0; c < 3; c++) {
-            float middle = middle_of(&triangles[i], c);
-            middles.low[c] = fminf(middles.low[c], middle);
-            middles.high[c] = fmaxf(middles.high[c], middle);
-        }
-    struct split best = find_split_along(triangles, count, &middles, 0);
-    for (int axis = 1; axis < 3; axis++) {
-        struct split split = find_split_along(triangles, count, &middles, axis);
-        if (split.cost < best.cost)
-            best = split;
-    }
-    return best;
-}
-
-/* How many the first child has; 0: all lie at one place. */
-static uint32_t divide(struct tree_triangle *triangles, uint32_t count) {
-    struct split split = find_split(triangles, count);
+/* How many items the first child has, which come first then; 0 = they stay one leaf: their middles lie at one place, or a
+ * split costs more than it saves. */
+static uint32_t divide(struct item *items, uint32_t count, const struct tree_box *box) {
+    struct binning binning;
+    struct split split = {.cost = INFINITY};
+    binning_init(&binning, items, count);
+    for (int axis = 0; axis < 3; axis++)
+        if (binning.bins_per_metre[axis] > 0)
+            improve_split(&split, &binning, axis);
+    float surface = tree_box_half_surface(box);
+    bool pays = count > LEAF || traversal_cost * surface + split.cost < surface * (float)count;
     uint32_t first = 0;
-    for (uint32_t i = 0; isfinite(split.cost) && i < count; i++)
-        if (bin_of(&triangles[i], &split) <= split.bin) {
-            struct tree_triangle swapped = triangles[first];
-            triangles[first++] = triangles[i];
-            triangles[i] = swapped;
+    for (uint32_t i = 0; pays && isfinite(split.cost) && i < count; i++)
+        if (bin_of(&items[i], &binning, split.axis) <= split.bin) {
+            struct item swapped = items[first];
+            items[first++] = items[i];
+            items[i] = swapped;
         }
     return first;
 }
 
-static void build(struct triangle_tree *tree, uint32_t at, uint32_t first, uint32_t count,
-                  int depth) {
-    struct tree_triangle *triangles = tree->triangles + first;
+/* --- building --------------------------------------------------------------------------------- */
+
+/* A node that is to be made. */
+struct task {
+    uint32_t at, first, count; /* its number; its items */
+    int depth;
+};
+
+struct builder {
+    struct item *items;
+    struct tree_node *nodes;
+    _Atomic uint32_t node_count;
+    uint32_t task_size; /* items */
+    struct task tasks[4 * TASKS];
+    uint32_t task_count;
+};
+
+/* Subtrees that are small enough are left as tasks where there is room for them. */
+static void build(struct builder *builder, struct task task, bool makes_tasks) {
+    struct item *items = builder->items + task.first;
     struct tree_box box = empty_box();
-    for (uint32_t i = 0; i < count; i++) {
-        struct tree_box own = box_of(&triangles[i]);
-        box_add(&box, &own);
-    }
-    uint32_t half = count > LEAF && depth < DEPTH ? divide(triangles, count) : 0;
-    uint32_t children = tree->node_count;
-    tree->nodes[at] = (struct tree_node){box, half ? children : first, half ? 0 : count};
-    if (half == 0)
+    if (makes_tasks && task.count <= builder->task_size && builder->task_count < 4 * TASKS) {
+        builder->tasks[builder->task_count++] = task;
         return;
-    tree->node_count += 2;
-    build(tree, children, first, half, depth + 1);
-    build(tree, children + 1, first + half, count - half, depth + 1);
+    }
+    for (uint32_t i = 0; i < task.count; i++)
+        box_add(&box, &items[i].box);
+    uint32_t half = task.count > 1 && task.depth < DEPTH ? divide(items, task.count, &box) : 0;
+    if (half == 0) {
+        builder->nodes[task.at] = (struct tree_node){box, task.first, task.count};
+        return;
+    }
+    uint32_t children = atomic_fetch_add(&builder->node_count, 2);
+    builder->nodes[task.at] = (struct tree_node){box, children, 0};
+    build(builder, (struct task){children, task.first, half, task.depth + 1}, makes_tasks);
+    build(builder,
+          (struct task){children + 1, task.first + half, task.count - half, task.depth + 1},
+          makes_tasks);
+}
+
+static void build_task(void *context, size_t i) {
+    struct builder *builder = context;
+    build(builder, builder->tasks[i], false);
+}
+
+/* Leaf by leaf. */
+static void order_triangles(struct triangle_tree *tree, const struct item *items) {
+    struct tree_triangle *ordered = mem_alloc(tree->count, sizeof *ordered);
+    for (uint32_t i = 0; i < tree->count; i++)
+        ordered[i] = tree->triangles[items[i].triangle];
+    free(tree->triangles);
+    tree->triangles = ordered;
 }
 
 void triangle_tree_init(struct triangle_tree *tree, struct tree_triangle *triangles,
                         uint32_t count) {
-    *tree = (struct triangle_tree){
-        .triangles = triangles,
-        .nodes = mem_alloc(2 * (size_t)count + 1, sizeof *tree->nodes),
-        .count = count,
+    struct builder builder = {
+        .items = mem_alloc(count, sizeof *builder.items),
+        .nodes = mem_alloc(2 * (size_t)count + 1, sizeof *builder.nodes),
         .node_count = 1,
+        .task_size = count / TASKS,
     };
-    build(tree, 0, 0, count, 1);
+    for (uint32_t i = 0; i < count; i++)
+        builder.items[i] = item_of(&triangles[i], i);
+    build(&builder, (struct task){0, 0, count, 1}, true);
+    parallel_for(builder.task_count, 0, build_task, &builder);
+    *tree = (struct triangle_tree){triangles, builder.nodes, count, builder.node_count};
+    order_triangles(tree, builder.items);
+    free(builder.items);
 }
 
 void triangle_tree_free(struct triangle_tree *tree) {

@@ -1,5 +1,5 @@
-/* Triangles for rays: a binary tree of boxes, split where the surface area heuristic over bins has its
- * least [Wald 2007]. What shaders walk is laid out of it (scene/mesh/threaded_tree.h); the path tracer has Embree
+/* Triangles for rays: a binary tree of boxes, built on all cores. A node is split where the surface area heuristic over
+ * bins has its least, and is a leaf where no split saves more than it costs [Wald 2007]. What shaders walk is laid out of it (scene/mesh/threaded_tree.h); the path tracer has Embree
  * (reference/scene/ray_scene.h).
  */
 #ifndef SCENE_MESH_TRIANGLE_TREE_H
