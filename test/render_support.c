@@ -22,7 +22,7 @@
 
 struct context *open_context(enum context_kind kind) {
     struct context *context =
-        context_create(&(struct context_desc){.kind = kind, .device = -1, .debug = true});
+        context_create(&(struct context_desc){.kind = kind, .debug = true});
     if (!context) {
         printf("    skipped: %s\n", error_get());
         skip();
@@ -56,7 +56,7 @@ static int count_at_start;
 
 int open_group_context(void **state) {
     *state =
-        context_create(&(struct context_desc){.kind = CONTEXT_AUTO, .device = -1, .debug = true});
+        context_create(&(struct context_desc){.kind = CONTEXT_AUTO, .debug = true});
     if (!*state) {
         printf("    %s\n", error_get());
         return -1;

@@ -30,7 +30,7 @@ static void set(struct settings *settings, const char *assignments) {
 
 static int set_up_scene(void **state, const char *path) {
     struct fixture *fixture = *state = calloc(1, sizeof *fixture);
-    fixture->context = context_create(&(struct context_desc){.device = -1, .debug = true});
+    fixture->context = context_create(&(struct context_desc){.debug = true});
     if (!fixture->context)
         return 0;
     check_ok("scene", scene_load(&fixture->scene, path));

@@ -11,9 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const struct context_desc egl_desc = {.kind = CONTEXT_EGL, .device = -1, .debug = true};
-static const struct context_desc osmesa_desc = {
-    .kind = CONTEXT_OSMESA, .device = -1, .debug = true};
+static const struct context_desc egl_desc = {.kind = CONTEXT_EGL, .debug = true};
+static const struct context_desc osmesa_desc = {.kind = CONTEXT_OSMESA, .debug = true};
 
 /* A context that is current, or the test is skipped: a machine needs only one of the libraries. */
 static struct context *open_context(const struct context_desc *desc) {
@@ -148,9 +147,8 @@ static void test_refusals(void **state) {
     char devices[4096];
     context_list_devices(devices, sizeof devices);
     printf("%s", devices);
-    const struct context_desc no_such_device = {.kind = CONTEXT_EGL, .device = 99};
-    struct context *current =
-        context_create(&(struct context_desc){.kind = CONTEXT_AUTO, .device = -1});
+    const struct context_desc no_such_device = {.kind = CONTEXT_EGL, .device = "99"};
+    struct context *current = context_create(&(struct context_desc){.kind = CONTEXT_AUTO});
     assert_null(context_create(&no_such_device));
     printf("    %s\n", error_get());
     assert_non_null(strstr(error_get(), "no OpenGL 4.5 core context: "));
@@ -159,6 +157,33 @@ static void test_refusals(void **state) {
     if (current)
         assert_int_equal(gl.GetError(), GL_NO_ERROR);
     context_free(current);
+}
+
+/* Devices by name: what is no device is refused, and hardware is never software. */
+static void test_devices(void **state) {
+    (void)state;
+    static const char *const good[] = {"0", "12", "cuda:0", "cuda:7", "hardware"};
+    static const char *const bad[] = {"",      "-1",      "1x",       "cuda",
+                                      "cuda:", "cuda:-1", "Hardware", "gpu"};
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++)
+        assert_true(context_check_device(good[i]));
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        assert_false(context_check_device(bad[i]));
+        assert_null(context_create(&(struct context_desc){.device = bad[i]}));
+    }
+    printf("    %s\n", error_get());
+    struct context *context = context_create(&(struct context_desc){.device = "hardware"});
+    if (context)
+        assert_false(gl.software);
+    else
+        printf("    %s\n", error_get());
+    context_free(context);
+    if (!context)
+        assert_non_null(strstr(error_get(), "no OpenGL 4.5 core context: "));
+    context = context_create(&(struct context_desc){.device = "cuda:999"});
+    assert_null(context);
+    printf("    %s\n", error_get());
+    assert_non_null(strstr(error_get(), "no EGL device is cuda:999"));
 }
 
 /* A machine without GPU drivers: the message tells what was tried. */
@@ -263,6 +288,7 @@ int main(void) {
         cmocka_unit_test(test_alternation_with_osmesa),
         cmocka_unit_test(test_messages_of_two),
         cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_devices),
         cmocka_unit_test(test_no_driver),
         cmocka_unit_test(test_missing_function),
         cmocka_unit_test(test_needs),

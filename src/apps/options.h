@@ -26,8 +26,10 @@ struct technique_values {
 #define CONTEXT_OPTIONS(type, member)                                                              \
     {"context", 0, OPTION_CHOICE, offsetof(type, member.kind), .choices = context_kind_names,      \
      .help = "where OpenGL comes from"},                                                           \
-    {"device", 0, OPTION_INT, offsetof(type, member.device), -1, -1, 999,                          \
-     .help = "EGL device (manylight info lists them); -1 = the first that works"},                 \
+    {"device", 0, OPTION_TEXT, offsetof(type, member.device), .check = context_check_device,       \
+     .value_name = "N|cuda:N|hardware",                                                            \
+     .help = "EGL device by its number (manylight info lists them) or CUDA's; hardware refuses\n"   \
+             "software [the first that works]"},                                                   \
     {"gl-debug", 0, OPTION_FLAG, offsetof(type, member.debug),                                     \
      .help = "a debug context: OpenGL's messages go to stderr"}
 

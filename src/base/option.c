@@ -137,6 +137,8 @@ bool option_parse(const struct option *option, void *values, const char *text) {
             }
         return refuse(option, text);
     case OPTION_TEXT:
+        if (option->check && !option->check(text))
+            return error_prefix("%s", option->name);
         *(const char **)at = text;
         return true;
     case OPTION_LIST: {

@@ -39,8 +39,10 @@ struct option {
     size_t offset; /* of the field in the struct of values */
     double default_value, minimum, maximum;
     const char *const *choices; /* OPTION_CHOICE: null-terminated */
-    const char *value_name;     /* in --help: "FILE"; NULL = by type */
-    const char *unit;           /* may stand behind a number: "ms"; NULL = none */
+    bool (*check)(
+        const char *text);  /* OPTION_TEXT: false with an error set refuses it; NULL = any */
+    const char *value_name; /* in --help: "FILE"; NULL = by type */
+    const char *unit;       /* may stand behind a number: "ms"; NULL = none */
     const char *help;
 };
 

@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 const char *const context_kind_names[] = {"auto", "egl", "osmesa", NULL};
 
@@ -65,6 +66,7 @@ static bool load(struct context *context, void *(*getproc)(const char *name), bo
     if (!gl_api_load(&context->api, getproc) || !gl_needs_met(&context->api))
         return false;
     make_empty_objects(&context->api);
+    context->api.Disable(GL_DITHER); /* drivers warn of it where targets hold integers */
     context->api.programs = program_cache_create();
     context->api.software = is_software((const char *)context->api.GetString(GL_RENDERER));
     /* A software rasteriser frees tens of MiB of triangles at the end of what it draws, and asks for them again. */
@@ -107,41 +109,121 @@ static void list_candidates(struct candidate_list *list, enum context_kind kind,
         add_reason(reasons);
 }
 
-static struct context *try_all(const struct candidate_list *list, bool debug,
-                               struct names *reasons) {
+/* Which candidates are tried. */
+struct wish {
+    enum { WISH_ANY, WISH_HARDWARE, WISH_EGL, WISH_CUDA } kind;
+    int number;
+};
+
+static bool parse_wish(struct wish *wish, const char *text) {
+    int end = 0;
+    *wish = (struct wish){WISH_ANY, -1};
+    if (!text)
+        return true;
+    wish->kind = strcmp(text, "hardware") == 0    ? WISH_HARDWARE
+                 : strncmp(text, "cuda:", 5) == 0 ? WISH_CUDA
+                                                  : WISH_EGL;
+    if (wish->kind == WISH_HARDWARE)
+        return true;
+    const char *digits = text + (wish->kind == WISH_CUDA ? 5 : 0);
+    return (sscanf(digits, "%3d%n", &wish->number, &end) == 1 && wish->number >= 0 &&
+            digits[end] == '\0') ||
+           error_set("'%s' is no device: a number of EGL's, cuda:N or hardware", text);
+}
+
+bool context_check_device(const char *text) {
+    struct wish wish;
+    return parse_wish(&wish, text);
+}
+
+static bool is_wished(const struct candidate *candidate, const struct wish *wish) {
+    switch (wish->kind) {
+    case WISH_ANY:
+        return true;
+    case WISH_HARDWARE:
+        return !candidate->software;
+    case WISH_EGL:
+        return candidate->number == wish->number;
+    case WISH_CUDA:
+        return candidate->cuda == wish->number;
+    }
+    return false;
+}
+
+/* EGL surfaceless tells only of a context that is made whether it is software. */
+static struct context *try_wished(const struct candidate *candidate, const struct wish *wish,
+                                  bool debug) {
+    struct context *context = try_candidate(candidate, debug);
+    if (!context || wish->kind != WISH_HARDWARE || !context->api.software)
+        return context;
+    context_free(context);
+    error_set("%s: it is software", candidate->name);
+    return NULL;
+}
+
+static bool refuse_wish(const struct candidate_list *list, const struct wish *wish) {
+    int count = 0;
+    for (int i = 0; i < list->count; i++)
+        count += list->items[i].number >= 0;
+    if (wish->kind == WISH_EGL)
+        return error_set("no EGL device %d (there are %d, counted from 0)", wish->number, count);
+    return wish->kind == WISH_CUDA ? error_set("no EGL device is cuda:%d", wish->number)
+                                   : error_set("no hardware device");
+}
+
+/* Containers pass a GPU on without the file that tells EGL of its driver. */
+static void warn_of_hidden_gpu(const struct candidate_list *list) {
+    for (int i = 0; i < list->count; i++)
+        if (list->items[i].number >= 0 && !list->items[i].software)
+            return;
+    if (access("/dev/nvidiactl", F_OK) == 0)
+        log_warning(
+            "an NVIDIA GPU is there, but EGL does not list it: its file 10_nvidia.json is missing "
+            "(__EGL_VENDOR_LIBRARY_FILENAMES names one)");
+}
+
+/* Nobody shall take a software rasteriser's times for a GPU's. */
+static void warn_of_software(const struct candidate_list *list, const struct names *failures) {
+    if (failures->length)
+        log_warning("hardware is not used: %s", failures->text);
+    else
+        warn_of_hidden_gpu(list);
+}
+
+static struct context *try_list(const struct candidate_list *list, const struct wish *wish,
+                                bool debug, struct names *reasons) {
+    struct names failures = {0}; /* of hardware */
+    int tried = 0;
     for (int i = 0; i < list->count; i++) {
-        struct context *context = try_candidate(&list->items[i], debug);
+        const struct candidate *candidate = &list->items[i];
+        if (!is_wished(candidate, wish))
+            continue;
+        tried++;
+        struct context *context = try_wished(candidate, wish, debug);
+        if (context && context->api.software && wish->kind == WISH_ANY)
+            warn_of_software(list, &failures);
         if (context)
             return context;
+        add_reason(reasons);
+        if (candidate->number >= 0 && !candidate->software)
+            add_reason(&failures);
+    }
+    if (tried == 0) {
+        refuse_wish(list, wish);
         add_reason(reasons);
     }
     return NULL;
 }
 
-static struct context *try_device(const struct candidate_list *list, int number, bool debug,
-                                  struct names *reasons) {
-    int count = 0;
-    struct context *context = NULL;
-    for (int i = 0; i < list->count; i++) {
-        if (list->items[i].number == number)
-            context = try_candidate(&list->items[i], debug);
-        count += list->items[i].number >= 0;
-    }
-    if (number >= count)
-        error_set("no EGL device %d (there are %d, counted from 0)", number, count);
-    if (!context)
-        add_reason(reasons);
-    return context;
-}
-
 struct context *context_create(const struct context_desc *desc) {
     struct candidate_list list;
+    struct wish wish;
     struct names reasons = {0};
     struct context *before = current;
+    if (!parse_wish(&wish, desc->device))
+        return NULL;
     list_candidates(&list, desc->kind, &reasons);
-    struct context *context = desc->device < 0
-                                  ? try_all(&list, desc->debug, &reasons)
-                                  : try_device(&list, desc->device, desc->debug, &reasons);
+    struct context *context = try_list(&list, &wish, desc->debug, &reasons);
     if (!context) {
         context_make_current(before);
         error_set("no OpenGL 4.5 core context: %s", reasons.text);

@@ -20,15 +20,20 @@ extern const char *const context_kind_names[];
 
 struct context_desc {
     enum context_kind kind;
-    int device; /* number of an EGL device, from 0, and that one only; -1 = try all in order */
+    /* The only device to be tried: "2" by EGL's number, "cuda:2" by CUDA's, "hardware" = the first that is no software.
+     * NULL = all in order. */
+    const char *device;
     bool debug; /* a debug context: every GL message is logged and counted */
 };
+
+/* Whether a text is such a device. Error: says how devices are named. */
+bool context_check_device(const char *text);
 
 struct context;
 struct program_store; /* gl/program.h */
 
-/* Makes a context and makes it current. Error: one message that says what was tried and why each
- * attempt failed; the context that was current still is. */
+/* Makes a context and makes it current. A warning says why hardware that is there is not used. Error: one message that
+ * says what was tried and why each attempt failed; the context that was current still is. */
 struct context *context_create(const struct context_desc *desc);
 
 /* Accepts NULL. The freed context is current no more; another one that is current stays so. */

@@ -84,16 +84,35 @@ static bool open_library(void) {
     return true;
 }
 
+/* EGL and CUDA count devices in orders of their own. */
+static int cuda_number(EGLDeviceEXT device, const char *extensions) {
+    PFNEGLQUERYDEVICEATTRIBEXTPROC query_attribute;
+    EGLAttrib number = -1;
+    if (!has(extensions, "EGL_NV_device_cuda") ||
+        !find("eglQueryDeviceAttribEXT", &query_attribute) ||
+        !query_attribute(device, EGL_CUDA_DEVICE_NV, &number))
+        return -1;
+    return (int)number;
+}
+
+/* "EGL device 0 (/dev/dri/card0, cuda:1)", "EGL device 1 (software)". */
 static void name_device(struct candidate *candidate, PFNEGLQUERYDEVICESTRINGEXTPROC query) {
     const char *extensions = query(candidate->device, EGL_EXTENSIONS);
     const char *file = NULL;
+    char cuda[24] = "", about[80];
     if (has(extensions, "EGL_EXT_device_drm"))
         file = query(candidate->device, EGL_DRM_DEVICE_FILE_EXT);
     candidate->software = has(extensions, "EGL_MESA_device_software");
+    candidate->cuda = cuda_number(candidate->device, extensions);
+    if (candidate->cuda >= 0)
+        snprintf(cuda, sizeof cuda, "cuda:%d", candidate->cuda);
+    snprintf(about, sizeof about, "%s%s%s",
+             candidate->software ? "software"
+             : file              ? file
+                                 : "",
+             file && *cuda ? ", " : "", cuda);
     snprintf(candidate->name, sizeof candidate->name, "EGL device %d%s%s%s", candidate->number,
-             file || candidate->software ? " (" : "",
-             candidate->software ? "software" : (file ? file : ""),
-             file || candidate->software ? ")" : "");
+             *about ? " (" : "", about, *about ? ")" : "");
 }
 
 /* The devices in EGL's own order. Without the extensions there are none, which is no error. */
@@ -106,7 +125,7 @@ static int query_devices(struct candidate *candidates, int max) {
         !find("eglQueryDeviceStringEXT", &query_string) || !query_devices(max, devices, &count))
         return 0;
     for (int i = 0; i < count; i++) {
-        candidates[i] = (struct candidate){&egl_platform, devices[i], i, false, ""};
+        candidates[i] = (struct candidate){&egl_platform, devices[i], i, -1, false, ""};
         name_device(&candidates[i], query_string);
     }
     return count;
@@ -123,7 +142,7 @@ static bool list(struct candidate_list *list) {
     if (!open_library())
         return error_prefix("EGL");
     struct candidate devices[CANDIDATES_MAX];
-    const struct candidate surfaceless = {&egl_platform, NULL, -1, false, "EGL surfaceless"};
+    const struct candidate surfaceless = {&egl_platform, NULL, -1, -1, false, "EGL surfaceless"};
     int before = list->count, count = query_devices(devices, CANDIDATES_MAX);
     for (int i = 0; i < count; i++)
         if (!devices[i].software)

@@ -55,8 +55,11 @@ static bool list(struct candidate_list *list) {
     if (!open_library())
         return error_prefix("OSMesa");
     if (list->count < CANDIDATES_MAX)
-        list->items[list->count++] = (struct candidate){
-            .platform = &osmesa_platform, .number = -1, .software = true, .name = "OSMesa"};
+        list->items[list->count++] = (struct candidate){.platform = &osmesa_platform,
+                                                        .number = -1,
+                                                        .cuda = -1,
+                                                        .software = true,
+                                                        .name = "OSMesa"};
     return true;
 }
 

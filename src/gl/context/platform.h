@@ -14,6 +14,7 @@ struct candidate {
     const struct platform *platform;
     void *device;  /* EGLDeviceEXT; NULL for EGL surfaceless and OSMesa */
     int number;    /* of the EGL device, from 0; -1 for the others */
+    int cuda;      /* its number in CUDA's order; -1 = it has none */
     bool software; /* known to render on the CPU before it is tried */
     char name[128];
 };
