@@ -203,7 +203,7 @@ static void test_encoded_files(void **state) {
 static void test_files_that_do_not_compare(void **state) {
     (void)state;
     expect(1, with_pictures("--layer albedo"));
-    expect_text("compare-test.exr: no layer 'albedo' (there is: beauty indirect)");
+    expect_text("compare-test.exr: no layer 'albedo' (there is: beauty, indirect)");
 
     char arguments[1200];
     snprintf(arguments, sizeof arguments, "%s no-such-file.exr", test_exr);
