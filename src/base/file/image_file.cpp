@@ -3,6 +3,7 @@
 
 extern "C" {
 #include "base/file/output_file.h"
+#include "base/file/webp.h"
 }
 
 #include <cmath>
@@ -255,6 +256,28 @@ extern "C" bool bitmap_measure(const void *bytes, size_t size, uint64_t *memory)
     return error_set("%s", error.what());
 }
 
+/* Puts colours as stored in place of those times alpha, which OpenImageIO's WebP gives always. */
+static bool restore_webp(std::vector<unsigned char> &rgba, const void *bytes, size_t size) {
+    const unsigned char *begin = static_cast<const unsigned char *>(bytes);
+    std::vector<unsigned char> copy(begin, begin + size);
+    if (!mem_check(rgba.size()))
+        return error_prefix("a picture");
+    if (!webp_hide_alpha(copy.data(), size))
+        return fail("picture", "its alpha cannot be told from its colours");
+    Filesystem::IOMemReader reader(copy.data(), size);
+    ImageSpec spec;
+    std::unique_ptr<ImageInput> in = open_texture(reader, spec);
+    if (!in)
+        return false;
+    std::vector<unsigned char> rgb(spec.image_pixels() * 3);
+    if (spec.image_pixels() * 4 != rgba.size() ||
+        !in->read_image(0, 0, 0, 3, TypeDesc::UINT8, rgb.data()))
+        return fail("picture", in->geterror());
+    for (size_t i = 0; i < rgb.size(); i++)
+        rgba[i / 3 * 4 + i % 3] = rgb[i];
+    return true;
+}
+
 extern "C" bool bitmap_decode(struct bitmap *bitmap, const void *bytes, size_t size) try {
     *bitmap = {};
     Filesystem::IOMemReader reader(const_cast<void *>(bytes), size);
@@ -267,6 +290,9 @@ extern "C" bool bitmap_decode(struct bitmap *bitmap, const void *bytes, size_t s
     std::vector<unsigned char> source(spec.image_pixels() * spec.nchannels);
     if (!in->read_image(0, 0, 0, spec.nchannels, TypeDesc::UINT8, source.data()))
         return fail("picture", in->geterror());
+    if (strcmp(in->format_name(), "webp") == 0 && spec.nchannels == 4 &&
+        !restore_webp(source, bytes, size))
+        return false;
     bitmap->width = spec.width;
     bitmap->height = spec.height;
     bitmap->rgba = static_cast<unsigned char *>(mem_alloc(spec.image_pixels(), 4));

@@ -6,6 +6,10 @@
 #include <memory>
 #include <vector>
 
+extern "C" {
+#include "base/file/webp.h"
+}
+
 using namespace OIIO;
 using namespace bridge;
 
@@ -25,6 +29,8 @@ struct Part {
 
 struct Source {
     const char *path;
+    std::vector<unsigned char> bytes; /* of a WebP with alpha: read from here */
+    std::unique_ptr<Filesystem::IOMemReader> reader;
     std::unique_ptr<ImageInput> in;
     bool is_exr;
     std::vector<Part> parts;
@@ -40,6 +46,23 @@ struct Run {
 };
 
 /* --- the file -------------------------------------------------------------------------------------- */
+
+/* OpenImageIO's WebP has no way to leave alpha out of the colours. */
+bool reopen_webp(Source &source) {
+    struct file_bytes file;
+    if (!file_read(&file, source.path))
+        return false;
+    source.bytes.assign(file.data, file.data + file.size);
+    free(file.data);
+    if (!webp_hide_alpha(source.bytes.data(), source.bytes.size()))
+        return fail(source.path, "its alpha cannot be told from its colours");
+    source.reader.reset(new Filesystem::IOMemReader(source.bytes.data(), source.bytes.size()));
+    source.in = ImageInput::create("webp");
+    ImageSpec spec;
+    return source.in->set_ioproxy(source.reader.get()) && source.in->open(source.path, spec)
+               ? true
+               : fail(source.path, source.in->geterror());
+}
 
 std::string name_of(const ImageSpec &spec) {
     return std::string(spec.get_string_attribute("name"));
@@ -84,6 +107,8 @@ bool name_channels(Source &source) {
             return fail(source.path, "more than " + std::to_string(max_channels) + " channels");
         for (int i = 0; i < part.spec.nchannels; i++) {
             std::string channel = part.spec.channel_name(i);
+            if (!source.is_exr && part.spec.nchannels == 2) /* TGA calls them R and G */
+                channel = i == 0 ? "Y" : "A";
             bool has_it = channel.compare(0, prefix.size(), prefix) == 0;
             source.names.push_back(whole || has_it ? channel : prefix + channel);
         }
@@ -118,6 +143,9 @@ bool open_source(Source &source, const char *path) {
     source.in = ImageInput::open(path, &hints);
     if (!source.in)
         return fail(path, geterror());
+    if (strcmp(source.in->format_name(), "webp") == 0 && source.in->spec().nchannels == 4 &&
+        !reopen_webp(source))
+        return false;
     source.is_exr = strcmp(source.in->format_name(), "openexr") == 0;
     if (!find_parts(source) || !name_channels(source))
         return false;
