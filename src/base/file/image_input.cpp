@@ -316,12 +316,22 @@ void take_header(const Source &source, struct image *image) {
         image->parts[image->part_count++] = mem_strdup(name_of(part.spec).c_str());
 }
 
+/* A file of few pixels asks for no more memory than 8192x8192 pixels take. */
+bool check_display(const image_window &display, const ImageSpec &data, const char *path) {
+    const uint64_t always = uint64_t(1) << 26, pixels = uint64_t(display.width) * display.height;
+    if (!check_size(display.width, display.height, path))
+        return false;
+    return pixels <= always || pixels <= 16 * data.image_pixels() ||
+           fail(path, "too large: a display window of " + text_of(display) +
+                          " around a data window of " + text_of(data_window(data)));
+}
+
 /* Those channels of the file, ascending. */
 bool read_channels(Source &source, const std::vector<int> &channels, struct image *image) {
     const std::vector<Run> runs = runs_of(source, channels);
     const Part &part = *runs[0].part;
     const image_window display = display_window(part.spec, source.is_exr);
-    if (!check_size(display.width, display.height, source.path))
+    if (!check_display(display, part.spec, source.path))
         return false;
     for (const Run &run : runs)
         if (!is_same(display_window(run.part->spec, source.is_exr), display))
