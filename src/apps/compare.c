@@ -64,7 +64,7 @@ static void print_metrics(FILE *out, const void *values) {
         "channel (Z, normal.X). Without it: R G B without a layer's name, else the layer or part\n"
         "named beauty, rgba, Combined or alike, else the first part with R G B; a note tells.\n"
         "Pictures are compared by their display windows, black where an EXR's data window has no\n"
-        "pixels. They are turned as the tag of a JPEG or TIFF, or the lines of a .hdr, say.\n"
+        "pixels. They stand upright as a .hdr or a tag of a JPEG, PNG or TIFF says.\n"
         "Exit status: 0; 1 over a --max or where files do not compare; 2 for wrong usage.\n");
 }
 
