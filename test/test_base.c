@@ -71,7 +71,7 @@ static void test_layers(void **state) {
     assert_true(image_find_layer(&image, "indirect", channels));
     assert_int_equal(channels[0], 4);
     assert_false(image_find_layer(&image, "albedo", channels));
-    assert_string_equal(error_get(), "no layer 'albedo' (there is: beauty indirect)");
+    assert_string_equal(error_get(), "no layer 'albedo' (there is: beauty, Z, indirect)");
     image_free(&image);
 }
 
@@ -157,7 +157,7 @@ static void test_long_layers(void **state) {
     assert_int_equal(channels[0], 3);
     assert_false(image_find_layer(&image, LONG "3", channels));
     printf("    %s\n", error_get());
-    assert_non_null(strstr(error_get(), LONG "3' (there is: " LONG "1 " LONG "2)"));
+    assert_non_null(strstr(error_get(), LONG "3' (there is: " LONG "1, " LONG "2)"));
     image_free(&image);
 }
 
@@ -343,7 +343,7 @@ static void test_grey(void **state) {
     image_free(&image);
     image_init(&image, 1, 1, "Z");
     assert_false(image_find_layer(&image, "", channels));
-    assert_string_equal(error_get(), "no layer 'beauty' (there is: none)");
+    assert_string_equal(error_get(), "no layer 'beauty' (there is: Z)");
     image_free(&image);
     assert_true(image_name_holds_layers("a.exr"));
     assert_false(image_name_holds_layers("a.png") || image_name_holds_layers("a"));

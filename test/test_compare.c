@@ -84,6 +84,8 @@ static void test_usage_errors(void **state) {
         {"a.exr b.exr --metric ssim", "metric: no metric is called 'ssim' (there is: rmse"},
         {"a.exr b.exr --max rmse", "max: 'rmse' is not METRIC=VALUE"},
         {"a.exr b.exr --max rmse=nan", "max: 'nan' is not a number"},
+        {"a.exr b.exr --max rmse=10%%", "max: '10%%' is not a number"},
+        {"a.exr b.exr --max rmse=%", "max: '%' is not a number"},
         {"a.exr b.exr --max psnr=30", "psnr has no upper bound"},
         {"a.exr b.exr -o heat", "heat: no extension"},
         {"a.exr b.exr -m psnr -o heat.png", "psnr has no picture"},
@@ -132,6 +134,10 @@ static void test_bounds(void **state) {
     expect(1, with_pictures("-m rmse --max rmse=0.12 --max mae=1"));
     expect_text("manylight compare: rmse is 0.125, above 0.12");
     assert_null(strstr(output, "mae is"));
+    expect(0, with_pictures("--max rmse=13%"));
+    expect_text("(at most 0.13)");
+    expect(1, with_pictures("--max relative-rmse=24%")); /* it is a quarter */
+    expect(0, with_pictures("--max relative-rmse=25.1%"));
     /* The bound of a signed metric holds on both sides. */
     char swapped[1200];
     snprintf(swapped, sizeof swapped, "%s %s -m bias --max bias=0.1", reference_exr, test_exr);
@@ -203,7 +209,7 @@ static void test_encoded_files(void **state) {
 static void test_files_that_do_not_compare(void **state) {
     (void)state;
     expect(1, with_pictures("--layer albedo"));
-    expect_text("compare-test.exr: no layer 'albedo' (there is: beauty indirect)");
+    expect_text("compare-test.exr: no layer 'albedo' (there is: beauty, indirect)");
 
     char arguments[1200];
     snprintf(arguments, sizeof arguments, "%s no-such-file.exr", test_exr);

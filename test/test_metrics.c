@@ -410,7 +410,7 @@ static void test_layer_refusals(void **state) {
     refuse_layer(&picture, "indirect", "indirect.G is nan at pixel 2,1");
     image_at(&picture, 3, 0)[3] = -INFINITY;
     refuse_layer(&picture, "indirect", "indirect.R is -inf at pixel 3,0");
-    refuse_layer(&picture, "albedo", "no layer 'albedo' (there is: beauty indirect)");
+    refuse_layer(&picture, "albedo", "no layer 'albedo' (there is: beauty, indirect)");
     image_free(&picture);
 }
 

@@ -18,7 +18,7 @@
 
 struct values {
     struct common_values common;
-    const char *layer, *output;
+    const char *layer, *reference_layer, *output;
     struct text_list metrics, bounds;
     float pixels_per_degree, top;
     bool json;
@@ -26,11 +26,13 @@ struct values {
 
 static const struct option options[] = {
     {"layer", 'l', OPTION_TEXT, offsetof(struct values, layer), .value_name = "NAME",
-     .help = "the layer to compare, such as indirect [beauty]"},
+     .help = "the layer to compare, such as indirect; see below [beauty]"},
+    {"reference-layer", 0, OPTION_TEXT, offsetof(struct values, reference_layer),
+     .value_name = "NAME", .help = "the layer of REFERENCE, where it has another name"},
     {"metric", 'm', OPTION_LIST, offsetof(struct values, metrics), .value_name = "NAME",
      .help = "measure this, or 'all'; may be repeated [see below]"},
     {"max", 0, OPTION_LIST, offsetof(struct values, bounds), .value_name = "METRIC=VALUE",
-     .help = "exit with 1 when the metric, without its sign, is above; may be repeated"},
+     .help = "exit with 1 when the metric, without its sign, is above, 10% is .1; may be repeated"},
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE",
      .help = "a picture of the error: false colours (PNG ...) or values (EXR ...)"},
     {"top", 0, OPTION_FLOAT, offsetof(struct values, top), 0, 0, 1e9,
@@ -56,6 +58,13 @@ static void print_metrics(FILE *out, const void *values) {
         "those marked [integer] where either stores integers (PNG, JPEG ...). Integers are\n"
         "taken as sRGB and decoded to linear light first. Alpha is ignored. NaN and infinity\n"
         "are errors. The picture shows the first --metric, or else FLIP.\n"
+        "\nA layer is R G B or X Y Z of one name, or one channel alone, which is compared as "
+        "grey.\n"
+        "NAME is a layer (ViewLayer.Combined), the end of one (Combined), a part of an EXR, or a\n"
+        "channel (Z, normal.X). Without it: R G B without a layer's name, else the layer or part\n"
+        "named beauty, rgba, Combined or alike, else the first part with R G B; a note tells.\n"
+        "Pictures are compared by their display windows, black where an EXR's data window has no\n"
+        "pixels. They stand upright as a .hdr or a tag of a JPEG, PNG or TIFF says.\n"
         "Exit status: 0; 1 over a --max or where files do not compare; 2 for wrong usage.\n");
 }
 
@@ -110,8 +119,10 @@ static bool ask_bounded(struct report *report, const char *text) {
         return error_set("%s has no upper bound, for higher is better", name);
     char *end;
     double bound = strtod(equals + 1, &end);
-    if (end == equals + 1 || *end || !(bound >= 0))
+    bool is_percent = end != equals + 1 && strcmp(end, "%") == 0;
+    if (end == equals + 1 || (*end && !is_percent) || !(bound >= 0))
         return error_set("'%s' is not a number from 0 up", equals + 1);
+    bound = is_percent ? bound / 100 : bound;
     report->measurements[metric - metrics] = (struct measurement){.asked = true, .bound = bound};
     return true;
 }
@@ -141,18 +152,36 @@ struct pictures {
     bool any_encoded;
 };
 
-static bool pictures_read(struct pictures *pictures, const char *layer) {
+/* " (data window 20x16 at 8,4)" where that is not the whole picture. */
+static void describe_window(const struct image *image, char *text, size_t size) {
+    const struct image_window *display = &image->display, *data = &image->data;
+    snprintf(text, size, " (data window %dx%d at %d,%d, display window at %d,%d)", data->width,
+             data->height, data->x, data->y, display->x, display->y);
+    if (memcmp(display, data, sizeof *data) == 0)
+        *text = '\0';
+}
+
+static bool check_sizes(const struct pictures *pictures) {
+    char of_test[160], of_reference[160];
+    const struct image *test = &pictures->test, *reference = &pictures->reference;
+    if (test->width == reference->width && test->height == reference->height)
+        return true;
+    describe_window(test, of_test, sizeof of_test);
+    describe_window(reference, of_reference, sizeof of_reference);
+    return error_set("%s is %dx%d%s, but %s is %dx%d%s", pictures->test_path, test->width,
+                     test->height, of_test, pictures->reference_path, reference->width,
+                     reference->height, of_reference);
+}
+
+static bool pictures_read(struct pictures *pictures, const struct values *values) {
     bool test_encoded, reference_encoded;
-    struct image *test = &pictures->test, *reference = &pictures->reference;
-    if (!layer_read(test, pictures->test_path, layer, &test_encoded) ||
-        !layer_read(reference, pictures->reference_path, layer, &reference_encoded))
+    const char *layer = values->layer ? values->layer : "beauty";
+    if (!layer_read(&pictures->test, pictures->test_path, layer, &test_encoded) ||
+        !layer_read(&pictures->reference, pictures->reference_path,
+                    values->reference_layer ? values->reference_layer : layer, &reference_encoded))
         return false;
     pictures->any_encoded = test_encoded || reference_encoded;
-    if (test->width != reference->width || test->height != reference->height)
-        return error_set("%s is %dx%d, but %s is %dx%d", pictures->test_path, test->width,
-                         test->height, pictures->reference_path, reference->width,
-                         reference->height);
-    return true;
+    return check_sizes(pictures);
 }
 
 static void print_table(const struct report *report) {
@@ -175,6 +204,10 @@ static void print_json(const struct report *report, const struct values *values,
     json_print_text(stdout, pictures->reference_path);
     printf(", \"layer\": ");
     json_print_text(stdout, values->layer ? values->layer : "beauty");
+    if (values->reference_layer) {
+        printf(", \"reference-layer\": ");
+        json_print_text(stdout, values->reference_layer);
+    }
     printf(", \"width\": %d, \"height\": %d, \"ppd\": ", pictures->test.width,
            pictures->test.height);
     json_print_number(stdout, (double)values->pixels_per_degree);
@@ -242,7 +275,7 @@ static int compare(const struct values *values, struct report *report, struct pi
                    const char *name) {
     const char *const inputs[] = {pictures->test_path, pictures->reference_path};
     if ((values->output && !output_file_check(values->output, inputs, 2)) ||
-        !pictures_read(pictures, values->layer ? values->layer : "beauty"))
+        !pictures_read(pictures, values))
         return arguments_fail(name);
     int kind = pictures->any_encoded ? METRIC_LDR : METRIC_HDR;
     /* Without --metric: those usual for this kind of picture. */

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/memory.h"
-#include "base/text.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -68,6 +67,9 @@ void image_free(struct image *image) {
     free(image->names);
     free(image->pixels);
     free(image->passes);
+    for (int i = 0; i < image->part_count; i++)
+        free(image->parts[i]);
+    free(image->parts);
     *image = (struct image){0};
 }
 
@@ -81,44 +83,6 @@ int image_find_channel(const struct image *image, const char *name) {
         if (strcmp(image->names[i], name) == 0)
             return i;
     return -1;
-}
-
-/* " beauty indirect ...": what has a red channel. */
-static void list_layers(const struct image *image, struct text *list) {
-    for (int i = 0; i < image->channel_count; i++) {
-        const char *name = image->names[i], *dot = strrchr(name, '.');
-        if (strcmp(dot ? dot + 1 : name, "R") != 0)
-            continue;
-        if (dot)
-            text_print(list, " %.*s", (int)(dot - name), name);
-        else
-            text_print(list, " beauty");
-    }
-}
-
-static int find_of_layer(const struct image *image, const char *layer, char colour) {
-    char *name = mem_printf("%s%s%c", layer, *layer ? "." : "", colour);
-    int channel = image_find_channel(image, name);
-    free(name);
-    return channel;
-}
-
-bool image_find_layer(const struct image *image, const char *layer, int channels[3]) {
-    bool beauty = layer[0] == '\0' || strcmp(layer, "beauty") == 0;
-    for (int i = 0; i < 3; i++) {
-        channels[i] = find_of_layer(image, beauty ? "" : layer, "RGB"[i]);
-        if (channels[i] < 0 && beauty)
-            channels[i] = image_find_channel(image, "Y");
-        if (channels[i] < 0) {
-            struct text list = {0};
-            list_layers(image, &list);
-            error_set("no layer '%s' (there is:%s)", beauty ? "beauty" : layer,
-                      list.data ? list.data : " none");
-            free(list.data);
-            return false;
-        }
-    }
-    return true;
 }
 
 bool image_name_holds_layers(const char *path) {

@@ -8,6 +8,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* A rectangle of pixels, y down. */
+struct image_window {
+    int x, y, width, height;
+};
+
 struct image {
     int width, height, channel_count;
     char **names;  /* channel_count of them */
@@ -15,6 +20,10 @@ struct image {
     bool encoded;  /* sRGB over [0, 1], as integer formats store it; false = linear */
     char *passes;  /* of which it is the mean: "0..7,16"; NULL = not told */
     double weight; /* of them together */
+    char **parts;  /* part_count names, with which channels' names begin: of an EXR of several parts */
+    int part_count;
+    /* Of a file: the whole picture, and where in it there are pixels. */
+    struct image_window display, data;
 };
 
 /* An 8-bit RGBA picture, row 0 at the top: glTF textures, display-referred pictures. */
@@ -49,9 +58,16 @@ static inline float *image_at(const struct image *image, int x, int y) {
 /* The index of the channel, or -1. */
 int image_find_channel(const struct image *image, const char *name);
 
-/* The indices of LAYER.R, LAYER.G and LAYER.B (R, G, B where layer is "" or "beauty"; a grey file's
- * Y three times); an error that lists the layers there are when one is missing. */
+/* The channels of a layer, which is named as a whole (ViewLayer.Combined, a part), by its end
+ * (Combined), or as one channel (Z, normal.X), which stands for all three. They are R G B, red green
+ * blue, X Y Z, or one channel alone three times. "" and "beauty": those without a layer's name;
+ * else the layer or part that programs name so (beauty, rgba, Combined ...), the first part with
+ * R G B, or the only layer of three. Error: lists the layers there are. */
 bool image_find_layer(const struct image *image, const char *layer, int channels[3]);
+
+/* A sentence of which layer that is, to be freed; NULL where it is the one named, or an unnamed
+ * picture where none is. */
+char *image_layer_note(const struct image *image, const char *layer);
 
 /* Whether a file of that name holds all layers: EXR alone does. Error: says so. */
 bool image_name_holds_layers(const char *path);

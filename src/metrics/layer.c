@@ -5,6 +5,7 @@
 #include "metrics/colour.h"
 
 #include <math.h>
+#include <string.h>
 
 static bool check_finite(const struct image *picture, const int channels[3]) {
     for (int y = 0; y < picture->height; y++)
@@ -18,21 +19,25 @@ static bool check_finite(const struct image *picture, const int channels[3]) {
     return true;
 }
 
-bool layer_extract(struct image *layer, const struct image *picture, const char *name) {
-    *layer = (struct image){0};
-    int channels[3];
-    if (!image_find_layer(picture, name, channels) || !check_finite(picture, channels))
+/* Alpha, which may be asked for by its name, is never encoded. */
+static bool extract(struct image *layer, const struct image *picture, const int channels[3]) {
+    if (!check_finite(picture, channels) || !image_fits(picture->width, picture->height, 3))
         return false;
-    if (!image_fits(picture->width, picture->height, 3))
-        return false;
+    bool decoded = picture->encoded && strcmp(picture->names[channels[0]], "A") != 0;
     image_init(layer, picture->width, picture->height, "R G B");
     for (int y = 0; y < picture->height; y++)
         for (int x = 0; x < picture->width; x++)
             for (int c = 0; c < 3; c++) {
                 float value = image_at(picture, x, y)[channels[c]];
-                image_at(layer, x, y)[c] = picture->encoded ? srgb_decode(value) : value;
+                image_at(layer, x, y)[c] = decoded ? srgb_decode(value) : value;
             }
     return true;
+}
+
+bool layer_extract(struct image *layer, const struct image *picture, const char *name) {
+    int channels[3];
+    *layer = (struct image){0};
+    return image_find_layer(picture, name, channels) && extract(layer, picture, channels);
 }
 
 bool layer_extract_covered(struct image *layer, const struct image *picture, const char *name,
@@ -53,10 +58,13 @@ bool layer_extract_covered(struct image *layer, const struct image *picture, con
 bool layer_read(struct image *layer, const char *path, const char *name, bool *was_encoded) {
     *layer = (struct image){0};
     struct image picture;
-    if (!image_read(&picture, path))
+    int channels[3];
+    if (!image_read_layer(&picture, path, name, channels))
         return false;
-    bool ok = layer_extract(layer, &picture, name) || error_prefix("%s", path);
+    bool ok = extract(layer, &picture, channels) || error_prefix("%s", path);
     *was_encoded = picture.encoded;
+    layer->display = picture.display;
+    layer->data = picture.data;
     image_free(&picture);
     return ok;
 }

@@ -4,8 +4,7 @@
 
 #include "base/image.h"
 
-/* Takes the layer ("" or "beauty": R G B) out of a picture and decodes sRGB where the picture is
- * encoded. Error: no such layer, or a value that is NaN or infinite, with its pixel. */
+/* Takes the layer (image_find_layer) out of a picture and decodes sRGB where the picture is encoded. Error: no such layer, or a value that is NaN or infinite, with its pixel. */
 bool layer_extract(struct image *layer, const struct image *picture, const char *name);
 
 /* The same, of each pixel as much as a surface covers of it by `coverage`, a picture of that size with a channel A: of slivers
@@ -13,7 +12,8 @@ bool layer_extract(struct image *layer, const struct image *picture, const char 
 bool layer_extract_covered(struct image *layer, const struct image *picture, const char *name,
                            const struct image *coverage);
 
-/* The same as layer_extract from a file, and whether its values were encoded. Error: names the file. */
+/* The same as layer_extract from a file, whose windows the layer tells, and whether its values were encoded. Error: names
+ * the file. */
 bool layer_read(struct image *layer, const char *path, const char *name, bool *was_encoded);
 
 #endif

@@ -32,9 +32,9 @@ static bool take_texel(struct environment *environment, const struct image *imag
     return true;
 }
 
-static bool take_texels(struct environment *environment, const struct image *image) {
-    int channels[3];
-    bool ok = check_picture(image) && image_find_layer(image, "", channels);
+static bool take_texels(struct environment *environment, const struct image *image,
+                        const int channels[3]) {
+    bool ok = check_picture(image);
     if (!ok)
         return false;
     environment->width = image->width;
@@ -49,10 +49,11 @@ static bool take_texels(struct environment *environment, const struct image *ima
 
 bool environment_load(struct environment *environment, const char *path) {
     struct image image;
+    int channels[3];
     *environment = (struct environment){.strength = 1};
-    if (!image_read(&image, path))
+    if (!image_read_layer(&image, path, "", channels))
         return false;
-    bool ok = take_texels(environment, &image) || error_prefix("%s", path);
+    bool ok = take_texels(environment, &image, channels) || error_prefix("%s", path);
     image_free(&image);
     if (ok)
         environment->path = mem_strdup(path);

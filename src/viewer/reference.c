@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/file/image_file.h"
+#include "base/log.h"
 #include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
@@ -86,8 +87,14 @@ bool reference_take(struct reference *reference, struct image *picture) {
 
 bool reference_load(struct reference *reference, const char *path) {
     struct image picture = {0};
-    return image_read(&picture, path) &&
-           (reference_take(reference, &picture) || error_prefix("%s", path));
+    if (!image_read(&picture, path))
+        return false;
+    char *note = image_layer_note(&picture, "");
+    bool ok = reference_take(reference, &picture) || error_prefix("%s", path);
+    if (ok && note)
+        log_note("%s: %s", path, note);
+    free(note);
+    return ok;
 }
 
 void reference_free(struct reference *reference) {

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 /* OpenImageIO goes by the name first. */
-static const char *const formats[] = {"exr", "png", "hdr", "pfm", "jpg", "tif"};
+static const char *const formats[] = {"exr", "png", "hdr", "pfm", "jpg", "tif", "webp", "tga"};
 enum { FORMAT_COUNT = sizeof formats / sizeof formats[0] };
 
 static void read_texture(const uint8_t *bytes, size_t size) {
@@ -22,9 +22,11 @@ static void read_texture(const uint8_t *bytes, size_t size) {
 }
 
 static void read_picture(const char *path) {
-    struct image layer;
+    struct image layer, picture;
     bool was_encoded;
     image_is_whole(path);
+    if (image_read(&picture, path))
+        image_free(&picture);
     if (layer_read(&layer, path, "", &was_encoded))
         image_free(&layer);
 }

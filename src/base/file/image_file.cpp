@@ -1,46 +1,23 @@
-/* The bridge to OpenImageIO. No exception leaves it. */
-#include "base/file/image_file.h"
+/* Picture files written and checked, and textures decoded. No exception leaves it. */
+#include "base/file/image_bridge.hpp"
 
 extern "C" {
-#include "base/error.h"
-#include "base/file/file.h"
 #include "base/file/output_file.h"
-#include "base/memory.h"
+#include "base/file/webp.h"
 }
-
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-#include <OpenImageIO/strutil.h>
 
 #include <cmath>
 #include <cstring>
 #include <memory>
-#include <string>
 #include <vector>
 
 using namespace OIIO;
+using namespace bridge;
 
 namespace {
 
-/* Beyond this a file is refused rather than read: 2^28 pixels is 16384 x 16384. */
-const imagesize_t max_pixels = imagesize_t(1) << 28;
-
 /* Of an EXR that is a mean of passes. */
 const char passes_attribute[] = "manylight:passes", weight_attribute[] = "manylight:weight";
-
-bool fail(const char *path, const std::string &reason) {
-    std::string line = reason.empty() ? "cannot be read" : reason.substr(0, reason.find('\n'));
-    return error_set("%s: %s", path, line.c_str());
-}
-
-bool check_size(const ImageSpec &spec, const char *path) {
-    if (spec.width < 1 || spec.height < 1 || spec.depth != 1 || spec.nchannels < 1)
-        return fail(path, "not a two-dimensional picture");
-    if (spec.image_pixels() > max_pixels)
-        return fail(path,
-                    "too large: " + std::to_string(spec.width) + "x" + std::to_string(spec.height));
-    return true;
-}
 
 /* What is written and read here; of the other formats that OpenImageIO knows, some lose what does
  * not fit on the disk without a word. */
@@ -181,44 +158,6 @@ bool is_half(const struct image *image) {
 
 } // namespace
 
-extern "C" bool image_read(struct image *image, const char *path) try {
-    *image = {};
-    if (!file_can_be_read(path))
-        return false;
-    auto in = ImageInput::open(path);
-    if (!in)
-        return fail(path, geterror());
-    const ImageSpec spec = in->spec();
-    if (!check_size(spec, path))
-        return false;
-    if (spec.deep)
-        return fail(path, "deep: its pixels have several depths");
-    if (!spec.format.is_floating_point() && strcmp(in->format_name(), "openexr") == 0)
-        return fail(path, "its channels are whole numbers");
-    if (!image_fits(spec.width, spec.height, spec.nchannels))
-        return error_prefix("%s", path);
-    std::vector<std::string> names;
-    std::vector<const char *> pointers;
-    for (int i = 0; i < spec.nchannels; i++)
-        names.push_back(spec.channel_name(i));
-    for (const std::string &name : names)
-        pointers.push_back(name.c_str());
-    image_init_named(image, spec.width, spec.height, pointers.data(), spec.nchannels);
-    image->encoded = !spec.format.is_floating_point();
-    const std::string passes = spec.get_string_attribute(passes_attribute);
-    image->passes = passes.empty() ? NULL : mem_strdup(passes.c_str());
-    image->weight = spec.get_float_attribute(weight_attribute);
-    bool good = in->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, image->pixels);
-    std::string reason = in->geterror(); /* of a cut JPEG, though it is read */
-    if (good && reason.empty())
-        return true;
-    image_free(image);
-    return fail(path, reason);
-} catch (const std::exception &error) {
-    image_free(image);
-    return fail(path, error.what());
-}
-
 extern "C" bool image_is_whole(const char *path) try {
     const format *format = find_format(path);
     if (!format)
@@ -291,15 +230,13 @@ extern "C" bool image_format_is_float(const char *path, bool *is_float) try {
 }
 
 /* A picture in memory: the format is told by its content; the name only has to have no known
- * extension. Colours are as the file has them, not times alpha, as OpenImageIO else makes them. */
+ * extension. */
 static std::unique_ptr<ImageInput> open_texture(Filesystem::IOMemReader &reader, ImageSpec &spec) {
-    ImageSpec as_stored;
-    as_stored.attribute("oiio:UnassociatedAlpha", 1);
     for (const char *format : {"png", "jpeg", "webp", "bmp", "tga"}) {
         std::unique_ptr<ImageInput> in = ImageInput::create(format);
         if (in && in->set_ioproxy(&reader)) {
             reader.seek(0);
-            if (in->open("texture", spec, as_stored))
+            if (in->open("texture", spec, as_stored()))
                 return check_size(spec, "picture") ? std::move(in) : nullptr;
             in->geterror();
         }
@@ -319,6 +256,28 @@ extern "C" bool bitmap_measure(const void *bytes, size_t size, uint64_t *memory)
     return error_set("%s", error.what());
 }
 
+/* Puts colours as stored in place of those times alpha, which OpenImageIO's WebP gives always. */
+static bool restore_webp(std::vector<unsigned char> &rgba, const void *bytes, size_t size) {
+    const unsigned char *begin = static_cast<const unsigned char *>(bytes);
+    std::vector<unsigned char> copy(begin, begin + size);
+    if (!mem_check(rgba.size()))
+        return error_prefix("a picture");
+    if (!webp_hide_alpha(copy.data(), size))
+        return fail("picture", "its alpha cannot be told from its colours");
+    Filesystem::IOMemReader reader(copy.data(), size);
+    ImageSpec spec;
+    std::unique_ptr<ImageInput> in = open_texture(reader, spec);
+    if (!in)
+        return false;
+    std::vector<unsigned char> rgb(spec.image_pixels() * 3);
+    if (spec.image_pixels() * 4 != rgba.size() ||
+        !in->read_image(0, 0, 0, 3, TypeDesc::UINT8, rgb.data()))
+        return fail("picture", in->geterror());
+    for (size_t i = 0; i < rgb.size(); i++)
+        rgba[i / 3 * 4 + i % 3] = rgb[i];
+    return true;
+}
+
 extern "C" bool bitmap_decode(struct bitmap *bitmap, const void *bytes, size_t size) try {
     *bitmap = {};
     Filesystem::IOMemReader reader(const_cast<void *>(bytes), size);
@@ -331,6 +290,9 @@ extern "C" bool bitmap_decode(struct bitmap *bitmap, const void *bytes, size_t s
     std::vector<unsigned char> source(spec.image_pixels() * spec.nchannels);
     if (!in->read_image(0, 0, 0, spec.nchannels, TypeDesc::UINT8, source.data()))
         return fail("picture", in->geterror());
+    if (strcmp(in->format_name(), "webp") == 0 && spec.nchannels == 4 &&
+        !restore_webp(source, bytes, size))
+        return false;
     bitmap->width = spec.width;
     bitmap->height = spec.height;
     bitmap->rgba = static_cast<unsigned char *>(mem_alloc(spec.image_pixels(), 4));

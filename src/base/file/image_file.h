@@ -1,4 +1,4 @@
-/* Picture files through OpenImageIO: the only place that names it. */
+/* Picture files through OpenImageIO. */
 #ifndef BASE_FILE_IMAGE_FILE_H
 #define BASE_FILE_IMAGE_FILE_H
 
@@ -10,10 +10,17 @@ extern "C" {
 
 #include "base/image.h"
 
-/* Reads any format that OpenImageIO knows, all channels of the first part, as floats. Integer
- * formats come as stored, over [0, 1] and still sRGB-encoded; image->encoded tells. Error: names
- * the file and the reason. */
+/* Reads any format that OpenImageIO knows: all channels of all parts of an EXR, of other formats the
+ * first picture, as floats. Colours are as stored, not times alpha. Integer formats come over [0, 1]
+ * and still sRGB-encoded; image->encoded tells. The picture is its display window, black where the
+ * data window has no pixels; data outside it is left out. It is turned as its resolution line (.hdr)
+ * or its tag (JPEG, TIFF) says. Notes tell of windows, and of what is left out. Error: names the file
+ * and the reason. */
 bool image_read(struct image *image, const char *path);
+
+/* The same with the channels of one layer alone, and which of them are its red, green and blue
+ * (image_find_layer). A note tells which layer was taken where another name was asked for. */
+bool image_read_layer(struct image *image, const char *path, const char *layer, int channels[3]);
 
 /* Writes floats; the extension picks the format. EXR: half for colour, 32 bit for Z and for layers
  * named in neither RGBA, and for all where a colour is beyond 65504 or the passes are told, with the
