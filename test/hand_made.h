@@ -43,7 +43,8 @@ static inline void world_init(struct world *world) {
     world->scene.materials = world->materials;
     geometry->position = mem_alloc(MAX_VERTICES + 1, sizeof *geometry->position);
     geometry->normal = mem_alloc(MAX_VERTICES, sizeof *geometry->normal);
-    geometry->uv = mem_alloc(MAX_VERTICES, sizeof *geometry->uv);
+    geometry->uv[0] = mem_alloc(MAX_VERTICES, sizeof *geometry->uv[0]);
+    geometry->mapping_count = 1;
     geometry->color = mem_alloc(MAX_VERTICES, sizeof *geometry->color);
     geometry->indices = mem_alloc(6 * MAX_VERTICES, sizeof *geometry->indices);
     geometry->batches = world->batches;
@@ -53,7 +54,8 @@ static inline void world_init(struct world *world) {
 static inline void world_free(struct world *world) {
     free(world->geometry.position);
     free(world->geometry.normal);
-    free(world->geometry.uv);
+    for (int m = 0; m < MAPPINGS_MAX; m++)
+        free(world->geometry.uv[m]);
     free(world->geometry.color);
     free(world->geometry.indices);
 }
@@ -65,8 +67,8 @@ static inline uint32_t add_vertex(struct world *world, vec3s position, vec3s nor
     assert_true(i < MAX_VERTICES);
     memcpy(geometry->position[i], position.raw, sizeof position.raw);
     memcpy(geometry->normal[i], normal.raw, sizeof normal.raw);
-    geometry->uv[i][0] = u;
-    geometry->uv[i][1] = v;
+    geometry->uv[0][i][0] = u;
+    geometry->uv[0][i][1] = v;
     for (int c = 0; c < 4; c++)
         geometry->color[i][c] = 1;
     return i;

@@ -11,13 +11,16 @@ static const vec3s up = {{0, 0, 1}};
 
 /* As if all were reflected at every angle: f0 = f90 = 1. */
 static struct brdf white_metal(float roughness) {
-    struct material material = {.metalness = 1, .specular_f90 = 1};
-    return brdf_of(&material, glms_vec3_one(), 1, roughness);
+    struct material material = {.metalness = 1, .roughness = roughness, .specular_f90 = 1};
+    struct reflectance reflectance = material_reflectance(&material);
+    return brdf_of(&material, glms_vec3_one(), &reflectance);
 }
 
 static struct brdf plastic(float roughness) {
-    struct material material = {.specular_f0 = {.04F, .04F, .04F}, .specular_f90 = 1};
-    return brdf_of(&material, (vec3s){{.8F, .5F, .2F}}, 0, roughness);
+    struct material material = {
+        .roughness = roughness, .specular_f0 = {.04F, .04F, .04F}, .specular_f90 = 1};
+    struct reflectance reflectance = material_reflectance(&material);
+    return brdf_of(&material, (vec3s){{.8F, .5F, .2F}}, &reflectance);
 }
 
 static vec3s at_cosine(float cosine, float turn) {
@@ -185,13 +188,15 @@ static void test_even_light(void **state) {
     const vec3s base = {{.8F, .5F, .2F}};
     for (int i = 0; i < 6; i++) {
         float metalness = (float)(i / 3), roughness = roughnesses[i % 3];
-        struct brdf brdf = brdf_of(&material, base, metalness, roughness);
+        struct reflectance reflectance = material_reflectance(&material);
+        reflectance.metalness = metalness, reflectance.roughness = roughness;
+        struct brdf brdf = brdf_of(&material, base, &reflectance);
         double sum = (double)brdf.albedo.x;
         for (int v = 0; v < VIEWS; v++)
             sum += albedo_by_samples(&brdf, sqrtf(((float)v + .5F) / VIEWS), 1 << 13) / VIEWS;
         printf("    metalness %.0f, roughness %.1f:", (double)metalness, (double)roughness);
         check_near("reflected of even light",
-                   (double)material_reflects(&material, base, metalness, roughness).x, sum, .006);
+                   (double)material_reflects(&material, base, &reflectance).x, sum, .006);
     }
 }
 
@@ -201,7 +206,8 @@ static void test_matt(void **state) {
                                 .specular_f0 = {DIELECTRIC_F0, DIELECTRIC_F0, DIELECTRIC_F0},
                                 .specular_f90 = 1,
                                 .metal_roughness_texture = -1};
-    struct brdf brdf = brdf_of(&material, (vec3s){{.8F, .5F, .2F}}, 0, 1);
+    struct reflectance reflectance = material_reflectance(&material);
+    struct brdf brdf = brdf_of(&material, (vec3s){{.8F, .5F, .2F}}, &reflectance);
     struct brdf_value value = brdf_eval(&brdf, up, any_direction(1, 0), any_direction(1, 1));
     assert_true(brdf.matt);
     check_near("albedo", brdf.albedo.x, .8, 1e-7);
@@ -213,7 +219,8 @@ static void test_matt(void **state) {
     memset(material.specular_f0, 0, sizeof material.specular_f0);
     assert_true(material_is_matt(&material));
     material.specular_f90 = 1;
-    assert_false(brdf_of(&material, glms_vec3_one(), 0, .9F).matt);
+    reflectance = material_reflectance(&material);
+    assert_false(brdf_of(&material, glms_vec3_one(), &reflectance).matt);
 }
 
 int main(void) {

@@ -21,7 +21,8 @@ static void make_box(struct geometry *geometry) {
     *geometry =
         (struct geometry){.vertex_count = 36, .index_count = 36, .batch_count = 2, .radius = 1};
     geometry->position = mem_alloc(37, sizeof *geometry->position);
-    geometry->uv = mem_alloc(36, sizeof *geometry->uv);
+    geometry->uv[0] = mem_alloc(36, sizeof *geometry->uv[0]);
+    geometry->mapping_count = 1;
     geometry->indices = mem_alloc(36, sizeof *geometry->indices);
     geometry->batches = mem_alloc(2, sizeof *geometry->batches);
     for (uint32_t i = 0; i < 36; i++) {
@@ -33,8 +34,8 @@ static void make_box(struct geometry *geometry) {
                 *x += (float)(bits >> axis & 1) * axes[axis][c];
             geometry->bounds_max[c] = fmaxf(geometry->bounds_max[c], *x);
         }
-        geometry->uv[i][0] = geometry->position[i][0];
-        geometry->uv[i][1] = geometry->position[i][1];
+        geometry->uv[0][i][0] = geometry->position[i][0];
+        geometry->uv[0][i][1] = geometry->position[i][1];
         geometry->indices[i] = i;
     }
     geometry->opaque_index_count = 24;
@@ -219,7 +220,8 @@ static void make_ball(struct geometry *ball) {
         .part_count = 2,
         .radius = 1,
         .position = mem_alloc(BALL_INDICES + 1, sizeof *ball->position),
-        .uv = mem_alloc(BALL_INDICES, sizeof *ball->uv),
+        .uv = {mem_alloc(BALL_INDICES, sizeof *ball->uv[0])},
+        .mapping_count = 1,
         .indices = mem_alloc(BALL_INDICES, sizeof *ball->indices),
         .batches = mem_alloc(1, sizeof *ball->batches),
         .parts = mem_alloc(2, sizeof *ball->parts),

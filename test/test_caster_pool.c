@@ -30,7 +30,7 @@ static void check_buffers(const struct caster_gpu *gpu, const struct geometry *g
     check_buffer(&gpu->positions, 0, count * sizeof *geometry->position, geometry->position);
     assert_true(caster_gpu_has_masked(gpu) == (gpu->uvs.id != 0));
     if (gpu->uvs.id)
-        check_buffer(&gpu->uvs, 0, count * sizeof *geometry->uv, geometry->uv);
+        check_buffer(&gpu->uvs, 0, count * sizeof *geometry->uv[0], geometry->uv[0]);
 }
 
 static uint32_t triangles(const struct caster_gpu *gpu, enum caster_kind first) {
@@ -165,7 +165,7 @@ static void test_masked(void **state) {
     stage.scene.materials[0].alpha_mask = true;
     pose_stage(&stage);
     for (uint32_t i = 0; i < stage.geometry.vertex_count; i++)
-        stage.geometry.uv[i][0] = stage.geometry.uv[i][1] = (float)i;
+        stage.geometry.uv[0][i][0] = stage.geometry.uv[0][i][1] = (float)i;
     struct caster_pool *pool = caster_pool_create(&stage.scene, &stage.geometry);
     const struct caster_gpu *caster = acquire(pool, &few_long);
     assert_true(caster_gpu_has_masked(caster));

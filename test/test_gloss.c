@@ -69,8 +69,12 @@ static void put(vec3s from, vec4 to) {
 }
 
 static struct brdf metal_of(float roughness) {
-    struct material material = {.specular_f0 = {.04F, .04F, .04F}, .specular_f90 = 1};
-    return brdf_of(&material, (vec3s){{.9F, .6F, .2F}}, 1, roughness);
+    struct material material = {.metalness = 1,
+                                .roughness = roughness,
+                                .specular_f0 = {.04F, .04F, .04F},
+                                .specular_f90 = 1};
+    struct reflectance reflectance = material_reflectance(&material);
+    return brdf_of(&material, (vec3s){{.9F, .6F, .2F}}, &reflectance);
 }
 
 /* --- a direction ------------------------------------------------------------------------------ */
@@ -79,11 +83,14 @@ enum { DIRECTIONS = 10000 };
 
 /* Half of the lights stand where a mirror would show them: in the lobe. */
 static void make_direction(uint32_t i, struct brdf *brdf, vec3s *v, vec3s *l) {
-    struct material material = {.specular_f0 = {.04F, .04F, .04F}, .specular_f90 = 1};
+    struct material material = {.metalness = (float)(i % 3) / 2,
+                                .roughness = .045F + .955F * (float)i / DIRECTIONS,
+                                .specular_f0 = {.04F, .04F, .04F},
+                                .specular_f90 = 1};
+    struct reflectance reflectance = material_reflectance(&material);
     struct sampler sampler = {.seed = 9, .index = i};
     const vec3s n = {{0, 0, 1}};
-    *brdf = brdf_of(&material, (vec3s){{.9F, .6F, .2F}}, (float)(i % 3) / 2,
-                    .045F + .955F * (float)i / DIRECTIONS);
+    *brdf = brdf_of(&material, (vec3s){{.9F, .6F, .2F}}, &reflectance);
     *v = any_direction(i, 1, .02F);
     *l = any_direction(i, 2, -.1F);
     if (i % 2)

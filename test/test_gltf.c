@@ -39,7 +39,7 @@ static void test_quad(void **state) {
     assert_int_equal(quad->vertex_count, 6);
     for (int i = 0; i < 6; i++)
         check_vector("normal", quad->normal[i], 3, (double[]){0, 0, 1}, 1e-7);
-    assert_null(quad->uv);
+    assert_null(quad->uv[0]);
     assert_null(quad->color);
     scene_free(&scene);
 }
@@ -265,7 +265,7 @@ static void test_texture(void **state) {
     /* Scaled, turned by 30 degrees counter-clockwise with v downward, and moved. */
     const struct primitive *quad = first_primitive(&scene);
     double u = 2 * .25, v = 4 * .5, c = cos(M_PI / 6), s = sin(M_PI / 6);
-    check_vector("uv", quad->uv[5], 2, (double[]){c * u + s * v + 10, c * v - s * u + 20}, 1e-5);
+    check_vector("uv", quad->uv[0][5], 2, (double[]){c * u + s * v + 10, c * v - s * u + 20}, 1e-5);
     scene_free(&scene);
 }
 
@@ -294,7 +294,7 @@ static void test_embedded_texture(void **state) {
     assert_int_equal(scene.textures[0].bitmap.width, 2);
     assert_int_equal(scene.textures[0].wrap_u, TEXTURE_WRAP_REPEAT);
     assert_false(scene.textures[0].nearest);
-    assert_non_null(first_primitive(&scene)->uv);
+    assert_non_null(first_primitive(&scene)->uv[0]);
     scene_free(&scene);
 }
 
@@ -325,8 +325,8 @@ static void test_webp(void **state) {
     scene_free(&scene);
 }
 
-/* All that a material says. The first one's roughness lies where its colour does, its glow does
- * not; numbers are not colours, though they are the same picture. */
+/* All that a material says. The first one's roughness lies where its colour does, its glow has a
+ * mapping of its own; numbers are not colours, though they are the same picture. */
 static void test_materials(void **state) {
     (void)state;
     unsigned char png[4096];
@@ -353,7 +353,11 @@ static void test_materials(void **state) {
     check_vector("emission", lamp->emission, 3, (double[]){20, 10, 5}, 0);
     assert_int_equal(plain->base_color_texture, 0);
     assert_int_equal(plain->metal_roughness_texture, 1);
-    assert_int_equal(plain->emission_texture, -1);
+    assert_int_equal(plain->emission_texture, 0);
+    assert_int_equal(plain->metal_roughness_mapping, 0);
+    assert_int_equal(plain->emission_mapping, 1);
+    assert_int_equal(lamp->emission_mapping, 0);
+    assert_int_equal(lamp->normal_mapping, 0);
     assert_int_equal(lamp->base_color_texture, -1);
     assert_int_equal(lamp->metal_roughness_texture, -1);
     assert_int_equal(lamp->emission_texture, 0);
@@ -428,7 +432,8 @@ static void test_lacks(void **state) {
     scene_free(&scene);
 }
 
-/* The older model of materials becomes the standard's: diffuse colour, and gloss. */
+/* The older model of materials: diffuse colour, reflectance, and gloss; its second texture has both. What
+ * is left out of it is white and smooth, and hardly any reflectance has none when grazing, too. */
 static void test_specular_glossiness(void **state) {
     (void)state;
     unsigned char png[4096];
@@ -438,14 +443,28 @@ static void test_specular_glossiness(void **state) {
         (struct gltf_parts){
             .more = "\"images\": [{\"uri\": \"texture.png\"}], \"textures\": [{\"source\": 0}],"
                     " \"extensionsRequired\": [\"KHR_materials_pbrSpecularGlossiness\"],",
-            .materials = "[{\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\":"
-                         " {\"diffuseFactor\": [0.5, 0.25, 1, 0.75], \"glossinessFactor\": 0.25,"
-                         " \"diffuseTexture\": {\"index\": 0}}}}]"});
-    const struct material *material = &scene.materials[0];
+            .materials =
+                "[{\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\":"
+                " {\"diffuseFactor\": [0.5, 0.25, 1, 0.75], \"glossinessFactor\": 0.25,"
+                " \"specularFactor\": [0, 0.01, 0.005], \"diffuseTexture\": {\"index\": 0}}}},"
+                " {\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\":"
+                " {\"specularGlossinessTexture\": {\"index\": 0, \"texCoord\": 1}}}}]"});
+    const struct material *material = &scene.materials[0], *textured = &scene.materials[1];
     check_vector("base colour", material->base_color, 4, (double[]){.5, .25, 1, .75}, 0);
     assert_int_equal(material->base_color_texture, 0);
     check_near("metalness", material->metalness, 0, 0);
     check_near("roughness", material->roughness, .75, 0);
+    check_vector("reflectance", material->specular_f0, 3, (double[]){0, .01, .005}, 1e-8);
+    check_near("grazing", material->specular_f90, .5, 1e-6);
+    assert_false(material_is_matt(material));
+    check_vector("reflectance by default", textured->specular_f0, 3, (double[]){1, 1, 1}, 0);
+    check_near("roughness by default", textured->roughness, 0, 0);
+    assert_true(textured->specular_glossiness);
+    assert_false(scene.textures[textured->metal_roughness_texture].linear);
+    struct reflectance at = material_reflectance_at(textured, (vec4s){{.5F, .25F, 0, .25F}});
+    check_vector("reflectance there", at.f0.raw, 3, (double[]){.5, .25, 0}, 0);
+    check_near("roughness there", at.roughness, .75, 0);
+    check_near("metalness there", at.metalness, 0, 0);
     scene_free(&scene);
 }
 

@@ -188,7 +188,7 @@ static void split_meshes(struct scene *scene) {
             memcpy(second->normal, first->normal, vertices * sizeof *first->normal);
             memcpy(second->indices, first->indices + cut,
                    (size_t)second->index_count * sizeof *second->indices);
-            second->uv = NULL;
+            memset(second->uv, 0, sizeof second->uv);
             second->color = NULL;
         }
     }

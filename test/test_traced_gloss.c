@@ -119,7 +119,8 @@ static void test_point_light(void **state) {
     struct path_tracer_desc desc = describe(&world, 4, 4);
     render(&desc, &image);
     vec3s to_light = glms_vec3_normalize(at(1.5F, 2, 0));
-    struct brdf brdf = brdf_of(&world.materials[0], glms_vec3_one(), 1, .4F);
+    struct reflectance at_hit = material_reflectance(&world.materials[0]);
+    struct brdf brdf = brdf_of(&world.materials[0], glms_vec3_one(), &at_hit);
     double expected =
         (double)(brdf_eval(&brdf, at(0, 1, 0), at(0, 1, 0), to_light).specular.x * to_light.y) * 3 /
         6.25;
@@ -163,7 +164,7 @@ static void test_normal_map(void **state) {
     check_direction("above", normal_seen(&world, &table, at(0, 1, 0)), at(.71F, .71F, .30F));
     check_direction("below", normal_seen(&world, &table, at(0, -1, 0)), at(-.71F, -.71F, -.30F));
     for (uint32_t i = 0; i < world.geometry.vertex_count; i++)
-        world.geometry.uv[i][0] *= -1;
+        world.geometry.uv[0][i][0] *= -1;
     check_direction("mirrored", normal_seen(&world, &table, at(0, 1, 0)), at(-.71F, .71F, .30F));
     world.materials[0].normal_scale = .5F;
     check_direction("half", normal_seen(&world, &table, at(0, 1, 0)), at(-.355F, .71F, .15F));

@@ -5,10 +5,9 @@
 
 layout(binding = UNIT_GBUFFER_GLOSS) uniform sampler2DArray gbuffer_glosses;
 
-// What reflects less than 2 % from straight on has no other grazing reflectance either: of KHR_materials_specular
-// the G-buffer has no more.
+// Of KHR_materials_specular the G-buffer has no more.
 vec3 reflectance_grazing(vec3 f0) {
-    return vec3(min(50.0 * max(f0.r, max(f0.g, f0.b)), 1.0));
+    return vec3(min(BRDF_GRAZING_OF * max(f0.r, max(f0.g, f0.b)), 1.0));
 }
 
 shine gbuffer_shine(surface s, ivec2 pixel) {

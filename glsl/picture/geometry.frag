@@ -4,6 +4,14 @@
 #include "lib/octahedral.glsl"
 #include "picture/base_color.glsl"
 
+#ifdef HAS_MAPPINGS
+in vec2 metal_roughness_uv, emission_uv, normal_uv; // picture/mapped_uv.glsl
+#else
+#define metal_roughness_uv surface_uv
+#define emission_uv surface_uv
+#define normal_uv surface_uv
+#endif
+
 #ifdef HAS_EMISSION
 layout(binding = UNIT_EMISSION) uniform sampler2D emission_texture;
 layout(location = TARGET_GBUFFER_EMISSION) out vec4 emitted;
@@ -54,7 +62,7 @@ void main() {
 #ifdef HAS_EMISSION
     emitted = vec4(material.emission, 1.0);
     if (material.emission_textured)
-        emitted.rgb *= texture(emission_texture, surface_uv).rgb;
+        emitted.rgb *= texture(emission_texture, emission_uv).rgb;
 #ifdef HAS_GLOSS
     if (material.unlit)
         emitted.rgb *= color.rgb;

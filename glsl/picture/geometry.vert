@@ -16,6 +16,9 @@ out vec4 surface_color;
 #if defined(HAS_GLOSS) || defined(FACETS)
 out vec3 surface_position;
 #endif
+#ifdef HAS_MAPPINGS
+#include "picture/mapped_uv.glsl"
+#endif
 #ifdef FACETS
 out vec3 surface_to_light;
 #endif
@@ -29,6 +32,9 @@ void main() {
 #endif
     surface_normal = normal;
     surface_uv = uv;
+#ifdef HAS_MAPPINGS
+    set_mapped_uv(uv);
+#endif
     surface_color = color;
 #if defined(HAS_GLOSS) || defined(FACETS)
     surface_position = position;

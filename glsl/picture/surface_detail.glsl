@@ -1,4 +1,4 @@
-// What a material's textures say beyond its colour. Who includes it has the material's block.
+// What a material's textures say beyond its colour. Who includes it has the material's block, and their uv.
 #include "lib/gloss.glsl"
 #include "shared/brdf.h"
 
@@ -11,7 +11,7 @@ in vec3 surface_position;
 // onto the normal's plane.
 vec3 mapped_normal(vec3 normal) {
     vec3 right = dFdx(surface_position), up = dFdy(surface_position);
-    vec2 uv_right = dFdx(surface_uv), uv_up = dFdy(surface_uv);
+    vec2 uv_right = dFdx(normal_uv), uv_up = dFdy(normal_uv);
     float turn = uv_right.x * uv_up.y - uv_up.x * uv_right.y < 0.0 ? -1.0 : 1.0;
     vec3 along_u = turn * (right * uv_up.y - up * uv_right.y);
     vec3 along_v = turn * (up * uv_right.x - right * uv_up.x);
@@ -21,7 +21,7 @@ vec3 mapped_normal(vec3 normal) {
     tangent = normalize(tangent);
     vec3 bitangent = cross(normal, tangent);
     bitangent *= dot(bitangent, along_v) > 0.0 ? -1.0 : 1.0;
-    vec3 turned = texture(normal_texture, surface_uv).xyz * 2.0 - 1.0;
+    vec3 turned = texture(normal_texture, normal_uv).xyz * 2.0 - 1.0;
     turned.xy *= material.normal_scale;
     return normalize(turned.x * tangent + turned.y * bitangent + turned.z * normal);
 }
@@ -35,10 +35,17 @@ vec3 diffuse_and_gloss(vec3 base, out vec4 gloss) {
     if (material.matt)
         return base;
     vec2 metal_rough = vec2(material.metalness, material.roughness);
-    if (material.metal_roughness_textured)
-        metal_rough *= texture(metal_roughness_texture, surface_uv).bg;
     vec3 f0 = material.specular_f0;
+    if (material.metal_roughness_textured) {
+        vec4 read = texture(metal_roughness_texture, metal_roughness_uv);
+        if (material.specular_glossiness) {
+            metal_rough.y = 1.0 - (1.0 - metal_rough.y) * read.a;
+            f0 *= read.rgb;
+        } else
+            metal_rough *= read.bg;
+    }
     float outer_f0 = max(f0.r, max(f0.g, f0.b));
+    float f90 = material.specular_glossiness ? min(BRDF_GRAZING_OF * outer_f0, 1.0) : material.specular_f90;
     gloss = vec4(mix(f0, base, metal_rough.x), metal_rough.y);
-    return base * ((1.0 - metal_rough.x) * (1.0 - mix(outer_f0, material.specular_f90, BRDF_MEAN_SCHLICK)));
+    return base * ((1.0 - metal_rough.x) * (1.0 - mix(outer_f0, f90, BRDF_MEAN_SCHLICK)));
 }

@@ -120,11 +120,14 @@
 #define UNIT_PATH_NORMALS 94
 #define UNIT_PATH_FLUXES 95
 
-/* Attributes of the scene's vertices. */
+/* Attributes of the scene's vertices. UV is of a material's first mapping, the others of the further ones. */
 #define ATTRIBUTE_POSITION 0
 #define ATTRIBUTE_NORMAL 1
 #define ATTRIBUTE_UV 2
 #define ATTRIBUTE_COLOR 3
+#define ATTRIBUTE_UV_1 4
+#define ATTRIBUTE_UV_2 5
+#define ATTRIBUTE_UV_3 6
 
 /* Attributes of VPLs drawn as points, in the order of struct vpl; and of what they are made of. */
 #define ATTRIBUTE_VPL_POSITION 0

@@ -8,6 +8,10 @@
 /* n.v of views that graze more, or that a normal map turns away. */
 #define BRDF_LEAST_COSINE .001
 
+/* What reflects less than 2 % from straight on has no full grazing reflectance either, where nothing else
+ * is known of it: that over the reflectance from straight on, at most 1. */
+#define BRDF_GRAZING_OF 50.0
+
 /* Schlick's (1 - v.h)^5, on average over light that comes evenly to a surface (by the cosine) and leaves
  * it so: how far the reflectance of what is no metal rises from straight on to grazing. */
 #define BRDF_MEAN_SCHLICK .0052

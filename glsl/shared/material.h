@@ -22,8 +22,13 @@ struct material_block {
     float specular_f90;
     BOOL normal_textured;
     float normal_scale;
+    BOOL
+        specular_glossiness; /* the metal-roughness texture has the specular colour in RGB, glossiness in A */
+    int metal_roughness_mapping;
+    int emission_mapping;
+    int normal_mapping;
     int unused0, unused1;
 };
-STD140_SIZE(material_block, 96)
+STD140_SIZE(material_block, 112)
 
 #endif

@@ -15,21 +15,21 @@ struct brdf brdf_lambertian(vec3s albedo) {
     return (struct brdf){.albedo = albedo, .matt = true};
 }
 
-struct brdf brdf_of(const struct material *material, vec3s base_color, float metalness,
-                    float roughness) {
+struct brdf brdf_of(const struct material *material, vec3s base_color,
+                    const struct reflectance *reflectance) {
     if (material_is_matt(material))
         return brdf_lambertian(base_color);
-    vec3s f0 = {{material->specular_f0[0], material->specular_f0[1], material->specular_f0[2]}};
-    vec3s f90 = glms_vec3_fill(material->specular_f90);
-    float clamped = fmaxf(roughness, least_roughness);
+    vec3s f90 = glms_vec3_fill(reflectance->f90);
+    float metalness = reflectance->metalness;
+    float clamped = fmaxf(reflectance->roughness, least_roughness);
     struct brdf brdf = {
         .alpha = clamped * clamped,
-        .f0 = glms_vec3_lerp(f0, base_color, metalness),
+        .f0 = glms_vec3_lerp(reflectance->f0, base_color, metalness),
         .f90 = glms_vec3_lerp(f90, glms_vec3_one(), metalness),
-        .outer_f0 = glms_vec3_max(f0),
-        .outer_f90 = material->specular_f90,
+        .outer_f0 = glms_vec3_max(reflectance->f0),
+        .outer_f90 = reflectance->f90,
     };
-    brdf.transmitted = material_transmits(material);
+    brdf.transmitted = reflectance_transmits(reflectance);
     brdf.albedo = glms_vec3_scale(base_color, (1 - metalness) * brdf.transmitted);
     return brdf;
 }

@@ -33,10 +33,9 @@ struct brdf_value {
 /* A Lambertian surface of that albedo. */
 struct brdf brdf_lambertian(vec3s albedo);
 
-/* Of what the material says at one place: of base colour, metalness and roughness its factors times its
- * textures. */
-struct brdf brdf_of(const struct material *material, vec3s base_color, float metalness,
-                    float roughness);
+/* Of what the material says at one place. */
+struct brdf brdf_of(const struct material *material, vec3s base_color,
+                    const struct reflectance *reflectance);
 
 /* 0 below the horizon of n. */
 struct brdf_value brdf_eval(const struct brdf *brdf, vec3s n, vec3s v, vec3s l);

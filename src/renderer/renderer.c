@@ -146,7 +146,9 @@ static bool init_geometry(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     return geometry_pass_init(
         &renderer->geometry,
-        &(struct geometry_desc){.has_emission = has_emission(desc), .has_gloss = has_gloss(desc)});
+        &(struct geometry_desc){.has_emission = has_emission(desc),
+                                .has_gloss = has_gloss(desc),
+                                .has_mappings = materials_have_mappings(desc->scene)});
 }
 
 static bool init_parts(struct renderer *renderer, unsigned parts, unsigned contributes) {

@@ -3,10 +3,20 @@
 #include "scene/environment.h"
 
 #include <stddef.h>
+#include <string.h>
 
 void hash_bytes(uint64_t *sum, const void *bytes, size_t size) {
     for (const unsigned char *b = bytes; size; b++, size--)
         *sum = (*sum ^ *b) * 0x100000001b3U;
+}
+
+/* Where its textures lie, of a material that has more than one mapping; and whose they are. */
+static void hash_mappings(uint64_t *sum, const struct material *m) {
+    const int own[] = {m->metal_roughness_mapping, m->emission_mapping, m->normal_mapping,
+                       m->specular_glossiness};
+    static const int plain[sizeof own / sizeof *own];
+    if (memcmp(own, plain, sizeof own) != 0)
+        hash_bytes(sum, own, sizeof own);
 }
 
 static void hash_materials(uint64_t *sum, const struct scene *scene) {
@@ -18,6 +28,7 @@ static void hash_materials(uint64_t *sum, const struct scene *scene) {
         hash_bytes(sum, &m->alpha_mask, sizeof m->alpha_mask);
         hash_bytes(sum, &m->alpha_cutoff, sizeof m->alpha_cutoff);
         hash_bytes(sum, &m->double_sided, sizeof m->double_sided);
+        hash_mappings(sum, m);
     }
     for (int i = 0; i < scene->texture_count; i++) {
         const struct scene_texture *t = &scene->textures[i];
@@ -33,7 +44,8 @@ static void hash_geometry(uint64_t *sum, const struct geometry *g) {
     size_t vertices = g->vertex_count;
     hash_bytes(sum, g->position, vertices * sizeof *g->position);
     hash_bytes(sum, g->normal, vertices * sizeof *g->normal);
-    hash_bytes(sum, g->uv, vertices * sizeof *g->uv);
+    for (int m = 0; m < g->mapping_count; m++)
+        hash_bytes(sum, g->uv[m], vertices * sizeof *g->uv[m]);
     hash_bytes(sum, g->color, vertices * sizeof *g->color);
     hash_bytes(sum, g->indices, g->index_count * sizeof *g->indices);
     for (int i = 0; i < g->batch_count; i++) {

@@ -19,30 +19,30 @@ struct source {
     float srgb_to_linear[256];
 };
 
-static vec2s uv_at(const struct primitive *primitive, const uint32_t index[3],
-                   const float weight[3]) {
+static vec2s uv_at(float (*uvs)[2], const uint32_t index[3], const float weight[3]) {
     vec2s uv = {{0, 0}};
-    for (int k = 0; primitive->uv && k < 3; k++)
+    for (int k = 0; uvs && k < 3; k++)
         for (int c = 0; c < 2; c++)
-            uv.raw[c] += weight[k] * primitive->uv[index[k]][c];
+            uv.raw[c] += weight[k] * uvs[index[k]][c];
     return uv;
 }
 
-static vec4s look_up(const struct source *source, int texture, vec2s uv) {
-    return texture < 0
-               ? glms_vec4_one()
-               : texture_lookup(&source->scene->textures[texture], source->srgb_to_linear, uv);
+static vec4s look_up(const struct source *source, int texture, int mapping, const uint32_t index[3],
+                     const float weight[3]) {
+    return texture < 0 ? glms_vec4_one()
+                       : texture_lookup(&source->scene->textures[texture], source->srgb_to_linear,
+                                        uv_at(source->primitive->uv[mapping], index, weight));
 }
 
-static bool is_hole(const struct source *source, const uint32_t index[3], const float weight[3],
-                    vec2s uv) {
+static bool is_hole(const struct source *source, const uint32_t index[3], const float weight[3]) {
     const struct material *material = source->material;
     if (!material->alpha_mask)
         return false;
     float alpha = 0;
     for (int k = 0; k < 3; k++)
         alpha += weight[k] * (source->primitive->color ? source->primitive->color[index[k]][3] : 1);
-    alpha *= material->base_color[3] * look_up(source, material->base_color_texture, uv).a;
+    alpha *=
+        material->base_color[3] * look_up(source, material->base_color_texture, 0, index, weight).a;
     return alpha < material->alpha_cutoff;
 }
 
@@ -54,9 +54,9 @@ static void average(const struct source *source, const uint32_t index[3], double
     for (uint32_t i = 0; !is_even && i < PLACES; i++) {
         float x = sqrtf(((float)i + .5F) / PLACES), y = (float)radical_inverse(2, i);
         const float weight[3] = {1 - x, x * (1 - y), x * y};
-        vec2s uv = uv_at(source->primitive, index, weight);
-        vec4s texel = look_up(source, material->emission_texture, uv);
-        for (int c = 0; c < 3 && !is_hole(source, index, weight, uv); c++)
+        vec4s texel =
+            look_up(source, material->emission_texture, material->emission_mapping, index, weight);
+        for (int c = 0; c < 3 && !is_hole(source, index, weight); c++)
             shares[c] += (double)texel.raw[c] / PLACES;
     }
     for (int c = 0; c < 3; c++)

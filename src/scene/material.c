@@ -2,6 +2,8 @@
 
 #include "shared/brdf.h"
 
+#include <math.h>
+
 const char *const materials_names[] = {"full", "diffuse", NULL};
 
 static const struct option table[] = {
@@ -28,24 +30,43 @@ bool material_is_matt(const struct material *material) {
                          (is_rough && has_reflectance(material, DIELECTRIC_F0, 1)));
 }
 
-static vec3s specular_f0(const struct material *material) {
-    return (vec3s){{material->specular_f0[0], material->specular_f0[1], material->specular_f0[2]}};
+struct reflectance material_reflectance(const struct material *material) {
+    const float *f0 = material->specular_f0;
+    return (struct reflectance){
+        material->metalness, material->roughness, {{f0[0], f0[1], f0[2]}}, material->specular_f90};
 }
 
-float material_transmits(const struct material *material) {
-    return 1 - glm_lerp(glms_vec3_max(specular_f0(material)), material->specular_f90,
-                        (float)BRDF_MEAN_SCHLICK);
+float reflectance_grazing(float f0) {
+    return fminf((float)BRDF_GRAZING_OF * f0, 1);
 }
 
-vec3s material_reflects(const struct material *material, vec3s base_color, float metalness,
-                        float roughness) {
+struct reflectance material_reflectance_at(const struct material *material, vec4s texel) {
+    struct reflectance at = material_reflectance(material);
+    if (material->specular_glossiness) {
+        at.roughness = 1 - (1 - at.roughness) * texel.a;
+        at.f0 = glms_vec3_mul(at.f0, glms_vec3(texel));
+        at.f90 = reflectance_grazing(glms_vec3_max(at.f0));
+    } else {
+        at.roughness *= texel.g;
+        at.metalness *= texel.b;
+    }
+    return at;
+}
+
+float reflectance_transmits(const struct reflectance *reflectance) {
+    return 1 - glm_lerp(glms_vec3_max(reflectance->f0), reflectance->f90, (float)BRDF_MEAN_SCHLICK);
+}
+
+vec3s material_reflects(const struct material *material, vec3s base_color,
+                        const struct reflectance *reflectance) {
+    float metalness = reflectance->metalness, roughness = reflectance->roughness;
     if (material->unlit)
         return glms_vec3_zero();
     if (material_is_matt(material))
         return base_color;
-    float diffuse = (1 - metalness) * material_transmits(material);
-    vec3s f0 = glms_vec3_lerp(specular_f0(material), base_color, metalness);
-    vec3s f90 = glms_vec3_fill(glm_lerp(material->specular_f90, 1, metalness));
+    float diffuse = (1 - metalness) * reflectance_transmits(reflectance);
+    vec3s f0 = glms_vec3_lerp(reflectance->f0, base_color, metalness);
+    vec3s f90 = glms_vec3_fill(glm_lerp(reflectance->f90, 1, metalness));
     vec3s sum = glms_vec3_scale(base_color, diffuse);
     sum = glms_vec3_muladds(f0, (float)BRDF_MEAN_LOBE((double)roughness), sum);
     return glms_vec3_muladds(glms_vec3_sub(f90, f0), (float)BRDF_MEAN_GRAZING((double)roughness),
@@ -64,4 +85,14 @@ bool materials_are_plain(const struct scene *scene) {
                 return false;
     }
     return true;
+}
+
+bool materials_have_mappings(const struct scene *scene) {
+    for (int i = 0; i < scene->material_count; i++) {
+        const struct material *material = &scene->materials[i];
+        if (material->metal_roughness_mapping || material->emission_mapping ||
+            material->normal_mapping)
+            return true;
+    }
+    return false;
 }

@@ -27,15 +27,34 @@ extern const struct settings_part material_part;
  * scenes have always meant it. */
 bool material_is_matt(const struct material *material);
 
+/* How a surface reflects at one place, besides its base colour: the reflectance, from straight on and
+ * grazing, is of what is no metal. */
+struct reflectance {
+    float metalness, roughness;
+    vec3s f0;
+    float f90;
+};
+
+/* By the material's factors alone; and by what its metal-roughness texture has there, which it may not
+ * have: it is then white. */
+struct reflectance material_reflectance(const struct material *material);
+struct reflectance material_reflectance_at(const struct material *material, vec4s texel);
+
+/* The grazing reflectance of what files give no other one, by the greatest one from straight on. */
+float reflectance_grazing(float f0);
+
 /* How much of light that comes evenly a surface of that base colour reflects in all, diffusely and not. */
-vec3s material_reflects(const struct material *material, vec3s base_color, float metalness,
-                        float roughness);
+vec3s material_reflects(const struct material *material, vec3s base_color,
+                        const struct reflectance *reflectance);
 
 /* The share of light that enters what is no metal, to be reflected diffusely. */
-float material_transmits(const struct material *material);
+float reflectance_transmits(const struct reflectance *reflectance);
 
 /* Whether all that meshes have are, and none has a normal map or is unlit: both settings make the same
  * picture. */
 bool materials_are_plain(const struct scene *scene);
+
+/* Whether a material's textures do not all lie alike. */
+bool materials_have_mappings(const struct scene *scene);
 
 #endif

@@ -15,16 +15,20 @@
 
 enum { SCENE_NAME_SIZE = 64 };
 
+/* A material's mappings: each is a TEXCOORD of its primitives with a KHR_texture_transform. Textures that
+ * lie alike share one, and a material has four textures. */
+enum { MAPPINGS_MAX = 4 };
+
 /* Triangles of one material. Attributes are per vertex; uv and color may be NULL. */
 struct primitive {
     int vertex_count, index_count;
     float (*position)[3];
-    float (*normal)[3]; /* unit; computed flat where the file has none */
-    float (*uv)[2];     /* TEXCOORD of the material's textures, KHR_texture_transform applied */
-    float (*color)[4];  /* linear RGBA, multiplies the base colour */
-    uint32_t *indices;  /* index_count = 3 x triangles; strips and fans are unrolled */
-    int material;       /* never -1: the default material stands in */
-    bool flat;          /* no vertex is shared; normals are the triangles', however they move */
+    float (*normal)[3];           /* unit; computed flat where the file has none */
+    float (*uv[MAPPINGS_MAX])[2]; /* of each mapping of the material, transformed */
+    float (*color)[4];            /* linear RGBA, multiplies the base colour */
+    uint32_t *indices;            /* index_count = 3 x triangles; strips and fans are unrolled */
+    int material;                 /* never -1: the default material stands in */
+    bool flat; /* no vertex is shared; normals are the triangles', however they move */
 
     /* Of which joints of the node's skin each vertex follows how much; both or none. */
     uint16_t (*joints)[4];
@@ -68,12 +72,16 @@ struct material {
     int base_color_texture;             /* -1 = none, as of the others */
     int metal_roughness_texture;        /* roughness in G, metalness in B */
     int emission_texture;
-    int normal_texture; /* tangent space, X along the u of the uv, Y against the v */
+    int normal_texture; /* tangent space, X along the u of its uv, Y against the v */
     float normal_scale; /* of its X and Y */
     bool unlit;         /* KHR_materials_unlit: the eye sees the base colour as radiance */
     bool alpha_mask;    /* alpha below the cutoff is a hole; so are blended materials', below .5 */
     float alpha_cutoff;
     bool double_sided; /* else: not drawn for the camera and not reflecting from behind */
+    bool
+        specular_glossiness; /* the metal-roughness texture has, as KHR_materials_pbrSpecularGlossiness
+                                 has them, the specular colour in RGB and the glossiness in A */
+    int metal_roughness_mapping, emission_mapping, normal_mapping; /* the base colour's is 0 */
 };
 
 enum texture_wrap { TEXTURE_WRAP_REPEAT, TEXTURE_WRAP_CLAMP, TEXTURE_WRAP_MIRROR };

@@ -51,7 +51,7 @@ static void make_primitive(struct primitive *primitive, int material,
                                     .index_count = INDICES,
                                     .position = mem_alloc(CORNERS, sizeof *primitive->position),
                                     .normal = mem_alloc(CORNERS, sizeof *primitive->normal),
-                                    .uv = mem_alloc(CORNERS, sizeof *primitive->uv),
+                                    .uv = {mem_alloc(CORNERS, sizeof *primitive->uv[0])},
                                     .indices = mem_alloc(INDICES, sizeof *primitive->indices),
                                     .material = material};
     for (int i = 0; i < CORNERS; i++) {
@@ -59,7 +59,7 @@ static void make_primitive(struct primitive *primitive, int material,
             primitive->position[i][c] =
                 geometry->center[c] + (c < 2 ? geometry->radius * (corners[i][c] - .5F) : 0);
         primitive->normal[i][2] = 1;
-        memcpy(primitive->uv[i], corners[i], sizeof *primitive->uv);
+        memcpy(primitive->uv[0][i], corners[i], sizeof *primitive->uv[0]);
     }
     memcpy(primitive->indices, indices, sizeof indices);
 }

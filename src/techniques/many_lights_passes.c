@@ -2,6 +2,7 @@
 #include "techniques/many_lights.h"
 
 #include "base/error.h"
+#include "scene/material.h"
 #include "shared/gather.h"
 
 #include <math.h>
@@ -363,7 +364,9 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
     if (init_rsm(lights, desc, rsm_size(desc)) &&
         geometry_pass_init(
             &lights->geometry,
-            &(struct geometry_desc){.has_gloss = desc->gloss, .facets = sends_as_facets(desc)}) &&
+            &(struct geometry_desc){.has_gloss = desc->gloss,
+                                    .has_mappings = materials_have_mappings(desc->scene),
+                                    .facets = sends_as_facets(desc)}) &&
         vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) && init_bounces(lights, desc) &&
         init_gather(lights, desc, visibility) && init_gloss(lights, desc, visibility) &&

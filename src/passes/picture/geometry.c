@@ -1,26 +1,32 @@
 #include "passes/picture/geometry.h"
 
+#include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/bindings.h"
 
+#include <stdlib.h>
+
 bool geometry_pass_init(struct geometry_pass *pass, const struct geometry_desc *desc) {
     *pass = (struct geometry_pass){0};
+    const char *mappings = desc->has_mappings ? ";HAS_MAPPINGS" : "";
+    char *camera =
+        mem_printf("%s%s", desc->has_gloss ? "HAS_EMISSION;HAS_GLOSS" : "HAS_EMISSION", mappings);
+    char *light = desc->has_gloss ? mem_printf("LIGHT_VIEW;HAS_GLOSS%s", mappings) : NULL;
     struct program_desc camera_desc = {.vertex = "picture/geometry.vert",
                                        .fragment = "picture/geometry.frag",
-                                       .defines = desc->has_gloss      ? "HAS_EMISSION;HAS_GLOSS"
-                                                  : desc->has_emission ? "HAS_EMISSION"
-                                                                       : NULL};
+                                       .defines =
+                                           desc->has_gloss || desc->has_emission ? camera : NULL};
     struct program_desc light_desc = camera_desc;
-    light_desc.defines = desc->has_gloss ? "LIGHT_VIEW;HAS_GLOSS"
-                         : desc->facets  ? "LIGHT_VIEW;FACETS"
-                                         : "LIGHT_VIEW";
-    if (program_init(&pass->camera_program, &camera_desc) &&
-        program_init(&pass->light_program, &light_desc))
-        return true;
-    geometry_pass_free(pass);
-    return false;
+    light_desc.defines = light ? light : desc->facets ? "LIGHT_VIEW;FACETS" : "LIGHT_VIEW";
+    bool ok = program_init(&pass->camera_program, &camera_desc) &&
+              program_init(&pass->light_program, &light_desc);
+    free(camera);
+    free(light);
+    if (!ok)
+        geometry_pass_free(pass);
+    return ok;
 }
 
 void geometry_pass_free(struct geometry_pass *pass) {

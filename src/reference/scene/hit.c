@@ -2,7 +2,6 @@
 
 #include "reference/vector.h"
 #include "scene/mesh/corners.h"
-#include "scene/texture.h"
 
 #include "base/memory.h"
 
@@ -29,25 +28,31 @@ static vec4s base_color(const struct hit_table *table, const struct material *ma
                               material);
 }
 
+static vec3s texel_of(const struct hit_table *table, const struct corners *corners, int texture,
+                      int mapping) {
+    return glms_vec3(corners_texel(corners, table->scene, table->geometry, table->srgb_to_linear,
+                                   &(struct corners_texture){texture, mapping}));
+}
+
 static vec3s emission_at(const struct hit_table *table, const struct material *material,
                          const struct corners *corners) {
     vec3s emission = vector_of(material->emission);
     if (material->emission_texture < 0)
         return emission;
-    const struct scene_texture *texture = &table->scene->textures[material->emission_texture];
-    vec2s uv = corners_uv(corners, table->geometry->uv);
-    return glms_vec3_mul(emission, glms_vec3(texture_lookup(texture, table->srgb_to_linear, uv)));
+    return glms_vec3_mul(
+        emission, texel_of(table, corners, material->emission_texture, material->emission_mapping));
 }
 
-/* Along u and against v, in the plane of the triangle; zero where its uv have no area. */
-static void tangents_of(const struct geometry *geometry, const uint32_t index[3], vec3s *along_u,
-                        vec3s *against_v) {
+/* Along u and against v of a mapping, in the plane of the triangle; zero where its uv have no area. */
+static void tangents_of(const struct geometry *geometry, int mapping, const uint32_t index[3],
+                        vec3s *along_u, vec3s *against_v) {
     vec3s edges[2];
-    float uv[2][2];
+    float uv[2][2] = {{0}};
+    float(*uvs)[2] = geometry->uv[mapping];
     corners_edges(geometry, index, edges);
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; uvs && i < 2; i++)
         for (int c = 0; c < 2; c++)
-            uv[i][c] = geometry->uv[index[i + 1]][c] - geometry->uv[index[0]][c];
+            uv[i][c] = uvs[index[i + 1]][c] - uvs[index[0]][c];
     float side = copysignf(1, uv[0][0] * uv[1][1] - uv[1][0] * uv[0][1]);
     *along_u =
         glms_vec3_muladds(edges[0], side * uv[1][1], glms_vec3_scale(edges[1], -side * uv[0][1]));
@@ -58,12 +63,11 @@ static void tangents_of(const struct geometry *geometry, const uint32_t index[3]
 /* As the material's normal map turns it, on the front. */
 static vec3s mapped_normal(const struct hit_table *table, const struct material *material,
                            const struct corners *corners, vec3s normal) {
-    const struct scene_texture *texture = &table->scene->textures[material->normal_texture];
-    vec2s uv = corners_uv(corners, table->geometry->uv);
-    vec3s read = glms_vec3(texture_lookup(texture, table->srgb_to_linear, uv)), right, up;
+    vec3s read = texel_of(table, corners, material->normal_texture, material->normal_mapping);
+    vec3s right, up;
     float x = material->normal_scale * (2 * read.x - 1);
     float y = material->normal_scale * (2 * read.y - 1), z = 2 * read.z - 1;
-    tangents_of(table->geometry, corners->index, &right, &up);
+    tangents_of(table->geometry, material->normal_mapping, corners->index, &right, &up);
     right = glms_vec3_normalize(glms_vec3_muladds(normal, -glms_vec3_dot(normal, right), right));
     vec3s across = glms_vec3_cross(normal, right);
     across = glms_vec3_scale(across, copysignf(1, glms_vec3_dot(across, up)));
@@ -78,9 +82,9 @@ static struct brdf reflection_at(const struct hit_table *table, const struct mat
     vec3s color = glms_vec3(base_color(table, material, corners));
     if (!table->has_gloss)
         return brdf_lambertian(color);
-    vec2s factors = corners_metal_roughness(corners, table->scene, table->geometry,
-                                            table->srgb_to_linear, material);
-    return brdf_of(material, color, factors.x, factors.y);
+    struct reflectance at = corners_reflectance(corners, table->scene, table->geometry,
+                                                table->srgb_to_linear, material);
+    return brdf_of(material, color, &at);
 }
 
 static const struct material *material_of(const struct hit_table *table, uint32_t triangle) {

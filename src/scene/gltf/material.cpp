@@ -90,28 +90,41 @@ double number_of(const tinygltf::Value &object, const char *key, int i, double o
     return (value.IsArray() ? value.Get(i) : value).GetNumberAsDouble();
 }
 
-/* KHR_materials_pbrSpecularGlossiness, which older files have, as the standard's own model: its diffuse
- * colour, no metal, and the roughness of its gloss. */
-tinygltf::Material as_metallic_roughness(const tinygltf::Material &from) {
-    auto found = from.extensions.find("KHR_materials_pbrSpecularGlossiness");
-    if (found == from.extensions.end())
-        return from;
-    const tinygltf::Value &old = found->second;
-    tinygltf::Material to = from;
-    to.pbrMetallicRoughness = {};
-    to.pbrMetallicRoughness.metallicFactor = 0;
-    to.pbrMetallicRoughness.roughnessFactor = 1 - number_of(old, "glossinessFactor", 0, 1);
-    for (int c = 0; c < 4; c++)
-        to.pbrMetallicRoughness.baseColorFactor[size_t(c)] = number_of(old, "diffuseFactor", c, 1);
-    if (!old.Has("diffuseTexture"))
-        return to;
-    const tinygltf::Value &texture = old.Get("diffuseTexture");
-    tinygltf::TextureInfo &info = to.pbrMetallicRoughness.baseColorTexture;
+/* A texture that an extension names; its index is -1 where there is none. */
+tinygltf::TextureInfo texture_of(const tinygltf::Value &object, const char *key) {
+    tinygltf::TextureInfo info;
+    if (!object.Has(key))
+        return info;
+    const tinygltf::Value &texture = object.Get(key);
     info.index = texture.Get("index").GetNumberAsInt();
     info.texCoord = int(number_of(texture, "texCoord", 0, 0));
     if (texture.Has("extensions"))
         for (const std::string &name : texture.Get("extensions").Keys())
             info.extensions[name] = texture.Get("extensions").Get(name);
+    return info;
+}
+
+/* KHR_materials_pbrSpecularGlossiness, which older files have; NULL = none. */
+const tinygltf::Value *specular_glossiness(const tinygltf::Material &from) {
+    auto found = from.extensions.find("KHR_materials_pbrSpecularGlossiness");
+    return found == from.extensions.end() ? nullptr : &found->second;
+}
+
+/* That extension as the standard's own model: its diffuse colour, no metal, and the roughness of its
+ * gloss. Its second texture takes the place of that of metals: load_textures. */
+tinygltf::Material as_metallic_roughness(const tinygltf::Material &from) {
+    const tinygltf::Value *old = specular_glossiness(from);
+    if (!old)
+        return from;
+    tinygltf::Material to = from;
+    to.pbrMetallicRoughness = {};
+    to.pbrMetallicRoughness.metallicFactor = 0;
+    to.pbrMetallicRoughness.roughnessFactor = 1 - number_of(*old, "glossinessFactor", 0, 1);
+    for (int c = 0; c < 4; c++)
+        to.pbrMetallicRoughness.baseColorFactor[size_t(c)] = number_of(*old, "diffuseFactor", c, 1);
+    to.pbrMetallicRoughness.baseColorTexture = texture_of(*old, "diffuseTexture");
+    to.pbrMetallicRoughness.metallicRoughnessTexture =
+        texture_of(*old, "specularGlossinessTexture");
     return to;
 }
 
@@ -137,36 +150,41 @@ bool same_place(const UvSource &a, const UvSource &b) {
            std::equal(a.scale, a.scale + 2, b.scale);
 }
 
-/* Vertices have one uv: a texture that lies elsewhere than the material's first is left out. */
+/* The number of that mapping of a material. */
+int mapping_of(std::vector<UvSource> &mappings, const UvSource &source) {
+    auto same = [&](const UvSource &other) { return same_place(source, other); };
+    auto known = std::find_if(mappings.begin(), mappings.end(), same);
+    int number = int(known - mappings.begin());
+    if (known == mappings.end())
+        mappings.push_back(source);
+    return number;
+}
+
+/* The first texture's mapping is the first one: so is the base colour's. */
 bool load_textures(Loader &loader, const tinygltf::Material &from, struct material &to,
-                   UvSource &uv) {
+                   std::vector<UvSource> &mappings) {
     tinygltf::TextureInfo normal;
     normal.index = from.normalTexture.index;
     normal.texCoord = from.normalTexture.texCoord;
     normal.extensions = from.normalTexture.extensions;
+    to.specular_glossiness = specular_glossiness(from);
+    int first = 0;
     const struct {
         const tinygltf::TextureInfo &info;
         bool linear;
-        int &out;
+        int &out, &mapping;
     } rows[] = {
-        {from.pbrMetallicRoughness.baseColorTexture, false, to.base_color_texture},
-        {from.pbrMetallicRoughness.metallicRoughnessTexture, true, to.metal_roughness_texture},
-        {from.emissiveTexture, false, to.emission_texture},
-        {normal, true, to.normal_texture},
+        {from.pbrMetallicRoughness.baseColorTexture, false, to.base_color_texture, first},
+        {from.pbrMetallicRoughness.metallicRoughnessTexture, !to.specular_glossiness,
+         to.metal_roughness_texture, to.metal_roughness_mapping},
+        {from.emissiveTexture, false, to.emission_texture, to.emission_mapping},
+        {normal, true, to.normal_texture, to.normal_mapping},
     };
-    bool first = true;
     for (const auto &row : rows) {
         row.out = -1;
         if (row.info.index < 0)
             continue;
-        UvSource source = uv_source(row.info);
-        if (first)
-            uv = source;
-        else if (!same_place(source, uv)) {
-            lack(loader, "textures with coordinates other than their material's first");
-            continue;
-        }
-        first = false;
+        row.mapping = mapping_of(mappings, uv_source(row.info));
         if (!load_texture(loader, row.info.index, row.linear, row.out))
             return false;
     }
@@ -192,26 +210,85 @@ bool load_emission(const tinygltf::Material &from, struct material &to) {
     return true;
 }
 
-/* Of what is no metal: KHR_materials_ior and KHR_materials_specular, but for the latter's textures. */
+TextureMean mean_of(const struct scene_texture &texture) {
+    const struct bitmap &bitmap = texture.bitmap;
+    size_t count = size_t(bitmap.width) * size_t(bitmap.height);
+    size_t counts[3][256] = {};
+    double alpha = 0;
+    float srgb_to_linear[256];
+    TextureMean mean = {};
+    texture_decode_table(srgb_to_linear);
+    for (size_t i = 0; i < count; i++) {
+        for (int c = 0; c < 3; c++)
+            counts[c][bitmap.rgba[4 * i + size_t(c)]]++;
+        alpha += bitmap.rgba[4 * i + 3];
+    }
+    for (size_t c = 0; c < 3; c++)
+        for (int byte = 0; byte < 256; byte++)
+            mean[c] += double(counts[c][byte]) / double(count) * double(srgb_to_linear[byte]);
+    mean[3] = alpha / double(count) / 255;
+    return mean;
+}
+
+/* What the whole of a texture is on average, for want of its texels: white where there is none. The
+ * scene does not keep it. */
+bool find_mean(Loader &loader, const tinygltf::TextureInfo &info, TextureMean &mean) {
+    mean = {1, 1, 1, 1};
+    if (info.index < 0)
+        return true;
+    lack(loader, "textures of specular reflection (it is their mean everywhere)");
+    int image = texture_source(loader.model.textures[size_t(info.index)]), number;
+    auto known = loader.texture_means.find(image);
+    int before = loader.scene->texture_count;
+    if (known != loader.texture_means.end())
+        mean = known->second;
+    else if (!load_texture(loader, info.index, false, number))
+        return false;
+    else
+        loader.texture_means[image] = mean = mean_of(loader.scene->textures[number]);
+    if (loader.scene->texture_count > before) {
+        bitmap_free(&loader.scene->textures[before].bitmap);
+        loader.scene->textures[before] = {};
+        loader.scene->texture_count = before;
+        loader.texture_keys.pop_back();
+    }
+    return true;
+}
+
+/* KHR_materials_pbrSpecularGlossiness: the specular colour is the reflectance, whether of metals or not. */
+bool load_specular_color(const tinygltf::Value &from, struct material &to) {
+    for (int c = 0; c < 3; c++)
+        if (!load_share(number_of(from, "specularFactor", c, 1), to.specular_f0[c],
+                        "KHR_materials_pbrSpecularGlossiness: specularFactor"))
+            return false;
+    const float *f0 = to.specular_f0;
+    to.specular_f90 = reflectance_grazing(std::max({f0[0], f0[1], f0[2]}));
+    return true;
+}
+
+/* Of what is no metal: KHR_materials_ior and KHR_materials_specular. */
 bool load_reflectance(Loader &loader, const tinygltf::Material &from, struct material &to) {
-    const auto none = from.extensions.end();
+    if (const tinygltf::Value *old = specular_glossiness(from))
+        return load_specular_color(*old, to);
     auto ior = from.extensions.find("KHR_materials_ior");
-    auto specular = from.extensions.find("KHR_materials_specular");
-    double index = ior == none ? 1.5 : number_of(ior->second, "ior", 0, 1.5);
+    auto found = from.extensions.find("KHR_materials_specular");
+    const tinygltf::Value specular =
+        found == from.extensions.end() ? tinygltf::Value() : found->second;
+    double index = ior == from.extensions.end() ? 1.5 : number_of(ior->second, "ior", 0, 1.5);
     double straight = std::pow((index - 1) / (index + 1), 2);
-    double factor = specular == none ? 1 : number_of(specular->second, "specularFactor", 0, 1);
+    TextureMean strengths, colors;
     if (!(index == 0 || index >= 1))
         return error_set("KHR_materials_ior: ior: %g is neither 0 nor from 1 on", index);
-    for (int c = 0; c < 3; c++) {
-        double color =
-            specular == none ? 1 : number_of(specular->second, "specularColorFactor", c, 1);
+    if (!find_mean(loader, texture_of(specular, "specularTexture"), strengths) ||
+        !find_mean(loader, texture_of(specular, "specularColorTexture"), colors))
+        return false;
+    double factor = number_of(specular, "specularFactor", 0, 1) * strengths[3];
+    for (size_t c = 0; c < 3; c++) {
+        double color = number_of(specular, "specularColorFactor", int(c), 1) * colors[c];
         if (!(color >= 0))
             return error_set("KHR_materials_specular: specularColorFactor: %g is negative", color);
         to.specular_f0[c] = float(std::min(straight * color, 1.) * factor);
     }
-    if (specular != none &&
-        (specular->second.Has("specularTexture") || specular->second.Has("specularColorTexture")))
-        lack(loader, "textures of specular reflection");
     return load_share(factor, to.specular_f90, "KHR_materials_specular: specularFactor");
 }
 
@@ -224,7 +301,7 @@ void tell_material(Loader &loader, const tinygltf::Material &from) {
 }
 
 bool load_material(Loader &loader, const tinygltf::Material &from, struct material &to,
-                   UvSource &uv) {
+                   std::vector<UvSource> &mappings) {
     copy_name(to.name, from.name);
     const auto &pbr = from.pbrMetallicRoughness;
     to.double_sided = from.doubleSided;
@@ -239,7 +316,7 @@ bool load_material(Loader &loader, const tinygltf::Material &from, struct materi
            load_share(pbr.roughnessFactor, to.roughness, "roughnessFactor") &&
            copy_numbers({from.normalTexture.scale}, &to.normal_scale, "normalTexture: scale") &&
            load_reflectance(loader, from, to) && load_emission(from, to) &&
-           load_textures(loader, from, to, uv);
+           load_textures(loader, from, to, mappings);
 }
 
 /* The standard's default: white, rough and, as it is, a metal. */
@@ -256,11 +333,6 @@ void make_default(struct material &to) {
 
 } // namespace
 
-bool material_is_textured(const struct material &material) {
-    return material.base_color_texture >= 0 || material.metal_roughness_texture >= 0 ||
-           material.emission_texture >= 0 || material.normal_texture >= 0;
-}
-
 /* One material more than the file has: the default, for primitives without. */
 bool load_materials(Loader &loader) {
     const auto &from = loader.model.materials;
@@ -268,10 +340,10 @@ bool load_materials(Loader &loader) {
     scene->materials = allocate<struct material>(from.size() + 1);
     scene->textures = allocate<struct scene_texture>(4 * from.size());
     scene->material_count = int(from.size()) + 1;
-    loader.uv_sources.resize(from.size() + 1);
+    loader.mappings.resize(from.size() + 1);
     for (size_t i = 0; i < from.size(); i++) {
         if (!load_material(loader, as_metallic_roughness(from[i]), scene->materials[i],
-                           loader.uv_sources[i]))
+                           loader.mappings[i]))
             return error_prefix("%s", label("material", i, from[i].name).c_str());
     }
     make_default(scene->materials[from.size()]);

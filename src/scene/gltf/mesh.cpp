@@ -41,13 +41,29 @@ bool load_indices(Loader &loader, int index, struct primitive &to) {
 
 /* KHR_texture_transform: scales, then rotates counter-clockwise as seen with v downward, then
  * offsets. */
-void transform_uv(const UvSource &source, struct primitive &primitive) {
+void transform_uv(const UvSource &source, float (*uv)[2], size_t count) {
     double c = cos(source.rotation), s = sin(source.rotation);
-    for (int i = 0; i < primitive.vertex_count; i++) {
-        double u = primitive.uv[i][0] * source.scale[0], v = primitive.uv[i][1] * source.scale[1];
-        primitive.uv[i][0] = float(c * u + s * v + source.offset[0]);
-        primitive.uv[i][1] = float(c * v - s * u + source.offset[1]);
+    for (size_t i = 0; i < count; i++) {
+        double u = uv[i][0] * source.scale[0], v = uv[i][1] * source.scale[1];
+        uv[i][0] = float(c * u + s * v + source.offset[0]);
+        uv[i][1] = float(c * v - s * u + source.offset[1]);
     }
+}
+
+/* Of each mapping of its material. Where the file has no such coordinates, all are zero. */
+bool load_uvs(Loader &loader, const tinygltf::Primitive &from, struct primitive &to) {
+    const std::vector<UvSource> &mappings = loader.mappings[size_t(to.material)];
+    size_t count = size_t(to.vertex_count);
+    for (size_t m = 0; m < mappings.size(); m++) {
+        std::string name = "TEXCOORD_" + std::to_string(mappings[m].set);
+        if (!load_attribute(loader, from, name, count, &to.uv[m]))
+            return false;
+        if (to.uv[m])
+            transform_uv(mappings[m], to.uv[m], count);
+        else
+            lack(loader, "texture coordinates that a material asks for and its mesh lacks (zeros)");
+    }
+    return true;
 }
 
 bool load_attributes(Loader &loader, const tinygltf::Primitive &from, struct primitive &to) {
@@ -55,14 +71,7 @@ bool load_attributes(Loader &loader, const tinygltf::Primitive &from, struct pri
     if (!load_attribute(loader, from, "NORMAL", count, &to.normal) ||
         !load_attribute(loader, from, "COLOR_0", count, &to.color))
         return false;
-    if (!material_is_textured(loader.scene->materials[to.material]))
-        return true;
-    const UvSource &uv = loader.uv_sources[size_t(to.material)];
-    if (!load_attribute(loader, from, "TEXCOORD_" + std::to_string(uv.set), count, &to.uv))
-        return false;
-    if (to.uv)
-        transform_uv(uv, to);
-    return true;
+    return load_uvs(loader, from, to);
 }
 
 bool load_primitive(Loader &loader, const tinygltf::Primitive &from, int target_count,
@@ -85,7 +94,8 @@ bool load_primitive(Loader &loader, const tinygltf::Primitive &from, int target_
         primitive_repair_normals(&to);
         return true;
     }
-    size_t vertex = sizeof *to.position + sizeof *to.normal + sizeof *to.uv + sizeof *to.color;
+    size_t vertex = sizeof *to.position + sizeof *to.normal + sizeof *to.color +
+                    loader.mappings[size_t(to.material)].size() * sizeof *to.uv[0];
     size_t moved =
         size_t(target_count) * (sizeof *to.targets->position + sizeof *to.targets->normal);
     if (!spend(loader, uint64_t(to.index_count), vertex + moved))

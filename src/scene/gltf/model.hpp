@@ -15,6 +15,7 @@ extern "C" {
 #include "scene/gltf/file.h"
 #include "scene/material.h"
 #include "scene/mesh/primitive.h"
+#include "scene/texture.h"
 }
 
 #define TINYGLTF_NO_STB_IMAGE
@@ -22,7 +23,9 @@ extern "C" {
 #define TINYGLTF_NO_EXTERNAL_IMAGE
 #include <tiny_gltf.h>
 
+#include <array>
 #include <cstdlib>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,7 +33,7 @@ namespace gltf {
 
 using tinygltf::Model;
 
-/* A texture's way from TEXCOORD_n to uv. */
+/* A mapping: a texture's way from TEXCOORD_n to uv. */
 struct UvSource {
     int set = 0;
     double offset[2] = {0, 0}, rotation = 0, scale[2] = {1, 1};
@@ -41,6 +44,9 @@ struct TextureKey {
     int image, sampler;
     bool linear;
 };
+
+/* Over all texels: linear RGBA of a picture of colours. */
+using TextureMean = std::array<double, 4>;
 
 /* The bytes of a file for as long as they are in scope. */
 struct OwnedBytes : file_bytes {
@@ -65,13 +71,14 @@ struct Loader {
     struct scene *scene;
     std::string folder; /* "" or ends in a slash */
     Model model;
-    std::string file_error;               /* why a file that the glTF names was not read */
-    std::vector<UvSource> uv_sources;     /* one per material, of all its textures */
-    std::vector<TextureKey> texture_keys; /* one per texture */
-    std::vector<int> node_places;         /* each node's index in the scene, or -1 */
-    std::vector<bool> is_absent;          /* of each buffer: it is unpacked here */
-    std::vector<std::string> lacks;       /* what the scene is shown without, in words */
-    uint64_t memory = 0;                  /* bytes that the scene may still take */
+    std::string file_error;                      /* why a file that the glTF names was not read */
+    std::vector<std::vector<UvSource>> mappings; /* of each material */
+    std::map<int, TextureMean> texture_means;    /* of each image that was asked for */
+    std::vector<TextureKey> texture_keys;        /* one per texture */
+    std::vector<int> node_places;                /* each node's index in the scene, or -1 */
+    std::vector<bool> is_absent;                 /* of each buffer: it is unpacked here */
+    std::vector<std::string> lacks;              /* what the scene is shown without, in words */
+    uint64_t memory = 0;                         /* bytes that the scene may still take */
 };
 
 /* schema.cpp: whether the JSON is what the standard demands, given the size of the BIN chunk.
@@ -113,9 +120,6 @@ bool load_elements(Loader &loader, int index, int width, size_t count, float **o
 /* deform.cpp: what moves a primitive's vertices, before they are flattened. */
 bool load_joints(Loader &loader, const tinygltf::Primitive &from, struct primitive &to);
 bool load_targets(Loader &loader, const tinygltf::Primitive &from, int count, struct primitive &to);
-
-/* gltf/material.cpp: whether the material's primitives need texture coordinates. */
-bool material_is_textured(const struct material &material);
 
 /* Each fills its part of the scene, in this order. */
 bool load_materials(Loader &loader);

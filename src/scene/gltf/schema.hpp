@@ -169,7 +169,9 @@ const Field emissive_strength[] = {{"emissiveStrength", Optional, Kind::Number},
 const Field specular_glossiness[] = {
     {"diffuseFactor", Optional, Kind::Numbers, nullptr, nullptr, 4},
     {"diffuseTexture", Optional, Kind::Object, nullptr, texture_info},
+    {"specularFactor", Optional, Kind::Numbers, nullptr, nullptr, 3},
     {"glossinessFactor", Optional, Kind::Number},
+    {"specularGlossinessTexture", Optional, Kind::Object, nullptr, texture_info},
     end,
 };
 
@@ -177,7 +179,9 @@ const Field index_of_refraction[] = {{"ior", Optional, Kind::Number}, end};
 
 const Field specular[] = {
     {"specularFactor", Optional, Kind::Number},
+    {"specularTexture", Optional, Kind::Object, nullptr, texture_info},
     {"specularColorFactor", Optional, Kind::Numbers, nullptr, nullptr, 3},
+    {"specularColorTexture", Optional, Kind::Object, nullptr, texture_info},
     end,
 };
 

@@ -8,7 +8,7 @@ static bool init_attributes(struct caster_gpu *gpu, const struct geometry *geome
     return buffer_init(&gpu->positions, "caster positions", count * sizeof *geometry->position,
                        geometry->position) &&
            (!caster_gpu_has_masked(gpu) ||
-            buffer_init(&gpu->uvs, "caster uvs", count * sizeof *geometry->uv, geometry->uv));
+            buffer_init(&gpu->uvs, "caster uvs", count * sizeof *geometry->uv[0], geometry->uv[0]));
 }
 
 /* Where a list begins in the buffer of indices. */

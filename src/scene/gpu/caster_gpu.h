@@ -8,7 +8,7 @@
 
 struct caster_gpu {
     struct caster caster;
-    struct buffer positions, uvs; /* uvs only where there is an alpha mask */
+    struct buffer positions, uvs; /* uvs, the base colour's, only where there is an alpha mask */
     struct buffer indices;        /* of all lists, in the order of their kinds */
     GLuint vertices;              /* vertex array of positions and uvs */
     unsigned pose;                /* of the geometry, that was uploaded last */

@@ -17,6 +17,9 @@
 
 enum { MATERIAL_STRIDE = 256 }; /* no driver asks for a larger uniform offset alignment */
 
+static const GLuint uv_attributes[MAPPINGS_MAX] = {ATTRIBUTE_UV, ATTRIBUTE_UV_1, ATTRIBUTE_UV_2,
+                                                   ATTRIBUTE_UV_3};
+
 static void convert_normals(float (*from)[3], size_t count, int16_t (*to)[4]) {
     for (size_t i = 0; i < count; i++)
         for (int c = 0; c < 3; c++)
@@ -57,6 +60,10 @@ static bool upload_materials(struct scene_gpu *gpu, const struct scene *scene) {
             .specular_f90 = material->specular_f90,
             .normal_textured = material->normal_texture >= 0,
             .normal_scale = material->normal_scale,
+            .specular_glossiness = material->specular_glossiness,
+            .metal_roughness_mapping = material->metal_roughness_mapping,
+            .emission_mapping = material->emission_mapping,
+            .normal_mapping = material->normal_mapping,
         };
         memcpy(block.base_color, material->base_color, sizeof block.base_color);
         memcpy(block.specular_f0, material->specular_f0, sizeof block.specular_f0);
@@ -112,14 +119,24 @@ static bool upload_sky(struct scene_gpu *gpu, const struct environment *sky) {
     return true;
 }
 
+static bool upload_uvs(struct scene_gpu *gpu, const struct geometry *geometry) {
+    bool ok = true;
+    for (int m = 0; ok && m < geometry->mapping_count; m++)
+        ok = buffer_init(&gpu->uvs[m], "scene uvs",
+                         geometry->vertex_count * sizeof *geometry->uv[m], geometry->uv[m]);
+    return ok;
+}
+
 static void make_vertex_array(struct scene_gpu *gpu) {
     gl.CreateVertexArrays(1, &gpu->shaded_vertices);
     vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_POSITION,
                            &(struct vertex_attribute){&gpu->positions, 3, GL_FLOAT, 12, 0});
     vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_NORMAL,
                            &(struct vertex_attribute){&gpu->normals, 3, GL_SHORT, 8, 0});
-    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_UV,
-                           &(struct vertex_attribute){&gpu->uvs, 2, GL_FLOAT, 8, 0});
+    for (int m = 0; m < MAPPINGS_MAX; m++)
+        if (gpu->uvs[m].id)
+            vertex_array_attribute(gpu->shaded_vertices, uv_attributes[m],
+                                   &(struct vertex_attribute){&gpu->uvs[m], 2, GL_FLOAT, 8, 0});
     vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_COLOR,
                            &(struct vertex_attribute){&gpu->colors, 4, GL_UNSIGNED_SHORT, 8, 0});
     gl.VertexArrayElementBuffer(gpu->shaded_vertices, gpu->indices.id);
@@ -139,8 +156,7 @@ static bool init_geometry(struct scene_gpu *gpu, const struct geometry *geometry
     copy_batches(gpu, geometry);
     if (!buffer_init(&gpu->positions, "scene positions", count * sizeof *geometry->position,
                      geometry->position) ||
-        !buffer_init(&gpu->uvs, "scene uvs", count * sizeof *geometry->uv, geometry->uv) ||
-        !upload_attributes(gpu, geometry) ||
+        !upload_uvs(gpu, geometry) || !upload_attributes(gpu, geometry) ||
         !buffer_init(&gpu->indices, "scene indices", geometry->index_count * sizeof(uint32_t),
                      geometry->indices))
         return false;
@@ -153,7 +169,8 @@ static void free_geometry(struct scene_gpu *gpu) {
     vertex_array_free(&gpu->shaded_vertices);
     buffer_free(&gpu->positions);
     buffer_free(&gpu->normals);
-    buffer_free(&gpu->uvs);
+    for (int m = 0; m < MAPPINGS_MAX; m++)
+        buffer_free(&gpu->uvs[m]);
     buffer_free(&gpu->colors);
     buffer_free(&gpu->indices);
     culling_free(&gpu->culling);

@@ -10,13 +10,13 @@
 #include "scene/mesh/geometry.h"
 
 struct scene_gpu {
-    struct buffer positions, normals, uvs, colors, indices, materials;
+    struct buffer positions, normals, uvs[MAPPINGS_MAX], colors, indices, materials;
     struct texture *textures;
     int texture_count;
     float (*glow)[3];          /* of each material: what its block has */
     struct texture lobes;      /* scene/gpu/lobes.h, where materials are not all plain */
     struct texture sky;        /* RGB32F, the texels of the scene's environment; or none */
-    GLuint shaded_vertices;    /* vertex array of all four */
+    GLuint shaded_vertices;    /* vertex array of all but the last two */
     const struct scene *scene; /* must outlive this */
     struct geometry_batch *batches;
     int batch_count;

@@ -44,13 +44,22 @@ static vec4s interpolate_color(const struct corners *corners, float (*colors)[4]
     return sum;
 }
 
-vec2s corners_uv(const struct corners *corners, float (*uvs)[2]) {
+static vec2s interpolate_uv(const struct corners *corners, float (*uvs)[2]) {
     vec2s sum = {{0, 0}};
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; uvs && k < 3; k++) {
         const float *uv = uvs[corners->index[k]];
         sum = glms_vec2_muladds((vec2s){{uv[0], uv[1]}}, corners->weight[k], sum);
     }
     return sum;
+}
+
+vec4s corners_texel(const struct corners *corners, const struct scene *scene,
+                    const struct geometry *geometry, const float srgb_to_linear[256],
+                    const struct corners_texture *of) {
+    if (of->texture < 0)
+        return glms_vec4_one();
+    return texture_lookup(&scene->textures[of->texture], srgb_to_linear,
+                          interpolate_uv(corners, geometry->uv[of->mapping]));
 }
 
 vec4s corners_base_color(const struct corners *corners, const struct scene *scene,
@@ -61,18 +70,19 @@ vec4s corners_base_color(const struct corners *corners, const struct scene *scen
                                 (vec4s){{factor[0], factor[1], factor[2], factor[3]}});
     if (material->base_color_texture < 0)
         return color;
-    const struct scene_texture *texture = &scene->textures[material->base_color_texture];
-    return glms_vec4_mul(
-        color, texture_lookup(texture, srgb_to_linear, corners_uv(corners, geometry->uv)));
+    return glms_vec4_mul(color,
+                         corners_texel(corners, scene, geometry, srgb_to_linear,
+                                       &(struct corners_texture){material->base_color_texture, 0}));
 }
 
-vec2s corners_metal_roughness(const struct corners *corners, const struct scene *scene,
-                              const struct geometry *geometry, const float srgb_to_linear[256],
-                              const struct material *material) {
-    vec2s factors = {{material->metalness, material->roughness}};
+struct reflectance corners_reflectance(const struct corners *corners, const struct scene *scene,
+                                       const struct geometry *geometry,
+                                       const float srgb_to_linear[256],
+                                       const struct material *material) {
     if (material->metal_roughness_texture < 0)
-        return factors;
-    const struct scene_texture *texture = &scene->textures[material->metal_roughness_texture];
-    vec4s read = texture_lookup(texture, srgb_to_linear, corners_uv(corners, geometry->uv));
-    return glms_vec2_mul(factors, (vec2s){{read.z, read.y}});
+        return material_reflectance(material);
+    return material_reflectance_at(
+        material, corners_texel(corners, scene, geometry, srgb_to_linear,
+                                &(struct corners_texture){material->metal_roughness_texture,
+                                                          material->metal_roughness_mapping}));
 }

@@ -2,6 +2,7 @@
 #ifndef SCENE_MESH_CORNERS_H
 #define SCENE_MESH_CORNERS_H
 
+#include "scene/material.h"
 #include "scene/mesh/geometry.h"
 #include "scene/texture.h"
 
@@ -23,17 +24,23 @@ void corners_spread(float weight[3], double x, double y);
 /* Of positions or normals; these come out shorter than 1 where they differ. */
 vec3s corners_vector(const struct corners *corners, float (*vectors)[3]);
 
-vec2s corners_uv(const struct corners *corners, float (*uvs)[2]);
+/* Linear RGBA of one of the scene's textures, by a mapping; white where it is -1. srgb_to_linear:
+ * texture_decode_table's. */
+struct corners_texture {
+    int texture, mapping;
+};
+vec4s corners_texel(const struct corners *corners, const struct scene *scene,
+                    const struct geometry *geometry, const float srgb_to_linear[256],
+                    const struct corners_texture *of);
 
-/* Base colour factor x texture x vertex colour, linear; A is what an alpha mask compares.
- * srgb_to_linear: texture_decode_table's. */
+/* Base colour factor x texture x vertex colour, linear; A is what an alpha mask compares. */
 vec4s corners_base_color(const struct corners *corners, const struct scene *scene,
                          const struct geometry *geometry, const float srgb_to_linear[256],
                          const struct material *material);
 
-/* Metalness and roughness: factors x texture. */
-vec2s corners_metal_roughness(const struct corners *corners, const struct scene *scene,
-                              const struct geometry *geometry, const float srgb_to_linear[256],
-                              const struct material *material);
+struct reflectance corners_reflectance(const struct corners *corners, const struct scene *scene,
+                                       const struct geometry *geometry,
+                                       const float srgb_to_linear[256],
+                                       const struct material *material);
 
 #endif

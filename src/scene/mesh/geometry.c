@@ -85,6 +85,17 @@ static void list_node_parts(struct geometry *geometry, const struct scene *scene
             .node = node, .primitive = p, .dynamic = dynamic, .rigid = rigid};
 }
 
+/* The first mapping, and those that any mesh has besides. */
+static int count_mappings(const struct scene *scene) {
+    int count = 1;
+    for (int i = 0; i < scene->mesh_count; i++)
+        for (int p = 0; p < scene->meshes[i].primitive_count; p++)
+            for (int m = count; m < MAPPINGS_MAX; m++)
+                if (scene->meshes[i].primitives[p].uv[m])
+                    count = m + 1;
+    return count;
+}
+
 /* Dynamic parts come last, so that the others' vertices stay where they are when one grows. */
 static void list_parts(struct geometry *geometry, const struct scene *scene) {
     size_t count = 0;
@@ -98,8 +109,8 @@ static void list_parts(struct geometry *geometry, const struct scene *scene) {
 }
 
 static size_t vertex_bytes(const struct geometry *geometry) {
-    return sizeof *geometry->position + sizeof *geometry->normal + sizeof *geometry->uv +
-           sizeof *geometry->color;
+    return sizeof *geometry->position + sizeof *geometry->normal +
+           (size_t)geometry->mapping_count * sizeof *geometry->uv[0] + sizeof *geometry->color;
 }
 
 /* Vertices of part after part. */
@@ -160,7 +171,8 @@ static void allocate_arrays(struct geometry *geometry) {
     size_t vertices = geometry->vertex_count;
     geometry->position = mem_alloc(vertices + 1, sizeof *geometry->position);
     geometry->normal = mem_alloc(vertices, sizeof *geometry->normal);
-    geometry->uv = mem_alloc(vertices, sizeof *geometry->uv);
+    for (int m = 0; m < geometry->mapping_count; m++)
+        geometry->uv[m] = mem_alloc(vertices, sizeof *geometry->uv[m]);
     geometry->color = mem_alloc(vertices, sizeof *geometry->color);
     geometry->indices = mem_alloc(geometry->index_count, sizeof *geometry->indices);
 }
@@ -168,7 +180,8 @@ static void allocate_arrays(struct geometry *geometry) {
 static void free_arrays(struct geometry *geometry) {
     free(geometry->position);
     free(geometry->normal);
-    free(geometry->uv);
+    for (int m = 0; m < MAPPINGS_MAX; m++)
+        free(geometry->uv[m]);
     free(geometry->color);
     free(geometry->indices);
 }
@@ -180,8 +193,9 @@ static void copy_attributes(struct geometry *geometry, const struct scene *scene
     const struct primitive *primitive = part_primitive(scene, part);
     for (uint32_t i = 0; i < part->vertex_room; i++) {
         uint32_t to = part->first_vertex + i;
-        if (primitive->uv && !part->dynamic)
-            memcpy(geometry->uv[to], primitive->uv[i], sizeof *geometry->uv);
+        for (int m = 0; m < MAPPINGS_MAX && !part->dynamic; m++)
+            if (primitive->uv[m])
+                memcpy(geometry->uv[m][to], primitive->uv[m][i], sizeof *geometry->uv[m]);
         memcpy(geometry->color[to],
                primitive->color && !part->dynamic ? primitive->color[i] : white, sizeof white);
     }
@@ -191,7 +205,7 @@ static void copy_attributes(struct geometry *geometry, const struct scene *scene
 static bool lay_out(struct geometry *geometry, const struct scene *scene) {
     free_arrays(geometry);
     geometry->position = geometry->normal = NULL;
-    geometry->uv = NULL;
+    memset(geometry->uv, 0, sizeof geometry->uv);
     geometry->color = NULL;
     geometry->indices = NULL;
     geometry->laid_out = geometry->pose_count;
@@ -397,6 +411,7 @@ static bool init(struct geometry *geometry, const struct scene *scene, double ti
     pose_init(&geometry->pose, scene);
     pose_init(&geometry->next, scene);
     list_parts(geometry, scene);
+    geometry->mapping_count = count_mappings(scene);
     if (pose_in_clip(geometry, scene, time))
         return true;
     geometry_free(geometry);

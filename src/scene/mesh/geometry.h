@@ -44,13 +44,14 @@ struct geometry_span {
 
 struct geometry {
     uint32_t vertex_count, index_count;
-    float (*position)[3]; /* world; one spare element, as Embree reads 16 bytes a vertex */
-    float (*normal)[3];   /* world, unit */
-    float (*uv)[2];
+    float (*position)[3];         /* world; one spare element, as Embree reads 16 bytes a vertex */
+    float (*normal)[3];           /* world, unit */
+    float (*uv[MAPPINGS_MAX])[2]; /* of the mappings that there are */
     float (*color)[4];
     uint32_t *indices;
     struct geometry_batch *batches;
     int batch_count;
+    int mapping_count;           /* from 1 on */
     uint32_t opaque_index_count; /* indices of the batches without alpha mask: [0, this) */
 
     /* Bounding box and sphere of the vertices that triangles use, throughout the clip that plays:

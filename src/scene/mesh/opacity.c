@@ -111,7 +111,7 @@ static int depth_of(const struct masked *masked) {
         &masked->scene->textures[masked->material->base_color_texture].bitmap;
     vec2s uv[3];
     for (int k = 0; k < 3; k++) {
-        const float *at = masked->geometry->uv[masked->index[k]];
+        const float *at = masked->geometry->uv[0][masked->index[k]];
         uv[k] = (vec2s){{at[0] * (float)bitmap->width, at[1] * (float)bitmap->height}};
     }
     float texels =

@@ -78,7 +78,8 @@ static void *unindexed(void *array, size_t size, const struct primitive *primiti
 
 void primitive_flatten(struct primitive *primitive, int target_count) {
     primitive->position = unindexed(primitive->position, sizeof *primitive->position, primitive);
-    primitive->uv = unindexed(primitive->uv, sizeof *primitive->uv, primitive);
+    for (int m = 0; m < MAPPINGS_MAX; m++)
+        primitive->uv[m] = unindexed(primitive->uv[m], sizeof *primitive->uv[m], primitive);
     primitive->color = unindexed(primitive->color, sizeof *primitive->color, primitive);
     primitive->joints = unindexed(primitive->joints, sizeof *primitive->joints, primitive);
     primitive->weights = unindexed(primitive->weights, sizeof *primitive->weights, primitive);
@@ -155,7 +156,8 @@ void primitive_free(struct primitive *primitive, int target_count) {
     free(primitive->weights);
     free(primitive->position);
     free(primitive->normal);
-    free(primitive->uv);
+    for (int m = 0; m < MAPPINGS_MAX; m++)
+        free(primitive->uv[m]);
     free(primitive->color);
     free(primitive->indices);
     *primitive = (struct primitive){0};

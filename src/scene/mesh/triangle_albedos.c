@@ -35,8 +35,8 @@ static vec3s color_at(const struct finder *finder, const struct material *materi
     vec3s color = glms_vec3(corners_base_color(corners, scene, geometry, table, material));
     if (finder->materials == MATERIALS_DIFFUSE)
         return color;
-    vec2s factors = corners_metal_roughness(corners, scene, geometry, table, material);
-    return material_reflects(material, color, factors.x, factors.y);
+    struct reflectance at = corners_reflectance(corners, scene, geometry, table, material);
+    return material_reflects(material, color, &at);
 }
 
 static vec3s mean_color(const struct finder *finder, const struct material *material,
