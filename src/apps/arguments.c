@@ -73,12 +73,12 @@ static void print_help(const struct arguments *arguments, const struct option *t
         arguments->print_more(stdout, values);
 }
 
-static bool apply(const struct common_values *common) {
+static bool apply(const struct arguments *arguments, const struct common_values *common) {
     if (common->quiet)
         log_set_level(LOG_QUIET);
     else if (common->verbose)
         log_set_level(LOG_VERBOSE);
-    if (!read_rules_set(common->strict, common->root))
+    if (arguments->opens_scenes && !read_rules_set(common->strict, common->root))
         return error_prefix("--root");
     return common->max_memory == 0 ||
            mem_limit((uint64_t)((double)common->max_memory * (1 << 30))) ||
@@ -103,7 +103,7 @@ bool arguments_parse(const struct arguments *arguments, void *values, int argc, 
     } else if (*positional_count < arguments->min_positional) {
         error_set("arguments are missing: %s", arguments->synopsis);
         *status = arguments_misuse(argv[0]);
-    } else if (!apply(values)) {
+    } else if (!apply(arguments, values)) {
         *status = arguments_fail(argv[0]);
     } else {
         go_on = true;

@@ -80,7 +80,7 @@ static bool tell_odd(const struct odd_texels *odd, const char *path) {
     if (read_rules_are_strict())
         return error_set("texels with numbers that are no radiance: %s; first in column %d, row %d",
                          list, odd->x, odd->y);
-    log_note("%s: numbers of texels: %s, first in column %d, row %d", path, list, odd->x, odd->y);
+    log_note("%s: texels that are no radiance: %s; first in column %d, row %d", path, list, odd->x, odd->y);
     return true;
 }
 

@@ -99,6 +99,8 @@ static void slashes_for_backslashes(char *path) {
 char *file_find_named(const char *folder, const char *name, char **real, enum file_lack *lack) {
     char text[80], *path = as_path(name), *found = NULL, *joined = NULL;
     *lack = FILE_MISSING;
+    if (real)
+        *real = NULL;
     if (!path) {
         if (*name)
             error_set("'%s' is a URL, which is not fetched", shown(text, name));

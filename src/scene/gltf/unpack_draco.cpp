@@ -117,6 +117,10 @@ extern "C" struct packed_mesh *unpack_draco(const unsigned char *bytes, size_t s
     uint64_t count;
     if (!read_header(bytes, size, count))
         return nullptr;
+    if (count != triangles) {
+        error_set("%llu triangles, not %zu", (unsigned long long)count, triangles);
+        return nullptr;
+    }
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char *>(bytes), size);
     draco::Decoder decoder;
