@@ -8,6 +8,11 @@ bool unpack_meshopt(const struct packed_view *view, unsigned char *to) {
     return error_set("EXT_meshopt_compression is not read by this build");
 }
 
+bool unpack_draco_size(const unsigned char *bytes, size_t size, size_t *triangles) {
+    (void)bytes, (void)size, (void)triangles;
+    return error_set("KHR_draco_mesh_compression is not read by this build");
+}
+
 struct packed_mesh *unpack_draco(const unsigned char *bytes, size_t size, size_t triangles) {
     (void)bytes, (void)size, (void)triangles;
     error_set("KHR_draco_mesh_compression is not read by this build");

@@ -5,11 +5,13 @@
 #include "gltf_parts.h"
 
 #include "base/error.h"
+#include "base/log.h"
 #include "base/file/image_file.h"
 #include "reference/channels.h"
 #include "reference/path_tracer.h"
 #include "scene/environment.h"
 #include "scene/open.h"
+#include "scene/read_rules.h"
 #include "scene/placing.h"
 
 #include <cglm/cglm.h>
@@ -115,10 +117,32 @@ static void check_refused(const char *path, const char *message) {
         fail_msg("expected '%s'", message);
 }
 
-static void check_texel_refused(float value, const char *message) {
+static char heard[1024];
+
+static void hear(void *context, bool is_warning, const char *message) {
+    (void)context, (void)is_warning;
+    snprintf(heard, sizeof heard, "%s", message);
+}
+
+/* A number that is no radiance is replaced with a note, and refused under --strict. */
+static void check_texel_replaced(float value, float expected, const char *note) {
+    struct environment sky;
     struct image image = numbered_picture(8, 4);
     image_at(&image, 5, 2)[1] = value;
-    check_refused(write_picture("bad.exr", &image), message);
+    const char *path = write_picture("odd.exr", &image);
+    *heard = '\0';
+    log_set_listener(hear, NULL);
+    check_ok(path, environment_load(&sky, path));
+    log_set_listener(NULL, NULL);
+    check_near("instead", (double)sky.texels[2 * 8 + 5][1], (double)expected, 0);
+    check_near("beside it", (double)sky.texels[2 * 8 + 5][0], 6, 0);
+    if (!strstr(heard, path) || !strstr(heard, note))
+        fail_msg("'%s' is not in '%s'", note, heard);
+    free(sky.texels);
+    free(sky.path);
+    check_ok("strict", read_rules_set(true, NULL));
+    check_refused(path, note);
+    check_ok("not strict", read_rules_set(false, NULL));
 }
 
 static void test_refusals(void **state) {
@@ -127,9 +151,10 @@ static void test_refusals(void **state) {
     check_refused(scratch("none.exr"), "");
     check_refused(write_numbered("square.exr", 8, 8),
                   "8 x 8 pixels are no panorama, which is twice as wide as high");
-    check_texel_refused(NAN, "the texel in column 5, row 2 is (6, nan, 1)");
-    check_texel_refused(-.5F, "the texel in column 5, row 2 is (6, -0.5, 1)");
-    check_texel_refused(INFINITY, "the texel in column 5, row 2 is (6, inf, 1)");
+    check_texel_replaced(NAN, 0, "1 no numbers (0 instead); first in column 5, row 2");
+    check_texel_replaced(-.5F, 0, "1 negative (0 instead); first in column 5, row 2");
+    check_texel_replaced(-INFINITY, 0, "1 negative (0 instead); first in column 5, row 2");
+    check_texel_replaced(INFINITY, 65504, "1 infinite (65504 instead); first in column 5, row 2");
     struct bitmap bitmap = {2, 1, (unsigned char[8]){0}};
     check_ok("png", bitmap_write(&bitmap, scratch("sky.png")));
     check_refused(scratch("sky.png"), "its format is for displays");
@@ -186,8 +211,8 @@ static void check_scene_refused(const struct gltf_parts *parts, const struct env
 static void test_scene_refusals(void **state) {
     (void)state;
     static const char *const rows[][2] = {
-        {"{\"environment\": \"../sky.hdr\"}",
-         "extras: environment: '../sky.hdr' is not a path inside the file's folder"},
+        {"{\"environment\": \"../../sky.hdr\"}",
+         "extras: environment: '../../sky.hdr' leads out of the folder "},
         {"{\"environment\": \"nowhere.hdr\"}", "extras: environment: cannot open"},
         {"{\"environment\": 3}", "extras: environment: it is no file's name"},
         {"{\"environment\": \"sky.hdr\", \"environmentTurn\": \"east\"}",

@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/unpack.h"
+#include "scene/read_rules.h"
 
 #include <meshoptimizer.h>
 
@@ -30,8 +31,14 @@ static struct packed_quad pack_quad(void) {
     return quad;
 }
 
-/* Its views lie in a buffer that is not there; `count` vertices are said to be packed. */
-static bool load_quad(struct scene *scene, const struct packed_quad *quad, int count) {
+#define MARK ", \"extensions\": {\"EXT_meshopt_compression\": {\"fallback\": true}}"
+
+/* Its views lie in a buffer that is not there, with the mark of that or without; `count` vertices are
+ * said to be packed. */
+static bool load_marked(struct scene *scene, const struct packed_quad *quad, int count,
+                        const char *mark) {
+    char buffers[256];
+    snprintf(buffers, sizeof buffers, "[{\"byteLength\": 320}, {\"byteLength\": 60%s}]", mark);
     char views[1024];
     snprintf(
         views, sizeof views,
@@ -45,8 +52,7 @@ static bool load_quad(struct scene *scene, const struct packed_quad *quad, int c
     return load_parts(
         scene, "meshopt.glb",
         &(struct gltf_parts){
-            .buffers = "[{\"byteLength\": 320}, {\"byteLength\": 60, \"extensions\":"
-                       " {\"EXT_meshopt_compression\": {\"fallback\": true}}}]",
+            .buffers = buffers,
             .views = views,
             .accessors =
                 "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
@@ -55,6 +61,10 @@ static bool load_quad(struct scene *scene, const struct packed_quad *quad, int c
             .more = "\"extensionsRequired\": [\"EXT_meshopt_compression\"],",
             .extra = quad->bytes,
             .extra_size = sizeof quad->bytes});
+}
+
+static bool load_quad(struct scene *scene, const struct packed_quad *quad, int count) {
+    return load_marked(scene, quad, count, MARK);
 }
 
 static void check_quad(const struct primitive *quad) {
@@ -73,6 +83,14 @@ static void test_meshopt(void **state) {
     check_quad(&scene.meshes[0].primitives[0]);
     assert_int_equal(scene.file_count, 0);
     scene_free(&scene);
+    /* The mark is optional. */
+    static const char *const marks[] = {"", ", \"extensions\": {\"EXT_meshopt_compression\": {}}",
+                                        ", \"extras\": 1"};
+    for (int i = 0; i < 3; i++) {
+        check_ok(marks[i], load_marked(&scene, &quad, 4, marks[i]));
+        check_quad(&scene.meshes[0].primitives[0]);
+        scene_free(&scene);
+    }
 }
 
 static void check_refused(bool loaded, const char *message) {
@@ -171,9 +189,10 @@ static void test_endless(void **state) {
     bool loaded =
         load_parts(&scene, "endless.glb",
                    &(struct gltf_parts){
-                       .buffers = "[{\"byteLength\": 320}, {\"byteLength\": 100000000000,"
-                                  " \"extensions\": {\"EXT_meshopt_compression\": {\"fallback\":"
-                                  " true}}}]"});
+                       .buffers = "[{\"byteLength\": 320}, {\"byteLength\": 100000000000}]",
+                       .views = "[{\"buffer\": 1, \"byteLength\": 48, \"extensions\":"
+                                " {\"EXT_meshopt_compression\": {\"buffer\": 0, \"byteLength\": 64,"
+                                " \"byteStride\": 12, \"count\": 4, \"mode\": \"ATTRIBUTES\"}}}]"});
     check_refused(loaded, "buffer 1: 95367.4 MiB of memory are wanted");
 }
 
@@ -280,9 +299,9 @@ static void test_draco_header(void **state) {
         int at;
         unsigned char byte;
         const char *message;
-    } bad[] = {{0, 'd', "it is no mesh"},  {5, 1, "it is no mesh"}, {6, 1, "it is no mesh"},
-               {7, 0, "it is no mesh"},    {10, 0x80, "metadata"},  {12, 0xff, "triangles"},
-               {13, 3, "3 triangles of 4"}};
+    } bad[] = {{0, 'd', "it is no mesh"},    {5, 1, "it is no mesh"},       {6, 1, "it is no mesh"},
+               {7, 0, "it is no mesh"},      {10, 0x80, "it is truncated"}, {12, 0xff, "triangles"},
+               {13, 3, "3 triangles, not 2"}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         memcpy(bytes, edgebreaker, sizeof bytes);
         bytes[bad[i].at] = bad[i].byte;
@@ -313,23 +332,38 @@ static bool load_draco_with(struct scene *scene, const char *accessors, const ch
     "}}}"
 #define CORNERS "{\"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"}"
 
-/* What the file says besides does not go with the mesh. */
+static void check_opens(const char *what, bool opened, struct scene *scene) {
+    check_ok(what, opened);
+    check_near(what, scene->meshes[0].primitives[0].index_count, 6, 0);
+    scene_free(scene);
+}
+
+/* What the data hold counts, whatever the accessors say; there need be no indices. */
 static void test_draco_and_file(void **state) {
     (void)state;
     static const char accessors[] =
         "[" CORNERS ", {\"componentType\": 5121, \"count\": 6, \"type\": \"SCALAR\"}]";
     static const char fewer[] = "[{\"componentType\": 5126, \"count\": 3, \"type\": \"VEC3\"},"
-                                " {\"componentType\": 5121, \"count\": 6, \"type\": \"SCALAR\"}]";
+                                " {\"componentType\": 5121, \"count\": 300, \"type\": \"SCALAR\"}]";
+    static const char plain[] =
+        "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\":"
+        " 1, " DRACO("\"POSITION\": 0") "}]}]";
     struct scene scene;
-    check_refused(load_draco_with(&scene, accessors,
-                                  "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, " DRACO(
-                                      "\"POSITION\": 0") "}]}]"),
-                  "it has no triangles with indices");
-    check_refused(
-        load_draco_with(&scene, fewer,
-                        "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\":"
-                        " 1, " DRACO("\"POSITION\": 0") "}]}]"),
-        "POSITION: accessor 0: 3 elements, not 4");
+    check_opens("no indices",
+                load_draco_with(&scene, accessors,
+                                "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, " DRACO(
+                                    "\"POSITION\": 0") "}]}]"),
+                &scene);
+    check_opens("other counts", load_draco_with(&scene, fewer, plain), &scene);
+    check_ok("strict", read_rules_set(true, NULL));
+    check_refused(load_draco_with(&scene, fewer, plain),
+                  "mesh 0: primitive 0: POSITION: 4, not 3 (accessors of another count");
+    check_ok("not strict", read_rules_set(false, NULL));
+    check_refused(load_draco_with(
+                      &scene, accessors,
+                      "[{\"primitives\": [{\"mode\": 5, \"attributes\": {\"POSITION\": 0}, " DRACO(
+                          "\"POSITION\": 0") "}]}]"),
+                  "it has no triangles");
     check_refused(
         load_draco_with(&scene, accessors,
                         "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\":"
@@ -346,9 +380,15 @@ static void test_draco_and_file(void **state) {
 static void test_bad_draco(void **state) {
     (void)state;
     struct scene scene;
-    check_refused(
-        load_draco(&scene, edgebreaker, sizeof edgebreaker, 9),
-        "mesh 0: primitive 0: KHR_draco_mesh_compression: 2 triangles of 4 vertices, not 3");
+    check_opens("too many indices", load_draco(&scene, edgebreaker, sizeof edgebreaker, 9), &scene);
+    /* Metadata of no attribute and without entries: a flag and three zeros before the data. */
+    unsigned char with[sizeof edgebreaker + 3] = {0};
+    memcpy(with, edgebreaker, 11);
+    with[10] = 0x80;
+    memcpy(with + 14, edgebreaker + 11, sizeof edgebreaker - 11);
+    check_opens("metadata", load_draco(&scene, with, sizeof with, 6), &scene);
+    with[11] = 200;
+    check_refused(load_draco(&scene, with, sizeof with, 6), "it is truncated");
     check_refused(load_draco(&scene, edgebreaker, 60, 6), "KHR_draco_mesh_compression: ");
     check_refused(load_draco(&scene, (const unsigned char *)"DRACO", 5, 6),
                   "it is no mesh of Draco 2.2");

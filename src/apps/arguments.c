@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "scene/read_rules.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -19,6 +20,14 @@ static const struct option common_options[] = {
     {NULL},
 };
 
+static const struct option scene_options[] = {
+    {"strict", 0, OPTION_FLAG, offsetof(struct common_values, strict),
+     .help = "refuse files with defects that are mended or replaced with a note else"},
+    {"root", 0, OPTION_TEXT, offsetof(struct common_values, root), .value_name = "DIR",
+     .help = "folder below which all files of a scene lie [the parent of the scene's folder]"},
+    {NULL},
+};
+
 static size_t row_count(const struct option *table) {
     size_t count = 0;
     while (table[count].name)
@@ -26,12 +35,25 @@ static size_t row_count(const struct option *table) {
     return count;
 }
 
-/* The common rows follow the subcommand's own; the caller frees the table. */
-static struct option *join_common(const struct option *own) {
-    size_t own_count = row_count(own), common_count = row_count(common_options);
-    struct option *table = mem_alloc(own_count + common_count + 1, sizeof *table);
-    memcpy(table, own, own_count * sizeof *table);
-    memcpy(table + own_count, common_options, common_count * sizeof *table);
+static const struct option *tables_of(const struct arguments *arguments, int n) {
+    const struct option *const tables[] = {
+        arguments->options, arguments->opens_scenes ? scene_options : NULL, common_options};
+    return tables[n];
+}
+
+/* The subcommand's own rows come first; the caller frees the table. */
+static struct option *join_tables(const struct arguments *arguments) {
+    size_t count = 0;
+    struct option *table = mem_alloc(1, sizeof *table);
+    for (int n = 0; n < 3; n++) {
+        const struct option *rows = tables_of(arguments, n);
+        size_t more = rows ? row_count(rows) : 0;
+        table = mem_resize(table, count + more + 1, sizeof *table);
+        if (more > 0)
+            memcpy(table + count, rows, more * sizeof *table);
+        count += more;
+    }
+    table[count] = (struct option){NULL};
     return table;
 }
 
@@ -51,11 +73,13 @@ static void print_help(const struct arguments *arguments, const struct option *t
         arguments->print_more(stdout, values);
 }
 
-static bool apply(const struct common_values *common) {
+static bool apply(const struct arguments *arguments, const struct common_values *common) {
     if (common->quiet)
         log_set_level(LOG_QUIET);
     else if (common->verbose)
         log_set_level(LOG_VERBOSE);
+    if (arguments->opens_scenes && !read_rules_set(common->strict, common->root))
+        return error_prefix("--root");
     return common->max_memory == 0 ||
            mem_limit((uint64_t)((double)common->max_memory * (1 << 30))) ||
            error_prefix("--max-memory");
@@ -65,7 +89,7 @@ bool arguments_parse(const struct arguments *arguments, void *values, int argc, 
                      const char **positional, int *positional_count, int *status) {
     for (int i = 0; i < arguments->max_positional; i++)
         positional[i] = NULL;
-    struct option *table = join_common(arguments->options);
+    struct option *table = join_tables(arguments);
     options_set_defaults(table, values);
     bool go_on = false;
     if (asks_for_help(argc, argv)) {
@@ -79,7 +103,7 @@ bool arguments_parse(const struct arguments *arguments, void *values, int argc, 
     } else if (*positional_count < arguments->min_positional) {
         error_set("arguments are missing: %s", arguments->synopsis);
         *status = arguments_misuse(argv[0]);
-    } else if (!apply(values)) {
+    } else if (!apply(arguments, values)) {
         *status = arguments_fail(argv[0]);
     } else {
         go_on = true;

@@ -27,6 +27,8 @@ enum status { STATUS_OK, STATUS_FAILED, STATUS_USAGE };
 struct common_values {
     bool help, quiet, verbose;
     float max_memory; /* GiB; 0 = no limit of its own */
+    bool strict;      /* this and root: of scene/read_rules.h */
+    const char *root;
 };
 
 struct arguments {
@@ -34,6 +36,7 @@ struct arguments {
     const char *summary;          /* a line or more, without the last line feed */
     const struct option *options; /* its own rows, without the common ones */
     int min_positional, max_positional;
+    bool opens_scenes; /* has --strict and --root, too */
     /* The end of --help, which may depend on what else was asked; NULL = nothing. */
     void (*print_more)(FILE *out, const void *values);
 };

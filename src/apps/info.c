@@ -78,6 +78,7 @@ static const struct arguments arguments = {
     .synopsis = "[OPTION ...] [SCENE]",
     .summary = "Tells what a scene holds; without SCENE, or with --gl, what renders here.",
     .options = options,
+    .opens_scenes = true,
     .max_positional = 1,
 };
 

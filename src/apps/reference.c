@@ -99,6 +99,7 @@ static const struct arguments arguments = {
         "Lightcuts have bound, above which the indirect layer is not off the sum of all VPLs,\n"
         "and nodes, how many lights a pixel took.",
     .options = options,
+    .opens_scenes = true,
     .min_positional = 1,
     .max_positional = 1,
 };

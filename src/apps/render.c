@@ -112,6 +112,7 @@ static const struct arguments arguments = {
         "read back: a sequence may be split between processes, killed, and taken up again.\n"
         "Ctrl-C ends it after the frame at hand, Ctrl-\\ at once.",
     .options = options,
+    .opens_scenes = true,
     .min_positional = 1,
     .max_positional = 1,
     .print_more = print_more,

@@ -35,11 +35,21 @@ static void print_meshes(const struct scene *scene) {
            primitives, vertices, triangles);
 }
 
+/* Lines and points, which nothing draws. */
+static void print_left_out(const struct scene *scene) {
+    if (scene->point_primitives)
+        printf("points     primitives %d, not drawn\n", scene->point_primitives);
+    if (scene->line_primitives)
+        printf("lines      primitives %d, not drawn\n", scene->line_primitives);
+}
+
 /* As drawn: a mesh counts once for each node that shows it. */
 static void print_geometry(const struct geometry *geometry) {
     printf("drawn      %u vertices, %u triangles (%u without alpha mask), batches %d\n",
            geometry->vertex_count, geometry_triangle_count(geometry),
            geometry->opaque_index_count / 3, geometry->batch_count);
+    if (geometry->vertex_count == 0)
+        return;
     print_vector("bounds     ", geometry->bounds_min);
     print_vector(" to ", geometry->bounds_max);
     printf(" m, sphere of radius %.4g m\n", (double)geometry->radius);
@@ -172,10 +182,12 @@ static void print_clips(const struct scene *scene) {
 bool scene_summary_print(const char *path) {
     struct scene scene;
     struct geometry geometry;
-    bool ok = scene_open(&scene, &geometry, path, NULL);
+    const struct scene_open_desc desc = {.may_be_empty = true};
+    bool ok = scene_open(&scene, &geometry, path, &desc);
     if (ok) {
         printf("scene      %s\n", path);
         print_meshes(&scene);
+        print_left_out(&scene);
         print_geometry(&geometry);
         if (scene.origin[0] != 0 || scene.origin[1] != 0 || scene.origin[2] != 0)
             printf("origin     (%.9g, %.9g, %.9g) m: positions are relative to it\n",

@@ -67,6 +67,7 @@ static const struct arguments arguments = {
     .synopsis = "[SCENE] [OPTION ...]",
     .summary = "Shows a glTF scene in a window, rendered live. F1 lists keys and mouse.",
     .options = options,
+    .opens_scenes = true,
     .max_positional = 1,
     .print_more = print_techniques,
 };

@@ -2,11 +2,15 @@
 
 #include "base/error.h"
 #include "base/file/image_file.h"
+#include "base/log.h"
 #include "base/memory.h"
+#include "scene/read_rules.h"
 
 #include <cglm/cglm.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* --- files ------------------------------------------------------------------------------------ */
 
@@ -18,33 +22,81 @@ static bool check_picture(const struct image *image) {
                      image->height);
 }
 
-static bool take_texel(struct environment *environment, const struct image *image,
-                       const int channels[3], int x, int y) {
+/* Texels with numbers that are no radiance, which other programs write now and then. */
+struct odd_texels {
+    int negative, infinite, not_numbers;
+    int x, y; /* of the first */
+};
+
+/* The radiance that a number stands for; what is odd about it is counted. */
+static float take_number(float number, struct odd_texels *odd) {
+    static const float most_of_half = 65504; /* most panoramas are of halves */
+    if (isnan(number))
+        odd->not_numbers++;
+    else if (number < 0)
+        odd->negative++;
+    else if (isinf(number))
+        odd->infinite++;
+    else
+        return number;
+    return number > 0 ? most_of_half : 0;
+}
+
+static int count_odd(const struct odd_texels *odd) {
+    return odd->negative + odd->infinite + odd->not_numbers;
+}
+
+/* A texel counts once for each kind of odd numbers that it has. */
+static void take_texel(struct environment *environment, const struct image *image,
+                       const int channels[3], int x, int y, struct odd_texels *odd) {
     const float *from = image_at(image, x, y);
     float *to = environment->texels[(size_t)y * (size_t)image->width + (size_t)x];
-    for (int c = 0; c < 3; c++) {
-        to[c] = from[channels[c]];
-        if (!(to[c] >= 0) || !isfinite(to[c]))
-            return error_set("the texel in column %d, row %d is (%g, %g, %g)", x, y,
-                             (double)from[channels[0]], (double)from[channels[1]],
-                             (double)from[channels[2]]);
+    struct odd_texels own = {0};
+    for (int c = 0; c < 3; c++)
+        to[c] = take_number(from[channels[c]], &own);
+    if (count_odd(odd) == 0) {
+        odd->x = x;
+        odd->y = y;
     }
+    odd->negative += own.negative > 0;
+    odd->infinite += own.infinite > 0;
+    odd->not_numbers += own.not_numbers > 0;
+}
+
+static bool tell_odd(const struct odd_texels *odd, const char *path) {
+    char list[256] = "";
+    const struct {
+        int count;
+        const char *taken;
+    } rows[] = {{odd->negative, "negative (0 instead)"},
+                {odd->infinite, "infinite (65504 instead)"},
+                {odd->not_numbers, "no numbers (0 instead)"}};
+    if (count_odd(odd) == 0)
+        return true;
+    for (int i = 0; i < 3; i++)
+        if (rows[i].count)
+            snprintf(list + strlen(list), sizeof list - strlen(list), "%s%d %s", *list ? ", " : "",
+                     rows[i].count, rows[i].taken);
+    if (read_rules_are_strict())
+        return error_set("texels with numbers that are no radiance: %s; first in column %d, row %d",
+                         list, odd->x, odd->y);
+    log_note("%s: texels that are no radiance: %s; first in column %d, row %d", path, list, odd->x, odd->y);
     return true;
 }
 
 static bool take_texels(struct environment *environment, const struct image *image,
-                        const int channels[3]) {
-    bool ok = check_picture(image);
-    if (!ok)
+                        const int channels[3], const char *path) {
+    struct odd_texels odd = {0};
+    if (!check_picture(image))
         return false;
     environment->width = image->width;
     environment->height = image->height;
     environment->texels =
         mem_alloc((size_t)image->width * (size_t)image->height, sizeof *environment->texels);
-    for (int y = 0; ok && y < image->height; y++)
-        for (int x = 0; ok && x < image->width; x++)
-            ok = take_texel(environment, image, channels, x, y);
-    return ok;
+    for (int y = 0; y < image->height; y++)
+        for (int x = 0; x < image->width; x++)
+            take_texel(environment, image, channels, x, y, &odd);
+    return tell_odd(&odd, path);
 }
 
 bool environment_load(struct environment *environment, const char *path) {
@@ -53,7 +105,7 @@ bool environment_load(struct environment *environment, const char *path) {
     *environment = (struct environment){.strength = 1};
     if (!image_read_layer(&image, path, "", channels))
         return false;
-    bool ok = take_texels(environment, &image, channels) || error_prefix("%s", path);
+    bool ok = take_texels(environment, &image, channels, path) || error_prefix("%s", path);
     image_free(&image);
     if (ok)
         environment->path = mem_strdup(path);

@@ -20,8 +20,9 @@ struct environment {
     float strength;  /* a factor */
 };
 
-/* Without a turn, of strength 1. Error: names the file and what is wrong with it: it cannot be read, is no
- * linear picture twice as wide as high, or has a texel that is negative or not finite. */
+/* Without a turn, of strength 1. Numbers that are negative or none become 0, infinite ones 65504, and a
+ * note counts their texels. Error: names the file and what is wrong with it: it cannot be read, or is no
+ * linear picture twice as wide as high; under --strict also where a number would be replaced. */
 bool environment_load(struct environment *environment, const char *path);
 
 /* Accepts NULL. */

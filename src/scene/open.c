@@ -25,11 +25,21 @@ static bool change(struct scene *scene, const struct scene_open_desc *desc) {
                      environment_follow(&scene->environment, &desc->environment));
 }
 
+static bool has_triangles(const struct scene *scene) {
+    for (int i = 0; i < scene->node_count; i++)
+        if (scene->nodes[i].mesh >= 0 && scene->meshes[scene->nodes[i].mesh].primitive_count > 0)
+            return true;
+    return false;
+}
+
 bool scene_open(struct scene *scene, struct geometry *geometry, const char *path,
                 const struct scene_open_desc *desc) {
     *geometry = (struct geometry){0};
-    if (scene_load(scene, path) && change(scene, desc) && lay_out(scene, geometry))
-        return true;
+    if (scene_load(scene, path) && change(scene, desc)) {
+        bool is_empty = desc && desc->may_be_empty && !has_triangles(scene);
+        if (is_empty || lay_out(scene, geometry))
+            return true;
+    }
     scene_free(scene);
     return false;
 }

@@ -8,6 +8,7 @@
 struct scene_open_desc {
     const char *clip; /* that plays: name or number; NULL = the first */
     struct environment_desc environment;
+    bool may_be_empty; /* a scene without triangles opens; its geometry stays zeroed */
 };
 
 /* Loads the file, changes of it what desc says, unless that is NULL, lays out the triangles of time

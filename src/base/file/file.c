@@ -10,7 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 static bool find(const char *path, struct stat *status) {
     if (stat(path, status) != 0)
@@ -18,10 +17,27 @@ static bool find(const char *path, struct stat *status) {
     return S_ISREG(status->st_mode) || error_set("cannot read %s: not a file", path);
 }
 
+static const char pointer_text[] = "version https://git-lfs.github.com/spec/";
+
+/* Git LFS leaves a few lines of text in place of a large file that was not fetched. */
+static bool check_content(const void *bytes, size_t size, const char *path) {
+    bool is_pointer = size >= sizeof pointer_text - 1 &&
+                      memcmp(bytes, pointer_text, sizeof pointer_text - 1) == 0;
+    return !is_pointer ||
+           error_set("%s: a Git LFS pointer; git lfs pull fetches the file itself", path);
+}
+
 bool file_can_be_read(const char *path) {
     struct stat status;
-    return find(path, &status) &&
-           (access(path, R_OK) == 0 || error_set("cannot open %s: %s", path, strerror(errno)));
+    char start[sizeof pointer_text];
+    if (!find(path, &status))
+        return false;
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return error_set("cannot open %s: %s", path, strerror(errno));
+    size_t size = fread(start, 1, sizeof start, file);
+    fclose(file);
+    return check_content(start, size, path);
 }
 
 bool file_read(struct file_bytes *bytes, const char *path) {
@@ -38,11 +54,13 @@ bool file_read(struct file_bytes *bytes, const char *path) {
     bytes->data = mem_alloc(bytes->size + 1, 1);
     bool good = fread(bytes->data, 1, bytes->size, file) == bytes->size;
     fclose(file);
-    if (good)
+    if (!good)
+        error_set("cannot read %s", path);
+    if (good && check_content(bytes->data, bytes->size, path))
         return true;
     free(bytes->data);
     *bytes = (struct file_bytes){0};
-    return error_set("cannot read %s", path);
+    return false;
 }
 
 char *file_read_text(const char *path) {

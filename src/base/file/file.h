@@ -10,14 +10,15 @@ struct file_bytes {
     size_t size;         /* without the zero that follows the last byte */
 };
 
-/* Reads a whole regular file of less than 4 GiB. Error: names the path and the reason; bytes are
- * zeroed then. */
+/* Reads a whole regular file of less than 4 GiB, and no pointer of Git LFS to one. Error: names the
+ * path and the reason; bytes are zeroed then. */
 bool file_read(struct file_bytes *bytes, const char *path);
 
 /* The same as text, to be freed by the caller; NULL on error. */
 char *file_read_text(const char *path);
 
-/* A regular file that is there, and not forbidden. Error: names the path and the reason. */
+/* A regular file that is there, not forbidden, and no pointer of Git LFS. Error: names the path and the
+ * reason. */
 bool file_can_be_read(const char *path);
 
 /* A device or a pipe, which may have no end. */

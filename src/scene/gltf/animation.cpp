@@ -79,35 +79,48 @@ enum interpolation find_interpolation(const std::string &name) {
                                    : INTERPOLATION_LINEAR;
 }
 
+/* Nothing is left of a channel that failed. */
+bool load_keys(Loader &loader, const tinygltf::AnimationSampler &sampler, struct channel &to) {
+    to.interpolation = find_interpolation(sampler.interpolation);
+    if (!load_times(loader, sampler.input, to))
+        return error_prefix("input");
+    return load_values(loader, sampler.output, to) || error_prefix("output");
+}
+
+void drop_keys(struct channel &channel) {
+    free(channel.times);
+    free(channel.values);
+    channel = {};
+}
+
 bool load_channel(Loader &loader, const tinygltf::Animation &animation,
-                  const tinygltf::AnimationChannel &from, struct clip &clip) {
-    const tinygltf::AnimationSampler &sampler = animation.samplers[from.sampler];
+                  const tinygltf::AnimationChannel &from, const std::string &object,
+                  struct clip &clip) {
     struct channel &to = clip.channels[clip.channel_count];
     to.node = from.target_node < 0 ? -1 : loader.node_places[from.target_node];
     if (to.node < 0)
         return true; /* of another scene, or of an extension */
-    if (!find_path(from.target_path, *loader.scene, to))
-        return false;
-    if (to.width < 0) {
+    bool good = find_path(from.target_path, *loader.scene, to);
+    if (good && to.width < 0) {
         lack(loader, "animation of '" + clean(from.target_path) + "'");
         return true;
     }
+    if (!good || !load_keys(loader, animation.samplers[from.sampler], to)) {
+        drop_keys(to);
+        return mend(loader, bad_clips, object + ": " + error_get());
+    }
     clip.channel_count++;
-    to.interpolation = find_interpolation(sampler.interpolation);
-    if (!load_times(loader, sampler.input, to))
-        return error_prefix("input");
-    if (!load_values(loader, sampler.output, to))
-        return error_prefix("output");
     clip.duration = std::fmax(clip.duration, to.times[to.key_count - 1]);
     return true;
 }
 
-bool load_clip(Loader &loader, const tinygltf::Animation &from, struct clip &to) {
+bool load_clip(Loader &loader, const tinygltf::Animation &from, size_t index, struct clip &to) {
+    const std::string object = label("animation", index, from.name) + ": channel ";
     copy_name(to.name, from.name);
     to.channels = allocate<struct channel>(from.channels.size());
     for (size_t i = 0; i < from.channels.size(); i++)
-        if (!load_channel(loader, from, from.channels[i], to))
-            return error_prefix("channel %zu", i);
+        if (!load_channel(loader, from, from.channels[i], object + std::to_string(i), to))
+            return false;
     return true;
 }
 
@@ -119,8 +132,8 @@ bool load_clips(Loader &loader) {
     scene->clips = allocate<struct clip>(from.size());
     scene->clip_count = int(from.size());
     for (size_t i = 0; i < from.size(); i++)
-        if (!load_clip(loader, from[i], scene->clips[i]))
-            return error_prefix("%s", label("animation", i, from[i].name).c_str());
+        if (!load_clip(loader, from[i], i, scene->clips[i]))
+            return false;
     return true;
 }
 

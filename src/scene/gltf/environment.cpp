@@ -44,7 +44,9 @@ bool load_environment(Loader &loader) {
         return error_set("extras: environment: it is no file's name");
     if (!read_desc(*extras, desc))
         return error_prefix("extras");
-    char *path = file_find_named(loader.folder.c_str(), name.Get<std::string>().c_str());
+    enum file_lack lack;
+    char *path =
+        file_find_named(loader.folder.c_str(), name.Get<std::string>().c_str(), nullptr, &lack);
     desc.path = path;
     bool good = path && environment_follow(&loader.scene->environment, &desc);
     free(path);

@@ -1,5 +1,5 @@
 /* Extensions: which are read, which are refused by name, and what a scene is shown without. */
-#include "scene/gltf/model.hpp"
+#include "scene/gltf/json.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -64,14 +64,51 @@ void tell_lacks(const Loader &loader) {
 }
 
 bool check_extensions(Loader &loader) {
-    for (const std::string &extension : loader.model.extensionsRequired)
-        if (!find_known(extension))
-            return error_set("it requires the extension '%s', which is not read",
-                             clean(extension).c_str());
     for (const std::string &extension : loader.model.extensionsUsed) {
         const Known *row = find_known(extension);
         if (!row || row->lack)
             lack(loader, row ? row->lack : clean(extension));
+    }
+    return true;
+}
+
+namespace {
+
+/* Of the first glTF, lists are objects, and there may be no version. */
+bool check_version(Loader &loader, json &root) {
+    json none, &version = root.contains("asset") && root["asset"].is_object() &&
+                                  root["asset"].contains("version")
+                              ? root["asset"]["version"]
+                              : none;
+    std::string text = version.is_string()   ? version.get<std::string>()
+                       : version.is_number() ? version.dump()
+                                             : "";
+    if (text.empty() && root.contains("meshes") && root["meshes"].is_object())
+        text = "1.0";
+    if (text.empty())
+        return true; /* the table says so */
+    if (text != "2" && text.compare(0, 2, "2.") != 0)
+        return error_set("glTF version %s; 2.0 is read", clean(text).c_str());
+    if (version.is_string() && text != "2")
+        return true;
+    version = "2.0";
+    return mend(loader, "a version that is not \"2.0\" is taken for that", "asset: " + text);
+}
+
+} // namespace
+
+bool check_asset(Loader &loader, json &root) {
+    if (!check_version(loader, root))
+        return false;
+    const json::json_pointer least("/asset/minVersion");
+    if (root.contains("asset") && root.contains(least) && root[least] != "2.0")
+        return error_set("it needs glTF version %s; 2.0 is read", quote(root[least]).c_str());
+    for (size_t i = 0; i < list_size(root, "/extensionsRequired"); i++) {
+        const json &name = root["extensionsRequired"][i];
+        if (!name.is_string() || !find_known(name.get<std::string>()))
+            return error_set("it requires the extension %s, which is not read",
+                             name.is_string() ? ("'" + clean(name.get<std::string>()) + "'").c_str()
+                                              : quote(name).c_str());
     }
     return true;
 }

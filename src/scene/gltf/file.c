@@ -3,26 +3,13 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "scene/read_rules.h"
 
 #include <errno.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Whether the name is a path downward: not absolute, no URL, no "..". */
-static bool leads_down(const char *name) {
-    if (!*name || *name == '/' || *name == '\\' || strchr(name, ':'))
-        return false;
-    for (const char *part = name;; part++) {
-        size_t length = strcspn(part, "/\\");
-        if (length == 2 && part[0] == '.' && part[1] == '.')
-            return false;
-        part += length;
-        if (!*part)
-            return true;
-    }
-}
 
 /* The name for messages: shortened, and without what could upset a terminal. */
 static const char *shown(char text[80], const char *name) {
@@ -33,34 +20,130 @@ static const char *shown(char text[80], const char *name) {
     return text;
 }
 
-char *file_find_named(const char *folder, const char *name) {
-    char text[80];
-    if (!leads_down(name)) {
-        error_set("'%s' is not a path inside the file's folder", shown(text, name));
-        return NULL;
-    }
-    char *path = mem_printf("%s%s", folder, name);
-    char *root = realpath(*folder ? folder : ".", NULL), *real = realpath(path, NULL);
-    bool good = false;
-    size_t length = root ? strlen(root) : 0;
-    if (!root || !real)
-        error_set("cannot open %s%s: %s", folder, shown(text, name), strerror(errno));
-    else if (strncmp(root, real, length) != 0 || (length > 1 && real[length] != '/'))
-        error_set("'%s' is a link out of the file's folder", shown(text, name));
-    else
-        good = true;
-    if (!good)
-        free(path);
-    free(root);
-    free(real);
-    return good ? path : NULL;
+/* Without a trailing slash, but for "/". */
+static bool is_below(const char *root, const char *path) {
+    size_t length = strlen(root);
+    return strncmp(root, path, length) == 0 && (length == 1 || path[length] == '/');
 }
 
-bool file_read_named(struct file_bytes *bytes, const char *folder, const char *name) {
-    *bytes = (struct file_bytes){0};
-    char *path = file_find_named(folder, name);
-    bool good = path && file_read(bytes, path);
+/* Folder and name together, where "." and ".." are taken as text: the meaning of a URI, whether its
+ * folders exist or not [RFC 3986, 5.2.4]. */
+static char *join_as_text(const char *folder, const char *name) {
+    char *path = mem_printf("%s/%s", *name == '/' ? "" : folder, name), *to = path;
+    for (const char *from = path; *from;) {
+        size_t length = strcspn(from, "/");
+        bool up = length == 2 && strncmp(from, "..", 2) == 0;
+        if (up)
+            while (to > path && *--to != '/') {
+            }
+        else if (length > 0 && !(length == 1 && *from == '.')) {
+            *to++ = '/';
+            memmove(to, from, length);
+            to += length;
+        }
+        from += length + strspn(from + length, "/");
+    }
+    *to = '\0';
+    return path;
+}
+
+/* The folder below which all files lie; the caller frees it. */
+static char *find_root(const char *folder) {
+    const char *given = read_rules_root();
+    char *root = mem_strdup(given ? given : folder), *slash = strrchr(root, '/');
+    if (!given && slash > root)
+        *slash = '\0';
+    return root;
+}
+
+/* The file where the name leads, if that is below the root. Whether a file lies outside is not told. */
+static enum file_lack resolve(const char *folder, const char *root, const char *name, char **real) {
+    char *as_text = join_as_text(folder, name), *path = mem_printf("%s/%s", folder, name);
+    *real = realpath(*name == '/' ? name : path, NULL);
+    if (!*real)
+        *real = realpath(as_text, NULL);
+    enum file_lack lack = FILE_FOUND;
+    if (!is_below(root, *real ? *real : as_text))
+        lack = FILE_OUTSIDE;
+    else if (!*real)
+        lack = FILE_MISSING;
+    if (lack != FILE_FOUND) {
+        free(*real);
+        *real = NULL;
+    }
+    free(as_text);
     free(path);
+    return lack;
+}
+
+/* The name as a path: without "file://"; the caller frees it. NULL: another URL, or nothing. */
+static char *as_path(const char *name) {
+    const char *after = strstr(name, "://");
+    if (strncmp(name, "file:/", 6) == 0) {
+        name += strncmp(name, "file:///", 8) == 0             ? 7
+                : strncmp(name, "file://localhost/", 17) == 0 ? 16
+                                                              : 5;
+        after = NULL;
+    }
+    if (!*name || (after && strcspn(name, "/") == (size_t)(after - name) + 1))
+        return NULL;
+    return mem_strdup(name);
+}
+
+static void slashes_for_backslashes(char *path) {
+    for (; *path; path++)
+        if (*path == '\\')
+            *path = '/';
+}
+
+char *file_find_named(const char *folder, const char *name, char **real, enum file_lack *lack) {
+    char text[80], *path = as_path(name), *found = NULL, *joined = NULL;
+    *lack = FILE_MISSING;
+    if (real)
+        *real = NULL;
+    if (!path) {
+        if (*name)
+            error_set("'%s' is a URL, which is not fetched", shown(text, name));
+        else
+            error_set("its name is empty");
+        return NULL;
+    }
+    char *base = realpath(*folder ? folder : ".", NULL), *root = find_root(base ? base : "/");
+    *lack = base ? resolve(base, root, path, &found) : FILE_MISSING;
+    if (*lack != FILE_FOUND && strchr(path, '\\')) {
+        slashes_for_backslashes(path);
+        *lack = base ? resolve(base, root, path, &found) : FILE_MISSING;
+    }
+    if (*lack == FILE_FOUND)
+        joined = mem_printf("%s%s", *path == '/' ? "" : folder, path);
+    else if (*lack == FILE_MISSING)
+        error_set("cannot open %s%s: %s", *path == '/' ? "" : folder, shown(text, path),
+                  strerror(ENOENT));
+    else
+        error_set("'%s' leads out of the folder %s (--root DIR names another)", shown(text, name),
+                  root);
+    if (real)
+        *real = found;
+    else
+        free(found);
+    free(path);
+    free(base);
+    free(root);
+    return joined;
+}
+
+bool file_read_named(struct file_bytes *bytes, const char *folder, const char *name, char **path,
+                     enum file_lack *lack) {
+    char *real, *named = file_find_named(folder, name, &real, lack);
+    *bytes = (struct file_bytes){0};
+    bool good = named && file_read(bytes, real);
+    if (named && !good)
+        *lack = FILE_MISSING;
+    free(real);
+    if (path && good)
+        *path = named;
+    else
+        free(named);
     return good;
 }
 
@@ -74,35 +157,44 @@ bool glb_is(const struct file_bytes *bytes) {
     return bytes->size >= 4 && memcmp(bytes->data, "glTF", 4) == 0;
 }
 
+/* A chunk at an offset, of which at least type and size are there. */
+static bool check_chunk(int chunk, uint32_t type, size_t size, size_t left) {
+    enum { JSON = 0x4E4F534A };
+    if (size > left)
+        return error_set("chunk %d: %zu bytes, but only %zu are left", chunk, size, left);
+    if ((chunk == 0) != (type == JSON))
+        return error_set("chunk %d: type 0x%08X is %s", chunk, type,
+                         chunk == 0 ? "not JSON" : "JSON, which comes first alone");
+    return true;
+}
+
 /* glTF 2.0, 4.4: a header of 12 bytes, then chunks of length, type and data: JSON, then BIN, then
- * any others. tinygltf would read beyond the end of a truncated chunk. */
+ * any others, which are ignored. */
 bool glb_check(const struct file_bytes *bytes, struct glb_chunks *chunks) {
-    enum { JSON = 0x4E4F534A, BIN = 0x004E4942 };
+    enum { BIN = 0x004E4942 };
     if (bytes->size < 20)
         return error_set("truncated: %zu bytes are no GLB file", bytes->size);
     if (word_at(bytes, 4) != 2)
-        return error_set("GLB version %u, not 2", word_at(bytes, 4));
-    if (word_at(bytes, 8) != bytes->size)
-        return error_set("%s: the header says %u bytes, there are %zu",
-                         word_at(bytes, 8) > bytes->size ? "truncated" : "wrong length",
-                         word_at(bytes, 8), bytes->size);
+        return error_set("glTF version %u; 2.0 is read", word_at(bytes, 4));
+    size_t end = word_at(bytes, 8), at = 12;
+    if (end > bytes->size || end < 20)
+        return error_set("%s: the header says %zu bytes, there are %zu",
+                         end > bytes->size ? "truncated" : "wrong length", end, bytes->size);
     *chunks = (struct glb_chunks){.json = (const char *)bytes->data + 20};
-    size_t at = 12;
-    for (int chunk = 0; at < bytes->size; chunk++) {
-        if (bytes->size - at < 8)
-            return error_set("chunk %d: its header is truncated", chunk);
-        uint32_t size = word_at(bytes, at), type = word_at(bytes, at + 4);
-        size_t left = bytes->size - at - 8;
-        if (size > left)
-            return error_set("chunk %d: %u bytes, but only %zu are left", chunk, size, left);
-        if (size % 4 != 0)
-            return error_set("chunk %d: %u bytes are not a multiple of 4", chunk, size);
-        if (chunk < 2 && type != (chunk == 0 ? (uint32_t)JSON : (uint32_t)BIN))
-            return error_set("chunk %d: type 0x%08X is not %s", chunk, type,
-                             chunk == 0 ? "JSON" : "BIN");
-        if (chunk < 2)
-            *(chunk == 0 ? &chunks->json_size : &chunks->bin_size) = size;
-        at += 8 + (size_t)size;
+    for (int chunk = 0; end - at >= 8; chunk++) {
+        size_t size = word_at(bytes, at);
+        uint32_t type = word_at(bytes, at + 4);
+        if (!check_chunk(chunk, type, size, end - at - 8))
+            return false;
+        chunks->is_uneven |= size % 4 != 0;
+        if (chunk == 0) {
+            chunks->json_size = size;
+        } else if (type == BIN && !chunks->bin) {
+            chunks->bin = (const char *)bytes->data + at + 8;
+            chunks->bin_size = size;
+        }
+        at += 8 + size;
     }
+    chunks->tail = bytes->size - at;
     return true;
 }

@@ -7,23 +7,32 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The path of a file that a glTF names by a relative path; free() frees. folder is "" or ends in a slash.
- * A name that leads out of the folder is refused, be it by ".." or by a symbolic link: NULL and an
- * error. */
-char *file_find_named(const char *folder, const char *name);
+/* Why a named file is not read. */
+enum file_lack { FILE_FOUND, FILE_MISSING, FILE_OUTSIDE };
 
-/* Reads such a file. */
-bool file_read_named(struct file_bytes *bytes, const char *folder, const char *name);
+/* The path of a file that a scene in the folder names; free() frees. folder is "" or ends in a slash.
+ * The name may be absolute, lead upward and go through links; backslashes are slashes where there is
+ * no such file otherwise. The file, links resolved, lies below the root: that of scene/read_rules.h,
+ * or the parent of the folder, or the folder itself where the parent is "/". real, unless NULL, gets
+ * the path without links, which free() frees, too. NULL and an error: lack tells which. */
+char *file_find_named(const char *folder, const char *name, char **real, enum file_lack *lack);
+
+/* Reads it; path, unless NULL, gets its path, which free() frees. A file that cannot be read counts as
+ * missing. */
+bool file_read_named(struct file_bytes *bytes, const char *folder, const char *name, char **path,
+                     enum file_lack *lack);
 
 /* Whether the bytes begin like a .glb. */
 bool glb_is(const struct file_bytes *bytes);
 
 struct glb_chunks {
-    const char *json;
+    const char *json, *bin;
     size_t json_size, bin_size; /* bin_size = 0: there is no BIN chunk */
+    size_t tail;                /* bytes after the last chunk, which are ignored */
+    bool is_uneven;             /* a chunk's size is no multiple of 4 */
 };
 
-/* Checks the container of a .glb, header and chunks, and finds the JSON. */
+/* Checks the container of a .glb, header and chunks, and finds JSON and BIN. */
 bool glb_check(const struct file_bytes *bytes, struct glb_chunks *chunks);
 
 #endif

@@ -44,25 +44,11 @@ bool copy_numbers(const std::vector<double> &from, float *to, const char *what) 
 
 namespace {
 
-bool check_version(const tinygltf::Asset &asset) {
-    if (asset.version.compare(0, 2, "2.") != 0)
-        return error_set("glTF version '%s', not 2.0", clean(asset.version).c_str());
-    if (!asset.minVersion.empty() && asset.minVersion != "2.0")
-        return error_set("it needs glTF version '%s'", clean(asset.minVersion).c_str());
-    return true;
-}
-
 void list_files(Loader &loader) {
-    std::vector<std::string> uris;
-    for (const tinygltf::Buffer &buffer : loader.model.buffers)
-        uris.push_back(buffer.uri);
-    for (const tinygltf::Image &image : loader.model.images)
-        uris.push_back(image.uri);
     struct scene &scene = *loader.scene;
-    scene.files = allocate<char *>(uris.size());
-    for (const std::string &uri : uris)
-        if (!uri.empty() && uri.compare(0, 5, "data:") != 0)
-            scene.files[scene.file_count++] = mem_strdup((loader.folder + decode_uri(uri)).c_str());
+    scene.files = allocate<char *>(loader.files.size());
+    for (const std::string &file : loader.files)
+        scene.files[scene.file_count++] = mem_strdup(file.c_str());
 }
 
 /* The JSON library allocates memory where it frees some, from where no exception comes. While there is one
@@ -85,10 +71,9 @@ class MemoryEnds {
 
 /* Each part of the scene, in this order. */
 bool load_parts(Loader &loader) {
-    return check_version(loader.model.asset) && check_extensions(loader) &&
-           load_materials(loader) && load_meshes(loader) && load_lights(loader) &&
-           load_cameras(loader) && load_nodes(loader) && load_skins(loader) && load_clips(loader) &&
-           load_environment(loader);
+    return check_extensions(loader) && load_materials(loader) && load_meshes(loader) &&
+           load_lights(loader) && load_cameras(loader) && load_nodes(loader) &&
+           load_skins(loader) && load_clips(loader) && load_environment(loader);
 }
 
 } // namespace
@@ -104,9 +89,10 @@ extern "C" bool gltf_load(struct scene *scene, const char *path) try {
     scene->path = mem_strdup(path);
     if (!parse(loader, path))
         return false;
-    list_files(loader);
     if (!load_parts(loader))
         return error_prefix("%s", path);
+    list_files(loader);
+    tell_mended(loader);
     tell_lacks(loader);
     return true;
 } catch (const std::exception &error) {

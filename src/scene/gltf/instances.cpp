@@ -32,9 +32,14 @@ bool load_places(Loader &loader, const tinygltf::Node &from, const char *name, i
     return good || error_prefix("%s", name);
 }
 
-bool check_rotation(const float q[4]) {
-    return std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])) > 1e-6 ||
-           error_set("ROTATION: a quaternion of length 0");
+/* A quaternion of length 0 becomes that of no turn. */
+bool mend_rotation(Loader &loader, float q[4], size_t index) {
+    if (std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])) > 1e-6)
+        return true;
+    q[0] = q[1] = q[2] = 0;
+    q[3] = 1;
+    return mend(loader, "a quaternion of length 0 turns nothing",
+                "instance " + std::to_string(index) + ": ROTATION");
 }
 
 /* One place, as yet that of its parent. */
@@ -78,8 +83,8 @@ bool load_instances(Loader &loader, const tinygltf::Node &from) {
         !load_places(loader, from, "SCALE", 3, nodes, offsetof(struct node, scale)))
         return error_prefix("instances");
     for (size_t i = 0; i < count; i++)
-        if (!check_rotation(nodes[i].rotation))
-            return error_prefix("instance %zu", i);
+        if (!mend_rotation(loader, nodes[i].rotation, i))
+            return false;
     return true;
 }
 

@@ -1,4 +1,4 @@
-/* Materials and the textures that they use. */
+/* Materials. */
 #include "scene/gltf/model.hpp"
 
 #include <algorithm>
@@ -6,81 +6,6 @@
 
 namespace gltf {
 namespace {
-
-bool decode(Loader &loader, const void *bytes, size_t size, struct bitmap &bitmap) {
-    uint64_t memory;
-    return bitmap_measure(bytes, size, &memory) && spend(loader, memory, 1) &&
-           bitmap_decode(&bitmap, bytes, size);
-}
-
-bool decode_image(Loader &loader, const tinygltf::Image &image, struct bitmap &bitmap) {
-    if (image.bufferView >= 0)
-        return decode(loader, view_bytes(loader.model, image.bufferView),
-                      loader.model.bufferViews[image.bufferView].byteLength, bitmap);
-    if (!image.image.empty())
-        return decode(loader, image.image.data(), image.image.size(), bitmap);
-    OwnedBytes file;
-    std::string name = decode_uri(image.uri);
-    if (!file_read_named(&file, loader.folder.c_str(), name.c_str()))
-        return false;
-    allow_memory(loader, file.size);
-    return decode(loader, file.data, file.size, bitmap) || error_prefix("%s", name.c_str());
-}
-
-enum texture_wrap wrap_mode(int gl) {
-    return gl == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE     ? TEXTURE_WRAP_CLAMP
-           : gl == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? TEXTURE_WRAP_MIRROR
-                                                         : TEXTURE_WRAP_REPEAT;
-}
-
-/* The picture of a texture, or -1. */
-int texture_source(const tinygltf::Texture &texture) {
-    auto webp = texture.extensions.find("EXT_texture_webp");
-    if (texture.source >= 0 || webp == texture.extensions.end() || !webp->second.Has("source"))
-        return texture.source;
-    return webp->second.Get("source").GetNumberAsInt();
-}
-
-/* Its picture is in a format of an extension alone, or nowhere. */
-bool refuse_texture(const tinygltf::Texture &texture, int index) {
-    for (const auto &extension : texture.extensions)
-        if (extension.second.Has("source"))
-            return error_set("texture %d: its picture is in the format of %s, which is not read",
-                             index, clean(extension.first).c_str());
-    return error_set("texture %d: it has no source", index);
-}
-
-/* The scene's texture for one of the file's; a picture used with one sampler is decoded once, or
- * twice where it holds colours here and numbers there. */
-bool load_texture(Loader &loader, int index, bool linear, int &out) {
-    const Model &model = loader.model;
-    const tinygltf::Texture &texture = model.textures[index];
-    int source = texture_source(texture);
-    if (source < 0)
-        return refuse_texture(texture, index);
-    auto &keys = loader.texture_keys;
-    TextureKey key = {source, texture.sampler, linear};
-    auto known = std::find_if(keys.begin(), keys.end(), [&](const TextureKey &other) {
-        return other.image == key.image && other.sampler == key.sampler && other.linear == linear;
-    });
-    out = int(known - keys.begin());
-    if (known != keys.end())
-        return true;
-    const tinygltf::Image &image = model.images[source];
-    struct scene_texture &made = loader.scene->textures[out];
-    tinygltf::Sampler sampler;
-    if (texture.sampler >= 0)
-        sampler = model.samplers[texture.sampler];
-    made.wrap_u = wrap_mode(sampler.wrapS);
-    made.wrap_v = wrap_mode(sampler.wrapT);
-    made.linear = linear;
-    made.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
-    if (!decode_image(loader, image, made.bitmap))
-        return error_prefix("%s", label("image", source, image.name).c_str());
-    keys.push_back(key);
-    loader.scene->texture_count++;
-    return true;
-}
 
 /* A number of an extension, or of an array in it. */
 double number_of(const tinygltf::Value &object, const char *key, int i, double otherwise) {
@@ -244,7 +169,7 @@ bool find_mean(Loader &loader, const tinygltf::TextureInfo &info, TextureMean &m
         mean = known->second;
     else if (!load_texture(loader, info.index, false, number))
         return false;
-    else
+    else if (number >= 0)
         loader.texture_means[image] = mean = mean_of(loader.scene->textures[number]);
     if (loader.scene->texture_count > before) {
         bitmap_free(&loader.scene->textures[before].bitmap);

@@ -22,9 +22,26 @@ bool load_attribute(Loader &loader, const tinygltf::Primitive &from, const std::
     return good || error_prefix("%s", name.c_str());
 }
 
+/* Indices lie packed, whatever stride their buffer view has: other readers hand them to the GPU, which knows none. */
+bool pack_indices(Loader &loader, int index) {
+    const tinygltf::Accessor &accessor = loader.model.accessors[size_t(index)];
+    if (accessor.bufferView < 0)
+        return true;
+    tinygltf::BufferView view = loader.model.bufferViews[size_t(accessor.bufferView)];
+    size_t stride = view.byteStride;
+    if (stride == 0 || stride == component_size(accessor.componentType))
+        return true;
+    view.byteStride = 0;
+    loader.model.accessors[size_t(index)].bufferView = int(loader.model.bufferViews.size());
+    loader.model.bufferViews.push_back(view);
+    return mend(loader, "a byteStride of indices is ignored", "accessor " + std::to_string(index));
+}
+
 bool load_indices(Loader &loader, int index, struct primitive &to) {
     struct accessor accessor = {};
     accessor.count = size_t(to.vertex_count);
+    if (index >= 0 && !pack_indices(loader, index))
+        return false;
     if ((index >= 0 && !resolve_accessor(loader.model, index, accessor)) ||
         !spend(loader, accessor.count, sizeof *to.indices))
         return error_prefix("indices");
@@ -37,6 +54,14 @@ bool load_indices(Loader &loader, int index, struct primitive &to) {
     to.indices = allocate<uint32_t>(accessor.count);
     std::iota(to.indices, to.indices + accessor.count, 0u);
     return index < 0 || accessor_read_indices(&accessor, to.indices) || error_prefix("indices");
+}
+
+/* The standard has clients ignore the indices of a last triangle that is not whole. */
+bool mend_indices(Loader &loader, const tinygltf::Primitive &from, const std::string &object,
+                  struct primitive &to) {
+    int surplus = from.mode == TINYGLTF_MODE_TRIANGLES ? to.index_count % 3 : 0;
+    to.index_count -= surplus;
+    return surplus == 0 || mend(loader, "indices that make no whole triangle are ignored", object);
 }
 
 /* KHR_texture_transform: scales, then rotates counter-clockwise as seen with v downward, then
@@ -75,17 +100,15 @@ bool load_attributes(Loader &loader, const tinygltf::Primitive &from, struct pri
 }
 
 bool load_primitive(Loader &loader, const tinygltf::Primitive &from, int target_count,
-                    struct primitive &to) {
+                    const std::string &object, struct primitive &to) {
     const Model &model = loader.model;
     to.material = from.material >= 0 ? from.material : int(model.materials.size());
-    auto position = from.attributes.find("POSITION");
-    if (position == from.attributes.end())
-        return error_set("it has no POSITION");
-    size_t count = model.accessors[position->second].count;
+    size_t count = model.accessors[from.attributes.at("POSITION")].count;
     if (!load_attribute(loader, from, "POSITION", count, &to.position))
         return false;
     to.vertex_count = int(count);
-    if (!load_indices(loader, from.indices, to) || !primitive_check(&to) ||
+    if (!load_indices(loader, from.indices, to) || !mend_indices(loader, from, object, to) ||
+        !primitive_check(&to) ||
         !primitive_unroll(&to, static_cast<enum primitive_mode>(from.mode)) ||
         !load_attributes(loader, from, to) || !load_joints(loader, from, to) ||
         !load_targets(loader, from, target_count, to))
@@ -104,30 +127,64 @@ bool load_primitive(Loader &loader, const tinygltf::Primitive &from, int target_
     return true;
 }
 
-/* The morph targets' number and weights at rest. */
-bool load_weights(const tinygltf::Mesh &from, struct mesh &to) {
-    to.target_count = from.primitives.empty() ? 0 : int(from.primitives[0].targets.size());
-    if (to.target_count > 0)
-        to.weights = allocate<float>(size_t(to.target_count));
-    if (!from.weights.empty() && from.weights.size() != size_t(to.target_count))
-        return error_set("%zu weights for %d morph targets", from.weights.size(), to.target_count);
-    return copy_numbers(from.weights, to.weights, "weights");
+size_t count_of(const Model &model, int accessor) {
+    return model.accessors[size_t(accessor)].count;
 }
 
-/* Lines and points are left out. */
-bool load_mesh(Loader &loader, const tinygltf::Mesh &from, struct mesh &to) {
+/* Why nothing of the primitive is drawn, or NULL: the standard has clients skip it. */
+const char *find_lack(const Model &model, const tinygltf::Primitive &from) {
+    auto position = from.attributes.find("POSITION");
+    if (position == from.attributes.end())
+        return "it has no POSITION";
+    size_t count = count_of(model, position->second);
+    if (from.indices >= 0 && count > 0)
+        count = count_of(model, from.indices);
+    return count >= 3 ? nullptr : "it has no triangle";
+}
+
+/* Whether the primitive is drawn. Lines, points and primitives without triangles are left out. */
+bool keep_primitive(Loader &loader, const tinygltf::Primitive &from, const std::string &object,
+                    bool &is_kept) {
+    is_kept = false;
+    if (from.mode < PRIMITIVE_TRIANGLES) {
+        loader.scene->point_primitives += from.mode == TINYGLTF_MODE_POINTS;
+        loader.scene->line_primitives += from.mode != TINYGLTF_MODE_POINTS;
+        lack(loader, "points and lines");
+        return true;
+    }
+    const char *reason = find_lack(loader.model, from);
+    is_kept = !reason;
+    return is_kept || mend(loader, "primitives without positions or triangles are left out",
+                           object + ": " + reason);
+}
+
+/* The morph targets' number and weights at rest. The first primitive that is drawn counts. */
+bool load_weights(Loader &loader, const tinygltf::Mesh &from, const std::string &object,
+                  struct mesh &to) {
+    for (const tinygltf::Primitive &primitive : from.primitives)
+        if (primitive.mode >= PRIMITIVE_TRIANGLES && !find_lack(loader.model, primitive)) {
+            to.target_count = int(primitive.targets.size());
+            break;
+        }
+    if (to.target_count > 0)
+        to.weights = allocate<float>(size_t(to.target_count));
+    return from.weights.empty() ||
+           copy_weights(loader, from.weights, size_t(to.target_count), object, to.weights);
+}
+
+bool load_mesh(Loader &loader, const tinygltf::Mesh &from, size_t index, struct mesh &to) {
+    const std::string object = label("mesh", index, from.name);
     copy_name(to.name, from.name);
-    if (!load_weights(from, to))
+    if (!load_weights(loader, from, object, to))
         return false;
     to.primitives = allocate<struct primitive>(from.primitives.size());
     for (size_t i = 0; i < from.primitives.size(); i++) {
-        int mode = from.primitives[i].mode;
-        if (mode < PRIMITIVE_TRIANGLES) {
-            lack(loader, "points and lines");
-            continue;
-        }
-        if (!load_primitive(loader, from.primitives[i], to.target_count,
-                            to.primitives[to.primitive_count++]))
+        const std::string part = object + ": primitive " + std::to_string(i);
+        bool is_kept;
+        if (!keep_primitive(loader, from.primitives[i], part, is_kept))
+            return false;
+        if (is_kept && !load_primitive(loader, from.primitives[i], to.target_count, part,
+                                       to.primitives[to.primitive_count++]))
             return error_prefix("primitive %zu", i);
     }
     return true;
@@ -135,13 +192,25 @@ bool load_mesh(Loader &loader, const tinygltf::Mesh &from, struct mesh &to) {
 
 } // namespace
 
+bool copy_weights(Loader &loader, const std::vector<double> &from, size_t targets,
+                  const std::string &object, float *to) {
+    std::vector<double> weights = from;
+    weights.resize(targets);
+    if (from.size() != targets &&
+        !mend(loader, "weights without a morph target are ignored, and 0 where they lack",
+              object + ": " + std::to_string(from.size()) + " weights for " +
+                  std::to_string(targets) + " morph targets"))
+        return false;
+    return copy_numbers(weights, to, "weights");
+}
+
 bool load_meshes(Loader &loader) {
     const auto &from = loader.model.meshes;
     struct scene *scene = loader.scene;
     scene->meshes = allocate<struct mesh>(from.size());
     scene->mesh_count = int(from.size());
     for (size_t i = 0; i < from.size(); i++)
-        if (!load_mesh(loader, from[i], scene->meshes[i]))
+        if (!load_mesh(loader, from[i], i, scene->meshes[i]))
             return error_prefix("%s", label("mesh", i, from[i].name).c_str());
     return true;
 }

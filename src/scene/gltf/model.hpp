@@ -15,6 +15,7 @@ extern "C" {
 #include "scene/gltf/file.h"
 #include "scene/material.h"
 #include "scene/mesh/primitive.h"
+#include "scene/read_rules.h"
 #include "scene/texture.h"
 }
 
@@ -67,25 +68,38 @@ const size_t max_elements = size_t(1) << 27;
 const uint64_t least_memory = uint64_t(2) << 30;
 const uint64_t memory_of_file = 64; /* times its size */
 
+/* A defect that was mended: the first object that has it, and how many have. */
+struct Mended {
+    std::string what, first;
+    size_t count;
+};
+
+/* A picture of the file: in a buffer view, in its data URI, or in the file of that URI. */
+struct Picture {
+    int view = -1;
+    std::string uri;
+    std::vector<unsigned char> bytes;
+    std::string error; /* why its data URI is none */
+};
+
 struct Loader {
     struct scene *scene;
     std::string folder; /* "" or ends in a slash */
     Model model;
-    std::string file_error;                      /* why a file that the glTF names was not read */
+    std::vector<std::vector<unsigned char>> buffers; /* until the model has them */
+    std::vector<Picture> pictures;                   /* one per image */
+    std::vector<size_t> strides;                     /* of buffer views; 0 = packed */
+    std::vector<std::string> files;                  /* that were read beside the scene's own */
+    std::vector<Mended> mended;
     std::vector<std::vector<UvSource>> mappings; /* of each material */
     std::map<int, TextureMean> texture_means;    /* of each image that was asked for */
-    std::vector<TextureKey> texture_keys;        /* one per texture */
+    std::vector<TextureKey> texture_keys;        /* one per texture of the scene */
+    std::vector<unsigned char> texture_uses;     /* one per texture of the file, once one is broken */
     std::vector<int> node_places;                /* each node's index in the scene, or -1 */
-    std::vector<bool> is_absent;                 /* of each buffer: it is unpacked here */
+    std::vector<bool> is_absent;                 /* of each buffer: its views are unpacked here */
     std::vector<std::string> lacks;              /* what the scene is shown without, in words */
     uint64_t memory = 0;                         /* bytes that the scene may still take */
 };
-
-/* schema.cpp: whether the JSON is what the standard demands, given the size of the BIN chunk.
- * All indices, types and buffer views of the model are right afterwards. changed: the text to be
- * parsed instead, unless it stays empty; in it, absent buffers are named by the prefix and their size. */
-bool check_schema(const char *text, size_t size, size_t bin_size, std::string &changed);
-const char *const absent_prefix = "\x01";
 
 /* packed.cpp: fills absent buffers with what their views have packed, and gives accessors of packed
  * primitives buffers of their own. */
@@ -94,13 +108,21 @@ bool unpack_primitives(Loader &loader);
 
 /* parse.cpp: reads and parses the file and the buffers it names. */
 bool parse(Loader &loader, const char *path);
-std::string decode_uri(const std::string &uri);
 
-/* extension.cpp: refuses a file that requires what is not read. Remembers, once, what the scene is
- * shown without; and says it all in one note. */
+/* buffers.cpp: reads the file that a URI names, with or without percent signs. */
+bool read_uri(Loader &loader, const std::string &uri, struct file_bytes &bytes,
+              enum file_lack &lack);
+
+/* extension.cpp: remembers, once, what the scene is shown without; and says it all in one note. */
 bool check_extensions(Loader &loader);
 void lack(Loader &loader, const std::string &what);
 void tell_lacks(const Loader &loader);
+
+/* mended.cpp: remembers that an object has a defect which is mended; under --strict an error instead.
+ * Later each defect is told in one note, with the first object and the number of others. */
+bool mend(Loader &loader, const std::string &what, const std::string &object);
+void tell_mended(const Loader &loader);
+const char *const bad_clips = "channels of clips that are not valid are left out";
 
 /* array.cpp: the bytes of a buffer view; and an accessor, whose elements all lie in theirs. */
 const unsigned char *view_bytes(const Model &model, int view);
@@ -120,6 +142,13 @@ bool load_elements(Loader &loader, int index, int width, size_t count, float **o
 /* deform.cpp: what moves a primitive's vertices, before they are flattened. */
 bool load_joints(Loader &loader, const tinygltf::Primitive &from, struct primitive &to);
 bool load_targets(Loader &loader, const tinygltf::Primitive &from, int count, struct primitive &to);
+
+/* texture.cpp: the scene's texture for one of the file's; -1 where that has no picture. A picture that
+ * is missing or broken is replaced. */
+bool load_texture(Loader &loader, int index, bool linear, int &out);
+
+/* The picture of a texture, or -1. */
+int texture_source(const tinygltf::Texture &texture);
 
 /* Each fills its part of the scene, in this order. */
 bool load_materials(Loader &loader);
@@ -147,6 +176,10 @@ std::string label(const char *noun, size_t index, const std::string &name);
 /* Copies the numbers of a JSON array, which may be too large for floats; an absent one leaves the
  * defaults. */
 bool copy_numbers(const std::vector<double> &from, float *to, const char *what);
+
+/* mesh.cpp: weights for so many morph targets: others are ignored, and 0 where there are none. */
+bool copy_weights(Loader &loader, const std::vector<double> &from, size_t targets,
+                  const std::string &object, float *to);
 
 template <typename T> T *allocate(size_t count) {
     return static_cast<T *>(mem_alloc(count, sizeof(T)));

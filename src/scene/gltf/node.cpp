@@ -78,12 +78,9 @@ bool load_transform(const tinygltf::Node &from, struct node &to) {
         !copy_numbers(from.rotation, to.rotation, "rotation") ||
         !copy_numbers(from.scale, to.scale, "scale"))
         return false;
-    const float *m = to.matrix, *q = to.rotation;
-    if (to.has_matrix && (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1))
-        return error_set("matrix: its last row is not 0 0 0 1");
-    if (std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])) < 1e-6)
-        return error_set("rotation: a quaternion of length 0");
-    return true;
+    const float *m = to.matrix;
+    return !to.has_matrix || (m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1) ||
+           error_set("matrix: its last row is not 0 0 0 1");
 }
 
 /* The light that an extension puts on the node, or -1. */
@@ -110,14 +107,14 @@ bool load_node(const Model &model, const tinygltf::Node &from, struct node &to) 
 }
 
 /* Weights of the node's own for the morph targets of its mesh. */
-bool load_node_weights(const tinygltf::Node &from, const struct scene &scene, struct node &to) {
+bool load_node_weights(Loader &loader, const tinygltf::Node &from, size_t index, struct node &to) {
+    int targets = to.mesh >= 0 ? loader.scene->meshes[to.mesh].target_count : 0;
     if (from.weights.empty())
         return true;
-    int targets = to.mesh >= 0 ? scene.meshes[to.mesh].target_count : 0;
-    if (from.weights.size() != size_t(targets))
-        return error_set("%zu weights for %d morph targets", from.weights.size(), targets);
-    to.weights = allocate<float>(from.weights.size());
-    return copy_numbers(from.weights, to.weights, "weights");
+    if (targets > 0)
+        to.weights = allocate<float>(size_t(targets));
+    return copy_weights(loader, from.weights, size_t(targets), label("node", index, from.name),
+                        to.weights);
 }
 
 bool read_vector(const tinygltf::Value &value, float out[3]) {
@@ -177,7 +174,7 @@ bool load_nodes(Loader &loader) {
     for (int i : order) {
         struct node &node = scene->nodes[scene->node_count];
         if (!load_node(model, model.nodes[i], node) ||
-            !load_node_weights(model.nodes[i], *scene, node) ||
+            !load_node_weights(loader, model.nodes[i], size_t(i), node) ||
             !load_metaballs(model.nodes[i], *scene, node))
             return error_prefix("%s", label("node", i, model.nodes[i].name).c_str());
         node.parent = parents[i] >= 0 ? place[parents[i]] : -1;

@@ -1,6 +1,6 @@
 /* From files to tinygltf's model. */
 #define TINYGLTF_IMPLEMENTATION
-#include "scene/gltf/model.hpp"
+#include "scene/gltf/json.hpp"
 
 #include <cstdlib>
 #include <cstring>
@@ -8,95 +8,130 @@
 namespace gltf {
 namespace {
 
-/* tinygltf's way to files: it asks whether one exists and then reads it. */
-bool any_file_exists(const std::string &, void *) {
+/* Pictures are taken out of the JSON; only textures that are used are decoded, and later. */
+bool keep_image(tinygltf::Image *, const int, std::string *, std::string *, int, int,
+                const unsigned char *, int, void *) {
     return true;
 }
 
-std::string same_path(const std::string &path, void *) {
-    return path;
+/* tinygltf wants indices in a buffer view: accessors without get one until it has read them. */
+std::vector<int> place_indices(json &root) {
+    std::vector<int> placed;
+    for (size_t i = 0; i < list_size(root, "/meshes"); i++)
+        for (const json &primitive : root["meshes"][i]["primitives"]) {
+            if (!primitive.contains("indices"))
+                continue;
+            int index = primitive["indices"].get<int>();
+            if (root["accessors"][size_t(index)].emplace("bufferView", 0).second)
+                placed.push_back(index);
+        }
+    if (!placed.empty() && list_size(root, "/bufferViews") == 0)
+        root["bufferViews"] = json::array({{{"buffer", 0}, {"byteLength", 1}}});
+    return placed;
 }
 
-/* Room for what is to be unpacked. */
-bool make_absent(Loader &loader, const std::string &name, std::vector<unsigned char> *bytes) {
-    uint64_t size = strtoull(name.c_str() + strlen(absent_prefix), nullptr, 10);
-    if (!spend(loader, size, 1)) {
-        error_prefix("buffer %zu", loader.model.buffers.size());
-        loader.file_error = error_get();
-        return false;
-    }
-    bytes->resize(size);
-    return true;
+/* Puts back what was taken out of the JSON. */
+void finish_model(Loader &loader, const std::vector<int> &placed) {
+    Model &model = loader.model;
+    for (int index : placed)
+        model.accessors[size_t(index)].bufferView = -1;
+    model.bufferViews.resize(loader.strides.size());
+    for (size_t i = 0; i < loader.strides.size(); i++)
+        model.bufferViews[i].byteStride = loader.strides[i];
+    model.buffers.resize(loader.buffers.size());
+    for (size_t i = 0; i < loader.buffers.size(); i++)
+        model.buffers[i].data = std::move(loader.buffers[i]);
 }
 
-bool read_for_tinygltf(std::vector<unsigned char> *bytes, std::string *, const std::string &name,
-                       void *user) {
-    Loader *loader = static_cast<Loader *>(user);
-    bool absent = name.compare(0, strlen(absent_prefix), absent_prefix) == 0;
-    loader->is_absent.resize(loader->model.buffers.size() + 1);
-    loader->is_absent.back() = absent;
-    if (absent)
-        return make_absent(*loader, name, bytes);
-    OwnedBytes file;
-    if (!file_read_named(&file, loader->folder.c_str(), name.c_str())) {
-        error_prefix("buffer %zu", loader->model.buffers.size());
-        loader->file_error = error_get();
-        return false;
-    }
-    bytes->assign(file.data, file.data + file.size);
-    allow_memory(*loader, file.size);
-    return true;
-}
-
-/* Keeps pictures as they are: only base colours are decoded, and later. */
-bool keep_image(tinygltf::Image *image, const int, std::string *, std::string *, int, int,
-                const unsigned char *bytes, int size, void *) {
-    if (image->bufferView < 0)
-        image->image.assign(bytes, bytes + size);
-    return true;
-}
-
-/* tinygltf's message in one line, unless a file is to blame. */
-bool refuse(const Loader &loader, const std::string &message) {
-    if (!loader.file_error.empty())
-        return error_set("%s", loader.file_error.c_str());
+/* tinygltf's message in one line. */
+bool refuse(const std::string &message) {
     return error_set("%.200s", message.substr(0, message.find('\n')).c_str());
 }
 
-/* The same file with another JSON. */
-void change_json(OwnedBytes &bytes, const struct glb_chunks &chunks, bool binary,
-                 std::string &json) {
-    const size_t header = 20;
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    size_t tail = binary ? bytes.size - header - chunks.json_size : 0;
-    size_t head = binary ? header : 0, size = head + json.size() + tail;
-    auto *made = static_cast<unsigned char *>(mem_alloc(size, 1));
-    memcpy(made, bytes.data, head);
-    memcpy(made + head, json.data(), json.size());
-    memcpy(made + head + json.size(), bytes.data + bytes.size - tail, tail);
-    const uint32_t sizes[2] = {uint32_t(size), uint32_t(json.size())};
-    if (binary)
-        memcpy(made + 8, sizes, sizeof sizes);
-    free(bytes.data);
-    bytes.data = made;
-    bytes.size = size;
+bool parse_model(Loader &loader, json &root) {
+    std::vector<int> placed = place_indices(root);
+    std::string text = root.dump(), error, warning;
+    root = nullptr;
+    if (text.size() > UINT32_MAX)
+        return error_set("its JSON is too long");
+    tinygltf::TinyGLTF parser;
+    parser.SetImageLoader(keep_image, nullptr);
+    if (!parser.LoadASCIIFromString(&loader.model, &error, &warning, text.data(),
+                                    unsigned(text.size()), ""))
+        return refuse(error);
+    finish_model(loader, placed);
+    return unpack_views(loader) && unpack_primitives(loader);
 }
 
-/* A file of another kind rarely begins like that; a zero follows its last byte. */
-bool may_be_json(const char *text) {
+/* Told before parsing, which recurses; the parser's own callback would cost the square of a list's
+ * length. */
+bool is_nested_deeper(const char *text, size_t size, int most) {
+    bool quoted = false;
+    int depth = 0;
+    for (size_t i = 0; i < size; i++) {
+        char c = text[i];
+        if (quoted && c == '\\')
+            i++;
+        else if (c == '"')
+            quoted = !quoted;
+        else if (!quoted && (c == '[' || c == '{') && ++depth > most)
+            return true;
+        else if (!quoted && (c == ']' || c == '}'))
+            depth--;
+    }
+    return false;
+}
+
+/* The reason without the library's own name in brackets. */
+bool parse_json(const char *text, size_t size, json &root) try {
+    if (is_nested_deeper(text, size, 64))
+        return error_set("the JSON is nested too deep");
+    root = json::parse(text, text + size);
+    return root.is_object() || error_set("the JSON is not an object");
+} catch (const json::exception &error) {
+    std::string reason = error.what();
+    size_t bracket = reason.find("] ");
+    for (char &c : reason)
+        if ((unsigned char)c < 32 || c == 127)
+            c = '?';
+    return error_set("the JSON: %.300s", reason.c_str() + (bracket + 1 ? bracket + 2 : 0));
+}
+
+/* A scene in text begins with a bracket, or with a comment, which JSON does not have; a zero follows the
+ * last byte. */
+bool check_kind(const struct file_bytes &bytes) {
+    const char *text = reinterpret_cast<const char *>(bytes.data);
     const char mark[] = "\xEF\xBB\xBF";
+    if (bytes.size == 0)
+        return error_set("the file is empty");
+    if (strncmp(text, "\xFF\xFE", 2) == 0 || strncmp(text, "\xFE\xFF", 2) == 0 ||
+        (bytes.size > 1 && ((text[0] == '{' && !text[1]) || (!text[0] && text[1] == '{'))))
+        return error_set("the text is UTF-16; glTF is UTF-8");
     text += strncmp(text, mark, 3) == 0 ? 3 : 0;
     text += strspn(text, " \t\r\n");
-    return *text == '{' || *text == '[';
+    return (*text && strchr("{[/#", *text)) || error_set("not a scene: neither glTF nor GLB");
 }
 
-/* Their names were for tinygltf alone. */
-bool finish_absent(Loader &loader) {
-    loader.is_absent.resize(loader.model.buffers.size());
-    for (size_t i = 0; i < loader.is_absent.size(); i++)
-        if (loader.is_absent[i])
-            loader.model.buffers[i].uri.clear();
-    return unpack_views(loader) && unpack_primitives(loader);
+bool mend_container(Loader &loader, const struct glb_chunks &chunks) {
+    return (chunks.tail == 0 || mend(loader, "bytes after the last chunk of a GLB are ignored",
+                                     std::to_string(chunks.tail) + " bytes")) &&
+           (!chunks.is_uneven ||
+            mend(loader, "chunks of a GLB that are no multiple of 4 are read as they are", "GLB"));
+}
+
+bool parse_bytes(Loader &loader, const struct file_bytes &bytes) {
+    struct glb_chunks chunks = {};
+    chunks.json = reinterpret_cast<const char *>(bytes.data);
+    chunks.json_size = bytes.size;
+    bool binary = glb_is(&bytes);
+    json root;
+    if (binary ? !glb_check(&bytes, &chunks) || !mend_container(loader, chunks)
+               : !check_kind(bytes))
+        return false;
+    return parse_json(chunks.json, chunks.json_size, root) && check_asset(loader, root) &&
+           check_schema(loader, root) && mend_numbers(loader, root) &&
+           take_buffers(loader, root, chunks.bin, chunks.bin_size) && take_pictures(loader, root) &&
+           parse_model(loader, root);
 }
 
 } // namespace
@@ -105,37 +140,10 @@ bool parse(Loader &loader, const char *path) {
     OwnedBytes bytes;
     if (!file_read(&bytes, path))
         return false;
-    if (bytes.size == 0)
-        return error_set("%s: the file is empty", path);
     /* Of a limit, a part is left to what is done with the scene. */
     loader.memory = mem_is_limited() ? mem_free_bytes() / 4 * 3 : least_memory;
     allow_memory(loader, bytes.size);
-    struct glb_chunks chunks = {reinterpret_cast<char *>(bytes.data), bytes.size, 0};
-    bool binary = glb_is(&bytes);
-    if (!binary && !may_be_json(chunks.json))
-        return error_set("%s: not a scene: neither glTF nor GLB", path);
-    std::string changed;
-    if ((binary && !glb_check(&bytes, &chunks)) ||
-        !check_schema(chunks.json, chunks.json_size, chunks.bin_size, changed))
-        return error_prefix("%s", path);
-    if (!changed.empty())
-        change_json(bytes, chunks, binary, changed);
-    tinygltf::TinyGLTF parser;
-    parser.SetImageLoader(keep_image, nullptr);
-    parser.SetFsCallbacks({any_file_exists, same_path, read_for_tinygltf, nullptr, &loader});
-    std::string error, warning;
-    unsigned size = unsigned(bytes.size);
-    const char *text = reinterpret_cast<char *>(bytes.data);
-    bool good = binary
-                    ? parser.LoadBinaryFromMemory(&loader.model, &error, &warning, bytes.data, size)
-                    : parser.LoadASCIIFromString(&loader.model, &error, &warning, text, size, "");
-    if (!good)
-        return refuse(loader, error) || error_prefix("%s", path);
-    return finish_absent(loader) || error_prefix("%s", path);
-}
-
-std::string decode_uri(const std::string &uri) {
-    return tinygltf::dlib::urldecode(uri);
+    return parse_bytes(loader, bytes) || error_prefix("%s", path);
 }
 
 } // namespace gltf

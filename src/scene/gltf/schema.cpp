@@ -2,29 +2,23 @@
  *
  * tinygltf casts, drops or ignores where it should refuse, and recurses as deep as a file asks it
  * to. So the JSON is held against a table first: types, ranges, and that every index points at
- * something. Whoever reads the model afterwards need not ask again.
+ * something. Whoever reads the model afterwards need not ask again. A defect that changes no picture,
+ * or that other readers pass over, is mended in the JSON, and told.
  */
-#include "scene/gltf/model.hpp"
+#include "scene/gltf/json.hpp"
 #include "scene/gltf/schema.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace gltf {
-namespace {
-
-using nlohmann::json;
-
-bool check_fields(const json &root, const json &object, const Field *fields);
 
 size_t list_size(const json &root, const char *pointer) {
     json::json_pointer at(pointer);
     return root.contains(at) && root[at].is_array() ? root[at].size() : 0;
 }
 
-/* The value as a user would find it in the file, shortened. */
 std::string quote(const json &value) {
     std::string text = value.is_structured()
                            ? value.type_name()
@@ -32,52 +26,102 @@ std::string quote(const json &value) {
     return text.size() > 40 ? text.substr(0, 40) + "..." : text;
 }
 
-bool check_index(const json &root, const json &value, const char *list) {
-    size_t size = list_size(root, list);
+namespace {
+
+/* An element of a list that is being checked. */
+struct Place {
+    const char *noun;
+    size_t index;
+    const json *element;
+};
+
+struct Check {
+    Loader &loader;
+    const json &root;
+    std::vector<Place> places; /* the list's element, its list's element and so on, from outside */
+};
+
+/* How far a number may be off by rounding. */
+const double rounding = 1e-5;
+
+bool check_fields(Check &check, json &object, const Field *fields);
+
+std::string name_of(const json &element) {
+    bool named = element.is_object() && element.contains("name") && element["name"].is_string();
+    return named ? element["name"].get<std::string>() : "";
+}
+
+/* A field of the element that is being checked has a defect. */
+bool mend_field(Check &check, const char *what, const Field &field) {
+    std::string object;
+    for (const Place &place : check.places)
+        object += label(place.noun, place.index, name_of(*place.element)) + ": ";
+    return mend(check.loader, what, object + field.name);
+}
+
+/* 4.0 and -0 become whole numbers. */
+bool make_whole(Check &check, json &value, const Field &field) {
+    const double most = 9007199254740992; /* 2^53: all below are exact */
+    if (value.is_number_integer() && !value.is_number_unsigned() && value.get<int64_t>() == 0)
+        value = 0u;
+    if (!value.is_number_float())
+        return true;
+    double number = value.get<double>();
+    if (!(number >= 0 && number < most && number == std::floor(number)))
+        return true;
+    value = uint64_t(number);
+    return mend_field(check, "numbers written as fractions are taken as whole", field);
+}
+
+bool check_index(Check &check, json &value, const Field &field) {
+    size_t size = list_size(check.root, field.of);
+    if (!make_whole(check, value, field))
+        return false;
     if (value.is_number_unsigned() && value.get<uint64_t>() < size)
         return true;
     return error_set("%s, but there are %zu %s", quote(value).c_str(), size,
-                     strrchr(list, '/') + 1);
+                     strrchr(field.of, '/') + 1);
 }
 
-bool check_choice(const json &value, const char *choices) {
+bool check_choice(Check &check, json &value, const Field &field) {
+    if (!make_whole(check, value, field))
+        return false;
     std::string word = value.is_string() ? value.get<std::string>() : value.dump();
     if (word.find(' ') == std::string::npos &&
-        (std::string(choices) + " ").find(" " + word + " ") != std::string::npos)
+        (std::string(field.of) + " ").find(" " + word + " ") != std::string::npos)
         return true;
-    return error_set("%s is none of%s", quote(value).c_str(), choices);
+    return error_set("%s is none of%s", quote(value).c_str(), field.of);
 }
 
-bool check_elements(const json &root, const json &list, const Field &field) {
+bool check_elements(Check &check, json &list, const Field &field) {
     if (!list.is_array())
         return error_set("%s is not an array", quote(list).c_str());
     for (size_t i = 0; i < list.size(); i++) {
-        const json &element = list[i];
-        std::string name;
-        if (element.is_object() && element.contains("name") && element["name"].is_string())
-            name = element["name"].get<std::string>();
+        json &element = list[i];
+        check.places.push_back({field.of, i, &element});
         if (!element.is_object() ? !error_set("%s is not an object", quote(element).c_str())
-                                 : !check_fields(root, element, field.fields))
-            return error_prefix("%s", label(field.of, i, name).c_str());
+                                 : !check_fields(check, element, field.fields))
+            return error_prefix("%s", label(field.of, i, name_of(element)).c_str());
+        check.places.pop_back();
     }
     return true;
 }
 
-bool check_each_index(const json &root, const json &list, Kind kind, const char *of) {
+bool check_each_index(Check &check, json &list, Kind kind, const Field &field) {
     if (kind == Kind::Indices ? !list.is_array() : !list.is_object())
         return error_set("%s is not %s", quote(list).c_str(),
                          kind == Kind::Indices ? "an array" : "an object");
     for (auto it = list.begin(); it != list.end(); ++it)
-        if (!check_index(root, *it, of))
+        if (!check_index(check, *it, field))
             return kind == Kind::Indices ? false : error_prefix("%.40s", it.key().c_str());
     return true;
 }
 
-bool check_index_maps(const json &root, const json &list, const char *of) {
+bool check_index_maps(Check &check, json &list, const Field &field) {
     if (!list.is_array())
         return error_set("%s is not an array", quote(list).c_str());
-    for (const json &map : list)
-        if (!check_each_index(root, map, Kind::IndexMap, of))
+    for (json &map : list)
+        if (!check_each_index(check, map, Kind::IndexMap, field))
             return false;
     return true;
 }
@@ -90,50 +134,127 @@ bool check_numbers(const json &list, size_t count) {
                           : error_set("not an array of numbers"));
 }
 
-bool check_value(const json &root, const json &value, const Field &field) {
+/* Of a share to 0 to 1; of a positive number what rounding has made negative. */
+bool clamp(Check &check, json &value, const Field &field) {
+    if (!value.is_number())
+        return error_set("%s is not a number", quote(value).c_str());
+    bool is_share = field.kind == Kind::Share || field.kind == Kind::Shares;
+    double number = value.get<double>();
+    if (is_share && (number < 0 || number > 1)) {
+        value = number < 0 ? 0. : 1.;
+        return mend_field(check, "numbers that are not from 0 to 1 are clamped", field);
+    }
+    if (!is_share && number < 0 && number >= -rounding) {
+        value = 0.;
+        return mend_field(check, "numbers just below 0 are taken as 0", field);
+    }
+    return true;
+}
+
+/* Of a colour. */
+bool clamp_each(Check &check, json &list, const Field &field) {
+    bool lacks_alpha = field.count == 4 && list.is_array() && list.size() == 3;
+    if (list.is_array() && (list.size() > field.count || lacks_alpha)) {
+        while (list.size() > field.count)
+            list.erase(list.size() - 1);
+        if (lacks_alpha)
+            list.push_back(1.);
+        if (!mend_field(check, "colours of other than 3 or 4 numbers are cut or made opaque",
+                        field))
+            return false;
+    }
+    if (!check_numbers(list, field.count))
+        return false;
+    for (json &value : list)
+        if (!clamp(check, value, field))
+            return false;
+    return true;
+}
+
+bool check_flag(Check &check, json &value, const Field &field) {
+    if (value.is_boolean())
+        return true;
+    if (value != 0 && value != 1)
+        return error_set("%s is neither true nor false", quote(value).c_str());
+    value = value == 1;
+    return mend_field(check, "0 and 1 are taken as false and true", field);
+}
+
+bool check_value(Check &check, json &value, const Field &field) {
     switch (field.kind) {
     case Kind::Index:
-        return check_index(root, value, field.of);
+        return check_index(check, value, field);
     case Kind::Indices:
     case Kind::IndexMap:
-        return check_each_index(root, value, field.kind, field.of);
+        return check_each_index(check, value, field.kind, field);
     case Kind::IndexMaps:
-        return check_index_maps(root, value, field.of);
+        return check_index_maps(check, value, field);
     case Kind::Size:
-        return value.is_number_unsigned() ||
-               error_set("%s is not a whole number from 0", quote(value).c_str());
+        return make_whole(check, value, field) &&
+               (value.is_number_unsigned() ||
+                error_set("%s is not a whole number from 0", quote(value).c_str()));
     case Kind::Int:
-        return (value.is_number_unsigned() && value.get<uint64_t>() <= INT32_MAX) ||
-               error_set("%s is not a whole number from 0 to 2^31 - 1", quote(value).c_str());
+        return make_whole(check, value, field) &&
+               ((value.is_number_unsigned() && value.get<uint64_t>() <= INT32_MAX) ||
+                error_set("%s is not a whole number from 0 to 2^31 - 1", quote(value).c_str()));
     case Kind::Number:
         return value.is_number() || error_set("%s is not a number", quote(value).c_str());
     case Kind::Numbers:
         return check_numbers(value, field.count);
+    case Kind::Share:
+    case Kind::Positive:
+        return clamp(check, value, field);
+    case Kind::Shares:
+    case Kind::Positives:
+        return clamp_each(check, value, field);
     case Kind::Flag:
-        return value.is_boolean() ||
-               error_set("%s is neither true nor false", quote(value).c_str());
+        return check_flag(check, value, field);
     case Kind::Text:
         return value.is_string() || error_set("%s is not a string", quote(value).c_str());
     case Kind::Choice:
+    case Kind::Hint:
     case Kind::Variant:
-        return check_choice(value, field.of);
+        return check_choice(check, value, field);
     case Kind::Object:
-        return value.is_object() ? check_fields(root, value, field.fields)
+        return value.is_object() ? check_fields(check, value, field.fields)
                                  : error_set("%s is not an object", quote(value).c_str());
     case Kind::Objects:
-        return check_elements(root, value, field);
+        return check_elements(check, value, field);
     }
     return false;
 }
 
-bool check_variant(const json &object, const std::string &name, const Field *fields) {
-    for (const Field *field = fields; field->name; field++)
-        if (name == field->name && !object.contains(name))
-            return error_set("it has no '%s'", field->name);
+bool all_optional(const Field *fields) {
+    for (; fields->name; fields++)
+        if (fields->need == Required)
+            return false;
     return true;
 }
 
-bool check_fields(const json &root, const json &object, const Field *fields) {
+/* The object that a variant needs; one that may be empty is made. */
+bool check_variant(Check &check, json &object, const std::string &name, const Field *fields) {
+    for (const Field *field = fields; field->name; field++)
+        if (name == field->name && !object.contains(name)) {
+            if (!all_optional(field->fields))
+                return error_set("it has no '%s'", field->name);
+            object[name] = json::object();
+            return mend_field(check, "an object that is not there has its defaults", *field);
+        }
+    return true;
+}
+
+bool check_field(Check &check, json &object, json &value, const Field &field, const Field *fields) {
+    if (check_value(check, value, field))
+        return field.kind != Kind::Variant || check_variant(check, object, value, fields);
+    if (field.kind == Kind::Hint && !read_rules_are_strict()) {
+        object.erase(field.name);
+        return mend_field(check, "words that do not exist are left out", field);
+    }
+    /* The elements of a list name themselves. */
+    return value.is_array() && field.kind == Kind::Objects ? false : error_prefix("%s", field.name);
+}
+
+bool check_fields(Check &check, json &object, const Field *fields) {
     for (const Field *field = fields; field->name; field++) {
         auto found = object.find(field->name);
         if (found == object.end()) {
@@ -141,148 +262,79 @@ bool check_fields(const json &root, const json &object, const Field *fields) {
                 return error_set("it has no '%s'", field->name);
             continue;
         }
-        /* The elements of a list name themselves. */
-        if (!check_value(root, *found, *field))
-            return found->is_array() && field->kind == Kind::Objects
-                       ? false
-                       : error_prefix("%s", field->name);
-        if (field->kind == Kind::Variant && !check_variant(object, *found, fields))
+        if (!check_field(check, object, *found, *field, fields))
             return false;
     }
     return true;
 }
 
-/* The bytes that a data URI stands for; tinygltf takes base64 alone. */
-bool data_size(const std::string &uri, size_t *size) {
-    size_t comma = uri.find(',');
-    if (comma == std::string::npos || uri.rfind(";base64", comma) != comma - 7)
-        return error_set("its data URI is not in base64");
-    size_t end = uri.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
-                                       "0123456789+/",
-                                       comma + 1);
-    *size = (std::min(end, uri.size()) - comma - 1) * 3 / 4;
-    return true;
+/* Whether each sampler is one; NULL and the reason otherwise. */
+std::vector<std::string> check_samplers(Check &check, json &animation) {
+    std::vector<std::string> reasons;
+    json stub = {{"input", 0}, {"output", 0}};
+    for (json &sampler : animation["samplers"]) {
+        bool good = sampler.is_object() ? check_fields(check, sampler, channel_sampler)
+                                        : error_set("%s is not an object", quote(sampler).c_str());
+        reasons.push_back(good ? "" : error_get());
+        if (!good)
+            sampler = stub; /* for tinygltf, which asks for numbers; no channel has it */
+    }
+    return reasons;
 }
 
-/* A buffer that is not in the file: its views are packed. */
-const json::json_pointer packed_mark("/extensions/EXT_meshopt_compression");
-
-bool check_buffer(const json &buffer, bool first, size_t bin_size) {
-    size_t size = buffer["byteLength"], there = size;
-    if (size == 0)
-        return error_set("byteLength is 0");
-    if (!buffer.contains("uri")) {
-        if (buffer.contains(packed_mark))
-            return true;
-        if (!first || bin_size == 0)
-            return error_set("it has no uri, and there is no BIN chunk for it");
-        return size <= bin_size ||
-               error_set("byteLength is %zu, but the BIN chunk has %zu bytes", size, bin_size);
-    }
-    const std::string uri = buffer["uri"];
-    if (uri.compare(0, 5, "data:") == 0 && !data_size(uri, &there))
+bool check_channel(Check &check, json &value, const std::vector<std::string> &samplers) {
+    if (!value.is_object())
+        return error_set("%s is not an object", quote(value).c_str());
+    if (!check_fields(check, value, channel))
         return false;
-    return there == size ||
-           error_set("byteLength is %zu, but its data URI has %zu bytes", size, there);
+    size_t sampler = value["sampler"].get<size_t>();
+    if (sampler >= samplers.size())
+        return error_set("its sampler is %zu, but there are %zu", sampler, samplers.size());
+    return samplers[sampler].empty() ||
+           error_set("sampler %zu: %s", sampler, samplers[sampler].c_str());
 }
 
-bool check_view(const json &root, const json &view) {
-    size_t buffer = view["buffer"], offset = view.value("byteOffset", size_t(0));
-    size_t size = view["byteLength"], stride = view.value("byteStride", size_t(4));
-    size_t available = root["buffers"][buffer]["byteLength"];
-    if (offset > available || size > available - offset)
-        return error_set("%zu bytes at %zu are outside buffer %zu of %zu bytes", size, offset,
-                         buffer, available);
-    if (stride < 4 || stride > 252 || stride % 4 != 0)
-        return error_set("byteStride: %zu is not a multiple of 4 from 4 to 252", stride);
+/* Leaves out the channels that are none. */
+bool check_animation(Check &check, json &animation, const std::string &object) {
+    if (!animation.is_object() || !animation.contains("channels") ||
+        !animation["channels"].is_array() || !animation.contains("samplers") ||
+        !animation["samplers"].is_array()) {
+        animation = {{"channels", json::array()}, {"samplers", json::array()}};
+        return mend(check.loader, bad_clips, object + ": it has no channels or no samplers");
+    }
+    std::vector<std::string> samplers = check_samplers(check, animation);
+    json &channels = animation["channels"], good = json::array();
+    for (size_t i = 0; i < channels.size(); i++) {
+        if (check_channel(check, channels[i], samplers))
+            good.push_back(std::move(channels[i]));
+        else if (!mend(check.loader, bad_clips,
+                       object + ": channel " + std::to_string(i) + ": " + error_get()))
+            return false;
+    }
+    channels = std::move(good);
     return true;
 }
 
-/* bin_size = bytes of the BIN chunk. */
-bool check_bytes(const json &root, size_t bin_size) {
-    for (size_t i = 0; i < list_size(root, "/buffers"); i++)
-        if (!check_buffer(root["buffers"][i], i == 0, bin_size))
-            return error_prefix("buffer %zu", i);
-    for (size_t i = 0; i < list_size(root, "/bufferViews"); i++)
-        if (!check_view(root, root["bufferViews"][i]))
-            return error_prefix("buffer view %zu", i);
-    return true;
-}
-
-bool check_animations(const json &root) {
-    for (size_t i = 0; i < list_size(root, "/animations"); i++) {
-        const json &animation = root["animations"][i];
-        size_t samplers = animation["samplers"].size();
-        for (const json &channel : animation["channels"])
-            if (channel["sampler"].get<uint64_t>() >= samplers)
-                return error_set("animation %zu: a channel's sampler is %s, but there are %zu", i,
-                                 quote(channel["sampler"]).c_str(), samplers);
+bool check_animations(Check &check, json &root) {
+    auto found = root.find("animations");
+    if (found == root.end())
+        return true;
+    if (!found->is_array())
+        *found = json::array({*found});
+    for (size_t i = 0; i < found->size(); i++) {
+        json &animation = (*found)[i];
+        check.places.assign(1, {"animation", i, &animation});
+        if (!check_animation(check, animation, label("animation", i, name_of(animation))))
+            return false;
     }
     return true;
-}
-
-/* Told before parsing, which recurses; the parser's own callback would cost the square of a list's
- * length. */
-bool is_nested_deeper(const char *text, size_t size, int most) {
-    bool quoted = false;
-    int depth = 0;
-    for (size_t i = 0; i < size; i++) {
-        char c = text[i];
-        if (quoted && c == '\\')
-            i++;
-        else if (c == '"')
-            quoted = !quoted;
-        else if (!quoted && (c == '[' || c == '{') && ++depth > most)
-            return true;
-        else if (!quoted && (c == ']' || c == '}'))
-            depth--;
-    }
-    return false;
-}
-
-/* tinygltf asks for a buffer's bytes by its uri: one that is not in the file gets one that tells its
- * size. */
-bool name_absent(json &root) {
-    bool any = false;
-    for (size_t i = 0; i < list_size(root, "/buffers"); i++) {
-        json &buffer = root["buffers"][i];
-        if (buffer.contains("uri") || !buffer.contains(packed_mark))
-            continue;
-        buffer["uri"] = absent_prefix + buffer["byteLength"].dump();
-        any = true;
-    }
-    return any;
-}
-
-/* tinygltf wants the indices of a primitive in a buffer view: those of a packed one are in its, until
- * they are unpacked. */
-bool place_packed_indices(json &root) {
-    const json::json_pointer packed("/extensions/KHR_draco_mesh_compression/bufferView");
-    bool any = false;
-    for (size_t i = 0; i < list_size(root, "/meshes"); i++)
-        for (const json &primitive : root["meshes"][i]["primitives"]) {
-            if (!primitive.contains(packed) || !primitive.contains("indices"))
-                continue;
-            json &accessor = root["accessors"][primitive["indices"].get<size_t>()];
-            any |= accessor.emplace("bufferView", primitive[packed]).second;
-        }
-    return any;
 }
 
 } // namespace
 
-bool check_schema(const char *text, size_t size, size_t bin_size, std::string &changed) {
-    if (is_nested_deeper(text, size, 64))
-        return error_set("the JSON is nested too deep");
-    json root = json::parse(text, text + size);
-    if (!root.is_object())
-        return error_set("the JSON is not an object");
-    if (!check_fields(root, root, file) || !check_bytes(root, bin_size) || !check_animations(root))
-        return false;
-    bool absent = name_absent(root), packed = place_packed_indices(root);
-    if (absent || packed)
-        changed = root.dump();
-    return true;
+bool check_schema(Loader &loader, json &root) {
+    Check check = {loader, root, {}};
+    return check_fields(check, root, file) && check_animations(check, root);
 }
 
 } // namespace gltf

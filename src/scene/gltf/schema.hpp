@@ -1,4 +1,4 @@
-/* The table of what the standard demands of a file's JSON; `file` is the whole. */
+/* The table of what the standard demands of a file's JSON; `file` is the whole but for animations. */
 #ifndef SCENE_GLTF_SCHEMA_HPP
 #define SCENE_GLTF_SCHEMA_HPP
 
@@ -15,10 +15,15 @@ enum class Kind {
     Size,      /* a whole number */
     Int,       /* a whole number that an int can hold */
     Number,
-    Numbers, /* `count` of them; any number of them where that is 0 */
+    Numbers,   /* `count` of them; any number of them where that is 0 */
+    Share,     /* a number that is clamped to 0 to 1 */
+    Shares,    /* `count` of them: too many are cut, and a missing alpha is 1 */
+    Positive,  /* a number that is 0 where it is negative by rounding */
+    Positives, /* `count` of them: too many are cut */
     Flag,
     Text,
     Choice,  /* one of the words or numbers in `of`, each after a space */
+    Hint,    /* such a choice; another is left out, as if there were none */
     Variant, /* such a choice; where a field has its name, that must be there too */
     Object,  /* with `fields` */
     Objects, /* an array of them, each called `of` in messages */
@@ -156,21 +161,21 @@ const Field normal_texture_info[] = {
 };
 
 const Field metallic_roughness[] = {
-    {"baseColorFactor", Optional, Kind::Numbers, nullptr, nullptr, 4},
+    {"baseColorFactor", Optional, Kind::Shares, nullptr, nullptr, 4},
     {"baseColorTexture", Optional, Kind::Object, nullptr, texture_info},
-    {"metallicFactor", Optional, Kind::Number},
-    {"roughnessFactor", Optional, Kind::Number},
+    {"metallicFactor", Optional, Kind::Share},
+    {"roughnessFactor", Optional, Kind::Share},
     {"metallicRoughnessTexture", Optional, Kind::Object, nullptr, texture_info},
     end,
 };
 
-const Field emissive_strength[] = {{"emissiveStrength", Optional, Kind::Number}, end};
+const Field emissive_strength[] = {{"emissiveStrength", Optional, Kind::Positive}, end};
 
 const Field specular_glossiness[] = {
-    {"diffuseFactor", Optional, Kind::Numbers, nullptr, nullptr, 4},
+    {"diffuseFactor", Optional, Kind::Shares, nullptr, nullptr, 4},
     {"diffuseTexture", Optional, Kind::Object, nullptr, texture_info},
-    {"specularFactor", Optional, Kind::Numbers, nullptr, nullptr, 3},
-    {"glossinessFactor", Optional, Kind::Number},
+    {"specularFactor", Optional, Kind::Shares, nullptr, nullptr, 3},
+    {"glossinessFactor", Optional, Kind::Share},
     {"specularGlossinessTexture", Optional, Kind::Object, nullptr, texture_info},
     end,
 };
@@ -178,7 +183,7 @@ const Field specular_glossiness[] = {
 const Field index_of_refraction[] = {{"ior", Optional, Kind::Number}, end};
 
 const Field specular[] = {
-    {"specularFactor", Optional, Kind::Number},
+    {"specularFactor", Optional, Kind::Share},
     {"specularTexture", Optional, Kind::Object, nullptr, texture_info},
     {"specularColorFactor", Optional, Kind::Numbers, nullptr, nullptr, 3},
     {"specularColorTexture", Optional, Kind::Object, nullptr, texture_info},
@@ -195,10 +200,10 @@ const Field material_extensions[] = {
 
 const Field material[] = {
     {"pbrMetallicRoughness", Optional, Kind::Object, nullptr, metallic_roughness},
-    {"emissiveFactor", Optional, Kind::Numbers, nullptr, nullptr, 3},
+    {"emissiveFactor", Optional, Kind::Positives, nullptr, nullptr, 3},
     {"emissiveTexture", Optional, Kind::Object, nullptr, texture_info},
     {"normalTexture", Optional, Kind::Object, nullptr, normal_texture_info},
-    {"alphaMode", Optional, Kind::Choice, " OPAQUE MASK BLEND"},
+    {"alphaMode", Optional, Kind::Hint, " OPAQUE MASK BLEND"},
     {"alphaCutoff", Optional, Kind::Number},
     {"doubleSided", Optional, Kind::Flag},
     {"extensions", Optional, Kind::Object, nullptr, material_extensions},
@@ -246,7 +251,7 @@ const Field channel_target[] = {
     end,
 };
 
-/* The sampler's index is into the animation's own list: check_animation. */
+/* Of animations, whose bad channels are left out. The sampler's index is into the animation's own list. */
 const Field channel[] = {
     {"sampler", Required, Kind::Size},
     {"target", Required, Kind::Object, nullptr, channel_target},
@@ -257,12 +262,6 @@ const Field channel_sampler[] = {
     {"input", Required, Kind::Index, "/accessors"},
     {"output", Required, Kind::Index, "/accessors"},
     {"interpolation", Optional, Kind::Choice, " LINEAR STEP CUBICSPLINE"},
-    end,
-};
-
-const Field animation[] = {
-    {"channels", Required, Kind::Objects, "channel", channel},
-    {"samplers", Required, Kind::Objects, "sampler", channel_sampler},
     end,
 };
 
@@ -320,8 +319,8 @@ const Field spot[] = {
 
 const Field light[] = {
     {"type", Required, Kind::Variant, " directional point spot"},
-    {"color", Optional, Kind::Numbers, nullptr, nullptr, 3},
-    {"intensity", Optional, Kind::Number},
+    {"color", Optional, Kind::Positives, nullptr, nullptr, 3},
+    {"intensity", Optional, Kind::Positive},
     {"range", Optional, Kind::Number},
     {"spot", Optional, Kind::Object, nullptr, spot},
     end,
@@ -334,8 +333,8 @@ const Field rect[] = {{"aspect", Optional, Kind::Number}, end};
 const Field area_light[] = {
     {"name", Optional, Kind::Text},
     {"type", Required, Kind::Choice, " rect disk"},
-    {"color", Optional, Kind::Numbers, nullptr, nullptr, 3},
-    {"intensity", Optional, Kind::Number},
+    {"color", Optional, Kind::Positives, nullptr, nullptr, 3},
+    {"intensity", Optional, Kind::Positive},
     {"size", Optional, Kind::Number},
     {"rect", Optional, Kind::Object, nullptr, rect},
     end,
@@ -350,9 +349,9 @@ const Field file_extensions[] = {
 };
 
 const Field sampler[] = {
-    {"magFilter", Optional, Kind::Choice, " 9728 9729"},
-    {"wrapS", Optional, Kind::Choice, " 10497 33071 33648"},
-    {"wrapT", Optional, Kind::Choice, " 10497 33071 33648"},
+    {"magFilter", Optional, Kind::Hint, " 9728 9729"},
+    {"wrapS", Optional, Kind::Hint, " 10497 33071 33648"},
+    {"wrapT", Optional, Kind::Hint, " 10497 33071 33648"},
     end,
 };
 
@@ -373,7 +372,6 @@ const Field file[] = {
     {"samplers", Optional, Kind::Objects, "sampler", sampler},
     {"cameras", Optional, Kind::Objects, "camera", camera},
     {"skins", Optional, Kind::Objects, "skin", skin},
-    {"animations", Optional, Kind::Objects, "animation", animation},
     {"extensions", Optional, Kind::Object, nullptr, file_extensions},
     end,
 };

@@ -24,6 +24,10 @@ bool unpack_meshopt(const struct packed_view *view, unsigned char *to);
 /* A mesh of KHR_draco_mesh_compression. */
 struct packed_mesh;
 
+/* How many triangles the data say that they have, before any memory is taken for them. Error: these are
+ * no such data. */
+bool unpack_draco_size(const unsigned char *bytes, size_t size, size_t *triangles);
+
 /* NULL and an error: these are no such data, or others than so many triangles. */
 struct packed_mesh *unpack_draco(const unsigned char *bytes, size_t size, size_t triangles);
 

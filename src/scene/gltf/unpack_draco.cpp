@@ -27,24 +27,63 @@ bool read_number(const unsigned char *&at, const unsigned char *end, uint64_t &n
     return false;
 }
 
+bool skip_bytes(const unsigned char *&at, const unsigned char *end, uint64_t count) {
+    if (count > uint64_t(end - at))
+        return false;
+    at += count;
+    return true;
+}
+
+bool skip_name(const unsigned char *&at, const unsigned char *end) {
+    return at < end && skip_bytes(at, end, uint64_t(*at) + 1);
+}
+
+/* Entries of a name and bytes each, then others of the kind with a name each. */
+bool skip_metadata(const unsigned char *&at, const unsigned char *end, int depth) {
+    uint64_t count, size;
+    if (depth > 8 || !read_number(at, end, count))
+        return false;
+    for (uint64_t i = 0; i < count; i++)
+        if (!skip_name(at, end) || !read_number(at, end, size) || !skip_bytes(at, end, size))
+            return false;
+    if (!read_number(at, end, count))
+        return false;
+    for (uint64_t i = 0; i < count; i++)
+        if (!skip_name(at, end) || !skip_metadata(at, end, depth + 1))
+            return false;
+    return true;
+}
+
+/* Those of attributes, each after a number, then those of the mesh. */
+bool skip_all_metadata(const unsigned char *&at, const unsigned char *end) {
+    uint64_t count, number;
+    if (!read_number(at, end, count))
+        return false;
+    for (uint64_t i = 0; i < count; i++)
+        if (!read_number(at, end, number) || !skip_metadata(at, end, 0))
+            return false;
+    return skip_metadata(at, end, 0);
+}
+
 /* The library takes memory for as many triangles and vertices as a header says, so that is read first:
- * magic, version, kind, method, flags; then, of one method after a byte, two numbers. */
-bool check_header(const unsigned char *bytes, size_t size, size_t triangles) {
+ * magic, version, kind, method, flags, metadata; then, of one method after a byte, two numbers. */
+bool read_header(const unsigned char *bytes, size_t size, uint64_t &triangles) {
     enum { MESH = 1, SEQUENTIAL = 0, METADATA = 0x80 };
     if (size < 12 || memcmp(bytes, "DRACO", 5) != 0 || bytes[5] != 2 || bytes[6] != 2 ||
         bytes[7] != MESH)
         return error_set("it is no mesh of Draco 2.2");
-    if (bytes[10] & METADATA)
-        return error_set("Draco with metadata, which is not read");
     bool sequential = bytes[8] == SEQUENTIAL;
-    const unsigned char *at = bytes + (sequential ? 11 : 12), *end = bytes + size;
+    const unsigned char *at = bytes + 11, *end = bytes + size;
     uint64_t first, second;
-    if (!read_number(at, end, first) || !read_number(at, end, second))
+    if (((bytes[10] & METADATA) && !skip_all_metadata(at, end)) ||
+        !skip_bytes(at, end, sequential ? 0 : 1) || !read_number(at, end, first) ||
+        !read_number(at, end, second))
         return error_set("it is truncated");
-    uint64_t faces = sequential ? first : second, vertices = sequential ? second : first;
-    return (faces == triangles && vertices <= 3 * faces) ||
-           error_set("%llu triangles of %llu vertices, not %zu triangles",
-                     (unsigned long long)faces, (unsigned long long)vertices, triangles);
+    uint64_t vertices = sequential ? second : first;
+    triangles = sequential ? first : second;
+    return vertices <= 3 * triangles ||
+           error_set("%llu triangles of %llu vertices", (unsigned long long)triangles,
+                     (unsigned long long)vertices);
 }
 
 template <typename T>
@@ -65,10 +104,23 @@ template <typename T> void copy_indices(const draco::Mesh &mesh, void *to) {
 
 } // namespace
 
+extern "C" bool unpack_draco_size(const unsigned char *bytes, size_t size, size_t *triangles) {
+    uint64_t count;
+    if (!read_header(bytes, size, count))
+        return false;
+    *triangles = size_t(count);
+    return true;
+}
+
 extern "C" struct packed_mesh *unpack_draco(const unsigned char *bytes, size_t size,
                                             size_t triangles) try {
-    if (!check_header(bytes, size, triangles))
+    uint64_t count;
+    if (!read_header(bytes, size, count))
         return nullptr;
+    if (count != triangles) {
+        error_set("%llu triangles, not %zu", (unsigned long long)count, triangles);
+        return nullptr;
+    }
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char *>(bytes), size);
     draco::Decoder decoder;

@@ -126,7 +126,9 @@ static bool lay_vertices(struct geometry *geometry, const struct scene *scene) {
             return error_set("more than %u million vertices or triangles", 1u << 6);
     }
     if (indices == 0)
-        return error_set("there is no triangle");
+        return error_set("there is no triangle%s", scene->point_primitives + scene->line_primitives
+                                                       ? ", and points and lines are not drawn"
+                                                       : "");
     if (!mem_check(vertices * vertex_bytes(geometry) + indices * sizeof *geometry->indices))
         return error_prefix("%llu vertices and %llu indices", (unsigned long long)vertices,
                             (unsigned long long)indices);

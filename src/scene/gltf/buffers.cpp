@@ -1,0 +1,158 @@
+/* The bytes that a file's JSON names: buffers in the file, beside it or in data URIs, and pictures.
+ *
+ * All are taken out of the JSON, so that tinygltf reads no file and copies nothing.
+ */
+#include "scene/gltf/json.hpp"
+
+extern "C" {
+#include "scene/gltf/data_uri.h"
+}
+
+#include <algorithm>
+
+namespace gltf {
+
+namespace {
+
+std::string unescape(std::string uri) {
+    uri.resize(uri_unescape(&uri[0]));
+    return uri;
+}
+
+} // namespace
+
+bool read_uri(Loader &loader, const std::string &uri, struct file_bytes &bytes,
+              enum file_lack &lack) {
+    char *path = nullptr;
+    std::string name = unescape(uri);
+    bool good = file_read_named(&bytes, loader.folder.c_str(), name.c_str(), &path, &lack);
+    if (!good && lack == FILE_MISSING && name != uri) {
+        std::string reason = error_get();
+        good = file_read_named(&bytes, loader.folder.c_str(), uri.c_str(), &path, &lack) ||
+               error_set("%s", reason.c_str());
+    }
+    if (good)
+        loader.files.push_back(path);
+    free(path);
+    return good;
+}
+
+namespace {
+
+const json::json_pointer packed_mark("/extensions/EXT_meshopt_compression");
+
+/* Which buffers have views that are packed elsewhere. */
+std::vector<bool> find_fallbacks(const json &root) {
+    std::vector<bool> fallbacks(list_size(root, "/buffers"));
+    for (size_t i = 0; i < list_size(root, "/bufferViews"); i++)
+        if (root["bufferViews"][i].contains(packed_mark))
+            fallbacks[root["bufferViews"][i]["buffer"].get<size_t>()] = true;
+    return fallbacks;
+}
+
+bool take_uri(Loader &loader, const std::string &uri, std::vector<unsigned char> &to) {
+    OwnedBytes bytes;
+    enum file_lack lack;
+    bool is_data = data_uri_is(uri.c_str());
+    if (is_data ? !data_uri_decode(&bytes, uri.c_str()) : !read_uri(loader, uri, bytes, lack))
+        return false;
+    to.assign(bytes.data, bytes.data + bytes.size);
+    if (!is_data)
+        allow_memory(loader, bytes.size);
+    return true;
+}
+
+/* Bytes of the BIN chunk, of a URI, or room for what is unpacked. */
+bool take_buffer(Loader &loader, const json &buffer, size_t index, bool is_fallback,
+                 const char *bin, size_t bin_size) {
+    std::vector<unsigned char> &to = loader.buffers[index];
+    uint64_t length = buffer["byteLength"].get<uint64_t>();
+    if (buffer.contains("uri")) {
+        if (!take_uri(loader, buffer["uri"].get<std::string>(), to))
+            return false;
+    } else if (index == 0 && bin_size > 0) {
+        to.assign(bin, bin + bin_size);
+    } else {
+        loader.is_absent[index] = true;
+        if (!is_fallback)
+            return true;
+        if (!spend(loader, length, 1))
+            return false;
+        to.resize(length);
+    }
+    return to.size() >= length ||
+           mend(loader, "buffers that have fewer bytes than they say are read as far as they are",
+                "buffer " + std::to_string(index) + ": " + std::to_string(to.size()) +
+                    " bytes, not " + std::to_string(length));
+}
+
+bool check_stride(Loader &loader, size_t index, size_t stride) {
+    std::string object = "buffer view " + std::to_string(index);
+    if (stride == 0)
+        return mend(loader, "byteStride 0 is read as packed", object);
+    return (stride >= 4 && stride <= 252 && stride % 4 == 0) ||
+           mend(loader, "a byteStride that is no multiple of 4 from 4 to 252 is taken as it is",
+                object + ": " + std::to_string(stride));
+}
+
+bool take_view(Loader &loader, json &view, size_t index, const json &buffers) {
+    size_t buffer = view["buffer"], offset = view.value("byteOffset", size_t(0));
+    size_t size = view["byteLength"], available = loader.buffers[buffer].size();
+    if (loader.is_absent[buffer] && !view.contains(packed_mark))
+        return error_set("its buffer %zu has no uri, and there is no BIN chunk for it", buffer);
+    if (offset > available || size > available - offset)
+        return error_set("%zu bytes at %zu are outside buffer %zu of %zu bytes", size, offset,
+                         buffer, available);
+    if (offset + size > buffers[buffer]["byteLength"].get<uint64_t>() &&
+        !mend(loader, "buffer views beyond byteLength, where there are bytes, are read",
+              "buffer view " + std::to_string(index)))
+        return false;
+    loader.strides.push_back(0);
+    if (!view.contains("byteStride"))
+        return true;
+    size_t stride = view["byteStride"];
+    view.erase("byteStride");
+    loader.strides.back() = stride;
+    return check_stride(loader, index, stride);
+}
+
+} // namespace
+
+bool take_buffers(Loader &loader, json &root, const char *bin, size_t bin_size) {
+    json buffers = root.value("buffers", json::array());
+    std::vector<bool> fallbacks = find_fallbacks(root);
+    loader.buffers.resize(buffers.size());
+    loader.is_absent.resize(buffers.size());
+    root.erase("buffers");
+    for (size_t i = 0; i < buffers.size(); i++) {
+        if (!take_buffer(loader, buffers[i], i, fallbacks[i], bin, bin_size))
+            return error_prefix("buffer %zu", i);
+        buffers[i].erase("uri");
+    }
+    for (size_t i = 0; i < list_size(root, "/bufferViews"); i++)
+        if (!take_view(loader, root["bufferViews"][i], i, buffers))
+            return error_prefix("buffer view %zu", i);
+    return true;
+}
+
+bool take_pictures(Loader &loader, json &root) {
+    for (size_t i = 0; i < list_size(root, "/images"); i++) {
+        json &image = root["images"][i];
+        Picture picture;
+        std::string uri = image.value("uri", std::string());
+        if (image.contains("bufferView"))
+            picture.view = image["bufferView"].get<int>();
+        else if (!data_uri_is(uri.c_str()))
+            picture.uri = uri;
+        else if (!take_uri(loader, uri, picture.bytes))
+            picture.error = error_get();
+        loader.pictures.push_back(std::move(picture));
+        json stub = {{"uri", "taken"}};
+        if (image.contains("name"))
+            stub["name"] = image["name"];
+        image = std::move(stub);
+    }
+    return true;
+}
+
+} // namespace gltf

@@ -1,0 +1,37 @@
+/* The JSON of a file before tinygltf sees it: checked, mended, and without the bytes that it names. The
+ * only file that names the JSON library. */
+#ifndef SCENE_GLTF_JSON_HPP
+#define SCENE_GLTF_JSON_HPP
+
+#include "scene/gltf/model.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace gltf {
+
+using nlohmann::json;
+
+/* Of the list at a JSON pointer; 0 where there is none. */
+size_t list_size(const json &root, const char *pointer);
+
+/* The value as a user would find it in the file, shortened. */
+std::string quote(const json &value);
+
+/* extension.cpp: refuses a version or a required extension that is not read. */
+bool check_asset(Loader &loader, json &root);
+
+/* schema.cpp: whether the JSON is what the standard demands, after small defects are mended. All
+ * indices and types are right afterwards. */
+bool check_schema(Loader &loader, json &root);
+
+/* mended.cpp: numbers of nodes, lights and materials that are off by rounding. */
+bool mend_numbers(Loader &loader, json &root);
+
+/* buffers.cpp: takes the bytes of buffers and the pictures out of the JSON, with those of the BIN
+ * chunk, and checks that all buffer views lie in them. */
+bool take_buffers(Loader &loader, json &root, const char *bin, size_t bin_size);
+bool take_pictures(Loader &loader, json &root);
+
+} // namespace gltf
+
+#endif

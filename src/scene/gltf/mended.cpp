@@ -1,0 +1,128 @@
+/* Small defects of a file that are mended, and told: what other readers open, opens here. */
+#include "scene/gltf/json.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gltf {
+
+bool mend(Loader &loader, const std::string &what, const std::string &object) {
+    if (read_rules_are_strict())
+        return error_set("%s (%s, but for --strict)", object.c_str(), what.c_str());
+    auto &mended = loader.mended;
+    auto known = std::find_if(mended.begin(), mended.end(),
+                              [&](const Mended &other) { return other.what == what; });
+    if (known != mended.end())
+        known->count++;
+    else
+        mended.push_back({what, object, 1});
+    return true;
+}
+
+void tell_mended(const Loader &loader) {
+    for (const Mended &mended : loader.mended) {
+        std::string others;
+        if (mended.count > 1)
+            others = " (and " + std::to_string(mended.count - 1) + " more)";
+        log_note("%s: %s: %.300s%s", loader.scene->path, mended.what.c_str(), mended.first.c_str(),
+                 others.c_str());
+    }
+}
+
+namespace {
+
+/* How far a number may be off by rounding. */
+const double rounding = 1e-5;
+
+std::string label_of(const char *noun, size_t index, const json &element) {
+    bool named = element.contains("name") && element["name"].is_string();
+    return label(noun, index, named ? element["name"].get<std::string>() : "");
+}
+
+bool mend_rotation(Loader &loader, json &node, const std::string &object) {
+    double length = 0;
+    for (const json &number : node["rotation"])
+        length = std::hypot(length, number.get<double>());
+    if (length >= 1e-6)
+        return true;
+    node.erase("rotation");
+    return mend(loader, "a quaternion of length 0 turns nothing", object + ": rotation");
+}
+
+/* The standard's last row is 0 0 0 1; one that is farther off is refused later. */
+bool mend_matrix(Loader &loader, json &node, const std::string &object) {
+    json &matrix = node["matrix"];
+    bool off = false;
+    for (size_t k = 3; k < 16; k += 4) {
+        double distance = std::fabs(matrix[k].get<double>() - (k == 15 ? 1 : 0));
+        if (distance > rounding)
+            return true;
+        off |= distance > 0;
+    }
+    for (size_t k = 3; k < 16; k += 4)
+        matrix[k] = k == 15 ? 1 : 0;
+    return !off || mend(loader, "a last row of a matrix that is almost 0 0 0 1 is that",
+                        object + ": matrix");
+}
+
+bool mend_nodes(Loader &loader, json &root) {
+    for (size_t i = 0; i < list_size(root, "/nodes"); i++) {
+        json &node = root["nodes"][i];
+        std::string object = label_of("node", i, node);
+        if ((node.contains("rotation") && !mend_rotation(loader, node, object)) ||
+            (node.contains("matrix") && !mend_matrix(loader, node, object)))
+            return false;
+    }
+    return true;
+}
+
+/* A number that is beyond its bound by no more than rounding. */
+bool mend_bound(Loader &loader, json &object, const char *key, double least, double most,
+                const std::string &where) {
+    auto found = object.find(key);
+    if (found == object.end())
+        return true;
+    double number = found->get<double>(), clamped = std::min(std::max(number, least), most);
+    if (clamped == number || std::fabs(clamped - number) > rounding)
+        return true;
+    *found = clamped;
+    return mend(loader, "numbers that are off by rounding are clamped", where + ": " + key);
+}
+
+/* Angles of spots. */
+bool mend_lights(Loader &loader, json &root) {
+    const char *const lights = "/extensions/KHR_lights_punctual/lights";
+    const double half_pi = 1.5707963267948966;
+    for (size_t i = 0; i < list_size(root, lights); i++) {
+        json &light = root[json::json_pointer(lights)][i];
+        if (!light.contains("spot"))
+            continue;
+        json &spot = light["spot"];
+        std::string object = label_of("light", i, light);
+        if (!mend_bound(loader, spot, "outerConeAngle", 0, half_pi, object) ||
+            !mend_bound(loader, spot, "innerConeAngle", 0,
+                        spot.value("outerConeAngle", half_pi / 2), object))
+            return false;
+    }
+    return true;
+}
+
+bool mend_materials(Loader &loader, json &root) {
+    const json::json_pointer ior("/extensions/KHR_materials_ior");
+    for (size_t i = 0; i < list_size(root, "/materials"); i++) {
+        json &material = root["materials"][i];
+        if (material.contains(ior) && material[ior].value("ior", 1.5) > .5 &&
+            !mend_bound(loader, material[ior], "ior", 1, HUGE_VAL,
+                        label_of("material", i, material)))
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
+bool mend_numbers(Loader &loader, json &root) {
+    return mend_nodes(loader, root) && mend_lights(loader, root) && mend_materials(loader, root);
+}
+
+} // namespace gltf

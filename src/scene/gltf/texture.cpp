@@ -1,0 +1,167 @@
+/* Textures and their pictures. */
+#include "scene/gltf/model.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace gltf {
+namespace {
+
+enum class Outcome {
+    Decoded,
+    Broken, /* error: why */
+    Refused /* the whole scene; error: why */
+};
+
+Outcome decode(Loader &loader, const void *bytes, size_t size, struct bitmap &bitmap) {
+    uint64_t memory;
+    if (!bitmap_measure(bytes, size, &memory))
+        return Outcome::Broken;
+    if (!spend(loader, memory, 1) || !mem_check(memory))
+        return Outcome::Refused;
+    return bitmap_decode(&bitmap, bytes, size) ? Outcome::Decoded : Outcome::Broken;
+}
+
+Outcome decode_file(Loader &loader, const std::string &uri, struct bitmap &bitmap) {
+    OwnedBytes file;
+    enum file_lack lack;
+    if (!read_uri(loader, uri, file, lack))
+        return lack == FILE_OUTSIDE ? Outcome::Refused : Outcome::Broken;
+    allow_memory(loader, file.size);
+    Outcome outcome = decode(loader, file.data, file.size, bitmap);
+    if (outcome != Outcome::Decoded)
+        error_prefix("%s", clean(uri).c_str());
+    return outcome;
+}
+
+Outcome decode_picture(Loader &loader, const Picture &picture, struct bitmap &bitmap) {
+    if (picture.view >= 0)
+        return decode(loader, view_bytes(loader.model, picture.view),
+                      loader.model.bufferViews[size_t(picture.view)].byteLength, bitmap);
+    if (!picture.error.empty()) {
+        error_set("%s", picture.error.c_str());
+        return Outcome::Broken;
+    }
+    if (!picture.uri.empty() || picture.bytes.empty())
+        return decode_file(loader, picture.uri, bitmap);
+    return decode(loader, picture.bytes.data(), picture.bytes.size(), bitmap);
+}
+
+const int stand_in_size = 16;
+
+/* What the materials use each texture for. */
+const unsigned char used_as_color = 1, used_as_normal = 2;
+
+void find_uses(Loader &loader) {
+    auto &uses = loader.texture_uses;
+    uses.resize(loader.model.textures.size());
+    auto use = [&](int texture, unsigned char as) {
+        if (texture >= 0)
+            uses[size_t(texture)] |= as;
+    };
+    for (const tinygltf::Material &material : loader.model.materials) {
+        auto old = material.extensions.find("KHR_materials_pbrSpecularGlossiness");
+        use(material.pbrMetallicRoughness.baseColorTexture.index, used_as_color);
+        use(material.normalTexture.index, used_as_normal);
+        if (old != material.extensions.end() && old->second.Has("diffuseTexture"))
+            use(old->second.Get("diffuseTexture").Get("index").GetNumberAsInt(), used_as_color);
+    }
+}
+
+/* A checker of magenta for a base colour, as viewers have it. Others change nothing: normals are
+ * straight, surfaces rough and no metal, and nothing shines. */
+void make_stand_in(unsigned char uses, struct scene_texture &to) {
+    static const unsigned char magenta[4] = {255, 0, 255, 255}, black[4] = {0, 0, 0, 255},
+                               straight[4] = {128, 128, 255, 255}, rough[4] = {0, 255, 0, 0},
+                               none[4] = {0, 0, 0, 0};
+    const int square = 4;
+    to.nearest = true;
+    to.bitmap.width = to.bitmap.height = stand_in_size;
+    to.bitmap.rgba = allocate<unsigned char>(size_t(stand_in_size * stand_in_size * 4));
+    for (int i = 0; i < stand_in_size * stand_in_size; i++) {
+        bool odd = (i / stand_in_size / square + i % stand_in_size / square) % 2;
+        const unsigned char *texel = to.linear ? (uses & used_as_normal ? straight : rough)
+                                     : uses & used_as_color ? (odd ? black : magenta)
+                                                            : none;
+        memcpy(to.bitmap.rgba + i * 4, texel, 4);
+    }
+}
+
+enum texture_wrap wrap_mode(int gl) {
+    return gl == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE     ? TEXTURE_WRAP_CLAMP
+           : gl == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? TEXTURE_WRAP_MIRROR
+                                                         : TEXTURE_WRAP_REPEAT;
+}
+
+/* Its picture is in a format of an extension alone, or nowhere. */
+bool do_without(Loader &loader, const tinygltf::Texture &texture, int index) {
+    for (const auto &extension : texture.extensions)
+        if (extension.second.Has("source"))
+            return error_set("texture %d: its picture is in the format of %s, which is not read",
+                             index, clean(extension.first).c_str());
+    return mend(loader, "textures without a picture are left out",
+                "texture " + std::to_string(index));
+}
+
+/* The picture, or its stand-in. */
+bool load_picture(Loader &loader, int index, int source, struct scene_texture &made) {
+    const std::string object =
+        label("image", size_t(source), loader.model.images[size_t(source)].name);
+    Outcome outcome = decode_picture(loader, loader.pictures[size_t(source)], made.bitmap);
+    if (outcome == Outcome::Decoded)
+        return true;
+    if (outcome == Outcome::Refused)
+        return error_prefix("%s", object.c_str());
+    if (!mend(loader,
+              "pictures that are missing or broken are replaced, colours by a magenta checker",
+              object + ": " + error_get()) ||
+        !spend(loader, stand_in_size * stand_in_size, 4))
+        return false;
+    if (loader.texture_uses.empty())
+        find_uses(loader);
+    make_stand_in(loader.texture_uses[size_t(index)], made);
+    return true;
+}
+
+} // namespace
+
+int texture_source(const tinygltf::Texture &texture) {
+    auto webp = texture.extensions.find("EXT_texture_webp");
+    if (texture.source >= 0 || webp == texture.extensions.end() || !webp->second.Has("source"))
+        return texture.source;
+    return webp->second.Get("source").GetNumberAsInt();
+}
+
+/* A picture used with one sampler is decoded once, or twice where it holds colours here and numbers
+ * there. */
+bool load_texture(Loader &loader, int index, bool linear, int &out) {
+    const Model &model = loader.model;
+    const tinygltf::Texture &texture = model.textures[size_t(index)];
+    int source = texture_source(texture);
+    out = -1;
+    if (source < 0)
+        return do_without(loader, texture, index);
+    auto &keys = loader.texture_keys;
+    TextureKey key = {source, texture.sampler, linear};
+    auto known = std::find_if(keys.begin(), keys.end(), [&](const TextureKey &other) {
+        return other.image == key.image && other.sampler == key.sampler && other.linear == linear;
+    });
+    out = int(known - keys.begin());
+    if (known != keys.end())
+        return true;
+    struct scene_texture &made = loader.scene->textures[out];
+    tinygltf::Sampler sampler;
+    if (texture.sampler >= 0)
+        sampler = model.samplers[size_t(texture.sampler)];
+    made.wrap_u = wrap_mode(sampler.wrapS);
+    made.wrap_v = wrap_mode(sampler.wrapT);
+    made.linear = linear;
+    made.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+    if (!load_picture(loader, index, source, made))
+        return false;
+    keys.push_back(key);
+    loader.scene->texture_count++;
+    return true;
+}
+
+} // namespace gltf
