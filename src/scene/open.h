@@ -12,8 +12,8 @@ struct scene_open_desc {
 
 /* Loads the file, changes of it what desc says, unless that is NULL, lays out the triangles of time
  * 0, moves all to the origin where it lies far out (scene/recentre.h) and gives it the camera and the
- * light that it lacks (scene/framing.h). Triangles are laid out once, of scenes far out twice. Error:
- * names file, object and reason; both are then zeroed. */
+ * light that it lacks (scene/framing.h, scene/darkness.h). Triangles are laid out once; of scenes far out
+ * twice, and once more of dark ones. Error: names file, object and reason; both are then zeroed. */
 bool scene_open(struct scene *scene, struct geometry *geometry, const char *path,
                 const struct scene_open_desc *desc);
 
