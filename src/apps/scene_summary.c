@@ -111,7 +111,7 @@ static void print_light(const struct scene *scene, int n) {
     if (light.stands_in)
         printf(", for a part of what emits");
     if (isfinite(source->range))
-        printf(", not cut off at its range of %.4g m", (double)source->range);
+        printf(", range %.4g m", (double)source->range);
     putchar('\n');
 }
 
@@ -127,6 +127,10 @@ static void print_camera(const struct scene *scene, int n) {
         printf("%.4g degrees high", degrees(camera.fov_y));
     print_vector(", at ", camera.eye);
     print_vector(" towards ", camera.forward);
+    if (camera.far > 0)
+        printf(", sees %.4g to %.4g m", (double)camera.near, (double)camera.far);
+    else if (camera.near > 0)
+        printf(", sees from %.4g m on", (double)camera.near);
     putchar('\n');
 }
 

@@ -118,7 +118,8 @@ static float reflected(const struct search *search, const struct emitter *piece,
     vec3s to_light = glms_vec3_scale(path, 1 / distance);
     float cosine = glms_vec3_dot(to_light, place->normal);
     float radiance = emitter_cone(piece, -glms_vec3_dot(to_light, axis)) * cosine *
-                     glm_vec3_max((float *)piece->intensity) / (GLM_PIf * distance * distance);
+                     emitter_in_range(piece, distance) * glm_vec3_max((float *)piece->intensity) /
+                     (GLM_PIf * distance * distance);
     /* Sums of what is as small as this do not count either. */
     if (!(radiance > least_radiance / 256))
         return 0;
@@ -166,12 +167,14 @@ static bool picture_is_dark(const struct search *search) {
     struct camera camera;
     int seen = 0, lit = 0;
     camera_place(&camera, search->scene, 0, 0);
+    vec3s axis = {{camera.forward[0], camera.forward[1], camera.forward[2]}};
     for (uint32_t i = 0; i < GRID * GRID; i++) {
         vec3s origin, direction;
         struct place place;
         camera_ray(&camera, ((float)(i % GRID) + .5F) / GRID, ((float)(i / GRID) + .5F) / GRID, 1,
                    origin.raw, direction.raw);
-        if (!find_place(search, origin, direction, &place))
+        float along = camera.near / glms_vec3_dot(direction, axis);
+        if (!find_place(search, glms_vec3_muladds(direction, along, origin), direction, &place))
             continue;
         seen++;
         lit += radiance_of(search, &place, 1 + i) >= least_radiance;

@@ -2,6 +2,7 @@
 
 #include "scene/animation.h"
 #include "scene/brightness.h"
+#include "scene/camera_range.h"
 #include "scene/darkness.h"
 #include "scene/framing.h"
 #include "scene/recentre.h"
@@ -18,6 +19,7 @@ static bool lay_out(struct scene *scene, struct geometry *geometry) {
         (scene_recentre(scene, geometry) && !lay_out_anew(scene, geometry)))
         return false;
     framing_place(&framing, scene, geometry);
+    scene_check_ranges(scene, geometry);
     if (scene_is_dark(scene, geometry)) { /* geometry knows how many nodes there are */
         framing_add_lights(&framing, scene);
         if (!lay_out_anew(scene, geometry))

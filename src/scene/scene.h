@@ -105,8 +105,8 @@ struct scene_light {
     float intensity[3]; /* colour x intensity: W/sr; W/m2 for a directional light, W/(sr m2) for an
                            area light */
     float inner, outer; /* spot: half angles of the cone, radians */
-    float range;   /* where the file lets it be cut off, m, which it is not; infinite: nowhere */
-    float size[2]; /* as struct emitter has it */
+    float range;        /* where its light ends, m; infinite: nowhere */
+    float size[2];      /* as struct emitter has it */
     enum light_scaling scaling;
     int lamp;       /* of emissive surfaces that it is; 0 = none */
     bool stands_in; /* it is what they are like from afar, with others */
@@ -121,8 +121,9 @@ struct emissive_surface {
 struct scene_camera {
     char name[SCENE_NAME_SIZE];
     bool orthographic;
-    float fov_y;    /* perspective: radians */
-    float y_extent; /* orthographic: half the height, metres */
+    float fov_y;     /* perspective: radians */
+    float y_extent;  /* orthographic: half the height, metres */
+    float near, far; /* znear and zfar, metres; far 0 = no end */
 };
 
 struct node {
