@@ -1,6 +1,7 @@
 #include "apps/scene_summary.h"
 
 #include "scene/camera.h"
+#include "scene/clips.h"
 #include "scene/emitter.h"
 #include "scene/environment.h"
 #include "scene/node.h"
@@ -165,8 +166,9 @@ static void print_placed(const struct scene *scene) {
 static void print_clips(const struct scene *scene) {
     printf("clips      %d\n", scene->clip_count);
     for (int i = 0; i < scene->clip_count; i++)
-        printf("  %d  %-20s %.4g s, channels %d\n", i, scene->clips[i].name,
-               (double)scene->clips[i].duration, scene->clips[i].channel_count);
+        printf("  %d  %-20s %.4g s, channels %d%s\n", i, scene->clips[i].name,
+               (double)scene->clips[i].duration, scene->clips[i].channel_count,
+               clip_plays(scene, i) ? "" : ", only by --clip");
     if (scene->skin_count)
         printf("skins      %d\n", scene->skin_count);
     if (scene->metaballs_count)

@@ -1,8 +1,8 @@
 #include "scene/open.h"
 
-#include "scene/animation.h"
 #include "scene/brightness.h"
 #include "scene/camera_range.h"
+#include "scene/clips.h"
 #include "scene/darkness.h"
 #include "scene/framing.h"
 #include "scene/recentre.h"
@@ -31,7 +31,9 @@ static bool lay_out(struct scene *scene, struct geometry *geometry) {
 }
 
 static bool change(struct scene *scene, const struct scene_open_desc *desc) {
-    return !desc || ((!desc->clip || scene_select_clip(scene, desc->clip)) &&
+    if (!desc || !desc->clip)
+        clips_note_left_out(scene);
+    return !desc || ((!desc->clip || clips_select(scene, desc->clip)) &&
                      environment_follow(&scene->environment, &desc->environment));
 }
 

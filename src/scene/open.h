@@ -6,7 +6,7 @@
 #include "scene/mesh/geometry.h"
 
 struct scene_open_desc {
-    const char *clip; /* that plays: name or number; NULL = the first */
+    const char *clip; /* those that play, as scene/clips.h has it; NULL = the default */
     struct environment_desc environment;
 };
 

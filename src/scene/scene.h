@@ -177,7 +177,10 @@ struct scene {
     char **files; /* beside path: the buffers and pictures that it names */
     int skin_count, metaballs_count, clip_count, file_count;
     struct environment *environment; /* scene/environment.h; NULL = none */
-    int clip; /* the one that plays, where there are any; the first after loading */
+    int *playing; /* the clips that play, in the order in which they act: scene/clips.h */
+    int playing_count;
+    bool plays_default; /* they were not chosen */
+    int clip_choice;    /* another number after each choice */
 };
 
 /* Reads what a .gltf or .glb file holds; scene/open.h makes it ready to be shown. Error: names file, object and reason; the scene is then zeroed. */

@@ -3,6 +3,7 @@
 
 extern "C" {
 #include "scene/animation.h"
+#include "scene/clips.h"
 }
 
 #include <cmath>
@@ -121,6 +122,7 @@ bool load_clips(Loader &loader) {
     for (size_t i = 0; i < from.size(); i++)
         if (!load_clip(loader, from[i], scene->clips[i]))
             return error_prefix("%s", label("animation", i, from[i].name).c_str());
+    clips_play_default(scene);
     return true;
 }
 
