@@ -7,6 +7,7 @@
 #include "base/log.h"
 #include "scene/animation.h"
 #include "scene/camera.h"
+#include "scene/clips.h"
 #include "scene/emitter.h"
 #include "scene/mesh/geometry.h"
 
@@ -109,13 +110,14 @@ static void test_clip_choice(void **state) {
     struct scene scene;
     load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
               CLIPS(CLIP("translation", "LINEAR") "," CLIP("scale", "LINEAR")), values, 9);
-    assert_int_equal(scene.clip, 0);
-    check_ok("by name", scene_select_clip(&scene, "scale"));
-    assert_int_equal(scene.clip, 1);
+    assert_int_equal(scene.playing_count, 2);
+    check_ok("by name", clips_select(&scene, "scale"));
+    assert_int_equal(scene.playing_count, 1);
+    assert_int_equal(scene.playing[0], 1);
     check_near("at rest", (double)translation_x(&scene, 3), 0, 0);
-    check_ok("by number", scene_select_clip(&scene, "0"));
+    check_ok("by number", clips_select(&scene, "0"));
     check_near("moved", (double)translation_x(&scene, 3), 2, 1e-6);
-    assert_false(scene_select_clip(&scene, "walk"));
+    assert_false(clips_select(&scene, "walk"));
     assert_string_equal(error_get(), "no clip 'walk' (there is: 0=translation 1=scale)");
     scene_free(&scene);
 }
@@ -348,6 +350,7 @@ static void test_bounds_of_clip(void **state) {
     struct geometry geometry, first;
     load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
               CLIPS(CLIP("translation", "LINEAR") "," CLIP("scale", "LINEAR")), values, 9);
+    check_ok("one clip", clips_select(&scene, "translation"));
     check_ok("geometry", geometry_init(&first, &scene, 0));
     check_ok("geometry", geometry_init(&geometry, &scene, 3.3));
     check_bounds(&first, (float[]){0, 0, 0}, (float[]){11, 1, 0});
@@ -360,7 +363,7 @@ static void test_bounds_of_clip(void **state) {
         assert_memory_equal(&geometry.radius, &first.radius, sizeof first.radius);
         assert_true(geometry.parts[0].farthest <= geometry.radius);
     }
-    check_ok("other clip", scene_select_clip(&scene, "scale"));
+    check_ok("other clip", clips_select(&scene, "scale"));
     check_ok("pose", geometry_pose(&geometry, &scene, 0));
     check_bounds(&geometry, (float[]){0, 0, 0}, (float[]){10, 0, 0});
     geometry_free(&first);

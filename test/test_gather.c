@@ -57,7 +57,8 @@ static bool pixel_hit(const struct bench *bench, int x, int y, struct hit *hit) 
     camera_ray(&bench->stage.camera, ((float)x + .5f) / size, ((float)y + .5f) / size, 1, origin,
                direction);
     int alpha = image_find_channel(&bench->layers, "A");
-    return ray_scene_camera_hit(&bench->rays.scene, to_vec3s(origin), to_vec3s(direction), hit) &&
+    return ray_scene_camera_hit(&bench->rays.scene, to_vec3s(origin), to_vec3s(direction),
+                                (float[]){0, INFINITY}, hit) &&
            image_at(&bench->layers, x, y)[alpha] > 0;
 }
 

@@ -63,7 +63,7 @@ vec3 sent_back(light l, march_hit hit, vec3 to_receiver, float receiver_alpha, o
     float distance2 = directional ? 1.0 : dot(from_light, from_light);
     vec3 incoming = directional ? l.direction : from_light * inversesqrt(distance2);
     float cosine = max(dot(hit.end.normal, -incoming), 0.0);
-    vec3 power = directional ? l.intensity : light_intensity(l, incoming);
+    vec3 power = directional ? l.intensity : light_intensity(l, incoming) * light_in_range(l, distance2);
     area = distance2 / max(cosine, VPL_COSINE_MIN);
     return hit_reflects(hit, -incoming, to_receiver, cosine, receiver_alpha) * power / distance2;
 }

@@ -29,7 +29,7 @@ void main() {
     float cosine = dot(s.normal, -direction);
     float distance2 = directional ? 1.0 : dot(from_light, from_light);
     float area = vpl_share_at(v.light).measure * distance2 / max(cosine, VPL_COSINE_MIN);
-    vec3 power = directional ? l.intensity : light_intensity(l, direction);
+    vec3 power = directional ? l.intensity : light_intensity(l, direction) * light_in_range(l, distance2);
     power *= rsm_albedo(v, texel) * (cosine > 0.0 ? params.power_scale : 0.0);
     power *= ndc_measure(v.view, dot(from_light, v.view.forward) * inversesqrt(dot(from_light, from_light)));
     float z = view_linear_depth(v.view, rsm_depth(v, texel));

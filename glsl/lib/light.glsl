@@ -20,7 +20,7 @@ light light_at(int i) {
     vec4 h = light_rows[row + 7];
     return light(a.xyz, a.w, b.xyz, floatBitsToInt(b.w), c.xyz, floatBitsToInt(c.w), d.xyz, d.w, e.xyz,
                  e.w, f.xyz, f.w, floatBitsToInt(g.x), floatBitsToInt(g.y), g.z, g.w, h.x,
-                 floatBitsToInt(h.y), h.z, 0);
+                 floatBitsToInt(h.y), h.z, h.w);
 }
 
 // A program may say which kinds of maps the lights have, by its define MAP_KINDS: 1 << LIGHT_MAP_... of each.
@@ -52,6 +52,12 @@ float light_cone(light l, float cos_angle) {
 vec3 light_intensity(light l, vec3 direction) {
     bool even = l.type == LIGHT_TYPE_POINT;
     return l.intensity * (even ? 1.0 : light_cone(l, dot(direction, l.direction)));
+}
+
+// What is left of its light at that squared distance, by KHR_lights_punctual.
+float light_in_range(light l, float distance2) {
+    float part2 = distance2 * l.range_inverse2;
+    return max(1.0 - part2 * part2, 0.0);
 }
 
 // Which view of the light sees in this direction: +x -x +y -y +z -z of six.

@@ -29,7 +29,7 @@ vpl reflected(light l, vpl_share share, light_view view, ivec2 texel, vec3 direc
     float cosine = dot(s.normal, -incoming);
     if (cosine <= 0.0)
         return v;
-    vec3 power = directional ? l.intensity : light_intensity(l, incoming);
+    vec3 power = directional ? l.intensity : light_intensity(l, incoming) * light_in_range(l, distance2);
     v.flux = rsm_albedo(view, texel) * power * share.measure;
     v.area = share.measure * (directional ? 1.0 : distance2) / max(cosine, VPL_COSINE_MIN);
     v.reach = dot(v.flux, vec3(1.0)) > 0.0 ? share.reach : 0.0;

@@ -2,7 +2,7 @@
 #ifdef LIGHT_VIEW
 #include "lib/light_target.glsl"
 #else
-#include "lib/camera.glsl"
+#include "picture/camera_range.glsl"
 #endif
 
 layout(location = ATTRIBUTE_POSITION) in vec3 position;
@@ -29,6 +29,7 @@ void main() {
     gl_Position = v.world_to_clip * vec4(position, 1.0);
 #else
     gl_Position = camera.world_to_clip * vec4(position, 1.0);
+    cut_by_range(gl_Position);
 #endif
     surface_normal = normal;
     surface_uv = uv;

@@ -1,7 +1,7 @@
 // Draws the scene's depth and normals for antialiasing: instance i to layer i, shifted by its part of a pixel. MASKED: of
 // surfaces with holes.
 #extension GL_ARB_shader_viewport_layer_array : require
-#include "lib/camera.glsl"
+#include "picture/camera_range.glsl"
 #include "shared/antialias.h"
 
 layout(location = ATTRIBUTE_POSITION) in vec3 position;
@@ -19,6 +19,7 @@ centroid out vec3 surface_normal;
 void main() {
     gl_Position = camera.world_to_clip * vec4(position, 1.0);
     gl_Position.xy += params.shifts[gl_InstanceID].xy * gl_Position.w;
+    cut_by_range(gl_Position);
     gl_Layer = gl_InstanceID;
     surface_normal = normal;
 #ifdef MASKED

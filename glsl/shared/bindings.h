@@ -174,6 +174,7 @@
 #define LOCATION_PICK_COUNT 8
 #define LOCATION_TREE_STEP 9
 #define LOCATION_NEAR_SHIFT 10
-#define LOCATION_PICKS 11 /* LIGHTS_MAX of them (shared/light.h) */
+#define LOCATION_CAMERA_RANGE 11
+#define LOCATION_PICKS 12 /* LIGHTS_MAX of them (shared/light.h) */
 
 #endif

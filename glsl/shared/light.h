@@ -46,7 +46,7 @@ struct light {
     float extent;        /* area of the shape, m2; of a cap solid angle, sr */
     int first_map;       /* of its own maps: one, or six of a point light (visibility/light_map.glsl) */
     float map_unit;      /* what a depth of 1 means there, metres */
-    int unused;
+    float range_inverse2; /* 1 / m2; 0 = its light ends nowhere */
 };
 STD140_SIZE(light, 16 * LIGHT_ROWS)
 

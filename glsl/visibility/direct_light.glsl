@@ -33,15 +33,17 @@ void main() {
     vec3 to_light = l.position - s.position;
     float distance2 = dot(to_light, to_light);
     vec3 direction = l.type == LIGHT_TYPE_DIRECTIONAL ? l.direction : -to_light * inversesqrt(distance2);
-    float share = unshadowed(l, s.position, s.normal, direction, distance2);
+    float in_range = light_in_range(l, distance2);
+    float share = unshadowed(l, s.position, s.normal, direction, distance2) * in_range;
     if (is_turned_away(s, pixel, l, l.type == LIGHT_TYPE_DIRECTIONAL ? -direction : to_light))
         share = 0.0;
 #ifdef HAS_GLOSS
     if (share <= 0.0)
         return;
     float lit = arriving(s, l, direction);
+    vec3 shine = unshadowed_shine(l, gbuffer_shine(s, pixel), s.position, direction, distance2);
     direct.rgb = l.radiance * (share * lit);
-    specular.rgb = l.radiance * unshadowed_shine(l, gbuffer_shine(s, pixel), s.position, direction, distance2) * lit;
+    specular.rgb = l.radiance * shine * lit * in_range;
 #else
     direct.rgb = l.radiance * (share > 0.0 ? share * arriving(s, l, direction) : 0.0);
 #endif

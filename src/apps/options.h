@@ -48,8 +48,9 @@ struct technique_values {
      .help = "of it about +Y, degrees: from +Z towards +X"},                                       \
     {"environment-strength", 0, OPTION_FLOAT, offsetof(type, member.environment.strength), 1,      \
      1e-9, 1e9, .help = "factor of its radiance"},                                                 \
-    {"clip", 0, OPTION_TEXT, offsetof(type, member.clip), .value_name = "NAME|N",                  \
-     .help = "animation of the scene [the first]"},                                                \
+    {"clip", 0, OPTION_TEXT, offsetof(type, member.clip), .value_name = "NAME|N,...",              \
+     .help = "animations of the scene that play [all; of those that move the same thing the\n"     \
+             "first]"},                                                                            \
     {"time", 0, OPTION_FLOAT, offsetof(type, member.time), 0, 0, 1e6,                              \
      .help = "of the animation, seconds"}
 

@@ -1,6 +1,7 @@
 #include "apps/scene_summary.h"
 
 #include "scene/camera.h"
+#include "scene/clips.h"
 #include "scene/emitter.h"
 #include "scene/environment.h"
 #include "scene/node.h"
@@ -121,7 +122,7 @@ static void print_light(const struct scene *scene, int n) {
     if (light.stands_in)
         printf(", for a part of what emits");
     if (isfinite(source->range))
-        printf(", not cut off at its range of %.4g m", (double)source->range);
+        printf(", range %.4g m", (double)source->range);
     putchar('\n');
 }
 
@@ -137,6 +138,10 @@ static void print_camera(const struct scene *scene, int n) {
         printf("%.4g degrees high", degrees(camera.fov_y));
     print_vector(", at ", camera.eye);
     print_vector(" towards ", camera.forward);
+    if (camera.far > 0)
+        printf(", sees %.4g to %.4g m", (double)camera.near, (double)camera.far);
+    else if (camera.near > 0)
+        printf(", sees from %.4g m on", (double)camera.near);
     putchar('\n');
 }
 
@@ -171,8 +176,9 @@ static void print_placed(const struct scene *scene) {
 static void print_clips(const struct scene *scene) {
     printf("clips      %d\n", scene->clip_count);
     for (int i = 0; i < scene->clip_count; i++)
-        printf("  %d  %-20s %.4g s, channels %d\n", i, scene->clips[i].name,
-               (double)scene->clips[i].duration, scene->clips[i].channel_count);
+        printf("  %d  %-20s %.4g s, channels %d%s\n", i, scene->clips[i].name,
+               (double)scene->clips[i].duration, scene->clips[i].channel_count,
+               clip_plays(scene, i) ? "" : ", only by --clip");
     if (scene->skin_count)
         printf("skins      %d\n", scene->skin_count);
     if (scene->metaballs_count)

@@ -13,7 +13,7 @@ struct stage_desc {
     const char *path;
     const char *camera, *light; /* as scene/placing.h has it; NULL = the first, and all; must live
                                    on */
-    const char *clip;           /* name or number; NULL = the first */
+    const char *clip;           /* as scene/clips.h has it; NULL = the default */
     struct environment_desc environment;
     float time; /* of the animation, seconds */
 };

@@ -112,6 +112,17 @@ struct draw_views frame_light_views(const struct frame *frame, int kind) {
                                .margin = clip_margin};
 }
 
+void frame_cut_by_range(const struct frame *frame, struct pass_state *state) {
+    const float endless = 1e30F;
+    const struct camera_range *range = &frame->camera_range;
+    bool cuts = range->cuts;
+    state->clip_distances =
+        cuts ? 2 : 0; /* which Mesa 22's llvmpipe takes for 2 where a shader writes them */
+    gl.ProgramUniform2fv(
+        state->program, LOCATION_CAMERA_RANGE, 1,
+        (float[]){cuts ? range->near : -endless, cuts ? fminf(range->far, endless) : endless});
+}
+
 int frame_target_views(const struct frame *frame, GLuint program, int kind) {
     int first = kind == LIGHT_MAP_FACE ? frame->layout.views[LIGHT_MAP_SINGLE] : 0;
     gl.ProgramUniform1i(program, LOCATION_FIRST_VIEW, first);

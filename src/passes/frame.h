@@ -9,6 +9,7 @@
 #include "gl/pass.h"
 #include "gl/texture.h"
 #include "gl/timer.h"
+#include "scene/camera_range.h"
 #include "scene/gpu/scene_gpu.h"
 #include "scene/starts.h"
 #include "scene/view.h"
@@ -19,6 +20,7 @@ struct frame {
     struct timers *timers;
     const struct buffer *view; /* for BLOCK_VIEW */
     const struct view *camera; /* what it holds */
+    struct camera_range camera_range;
     /* For direct light those that shine, for a technique those that reflected light starts from: */
     const struct buffer *lights; /* for BLOCK_LIGHTS */
     const struct scene_gpu *scene;
@@ -202,6 +204,9 @@ struct contribution {
 };
 
 /* The camera's view, of that many layers; the margin is draw_views'. */
+/* Lets what is drawn by one of the programs end where the camera's range does (picture/camera_range.glsl). */
+void frame_cut_by_range(const struct frame *frame, struct pass_state *state);
+
 struct draw_views frame_camera_views(const struct frame *frame, int layers, float margin);
 
 /* The lights' of that kind. */

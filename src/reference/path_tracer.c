@@ -387,7 +387,8 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     struct hit_table table;
     *image = (struct image){0};
     desc = &tracer.desc;
-    tracer.primary = (struct primary_rays){&tracer.rays, desc->camera, desc->width, desc->height};
+    tracer.primary =
+        primary_rays_of(&tracer.rays, desc->camera, desc->geometry, desc->width, desc->height);
     tracer.desc.width /= desc->every;
     tracer.desc.height /= desc->every;
     if (!check_memory(desc))

@@ -4,6 +4,12 @@
 
 #include <math.h>
 
+struct primary_rays primary_rays_of(const struct ray_scene *rays, const struct camera *camera,
+                                    const struct geometry *geometry, int width, int height) {
+    return (struct primary_rays){rays, camera, width, height,
+                                 camera_range_of(camera, geometry, (float)width / (float)height)};
+}
+
 static void find_ray(const struct primary_rays *primary, float x, float y, vec3s *origin,
                      vec3s *direction) {
     float width = (float)primary->width, height = (float)primary->height;
@@ -18,8 +24,14 @@ vec3s primary_direction(const struct primary_rays *primary, float x, float y) {
 
 bool primary_hit(const struct primary_rays *primary, float x, float y, struct hit *hit) {
     vec3s origin, direction;
+    float from = 0, to = INFINITY;
     find_ray(primary, x, y, &origin, &direction);
-    return ray_scene_camera_hit(primary->rays, origin, direction, hit);
+    if (primary->range.cuts) {
+        float depth = glms_vec3_dot(direction, vector_of(primary->camera->forward));
+        from = primary->range.near / depth;
+        to = primary->range.far / depth;
+    }
+    return ray_scene_camera_hit(primary->rays, origin, direction, (float[]){from, to}, hit);
 }
 
 float primary_depth(const struct primary_rays *primary, vec3s position) {

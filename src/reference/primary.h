@@ -3,13 +3,17 @@
 #define REFERENCE_PRIMARY_H
 
 #include "reference/scene/ray_scene.h"
-#include "scene/camera.h"
+#include "scene/camera_range.h"
 
 struct primary_rays {
     const struct ray_scene *rays;
     const struct camera *camera;
     int width, height; /* pixels */
+    struct camera_range range;
 };
+
+struct primary_rays primary_rays_of(const struct ray_scene *rays, const struct camera *camera,
+                                    const struct geometry *geometry, int width, int height);
 
 /* Where the ray leads through a point in pixels from the top left corner: unit. */
 vec3s primary_direction(const struct primary_rays *primary, float x, float y);

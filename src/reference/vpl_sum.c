@@ -193,8 +193,8 @@ bool vpl_sum_render(const struct vpl_sum_desc *desc, struct image *image) {
     struct summation summation = {.desc = resolve(desc), .image = image};
     struct hit_table table;
     *image = (struct image){0};
-    summation.primary = (struct primary_rays){&summation.rays, desc->camera, summation.desc.width,
-                                              summation.desc.height};
+    summation.primary = primary_rays_of(&summation.rays, desc->camera, desc->geometry,
+                                        summation.desc.width, summation.desc.height);
     hit_table_init(&table, desc->scene, desc->geometry, (enum materials)desc->materials);
     init_lights(&summation, &table);
     bool ok = ray_scene_init(&summation.rays, &table) && render(&summation);

@@ -52,6 +52,7 @@ struct frame renderer_frame(struct renderer *renderer) {
         .timers = &renderer->timers,
         .view = &renderer->view_buffer,
         .camera = &renderer->camera_view,
+        .camera_range = renderer->camera_range,
         .lights = &renderer->start_buffer,
         .scene = &renderer->scene,
         .emitters = &renderer->start_emitters,

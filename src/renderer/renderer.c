@@ -194,6 +194,8 @@ void renderer_write_views(struct renderer *renderer) {
                             2 * place_in_pixel(3, renderer->pass) / (float)desc->height};
     view_of_camera(&renderer->camera_view, &desc->camera, desc->geometry,
                    (float)desc->width / (float)desc->height);
+    renderer->camera_range =
+        camera_range_of(&desc->camera, desc->geometry, (float)desc->width / (float)desc->height);
     if (renderer->pass > 0)
         view_shift(&renderer->camera_view, place);
     views_of_emitters(renderer->light_block, &desc->emitters, desc->geometry);

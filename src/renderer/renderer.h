@@ -77,6 +77,7 @@ struct renderer {
         double weight; /* of them */
     } refining;
     struct view camera_view;
+    struct camera_range camera_range;
     struct buffer view_buffer;
     struct light_plan plan;
     /* What shines, for direct light; and what techniques are given for it. */

@@ -1,7 +1,5 @@
 #include "scene/animation.h"
 
-#include "base/error.h"
-
 #include <cglm/cglm.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -81,30 +79,20 @@ void channel_sample(const struct channel *channel, double time, float *out) {
         glm_quat_normalize(out);
 }
 
-bool scene_select_clip(struct scene *scene, const char *text) {
-    enum { MOST_LISTED = 20 };
-    char list[MOST_LISTED * (SCENE_NAME_SIZE + 16)] = "", *end;
-    long number = strtol(text, &end, 10);
-    for (int i = 0; i < scene->clip_count; i++) {
-        const char *name = scene->clips[i].name;
-        if (*text && (strcmp(name, text) == 0 || (!*end && number == i))) {
-            scene->clip = i;
-            return true;
-        }
-        size_t used = strlen(list);
-        if (i < MOST_LISTED)
-            snprintf(list + used, sizeof list - used, " %d%s%s", i, *name ? "=" : "", name);
+const struct channel *scene_next_channel(const struct scene *scene, struct channel_place *place) {
+    while (place->playing < scene->playing_count) {
+        const struct clip *clip = &scene->clips[scene->playing[place->playing]];
+        if (place->channel < clip->channel_count)
+            return &clip->channels[place->channel++];
+        *place = (struct channel_place){place->playing + 1, 0};
     }
-    return error_set("no clip '%s' (there is:%s)", text, *list ? list : " none");
-}
-
-const struct clip *scene_clip(const struct scene *scene) {
-    return scene->clip_count ? &scene->clips[scene->clip] : NULL;
+    return NULL;
 }
 
 double scene_duration(const struct scene *scene) {
-    const struct clip *clip = scene_clip(scene);
-    double duration = clip ? (double)clip->duration : 0;
+    double duration = 0;
+    for (int i = 0; i < scene->playing_count; i++)
+        duration = fmax(duration, (double)scene->clips[scene->playing[i]].duration);
     for (int i = 0; i < scene->node_count; i++)
         if (scene->nodes[i].metaballs >= 0)
             duration = fmax(duration, (double)scene->metaballs[scene->nodes[i].metaballs].period);

@@ -8,13 +8,14 @@
  * their values hold. Rotations are unit quaternions, and go the short way around. */
 void channel_sample(const struct channel *channel, double time, float *out);
 
-/* Lets the clip of that name or number play. Error: lists the clips when there is none such. */
-bool scene_select_clip(struct scene *scene, const char *text);
+/* Steps through the channels of the clips that play, in the order in which they act: begins with a zeroed place;
+ * NULL at the end. */
+struct channel_place {
+    int playing, channel;
+};
+const struct channel *scene_next_channel(const struct scene *scene, struct channel_place *place);
 
-/* The clip that plays; NULL = none. */
-const struct clip *scene_clip(const struct scene *scene);
-
-/* Of the clip that plays and of all metaballs, seconds; 0 = nothing moves. */
+/* Of the longest clip that plays and of all metaballs, seconds; 0 = nothing moves. */
 double scene_duration(const struct scene *scene);
 
 void clip_free(struct clip *clip);

@@ -27,8 +27,13 @@ float scene_brightness(const struct scene *scene, const struct geometry *geometr
 
 void scene_note_brightness(const struct scene *scene, const struct geometry *geometry) {
     const float stops_shown = 6; /* what lies in shade may want that much */
+    const float stops_lit = 8;   /* no lamp of a room that is seen at all gives it less */
     float stops = scene_brightness(scene, geometry);
     if (stops > stops_shown)
         log_note("%s: its lights are %.0f times as bright as white: --set exposure=%.0f",
                  scene->path, (double)exp2f(stops), (double)-roundf(stops));
+    else if (stops < -stops_lit && isfinite(stops))
+        log_note("%s: its lights are dim, a white surface has 1/%.0f of a picture's white: --set "
+                 "exposure=%.0f",
+                 scene->path, (double)exp2f(-stops), (double)-roundf(stops));
 }

@@ -11,7 +11,8 @@ int camera_node_count(const struct scene *scene) {
 
 bool cameras_same(const struct camera *a, const struct camera *b) {
     return a->orthographic == b->orthographic && a->fov_y == b->fov_y &&
-           a->y_extent == b->y_extent && memcmp(a->eye, b->eye, sizeof a->eye) == 0 &&
+           a->y_extent == b->y_extent && a->near == b->near && a->far == b->far &&
+           memcmp(a->eye, b->eye, sizeof a->eye) == 0 &&
            memcmp(a->right, b->right, sizeof a->right) == 0 &&
            memcmp(a->up, b->up, sizeof a->up) == 0 &&
            memcmp(a->forward, b->forward, sizeof a->forward) == 0;
@@ -26,8 +27,11 @@ void camera_place(struct camera *camera, const struct scene *scene, int n, doubl
     const struct scene_camera *source = &scene->cameras[scene->nodes[node].camera];
     float world[16];
     node_world(scene, node, time, world);
-    *camera = (struct camera){
-        .orthographic = source->orthographic, .fov_y = source->fov_y, .y_extent = source->y_extent};
+    *camera = (struct camera){.orthographic = source->orthographic,
+                              .fov_y = source->fov_y,
+                              .y_extent = source->y_extent,
+                              .near = source->near,
+                              .far = source->far};
     memcpy(camera->eye, &world[12], sizeof camera->eye);
     node_frame(world, camera->right, camera->up, camera->forward);
 }

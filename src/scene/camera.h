@@ -10,6 +10,8 @@ struct camera {
     float right[3], up[3], forward[3]; /* orthonormal; forward is where it looks */
     float fov_y;                       /* radians, vertical */
     float y_extent;                    /* orthographic: half the height, metres */
+    float near,
+        far; /* what lies nearer or farther along forward is not seen, metres; far 0 = no end */
 };
 
 /* Places the scene's n-th camera node. Asserts that there is one. */

@@ -4,6 +4,7 @@
 #include "scene/node.h"
 
 #include <cglm/cglm.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -65,6 +66,7 @@ static void place(struct emitter *emitter, const struct scene_light *source, int
                                 .number = n,
                                 .cos_inner = cosf(source->inner),
                                 .cos_outer = cosf(source->outer),
+                                .range = isfinite(source->range) ? source->range : 0,
                                 .lamp = source->lamp,
                                 .stands_in = source->stands_in};
     memcpy(emitter->intensity, source->intensity, sizeof emitter->intensity);
@@ -301,6 +303,13 @@ float emitter_cone(const struct emitter *emitter, float cos_angle) {
     float width = falloff_width(emitter);
     float falloff = glm_clamp((cos_angle - emitter->cos_outer) / width, 0, 1);
     return falloff * falloff;
+}
+
+float emitter_in_range(const struct emitter *emitter, float distance) {
+    if (emitter->range <= 0 || emitter->type == EMITTER_DIRECTIONAL)
+        return 1;
+    float part = distance / emitter->range, part2 = part * part;
+    return fmaxf(1 - part2 * part2, 0);
 }
 
 double emitter_solid_angle(const struct emitter *emitter) {

@@ -23,7 +23,8 @@ struct emitter {
     float direction[3];         /* unit: where it shines */
     float right[3], up[3];      /* with -direction a right-handed orthonormal frame */
     float cos_inner, cos_outer; /* spot */
-    int lamp, stands_in;        /* as struct scene_light has them */
+    float range;         /* where its light ends, m, as of KHR_lights_punctual; 0 = nowhere */
+    int lamp, stands_in; /* as struct scene_light has them */
 };
 
 enum emitter_shape {
@@ -88,11 +89,15 @@ bool emitter_meet(const struct emitter *emitter, const float origin[3], const fl
  * cosine; 1 for the other types. */
 float emitter_cone(const struct emitter *emitter, float cos_angle);
 
+/* What is left at so many metres from it of the light that would come to there, in [0, 1]: 1 - (distance / range)^4, as
+ * KHR_lights_punctual recommends; 1 without a range. */
+float emitter_in_range(const struct emitter *emitter, float distance);
+
 /* Solid angle the light shines into, steradians: 2 pi (1 - cos outer) for a spot, 4 pi for a point,
  * 2 pi for an area light, 0 for a directional light. */
 double emitter_solid_angle(const struct emitter *emitter);
 
-/* Flux of the light, the mean of RGB, W: of a directional light, through the cross section of a
+/* Flux of the light, the mean of RGB, W, however far it comes: of a directional light, through the cross section of a
  * sphere of that radius, metres. */
 double emitter_flux(const struct emitter *emitter, float radius);
 

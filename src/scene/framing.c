@@ -51,18 +51,28 @@ static int add_light(struct scene *scene, const char *name, int carrier) {
     return node;
 }
 
+static void add_lights(struct framing *framing, struct scene *scene) {
+    int carrier = framing->camera < 0 ? node_carrying(scene, NODE_CAMERA, 0) : -1;
+    framing->light = add_light(scene, "framed spot", carrier);
+    framing->fill = add_light(scene, "framed fill", carrier);
+}
+
 void framing_add(struct framing *framing, struct scene *scene) {
     *framing = (struct framing){-1, -1, -1};
-    int carrier = -1;
-    if (node_count_carrying(scene, NODE_CAMERA))
-        carrier = node_carrying(scene, NODE_CAMERA, 0);
-    else
+    if (!node_count_carrying(scene, NODE_CAMERA))
         framing->camera = add_camera(scene);
     if (node_count_carrying(scene, NODE_LIGHT) || scene->environment)
         return;
-    framing->light = add_light(scene, "framed spot", carrier);
-    framing->fill = add_light(scene, "framed fill", carrier);
+    add_lights(framing, scene);
     log_note("%s: no light, so a spot from above, and a dim one", scene->path);
+}
+
+void framing_add_lights(struct framing *framing, struct scene *scene) {
+    add_lights(framing, scene);
+    log_note(
+        "%s: its own lights leave the picture dark, so a spot from above is added, and a dim one; "
+        "--light picks lights",
+        scene->path);
 }
 
 /* --- places ----------------------------------------------------------------------------------- */

@@ -13,6 +13,10 @@ struct framing {
  * notes it on stderr. The lights hang on a camera that the file brings. */
 void framing_add(struct framing *framing, struct scene *scene);
 
+/* Adds the lights to a scene that has some, which leave it dark (scene/darkness.h), and notes it. Once more
+ * framing_place follows. */
+void framing_add_lights(struct framing *framing, struct scene *scene);
+
 /* Places what was added. The camera sees the whole scene, as far as its clip reaches, from above its
  * front right corner; the spot shines from above over the camera's left shoulder and lights more than
  * that, the dim light comes over the right one. In a room all are inside: the camera at one end of its

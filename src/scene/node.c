@@ -29,7 +29,7 @@ static void local_matrix(const struct node *node, const struct trs *trs, mat4 ma
     memcpy(matrix[3], trs->translation, sizeof trs->translation);
 }
 
-/* The local transforms of all nodes: as the file has them, then as the clip moves them. */
+/* The local transforms of all nodes: as the file has them, then as clips move them. */
 static struct trs *animate(const struct scene *scene, double time) {
     struct trs *locals = mem_alloc((size_t)scene->node_count, sizeof *locals);
     for (int i = 0; i < scene->node_count; i++) {
@@ -38,9 +38,8 @@ static struct trs *animate(const struct scene *scene, double time) {
         memcpy(locals[i].rotation, node->rotation, sizeof node->rotation);
         memcpy(locals[i].scale, node->scale, sizeof node->scale);
     }
-    const struct clip *clip = scene_clip(scene);
-    for (int i = 0; clip && i < clip->channel_count; i++) {
-        const struct channel *channel = &clip->channels[i];
+    const struct channel *channel;
+    for (struct channel_place place = {0}; (channel = scene_next_channel(scene, &place));) {
         struct trs *local = &locals[channel->node];
         float *const fields[] = {local->translation, local->rotation, local->scale};
         if (channel->path != CHANNEL_WEIGHTS)

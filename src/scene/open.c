@@ -1,27 +1,39 @@
 #include "scene/open.h"
 
-#include "scene/animation.h"
 #include "scene/brightness.h"
+#include "scene/camera_range.h"
+#include "scene/clips.h"
+#include "scene/darkness.h"
 #include "scene/framing.h"
 #include "scene/recentre.h"
+
+static bool lay_out_anew(struct scene *scene, struct geometry *geometry) {
+    geometry_free(geometry);
+    return geometry_init(geometry, scene, 0);
+}
 
 static bool lay_out(struct scene *scene, struct geometry *geometry) {
     struct framing framing;
     framing_add(&framing, scene);
-    if (!geometry_init(geometry, scene, 0))
+    if (!geometry_init(geometry, scene, 0) ||
+        (scene_recentre(scene, geometry) && !lay_out_anew(scene, geometry)))
         return false;
-    if (scene_recentre(scene, geometry)) {
-        geometry_free(geometry);
-        if (!geometry_init(geometry, scene, 0))
-            return false;
-    }
     framing_place(&framing, scene, geometry);
+    scene_check_ranges(scene, geometry);
+    if (scene_is_dark(scene, geometry)) { /* geometry knows how many nodes there are */
+        framing_add_lights(&framing, scene);
+        if (!lay_out_anew(scene, geometry))
+            return false;
+        framing_place(&framing, scene, geometry);
+    }
     scene_note_brightness(scene, geometry);
     return true;
 }
 
 static bool change(struct scene *scene, const struct scene_open_desc *desc) {
-    return !desc || ((!desc->clip || scene_select_clip(scene, desc->clip)) &&
+    if (!desc || !desc->clip)
+        clips_note_left_out(scene);
+    return !desc || ((!desc->clip || clips_select(scene, desc->clip)) &&
                      environment_follow(&scene->environment, &desc->environment));
 }
 

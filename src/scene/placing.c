@@ -31,6 +31,8 @@ static const struct word camera_words[] = {
     {"right", offsetof(struct camera, right), 3, NULL},
     {"fov", offsetof(struct camera, fov_y), 1, NULL},
     {"extent", offsetof(struct camera, y_extent), 1, NULL},
+    {"near", offsetof(struct camera, near), 1, NULL},
+    {"far", offsetof(struct camera, far), 1, NULL},
     {NULL, 0, 0, NULL},
 };
 
@@ -42,6 +44,7 @@ static const struct word emitter_words[] = {
     {"intensity", offsetof(struct emitter, intensity), 3, NULL},
     {"size", offsetof(struct emitter, size), 2, NULL},
     {"cone", offsetof(struct emitter, cos_inner), 2, NULL},
+    {"range", offsetof(struct emitter, range), 1, NULL},
     {"type", offsetof(struct emitter, type), 1, emitter_type_names},
     {NULL, 0, 0, NULL},
 };
@@ -230,6 +233,8 @@ static bool check_changes(const struct emitter *changes) {
     double inner = (double)changes->cos_inner, outer = (double)changes->cos_outer;
     if (size[0] < 0 || size[1] < 0)
         return error_set("size=%g,%g: less than none", (double)size[0], (double)size[1]);
+    if (changes->range < 0)
+        return error_set("range=%g: less than none", (double)changes->range);
     for (int c = 0; c < 3; c++)
         if (!(intensity[c] >= 0 && intensity[c] <= SCENE_LIGHT_MOST))
             return error_set("intensity=%g,%g,%g: it is negative or above %g", (double)intensity[0],

@@ -36,7 +36,7 @@ void pose_free(struct pose *pose) {
     *pose = (struct pose){0};
 }
 
-/* As the file has them, then as the clip moves them. */
+/* As the file has them, then as clips move them. */
 static void set_weights(struct pose *pose, const struct scene *scene) {
     for (int i = 0; i < scene->node_count; i++) {
         const struct node *node = &scene->nodes[i];
@@ -45,12 +45,10 @@ static void set_weights(struct pose *pose, const struct scene *scene) {
                    node->weights ? node->weights : scene->meshes[node->mesh].weights,
                    (size_t)node_targets(scene, i) * sizeof *pose->weights);
     }
-    const struct clip *clip = scene_clip(scene);
-    for (int i = 0; clip && i < clip->channel_count; i++) {
-        const struct channel *channel = &clip->channels[i];
+    const struct channel *channel;
+    for (struct channel_place place = {0}; (channel = scene_next_channel(scene, &place));)
         if (channel->path == CHANNEL_WEIGHTS)
             channel_sample(channel, pose->time, pose->weights + pose->first_weight[channel->node]);
-    }
 }
 
 bool pose_set(struct pose *pose, const struct scene *scene, double time) {

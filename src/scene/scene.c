@@ -65,6 +65,7 @@ void scene_free(struct scene *scene) {
     free(scene->skins);
     free(scene->metaballs);
     free(scene->clips);
+    free(scene->playing);
     free(scene->nodes);
     free(scene->meshes);
     free(scene->materials);

@@ -113,8 +113,8 @@ struct scene_light {
     float intensity[3]; /* colour x intensity: W/sr; W/m2 for a directional light, W/(sr m2) for an
                            area light */
     float inner, outer; /* spot: half angles of the cone, radians */
-    float range;   /* where the file lets it be cut off, m, which it is not; infinite: nowhere */
-    float size[2]; /* as struct emitter has it */
+    float range;        /* where its light ends, m; infinite: nowhere */
+    float size[2];      /* as struct emitter has it */
     enum light_scaling scaling;
     int lamp;       /* of emissive surfaces that it is; 0 = none */
     bool stands_in; /* it is what they are like from afar, with others */
@@ -129,8 +129,9 @@ struct emissive_surface {
 struct scene_camera {
     char name[SCENE_NAME_SIZE];
     bool orthographic;
-    float fov_y;    /* perspective: radians */
-    float y_extent; /* orthographic: half the height, metres */
+    float fov_y;     /* perspective: radians */
+    float y_extent;  /* orthographic: half the height, metres */
+    float near, far; /* znear and zfar, metres; far 0 = no end */
 };
 
 struct node {
@@ -185,7 +186,10 @@ struct scene {
     int skin_count, metaballs_count, clip_count, file_count;
     int point_primitives, line_primitives; /* of the file, which are not drawn */
     struct environment *environment; /* scene/environment.h; NULL = none */
-    int clip; /* the one that plays, where there are any; the first after loading */
+    int *playing; /* the clips that play, in the order in which they act: scene/clips.h */
+    int playing_count;
+    bool plays_default; /* they were not chosen */
+    int clip_choice;    /* another number after each choice */
 };
 
 /* Reads what a .gltf or .glb file holds; scene/open.h makes it ready to be shown. Error: names file, object and reason; the scene is then zeroed. */

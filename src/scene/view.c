@@ -215,6 +215,9 @@ static struct light light_of(const struct emitter *emitter, const struct view *f
         .height = emitter->size[1],
         .extent = (float)emitter_extent(emitter),
         .map_unit = directional ? first->far : farthest(emitter->position, geometry),
+        .range_inverse2 = directional || emitter->range <= 0
+                              ? 0
+                              : fminf(1 / (emitter->range * emitter->range), 1e30f),
     };
     for (int c = 0; c < 3; c++) {
         light.intensity[c] = emitter->intensity[c];

@@ -10,7 +10,7 @@ static bool same(const struct session *a, const struct session *b) {
     while (settings_next(&a->settings, &setting))
         if (!setting_equal(&setting, &a->settings, &b->settings))
             return false;
-    return a->technique == b->technique && a->layer == b->layer && a->clip == b->clip &&
+    return a->technique == b->technique && a->layer == b->layer && strcmp(a->clip, b->clip) == 0 &&
            a->time == b->time && strcmp(a->camera, b->camera) == 0 &&
            strcmp(a->lights, b->lights) == 0;
 }

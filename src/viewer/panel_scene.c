@@ -3,6 +3,7 @@
 
 #include "metrics/colour.h"
 #include "scene/animation.h"
+#include "scene/clips.h"
 #include "scene/node.h"
 #include "viewer/window/ui.h"
 
@@ -27,16 +28,32 @@ static bool draw_node_choice(const struct ui_row *row, const struct scene *scene
     return result != UI_NOTHING;
 }
 
-/* Clips are few, and told apart by their names. */
+/* Which of the rows below is chosen; after the last where several clips were chosen. */
+static int chosen_row(const struct scene *scene, int together) {
+    if (scene->plays_default && together)
+        return 0;
+    return scene->playing_count == 1 ? together + scene->playing[0] : together + scene->clip_count;
+}
+
+/* Clips are few, and told apart by their names. First come all that go together, where there are several. */
 static void draw_clip(struct viewer *viewer) {
     const struct scene *scene = &viewer->document.scene;
     const char *names[NAMES_MAX];
-    int clip = scene->clip, count = scene->clip_count < NAMES_MAX ? scene->clip_count : NAMES_MAX;
-    for (int i = 0; i < count; i++)
-        names[i] = *scene->clips[i].name ? scene->clips[i].name : "without a name";
+    char text[CLIPS_TEXT_SIZE] = "";
+    int together = clips_default_count(scene) > 1, count = together;
+    names[0] = "all together";
+    for (int i = 0; i < scene->clip_count && count < NAMES_MAX - 1; i++)
+        names[count++] = *scene->clips[i].name ? scene->clips[i].name : "without a name";
+    int before = chosen_row(scene, together), row_number = before;
+    if (before >= count)
+        names[before = row_number = count++] = "several";
     struct ui_row row = {.name = "clip", .help = "animation of the scene"};
-    if (count > 0 && ui_choice(&row, &clip, names, count) && clip != scene->clip)
-        viewer_pick_clip(viewer, clip);
+    if (scene->clip_count == 0 || !ui_choice(&row, &row_number, names, count) ||
+        row_number == before)
+        return;
+    if (row_number >= together)
+        snprintf(text, sizeof text, "%d", row_number - together);
+    viewer_pick_clips(viewer, text);
 }
 
 static void draw_animation(struct viewer *viewer) {

@@ -337,7 +337,7 @@ static void compose(struct viewer *viewer) {
 /* Scene, camera, time and lights as text. */
 static char *view_text(const struct viewer *viewer) {
     struct session session = viewer_session(viewer);
-    char *text = mem_printf("%s|%d|%.9g|%s|%s", session.scene, session.clip, (double)session.time,
+    char *text = mem_printf("%s|%s|%.9g|%s|%s", session.scene, session.clip, (double)session.time,
                             session.camera, session.lights);
     session_free(&session);
     return text;

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "scene/animation.h"
+#include "scene/clips.h"
 #include "scene/placing.h"
 
 #include <math.h>
@@ -44,11 +45,14 @@ static bool init_renderer(struct viewer *viewer, struct renderer *renderer) {
     return renderer_init(renderer, &desc);
 }
 
-/* The renderer is made anew, as one that begins with this clip would be. */
-void viewer_pick_clip(struct viewer *viewer, int n) {
+/* The renderer is made anew, as one that begins with these clips would be. */
+void viewer_pick_clips(struct viewer *viewer, const char *text) {
     struct document *document = &viewer->document;
     struct renderer fresh;
-    document->scene.clip = n;
+    if (!clips_select(&document->scene, text)) {
+        viewer_tell_error(viewer);
+        return;
+    }
     viewer->placed.time = 0;
     viewer->placed.posed_time = -1;
     viewer_animate(viewer, 0);
@@ -135,7 +139,7 @@ void viewer_close_scene(struct viewer *viewer) {
 static bool place_as_told(struct viewer *viewer) {
     struct viewer_desc *desc = &viewer->desc;
     struct document *document = &viewer->document;
-    bool ok = !desc->clip || (scene_select_clip(&document->scene, desc->clip) &&
+    bool ok = !desc->clip || (clips_select(&document->scene, desc->clip) &&
                               geometry_pose(&document->geometry, &document->scene, 0));
     viewer_go_to(viewer, (double)desc->time);
     return place(viewer, desc->camera, desc->light) && ok;
@@ -247,9 +251,9 @@ struct session viewer_session(const struct viewer *viewer) {
         .technique = viewer->wish.technique,
         .settings = viewer->wish.settings,
         .layer = viewer->shown.layer,
-        .clip = scene->clip,
         .time = (float)viewer->placed.time,
     };
+    clips_to_text(scene, session.clip);
     viewer_full_size(viewer, &session.width, &session.height);
     camera_to_text(&viewer->placed.orbit.camera, scene, viewer->placed.camera_number,
                    viewer->placed.time, session.camera);
@@ -264,9 +268,10 @@ bool viewer_show_session(struct viewer *viewer, const struct session *session) {
     viewer->wish.settings = session->settings;
     viewer->shown.layer = session->layer;
     viewer->wish.play.on = false;
-    if (session->clip < viewer->document.scene.clip_count &&
-        session->clip != viewer->document.scene.clip)
-        viewer_pick_clip(viewer, session->clip);
+    char clips[CLIPS_TEXT_SIZE];
+    clips_to_text(&viewer->document.scene, clips);
+    if (strcmp(session->clip, clips) != 0)
+        viewer_pick_clips(viewer, session->clip);
     viewer_go_to(viewer, (double)session->time);
     viewer->shown.recompose = true;
     return place(viewer, session->camera, session->lights);

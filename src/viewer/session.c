@@ -15,7 +15,6 @@
 /* What a session has beside settings and placings. */
 static const struct option session_table[] = {
     {"layer", 0, OPTION_CHOICE, offsetof(struct session, layer), .choices = shown_layer_names},
-    {"clip", 0, OPTION_INT, offsetof(struct session, clip), 0, 0, 1e6, .help = NULL},
     {"time", 0, OPTION_FLOAT, offsetof(struct session, time), 0, 0, 1e6, .help = NULL},
     {NULL},
 };
@@ -38,7 +37,7 @@ int session_bounces(const struct session *session) {
 }
 
 bool session_same_view(const struct session *a, const struct session *b) {
-    return a->width == b->width && a->height == b->height && a->clip == b->clip &&
+    return a->width == b->width && a->height == b->height && strcmp(a->clip, b->clip) == 0 &&
            a->time == b->time && session_bounces(a) == session_bounces(b) &&
            strcmp(a->camera, b->camera) == 0 && strcmp(a->lights, b->lights) == 0;
 }
@@ -110,6 +109,8 @@ char *session_command(const struct session *session) {
     }
     append_quoted(&text, "--camera", session->camera);
     append_quoted(&text, "--light", session->lights);
+    if (*session->clip)
+        append_quoted(&text, "--clip", session->clip);
     if (session->environment)
         append_environment(&text, session->environment);
     append(&text, mem_strdup(" -o picture.png"));
@@ -137,8 +138,10 @@ bool session_save(const struct session *session, const char *path) {
     if (session->scene && !output_file_is_not(path, session->scene))
         return false;
     output_text_init(&text);
-    fprintf(text.stream, "# manylight view: settings\ntechnique = %s\ncamera = %s\nlight = %s\n",
-            session->technique->name, session->camera, session->lights);
+    fprintf(text.stream,
+            "# manylight view: settings\ntechnique = %s\ncamera = %s\nlight = %s\nclip = %s\n",
+            session->technique->name, session->camera, session->lights,
+            *session->clip ? session->clip : "all");
     for (int i = 0; i < SESSION_VIEWS; i++)
         if (*session->views[i])
             fprintf(text.stream, "view%d = %s\n", i + 1, session->views[i]);
@@ -173,6 +176,9 @@ static bool read_line(struct session *session, char *line) {
         return snprintf(session->views[view], sizeof session->views[view], "%s", value) > 0;
     if (strcmp(line, "camera") == 0)
         return snprintf(session->camera, sizeof session->camera, "%s", value) > 0;
+    if (strcmp(line, "clip") == 0)
+        return snprintf(session->clip, sizeof session->clip, "%s",
+                        strcmp(value, "all") == 0 ? "" : value) >= 0;
     if (strcmp(line, "light") == 0) {
         free(session->lights);
         session->lights = mem_strdup(value);
@@ -195,6 +201,7 @@ bool session_load(struct session *session, const char *path) {
     struct session read = *session;
     read.lights = mem_strdup(session->lights);
     memset(read.views, 0, sizeof read.views);
+    memset(read.clip, 0, sizeof read.clip);
     options_set_defaults(session_table, &read);
     read.technique = technique_default;
     renderer_settings_init(&read.settings);

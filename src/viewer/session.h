@@ -4,6 +4,7 @@
 #define VIEWER_SESSION_H
 
 #include "renderer/settings.h"
+#include "scene/clips.h"
 #include "scene/placing.h"
 
 #include <stdbool.h>
@@ -16,9 +17,9 @@ struct session {
     int width, height;
     const struct technique *technique;
     struct settings settings;
-    int layer;  /* that is shown: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
-    int clip;   /* number of the animation */
-    float time; /* of it, seconds */
+    int layer;                  /* that is shown: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
+    float time;                 /* of the animation, seconds */
+    char clip[CLIPS_TEXT_SIZE]; /* those that play, as scene/clips.h has it; "" = the default */
     char camera[PLACING_TEXT_SIZE];
     char views[SESSION_VIEWS][PLACING_TEXT_SIZE]; /* cameras that were kept; "" = none */
     char *lights;

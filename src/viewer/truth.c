@@ -75,9 +75,7 @@ static bool trace_stage(struct truth *truth, const struct stage *stage) {
 }
 
 static bool trace(struct truth *truth) {
-    char clip[16];
     struct stage stage;
-    snprintf(clip, sizeof clip, "%d", truth->clip);
     struct stage_desc desc = {
         .path = truth->scene,
         .camera = truth->camera,
@@ -85,7 +83,7 @@ static bool trace(struct truth *truth) {
         .environment = {truth->environment, truth->turn, truth->strength},
         .time = truth->time,
     };
-    desc.clip = truth->clip > 0 ? clip : NULL;
+    desc.clip = *truth->clip ? truth->clip : NULL;
     if (!stage_init(&stage, &desc))
         return false;
     bool ok = trace_stage(truth, &stage);
@@ -112,7 +110,6 @@ static void tell_view(struct truth *truth, const struct truth_view *view) {
         .scene = mem_strdup(session->scene),
         .camera = mem_strdup(session->camera),
         .lights = mem_strdup(session->lights),
-        .clip = session->clip,
         .time = session->time,
         .width = session->width,
         .height = session->height,
@@ -120,6 +117,7 @@ static void tell_view(struct truth *truth, const struct truth_view *view) {
         .noise = view->noise,
         .wake = view->wake,
     };
+    memcpy(truth->clip, session->clip, sizeof truth->clip);
     if (environment) {
         truth->environment = mem_strdup(environment->path);
         truth->turn = environment->turn;

@@ -25,7 +25,8 @@ struct truth {
     atomic_bool cancelled;
     char *scene, *camera, *lights, *environment; /* the view */
     float turn, strength, time;
-    int clip, bounces, width, height;
+    char clip[CLIPS_TEXT_SIZE];
+    int bounces, width, height;
     double noise;       /* to be reached */
     void (*wake)(void); /* called on the thread when there is something new */
 

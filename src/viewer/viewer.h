@@ -40,7 +40,7 @@ struct viewer_desc {
     const struct text_list *given; /* those of them that the budget leaves alone; NULL = none */
     float budget;                  /* that a frame may take, ms; 0 = whatever it takes */
     const char *camera, *light;    /* as scene/placing.h has it; NULL = the first, and all */
-    const char *clip;              /* name or number; NULL = the first */
+    const char *clip;              /* as scene/clips.h has it; NULL = the default */
     struct environment_desc environment;
     float time;            /* of the animation, seconds */
     int layer;             /* to show: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
@@ -308,8 +308,8 @@ bool viewer_is_opening(const struct viewer *viewer);
 void viewer_pick_camera(struct viewer *viewer, int n);
 bool viewer_place_camera(struct viewer *viewer, const char *text);
 
-/* Begins the scene's n-th clip. */
-void viewer_pick_clip(struct viewer *viewer, int n);
+/* Begins the clips of that text (scene/clips.h). */
+void viewer_pick_clips(struct viewer *viewer, const char *text);
 
 /* Lets the scene go, which cannot be drawn any more. */
 void viewer_close_scene(struct viewer *viewer);

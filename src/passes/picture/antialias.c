@@ -168,6 +168,7 @@ static void render_samples(const struct antialias_pass *pass, const struct frame
         .depth = PASS_DEPTH_GREATER,
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
+    frame_cut_by_range(frame, &state);
     pass_begin(frame->timers, &state);
     framebuffer_clear_depth(pass->sample_framebuffer, 0);
     /* Layers are moved by half a pixel at most. */
@@ -181,6 +182,7 @@ static void render_samples(const struct antialias_pass *pass, const struct frame
     if (frame->scene->has_masked) {
         state.cull = PASS_CULL_NONE;
         state.program = pass->masked_program;
+        frame_cut_by_range(frame, &state);
         pass_set_state(&state);
         scene_gpu_draw_masked(frame->scene, &views);
     }

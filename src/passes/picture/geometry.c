@@ -56,11 +56,11 @@ static void render(struct pass_state state, const struct frame *frame,
 
 void geometry_pass_render_camera(const struct geometry_pass *pass, const struct frame *frame,
                                  const struct gbuffer *gbuffer) {
+    struct pass_state state = {
+        .name = "gbuffer", .program = pass->camera_program, .blocks = {{BLOCK_VIEW, frame->view}}};
+    frame_cut_by_range(frame, &state);
     timer_begin(frame->timers, "gbuffer");
-    render((struct pass_state){.name = "gbuffer",
-                               .program = pass->camera_program,
-                               .blocks = {{BLOCK_VIEW, frame->view}}},
-           frame, gbuffer, frame_camera_views(frame, 1, 0));
+    render(state, frame, gbuffer, frame_camera_views(frame, 1, 0));
     timer_end(frame->timers);
 }
 

@@ -145,6 +145,7 @@ bool emission_reach(const struct emission *emission, int n, vec2s place, const s
     float density;                         /* of light rays across the beam, 1/m2 */
     float weight = 1;                      /* of the place */
     float solid_angle = 1;                 /* of a unit of its extent */
+    float in_range = 1;
     if (light.type == EMITTER_DIRECTIONAL) {
         density = 1 / cross_section(emission);
     } else {
@@ -156,6 +157,7 @@ bool emission_reach(const struct emission *emission, int n, vec2s place, const s
         cos_axis = glms_vec3_dot(path, to_light) / distance;
         to_light = glms_vec3_scale(path, 1 / distance);
         strength = emitter_cone(&light, cos_axis) / (distance * distance);
+        in_range = emitter_in_range(&light, distance);
         density = ray_density(&light, source, strength, distance);
         if (source->kind == SOURCE_SURFACES)
             picked *= (double)(distance * distance / cos_axis);
@@ -166,11 +168,11 @@ bool emission_reach(const struct emission *emission, int n, vec2s place, const s
     }
     float cos_shading = glms_vec3_dot(hit->normal, to_light);
     float cos_geometric = glms_vec3_dot(hit->geometric_normal, to_light);
-    if (strength <= 0 || cos_shading <= 0 || cos_geometric <= 0)
+    if (strength * in_range <= 0 || cos_shading <= 0 || cos_geometric <= 0)
         return false;
     arrival->at = glms_vec3_add(hit->position, glms_vec3_scale(to_light, distance));
     arrival->irradiance =
-        glms_vec3_scale(vector_of(light.intensity), weight * strength * cos_shading);
+        glms_vec3_scale(vector_of(light.intensity), weight * strength * in_range * cos_shading);
     arrival->density = weight * density * cos_geometric * source->share;
     arrival->direction = to_light;
     arrival->picked = source->kind == SOURCE_LIGHT

@@ -137,11 +137,12 @@ static struct RTCRay make_ray(vec3s origin, vec3s direction, float length) {
     };
 }
 
-static bool trace(const struct ray_scene *rays, vec3s origin, vec3s direction,
+static bool trace(const struct ray_scene *rays, vec3s origin, vec3s direction, const float ends[2],
                   RTCFilterFunctionN filter, struct hit *hit) {
     struct ray_context context = make_context(rays, filter);
-    struct RTCRayHit query = {.ray = make_ray(origin, direction, INFINITY),
+    struct RTCRayHit query = {.ray = make_ray(origin, direction, ends[1]),
                               .hit.geomID = RTC_INVALID_GEOMETRY_ID};
+    query.ray.tnear = ends[0];
     rtcIntersect1(rays->scene, &context.embree, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
         return false;
@@ -151,12 +152,12 @@ static bool trace(const struct ray_scene *rays, vec3s origin, vec3s direction,
 }
 
 bool ray_scene_hit(const struct ray_scene *rays, vec3s origin, vec3s direction, struct hit *hit) {
-    return trace(rays, origin, direction, NULL, hit);
+    return trace(rays, origin, direction, (float[]){0, INFINITY}, NULL, hit);
 }
 
 bool ray_scene_camera_hit(const struct ray_scene *rays, vec3s origin, vec3s direction,
-                          struct hit *hit) {
-    return trace(rays, origin, direction, let_pass_hidden, hit);
+                          const float ends[2], struct hit *hit) {
+    return trace(rays, origin, direction, ends, let_pass_hidden, hit);
 }
 
 bool ray_scene_visible(const struct ray_scene *rays, vec3s from, vec3s to) {

@@ -28,9 +28,9 @@ void ray_scene_free(struct ray_scene *rays);
  * below. */
 bool ray_scene_hit(const struct ray_scene *rays, vec3s origin, vec3s direction, struct hit *hit);
 
-/* The same for a ray of the camera. */
+/* The same for a ray of the camera, which sees from one distance to another. */
 bool ray_scene_camera_hit(const struct ray_scene *rays, vec3s origin, vec3s direction,
-                          struct hit *hit);
+                          const float ends[2], struct hit *hit);
 
 /* Whether nothing lies between two points. */
 bool ray_scene_visible(const struct ray_scene *rays, vec3s from, vec3s to);

@@ -3,6 +3,7 @@
 
 extern "C" {
 #include "scene/animation.h"
+#include "scene/clips.h"
 }
 
 #include <cmath>
@@ -134,6 +135,7 @@ bool load_clips(Loader &loader) {
     for (size_t i = 0; i < from.size(); i++)
         if (!load_clip(loader, from[i], i, scene->clips[i]))
             return false;
+    clips_play_default(scene);
     return true;
 }
 

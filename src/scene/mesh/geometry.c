@@ -357,8 +357,8 @@ static bool pose_at(struct geometry *geometry, const struct scene *scene, double
 
 /* --- the clip --------------------------------------------------------------------------------- */
 
-static void empty_span(struct geometry_span *span, int clip) {
-    *span = (struct geometry_span){.clip = clip};
+static void empty_span(struct geometry_span *span, int clip_choice) {
+    *span = (struct geometry_span){.clip_choice = clip_choice};
     glm_vec3_broadcast(FLT_MAX, span->bounds_min);
     glm_vec3_broadcast(-FLT_MAX, span->bounds_max);
 }
@@ -386,7 +386,7 @@ static void add_samples(struct geometry_span *span, struct geometry *sample,
 static void span_clip(struct geometry *geometry, const struct scene *scene) {
     double duration = scene_duration(scene);
     struct geometry sample;
-    empty_span(&geometry->span, scene->clip);
+    empty_span(&geometry->span, scene->clip_choice);
     if (duration <= 0 || !geometry_init_still(&sample, scene, 0))
         return;
     add_samples(&geometry->span, &sample, scene, duration);
@@ -394,7 +394,7 @@ static void span_clip(struct geometry *geometry, const struct scene *scene) {
 }
 
 static bool pose_in_clip(struct geometry *geometry, const struct scene *scene, double time) {
-    if (!geometry->still && geometry->span.clip != scene->clip)
+    if (!geometry->still && geometry->span.clip_choice != scene->clip_choice)
         span_clip(geometry, scene);
     return pose_at(geometry, scene, time);
 }

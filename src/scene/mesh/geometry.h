@@ -38,7 +38,7 @@ struct geometry_balls {
 
 /* What poses throughout a clip take up; empty where nothing moves. */
 struct geometry_span {
-    int clip; /* -1 = none was looked at */
+    int clip_choice; /* the scene's; -1 = none was looked at */
     float bounds_min[3], bounds_max[3], radius;
 };
 
