@@ -53,9 +53,6 @@ int image_find_channel(const struct image *image, const char *name);
  * Y three times); an error that lists the layers there are when one is missing. */
 bool image_find_layer(const struct image *image, const char *layer, int channels[3]);
 
-/* Whether a file of that name holds all layers: EXR alone does. Error: says so. */
-bool image_name_holds_layers(const char *path);
-
 /* The mean of three channels over all pixels. */
 double image_mean(const struct image *image, const int channels[3]);
 

@@ -1,7 +1,7 @@
 #include "metrics/layer.h"
 
 #include "base/error.h"
-#include "base/file/image_file.h"
+#include "base/file/piped_file.h"
 #include "metrics/colour.h"
 
 #include <math.h>
@@ -53,7 +53,7 @@ bool layer_extract_covered(struct image *layer, const struct image *picture, con
 bool layer_read(struct image *layer, const char *path, const char *name, bool *was_encoded) {
     *layer = (struct image){0};
     struct image picture;
-    if (!image_read(&picture, path))
+    if (!piped_image_read(&picture, path))
         return false;
     bool ok = layer_extract(layer, &picture, name) || error_prefix("%s", path);
     *was_encoded = picture.encoded;

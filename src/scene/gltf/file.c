@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char file_no_folder[] = "-";
+
 /* Whether the name is a path downward: not absolute, no URL, no "..". */
 static bool leads_down(const char *name) {
     if (!*name || *name == '/' || *name == '\\' || strchr(name, ':'))
@@ -35,6 +37,12 @@ static const char *shown(char text[80], const char *name) {
 
 char *file_find_named(const char *folder, const char *name) {
     char text[80];
+    if (strcmp(folder, file_no_folder) == 0) {
+        error_set("cannot find '%s': the scene came through a pipe, which has no folder; give the "
+                  "scene's path, or a .glb that holds all",
+                  shown(text, name));
+        return NULL;
+    }
     if (!leads_down(name)) {
         error_set("'%s' is not a path inside the file's folder", shown(text, name));
         return NULL;

@@ -7,6 +7,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* In place of the folder of a scene that came through a pipe: it can name no files. */
+extern const char file_no_folder[];
+
 /* The path of a file that a glTF names by a relative path; free() frees. folder is "" or ends in a slash.
  * A name that leads out of the folder is refused, be it by ".." or by a symbolic link: NULL and an
  * error. */

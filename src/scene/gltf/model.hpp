@@ -9,6 +9,7 @@
 extern "C" {
 #include "base/error.h"
 #include "base/file/image_file.h"
+#include "base/file/piped_file.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "scene/gltf/accessor.h"
@@ -63,7 +64,7 @@ const uint64_t memory_of_file = 64; /* times its size */
 
 struct Loader {
     struct scene *scene;
-    std::string folder; /* "" or ends in a slash */
+    std::string folder; /* "", ends in a slash, or is file_no_folder */
     Model model;
     std::string file_error;               /* why a file that the glTF names was not read */
     std::vector<UvSource> uv_sources;     /* one per material, of all its textures */

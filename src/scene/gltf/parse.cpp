@@ -103,7 +103,7 @@ bool finish_absent(Loader &loader) {
 
 bool parse(Loader &loader, const char *path) {
     OwnedBytes bytes;
-    if (!file_read(&bytes, path))
+    if (!piped_file_read(&bytes, path))
         return false;
     if (bytes.size == 0)
         return error_set("%s: the file is empty", path);
