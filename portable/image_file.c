@@ -22,9 +22,43 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool has_extension(const char *path, const char *extension) {
+/* Of names that do not tell theirs; "" = none. */
+static const char *extension_of_others = "";
+
+static const char *own_extension(const char *path) {
+    static const char *const known[] = {"pfm", "png"};
     const char *dot = strrchr(path, '.');
-    return dot && strcmp(dot + 1, extension) == 0;
+    for (size_t i = 0; dot && i < sizeof known / sizeof *known; i++)
+        if (strcmp(dot + 1, known[i]) == 0)
+            return known[i];
+    return NULL;
+}
+
+static bool has_extension(const char *path, const char *extension) {
+    const char *own = own_extension(path);
+    return strcmp(own ? own : extension_of_others, extension) == 0;
+}
+
+bool image_name_tells_format(const char *path) {
+    return own_extension(path) != NULL;
+}
+
+bool image_set_format_of_others(const char *extension) {
+    char *name = mem_printf(".%s", extension);
+    const char *known = own_extension(name);
+    free(name);
+    if (!known)
+        return error_set("format: '%s' is neither pfm nor png", extension);
+    extension_of_others = known;
+    return true;
+}
+
+bool image_format_has_alpha(const char *path) {
+    return has_extension(path, "png") || error_set("%s: of this build .png alone has alpha", path);
+}
+
+bool image_name_holds_layers(const char *path) {
+    return error_set("%s: only EXR files hold all layers, which this build does not write", path);
 }
 
 bool image_format_is_float(const char *path, bool *is_float) {
@@ -55,18 +89,27 @@ bool image_write(const struct image *image, const char *path) {
     return ok;
 }
 
-bool bitmap_write(const struct bitmap *bitmap, const char *path) {
-    size_t count = (size_t)bitmap->width * (size_t)bitmap->height;
-    unsigned char *rgb = mem_alloc(count, 3);
+static bool write_bitmap(const struct bitmap *bitmap, const char *path, int channels) {
+    size_t count = (size_t)bitmap->width * (size_t)bitmap->height, step = (size_t)channels;
+    unsigned char *pixels = mem_alloc(count, step);
     for (size_t i = 0; i < count; i++)
-        memcpy(rgb + 3 * i, bitmap->rgba + 4 * i, 3);
+        memcpy(pixels + step * i, bitmap->rgba + 4 * i, step);
     int size;
-    unsigned char *png = stbi_write_png_to_mem(rgb, 0, bitmap->width, bitmap->height, 3, &size);
+    unsigned char *png =
+        stbi_write_png_to_mem(pixels, 0, bitmap->width, bitmap->height, channels, &size);
     bool ok =
         png ? output_file_write(path, png, (size_t)size) : error_set("%s: cannot be encoded", path);
     STBIW_FREE(png);
-    free(rgb);
+    free(pixels);
     return ok;
+}
+
+bool bitmap_write(const struct bitmap *bitmap, const char *path) {
+    return write_bitmap(bitmap, path, 3);
+}
+
+bool bitmap_write_alpha(const struct bitmap *bitmap, const char *path) {
+    return image_format_has_alpha(path) && write_bitmap(bitmap, path, 4);
 }
 
 static bool read_pfm(FILE *file, struct image *image, const char *path) {

@@ -2,10 +2,12 @@
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/frames.h"
+#include "apps/outputs.h"
 
 #include "base/error.h"
 #include "base/file/image_file.h"
 #include "base/file/output_file.h"
+#include "base/file/piped_file.h"
 #include "base/memory.h"
 
 #include <stdlib.h>
@@ -13,7 +15,7 @@
 
 struct values {
     struct common_values common;
-    const char *output;
+    const char *output, *format;
 };
 
 enum { PICTURES_MAX = 4096 };
@@ -21,6 +23,7 @@ enum { PICTURES_MAX = 4096 };
 static const struct option options[] = {
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE.exr",
      .help = "the picture to write"},
+    FORMAT_OPTION(struct values, format),
     {NULL},
 };
 
@@ -29,7 +32,8 @@ static const struct arguments arguments = {
     .summary =
         "The mean of pictures by manylight render --passes K --first-pass N, each by the weight\n"
         "of its passes: what all passes at once make. A pass that is in two of them is an error.\n"
-        "Light that surfaces receive is weighted by albedo, depth and normal by coverage.",
+        "Light that surfaces receive is weighted by albedo, depth and normal by coverage.\n"
+        "A picture - is standard input; -o - is standard output, with --format exr.",
     .options = options,
     .min_positional = 1,
     .max_positional = PICTURES_MAX,
@@ -142,7 +146,7 @@ static void add_pixels(struct mean *mean, const struct image *image) {
 /* The first picture stays as the mean's. */
 static bool add_file(struct mean *mean, const char *path) {
     struct image image;
-    if (!image_read(&image, path))
+    if (!piped_image_read(&image, path))
         return false;
     bool first = !mean->first.pixels;
     bool ok =
@@ -173,7 +177,8 @@ int app_average(int argc, char **argv) {
         return status;
     if (!values.output)
         error_set("no output: -o FILE.exr");
-    if (!values.output || !image_name_holds_layers(values.output))
+    if (!values.output || !outputs_use_format(&values.output, 1, values.format) ||
+        !image_name_holds_layers(values.output) || !inputs_check(paths, count))
         return arguments_misuse(argv[0]);
     struct mean mean = {0};
     bool ok = output_file_check(values.output, paths, count);

@@ -2,6 +2,7 @@
  * over a threshold. */
 #include "apps/apps.h"
 #include "apps/arguments.h"
+#include "apps/outputs.h"
 
 #include "base/error.h"
 #include "base/file/image_file.h"
@@ -18,7 +19,7 @@
 
 struct values {
     struct common_values common;
-    const char *layer, *reference_layer, *output;
+    const char *layer, *reference_layer, *output, *format;
     struct text_list metrics, bounds;
     float pixels_per_degree, top;
     bool json;
@@ -35,6 +36,7 @@ static const struct option options[] = {
      .help = "exit with 1 when the metric, without its sign, is above, 10% is .1; may be repeated"},
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE",
      .help = "a picture of the error: false colours (PNG ...) or values (EXR ...)"},
+    FORMAT_OPTION(struct values, format),
     {"top", 0, OPTION_FLOAT, offsetof(struct values, top), 0, 0, 1e9,
      .help = "the value at the end of the picture's scale, 0 = by the values"},
     {"ppd", 0, OPTION_FLOAT, offsetof(struct values, pixels_per_degree), DEFAULT_PIXELS_PER_DEGREE,
@@ -70,7 +72,8 @@ static void print_metrics(FILE *out, const void *values) {
 
 static const struct arguments arguments = {
     .synopsis = "TEST REFERENCE [OPTION ...]",
-    .summary = "Measures how much picture TEST differs from picture REFERENCE.",
+    .summary = "Measures how much picture TEST differs from picture REFERENCE. One of them may be\n"
+               "-, standard input. With -o - the table goes to standard error.",
     .options = options,
     .min_positional = 2,
     .max_positional = 2,
@@ -138,6 +141,8 @@ static bool report_init(struct report *report, const struct values *values) {
         if (!ask_bounded(report, values->bounds.items[i]))
             return error_prefix("max");
     bool is_float;
+    if (!outputs_use_format(&values->output, 1, values->format))
+        return false;
     if (values->output && !image_format_is_float(values->output, &is_float))
         return false;
     if (values->output && report->pictured && report->pictured->higher_is_better)
@@ -184,43 +189,43 @@ static bool pictures_read(struct pictures *pictures, const struct values *values
     return check_sizes(pictures);
 }
 
-static void print_table(const struct report *report) {
+static void print_table(FILE *out, const struct report *report) {
     for (int i = 0; i < METRIC_COUNT; i++) {
         const struct measurement *m = &report->measurements[i];
         if (!m->asked)
             continue;
-        printf("%-14s %12.6g", metrics[i].name, m->value);
+        fprintf(out, "%-14s %12.6g", metrics[i].name, m->value);
         if (isfinite(m->bound))
-            printf("  (at most %g)", m->bound);
-        printf("\n");
+            fprintf(out, "  (at most %g)", m->bound);
+        fprintf(out, "\n");
     }
 }
 
-static void print_json(const struct report *report, const struct values *values,
+static void print_json(FILE *out, const struct report *report, const struct values *values,
                        const struct pictures *pictures) {
-    printf("{\"test\": ");
-    json_print_text(stdout, pictures->test_path);
-    printf(", \"reference\": ");
-    json_print_text(stdout, pictures->reference_path);
-    printf(", \"layer\": ");
-    json_print_text(stdout, values->layer ? values->layer : "beauty");
+    fprintf(out, "{\"test\": ");
+    json_print_text(out, pictures->test_path);
+    fprintf(out, ", \"reference\": ");
+    json_print_text(out, pictures->reference_path);
+    fprintf(out, ", \"layer\": ");
+    json_print_text(out, values->layer ? values->layer : "beauty");
     if (values->reference_layer) {
-        printf(", \"reference-layer\": ");
-        json_print_text(stdout, values->reference_layer);
+        fprintf(out, ", \"reference-layer\": ");
+        json_print_text(out, values->reference_layer);
     }
-    printf(", \"width\": %d, \"height\": %d, \"ppd\": ", pictures->test.width,
-           pictures->test.height);
-    json_print_number(stdout, (double)values->pixels_per_degree);
-    printf(", \"metrics\": {");
+    fprintf(out, ", \"width\": %d, \"height\": %d, \"ppd\": ", pictures->test.width,
+            pictures->test.height);
+    json_print_number(out, (double)values->pixels_per_degree);
+    fprintf(out, ", \"metrics\": {");
     const char *separator = "";
     for (int i = 0; i < METRIC_COUNT; i++) {
         if (!report->measurements[i].asked)
             continue;
-        printf("%s\"%s\": ", separator, metrics[i].name);
-        json_print_number(stdout, report->measurements[i].value);
+        fprintf(out, "%s\"%s\": ", separator, metrics[i].name);
+        json_print_number(out, report->measurements[i].value);
         separator = ", ";
     }
-    printf("}}\n");
+    fprintf(out, "}}\n");
 }
 
 static bool write_map(const struct values *values, const struct metric *metric, double value,
@@ -286,10 +291,11 @@ static int compare(const struct values *values, struct report *report, struct pi
         report->pictured = metric_find(kind == METRIC_LDR ? "ldr-flip" : "hdr-flip");
     if (!measure(report, values, pictures))
         return arguments_fail(name);
+    FILE *out = outputs_table_stream(&values->output, 1);
     if (values->json)
-        print_json(report, values, pictures);
+        print_json(out, report, values, pictures);
     else
-        print_table(report);
+        print_table(out, report);
     return check_bounds(report, name);
 }
 
@@ -300,7 +306,7 @@ int app_compare(int argc, char **argv) {
     if (!arguments_parse(&arguments, &values, argc, argv, paths, &path_count, &status))
         return status;
     struct report report;
-    if (!report_init(&report, &values))
+    if (!inputs_check(paths, path_count) || !report_init(&report, &values))
         return arguments_misuse(argv[0]);
     struct pictures pictures = {.test_path = paths[0], .reference_path = paths[1]};
     status = compare(&values, &report, &pictures, argv[0]);

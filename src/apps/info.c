@@ -76,7 +76,8 @@ static bool print_gl(const struct values *values) {
 
 static const struct arguments arguments = {
     .synopsis = "[OPTION ...] [SCENE]",
-    .summary = "Tells what a scene holds; without SCENE, or with --gl, what renders here.",
+    .summary = "Tells what a scene holds; without SCENE, or with --gl, what renders here.\n"
+               "SCENE - is standard input.",
     .options = options,
     .opens_scenes = true,
     .max_positional = 1,

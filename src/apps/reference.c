@@ -3,6 +3,7 @@
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/options.h"
+#include "apps/outputs.h"
 
 #include "base/error.h"
 #include "base/file/image_file.h"
@@ -30,7 +31,7 @@ struct values {
     struct stage_desc stage;
     struct path_tracer_desc tracer;
     struct text_list settings;
-    const char *output;
+    const char *output, *format;
     float noise, tolerance;
     int technique, compensation;
 };
@@ -40,6 +41,7 @@ OPTION_ASSERT_SIZE(struct path_tracer_desc, width, height);
 static const struct option options[] = {
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE.exr",
      .help = "the picture to write"},
+    FORMAT_OPTION(struct values, format),
     {"size", 0, OPTION_SIZE, offsetof(struct values, tracer.width), 800, 1, 16384,
      .help = "of the picture, pixels"},
     {"technique", 0, OPTION_CHOICE, offsetof(struct values, technique),
@@ -97,7 +99,8 @@ static const struct arguments arguments = {
         "surface is glossy there are specular, which is direct.specular and indirect.specular,\n"
         "and its standard_error.specular; the other layers are those of diffuse reflection.\n"
         "Lightcuts have bound, above which the indirect layer is not off the sum of all VPLs,\n"
-        "and nodes, how many lights a pixel took.",
+        "and nodes, how many lights a pixel took.\n"
+        "SCENE - is standard input; -o - is standard output, with --format exr.",
     .options = options,
     .opens_scenes = true,
     .min_positional = 1,
@@ -107,7 +110,8 @@ static const struct arguments arguments = {
 static bool check_values(struct values *values) {
     if (!values->output)
         return error_set("-o FILE.exr is missing");
-    if (!image_name_holds_layers(values->output))
+    if (!outputs_use_format(&values->output, 1, values->format) ||
+        !image_name_holds_layers(values->output))
         return false;
     if (values->noise > 0 && values->tracer.samples > 0)
         return error_set("--spp and --noise exclude each other");

@@ -6,6 +6,7 @@
 #include "apps/in_time.h"
 #include "apps/interrupt.h"
 #include "apps/options.h"
+#include "apps/outputs.h"
 #include "apps/stats.h"
 
 #include "base/error.h"
@@ -31,7 +32,7 @@ struct values {
     struct text_list outputs;
     int size[2];
     int layer;
-    const char *frames, *glsl, *aov;
+    const char *format, *frames, *glsl, *aov;
     int quality, passes, first_pass;
     bool passes_given; /* by --passes, and not by a quality */
     float max_error, budget, fps;
@@ -43,6 +44,7 @@ struct values {
 static const struct option options[] = {
     {"output", 'o', OPTION_LIST, offsetof(struct values, outputs), .value_name = "FILE",
      .help = "picture to write; the extension picks the format; repeatable"},
+    FORMAT_OPTION(struct values, format),
     {"size", 0, OPTION_SIZE, offsetof(struct values, size), 800, 1, 16384,
      .help = "of the picture, pixels"},
     {"quality", 0, OPTION_CHOICE, offsetof(struct values, quality), QUALITY_NORMAL,
@@ -110,7 +112,8 @@ static const struct arguments arguments = {
         "PNG, JPEG and the like get the picture as a display shows it. Each frame depends on its\n"
         "time alone (but with --budget), and its files appear when they are whole, synced and\n"
         "read back: a sequence may be split between processes, killed, and taken up again.\n"
-        "Ctrl-C ends it after the frame at hand, Ctrl-\\ at once.",
+        "Ctrl-C ends it after the frame at hand, Ctrl-\\ at once.\n"
+        "SCENE - is standard input; -o - is standard output, in the format of --format.",
     .options = options,
     .opens_scenes = true,
     .min_positional = 1,
@@ -124,6 +127,9 @@ static bool check_name(const struct values *values, const char *name, int frame_
     bool numbered = frame_name_is_numbered(name);
     if (!image_format_is_float(name, is_float))
         return false;
+    if (output_file_is_stdout(name) && (values->frames || values->skip_existing))
+        return error_set("-o -: standard output takes one picture, without --frames and "
+                         "--skip-existing");
     if (!values->frames && numbered)
         return error_set("%s: '#' stands for the number of a frame, and there is no --frames",
                          name);
@@ -142,6 +148,8 @@ static bool check_outputs(const struct values *values, int frame_count) {
         return error_set("aov: outputs of a technique are of one pass, and not of a mean");
     if (values->outputs.count == 0)
         return error_set("no output: -o FILE");
+    if (!outputs_use_format(values->outputs.items, values->outputs.count, values->format))
+        return false;
     for (int i = 0; i < values->outputs.count; i++) {
         if (!check_name(values, values->outputs.items[i], frame_count, &is_float))
             return false;
@@ -282,19 +290,19 @@ static bool render_frames(struct values *values, const struct frames *frames,
 }
 
 /* Which quality was chosen, and why. */
-static void print_choice(const struct values *values) {
+static void print_choice(FILE *out, const struct values *values) {
     struct quality_choice named = quality_named((enum quality)values->quality);
     char *text = values->budget > 0      ? in_time_describe(&values->in_time)
                  : values->max_error > 0 ? mem_strdup(values->choice)
                                          : quality_describe(&named);
-    printf("chosen ");
+    fprintf(out, "chosen ");
     if (values->budget > 0)
-        printf("by --budget %gms", (double)values->budget);
+        fprintf(out, "by --budget %gms", (double)values->budget);
     else if (values->max_error > 0)
-        printf("by --max-error %g%%", 100 * (double)values->max_error);
+        fprintf(out, "by --max-error %g%%", 100 * (double)values->max_error);
     else
-        printf("by --quality %s", quality_names[values->quality]);
-    printf(": %s\n", text);
+        fprintf(out, "by --quality %s", quality_names[values->quality]);
+    fprintf(out, ": %s\n", text);
     free(text);
 }
 
@@ -305,9 +313,10 @@ static bool render(struct values *values, const struct frames *frames,
         return false;
     bool ok = aov_check(&renderer, values->aov) && render_frames(values, frames, &renderer, stage);
     if (ok && values->stats) {
+        FILE *out = outputs_table_stream(values->outputs.items, values->outputs.count);
         renderer_render(&renderer); /* the first frame also compiled */
-        print_choice(values);
-        stats_print(&renderer);
+        print_choice(out, values);
+        stats_print(out, &renderer);
     }
     renderer_free(&renderer);
     return ok;

@@ -6,33 +6,34 @@
 #include <stdio.h>
 #include <string.h>
 
-static void print_times(struct timers *timers) {
+static void print_times(FILE *out, struct timers *timers) {
     timers_flush(timers);
     double frame = timer_ms(timers, "frame");
     for (int i = 0; i < timers->count; i++) {
         const struct timer_result *result = &timers->results[i];
         const char *slash = strrchr(result->path, '/');
-        printf("  %*s%-*s %9.2f ms %5.1f %%\n", 2 * result->depth, "", 28 - 2 * result->depth,
-               slash ? slash + 1 : result->path, result->ms,
-               frame > 0 ? 100 * result->ms / frame : 0);
+        fprintf(out, "  %*s%-*s %9.2f ms %5.1f %%\n", 2 * result->depth, "", 28 - 2 * result->depth,
+                slash ? slash + 1 : result->path, result->ms,
+                frame > 0 ? 100 * result->ms / frame : 0);
     }
     if (timers->finish)
-        printf("  (software OpenGL: each pass timed with glFinish and the clock)\n");
+        fprintf(out, "  (software OpenGL: each pass timed with glFinish and the clock)\n");
 }
 
-void stats_print(struct renderer *renderer) {
+void stats_print(FILE *out, struct renderer *renderer) {
     struct lights lights;
-    printf("faces  %u\n", geometry_triangle_count(renderer->desc.geometry));
+    fprintf(out, "faces  %u\n", geometry_triangle_count(renderer->desc.geometry));
     if (lights_read(&lights, renderer)) {
-        printf("VPLs   %d, of which %d emit\n", lights.vpl_count, lights.lit);
+        fprintf(out, "VPLs   %d, of which %d emit\n", lights.vpl_count, lights.lit);
         if (lights.val_count)
-            printf("VALs   %d, of which %d in use\n", lights.val_count, lights.used);
+            fprintf(out, "VALs   %d, of which %d in use\n", lights.val_count, lights.used);
         if (lights.area_count)
-            printf("area lights %d, of which %d in use\n", lights.area_count, lights.area_used);
+            fprintf(out, "area lights %d, of which %d in use\n", lights.area_count,
+                    lights.area_used);
         lights_free(&lights);
     }
-    printf("GPU memory\n");
-    gpu_memory_print(stdout);
-    printf("time per pass\n");
-    print_times(&renderer->timers);
+    fprintf(out, "GPU memory\n");
+    gpu_memory_print(out);
+    fprintf(out, "time per pass\n");
+    print_times(out, &renderer->timers);
 }

@@ -4,8 +4,10 @@
 
 #include "renderer/renderer.h"
 
+#include <stdio.h>
+
 /* Faces, VPLs and VALs in use where there are any, GPU memory by object, ms per pass of the last
- * frame, on stdout. */
-void stats_print(struct renderer *renderer);
+ * frame. */
+void stats_print(FILE *out, struct renderer *renderer);
 
 #endif

@@ -2,6 +2,7 @@
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/options.h"
+#include "apps/outputs.h"
 
 #include "base/error.h"
 #include "base/file/image_file.h"
@@ -13,6 +14,7 @@ struct values {
     struct common_values common;
     struct technique_values technique;
     struct viewer_desc viewer;
+    const char *format;
 };
 
 OPTION_ASSERT_SIZE(struct viewer_desc, width, height);
@@ -38,6 +40,7 @@ static const struct option options[] = {
      .help = "render so many frames at the full size and end; 0 = until closed"},
     {"screenshot", 0, OPTION_TEXT, offsetof(struct values, viewer.screenshot), .value_name = "FILE",
      .help = "write the picture after --frames (or the first) and end"},
+    FORMAT_OPTION(struct values, format),
     {"settings", 0, OPTION_TEXT, offsetof(struct values, viewer.session), .value_name = "FILE",
      .help =
          "settings, camera and lights that the panel has saved; they replace --set and the like"},
@@ -65,7 +68,8 @@ static void print_techniques(FILE *out, const void *values) {
 
 static const struct arguments arguments = {
     .synopsis = "[SCENE] [OPTION ...]",
-    .summary = "Shows a glTF scene in a window, rendered live. F1 lists keys and mouse.",
+    .summary = "Shows a glTF scene in a window, rendered live. F1 lists keys and mouse.\n"
+               "SCENE - is standard input.",
     .options = options,
     .opens_scenes = true,
     .max_positional = 1,
@@ -97,6 +101,7 @@ int app_view(int argc, char **argv) {
     bool is_float;
     if (!technique_values_resolve(&values.technique, &desc->technique, &desc->direct,
                                   &desc->settings) ||
+        !outputs_use_format(&screenshot, 1, values.format) ||
         (screenshot && !image_format_is_float(screenshot, &is_float)))
         return arguments_misuse(argv[0]);
     if (desc->budget > 0 && quality_is_preset(desc->given->items, desc->given->count)) {

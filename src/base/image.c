@@ -85,12 +85,6 @@ int image_find_channel(const struct image *image, const char *name) {
     return -1;
 }
 
-bool image_name_holds_layers(const char *path) {
-    const char *extension = strrchr(path, '.');
-    return (extension && strcmp(extension, ".exr") == 0) ||
-           error_set("%s: only EXR files (.exr) hold all layers", path);
-}
-
 double image_mean(const struct image *image, const int channels[3]) {
     double sum = 0;
     for (int y = 0; y < image->height; y++)

@@ -69,9 +69,6 @@ bool image_find_layer(const struct image *image, const char *layer, int channels
  * picture where none is. */
 char *image_layer_note(const struct image *image, const char *layer);
 
-/* Whether a file of that name holds all layers: EXR alone does. Error: says so. */
-bool image_name_holds_layers(const char *path);
-
 /* The mean of three channels over all pixels. */
 double image_mean(const struct image *image, const int channels[3]);
 

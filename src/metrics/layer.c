@@ -1,7 +1,7 @@
 #include "metrics/layer.h"
 
 #include "base/error.h"
-#include "base/file/image_file.h"
+#include "base/file/piped_file.h"
 #include "metrics/colour.h"
 
 #include <math.h>
@@ -59,7 +59,7 @@ bool layer_read(struct image *layer, const char *path, const char *name, bool *w
     *layer = (struct image){0};
     struct image picture;
     int channels[3];
-    if (!image_read_layer(&picture, path, name, channels))
+    if (!piped_image_read_layer(&picture, path, name, channels))
         return false;
     bool ok = extract(layer, &picture, channels) || error_prefix("%s", path);
     *was_encoded = picture.encoded;

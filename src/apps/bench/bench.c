@@ -177,6 +177,8 @@ static bool write_rows(const struct bench *bench, const struct bench_mode *mode)
 
 static bool run(struct bench *bench, const struct bench_mode *mode) {
     const char *csv = bench->values.csv; /* what would be told after hours of measuring only */
+    if (csv && output_file_is_stdout(csv))
+        return error_set("--csv -: standard output has the tables; name a file");
     if (csv && !output_file_check(csv, bench->arguments, bench->argument_count))
         return false;
     struct context_desc desc = bench->values.context;

@@ -24,39 +24,56 @@ const char passes_attribute[] = "manylight:passes", weight_attribute[] = "manyli
 struct format {
     const char *extension, *name;
     bool is_float;
+    bool has_alpha;
     std::string end; /* the last bytes of a whole file, where the decoder does not miss them */
 };
 
 const format formats[] = {
-    {"exr", "openexr", true, ""},
-    {"tif", "tiff", true, ""},
-    {"tiff", "tiff", true, ""},
-    {"pfm", "pnm", true, ""},
-    {"hdr", "hdr", true, ""},
-    {"png", "png", false, "IEND\xAE\x42\x60\x82"},
-    {"jpg", "jpeg", false, ""},
-    {"jpeg", "jpeg", false, ""},
-    {"webp", "webp", false, ""},
-    {"bmp", "bmp", false, ""},
-    {"tga", "targa", false, std::string("TRUEVISION-XFILE.", 18)},
-    {"gif", "gif", false, ";"},
-    {"jp2", "jpeg2000", false, ""},
-    {"ppm", "pnm", false, ""},
-    {"dpx", "dpx", false, ""},
+    {"exr", "openexr", true, true, ""},
+    {"tif", "tiff", true, true, ""},
+    {"tiff", "tiff", true, true, ""},
+    {"pfm", "pnm", true, false, ""},
+    {"hdr", "hdr", true, false, ""},
+    {"png", "png", false, true, "IEND\xAE\x42\x60\x82"},
+    {"jpg", "jpeg", false, false, ""},
+    {"jpeg", "jpeg", false, false, ""},
+    {"webp", "webp", false, true, ""},
+    {"bmp", "bmp", false, false, ""},
+    {"tga", "targa", false, true, std::string("TRUEVISION-XFILE.", 18)},
+    {"gif", "gif", false, false, ";"},
+    {"jp2", "jpeg2000", false, false, ""},
+    {"ppm", "pnm", false, false, ""},
+    {"dpx", "dpx", false, false, ""},
 };
+
+/* NULL: there is none. */
+const format *find_extension(const std::string &extension) {
+    for (const format &f : formats)
+        if (Strutil::iequals(extension, f.extension))
+            return &f;
+    return NULL;
+}
+
+std::string known_extensions() {
+    std::string known;
+    for (const format &f : formats)
+        known += std::string(" .") + f.extension;
+    return known;
+}
+
+/* Of names that do not tell theirs. */
+const format *format_of_others;
 
 /* NULL after an error. */
 const format *find_format(const char *path) {
-    std::string extension = Strutil::lower(Filesystem::extension(path, false));
-    std::string known;
-    for (const format &f : formats) {
-        if (extension == f.extension)
-            return &f;
-        known += std::string(" .") + f.extension;
-    }
-    fail(path, extension.empty()
-                   ? "no extension, so no picture format (try .exr or .png)"
-                   : "unknown picture format '." + extension + "' (known:" + known + ")");
+    std::string extension = Filesystem::extension(path, false);
+    const format *known = find_extension(extension);
+    if (known || format_of_others)
+        return known ? known : format_of_others;
+    fail(path, output_file_is_stdout(path) ? "standard output needs --format, such as png or exr"
+               : extension.empty()         ? "no extension, so no picture format (try .exr or .png)"
+                                           : "unknown picture format '." + extension +
+                                         "' (known:" + known_extensions() + ")");
     return NULL;
 }
 
@@ -204,17 +221,28 @@ extern "C" bool image_write(const struct image *image, const char *path) try {
     return fail(path, error.what());
 }
 
-extern "C" bool bitmap_write(const struct bitmap *bitmap, const char *path) try {
+/* Opaque pictures have no alpha channel, which would only surprise. */
+static bool write_bitmap(const struct bitmap *bitmap, const char *path, int channels) {
     const format *format = find_format(path);
     if (!format)
         return false;
-    /* Our pictures are opaque: an alpha channel would only surprise. */
-    ImageSpec spec(bitmap->width, bitmap->height, 3, TypeDesc::UINT8);
+    ImageSpec spec(bitmap->width, bitmap->height, channels, TypeDesc::UINT8);
     spec.attribute("oiio:ColorSpace", "sRGB");
-    std::vector<unsigned char> rgb(size_t(bitmap->width) * bitmap->height * 3);
-    for (size_t i = 0; i < rgb.size() / 3; i++)
-        memcpy(&rgb[i * 3], &bitmap->rgba[i * 4], 3);
-    return write_pixels(path, format->name, spec, TypeDesc::UINT8, rgb.data());
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    std::vector<unsigned char> pixels(size_t(bitmap->width) * bitmap->height * channels);
+    for (size_t i = 0; i < pixels.size() / channels; i++)
+        memcpy(&pixels[i * channels], &bitmap->rgba[i * 4], channels);
+    return write_pixels(path, format->name, spec, TypeDesc::UINT8, pixels.data());
+}
+
+extern "C" bool bitmap_write(const struct bitmap *bitmap, const char *path) try {
+    return write_bitmap(bitmap, path, 3);
+} catch (const std::exception &error) {
+    return fail(path, error.what());
+}
+
+extern "C" bool bitmap_write_alpha(const struct bitmap *bitmap, const char *path) try {
+    return image_format_has_alpha(path) && write_bitmap(bitmap, path, 4);
 } catch (const std::exception &error) {
     return fail(path, error.what());
 }
@@ -227,6 +255,36 @@ extern "C" bool image_format_is_float(const char *path, bool *is_float) try {
     return true;
 } catch (const std::exception &error) {
     return fail(path, error.what());
+}
+
+extern "C" bool image_format_has_alpha(const char *path) try {
+    const format *format = find_format(path);
+    return format && (format->has_alpha ||
+                      fail(path, std::string("the format ") + format->extension + " has no alpha"));
+} catch (const std::exception &error) {
+    return fail(path, error.what());
+}
+
+extern "C" bool image_name_holds_layers(const char *path) try {
+    const format *format = find_format(path);
+    return format && (strcmp(format->extension, "exr") == 0 ||
+                      fail(path, "only EXR files (.exr) hold all layers"));
+} catch (const std::exception &error) {
+    return fail(path, error.what());
+}
+
+extern "C" bool image_name_tells_format(const char *path) try {
+    return find_extension(Filesystem::extension(path, false)) != nullptr;
+} catch (const std::exception &) {
+    return false;
+}
+
+extern "C" bool image_set_format_of_others(const char *extension) try {
+    format_of_others = find_extension(extension);
+    return format_of_others || error_set("format: '%s' is not one of those known:%s", extension,
+                                         known_extensions().c_str());
+} catch (const std::exception &error) {
+    return error_set("%s", error.what());
 }
 
 /* A picture in memory: the format is told by its content; the name only has to have no known

@@ -28,8 +28,11 @@ bool image_read_layer(struct image *image, const char *path, const char *layer, 
  * decoded again, then written as base/file/output_file.h does. */
 bool image_write(const struct image *image, const char *path);
 
-/* Writes an 8-bit picture (PNG, JPEG, ...). Alpha is dropped where the format has none. */
+/* Writes an 8-bit picture (PNG, JPEG, ...) without its alpha. */
 bool bitmap_write(const struct bitmap *bitmap, const char *path);
+
+/* The same with alpha, by which colours are not multiplied. Error: also of a format without alpha. */
+bool bitmap_write_alpha(const struct bitmap *bitmap, const char *path);
 
 /* Whether the file opens, decodes to its last pixel and ends as its format does. Error: says why
  * not. */
@@ -38,6 +41,17 @@ bool image_is_whole(const char *path);
 /* Whether the extension names a format that stores floats (EXR, PFM, HDR, ...). An error where the
  * extension is missing or unknown; call it before long work. */
 bool image_format_is_float(const char *path, bool *is_float);
+
+/* Whether the format has alpha, and whether it holds all layers, which EXR alone does. Error: says so. */
+bool image_format_has_alpha(const char *path);
+bool image_name_holds_layers(const char *path);
+
+/* Whether the extension is known. */
+bool image_name_tells_format(const char *path);
+
+/* The format, told by its extension, of names that tell none: "-", /dev/fd/63. Error: it is not known. Call it
+ * before threads start. */
+bool image_set_format_of_others(const char *extension);
 
 /* The memory that bitmap_decode takes for the picture, and what draws with it: its texels, and as many
  * with their MIP maps. */

@@ -6,6 +6,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -33,8 +34,14 @@ static bool check_folder(const char *path) {
     return ok;
 }
 
+bool output_file_is_stdout(const char *path) {
+    return strcmp(path, "-") == 0;
+}
+
 bool output_file_is_not(const char *path, const char *input) {
     struct stat output, other;
+    if (output_file_is_stdout(path) || strcmp(input, "-") == 0)
+        return true;
     bool same = stat(path, &output) == 0 && stat(input, &other) == 0 && S_ISREG(output.st_mode) &&
                 output.st_dev == other.st_dev && output.st_ino == other.st_ino;
     return !same || error_set("cannot write %s: it is the input %s", path, input);
@@ -44,6 +51,9 @@ static bool is_writable(const char *path) {
     struct stat status;
     if (!*path)
         return error_set("cannot write a file without a name");
+    if (output_file_is_stdout(path))
+        return !isatty(STDOUT_FILENO) ||
+               error_set("cannot write a file to standard output: it is a terminal");
     bool exists = stat(path, &status) == 0;
     if (!exists && errno != ENOENT)
         return fail(path);
@@ -214,11 +224,28 @@ static bool write_regular(const char *path, const void *bytes, size_t size) {
     return true;
 }
 
+/* A reader that is gone is an error, not a signal that ends the program without a word. */
+static bool write_to_reader(int file, const void *bytes, size_t size) {
+    struct sigaction ignored = {.sa_handler = SIG_IGN}, before;
+    sigaction(SIGPIPE, &ignored, &before);
+    bool ok = write_all(file, bytes, size);
+    int reason = errno;
+    sigaction(SIGPIPE, &before, NULL);
+    errno = reason;
+    return ok;
+}
+
+static bool write_stdout(const void *bytes, size_t size) {
+    return (fflush(stdout) == 0 && write_to_reader(STDOUT_FILENO, bytes, size) &&
+            sync_all(STDOUT_FILENO)) ||
+           fail("standard output");
+}
+
 static bool write_special(const char *path, const void *bytes, size_t size) {
     int file = open(path, O_WRONLY | O_CLOEXEC);
     if (file < 0)
         return false;
-    bool ok = write_all(file, bytes, size);
+    bool ok = write_to_reader(file, bytes, size);
     int reason = errno;
     bool closed = close(file) == 0;
     errno = ok ? errno : reason;
@@ -233,6 +260,8 @@ static bool is_special(const char *path) {
 bool output_file_write(const char *path, const void *bytes, size_t size) {
     if (!is_writable(path))
         return false;
+    if (output_file_is_stdout(path))
+        return write_stdout(bytes, size);
     /* What a link leads to is replaced, not the link. */
     char *target = realpath(path, NULL);
     const char *name = target ? target : path;

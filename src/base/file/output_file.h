@@ -5,6 +5,9 @@
  * take the target's name. Whatever fails, and whenever the process is killed, the target is what it
  * was or what it should be; a kill in the midst of replacing it may leave the other one beside it, as
  * .manylight-PID-N.part.
+ *
+ * The path "-" is standard output, which gets the bytes as they are: a reader that ends before all are written
+ * is an error, and has a part of them.
  */
 #ifndef BASE_FILE_OUTPUT_FILE_H
 #define BASE_FILE_OUTPUT_FILE_H
@@ -13,9 +16,12 @@
 #include <stddef.h>
 #include <stdio.h>
 
+/* Whether the path is "-". */
+bool output_file_is_stdout(const char *path);
+
 /* Whether a file can be written there, and is none of the inputs (NULL is no file), which would be
  * lost; call it before long work. Error: names the path and the reason: a folder, a folder that is
- * missing or read-only, a name too long, an input. */
+ * missing or read-only, a name too long, an input; a terminal, of "-". */
 bool output_file_check(const char *path, const char *const *inputs, int count);
 
 /* An error where the two are one file. */

@@ -11,6 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char file_no_folder[] = "-";
+
 /* The name for messages: shortened, and without what could upset a terminal. */
 static const char *shown(char text[80], const char *name) {
     snprintf(text, 80, "%s", name);
@@ -90,6 +92,23 @@ static char *as_path(const char *name) {
     return mem_strdup(name);
 }
 
+/* The same; NULL also in a scene without a folder. Error: why there is no path. */
+static char *path_of(const char *folder, const char *name) {
+    char text[80], *path = as_path(name);
+    if (!*name)
+        error_set("its name is empty");
+    else if (!path)
+        error_set("'%s' is a URL, which is not fetched", shown(text, name));
+    else if (strcmp(folder, file_no_folder) == 0)
+        error_set("cannot find '%s': the scene came through a pipe, which has no folder; give the "
+                  "scene's path, or a .glb that holds all",
+                  shown(text, name));
+    else
+        return path;
+    free(path);
+    return NULL;
+}
+
 static void slashes_for_backslashes(char *path) {
     for (; *path; path++)
         if (*path == '\\')
@@ -97,17 +116,12 @@ static void slashes_for_backslashes(char *path) {
 }
 
 char *file_find_named(const char *folder, const char *name, char **real, enum file_lack *lack) {
-    char text[80], *path = as_path(name), *found = NULL, *joined = NULL;
+    char text[80], *path = path_of(folder, name), *found = NULL, *joined = NULL;
     *lack = FILE_MISSING;
     if (real)
         *real = NULL;
-    if (!path) {
-        if (*name)
-            error_set("'%s' is a URL, which is not fetched", shown(text, name));
-        else
-            error_set("its name is empty");
+    if (!path)
         return NULL;
-    }
     char *base = realpath(*folder ? folder : ".", NULL), *root = find_root(base ? base : "/");
     *lack = base ? resolve(base, root, path, &found) : FILE_MISSING;
     if (*lack != FILE_FOUND && strchr(path, '\\')) {

@@ -10,6 +10,9 @@
 /* Why a named file is not read. */
 enum file_lack { FILE_FOUND, FILE_MISSING, FILE_OUTSIDE };
 
+/* In place of the folder of a scene that came through a pipe: it can name no files. */
+extern const char file_no_folder[];
+
 /* The path of a file that a scene in the folder names; free() frees. folder is "" or ends in a slash.
  * The name may be absolute, lead upward and go through links; backslashes are slashes where there is
  * no such file otherwise. The file, links resolved, lies below the root: that of scene/read_rules.h,

@@ -86,6 +86,8 @@ extern "C" bool gltf_load(struct scene *scene, const char *path) try {
     loader.scene = scene;
     loader.folder = path;
     loader.folder.resize(loader.folder.find_last_of('/') + 1);
+    if (piped_file_is(path))
+        loader.folder = file_no_folder;
     scene->path = mem_strdup(path);
     if (!parse(loader, path))
         return false;

@@ -9,6 +9,7 @@
 extern "C" {
 #include "base/error.h"
 #include "base/file/image_file.h"
+#include "base/file/piped_file.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "scene/gltf/accessor.h"
@@ -84,7 +85,7 @@ struct Picture {
 
 struct Loader {
     struct scene *scene;
-    std::string folder; /* "" or ends in a slash */
+    std::string folder; /* "", ends in a slash, or is file_no_folder */
     Model model;
     std::vector<std::vector<unsigned char>> buffers; /* until the model has them */
     std::vector<Picture> pictures;                   /* one per image */

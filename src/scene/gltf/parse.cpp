@@ -138,7 +138,7 @@ bool parse_bytes(Loader &loader, const struct file_bytes &bytes) {
 
 bool parse(Loader &loader, const char *path) {
     OwnedBytes bytes;
-    if (!file_read(&bytes, path))
+    if (!piped_file_read(&bytes, path))
         return false;
     /* Of a limit, a part is left to what is done with the scene. */
     loader.memory = mem_is_limited() ? mem_free_bytes() / 4 * 3 : least_memory;

@@ -1,0 +1,36 @@
+#include "apps/outputs.h"
+
+#include "base/error.h"
+#include "base/file/image_file.h"
+
+#include <string.h>
+
+/* How many of the paths are "-". */
+static int count_standard(const char *const *paths, int count) {
+    int standard = 0;
+    for (int i = 0; i < count; i++)
+        standard += paths[i] && strcmp(paths[i], "-") == 0;
+    return standard;
+}
+
+bool outputs_use_format(const char *const *paths, int count, const char *format) {
+    bool needed = false;
+    if (count_standard(paths, count) > 1)
+        return error_set("-o -: two pictures cannot share standard output");
+    if (!format)
+        return true;
+    for (int i = 0; i < count; i++)
+        needed = needed || (paths[i] && !image_name_tells_format(paths[i]));
+    if (!needed)
+        return error_set("--format %s: the outputs' extensions tell their formats", format);
+    return image_set_format_of_others(format);
+}
+
+FILE *outputs_table_stream(const char *const *paths, int count) {
+    return count_standard(paths, count) ? stderr : stdout;
+}
+
+bool inputs_check(const char *const *paths, int count) {
+    return count_standard(paths, count) <= 1 ||
+           error_set("-: standard input can be only one of the pictures");
+}
