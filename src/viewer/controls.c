@@ -46,6 +46,8 @@ static void key_wipe(struct viewer *viewer) {
     compare->mode = (enum compare_mode)((compare->mode + 1) % COMPARE_MODES);
     if (compare->mode == COMPARE_REFERENCE && !compare->reference.framebuffer)
         compare->mode = COMPARE_OFF;
+    if (compare->mode == COMPARE_REFERENCE)
+        viewer_compare_reference(viewer);
     viewer->shown.dirty = true;
 }
 static void key_toggle(struct viewer *viewer) {
@@ -292,6 +294,13 @@ static void click_cluster(struct viewer *viewer, float x, float y) {
     viewer->shown.recompose = true;
 }
 
+/* The answer comes into view, wherever its section is. */
+static void click_surface(struct viewer *viewer, float x, float y) {
+    viewer_pick_surface(viewer, x, y);
+    if (viewer->shown.has_pick)
+        ui_open_section("Surface", true);
+}
+
 static void click(struct viewer *viewer) {
     const char *output = viewer->shown.choice.output;
     float x, y;
@@ -302,7 +311,7 @@ static void click(struct viewer *viewer) {
     else if (inspect_is(&viewer->shown.renderer, output, OUTPUT_VALS))
         click_cluster(viewer, x, y);
     else
-        viewer_pick_surface(viewer, x, y);
+        click_surface(viewer, x, y);
 }
 
 static bool was_clicked(struct viewer *viewer) {
@@ -324,14 +333,15 @@ static void use_mouse(struct viewer *viewer) {
     }
     if (was_clicked(viewer))
         click(viewer);
-    if (viewer->hand.drags_picture && input->alt)
+    bool looks = input->alt || (input->control && input->shift);
+    if (viewer->hand.drags_picture && looks)
         look_drag(viewer);
     else if (viewer->hand.drags_picture)
         camera_hand_drag(viewer);
-    if (!ui_wants_mouse() && input->scroll != 0 && input->control)
-        viewer_expose(viewer, .25F * (float)input->scroll);
-    else if (!ui_wants_mouse() && input->scroll != 0 && input->alt)
+    if (!ui_wants_mouse() && input->scroll != 0 && looks)
         look_scroll(viewer, input->scroll);
+    else if (!ui_wants_mouse() && input->scroll != 0 && input->control)
+        viewer_expose(viewer, .25F * (float)input->scroll);
     else if (!ui_wants_mouse() && input->scroll != 0)
         camera_hand_scroll(viewer);
 }

@@ -95,14 +95,17 @@ static void draw_picture(struct viewer *viewer) {
 static void draw_vals(struct viewer *viewer, const struct pick *pick) {
     struct inspect_choice *choice = &viewer->shown.choice;
     if (pick->val_count)
-        ui_text(UI_DIM, "lit by");
+        ui_fact("lit most by",
+                "groups of virtual lights: each is tested for shadow by one virtual area light, a VAL; "
+                "its share of the light here, and how much of it is seen from here",
+                "%d groups", pick->val_count);
     for (int i = 0; i < pick->val_count; i++) {
         const struct pick_val *val = &pick->vals[i];
         char name[32], share[32], visible[32];
         unsigned char rgb[3];
         bool chosen = choice->layer == val->val &&
                       inspect_is(&viewer->shown.renderer, choice->output, OUTPUT_VISIBILITY);
-        snprintf(name, sizeof name, "VAL %d", val->val);
+        snprintf(name, sizeof name, "group %d", val->val);
         snprintf(share, sizeof share, "%.1f %%", 100 * (double)val->share);
         snprintf(visible, sizeof visible, "visible %.0f %%", 100 * (double)val->visibility);
         marks_cluster_color(val->val, rgb);
@@ -138,7 +141,7 @@ void panel_draw(struct viewer *viewer) {
         bool open;
         void (*draw)(struct viewer *viewer);
     } sections[] = {
-        {"Quality", true, panel_draw_technique},  {"Truth", true, panel_draw_truth},
+        {"Quality", true, panel_draw_technique},  {"Reference", true, panel_draw_truth},
         {"Picture", true, draw_picture},          {"Compare", false, panel_draw_compare},
         {"Light", false, panel_draw_light},       {"Camera", false, panel_draw_camera},
         {"Look closely", false, panel_draw_look}, {"Surface", false, draw_surface},

@@ -1,4 +1,4 @@
-/* The panel: the truth of this view, and what speed costs of it. */
+/* The panel: the reference of this view, and the accuracy that speed costs. */
 #include "viewer/panel.h"
 
 #include <math.h>
@@ -192,35 +192,47 @@ static void draw_chart(struct viewer *viewer) {
     const struct chart *chart = &viewer->tracing.chart;
     if (chart->count == 0)
         return;
-    ui_heading("error of indirect light over time");
+    if (viewer->panel.shows_chart)
+        ui_show_here();
+    viewer->panel.shows_chart = false;
+    ui_heading("error of indirect light, noise taken out, over time");
     if (viewer_is_charting(viewer) && viewer->tracing.samples > 0)
         ui_text(UI_DIM, "measuring %s, %d of %d ...", chart->dots[chart->next].name,
                 chart->next + 1, chart->count);
     else if (viewer_is_charting(viewer))
-        ui_text(UI_DIM, "waiting for the first samples of the truth ...");
+        ui_text(UI_DIM, "waiting for the first samples of the reference ...");
     int clicked = draw_plot(chart), row = draw_rows(viewer);
     clicked = row >= 0 ? row : clicked;
     if (clicked >= 0)
         viewer_take_dot(viewer, clicked);
 }
 
-/* --- the truth --- */
+/* --- the reference --- */
 
 static void draw_state(const struct viewer *viewer) {
     const struct tracing *tracing = &viewer->tracing;
     if (!tracing->view.lights)
         return;
     if (!tracing->of_view)
-        ui_text(UI_WARNING, "What was traced is of another view.");
+        ui_text(UI_WARNING, "The reference is of another view.");
+    else if (tracing->samples > 0 && !viewer_has_reference_size(viewer))
+        ui_text(UI_WARNING, "The reference is of another size, %d x %d: Compare shows it.",
+                tracing->view.width, tracing->view.height);
     if (tracing->samples > 0)
         ui_value("samples a pixel", "%d%s", tracing->samples,
                  viewer_is_tracing(viewer) ? " ..." : "");
     else if (viewer_is_tracing(viewer))
         ui_text(UI_DIM, "tracing the first samples ...");
     if (tracing->samples > 0)
-        ui_value("noise of the truth", "%.1f %%", 100 * tracing->noise);
+        ui_fact("its noise",
+                "standard error of the reference's indirect light, RMS over its mean: it falls with "
+                "the samples",
+                "%.1f %%", 100 * tracing->noise);
     if (tracing->has_error)
-        ui_value("error of indirect light", "%.1f %%", 100 * tracing->error);
+        ui_fact("error of indirect light",
+                "relative RMSE of the picture's indirect light, with the reference's noise taken "
+                "out: the error of layer indirect in Compare",
+                "%.1f %%", 100 * tracing->error);
 }
 
 void panel_draw_truth(struct viewer *viewer) {
@@ -228,15 +240,21 @@ void panel_draw_truth(struct viewer *viewer) {
         if (ui_wide_button("Stop tracing", "what has been traced stays"))
             truth_stop(&viewer->tracing.truth);
     } else if (ui_wide_button(
-                   "Trace the truth of this view",
+                   "Trace a reference of this view",
                    "by the path tracer, in the background: it is shown right of the wipe "
                    "as it gets cleaner")) {
         viewer_trace(viewer);
     }
     if (ui_wide_button("Chart speed and accuracy",
-                       "times every preset and technique on this view, against its truth; a click "
-                       "on one takes it"))
+                       "times every preset and technique on this view, against its reference; a "
+                       "click on one takes it")) {
         viewer_chart(viewer);
+        viewer->panel.shows_chart = true;
+    }
     draw_state(viewer);
+    if (viewer->tracing.samples > 0 &&
+        ui_wide_button("Save the reference",
+                       "as EXR with all layers, as manylight reference writes it"))
+        viewer_save_reference(viewer);
     draw_chart(viewer);
 }

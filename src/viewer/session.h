@@ -31,7 +31,7 @@ void session_free(struct session *session);
 /* How often light is reflected. */
 int session_bounces(const struct session *session);
 
-/* Whether both have one truth: place, light, time, bounces and size. */
+/* Whether both have one reference but for its size: place, light, time and bounces. */
 bool session_same_view(const struct session *a, const struct session *b);
 
 /* "manylight render SCENE --size ... -o picture.png", quoted for a shell; to be freed. Settings at

@@ -136,6 +136,7 @@ struct panel {
     enum overlay_kind { OVERLAY_LINE, OVERLAY_TABLE, OVERLAY_NONE, OVERLAY_KINDS } overlay;
     char scene_path[512], reference_path[512],
         session_path[512];             /* typed, or where they came from */
+    bool shows_chart;                  /* it was asked for, and comes into view when it is drawn */
     bool edits_right;                  /* the settings shown are the right picture's */
     char *places;                      /* as they were written last; NULL = not yet */
     int places_asked, places_answered; /* how often */
@@ -248,7 +249,13 @@ void viewer_pick_surface(struct viewer *viewer, float x, float y);
 /* Error: shown, too. */
 bool viewer_load_reference(struct viewer *viewer, const char *path);
 
-/* Whether the picture is of what the reference is of: the view that it was first compared with. */
+/* Compares with the reference there is, in its size; or makes the picture as large as the window again: the
+ * reference and its chart stay, for viewer_compare_reference. */
+void viewer_compare_reference(struct viewer *viewer);
+void viewer_fill_window(struct viewer *viewer);
+
+/* Whether the picture has the reference's size; and whether it is of what the reference is of: the view that it was first compared with. */
+bool viewer_has_reference_size(const struct viewer *viewer);
 bool viewer_reference_fits(const struct viewer *viewer);
 
 /* What is drawn into the window, where has_scene and left. */
@@ -354,6 +361,13 @@ bool viewer_is_tracing(const struct viewer *viewer);
 bool viewer_indirect_error(const struct viewer *viewer, const struct image *indirect,
                            double *error);
 
+/* Relative RMSE of the layer that is shown against the right picture, by the same definition: what is known of a
+ * traced reference's noise, which is its indirect light's, is taken off. False: it has not been measured. */
+bool viewer_compared_error(const struct viewer *viewer, double *error);
+
+/* That noise over the mean of the layer that is shown; 0: none is known. */
+double viewer_reference_noise(const struct viewer *viewer);
+
 /* Measures presets and techniques on the view, and traces its truth where there is none;
  * viewer_take_dot makes the picture as one of them. */
 void viewer_chart(struct viewer *viewer);
@@ -367,6 +381,9 @@ void viewer_read_shown(const struct viewer *viewer, struct bitmap *shown);
 
 /* What is shown, in its own size, as PNG and the like; the renderer's layers as EXR. */
 bool viewer_write_picture(struct viewer *viewer, const char *path);
+
+/* Writes what was traced, with all layers, as EXR under a fresh name in the working folder. */
+void viewer_save_reference(struct viewer *viewer);
 
 /* Writes both under a fresh name in the working folder. */
 void viewer_take_screenshot(struct viewer *viewer);
@@ -416,8 +433,11 @@ bool look_is_beside(const struct viewer *viewer);
 /* The mouse's place in the picture, or in the right one, 0 to 1, y down; whether it is on it. */
 bool look_at_mouse(const struct viewer *viewer, float *x, float *y);
 
-/* Pixels of the window a pixel. */
+enum { LOOK_ZOOM_MOST = 64 };
+
+/* Pixels of the window a pixel; look_enlarge keeps the middle where it is, and fits what would be smaller. */
 double look_zoom(const struct viewer *viewer);
+void look_enlarge(struct viewer *viewer, double zoom);
 void look_scroll(struct viewer *viewer, double steps);
 void look_drag(struct viewer *viewer);
 

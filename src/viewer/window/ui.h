@@ -28,7 +28,8 @@ void ui_frame_end(void);
 void ui_note_places(void);
 const char *ui_places(void);
 
-/* Whether the mouse is over a widget, or text is typed into one: then it is not the picture's. */
+/* Whether the mouse is over a widget, or text is typed into one: then it is not the picture's. Keys are a
+ * panel's, too, from Tab, which goes through its widgets, to Esc or a click. */
 bool ui_wants_mouse(void);
 bool ui_wants_keys(void);
 
@@ -67,6 +68,12 @@ void ui_page_begin(const char *id, float window_width, float window_height, floa
 /* A heading that opens and closes; whether it is open. */
 bool ui_section(const char *title, bool open_at_first);
 
+/* Opens the section of that title when it is drawn next; in_view: and scrolls it into view. */
+void ui_open_section(const char *title, bool in_view);
+
+/* Scrolls the area so that what comes next stands at its top. */
+void ui_show_here(void);
+
 /* A small title within a section. */
 void ui_heading(const char *title);
 
@@ -83,12 +90,16 @@ void ui_disabled_end(void);
 
 /* --- text --- */
 
-enum ui_tone { UI_NORMAL, UI_DIM, UI_ACCENT, UI_WARNING, UI_ERROR, UI_TITLE };
+enum ui_tone { UI_NORMAL, UI_DIM, UI_WARNING, UI_ERROR, UI_TITLE };
 
 void ui_text(enum ui_tone tone, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* A name on the left and its value on the right. */
 void ui_value(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* The same with an explanation where the mouse rests on it. */
+void ui_fact(const char *name, const char *help, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* At the right end of the line. */
 void ui_text_right(const char *format, ...) __attribute__((format(printf, 1, 2)));
@@ -144,6 +155,10 @@ bool ui_line(const char *name);
 
 /* Buttons side by side of which one is on; whether another was chosen. */
 bool ui_segments(const char *id, int *value, const char *const *names, int count);
+
+/* The same, each with an explanation. */
+bool ui_explained_segments(const char *id, int *value, const char *const *names,
+                           const char *const *helps, int count);
 
 /* A line that can be chosen: a patch of colour, a name, and two texts in columns of their own; a
  * share as a bar behind. */

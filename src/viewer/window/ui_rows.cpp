@@ -48,7 +48,7 @@ bool is_wide(double minimum, double maximum) {
 /* --- rows --- */
 
 /* A slider, and its value beside it, which a knob would cover. A value that is typed (after a click on
- * it, or Ctrl and one on the slider) counts when Enter is pressed, not with each digit. */
+ * it, or two on the slider, or Ctrl and one) counts when Enter is pressed, not with each digit. */
 template <typename T>
 static ui_result slider(const ui_row *row, ImGuiDataType type, T *value, T minimum, T maximum,
                         const char *format, ImGuiSliderFlags flags) {
@@ -71,6 +71,7 @@ static ui_result slider(const ui_row *row, ImGuiDataType type, T *value, T minim
     if (look.typed == id && ImGui::TempInputIsActive(id))
         look.typed = 0;
     bool goes_on = typed && !ImGui::IsItemDeactivated();
+    bool is_twice_clicked = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
     if (!typed) {
         ImGui::PopStyleColor();
         look_explain(row->help);
@@ -78,7 +79,7 @@ static ui_result slider(const ui_row *row, ImGuiDataType type, T *value, T minim
         ImGui::DataTypeFormatString(text, sizeof text, type, value, format);
         ImGui::SameLine(0, gap);
         ImGui::TextUnformatted(row->least && *value == minimum ? row->least : text);
-        if (ImGui::IsItemClicked())
+        if (ImGui::IsItemClicked() || is_twice_clicked)
             look.typed = id;
     }
     if (changed && !goes_on)
@@ -215,6 +216,11 @@ static float beside_names(const char *const *names, int count, float gap) {
 }
 
 bool ui_segments(const char *id, int *value, const char *const *names, int count) {
+    return ui_explained_segments(id, value, names, nullptr, count);
+}
+
+bool ui_explained_segments(const char *id, int *value, const char *const *names,
+                           const char *const *helps, int count) {
     bool changed = false;
     float gap = units(.1F), beside = beside_names(names, count, gap);
     ImVec2 padding = ImGui::GetStyle().FramePadding;
@@ -234,6 +240,7 @@ bool ui_segments(const char *id, int *value, const char *const *names, int count
         }
         ImGui::PopStyleColor(2);
         look_mark(names[i]);
+        look_explain(helps ? helps[i] : nullptr);
     }
     ImGui::PopID();
     ImGui::PopStyleVar();
