@@ -59,16 +59,20 @@ bool panel_draw_setting(const struct setting *setting, struct settings *settings
 
 /* Each sets all there is to set. */
 static bool draw_presets(const struct technique *technique, struct settings *settings) {
-    const char *names[PRESETS_MAX];
+    char titles[PRESETS_MAX][PRESET_TITLE_SIZE], texts[PRESETS_MAX][PRESET_HELP_SIZE];
+    const char *names[PRESETS_MAX], *helps[PRESETS_MAX];
     const struct preset *presets = technique->presets;
     int count = 0, chosen = -1;
     for (; presets && count < PRESETS_MAX && presets[count].name; count++) {
         struct settings with = preset_settings(&presets[count], settings);
-        names[count] = preset_title(&presets[count]);
+        preset_title(&presets[count], titles[count]);
+        preset_explain(&presets[count], texts[count]);
+        names[count] = titles[count];
+        helps[count] = texts[count];
         if (renderer_settings_same(&with, settings, technique->parts))
             chosen = count;
     }
-    if (count == 0 || !ui_segments("presets", &chosen, names, count))
+    if (count == 0 || !ui_explained_segments("presets", &chosen, names, helps, count))
         return false;
     *settings = preset_settings(&presets[chosen], settings);
     return true;

@@ -392,9 +392,15 @@ void ui_fact(const char *name, const char *help, const char *format, ...) {
     va_start(arguments, format);
     std::vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    ImGui::BeginGroup();
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    ImRect row(at, ImVec2(at.x + ImGui::GetContentRegionAvail().x,
+                          at.y + ImGui::GetTextLineHeight()));
     ui_value(name, "%s", text);
-    ImGui::EndGroup();
+    ImGui::SetLastItemData(0, ImGuiItemFlags_None,
+                           ImGui::IsMouseHoveringRect(row.Min, row.Max)
+                               ? ImGuiItemStatusFlags_HoveredRect
+                               : ImGuiItemStatusFlags_None,
+                           row);
     look_mark((std::string(name) + " " + text).c_str());
     look_explain(help);
 }
