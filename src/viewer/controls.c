@@ -346,6 +346,12 @@ static void use_mouse(struct viewer *viewer) {
         camera_hand_scroll(viewer);
 }
 
+static void escape_request(struct viewer *viewer) {
+    for (int i = 0; i < viewer->host.input->key_count; i++)
+        if (viewer->host.input->keys[i] == KEY_ESCAPE && !ui_wants_keys())
+            viewer->record.is_open = false;
+}
+
 void viewer_take_file(struct viewer *viewer, const char *path) {
     const char *dot = strrchr(path, '.');
     bool is_float;
@@ -360,12 +366,15 @@ void viewer_take_file(struct viewer *viewer, const char *path) {
 void controls_update(struct viewer *viewer, double seconds) {
     if (viewer->host.input->dropped)
         viewer_take_file(viewer, viewer->host.input->dropped);
-    if (!ui_wants_keys())
+    /* While a clip is asked for, keys but Esc are the question's. */
+    if (viewer->record.is_open)
+        escape_request(viewer);
+    else if (!ui_wants_keys())
         run_keys(viewer);
     if (!viewer->has_scene || viewer->shown.picture.width == 0)
         return;
     use_mouse(viewer);
     show_cursor(viewer);
-    if (!ui_wants_keys())
+    if (!ui_wants_keys() && !viewer->record.is_open)
         camera_hand_fly(viewer, seconds);
 }

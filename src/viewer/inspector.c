@@ -47,7 +47,7 @@ static bool read_right(struct viewer *viewer, float x, float y, int column, int 
 static void begin_area(const struct viewer *viewer, float width) {
     const struct rectangle *area = &viewer->shown.area;
     float line = ui_line_height(), x = (float)(area->x + area->width) - line - width;
-    float below = (float)(area->y + area->height) - timeline_height(viewer) - 4.2F * line;
+    float below = (float)(area->y + area->height) - 4.2F * line;
     bool is_above = x >= (float)area->x + overlay_width(viewer);
     ui_area_begin("inspector", is_above ? UI_OVERLAY : UI_NOTE, x, is_above ? line : below, width,
                   0);

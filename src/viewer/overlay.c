@@ -80,7 +80,7 @@ static void draw_graph(const struct pace *pace, float budget, float width, float
 static bool has_room(const struct viewer *viewer, bool all) {
     const struct pace *pace = &viewer->shown.pace;
     float line = ui_line_height(), row = 1.37F * line;
-    float height = (float)viewer->shown.area.height - timeline_height(viewer) - 2 * line;
+    float height = (float)viewer->shown.area.height - 2 * line;
     float rows = 11; /* besides passes, with the edges */
     for (int i = 0; i < pace->pass_count; i++)
         rows += is_listed(&pace->passes[i], all);
@@ -169,10 +169,10 @@ static void draw_help(struct viewer *viewer) {
 
 /* --- on the picture --- */
 
-/* Where labels may stand: above the timeline. */
+/* Where labels may stand. */
 static float bottom_of(const struct viewer *viewer) {
     const struct rectangle *area = &viewer->shown.area, *picture = &viewer->shown.picture;
-    float bottom = (float)(area->y + area->height) - timeline_height(viewer);
+    float bottom = (float)(area->y + area->height);
     return fminf(bottom, (float)(picture->y + picture->height));
 }
 

@@ -175,6 +175,7 @@ struct viewer {
     struct hand hand;
     struct panel panel;
     struct recorder recorder;
+    struct record_request record;
     struct history history;
     struct tracing tracing;
     struct start start;
@@ -184,6 +185,7 @@ struct viewer {
         int after_frame; /* shown.frame_count before that */
     } exposing;
     bool window_shown, picture_shown; /* once */
+    bool has_made_room;               /* for the first scene's timeline */
     bool done;                        /* close the window */
 };
 
@@ -400,8 +402,15 @@ void views_go(struct viewer *viewer, int i);
 /* Whether ffmpeg is there. */
 bool recorder_has_video(void);
 
-/* Records the whole clip, from its beginning. */
-void recorder_start(struct viewer *viewer, enum record_kind kind);
+/* Asks for range and folder: the whole clip, and the working folder, at first. viewer/panel_record.c. */
+void recorder_ask(struct viewer *viewer, enum record_kind kind);
+void recorder_draw_request(struct viewer *viewer);
+
+/* Records what was asked for, from its first frame. */
+void recorder_start(struct viewer *viewer);
+
+/* "12 of 250, 8 minutes left". */
+void recorder_tell(const struct viewer *viewer, char *text, size_t size);
 
 /* Ends what there is; nothing where none is recorded. */
 void recorder_stop(struct viewer *viewer);
@@ -414,7 +423,7 @@ void recorder_write(struct viewer *viewer);
 
 enum { TIMELINE_FPS = 25 }; /* as manylight render --fps has it */
 
-/* Whether the bar is there, over the picture's lower edge, and how high it is. */
+/* Whether the bar is there, below the pictures' area, and how high it is. */
 bool viewer_has_timeline(const struct viewer *viewer);
 float timeline_height(const struct viewer *viewer);
 void timeline_draw(struct viewer *viewer);
@@ -447,7 +456,7 @@ void look_step_layout(struct viewer *viewer);
 void inspector_draw(struct viewer *viewer);
 
 /* --- viewer/legend.c --- */
-/* What it takes below a sheet of VALs, with the timeline; 0 = nothing: on a single one it stands. */
+/* What it takes below a sheet of VALs; 0 = nothing: on a single one it stands. */
 float legend_height(const struct viewer *viewer);
 void legend_draw(const struct viewer *viewer);
 

@@ -46,3 +46,10 @@ void look_follow_keys(void) {
     else if (look.has_keys && !io.WantTextInput)
         go_on(io, tab);
 }
+
+bool ui_is_entered(void) {
+    const ImGuiIO &io = ImGui::GetIO();
+    return !io.WantTextInput && !look.has_keys &&
+           (ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false) ||
+            ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_KeyPadEnter], false));
+}
