@@ -42,8 +42,8 @@ static void draw_times(const struct pace *pace, bool all) {
             ui_bar(color, last_part(pass->path), pass->depth - 1, 0, "%s",
                    pass->kept ? "kept" : "-");
         else
-            ui_bar(color, last_part(pass->path), pass->depth - 1, ms / frame, "%.1f ms",
-                   (double)ms);
+            ui_bar(color, last_part(pass->path), pass->depth - 1, ms / frame,
+                   ms < 1000 ? "%.1f ms" : "%.2f s", (double)(ms < 1000 ? ms : ms / 1000));
     }
 }
 
@@ -58,7 +58,10 @@ static void draw_graph(const struct pace *pace, float budget, float width, float
         top = fmaxf(top, pace->frame_ms[first + i]);
         pixels = fmaxf(pixels, pace->frame_pixels[first + i]);
     }
-    snprintf(axis, sizeof axis, top < 100 ? "%.1f ms" : "%.0f ms", (double)top);
+    if (top < 1000)
+        snprintf(axis, sizeof axis, top < 100 ? "%.1f ms" : "%.0f ms", (double)top);
+    else
+        snprintf(axis, sizeof axis, "%.2f s", (double)top / 1000);
     struct ui_graph graph = ui_graph_begin(width, height, axis);
     for (int p = 0, n = 0; p < pace->pass_count; p++) {
         const struct pace_pass *pass = &pace->passes[p];
@@ -160,7 +163,7 @@ static void draw_busy(const struct viewer *viewer) {
 
 static void draw_help(struct viewer *viewer) {
     const struct input *input = viewer->host.input;
-    ui_page_begin("help", (float)input->width, (float)input->height, 48, 62);
+    ui_page_begin("help", (float)input->width, (float)input->height, 72, 48);
     ui_text(UI_TITLE, "Keys and mouse");
     ui_separator();
     controls_draw_help();

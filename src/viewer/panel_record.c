@@ -37,7 +37,7 @@ void recorder_draw_request(struct viewer *viewer) {
     if (!request->is_open || !viewer->has_scene)
         return;
     bool video = request->kind == RECORD_VIDEO;
-    ui_page_begin("record", (float)input->width, (float)input->height, 30, 17);
+    ui_page_begin("record", (float)input->width, (float)input->height, 30, 12.5F);
     ui_text(UI_TITLE, video ? "Record a video" : "Record pictures");
     ui_separator();
     draw_range(viewer);

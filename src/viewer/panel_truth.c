@@ -10,7 +10,10 @@ static const double wanted_error = .05;
 static uint32_t dot_color(int i) {
     static const unsigned char colors[][3] = {{108, 182, 255}, {240, 168, 72},  {126, 211, 133},
                                               {232, 120, 150}, {186, 148, 240}, {150, 156, 168},
-                                              {90, 206, 206},  {222, 206, 110}};
+                                              {90, 206, 206},  {222, 206, 110},
+                                              {198, 110, 66},   {96, 124, 230},  {230, 230, 236},
+                                              {176, 214, 64},   {214, 92, 214},  {122, 96, 78},
+                                              {60, 148, 110},   {255, 176, 176}};
     const unsigned char *c = colors[(size_t)i % (sizeof colors / sizeof *colors)];
     return UI_RGBA(c[0], c[1], c[2], 255);
 }
@@ -69,6 +72,10 @@ static double tick(int i) {
     return steps[i % 5] * pow(10, i / 5 - 3);
 }
 
+static void tell_tick(double ms, char *text, size_t size) {
+    snprintf(text, size, ms >= 1000 ? "%g s" : "%g ms", ms >= 1000 ? ms / 1000 : ms);
+}
+
 static void draw_times(const struct plot *plot) {
     float line = ui_line_height(), free_from = plot->x;
     for (int i = 0; i < 50; i++) {
@@ -78,14 +85,14 @@ static void draw_times(const struct plot *plot) {
             continue;
         float x = x_of(plot, value);
         ui_draw_line(x, plot->y, x, plot->y + plot->height, UI_RGBA(54, 58, 68, 255), 1);
-        snprintf(text, sizeof text, "%g", value);
+        tell_tick(value, text, sizeof text);
         if (x < free_from)
             continue;
         ui_draw_text(x, plot->y + plot->height + .2F * line, .5F, UI_DIM, text);
-        free_from = x + 2.6F * line;
+        free_from = x + 3.6F * line;
     }
     ui_draw_text(plot->x + plot->width, plot->y + plot->height + 1.1F * line, 1, UI_DIM,
-                 "ms a frame");
+                 "time of a frame");
 }
 
 static void draw_errors(const struct plot *plot) {
@@ -105,9 +112,12 @@ static void draw_errors(const struct plot *plot) {
     }
 }
 
-/* Three digits, and no power of ten. */
+/* Three digits, and no power of ten; seconds from a thousand on. */
 static void tell_ms(double ms, char *text, size_t size) {
-    snprintf(text, size, ms < 100 ? "%.3g ms" : "%.0f ms", ms);
+    if (ms >= 1000)
+        snprintf(text, size, ms < 1e5 ? "%.3g s" : "%.0f s", ms / 1000);
+    else
+        snprintf(text, size, ms < 100 ? "%.3g ms" : "%.0f ms", ms);
 }
 
 static void tell_dot(const struct chart_dot *dot, char *text, size_t size) {

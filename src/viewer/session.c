@@ -16,6 +16,7 @@
 static const struct option session_table[] = {
     {"layer", 0, OPTION_CHOICE, offsetof(struct session, layer), .choices = shown_layer_names},
     {"clip", 0, OPTION_INT, offsetof(struct session, clip), 0, 0, 1e6, .help = NULL},
+    {"passes", 0, OPTION_INT, offsetof(struct session, passes), 0, 0, 1e6, .help = NULL},
     {"time", 0, OPTION_FLOAT, offsetof(struct session, time), 0, 0, 1e6, .help = NULL},
     {NULL},
 };
@@ -102,6 +103,8 @@ char *session_command(const struct session *session) {
         }
     if (session->technique != technique_default)
         append(&text, mem_printf(" --technique %s", session->technique->name));
+    if (session->direct)
+        append(&text, mem_printf(" --direct %s", session->direct->name));
     for (struct setting setting = {0}; next_changed(&session->settings, &setting);) {
         char name[SETTING_NAME_SIZE];
         setting_name(&setting, name);
@@ -139,6 +142,8 @@ bool session_save(const struct session *session, const char *path) {
     output_text_init(&text);
     fprintf(text.stream, "# manylight view: settings\ntechnique = %s\ncamera = %s\nlight = %s\n",
             session->technique->name, session->camera, session->lights);
+    if (session->direct)
+        fprintf(text.stream, "direct = %s\n", session->direct->name);
     for (int i = 0; i < SESSION_VIEWS; i++)
         if (*session->views[i])
             fprintf(text.stream, "view%d = %s\n", i + 1, session->views[i]);
@@ -183,6 +188,10 @@ static bool read_line(struct session *session, char *line) {
         session->technique = technique ? technique : session->technique;
         return technique;
     }
+    if (strcmp(line, "direct") == 0) {
+        session->direct = direct_find(value);
+        return session->direct;
+    }
     struct setting setting;
     return settings_find(&session->settings, line, &setting) &&
            setting_parse(&setting, &session->settings, value);
@@ -197,6 +206,7 @@ bool session_load(struct session *session, const char *path) {
     memset(read.views, 0, sizeof read.views);
     options_set_defaults(session_table, &read);
     read.technique = technique_default;
+    read.direct = NULL;
     renderer_settings_init(&read.settings);
     char *line = NULL;
     size_t room = 0;

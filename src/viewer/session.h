@@ -15,6 +15,8 @@ struct session {
     const struct environment *environment; /* the scene's */
     int width, height;
     const struct technique *technique;
+    const struct direct_method *direct; /* NULL: by the lights' sizes */
+    int passes;                         /* at rest; 0: as many as is usual */
     struct settings settings;
     int layer;  /* that is shown: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
     int clip;   /* number of the animation */
@@ -38,7 +40,7 @@ bool session_same_view(const struct session *a, const struct session *b);
  * their defaults are left out. */
 char *session_command(const struct session *session);
 
-/* One "key = value" a line: technique, layer, clip, time, camera, views, lights and the settings that are
+/* One "key = value" a line: technique, direct light's method, passes, layer, clip, time, camera, views, lights and the settings that are
  * not at their defaults. */
 bool session_save(const struct session *session, const char *path);
 

@@ -136,6 +136,8 @@ struct panel {
     enum overlay_kind { OVERLAY_LINE, OVERLAY_TABLE, OVERLAY_NONE, OVERLAY_KINDS } overlay;
     char scene_path[512], reference_path[512],
         session_path[512];             /* typed, or where they came from */
+    char filter[32];                   /* of the settings under Advanced */
+    bool was_comparing;                /* when it was drawn last */
     bool shows_chart;                  /* it was asked for, and comes into view when it is drawn */
     bool edits_right;                  /* the settings shown are the right picture's */
     char *places;                      /* as they were written last; NULL = not yet */

@@ -438,10 +438,28 @@ void ui_text_right(const char *format, ...) {
     ImGui::TextUnformatted(text);
 }
 
+void ui_columns_begin(const char *id) {
+    bool is_narrow = ImGui::GetContentRegionAvail().x < units(56);
+    ImGui::BeginTable(id, is_narrow ? 1 : 2);
+    ImGui::TableNextColumn();
+}
+
+void ui_columns_next(void) {
+    ImGui::TableNextColumn();
+}
+
+void ui_columns_end(void) {
+    ImGui::EndTable();
+}
+
 void ui_definition(const char *term, const char *meaning) {
+    float left = ImGui::GetCursorPosX();
     ImGui::TextUnformatted(term);
-    ImGui::SameLine(units(14));
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + units(9));
     ImGui::PushStyleColor(ImGuiCol_Text, dim);
+    ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(meaning);
+    ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
 }

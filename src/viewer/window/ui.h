@@ -110,7 +110,12 @@ void ui_text_right(const char *format, ...) __attribute__((format(printf, 1, 2))
 /* A name on the left, and three numbers in columns on the right. */
 void ui_numbers(const char *name, const float values[3]);
 
-/* A term, and what it means in a column of its own. */
+/* Two columns, one below the other where the area is narrow; next begins the second. */
+void ui_columns_begin(const char *id);
+void ui_columns_next(void);
+void ui_columns_end(void);
+
+/* A term, and its meaning in a column of its own. */
 void ui_definition(const char *term, const char *meaning);
 
 /* --- rows: a name, a widget, and an arrow back to the default --- */
@@ -130,6 +135,10 @@ enum ui_result ui_flag(const struct ui_row *row, bool *value);
 enum ui_result ui_int(const struct ui_row *row, int *value, int minimum, int maximum);
 enum ui_result ui_float(const struct ui_row *row, float *value, float minimum, float maximum);
 enum ui_result ui_choice(const struct ui_row *row, int *value, const char *const *names, int count);
+
+/* A number with two decimals that is dragged, by this much a pixel, ten times with Shift; two clicks type it. */
+enum ui_result ui_drag(const struct ui_row *row, float *value, float minimum, float maximum,
+                       float step);
 
 /* Three numbers that are dragged, by this much a pixel. */
 enum ui_result ui_vector(const struct ui_row *row, float value[3], float step);

@@ -1,6 +1,7 @@
 /* Rows of a panel, buttons and lists, behind the C of ui.h. */
 #include "viewer/window/look.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -101,6 +102,14 @@ ui_result ui_int(const ui_row *row, int *value, int minimum, int maximum) {
 ui_result ui_float(const ui_row *row, float *value, float minimum, float maximum) {
     return slider(row, ImGuiDataType_Float, value, minimum, maximum, "%.4g",
                   ImGuiSliderFlags_NoRoundToFormat);
+}
+
+ui_result ui_drag(const ui_row *row, float *value, float minimum, float maximum, float step) {
+    row_begin(row);
+    bool changed =
+        ImGui::DragFloat("##", value, step, minimum, maximum, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+    look_mark(row->name);
+    return row_end(row, changed);
 }
 
 ui_result ui_choice(const ui_row *row, int *value, const char *const *names, int count) {
@@ -260,12 +269,21 @@ bool ui_list_item(uint32_t patch, const char *name, const char *middle, const ch
                             IM_COL32(240, 168, 72, 50), units(.15F));
     list->AddRectFilled(ImVec2(at.x, at.y + (height - size) / 2),
                         ImVec2(at.x + size, at.y + (height + size) / 2), patch, units(.15F));
+    const char *texts[] = {middle, right};
+    float step = units(2.5F), beside = ImGui::CalcTextSize(right).x + units(.8F);
+    float columns[] = {width - step * std::ceil(ImMax(beside, units(3.6F)) / step), width};
+    float room = columns[0] - ImGui::CalcTextSize(middle).x - units(.4F) - left;
     ImGui::Indent(left);
-    bool clicked = ImGui::Selectable(look_read(name), chosen);
+    bool clicked = ImGui::Selectable(("##" + std::string(name)).c_str(), chosen);
     look_mark(name);
     ImGui::Unindent(left);
-    float columns[] = {.68F * width, width};
-    const char *texts[] = {middle, right};
+    std::string shown = look_read(name);
+    shown.resize(std::min(shown.find("##"), shown.size()));
+    list->PushClipRect(at, ImVec2(at.x + left + room, at.y + height), true);
+    list->AddText(ImVec2(at.x + left, at.y), text_color, shown.c_str());
+    list->PopClipRect();
+    if (ImGui::CalcTextSize(shown.c_str()).x > room)
+        look_explain(shown.c_str());
     for (int i = 0; i < 2; i++)
         list->AddText(
             ImVec2(at.x + columns[i] - ImGui::CalcTextSize(texts[i]).x - units(.2F), at.y),
