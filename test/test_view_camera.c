@@ -202,6 +202,7 @@ static void test_record(void **state) {
     int x, y;
     need_viewer();
     press("Record");
+    press("Start");
     assert_true(wait_for("manylight-clip-0001/0002.png"));
     xdo("key Escape");
     find_place("Record", &x, &y);
@@ -222,6 +223,8 @@ static void test_video(void **state) {
     const long frame = 4L * WIDTH * HEIGHT;
     need_viewer();
     press("Video");
+    find_place("Start", &x, &y);
+    xdo("key Return");
     assert_true(wait_for(".manylight-clip-0001.mp4"));
     snprintf(path, sizeof path, "%s/.manylight-clip-0001.mp4", stage.folder);
     for (int i = 0; i < PATIENCE_MS / 50 && info.st_size < 2 * frame; i++) {
@@ -246,6 +249,7 @@ static void test_broken_video(void **state) {
     need_viewer();
     write_ffmpeg("head -c 99 >\"$last\"; exit 1");
     press("Video");
+    press("Start");
     sync_viewer();
     find_place("Record", &x, &y); /* it has ended by itself */
     snprintf(command, sizeof command, "(ls -A %s | grep clip)", stage.folder);

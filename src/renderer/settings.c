@@ -65,9 +65,11 @@ static bool apply_preset(struct settings *settings, const struct technique *tech
                          const struct word *name) {
     struct names names = {0};
     for (const struct preset *p = technique->presets; p && p->name; p++) {
-        if (word_is(name, p->name))
+        if (word_is(name, p->name) || (p->word && word_is(name, p->word)))
             return settings_assign(settings, p->settings);
         names_add(&names, ", ", p->name);
+        if (p->word)
+            names_add(&names, ", ", p->word);
     }
     return error_set("path: '%.*s' is not one of %s's: %s", name->length, name->at, technique->name,
                      names.length ? names.text : "it has none");
@@ -140,9 +142,9 @@ void renderer_settings_print_help(FILE *out, const struct technique *technique) 
             "for the dot (--technique NAME --help: those of another technique):\n",
             technique->name);
     if (technique->presets && technique->presets->name)
-        fprintf(out, "\n  presets, set before all else:\n");
+        fprintf(out, "\n  presets, by either word, set before all else:\n");
     for (const struct preset *p = technique->presets; p && p->name; p++)
-        fprintf(out, "  path=%-21s %s\n", p->name, p->help);
+        fprintf(out, "  path=%-8s %-12s %s\n", p->name, p->word ? p->word : "", p->help);
     for (const struct settings_part *const *part = technique->parts; *part; part++)
         settings_print_help(out, *part, technique->unused);
     print_direct_parts(out);

@@ -26,7 +26,7 @@ extern const struct settings_part picture_part, start_part;
 void renderer_settings_init(struct settings *settings);
 
 /* Assigns texts, each "name=value" or several with spaces or commas between. "path=NAME" stands for
- * a preset of the technique; presets come first, wherever they stand, and count as the program's: all else
+ * a preset of the technique by its name or its word; presets come first, wherever they stand, and count as the program's: all else
  * is given (settings_give_word). Error: of a name or a value. */
 bool renderer_settings_assign(struct settings *settings, const struct technique *technique,
                               const char *const *texts, int count);

@@ -68,7 +68,7 @@ extern const struct settings_part lights_part, map_part, lookup_part, gather_par
 
 /* The presets that all have, and the published way through what they share. */
 #define MANY_LIGHTS_FAST                                                                           \
-    { "fast", "the defaults", "" }
+    { "fast", "the defaults", "", "normal" }
 
 #define MANY_LIGHTS_AS_PUBLISHED "gather.detail=0 caster.error=0 blur.separable=off blur.cosine=.8"
 

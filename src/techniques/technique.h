@@ -23,6 +23,7 @@ struct technique_desc {
 struct preset {
     const char *name, *help;
     const char *settings; /* "clustered.visibility=cssm blur.cosine=.8" */
+    const char *word;     /* that --quality and the viewer have for it; NULL: its name */
 };
 
 /* How the passes after the first are made, so that their mean loses what the first approximates: by

@@ -33,7 +33,9 @@ void chart_plan(struct chart *chart, const struct technique *technique,
     chart_free(chart);
     for (const struct preset *p = technique_default->presets; p && p->name; p++) {
         struct settings with = preset_settings(p, settings);
-        add(chart, preset_title(p), technique_default, &with);
+        char title[PRESET_TITLE_SIZE];
+        preset_title(p, title);
+        add(chart, title, technique_default, &with);
     }
     struct settings usual = preset_settings(NULL, settings);
     for (const struct technique *const *t = techniques; *t; t++)

@@ -46,6 +46,8 @@ static void key_wipe(struct viewer *viewer) {
     compare->mode = (enum compare_mode)((compare->mode + 1) % COMPARE_MODES);
     if (compare->mode == COMPARE_REFERENCE && !compare->reference.framebuffer)
         compare->mode = COMPARE_OFF;
+    if (compare->mode == COMPARE_REFERENCE)
+        viewer_compare_reference(viewer);
     viewer->shown.dirty = true;
 }
 static void key_toggle(struct viewer *viewer) {
@@ -129,11 +131,15 @@ static void key_open(struct viewer *viewer) {
     viewer_ask_file(viewer);
 }
 
+/* The help's two columns are about as long where the second begins there. */
+static const char second_column[] = "Window and files";
+
 static const struct key {
     int key;
-    const char *name, *help; /* NULL: the row before tells it */
+    const char *name, *help; /* NULL: the row before tells it; a name alone: a heading */
     void (*run)(struct viewer *viewer);
 } keys[] = {
+    {KEY_NONE, "Picture", NULL, NULL},
     {'1', "1", "all light", key_full},
     {'2', "2", "indirect light alone", key_indirect},
     {'3', "3", "direct light alone", key_direct},
@@ -142,17 +148,21 @@ static const struct key {
     {'=', "+", "brighter by half a stop; so does Ctrl wheel", key_brighter},
     {'-', "-", "darker", key_darker},
     {'0', "0", "the exposure that the scene began with", viewer_reset_exposure},
-    {'L', "L", "handles to move, turn and size lights", key_light},
-    {'C', "C", "compare: a technique, the reference, off", key_wipe},
-    {'M', "M", "compare: right picture alone, or the wipe", key_toggle},
-    {'F', "F", "frame what is under the mouse, or all", camera_hand_frame},
     {'Z', "Z", "1:1, or as large as fits", look_toggle},
     {'I', "I", "inspector: the pixel under the mouse", key_inspect},
-    {'V', "V", "compare: wipe, side by side, difference", look_step_layout},
+    {KEY_NONE, "Compare", NULL, NULL},
+    {'C', "C", "a technique, the reference, off", key_wipe},
+    {'M', "M", "right picture alone, or the wipe", key_toggle},
+    {'V', "V", "wipe, side by side, difference", look_step_layout},
+    {KEY_NONE, "Camera and light", NULL, NULL},
+    {'F', "F", "frame what is under the mouse, or all", camera_hand_frame},
     {'R', "R", "back to the scene's camera", key_home},
+    {'L', "L", "handles to move, turn and size lights", key_light},
+    {KEY_NONE, "Animation", NULL, NULL},
     {KEY_SPACE, "Space", "play and pause the animation", key_play},
     {',', ", .", "a frame back, a frame on", key_frame_back},
     {'.', NULL, NULL, key_frame_on},
+    {KEY_NONE, second_column, NULL, NULL},
     {KEY_F1, "F1", "this help", key_help},
     {KEY_F2, "F2", "panel", key_panel},
     {KEY_F3, "F3", "times: a line, a table, none", key_overlay},
@@ -178,15 +188,18 @@ static const struct {
     const char *name, *help;
 } gestures[] = {
     {"left drag", "orbit about the point under the mouse"},
-    {"middle drag, Shift left drag", "pan"},
+    {"middle drag", "pan; so does Shift left drag"},
     {"right drag", "look around"},
     {"wheel", "zoom towards the mouse; with Shift: field of view"},
-    {"Alt wheel, Alt drag", "enlarge the picture, move it"},
+    {"Ctrl Shift wheel", "enlarge the picture; so does Alt wheel"},
+    {"Ctrl Shift drag", "move the enlarged picture; so does Alt drag"},
     {"W A S D Q E", "fly; Shift fast, Ctrl slow, the wheel sets the speed"},
-    {"Ctrl 1 to 9, Alt 1 to 9", "keep a view, go to it"},
-    {"click", "what a surface is and which VALs light it"},
-    {"click on a cluster or a sheet", "that VAL's shadow, that layer alone"},
-    {"drop .gltf, .glb, .exr, .settings", "a scene, a reference, settings"},
+    {"Ctrl 1 to 9", "keep a view; Alt and the number goes there"},
+    {"click", "a surface, and the shadow groups (VALs) that light it"},
+    {"click on a cluster", "that group's shadow; on a sheet: that layer alone"},
+    {"drop a file", "a scene, a reference (.exr), settings"},
+    {"Tab", "the panel by keyboard: Tab and arrows go on, Space"},
+    {"", "presses, Enter types a number, Esc leaves"},
 };
 
 /* Ctrl and a number keep a view, Alt and the number goes there. */
@@ -210,12 +223,19 @@ static void run_keys(struct viewer *viewer) {
 }
 
 void controls_draw_help(void) {
-    for (int i = 0; i < KEY_ROWS; i++)
-        if (keys[i].name)
+    ui_columns_begin("keys");
+    for (int i = 0; i < KEY_ROWS; i++) {
+        if (keys[i].name && strcmp(keys[i].name, second_column) == 0)
+            ui_columns_next();
+        if (!keys[i].run)
+            ui_heading(keys[i].name);
+        else if (keys[i].name)
             ui_definition(keys[i].name, keys[i].help);
-    ui_separator();
+    }
+    ui_heading("Mouse, flying and the panel");
     for (size_t i = 0; i < sizeof gestures / sizeof *gestures; i++)
         ui_definition(gestures[i].name, gestures[i].help);
+    ui_columns_end();
 }
 
 /* --- what lies on the picture: the light's handles, the wipe --- */
@@ -292,6 +312,13 @@ static void click_cluster(struct viewer *viewer, float x, float y) {
     viewer->shown.recompose = true;
 }
 
+/* The answer comes into view, wherever its section is. */
+static void click_surface(struct viewer *viewer, float x, float y) {
+    viewer_pick_surface(viewer, x, y);
+    if (viewer->shown.has_pick)
+        ui_open_section("Surface", true);
+}
+
 static void click(struct viewer *viewer) {
     const char *output = viewer->shown.choice.output;
     float x, y;
@@ -302,7 +329,7 @@ static void click(struct viewer *viewer) {
     else if (inspect_is(&viewer->shown.renderer, output, OUTPUT_VALS))
         click_cluster(viewer, x, y);
     else
-        viewer_pick_surface(viewer, x, y);
+        click_surface(viewer, x, y);
 }
 
 static bool was_clicked(struct viewer *viewer) {
@@ -324,16 +351,23 @@ static void use_mouse(struct viewer *viewer) {
     }
     if (was_clicked(viewer))
         click(viewer);
-    if (viewer->hand.drags_picture && input->alt)
+    bool looks = input->alt || (input->control && input->shift);
+    if (viewer->hand.drags_picture && looks)
         look_drag(viewer);
     else if (viewer->hand.drags_picture)
         camera_hand_drag(viewer);
-    if (!ui_wants_mouse() && input->scroll != 0 && input->control)
-        viewer_expose(viewer, .25F * (float)input->scroll);
-    else if (!ui_wants_mouse() && input->scroll != 0 && input->alt)
+    if (!ui_wants_mouse() && input->scroll != 0 && looks)
         look_scroll(viewer, input->scroll);
+    else if (!ui_wants_mouse() && input->scroll != 0 && input->control)
+        viewer_expose(viewer, .25F * (float)input->scroll);
     else if (!ui_wants_mouse() && input->scroll != 0)
         camera_hand_scroll(viewer);
+}
+
+static void escape_request(struct viewer *viewer) {
+    for (int i = 0; i < viewer->host.input->key_count; i++)
+        if (viewer->host.input->keys[i] == KEY_ESCAPE && !ui_wants_keys())
+            viewer->record.is_open = false;
 }
 
 void viewer_take_file(struct viewer *viewer, const char *path) {
@@ -350,12 +384,15 @@ void viewer_take_file(struct viewer *viewer, const char *path) {
 void controls_update(struct viewer *viewer, double seconds) {
     if (viewer->host.input->dropped)
         viewer_take_file(viewer, viewer->host.input->dropped);
-    if (!ui_wants_keys())
+    /* While a clip is asked for, keys but Esc are the question's. */
+    if (viewer->record.is_open)
+        escape_request(viewer);
+    else if (!ui_wants_keys())
         run_keys(viewer);
     if (!viewer->has_scene || viewer->shown.picture.width == 0)
         return;
     use_mouse(viewer);
     show_cursor(viewer);
-    if (!ui_wants_keys())
+    if (!ui_wants_keys() && !viewer->record.is_open)
         camera_hand_fly(viewer, seconds);
 }

@@ -6,6 +6,7 @@
 #include "shared/composite.h"
 #include "viewer/window/ui.h"
 
+#include <math.h>
 #include <string.h>
 
 static const char *layer_name(int layer) {
@@ -47,21 +48,51 @@ static bool read_right(struct viewer *viewer, float x, float y, int column, int 
 static void begin_area(const struct viewer *viewer, float width) {
     const struct rectangle *area = &viewer->shown.area;
     float line = ui_line_height(), x = (float)(area->x + area->width) - line - width;
-    float below = (float)(area->y + area->height) - timeline_height(viewer) - 4.2F * line;
+    float below = (float)(area->y + area->height) - 4.2F * line;
     bool is_above = x >= (float)area->x + overlay_width(viewer);
     ui_area_begin("inspector", is_above ? UI_OVERLAY : UI_NOTE, x, is_above ? line : below, width,
                   0);
+}
+
+/* Of an output: its colour as it is shown, 0 to 1, and the surface where it has the picture's pixels. */
+static void draw_output(struct viewer *viewer, float x, float y, float width) {
+    struct renderer *renderer = &viewer->shown.renderer;
+    struct bitmap bitmap;
+    struct pick pick;
+    float shown[3];
+    texture_read_bitmap(viewer->shown.left, &bitmap);
+    int column = (int)(x * (float)bitmap.width), row = (int)(y * (float)bitmap.height);
+    bool is_of_picture =
+        bitmap.width == renderer->desc.width && bitmap.height == renderer->desc.height;
+    for (int c = 0; c < 3; c++)
+        shown[c] = bitmap.rgba[4 * ((size_t)row * (size_t)bitmap.width + (size_t)column) +
+                               (size_t)c] /
+                   255.F;
+    begin_area(viewer, width);
+    ui_value(viewer->shown.choice.output, "%d, %d of %d x %d", column, row, bitmap.width,
+             bitmap.height);
+    ui_numbers("as shown", shown);
+    if (is_of_picture && probe_pick(&viewer->shown.probe, renderer, x, y, &pick) && pick.present) {
+        ui_numbers("position", pick.position);
+        ui_numbers("normal", pick.normal);
+        ui_numbers("albedo", pick.albedo);
+    }
+    ui_area_end();
+    bitmap_free(&bitmap);
 }
 
 void inspector_draw(struct viewer *viewer) {
     const struct rectangle *area = &viewer->shown.area;
     struct renderer *renderer = &viewer->shown.renderer;
     float x, y, left[3], right[3], line = ui_line_height(), width = 21 * line;
-    if (!viewer->look.inspects || !viewer->has_scene || viewer->shown.choice.output ||
-        viewer->shown.frame_count == 0 || ui_wants_mouse() || !look_at_mouse(viewer, &x, &y))
+    if (!viewer->look.inspects || !viewer->has_scene || viewer->shown.frame_count == 0 || ui_wants_mouse() || !look_at_mouse(viewer, &x, &y))
         return;
     int column = (int)(x * (float)renderer->desc.width),
         row = (int)(y * (float)renderer->desc.height);
+    if (viewer->shown.choice.output) {
+        draw_output(viewer, x, y, fminf(width, (float)area->width - 2 * line));
+        return;
+    }
     if (!read_renderer(viewer, renderer, column, row, left))
         return;
     if (width > (float)area->width - 2 * line)

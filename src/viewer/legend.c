@@ -89,7 +89,7 @@ float legend_height(const struct viewer *viewer) {
     if (!choice->output || !inspect_is(renderer, choice->output, OUTPUT_VISIBILITY) ||
         !inspect_sheet(renderer, choice, &sheet))
         return 0;
-    return meanings_height(viewer) + timeline_height(viewer);
+    return meanings_height(viewer);
 }
 
 /* In the middle of the lower edge, or below each other from the left. */
@@ -97,7 +97,7 @@ static void draw_meanings(const struct viewer *viewer) {
     const struct rectangle *area = &viewer->shown.area;
     float line = ui_line_height(), width = row_width(viewer);
     float x = (float)area->x + (width > 0 ? .5F * ((float)area->width - width) : .6F * line);
-    float y = (float)(area->y + area->height) - timeline_height(viewer) - meanings_height(viewer) +
+    float y = (float)(area->y + area->height) - meanings_height(viewer) +
               .1F * line;
     for (int i = 0; i < MEANINGS; i++) {
         float patch = draw_patch(x, y + .28F * line, color_of(&shadow_colors[i]));

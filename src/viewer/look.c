@@ -3,8 +3,6 @@
 
 #include <math.h>
 
-static const double most = 64; /* pixels of the window that a pixel of the picture takes */
-
 /* The size that it is shown in: one that was rendered smaller, in the full one; sheets have their own. */
 static void size_of(const struct viewer *viewer, int *width, int *height) {
     const struct renderer_desc *desc = &viewer->shown.renderer.desc;
@@ -63,6 +61,13 @@ bool look_at_mouse(const struct viewer *viewer, float *x, float *y) {
     return *x >= 0 && *y >= 0 && *x < 1 && *y < 1;
 }
 
+void look_enlarge(struct viewer *viewer, double zoom) {
+    struct look *look = &viewer->look;
+    if (look->zoom <= 0)
+        look->middle[0] = look->middle[1] = .5;
+    look->zoom = zoom <= fitting_zoom(viewer) ? 0 : fmin(zoom, LOOK_ZOOM_MOST);
+}
+
 /* What is under the mouse stays there. */
 static void zoom_to(struct viewer *viewer, double zoom) {
     struct look *look = &viewer->look;
@@ -81,7 +86,7 @@ static void zoom_to(struct viewer *viewer, double zoom) {
 }
 
 void look_scroll(struct viewer *viewer, double steps) {
-    double zoom = fmin(look_zoom(viewer) * pow(1.25, steps), most);
+    double zoom = fmin(look_zoom(viewer) * pow(1.25, steps), LOOK_ZOOM_MOST);
     if (zoom <= fitting_zoom(viewer))
         viewer->look.zoom = 0;
     else

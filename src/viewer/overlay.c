@@ -42,8 +42,8 @@ static void draw_times(const struct pace *pace, bool all) {
             ui_bar(color, last_part(pass->path), pass->depth - 1, 0, "%s",
                    pass->kept ? "kept" : "-");
         else
-            ui_bar(color, last_part(pass->path), pass->depth - 1, ms / frame, "%.1f ms",
-                   (double)ms);
+            ui_bar(color, last_part(pass->path), pass->depth - 1, ms / frame,
+                   ms < 1000 ? "%.1f ms" : "%.2f s", (double)(ms < 1000 ? ms : ms / 1000));
     }
 }
 
@@ -58,7 +58,10 @@ static void draw_graph(const struct pace *pace, float budget, float width, float
         top = fmaxf(top, pace->frame_ms[first + i]);
         pixels = fmaxf(pixels, pace->frame_pixels[first + i]);
     }
-    snprintf(axis, sizeof axis, top < 100 ? "%.1f ms" : "%.0f ms", (double)top);
+    if (top < 1000)
+        snprintf(axis, sizeof axis, top < 100 ? "%.1f ms" : "%.0f ms", (double)top);
+    else
+        snprintf(axis, sizeof axis, "%.2f s", (double)top / 1000);
     struct ui_graph graph = ui_graph_begin(width, height, axis);
     for (int p = 0, n = 0; p < pace->pass_count; p++) {
         const struct pace_pass *pass = &pace->passes[p];
@@ -80,7 +83,7 @@ static void draw_graph(const struct pace *pace, float budget, float width, float
 static bool has_room(const struct viewer *viewer, bool all) {
     const struct pace *pace = &viewer->shown.pace;
     float line = ui_line_height(), row = 1.37F * line;
-    float height = (float)viewer->shown.area.height - timeline_height(viewer) - 2 * line;
+    float height = (float)viewer->shown.area.height - 2 * line;
     float rows = 11; /* besides passes, with the edges */
     for (int i = 0; i < pace->pass_count; i++)
         rows += is_listed(&pace->passes[i], all);
@@ -99,7 +102,10 @@ static void draw_statistics(struct viewer *viewer) {
     float frame = pace->frame_count ? pace->frame_ms[pace->frame_count - 1] : 0;
     bool whole = viewer->panel.overlay == OVERLAY_TABLE;
     ui_area_begin("statistics", UI_OVERLAY, line, line, overlay_width(viewer) - 2 * line, 0);
-    ui_text(UI_ACCENT, "%.1f ms a frame", (double)frame);
+    if (frame < 1000)
+        ui_text(UI_NORMAL, "%.1f ms a frame", (double)frame);
+    else
+        ui_text(UI_NORMAL, "%.2f s a frame", (double)frame / 1000);
     if (!whole) {
         ui_area_end();
         return;
@@ -157,7 +163,7 @@ static void draw_busy(const struct viewer *viewer) {
 
 static void draw_help(struct viewer *viewer) {
     const struct input *input = viewer->host.input;
-    ui_page_begin("help", (float)input->width, (float)input->height, 48, 62);
+    ui_page_begin("help", (float)input->width, (float)input->height, 72, 48);
     ui_text(UI_TITLE, "Keys and mouse");
     ui_separator();
     controls_draw_help();
@@ -166,10 +172,10 @@ static void draw_help(struct viewer *viewer) {
 
 /* --- on the picture --- */
 
-/* Where labels may stand: above the timeline. */
+/* Where labels may stand. */
 static float bottom_of(const struct viewer *viewer) {
     const struct rectangle *area = &viewer->shown.area, *picture = &viewer->shown.picture;
-    float bottom = (float)(area->y + area->height) - timeline_height(viewer);
+    float bottom = (float)(area->y + area->height);
     return fminf(bottom, (float)(picture->y + picture->height));
 }
 
@@ -254,6 +260,22 @@ static void draw_split(const struct viewer *viewer) {
     ui_draw_unclip();
 }
 
+/* With the panel closed nothing else tells what was found: "lit by 8 groups: 27 %, 22 %, 9 %". */
+static void draw_card(const struct viewer *viewer, float x, float y) {
+    const struct pick *pick = &viewer->shown.pick;
+    const struct rectangle *area = &viewer->shown.area;
+    char text[96];
+    int at = snprintf(text, sizeof text, "lit by %d group%s", pick->val_count,
+                      pick->val_count == 1 ? "" : "s");
+    for (int i = 0; i < pick->val_count && i < 3; i++)
+        at += snprintf(text + at, sizeof text - (size_t)at, "%s %.0f %%", i ? "," : ":",
+                       100 * (double)pick->vals[i].share);
+    float gap = ui_line_height(), width = ui_label_width(text);
+    bool has_room = x + gap + width < (float)(area->x + area->width);
+    if (pick->val_count > 0 && !viewer->panel.is_open)
+        ui_draw_label(has_room ? x + gap : x - gap, y - .7F * gap, has_room ? 0 : 1, text);
+}
+
 static void draw_pick(const struct viewer *viewer) {
     const struct rectangle *picture = &viewer->shown.picture;
     float place[2], aspect = (float)picture->width / (float)picture->height;
@@ -263,8 +285,11 @@ static void draw_pick(const struct viewer *viewer) {
         return;
     float x = (float)picture->x + place[0] * (float)picture->width;
     float y = (float)picture->y + place[1] * (float)picture->height;
-    ui_draw_ring(x, y, 6, UI_RGBA(0, 0, 0, 200), 3.5F);
-    ui_draw_ring(x, y, 6, UI_RGBA(240, 168, 72, 255), 1.8F);
+    /* Dark beside light: it is seen on walls of any colour. */
+    ui_draw_ring(x, y, 9, UI_RGBA(0, 0, 0, 230), 7);
+    ui_draw_ring(x, y, 9, UI_RGBA(255, 255, 255, 255), 2.5F);
+    ui_draw_disc(x, y, 2.5F, UI_RGBA(0, 0, 0, 230));
+    draw_card(viewer, x, y);
 }
 
 /* With the panel closed nothing else says what is shown. */
@@ -276,7 +301,17 @@ static void draw_output_name(const struct viewer *viewer) {
                       (float)area->y + ui_line_height(), 1, name);
 }
 
+static void draw_enlargement(const struct viewer *viewer) {
+    const struct rectangle *area = &viewer->shown.area;
+    char text[32];
+    snprintf(text, sizeof text, "%.0f %%", 100 * look_zoom(viewer));
+    if (viewer->look.zoom > 0)
+        ui_draw_label((float)area->x + .5F * (float)area->width,
+                      (float)area->y + .5F * ui_line_height(), .5F, text);
+}
+
 static void draw_marks(const struct viewer *viewer) {
+    draw_enlargement(viewer);
     draw_split(viewer);
     draw_output_name(viewer);
     legend_draw(viewer);

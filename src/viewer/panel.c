@@ -47,14 +47,30 @@ static void draw_layer_choice(struct viewer *viewer) {
     }
 }
 
-/* Of all exposures there are, the slider has those of use. */
 static bool draw_exposure(struct viewer *viewer, struct picture_settings *picture) {
     struct ui_row row = {.name = "exposure, EV",
-                         .help = "stops; + and -, or Ctrl and the wheel; 0: as the scene began",
+                         .help = "stops: drag sideways, .02 a pixel, ten times as fast with Shift; two clicks type it; + "
+                                 "and -, or Ctrl and the wheel; 0: as the scene began",
                          .differs = picture->exposure != viewer->exposing.usual};
-    enum ui_result result = ui_float(&row, &picture->exposure, -12, 12);
+    enum ui_result result =
+        ui_drag(&row, &picture->exposure, -EXPOSURE_MOST, EXPOSURE_MOST, .02F);
     if (result == UI_RESET)
         picture->exposure = viewer->exposing.usual;
+    return result != UI_NOTHING;
+}
+
+/* It differs from the one that the viewer began with. */
+static bool draw_tone_map(struct viewer *viewer, struct picture_settings *picture) {
+    const struct picture_settings *usual = settings_of(&viewer->desc.settings, &picture_part);
+    int count = 0;
+    const struct option *option = option_find(picture_part.table, "tone-map");
+    while (option->choices[count])
+        count++;
+    struct ui_row row = {
+        .name = "tone map", .help = option->help, .differs = picture->tone_map != usual->tone_map};
+    enum ui_result result = ui_choice(&row, &picture->tone_map, option->choices, count);
+    if (result == UI_RESET)
+        picture->tone_map = usual->tone_map;
     return result != UI_NOTHING;
 }
 
@@ -62,10 +78,7 @@ static bool draw_exposure(struct viewer *viewer, struct picture_settings *pictur
 static void draw_tone(struct viewer *viewer) {
     struct settings *settings = &viewer->wish.settings;
     bool changed = draw_exposure(viewer, settings_edit(settings, &picture_part));
-    for (const struct option *option = picture_part.table; option->name; option++)
-        if (option->offset == offsetof(struct picture_settings, tone_map))
-            changed |=
-                panel_draw_setting(&(struct setting){&picture_part, option}, settings, NULL, NULL);
+    changed |= draw_tone_map(viewer, settings_edit(settings, &picture_part));
     if (changed)
         viewer_retone(viewer);
 }
@@ -95,14 +108,17 @@ static void draw_picture(struct viewer *viewer) {
 static void draw_vals(struct viewer *viewer, const struct pick *pick) {
     struct inspect_choice *choice = &viewer->shown.choice;
     if (pick->val_count)
-        ui_text(UI_DIM, "lit by");
+        ui_fact("lit most by",
+                "groups of virtual lights: each is tested for shadow by one virtual area light, a VAL; "
+                "its share of the light here, and how much of it is seen from here",
+                "%d groups", pick->val_count);
     for (int i = 0; i < pick->val_count; i++) {
         const struct pick_val *val = &pick->vals[i];
         char name[32], share[32], visible[32];
         unsigned char rgb[3];
         bool chosen = choice->layer == val->val &&
                       inspect_is(&viewer->shown.renderer, choice->output, OUTPUT_VISIBILITY);
-        snprintf(name, sizeof name, "VAL %d", val->val);
+        snprintf(name, sizeof name, "group %d", val->val);
         snprintf(share, sizeof share, "%.1f %%", 100 * (double)val->share);
         snprintf(visible, sizeof visible, "visible %.0f %%", 100 * (double)val->visibility);
         marks_cluster_color(val->val, rgb);
@@ -138,12 +154,17 @@ void panel_draw(struct viewer *viewer) {
         bool open;
         void (*draw)(struct viewer *viewer);
     } sections[] = {
-        {"Quality", true, panel_draw_technique},  {"Truth", true, panel_draw_truth},
+        {"Quality", true, panel_draw_technique},  {"Reference", true, panel_draw_truth},
         {"Picture", true, draw_picture},          {"Compare", false, panel_draw_compare},
         {"Light", false, panel_draw_light},       {"Camera", false, panel_draw_camera},
         {"Look closely", false, panel_draw_look}, {"Surface", false, draw_surface},
         {"Settings", false, panel_draw_session},
     };
+    /* What is compared is told of, however it came about. */
+    bool compares = viewer->shown.compare.mode != COMPARE_OFF;
+    if (compares && !viewer->panel.was_comparing)
+        ui_open_section("Compare", false);
+    viewer->panel.was_comparing = compares;
     ui_area_begin("panel", UI_PANEL, (float)area->width, 0,
                   (float)(viewer->host.input->width - area->width),
                   (float)viewer->host.input->height);

@@ -90,9 +90,9 @@ static bool draw_power(struct viewer *viewer, struct emitter *light) {
 
 static bool draw_size(struct viewer *viewer, struct emitter *light) {
     float most = viewer->document.geometry.radius, angle = glm_deg(light->size[0]);
-    struct ui_row across = {.name = "size, m", .help = "across; 0: a point"},
-                  up = {.name = "height, m", .help = "of a rectangle; 0: it is round"},
-                  sun = {.name = "across, \xc2\xb0", .help = "degrees; the sun's are 0.53"};
+    struct ui_row across = {.name = "width, m", .help = "of the lamp, across; 0: a point"},
+                  up = {.name = "length, m", .help = "of a rectangle, its other side; 0: it is round"},
+                  sun = {.name = "disc, \xc2\xb0", .help = "how wide it is in the sky, degrees; the sun's is 0.53"};
     if (light->type == EMITTER_DIRECTIONAL) {
         bool changed = ui_float(&sun, &angle, 0, 60);
         if (changed)
@@ -108,11 +108,11 @@ static bool draw_size(struct viewer *viewer, struct emitter *light) {
 /* Half angles, of which the first stays the smaller one. */
 static bool draw_cone(struct emitter *light) {
     float inner = glm_deg(acosf(light->cos_inner)), outer = glm_deg(acosf(light->cos_outer));
-    struct ui_row bright = {.name = "bright, \xc2\xb0",
+    struct ui_row bright = {.name = "inner angle, \xc2\xb0",
                             .help = "half angle of the cone up to which it is as bright as on its "
                                     "axis",
                             .even = true},
-                  dark = {.name = "dark, \xc2\xb0",
+                  dark = {.name = "outer angle, \xc2\xb0",
                           .help = "half angle from which on there is no light",
                           .even = true};
     if (ui_float(&bright, &inner, 0, 89)) {

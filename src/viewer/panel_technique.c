@@ -7,6 +7,7 @@
 #include "viewer/relevance.h"
 
 #include <string.h>
+#include <strings.h>
 
 enum { TECHNIQUES_MAX = 32, PRESETS_MAX = 8 };
 
@@ -59,16 +60,20 @@ bool panel_draw_setting(const struct setting *setting, struct settings *settings
 
 /* Each sets all there is to set. */
 static bool draw_presets(const struct technique *technique, struct settings *settings) {
-    const char *names[PRESETS_MAX];
+    char titles[PRESETS_MAX][PRESET_TITLE_SIZE], texts[PRESETS_MAX][PRESET_HELP_SIZE];
+    const char *names[PRESETS_MAX], *helps[PRESETS_MAX];
     const struct preset *presets = technique->presets;
     int count = 0, chosen = -1;
     for (; presets && count < PRESETS_MAX && presets[count].name; count++) {
         struct settings with = preset_settings(&presets[count], settings);
-        names[count] = preset_title(&presets[count]);
+        preset_title(&presets[count], titles[count]);
+        preset_explain(&presets[count], texts[count]);
+        names[count] = titles[count];
+        helps[count] = texts[count];
         if (renderer_settings_same(&with, settings, technique->parts))
             chosen = count;
     }
-    if (count == 0 || !ui_segments("presets", &chosen, names, count))
+    if (count == 0 || !ui_explained_segments("presets", &chosen, names, helps, count))
         return false;
     *settings = preset_settings(&presets[chosen], settings);
     return true;
@@ -125,13 +130,28 @@ static bool draw_plain(const struct technique *technique, const struct direct_me
 
 /* --- all others --- */
 
+/* Letters count as small ones. */
+static bool has_text(const char *text, const char *part) {
+    size_t length = strlen(part);
+    for (; text && *text; text++)
+        if (strncasecmp(text, part, length) == 0)
+            return true;
+    return false;
+}
+
+static bool is_wanted(const struct setting *setting, const char *filter) {
+    return *filter == '\0' || has_text(setting->option->name, filter) ||
+           has_text(setting->option->help, filter) || has_text(setting->part->title, filter);
+}
+
 /* The rows that have an effect, under their heading; without any there is none. */
 static bool draw_part(const struct settings_part *part, const struct technique *technique,
-                      struct settings *settings) {
+                      const char *filter, struct settings *settings) {
     bool changed = false, headed = false;
     for (const struct option *option = part->table; option->name; option++) {
         struct setting setting = {part, option};
-        if (is_plain(&setting) || !setting_matters(&setting, settings, technique))
+        if (is_plain(&setting) || !setting_matters(&setting, settings, technique) ||
+            !is_wanted(&setting, filter))
             continue;
         if (!headed)
             ui_heading(part->title);
@@ -142,10 +162,10 @@ static bool draw_part(const struct settings_part *part, const struct technique *
 }
 
 static bool draw_parts(const struct settings_part *const *parts, const struct technique *technique,
-                       struct settings *settings) {
+                       const char *filter, struct settings *settings) {
     bool changed = false;
     for (; *parts; parts++)
-        changed |= draw_part(*parts, technique, settings);
+        changed |= draw_part(*parts, technique, filter, settings);
     return changed;
 }
 
@@ -159,12 +179,16 @@ static bool has_wide_light(const struct emitters *emitters) {
 static bool draw_advanced(struct viewer *viewer, const struct technique *technique,
                           struct settings *settings) {
     const struct emitters *emitters = &viewer->placed.emitters;
-    bool changed = draw_parts(technique->parts, technique, settings);
-    changed |= draw_parts(viewer->shown.renderer.desc.direct->parts, technique, settings);
+    char *filter = viewer->panel.filter;
+    struct ui_row row = {.name = "find",
+                         .help = "shows the settings alone whose name, group or explanation has it"};
+    ui_text_field(&row, filter, sizeof viewer->panel.filter, "shadow, blur, seed ...");
+    bool changed = draw_parts(technique->parts, technique, filter, settings);
+    changed |= draw_parts(viewer->shown.renderer.desc.direct->parts, technique, filter, settings);
     if (emitters->sky)
-        changed |= draw_part(&sky_part, technique, settings);
+        changed |= draw_part(&sky_part, technique, filter, settings);
     if (emitters->sky || has_wide_light(emitters))
-        changed |= draw_part(&start_part, technique, settings);
+        changed |= draw_part(&start_part, technique, filter, settings);
     return changed;
 }
 
@@ -184,13 +208,48 @@ static bool draw_technique_choice(const struct technique **technique) {
     return true;
 }
 
+/* By the lights' sizes first. */
+static bool draw_direct_choice(struct viewer *viewer) {
+    const char *names[TECHNIQUES_MAX] = {"by the lights"};
+    const struct direct_method *now = viewer->desc.direct;
+    int count = 1, chosen = 0;
+    for (; direct_methods[count - 1] && count < TECHNIQUES_MAX; count++) {
+        names[count] = direct_methods[count - 1]->name;
+        chosen = direct_methods[count - 1] == now ? count : chosen;
+    }
+    struct ui_row row = {
+        .name = "direct light",
+        .help = now ? now->help : "hard shadows, or soft ones where a light has a size (--direct)",
+        .differs = now};
+    enum ui_result result = ui_choice(&row, &chosen, names, count);
+    if (result != UI_NOTHING)
+        viewer->desc.direct = result == UI_RESET || chosen == 0 ? NULL : direct_methods[chosen - 1];
+    return result != UI_NOTHING;
+}
+
+/* A picture at rest goes on to their mean. */
+static void draw_passes(struct viewer *viewer) {
+    int passes = viewer_passes(viewer);
+    struct ui_row row = {.name = "passes at rest",
+                         .help = "at rest the picture becomes the mean of so many, each with other "
+                                 "virtual lights: truer, and as many times as dear (--passes; 64: "
+                                 "--quality final)",
+                         .differs = viewer->desc.passes > 0};
+    enum ui_result result = ui_int(&row, &passes, 1, PASSES_AT_REST);
+    if (result == UI_NOTHING)
+        return;
+    viewer->desc.passes = result == UI_RESET ? 0 : passes;
+    viewer_touch(viewer);
+}
+
 /* What a frame may take, and what has been chosen by it. */
 static void draw_budget(struct viewer *viewer) {
     const struct time_budget *budget = &viewer->shown.budget;
     float ms = viewer->wish.budget;
     struct ui_row row = {
-        .name = "frame budget, ms",
-        .help = "what a frame may take: the settings here then follow from how long frames take",
+        .name = "budget, ms",
+        .help = "what a frame may take: the settings here then follow from how long frames take "
+                "(--budget)",
         .differs = ms > 0,
         .least = "none"};
     enum ui_result result = ui_float(&row, &ms, 0, 1000);
@@ -216,11 +275,13 @@ void panel_draw_technique(struct viewer *viewer) {
     ui_space();
     changed |= draw_technique_choice(technique);
     changed |= draw_plain(*technique, viewer->shown.renderer.desc.direct, settings);
-    bool advanced = ui_section("Advanced", false);
-    if (advanced)
-        changed |= draw_advanced(viewer, *technique, settings);
-    if (advanced && side == 0)
+    if (side == 0) {
+        changed |= draw_direct_choice(viewer);
+        draw_passes(viewer);
         draw_budget(viewer);
+    }
+    if (ui_section("Advanced", false))
+        changed |= draw_advanced(viewer, *technique, settings);
     if (changed && side == 0)
         viewer_set_budget(viewer, 0); /* what is set by hand wins */
     if (changed)

@@ -1,4 +1,4 @@
-/* The panel: the truth of this view, and what speed costs of it. */
+/* The panel: the reference of this view, and the accuracy that speed costs. */
 #include "viewer/panel.h"
 
 #include <math.h>
@@ -10,7 +10,10 @@ static const double wanted_error = .05;
 static uint32_t dot_color(int i) {
     static const unsigned char colors[][3] = {{108, 182, 255}, {240, 168, 72},  {126, 211, 133},
                                               {232, 120, 150}, {186, 148, 240}, {150, 156, 168},
-                                              {90, 206, 206},  {222, 206, 110}};
+                                              {90, 206, 206},  {222, 206, 110},
+                                              {198, 110, 66},   {96, 124, 230},  {230, 230, 236},
+                                              {176, 214, 64},   {214, 92, 214},  {122, 96, 78},
+                                              {60, 148, 110},   {255, 176, 176}};
     const unsigned char *c = colors[(size_t)i % (sizeof colors / sizeof *colors)];
     return UI_RGBA(c[0], c[1], c[2], 255);
 }
@@ -69,6 +72,10 @@ static double tick(int i) {
     return steps[i % 5] * pow(10, i / 5 - 3);
 }
 
+static void tell_tick(double ms, char *text, size_t size) {
+    snprintf(text, size, ms >= 1000 ? "%g s" : "%g ms", ms >= 1000 ? ms / 1000 : ms);
+}
+
 static void draw_times(const struct plot *plot) {
     float line = ui_line_height(), free_from = plot->x;
     for (int i = 0; i < 50; i++) {
@@ -78,14 +85,14 @@ static void draw_times(const struct plot *plot) {
             continue;
         float x = x_of(plot, value);
         ui_draw_line(x, plot->y, x, plot->y + plot->height, UI_RGBA(54, 58, 68, 255), 1);
-        snprintf(text, sizeof text, "%g", value);
+        tell_tick(value, text, sizeof text);
         if (x < free_from)
             continue;
         ui_draw_text(x, plot->y + plot->height + .2F * line, .5F, UI_DIM, text);
-        free_from = x + 2.6F * line;
+        free_from = x + 3.6F * line;
     }
     ui_draw_text(plot->x + plot->width, plot->y + plot->height + 1.1F * line, 1, UI_DIM,
-                 "ms a frame");
+                 "time of a frame");
 }
 
 static void draw_errors(const struct plot *plot) {
@@ -105,9 +112,12 @@ static void draw_errors(const struct plot *plot) {
     }
 }
 
-/* Three digits, and no power of ten. */
+/* Three digits, and no power of ten; seconds from a thousand on. */
 static void tell_ms(double ms, char *text, size_t size) {
-    snprintf(text, size, ms < 100 ? "%.3g ms" : "%.0f ms", ms);
+    if (ms >= 1000)
+        snprintf(text, size, ms < 1e5 ? "%.3g s" : "%.0f s", ms / 1000);
+    else
+        snprintf(text, size, ms < 100 ? "%.3g ms" : "%.0f ms", ms);
 }
 
 static void tell_dot(const struct chart_dot *dot, char *text, size_t size) {
@@ -192,35 +202,47 @@ static void draw_chart(struct viewer *viewer) {
     const struct chart *chart = &viewer->tracing.chart;
     if (chart->count == 0)
         return;
-    ui_heading("error of indirect light over time");
+    if (viewer->panel.shows_chart)
+        ui_show_here();
+    viewer->panel.shows_chart = false;
+    ui_heading("error of indirect light, noise taken out, over time");
     if (viewer_is_charting(viewer) && viewer->tracing.samples > 0)
         ui_text(UI_DIM, "measuring %s, %d of %d ...", chart->dots[chart->next].name,
                 chart->next + 1, chart->count);
     else if (viewer_is_charting(viewer))
-        ui_text(UI_DIM, "waiting for the first samples of the truth ...");
+        ui_text(UI_DIM, "waiting for the first samples of the reference ...");
     int clicked = draw_plot(chart), row = draw_rows(viewer);
     clicked = row >= 0 ? row : clicked;
     if (clicked >= 0)
         viewer_take_dot(viewer, clicked);
 }
 
-/* --- the truth --- */
+/* --- the reference --- */
 
 static void draw_state(const struct viewer *viewer) {
     const struct tracing *tracing = &viewer->tracing;
     if (!tracing->view.lights)
         return;
     if (!tracing->of_view)
-        ui_text(UI_WARNING, "What was traced is of another view.");
+        ui_text(UI_WARNING, "The reference is of another view.");
+    else if (tracing->samples > 0 && !viewer_has_reference_size(viewer))
+        ui_text(UI_WARNING, "The reference is of another size, %d x %d: Compare shows it.",
+                tracing->view.width, tracing->view.height);
     if (tracing->samples > 0)
         ui_value("samples a pixel", "%d%s", tracing->samples,
                  viewer_is_tracing(viewer) ? " ..." : "");
     else if (viewer_is_tracing(viewer))
         ui_text(UI_DIM, "tracing the first samples ...");
     if (tracing->samples > 0)
-        ui_value("noise of the truth", "%.1f %%", 100 * tracing->noise);
+        ui_fact("its noise",
+                "standard error of the reference's indirect light, RMS over its mean: it falls with "
+                "the samples",
+                "%.1f %%", 100 * tracing->noise);
     if (tracing->has_error)
-        ui_value("error of indirect light", "%.1f %%", 100 * tracing->error);
+        ui_fact("error of indirect light",
+                "relative RMSE of the picture's indirect light, with the reference's noise taken "
+                "out: the error of layer indirect in Compare",
+                "%.1f %%", 100 * tracing->error);
 }
 
 void panel_draw_truth(struct viewer *viewer) {
@@ -228,15 +250,21 @@ void panel_draw_truth(struct viewer *viewer) {
         if (ui_wide_button("Stop tracing", "what has been traced stays"))
             truth_stop(&viewer->tracing.truth);
     } else if (ui_wide_button(
-                   "Trace the truth of this view",
+                   "Trace a reference of this view",
                    "by the path tracer, in the background: it is shown right of the wipe "
                    "as it gets cleaner")) {
         viewer_trace(viewer);
     }
     if (ui_wide_button("Chart speed and accuracy",
-                       "times every preset and technique on this view, against its truth; a click "
-                       "on one takes it"))
+                       "times every preset and technique on this view, against its reference; a "
+                       "click on one takes it")) {
         viewer_chart(viewer);
+        viewer->panel.shows_chart = true;
+    }
     draw_state(viewer);
+    if (viewer->tracing.samples > 0 &&
+        ui_wide_button("Save the reference",
+                       "as EXR with all layers, as manylight reference writes it"))
+        viewer_save_reference(viewer);
     draw_chart(viewer);
 }

@@ -482,13 +482,36 @@ bool viewer_load_reference(struct viewer *viewer, const char *path) {
     }
     if (path != viewer->panel.reference_path)
         snprintf(viewer->panel.reference_path, sizeof viewer->panel.reference_path, "%s", path);
+    viewer_compare_reference(viewer);
+    return true;
+}
+
+/* Errors need pictures of one size. */
+void viewer_compare_reference(struct viewer *viewer) {
+    struct shown *shown = &viewer->shown;
+    struct compare *compare = &shown->compare;
     compare->mode = COMPARE_REFERENCE;
     compare->measured = false;
-    /* Errors need pictures of one size. */
-    shown->fixed_width = compare->reference.picture.width;
-    shown->fixed_height = compare->reference.picture.height;
+    if (compare->reference.framebuffer) {
+        shown->fixed_width = compare->reference.picture.width;
+        shown->fixed_height = compare->reference.picture.height;
+    }
     shown->dirty = true;
-    return true;
+}
+
+void viewer_fill_window(struct viewer *viewer) {
+    struct shown *shown = &viewer->shown;
+    if (shown->compare.mode == COMPARE_REFERENCE)
+        shown->compare.mode = COMPARE_OFF;
+    shown->fixed_width = shown->fixed_height = 0;
+    shown->dirty = true;
+}
+
+bool viewer_has_reference_size(const struct viewer *viewer) {
+    const struct image *reference = &viewer->shown.compare.reference.picture;
+    int width, height;
+    viewer_full_size(viewer, &width, &height);
+    return reference->width == width && reference->height == height;
 }
 
 struct screen_pictures viewer_pictures(const struct viewer *viewer) {

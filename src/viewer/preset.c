@@ -1,17 +1,39 @@
 #include "viewer/preset.h"
 
+#include <stdio.h>
 #include <string.h>
 
-const char *preset_title(const struct preset *preset) {
-    static const char *const titles[][2] = {{"draft", "Draft"},
-                                            {"fast", "Normal"},
-                                            {"fine", "High"},
-                                            {"traced", "Traced"},
-                                            {"paper", "Published"}};
-    for (size_t i = 0; i < sizeof titles / sizeof *titles; i++)
-        if (strcmp(preset->name, titles[i][0]) == 0)
-            return titles[i][1];
-    return preset->name;
+static const char *word_of(const struct preset *preset) {
+    return preset->word ? preset->word : preset->name;
+}
+
+void preset_title(const struct preset *preset, char title[PRESET_TITLE_SIZE]) {
+    snprintf(title, PRESET_TITLE_SIZE, "%s", word_of(preset));
+    if (title[0] >= 'a' && title[0] <= 'z')
+        title[0] = (char)(title[0] - 'a' + 'A');
+}
+
+/* Of clustered, in two boxes, two halls and a staircase: bench/PARSIMONY.md, "What the settings buy". */
+static const struct {
+    const char *word, *help;
+} prices[] = {
+    {"draft", "For slow machines and first looks. x0.5 the time of Normal, and 1.4 to 2.7 times its "
+              "error"},
+    {"normal", "For most scenes: the defaults"},
+    {"high", "For scenes of many small things. x1.4 the time of Normal, a tenth less error"},
+    {"rays", "The truest frame: shadows by rays through the triangles. x1 to x3 the time of Normal, "
+             "most in large halls, and a fifth to a third less error"},
+};
+
+void preset_explain(const struct preset *preset, char text[PRESET_HELP_SIZE]) {
+    const char *help = preset->help, *word = word_of(preset);
+    for (size_t i = 0; i < sizeof prices / sizeof *prices; i++)
+        if (strcmp(prices[i].word, word) == 0)
+            help = prices[i].help;
+    bool is_quality = strcmp(word, "draft") == 0 || strcmp(word, "normal") == 0 ||
+                      strcmp(word, "high") == 0;
+    snprintf(text, PRESET_HELP_SIZE, "%s. On the command line: %s%s.", help,
+             is_quality ? "--quality " : "--set path=", word);
 }
 
 void preset_keep_tone(struct settings *settings, const struct settings *now) {

@@ -4,8 +4,13 @@
 
 #include "renderer/settings.h"
 
-/* As people call it. */
-const char *preset_title(const struct preset *preset);
+enum { PRESET_TITLE_SIZE = 24, PRESET_HELP_SIZE = 320 };
+
+/* The word of --quality or its name, with a capital. */
+void preset_title(const struct preset *preset, char title[PRESET_TITLE_SIZE]);
+
+/* For which pictures it is, how much dearer and truer, and its words on the command line. */
+void preset_explain(const struct preset *preset, char text[PRESET_HELP_SIZE]);
 
 /* Exposure and tone map as they are: they are no part of how well a picture is made. */
 void preset_keep_tone(struct settings *settings, const struct settings *now);

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/file/output_file.h"
+#include "base/memory.h"
 #include "scene/animation.h"
 
 #include <errno.h>
@@ -46,8 +47,10 @@ static bool take_name(const struct recorder *recorder) {
 static bool choose_name(struct recorder *recorder) {
     const char *ending = recorder->kind == RECORD_VIDEO ? ".mp4" : "";
     for (int i = 1; i < 10000; i++) {
-        snprintf(recorder->name, sizeof recorder->name, "manylight-clip-%04d%s", i, ending);
-        snprintf(recorder->part, sizeof recorder->part, ".%s", recorder->name);
+        snprintf(recorder->name, sizeof recorder->name, "%s/manylight-clip-%04d%s",
+                 recorder->folder, i, ending);
+        snprintf(recorder->part, sizeof recorder->part, "%s/.manylight-clip-%04d%s",
+                 recorder->folder, i, ending);
         if (access(recorder->name, F_OK) == 0)
             continue;
         if (take_name(recorder))
@@ -58,33 +61,68 @@ static bool choose_name(struct recorder *recorder) {
     return error_set("too many clips are here");
 }
 
+/* For the shell: in single quotes; one of its own closes, escapes and opens. To be freed. */
+static char *quote(const char *path) {
+    char *quoted = mem_alloc(4 * strlen(path) + 3, 1), *to = quoted;
+    *to++ = '\'';
+    for (; *path; path++)
+        to += *path == '\'' ? sprintf(to, "'\\''") : sprintf(to, "%c", *path);
+    strcpy(to, "'");
+    return quoted;
+}
+
 /* The video's sides are even, as most players want them. */
 static bool open_pipe(struct recorder *recorder) {
-    char command[512];
-    snprintf(command, sizeof command,
-             "ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgba -s %dx%d -r %d -i - -an -vf "
-             "'crop=trunc(iw/2)*2:trunc(ih/2)*2' -pix_fmt yuv420p %s",
-             recorder->width, recorder->height, TIMELINE_FPS, recorder->part);
+    char *part = quote(recorder->part);
+    char *command =
+        mem_printf("ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgba -s %dx%d -r %d -i - -an -vf "
+                   "'crop=trunc(iw/2)*2:trunc(ih/2)*2' -pix_fmt yuv420p %s",
+                   recorder->width, recorder->height, TIMELINE_FPS, part);
     signal(SIGPIPE, SIG_IGN); /* an ffmpeg that fails is told by fwrite */
     recorder->pipe = popen(command, "w");
+    free(command);
+    free(part);
     return recorder->pipe || error_set("ffmpeg cannot be started: %s", strerror(errno));
 }
 
 /* --- a clip ----------------------------------------------------------------------------------- */
 
-void recorder_start(struct viewer *viewer, enum record_kind kind) {
+/* As a shell and the field for scenes take it. */
+static void set_folder(struct recorder *recorder, const char *folder) {
+    const char *home = strncmp(folder, "~/", 2) == 0 ? getenv("HOME") : NULL;
+    snprintf(recorder->folder, sizeof recorder->folder, "%s%s", home ? home : "",
+             home ? folder + 1 : folder);
+}
+
+void recorder_start(struct viewer *viewer) {
     struct recorder *recorder = &viewer->recorder;
-    double duration = scene_duration(&viewer->document.scene);
-    *recorder = (struct recorder){.kind = kind};
+    const struct record_request *request = &viewer->record;
+    int last = (int)lround((double)fmaxf(request->from, request->to) * TIMELINE_FPS);
+    *recorder = (struct recorder){.kind = request->kind,
+                                  .first = (int)lround((double)request->from * TIMELINE_FPS)};
+    set_folder(recorder, request->folder);
     if (!choose_name(recorder)) {
         *recorder = (struct recorder){0};
         viewer_tell_error(viewer);
         return;
     }
     recorder->on = true;
-    recorder->count = (int)lround(duration * TIMELINE_FPS);
-    recorder->count = recorder->count > 0 ? recorder->count : 1;
+    recorder->count = last > recorder->first ? last - recorder->first : 1;
+    recorder->started = window_time();
     viewer->wish.play.on = false;
+}
+
+void recorder_tell(const struct viewer *viewer, char *text, size_t size) {
+    const struct recorder *recorder = &viewer->recorder;
+    double seconds = window_time() - recorder->started;
+    double left = recorder->frame > 0
+                      ? seconds / recorder->frame * (recorder->count - recorder->frame)
+                      : 0;
+    int at = snprintf(text, size, "recording %d of %d", recorder->frame, recorder->count);
+    if (recorder->frame > 0 && at > 0 && (size_t)at < size && left < 90)
+        snprintf(text + at, size - (size_t)at, ", %.0f seconds left", left);
+    else if (recorder->frame > 0 && at > 0 && (size_t)at < size)
+        snprintf(text + at, size - (size_t)at, ", %.0f minutes left", left / 60);
 }
 
 static void tell_written(struct viewer *viewer) {
@@ -117,12 +155,14 @@ void recorder_stop(struct viewer *viewer) {
 
 void recorder_pose(struct viewer *viewer) {
     if (viewer->recorder.on)
-        viewer_go_to(viewer, (double)viewer->recorder.frame / TIMELINE_FPS);
+        viewer_go_to(viewer, (double)(viewer->recorder.first + viewer->recorder.frame) /
+                                 TIMELINE_FPS);
 }
 
 static bool write_picture(struct viewer *viewer) {
-    char path[128];
-    snprintf(path, sizeof path, "%s/%04d.png", viewer->recorder.name, viewer->recorder.frame);
+    char path[640];
+    snprintf(path, sizeof path, "%s/%04d.png", viewer->recorder.name,
+             viewer->recorder.first + viewer->recorder.frame);
     return viewer_write_picture(viewer, path);
 }
 

@@ -249,6 +249,8 @@ struct session viewer_session(const struct viewer *viewer) {
         .scene = scene->path,
         .environment = scene->environment,
         .technique = viewer->wish.technique,
+        .direct = viewer->desc.direct,
+        .passes = viewer->desc.passes,
         .settings = viewer->wish.settings,
         .layer = viewer->shown.layer,
         .time = (float)viewer->placed.time,
@@ -265,6 +267,8 @@ struct session viewer_session(const struct viewer *viewer) {
 bool viewer_show_session(struct viewer *viewer, const struct session *session) {
     memcpy(viewer->placed.views, session->views, sizeof session->views);
     viewer->wish.technique = session->technique;
+    viewer->desc.direct = session->direct;
+    viewer->desc.passes = session->passes;
     viewer->wish.settings = session->settings;
     viewer->shown.layer = session->layer;
     viewer->wish.play.on = false;

@@ -72,6 +72,23 @@ bool viewer_write_picture(struct viewer *viewer, const char *path) {
     return ok;
 }
 
+void viewer_save_reference(struct viewer *viewer) {
+    char name[64];
+    for (int i = 1; i < 10000; i++) {
+        snprintf(name, sizeof name, "manylight-reference-%04d.exr", i);
+        if (access(name, F_OK) != 0)
+            break;
+    }
+    if (!image_write(&viewer->shown.compare.reference.picture, name)) {
+        viewer_tell_error(viewer);
+        return;
+    }
+    char *path = realpath(name, NULL);
+    messages_add(&viewer->host.messages, UI_NORMAL, "written: %s, %d samples a pixel",
+                 path ? path : name, viewer->tracing.samples);
+    free(path);
+}
+
 void viewer_take_screenshot(struct viewer *viewer) {
     if (!viewer->has_scene)
         return;

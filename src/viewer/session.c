@@ -15,6 +15,7 @@
 /* What a session has beside settings and placings. */
 static const struct option session_table[] = {
     {"layer", 0, OPTION_CHOICE, offsetof(struct session, layer), .choices = shown_layer_names},
+    {"passes", 0, OPTION_INT, offsetof(struct session, passes), 0, 0, 1e6, .help = NULL},
     {"time", 0, OPTION_FLOAT, offsetof(struct session, time), 0, 0, 1e6, .help = NULL},
     {NULL},
 };
@@ -37,7 +38,7 @@ int session_bounces(const struct session *session) {
 }
 
 bool session_same_view(const struct session *a, const struct session *b) {
-    return a->width == b->width && a->height == b->height && strcmp(a->clip, b->clip) == 0 &&
+    return strcmp(a->clip, b->clip) == 0 &&
            a->time == b->time && session_bounces(a) == session_bounces(b) &&
            strcmp(a->camera, b->camera) == 0 && strcmp(a->lights, b->lights) == 0;
 }
@@ -101,6 +102,8 @@ char *session_command(const struct session *session) {
         }
     if (session->technique != technique_default)
         append(&text, mem_printf(" --technique %s", session->technique->name));
+    if (session->direct)
+        append(&text, mem_printf(" --direct %s", session->direct->name));
     for (struct setting setting = {0}; next_changed(&session->settings, &setting);) {
         char name[SETTING_NAME_SIZE];
         setting_name(&setting, name);
@@ -142,6 +145,8 @@ bool session_save(const struct session *session, const char *path) {
             "# manylight view: settings\ntechnique = %s\ncamera = %s\nlight = %s\nclip = %s\n",
             session->technique->name, session->camera, session->lights,
             *session->clip ? session->clip : "all");
+    if (session->direct)
+        fprintf(text.stream, "direct = %s\n", session->direct->name);
     for (int i = 0; i < SESSION_VIEWS; i++)
         if (*session->views[i])
             fprintf(text.stream, "view%d = %s\n", i + 1, session->views[i]);
@@ -189,6 +194,10 @@ static bool read_line(struct session *session, char *line) {
         session->technique = technique ? technique : session->technique;
         return technique;
     }
+    if (strcmp(line, "direct") == 0) {
+        session->direct = direct_find(value);
+        return session->direct;
+    }
     struct setting setting;
     return settings_find(&session->settings, line, &setting) &&
            setting_parse(&setting, &session->settings, value);
@@ -204,6 +213,7 @@ bool session_load(struct session *session, const char *path) {
     memset(read.clip, 0, sizeof read.clip);
     options_set_defaults(session_table, &read);
     read.technique = technique_default;
+    read.direct = NULL;
     renderer_settings_init(&read.settings);
     char *line = NULL;
     size_t room = 0;

@@ -16,6 +16,8 @@ struct session {
     const struct environment *environment; /* the scene's */
     int width, height;
     const struct technique *technique;
+    const struct direct_method *direct; /* NULL: by the lights' sizes */
+    int passes;                         /* at rest; 0: as many as is usual */
     struct settings settings;
     int layer;                  /* that is shown: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
     float time;                 /* of the animation, seconds */
@@ -32,14 +34,14 @@ void session_free(struct session *session);
 /* How often light is reflected. */
 int session_bounces(const struct session *session);
 
-/* Whether both have one truth: place, light, time, bounces and size. */
+/* Whether both have one reference but for its size: place, light, time and bounces. */
 bool session_same_view(const struct session *a, const struct session *b);
 
 /* "manylight render SCENE --size ... -o picture.png", quoted for a shell; to be freed. Settings at
  * their defaults are left out. */
 char *session_command(const struct session *session);
 
-/* One "key = value" a line: technique, layer, clip, time, camera, views, lights and the settings that are
+/* One "key = value" a line: technique, direct light's method, passes, layer, clip, time, camera, views, lights and the settings that are
  * not at their defaults. */
 bool session_save(const struct session *session, const char *path);
 

@@ -38,13 +38,13 @@ static void draw_buttons(struct viewer *viewer) {
     if (ui_button(">", "a frame on (.)"))
         timeline_step(viewer, 1);
     ui_same_line();
-    if (ui_button(records ? "Stop" : "Record", "the whole clip, frame by frame, as PNG"))
-        records ? recorder_stop(viewer) : recorder_start(viewer, RECORD_PICTURES);
+    if (ui_button(records ? "Stop" : "Record", "the clip or a part of it, frame by frame, as PNG"))
+        records ? recorder_stop(viewer) : recorder_ask(viewer, RECORD_PICTURES);
     if (records || !recorder_has_video())
         return;
     ui_same_line();
-    if (ui_button("Video", "the whole clip, through ffmpeg"))
-        recorder_start(viewer, RECORD_VIDEO);
+    if (ui_button("Video", "the clip or a part of it, through ffmpeg"))
+        recorder_ask(viewer, RECORD_VIDEO);
 }
 
 void timeline_draw(struct viewer *viewer) {
@@ -54,7 +54,7 @@ void timeline_draw(struct viewer *viewer) {
     double duration = scene_duration(&viewer->document.scene);
     if (!viewer_has_timeline(viewer))
         return;
-    ui_area_begin("timeline", UI_BAR, (float)area->x, (float)(area->y + area->height) - height,
+    ui_area_begin("timeline", UI_BAR, (float)area->x, (float)(area->y + area->height),
                   (float)area->width, height);
     ui_disabled_begin(viewer->recorder.on);
     if (ui_scrub("timeline", &time, (float)duration)) {
@@ -63,7 +63,12 @@ void timeline_draw(struct viewer *viewer) {
     }
     ui_disabled_end();
     draw_buttons(viewer);
-    if ((float)area->width > 30 * line) {
+    if (viewer->recorder.on) {
+        char text[96];
+        recorder_tell(viewer, text, sizeof text);
+        ui_same_line();
+        ui_text_right("%s", text);
+    } else if ((float)area->width > 30 * line) {
         ui_same_line();
         ui_text_right("frame %d of %d   %.2f of %.2f s", frame_of(viewer->placed.time),
                       frame_of(duration), viewer->placed.time, duration);

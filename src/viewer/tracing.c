@@ -1,8 +1,9 @@
-/* Traces the truth of the view in the background, and holds the picture against it as it gets
+/* Traces the reference of the view in the background, and holds the picture against it as it gets
  * cleaner. */
 #include "viewer/viewer.h"
 
 #include "metrics/layer.h"
+#include "shared/composite.h"
 #include "viewer/preset.h"
 
 #include <math.h>
@@ -49,19 +50,65 @@ bool viewer_is_tracing(const struct viewer *viewer) {
     return atomic_load(&viewer->tracing.truth.state) == TRUTH_TRACING;
 }
 
-/* The first of a view opens the wipe. */
+static double mean_of(const struct image *picture, const char *name) {
+    struct image layer;
+    double sum = 0;
+    if (!layer_extract(&layer, picture, name))
+        return 0;
+    size_t count = 3 * (size_t)layer.width * (size_t)layer.height;
+    for (size_t i = 0; i < count; i++)
+        sum += (double)layer.pixels[i];
+    image_free(&layer);
+    return sum / (double)count;
+}
+
+/* The noise that is known is the indirect light's. */
+static void tell_noise(struct tracing *tracing, const struct image *picture, double noise) {
+    double full = mean_of(picture, "");
+    tracing->noise = noise;
+    tracing->full_noise = full > 0 ? noise * mean_of(picture, "indirect") / full : 0;
+}
+
+double viewer_reference_noise(const struct viewer *viewer) {
+    const struct tracing *tracing = &viewer->tracing;
+    switch (viewer->shown.layer) {
+    case LAYER_INDIRECT:
+        return tracing->noise;
+    case LAYER_DIRECT:
+        return 0;
+    default:
+        return tracing->full_noise;
+    }
+}
+
+static double without_noise(double error, double noise) {
+    return sqrt(fmax(error * error - noise * noise, 0));
+}
+
+bool viewer_compared_error(const struct viewer *viewer, double *error) {
+    const struct compare *compare = &viewer->shown.compare;
+    int metric = (int)(metric_find("relative-rmse") - metrics);
+    bool is_reference = compare->mode == COMPARE_REFERENCE;
+    if (!compare->measured || !compare->is_known[metric])
+        return false;
+    *error = without_noise(compare->values[metric],
+                           is_reference ? viewer_reference_noise(viewer) : 0);
+    return true;
+}
+
+/* The first of a view opens the wipe, unless the picture has got another size. */
 static void show_picture(struct viewer *viewer, struct truth_picture *newest) {
     struct tracing *tracing = &viewer->tracing;
     struct compare *compare = &viewer->shown.compare;
+    tell_noise(tracing, &newest->image, newest->noise);
     if (!reference_take(&compare->reference, &newest->image)) {
         viewer_tell_error(viewer);
         viewer_forget_truth(viewer);
         return;
     }
-    if (tracing->samples == 0)
+    if (tracing->samples == 0 && viewer->shown.fixed_width > 0)
         compare->mode = COMPARE_REFERENCE;
     tracing->samples = newest->samples;
-    tracing->noise = newest->noise;
     compare->measured = false;
     viewer->shown.recompose = true;
 }
@@ -75,10 +122,9 @@ bool viewer_indirect_error(const struct viewer *viewer, const struct image *indi
         return false;
     const struct comparison comparison = {.test = indirect, .reference = &truth};
     bool same_size = truth.width == indirect->width && truth.height == indirect->height;
-    if (same_size) {
-        double with_noise = metric_measure(metric_find("relative-rmse"), &comparison, NULL);
-        *error = sqrt(fmax(with_noise * with_noise - tracing->noise * tracing->noise, 0));
-    }
+    if (same_size)
+        *error = without_noise(metric_measure(metric_find("relative-rmse"), &comparison, NULL),
+                               tracing->noise);
     image_free(&truth);
     return same_size;
 }
@@ -163,7 +209,10 @@ static void follow_chart(struct viewer *viewer) {
         return;
     if (viewer_is_charting(viewer) && chart->is_announced) {
         truth_pause(&tracing->truth, true);
-        if (!chart_measure_next(chart, &viewer->shown.renderer.desc))
+        struct renderer_desc desc = viewer->shown.renderer.desc;
+        desc.width = tracing->view.width; /* whatever has become of the window */
+        desc.height = tracing->view.height;
+        if (!chart_measure_next(chart, &desc))
             viewer_tell_error(viewer);
         tracing->chart_samples = 0;
         truth_pause(&tracing->truth, viewer_is_charting(viewer));

@@ -11,6 +11,7 @@ struct tracing {
     bool of_view;        /* and it is the present one */
     int samples;         /* of the reference, a pixel; 0: none yet */
     double noise;        /* of its indirect layer: standard error, RMS over mean */
+    double full_noise;   /* the same light's, over the mean of the whole picture */
     /* Of the left picture's indirect layer, the noise taken off: relative RMSE; and of which frame and
      * how many samples it tells. */
     bool has_error;

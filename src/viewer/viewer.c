@@ -24,7 +24,19 @@ static void lay_out(struct viewer *viewer) {
     int panel = viewer->panel.is_open ? (int)(PANEL_WIDTH * input->scale) : 0;
     if (panel > input->width * 2 / 3)
         panel = input->width * 2 / 3;
-    viewer->shown.area = (struct rectangle){0, 0, input->width - panel, input->height};
+    int height = input->height - (int)timeline_height(viewer);
+    viewer->shown.area = (struct rectangle){0, 0, input->width - panel, height};
+}
+
+/* The first scene's picture has the size that was asked for: the timeline takes its room from the screen. */
+static void make_room_for_timeline(struct viewer *viewer) {
+    const struct input *input = viewer->host.input;
+    int bar = (int)timeline_height(viewer);
+    if (!viewer->has_scene || viewer->has_made_room)
+        return;
+    viewer->has_made_room = true;
+    if (bar > 0 && !viewer->desc.full_screen && !viewer_is_scripted(viewer))
+        window_set_size(viewer->host.window, input->width, input->height + bar);
 }
 
 static void tell_start(struct viewer *viewer) {
@@ -163,6 +175,7 @@ bool viewer_turn(struct viewer *viewer) {
     lay_out(viewer);
     /* The window shows itself before the scene takes its time. */
     bool ok = !viewer->window_shown || viewer_poll_loader(viewer);
+    make_room_for_timeline(viewer);
     if (!ok && !viewer_is_scripted(viewer)) {
         viewer_tell_error(viewer);
         ok = true;
@@ -173,6 +186,7 @@ bool viewer_turn(struct viewer *viewer) {
     overlay_draw(viewer);
     inspector_draw(viewer);
     timeline_draw(viewer);
+    recorder_draw_request(viewer);
     draw(viewer);
     return ok;
 }

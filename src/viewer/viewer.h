@@ -136,6 +136,9 @@ struct panel {
     enum overlay_kind { OVERLAY_LINE, OVERLAY_TABLE, OVERLAY_NONE, OVERLAY_KINDS } overlay;
     char scene_path[512], reference_path[512],
         session_path[512];             /* typed, or where they came from */
+    char filter[32];                   /* of the settings under Advanced */
+    bool was_comparing;                /* when it was drawn last */
+    bool shows_chart;                  /* it was asked for, and comes into view when it is drawn */
     bool edits_right;                  /* the settings shown are the right picture's */
     char *places;                      /* as they were written last; NULL = not yet */
     int places_asked, places_answered; /* how often */
@@ -174,6 +177,7 @@ struct viewer {
     struct hand hand;
     struct panel panel;
     struct recorder recorder;
+    struct record_request record;
     struct history history;
     struct tracing tracing;
     struct start start;
@@ -183,6 +187,7 @@ struct viewer {
         int after_frame; /* shown.frame_count before that */
     } exposing;
     bool window_shown, picture_shown; /* once */
+    bool has_made_room;               /* for the first scene's timeline */
     bool done;                        /* close the window */
 };
 
@@ -248,7 +253,13 @@ void viewer_pick_surface(struct viewer *viewer, float x, float y);
 /* Error: shown, too. */
 bool viewer_load_reference(struct viewer *viewer, const char *path);
 
-/* Whether the picture is of what the reference is of: the view that it was first compared with. */
+/* Compares with the reference there is, in its size; or makes the picture as large as the window again: the
+ * reference and its chart stay, for viewer_compare_reference. */
+void viewer_compare_reference(struct viewer *viewer);
+void viewer_fill_window(struct viewer *viewer);
+
+/* Whether the picture has the reference's size; and whether it is of what the reference is of: the view that it was first compared with. */
+bool viewer_has_reference_size(const struct viewer *viewer);
 bool viewer_reference_fits(const struct viewer *viewer);
 
 /* What is drawn into the window, where has_scene and left. */
@@ -354,6 +365,13 @@ bool viewer_is_tracing(const struct viewer *viewer);
 bool viewer_indirect_error(const struct viewer *viewer, const struct image *indirect,
                            double *error);
 
+/* Relative RMSE of the layer that is shown against the right picture, by the same definition: what is known of a
+ * traced reference's noise, which is its indirect light's, is taken off. False: it has not been measured. */
+bool viewer_compared_error(const struct viewer *viewer, double *error);
+
+/* That noise over the mean of the layer that is shown; 0: none is known. */
+double viewer_reference_noise(const struct viewer *viewer);
+
 /* Measures presets and techniques on the view, and traces its truth where there is none;
  * viewer_take_dot makes the picture as one of them. */
 void viewer_chart(struct viewer *viewer);
@@ -367,6 +385,9 @@ void viewer_read_shown(const struct viewer *viewer, struct bitmap *shown);
 
 /* What is shown, in its own size, as PNG and the like; the renderer's layers as EXR. */
 bool viewer_write_picture(struct viewer *viewer, const char *path);
+
+/* Writes what was traced, with all layers, as EXR under a fresh name in the working folder. */
+void viewer_save_reference(struct viewer *viewer);
 
 /* Writes both under a fresh name in the working folder. */
 void viewer_take_screenshot(struct viewer *viewer);
@@ -383,8 +404,15 @@ void views_go(struct viewer *viewer, int i);
 /* Whether ffmpeg is there. */
 bool recorder_has_video(void);
 
-/* Records the whole clip, from its beginning. */
-void recorder_start(struct viewer *viewer, enum record_kind kind);
+/* Asks for range and folder: the whole clip, and the working folder, at first. viewer/panel_record.c. */
+void recorder_ask(struct viewer *viewer, enum record_kind kind);
+void recorder_draw_request(struct viewer *viewer);
+
+/* Records what was asked for, from its first frame. */
+void recorder_start(struct viewer *viewer);
+
+/* "12 of 250, 8 minutes left". */
+void recorder_tell(const struct viewer *viewer, char *text, size_t size);
 
 /* Ends what there is; nothing where none is recorded. */
 void recorder_stop(struct viewer *viewer);
@@ -397,7 +425,7 @@ void recorder_write(struct viewer *viewer);
 
 enum { TIMELINE_FPS = 25 }; /* as manylight render --fps has it */
 
-/* Whether the bar is there, over the picture's lower edge, and how high it is. */
+/* Whether the bar is there, below the pictures' area, and how high it is. */
 bool viewer_has_timeline(const struct viewer *viewer);
 float timeline_height(const struct viewer *viewer);
 void timeline_draw(struct viewer *viewer);
@@ -416,8 +444,11 @@ bool look_is_beside(const struct viewer *viewer);
 /* The mouse's place in the picture, or in the right one, 0 to 1, y down; whether it is on it. */
 bool look_at_mouse(const struct viewer *viewer, float *x, float *y);
 
-/* Pixels of the window a pixel. */
+enum { LOOK_ZOOM_MOST = 64 };
+
+/* Pixels of the window a pixel; look_enlarge keeps the middle where it is, and fits what would be smaller. */
 double look_zoom(const struct viewer *viewer);
+void look_enlarge(struct viewer *viewer, double zoom);
 void look_scroll(struct viewer *viewer, double steps);
 void look_drag(struct viewer *viewer);
 
@@ -427,7 +458,7 @@ void look_step_layout(struct viewer *viewer);
 void inspector_draw(struct viewer *viewer);
 
 /* --- viewer/legend.c --- */
-/* What it takes below a sheet of VALs, with the timeline; 0 = nothing: on a single one it stands. */
+/* What it takes below a sheet of VALs; 0 = nothing: on a single one it stands. */
 float legend_height(const struct viewer *viewer);
 void legend_draw(const struct viewer *viewer);
 

@@ -269,7 +269,7 @@ static const struct settings_part *const parts[] = {
 static const struct preset presets[] = {
     MANY_LIGHTS_FAST,
     {"paper", "each pixel takes all columns, and nothing is blurred",
-     "gather.interleave=1 gather.near-samples=64 blur.radius=0"},
+     "gather.interleave=1 gather.near-samples=64 blur.radius=0", NULL},
     {NULL}};
 
 extern const struct technique row_column_technique;

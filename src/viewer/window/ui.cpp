@@ -70,6 +70,7 @@ void set_colors(ImGuiStyle &style) {
         {ImGuiCol_Separator, line},
         {ImGuiCol_PlotLines, accent},
         {ImGuiCol_TextSelectedBg, accent_dark},
+        {ImGuiCol_NavHighlight, accent},
     };
     for (const auto &entry : colors)
         style.Colors[entry.where] = color(entry.what);
@@ -81,8 +82,6 @@ ImU32 look_color(ui_tone tone) {
     switch (tone) {
     case UI_DIM:
         return dim;
-    case UI_ACCENT:
-        return accent;
     case UI_WARNING:
         return warning;
     case UI_ERROR:
@@ -92,7 +91,20 @@ ImU32 look_color(ui_tone tone) {
     }
 }
 
-/* Once the mouse has rested for a while, and not while it holds something: the text covers what lies below. */
+/* Beside the panel where there is room: else it covers the rows below. */
+static void place_tooltip(const char *text, float wrap) {
+    const ImGuiWindow *window = ImGui::GetCurrentWindow()->RootWindow;
+    const ImGuiStyle &style = ImGui::GetStyle();
+    ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, wrap);
+    float height = size.y + 2 * style.WindowPadding.y;
+    if (window->Pos.x < size.x + 2 * style.WindowPadding.x + units(.5F))
+        return;
+    float y = std::min(ImGui::GetItemRectMin().y, ImGui::GetIO().DisplaySize.y - height);
+    ImGui::SetNextWindowPos(ImVec2(window->Pos.x - units(.3F), std::max(y, 0.F)), ImGuiCond_Always,
+                            ImVec2(1, 0));
+}
+
+/* Once the mouse has rested for a while, and not while it holds something. */
 void look_explain(const char *help) {
     if (!help || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         return;
@@ -102,10 +114,11 @@ void look_explain(const char *help) {
         look.rest = {at, now};
     if (now - look.rest.since < .5)
         return;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(units(22));
     std::string text = look_read(help); /* its lines are a terminal's */
     std::replace(text.begin(), text.end(), '\n', ' ');
+    place_tooltip(text.c_str(), units(22));
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(units(22));
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
@@ -192,7 +205,9 @@ void ui_frame_begin(const struct input *input) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     take_input(ImGui::GetIO(), input);
+    look_follow_keys();
     ImGui::NewFrame();
+    look_begin_keys();
     /* A row that is not there any more opens nothing. */
     look.typed_frames = look.typed ? look.typed_frames + 1 : 0;
     if (look.typed_frames > 4)
@@ -217,7 +232,7 @@ bool ui_wants_mouse(void) {
 }
 
 bool ui_wants_keys(void) {
-    return ImGui::GetIO().WantTextInput;
+    return ImGui::GetIO().WantTextInput || look.has_keys || look.had_keys;
 }
 
 bool ui_is_opening_field(void) {
@@ -282,20 +297,41 @@ void ui_area_end(void) {
     ImGui::End();
 }
 
+void ui_open_section(const char *title, bool in_view) {
+    look.asked = {title, in_view};
+}
+
+void ui_show_here(void) {
+    ImGui::SetScrollHereY(0);
+}
+
+/* A section whose heading stands in the upper half of its area is seen as it is. */
+static void show_section(void) {
+    const ImGuiWindow *window = ImGui::GetCurrentWindow();
+    float y = ImGui::GetItemRectMin().y - window->Pos.y;
+    if (look.asked.in_view && (y < 0 || y > window->Size.y / 2))
+        ImGui::SetScrollHereY(0);
+    look.asked = {};
+}
+
 bool ui_section(const char *title, bool open_at_first) {
+    bool asked = look.asked.title == title;
     ImGui::Dummy(ImVec2(0, units(.1F)));
-    ImGui::PushStyleColor(ImGuiCol_Text, accent);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(units(.4F), units(.3F)));
+    if (asked)
+        ImGui::SetNextItemOpen(true);
     bool open = ImGui::CollapsingHeader(title, open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     look_mark(title);
     ImGui::PopStyleVar();
-    ImGui::PopStyleColor();
+    if (asked)
+        show_section();
     return open;
 }
 
 void ui_heading(const char *title) {
     ImGui::Dummy(ImVec2(0, units(.2F)));
-    ui_text(UI_ACCENT, "%s", title);
+    ui_text(UI_NORMAL, "%s", title);
+    ImGui::Separator();
 }
 
 void ui_separator(void) {
@@ -351,6 +387,25 @@ void ui_value(const char *name, const char *format, ...) {
     ImGui::TextUnformatted(text);
 }
 
+void ui_fact(const char *name, const char *help, const char *format, ...) {
+    char text[256];
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    ImRect row(at, ImVec2(at.x + ImGui::GetContentRegionAvail().x,
+                          at.y + ImGui::GetTextLineHeight()));
+    ui_value(name, "%s", text);
+    ImGui::SetLastItemData(0, ImGuiItemFlags_None,
+                           ImGui::IsMouseHoveringRect(row.Min, row.Max)
+                               ? ImGuiItemStatusFlags_HoveredRect
+                               : ImGuiItemStatusFlags_None,
+                           row);
+    look_mark((std::string(name) + " " + text).c_str());
+    look_explain(help);
+}
+
 void ui_numbers(const char *name, const float values[3]) {
     float right = ImGui::GetContentRegionMax().x, column = units(4.3F);
     std::string all = name;
@@ -384,10 +439,28 @@ void ui_text_right(const char *format, ...) {
     ImGui::TextUnformatted(text);
 }
 
+void ui_columns_begin(const char *id) {
+    bool is_narrow = ImGui::GetContentRegionAvail().x < units(56);
+    ImGui::BeginTable(id, is_narrow ? 1 : 2);
+    ImGui::TableNextColumn();
+}
+
+void ui_columns_next(void) {
+    ImGui::TableNextColumn();
+}
+
+void ui_columns_end(void) {
+    ImGui::EndTable();
+}
+
 void ui_definition(const char *term, const char *meaning) {
-    ImGui::PushStyleColor(ImGuiCol_Text, accent);
+    float left = ImGui::GetCursorPosX();
     ImGui::TextUnformatted(term);
-    ImGui::PopStyleColor();
-    ImGui::SameLine(units(16));
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + units(9));
+    ImGui::PushStyleColor(ImGuiCol_Text, dim);
+    ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(meaning);
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
 }

@@ -28,9 +28,13 @@ void ui_frame_end(void);
 void ui_note_places(void);
 const char *ui_places(void);
 
-/* Whether the mouse is over a widget, or text is typed into one: then it is not the picture's. */
+/* Whether the mouse is over a widget, or text is typed into one: then it is not the picture's. Keys are a
+ * panel's, too, from Tab, which goes through its widgets, to Esc or a click. */
 bool ui_wants_mouse(void);
 bool ui_wants_keys(void);
+
+/* Whether Enter was pressed, and no text takes it. */
+bool ui_is_entered(void);
 
 /* Whether a click has begun to open a field to type in, which takes some frames: what is typed is to wait. */
 bool ui_is_opening_field(void);
@@ -67,6 +71,12 @@ void ui_page_begin(const char *id, float window_width, float window_height, floa
 /* A heading that opens and closes; whether it is open. */
 bool ui_section(const char *title, bool open_at_first);
 
+/* Opens the section of that title when it is drawn next; in_view: and scrolls it into view. */
+void ui_open_section(const char *title, bool in_view);
+
+/* Scrolls the area so that what comes next stands at its top. */
+void ui_show_here(void);
+
 /* A small title within a section. */
 void ui_heading(const char *title);
 
@@ -83,12 +93,16 @@ void ui_disabled_end(void);
 
 /* --- text --- */
 
-enum ui_tone { UI_NORMAL, UI_DIM, UI_ACCENT, UI_WARNING, UI_ERROR, UI_TITLE };
+enum ui_tone { UI_NORMAL, UI_DIM, UI_WARNING, UI_ERROR, UI_TITLE };
 
 void ui_text(enum ui_tone tone, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* A name on the left and its value on the right. */
 void ui_value(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* The same with an explanation where the mouse rests on it. */
+void ui_fact(const char *name, const char *help, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* At the right end of the line. */
 void ui_text_right(const char *format, ...) __attribute__((format(printf, 1, 2)));
@@ -96,7 +110,12 @@ void ui_text_right(const char *format, ...) __attribute__((format(printf, 1, 2))
 /* A name on the left, and three numbers in columns on the right. */
 void ui_numbers(const char *name, const float values[3]);
 
-/* A term, and what it means in a column of its own. */
+/* Two columns, one below the other where the area is narrow; next begins the second. */
+void ui_columns_begin(const char *id);
+void ui_columns_next(void);
+void ui_columns_end(void);
+
+/* A term, and its meaning in a column of its own. */
 void ui_definition(const char *term, const char *meaning);
 
 /* --- rows: a name, a widget, and an arrow back to the default --- */
@@ -116,6 +135,10 @@ enum ui_result ui_flag(const struct ui_row *row, bool *value);
 enum ui_result ui_int(const struct ui_row *row, int *value, int minimum, int maximum);
 enum ui_result ui_float(const struct ui_row *row, float *value, float minimum, float maximum);
 enum ui_result ui_choice(const struct ui_row *row, int *value, const char *const *names, int count);
+
+/* A number with two decimals that is dragged, by this much a pixel, ten times with Shift; two clicks type it. */
+enum ui_result ui_drag(const struct ui_row *row, float *value, float minimum, float maximum,
+                       float step);
 
 /* Three numbers that are dragged, by this much a pixel. */
 enum ui_result ui_vector(const struct ui_row *row, float value[3], float step);
@@ -144,6 +167,10 @@ bool ui_line(const char *name);
 
 /* Buttons side by side of which one is on; whether another was chosen. */
 bool ui_segments(const char *id, int *value, const char *const *names, int count);
+
+/* The same, each with an explanation. */
+bool ui_explained_segments(const char *id, int *value, const char *const *names,
+                           const char *const *helps, int count);
 
 /* A line that can be chosen: a patch of colour, a name, and two texts in columns of their own; a
  * share as a bar behind. */

@@ -1,6 +1,7 @@
 /* Rows of a panel, buttons and lists, behind the C of ui.h. */
 #include "viewer/window/look.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -48,7 +49,7 @@ bool is_wide(double minimum, double maximum) {
 /* --- rows --- */
 
 /* A slider, and its value beside it, which a knob would cover. A value that is typed (after a click on
- * it, or Ctrl and one on the slider) counts when Enter is pressed, not with each digit. */
+ * it, or two on the slider, or Ctrl and one) counts when Enter is pressed, not with each digit. */
 template <typename T>
 static ui_result slider(const ui_row *row, ImGuiDataType type, T *value, T minimum, T maximum,
                         const char *format, ImGuiSliderFlags flags) {
@@ -71,6 +72,7 @@ static ui_result slider(const ui_row *row, ImGuiDataType type, T *value, T minim
     if (look.typed == id && ImGui::TempInputIsActive(id))
         look.typed = 0;
     bool goes_on = typed && !ImGui::IsItemDeactivated();
+    bool is_twice_clicked = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
     if (!typed) {
         ImGui::PopStyleColor();
         look_explain(row->help);
@@ -78,7 +80,7 @@ static ui_result slider(const ui_row *row, ImGuiDataType type, T *value, T minim
         ImGui::DataTypeFormatString(text, sizeof text, type, value, format);
         ImGui::SameLine(0, gap);
         ImGui::TextUnformatted(row->least && *value == minimum ? row->least : text);
-        if (ImGui::IsItemClicked())
+        if (ImGui::IsItemClicked() || is_twice_clicked)
             look.typed = id;
     }
     if (changed && !goes_on)
@@ -100,6 +102,14 @@ ui_result ui_int(const ui_row *row, int *value, int minimum, int maximum) {
 ui_result ui_float(const ui_row *row, float *value, float minimum, float maximum) {
     return slider(row, ImGuiDataType_Float, value, minimum, maximum, "%.4g",
                   ImGuiSliderFlags_NoRoundToFormat);
+}
+
+ui_result ui_drag(const ui_row *row, float *value, float minimum, float maximum, float step) {
+    row_begin(row);
+    bool changed =
+        ImGui::DragFloat("##", value, step, minimum, maximum, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+    look_mark(row->name);
+    return row_end(row, changed);
 }
 
 ui_result ui_choice(const ui_row *row, int *value, const char *const *names, int count) {
@@ -215,6 +225,11 @@ static float beside_names(const char *const *names, int count, float gap) {
 }
 
 bool ui_segments(const char *id, int *value, const char *const *names, int count) {
+    return ui_explained_segments(id, value, names, nullptr, count);
+}
+
+bool ui_explained_segments(const char *id, int *value, const char *const *names,
+                           const char *const *helps, int count) {
     bool changed = false;
     float gap = units(.1F), beside = beside_names(names, count, gap);
     ImVec2 padding = ImGui::GetStyle().FramePadding;
@@ -234,6 +249,7 @@ bool ui_segments(const char *id, int *value, const char *const *names, int count
         }
         ImGui::PopStyleColor(2);
         look_mark(names[i]);
+        look_explain(helps ? helps[i] : nullptr);
     }
     ImGui::PopID();
     ImGui::PopStyleVar();
@@ -253,12 +269,21 @@ bool ui_list_item(uint32_t patch, const char *name, const char *middle, const ch
                             IM_COL32(240, 168, 72, 50), units(.15F));
     list->AddRectFilled(ImVec2(at.x, at.y + (height - size) / 2),
                         ImVec2(at.x + size, at.y + (height + size) / 2), patch, units(.15F));
+    const char *texts[] = {middle, right};
+    float step = units(2.5F), beside = ImGui::CalcTextSize(right).x + units(.8F);
+    float columns[] = {width - step * std::ceil(ImMax(beside, units(3.6F)) / step), width};
+    float room = columns[0] - ImGui::CalcTextSize(middle).x - units(.4F) - left;
     ImGui::Indent(left);
-    bool clicked = ImGui::Selectable(look_read(name), chosen);
+    bool clicked = ImGui::Selectable(("##" + std::string(name)).c_str(), chosen);
     look_mark(name);
     ImGui::Unindent(left);
-    float columns[] = {.68F * width, width};
-    const char *texts[] = {middle, right};
+    std::string shown = look_read(name);
+    shown.resize(std::min(shown.find("##"), shown.size()));
+    list->PushClipRect(at, ImVec2(at.x + left + room, at.y + height), true);
+    list->AddText(ImVec2(at.x + left, at.y), text_color, shown.c_str());
+    list->PopClipRect();
+    if (ImGui::CalcTextSize(shown.c_str()).x > room)
+        look_explain(shown.c_str());
     for (int i = 0; i < 2; i++)
         list->AddText(
             ImVec2(at.x + columns[i] - ImGui::CalcTextSize(texts[i]).x - units(.2F), at.y),
