@@ -6,6 +6,7 @@
 
 #include "base/log.h"
 #include "measure/picture.h"
+#include "scene/hash.h"
 #include "scene/material.h"
 
 #include <cglm/cglm.h>
@@ -371,6 +372,36 @@ static void test_small_light(void **state) {
     free_pictures(&pictures);
 }
 
+/* --- memory ----------------------------------------------------------------------------------- */
+
+/* Vertices have as many coordinates as the material that has most; another mapping is another scene. */
+static void test_counts(void **state) {
+    (void)state;
+    static const struct {
+        const char *material;
+        int mappings;
+    } rows[] = {{"{" BASE "}", 1},
+                {GLOW "\"index\": 1}}", 1},
+                {GLOW "\"index\": 1, \"texCoord\": 1}}", 2},
+                {GLOW "\"index\": 1, \"texCoord\": 2}, \"normalTexture\": {\"index\": 4, " TRANSFORM
+                      "\"scale\": [2, 2]}}}}",
+                 3}};
+    uint64_t sums[sizeof rows / sizeof *rows];
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct stage stage;
+        open_stage(&stage, write_square(rows[i].material));
+        const struct geometry *geometry = &stage.geometry;
+        assert_int_equal(geometry->mapping_count, rows[i].mappings);
+        for (int m = 0; m < MAPPINGS_MAX; m++)
+            assert_true((geometry->uv[m] != NULL) == (m < rows[i].mappings));
+        assert_true(materials_have_mappings(&stage.scene) == (rows[i].mappings > 1));
+        sums[i] = scene_hash(&stage.scene, geometry, &stage.camera, &stage.emitters);
+        for (size_t k = 0; k < i; k++)
+            assert_true(sums[k] != sums[i]);
+        stage_free(&stage);
+    }
+}
+
 /* --- files that were reported ----------------------------------------------------------------- */
 
 static void test_cases(void **state) {
@@ -405,7 +436,7 @@ int main(void) {
         cmocka_unit_test(test_normals),     cmocka_unit_test(test_all),
         cmocka_unit_test(test_glossiness),  cmocka_unit_test(test_means),
         cmocka_unit_test(test_no_such_set), cmocka_unit_test(test_small_light),
-        cmocka_unit_test(test_cases),
+        cmocka_unit_test(test_counts),      cmocka_unit_test(test_cases),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

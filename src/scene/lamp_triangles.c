@@ -11,7 +11,7 @@
 
 /* Where a textured triangle is looked at; one that looks dark there, at most; and all of a primitive that
  * do, together, over three. */
-enum { PLACES = 16, CLOSE_PLACES = 1 << 12, CLOSE_PLACES_OF_ALL = 3 << 24 };
+enum { PLACES = 16, CLOSE_PLACES = 1 << 12, CLOSE_PLACES_OF_ALL = 3 << 21 };
 
 struct source {
     const struct scene *scene;
