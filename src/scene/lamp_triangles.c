@@ -9,8 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where a textured triangle is looked at. */
-enum { PLACES = 16 };
+/* Where a textured triangle is looked at; one that looks dark there, at most; and all of a primitive that
+ * do, together, over three. */
+enum { PLACES = 16, CLOSE_PLACES = 1 << 12, CLOSE_PLACES_OF_ALL = 3 << 21 };
 
 struct source {
     const struct scene *scene;
@@ -46,21 +47,47 @@ static bool is_hole(const struct source *source, const uint32_t index[3], const 
     return alpha < material->alpha_cutoff;
 }
 
-/* The mean over places. */
-static void average(const struct source *source, const uint32_t index[3], double radiance[3]) {
+/* The mean of the texture over so many places, black in holes. */
+static void average_places(const struct source *source, const uint32_t index[3], uint32_t places,
+                           double mean[3]) {
     const struct material *material = source->material;
-    bool is_even = material->emission_texture < 0 && !material->alpha_mask;
-    double shares[3] = {0};
-    for (uint32_t i = 0; !is_even && i < PLACES; i++) {
-        float x = sqrtf(((float)i + .5F) / PLACES), y = (float)radical_inverse(2, i);
+    memset(mean, 0, 3 * sizeof *mean);
+    for (uint32_t i = 0; i < places; i++) {
+        float x = sqrtf(((float)i + .5F) / (float)places), y = (float)radical_inverse(2, i);
         const float weight[3] = {1 - x, x * (1 - y), x * y};
         vec4s texel =
             look_up(source, material->emission_texture, material->emission_mapping, index, weight);
         for (int c = 0; c < 3 && !is_hole(source, index, weight); c++)
-            shares[c] += (double)texel.raw[c] / PLACES;
+            mean[c] += (double)texel.raw[c] / places;
+    }
+}
+
+/* One for each texel of the emission that the triangle covers, so that no small light of a large one is
+ * overlooked. */
+static uint32_t close_places(const struct source *source, const uint32_t index[3]) {
+    const struct material *material = source->material;
+    float(*uvs)[2] = source->primitive->uv[material->emission_mapping];
+    if (material->emission_texture < 0 || !uvs)
+        return 0;
+    const struct bitmap *bitmap = &source->scene->textures[material->emission_texture].bitmap;
+    const float *a = uvs[index[0]], *b = uvs[index[1]], *c = uvs[index[2]];
+    double area = fabs((double)((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))) / 2;
+    double most = fmin(CLOSE_PLACES, (double)CLOSE_PLACES_OF_ALL / source->primitive->index_count);
+    return (uint32_t)fmin(area * bitmap->width * bitmap->height, most);
+}
+
+/* Over the triangle. One that looks dark is looked at closely. */
+static void average(const struct source *source, const uint32_t index[3], double radiance[3]) {
+    const struct material *material = source->material;
+    double mean[3] = {1, 1, 1};
+    if (material->emission_texture >= 0 || material->alpha_mask) {
+        average_places(source, index, PLACES, mean);
+        uint32_t close = mean[0] + mean[1] + mean[2] > 0 ? 0 : close_places(source, index);
+        if (close > PLACES)
+            average_places(source, index, close, mean);
     }
     for (int c = 0; c < 3; c++)
-        radiance[c] = (double)material->emission[c] * (is_even ? 1 : shares[c]);
+        radiance[c] = (double)material->emission[c] * mean[c];
 }
 
 /* False where it has no area. */
