@@ -20,7 +20,8 @@ struct image {
     bool encoded;  /* sRGB over [0, 1], as integer formats store it; false = linear */
     char *passes;  /* of which it is the mean: "0..7,16"; NULL = not told */
     double weight; /* of them together */
-    char **parts;  /* part_count names, with which channels' names begin: of an EXR of several parts */
+    char *
+        *parts; /* part_count names, with which channels' names begin: of an EXR of several parts */
     int part_count;
     /* Of a file: the whole picture, and where in it there are pixels. */
     struct image_window display, data;
