@@ -226,6 +226,8 @@ static void test_names(void **state) {
         {"N.R N.G N.B beauty.R beauty.G beauty.B", "N beauty", "", "beauty.R beauty.G beauty.B",
          "'beauty' is taken (there is: N, beauty)"},
         {"N.R N.G N.B C.R C.G C.B", "N C", "", "C.R C.G C.B", "'C' is taken"},
+        {"N.R N.G N.B x.R x.G x.B", "N x", "", "x.R x.G x.B", "'x' is taken (there is: N, x)"},
+        {"N.R N.G N.B", "N", "", "N.R N.G N.B", "'N' is taken"},
         {"depth.Z one.R one.G one.B two.R two.G two.B", "depth one two", "", "one.R one.G one.B",
          "'one' is taken"},
         {"depth.Z one.R one.G one.B", "depth one", "depth", "depth.Z depth.Z depth.Z", NULL},

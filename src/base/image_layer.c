@@ -27,7 +27,20 @@ static const char *const axes[3][2] = {{"X", "X"}, {"Y", "Y"}, {"Z", "Z"}};
 static const char *const beauty_names[] = {
     "beauty", "rgba", "rgb", "combined", "composite", "ci", "c", "final", "image", "main", NULL};
 
-enum { RANK_OWN, RANK_NAMED, RANK_PART = 20, RANK_ANY, RANK_OTHER, RANK_ANY_OTHER, RANK_NONE };
+/* Of parts that are no picture, though red, green and blue. */
+static const char *const other_names[] = {"n",     "normal", "normals", "p",  "position", "albedo",
+                                          "depth", "z",      "motion",  "uv", "variance", NULL};
+
+enum {
+    RANK_OWN,
+    RANK_NAMED,
+    RANK_PART = 20,
+    RANK_OTHER_PART,
+    RANK_ANY,
+    RANK_OTHER,
+    RANK_ANY_OTHER,
+    RANK_NONE
+};
 
 /* --- names ---------------------------------------------------------------------------------------- */
 
@@ -69,19 +82,16 @@ static bool ends_with_word(const char *name, size_t length, const char *word) {
            memcmp(name + length - of_word, word, of_word) == 0;
 }
 
-static int beauty_rank(const char *name, size_t length) {
-    for (int i = 0; beauty_names[i]; i++)
-        if (strlen(beauty_names[i]) == length && strncasecmp(name, beauty_names[i], length) == 0)
-            return i;
-    return -1;
-}
-
-/* Of a layer's last word. */
-static int beauty_rank_of_layer(const char *name, size_t length) {
+/* The index of the last word of a layer's name, or -1. */
+static int find_word(const char *const words[], const char *name, size_t length) {
     size_t begin = length;
     while (begin > 0 && name[begin - 1] != '.')
         begin--;
-    return beauty_rank(name + begin, length - begin);
+    for (int i = 0; words[i]; i++)
+        if (strlen(words[i]) == length - begin &&
+            strncasecmp(name + begin, words[i], length - begin) == 0)
+            return i;
+    return -1;
 }
 
 static bool is_part(const struct image *image, const char *name, size_t length) {
@@ -164,7 +174,7 @@ static int rank_of(const struct image *image, const struct choice *choice, const
     const char *name = image->names[choice->first];
     size_t length = layer_length(name);
     bool own = length == strlen(scope);
-    int beauty = beauty_rank_of_layer(name, length);
+    int beauty = find_word(beauty_names, name, length);
     if (choice->kind == NOTHING || choice->kind == ALONE)
         return RANK_NONE;
     if (choice->kind != COLOURS)
@@ -173,7 +183,9 @@ static int rank_of(const struct image *image, const struct choice *choice, const
         return RANK_OWN;
     if (beauty >= 0)
         return RANK_NAMED + beauty;
-    return is_part(image, name, length) ? RANK_PART : RANK_ANY;
+    if (!is_part(image, name, length))
+        return RANK_ANY;
+    return find_word(other_names, name, length) < 0 ? RANK_PART : RANK_OTHER_PART;
 }
 
 /* Of several of one rank the first is taken; where neither name nor part tells, there must be one. */
@@ -239,7 +251,7 @@ static struct choice find(const struct image *image, const char *layer) {
         choice = find_beauty(image, layer);
     if (choice.first < 0)
         choice = find_ending(image, layer);
-    if (choice.first < 0 && exact.first < 0 && beauty_rank_of_layer(layer, strlen(layer)) >= 0)
+    if (choice.first < 0 && exact.first < 0 && find_word(beauty_names, layer, strlen(layer)) >= 0)
         choice = find_beauty(image, "");
     return choice.first < 0 ? exact : choice;
 }

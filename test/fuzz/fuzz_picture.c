@@ -21,14 +21,13 @@ static void read_texture(const uint8_t *bytes, size_t size) {
     bitmap_free(&bitmap);
 }
 
-static void read_picture(const char *path) {
-    struct image layer, picture;
+/* One of both ways, for a file that claims 2 GiB takes long each time it is opened. */
+static void read_picture(const char *path, bool whole) {
+    struct image picture = {0};
     bool was_encoded;
     image_is_whole(path);
-    if (image_read(&picture, path))
+    if (whole ? image_read(&picture, path) : layer_read(&picture, path, "", &was_encoded))
         image_free(&picture);
-    if (layer_read(&layer, path, "", &was_encoded))
-        image_free(&layer);
 }
 
 void fuzz_picture(const uint8_t *bytes, size_t size) {
@@ -44,6 +43,6 @@ void fuzz_picture(const uint8_t *bytes, size_t size) {
     unlink(path);
     if (symlink(fuzz_file(bytes + 1, size - 1), path) != 0)
         abort();
-    read_picture(path);
+    read_picture(path, size % 2 == 0);
     unlink(path);
 }

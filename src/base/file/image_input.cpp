@@ -76,20 +76,23 @@ std::string reason_against(const ImageSpec &spec, bool is_exr) {
 }
 
 bool find_parts(Source &source) {
+    const int count = source.in->spec().get_int_attribute("oiio:subimages", 1);
     std::string reason, left_out;
-    for (int i = 0; i == 0 || (source.is_exr && source.in->seek_subimage(i, 0)); i++) {
-        Part part = {i, source.in->spec(), 0};
-        if (!check_size(part.spec, source.path))
+    for (int i = 0; i < (source.is_exr ? count : 1); i++) {
+        bool opens = source.in->seek_subimage(i, 0);
+        Part part = {i, opens ? source.in->spec() : ImageSpec(), 0};
+        std::string against =
+            opens ? reason_against(part.spec, source.is_exr) : source.in->geterror();
+        if (opens && !check_size(part.spec, source.path))
             return false;
-        std::string against = reason_against(part.spec, source.is_exr);
-        if (against.empty()) {
+        if (opens && against.empty()) {
             source.parts.push_back(part);
             continue;
         }
-        reason = against;
-        left_out += (left_out.empty() ? "" : ", ") + name_of(part.spec);
+        reason = against.substr(0, against.find('\n'));
+        left_out += (left_out.empty() ? "" : ", ") +
+                    (opens ? name_of(part.spec) : "part " + std::to_string(i));
     }
-    source.in->geterror(); /* that there is no further part */
     if (source.parts.empty())
         return fail(source.path, reason);
     if (!left_out.empty())
