@@ -24,6 +24,8 @@
 #define LEFT_OUT                                                                                   \
     "primitives without positions or triangles are left out: mesh 0 'quad': primitive 1: "
 
+static const float small_weights[16] = {-1e-7F, 1, 0, 0, -1e-6F, 1};
+
 struct mended {
     const char *name, *note; /* "" = none is due */
     struct gltf_parts parts;
@@ -81,6 +83,9 @@ static const struct mended mended[] = {
     {"wrap of another OpenGL",
      "words that do not exist are left out: sampler 0: wrapS",
      {.more = "\"samplers\": [{\"wrapS\": 10496, \"magFilter\": 9729}],"}},
+    {"null for nothing",
+     "fields that are null are left out: node 0 'one': camera (and 1 more)",
+     {.nodes = NODE("\"camera\": null, \"skin\": null, \"extras\": null")}},
     {"version 2",
      "a version that is not \"2.0\" is taken for that: asset: 2",
      {.asset = "{\"version\": \"2\"}"}},
@@ -139,6 +144,15 @@ static const struct mended mended[] = {
      "shown without: points and lines",
      {.meshes = SECOND("{\"attributes\": {\"POSITION\": 0}, \"mode\": 0}, {\"attributes\":"
                        " {\"POSITION\": 0}, \"mode\": 3}")}},
+    {"weights of joints by rounding",
+     "numbers just below 0 are taken as 0: mesh 0 'quad': primitive 0: WEIGHTS_0",
+     {.accessors = "[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\":"
+                   " 48," INDEX_TYPE "}, {\"componentType\": 5121, \"count\": 4, \"type\":"
+                   " \"VEC4\"}, {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\":"
+                   " 5126, \"count\": 4, \"type\": \"VEC4\"}]",
+      .meshes = PRIMITIVE(JOINTS("2", "3")),
+      .extra = small_weights,
+      .extra_size = sizeof small_weights}},
     {"weights of a morph that is not there",
      "weights without a morph target are ignored, and 0 where they lack: mesh 0 'quad'",
      {.meshes = "[{\"name\": \"quad\", \"weights\": [1, 2], \"primitives\": [{\"attributes\":"

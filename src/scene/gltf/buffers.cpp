@@ -31,8 +31,9 @@ bool read_uri(Loader &loader, const std::string &uri, struct file_bytes &bytes,
         good = file_read_named(&bytes, loader.folder.c_str(), uri.c_str(), &path, &lack) ||
                error_set("%s", reason.c_str());
     }
-    if (good)
-        loader.files.push_back(path);
+    /* A file that many objects name lets the scene have more once. */
+    if (good && loader.files.insert(path).second)
+        allow_memory(loader, bytes.size);
     free(path);
     return good;
 }
@@ -53,12 +54,12 @@ std::vector<bool> find_fallbacks(const json &root) {
 bool take_uri(Loader &loader, const std::string &uri, std::vector<unsigned char> &to) {
     OwnedBytes bytes;
     enum file_lack lack;
-    bool is_data = data_uri_is(uri.c_str());
-    if (is_data ? !data_uri_decode(&bytes, uri.c_str()) : !read_uri(loader, uri, bytes, lack))
+    if (data_uri_is(uri.c_str()) ? !data_uri_decode(&bytes, uri.c_str())
+                                 : !read_uri(loader, uri, bytes, lack))
+        return false;
+    if (!spend(loader, bytes.size, 1))
         return false;
     to.assign(bytes.data, bytes.data + bytes.size);
-    if (!is_data)
-        allow_memory(loader, bytes.size);
     return true;
 }
 

@@ -101,7 +101,7 @@ bool load_primitive(Loader &loader, const tinygltf::Primitive &from, int target_
     if (!load_indices(loader, from.indices, to) || !mend_indices(loader, from, object, to) ||
         !primitive_check(&to) ||
         !primitive_unroll(&to, static_cast<enum primitive_mode>(from.mode)) ||
-        !load_attributes(loader, from, to) || !load_joints(loader, from, to) ||
+        !load_attributes(loader, from, to) || !load_joints(loader, from, object, to) ||
         !load_targets(loader, from, target_count, to))
         return false;
     if (to.normal) {

@@ -24,6 +24,7 @@ extern "C" {
 #include <tiny_gltf.h>
 
 #include <cstdlib>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -83,7 +84,7 @@ struct Loader {
     std::vector<std::vector<unsigned char>> buffers; /* until the model has them */
     std::vector<Picture> pictures;                   /* one per image */
     std::vector<size_t> strides;                     /* of buffer views; 0 = packed */
-    std::vector<std::string> files;                  /* that were read beside the scene's own */
+    std::set<std::string> files;                     /* that were read beside the scene's own */
     std::vector<Mended> mended;
     std::vector<UvSource> uv_sources;        /* one per material, of all its textures */
     std::vector<TextureKey> texture_keys;    /* one per texture of the scene */
@@ -133,7 +134,8 @@ void allow_memory(Loader &loader, uint64_t file_size);
 bool load_elements(Loader &loader, int index, int width, size_t count, float **out);
 
 /* deform.cpp: what moves a primitive's vertices, before they are flattened. */
-bool load_joints(Loader &loader, const tinygltf::Primitive &from, struct primitive &to);
+bool load_joints(Loader &loader, const tinygltf::Primitive &from, const std::string &object,
+                 struct primitive &to);
 bool load_targets(Loader &loader, const tinygltf::Primitive &from, int count, struct primitive &to);
 
 /* texture.cpp: the scene's texture for one of the file's; -1 where that has no picture. A picture that

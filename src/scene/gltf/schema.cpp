@@ -257,6 +257,12 @@ bool check_field(Check &check, json &object, json &value, const Field &field, co
 bool check_fields(Check &check, json &object, const Field *fields) {
     for (const Field *field = fields; field->name; field++) {
         auto found = object.find(field->name);
+        if (found != object.end() && found->is_null()) {
+            object.erase(found);
+            found = object.end();
+            if (!mend_field(check, "fields that are null are left out", *field))
+                return false;
+        }
         if (found == object.end()) {
             if (field->need == Required)
                 return error_set("it has no '%s'", field->name);
