@@ -108,6 +108,9 @@ static const struct mended mended[] = {
     {"BIN of more bytes",
      "",
      {.buffers = "[{\"byteLength\": 64}]", .views = "[{\"buffer\": 0, \"byteLength\": 64}]"}},
+    {"missing buffer that no view needs",
+     "buffers that no view needs are not read: buffer 1: cannot open",
+     {.buffers = "[{\"byteLength\": 320}, {\"byteLength\": 9, \"uri\": \"none.bin\"}]"}},
     {"buffer of nothing", "", {.buffers = "[{\"byteLength\": 320}, {\"byteLength\": 9}]"}},
 
     {"row by rounding", LAST_ROW, {.nodes = MATRIX_OF("0", "0.99999994")}},

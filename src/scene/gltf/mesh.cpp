@@ -22,7 +22,8 @@ bool load_attribute(Loader &loader, const tinygltf::Primitive &from, const std::
     return good || error_prefix("%s", name.c_str());
 }
 
-/* Indices lie packed, whatever stride their buffer view has: other readers hand them to the GPU, which knows none. */
+/* Indices lie packed, whatever stride their buffer view has: other readers hand them to the GPU,
+ * which knows none. */
 bool pack_indices(Loader &loader, int index) {
     const tinygltf::Accessor &accessor = loader.model.accessors[size_t(index)];
     if (accessor.bufferView < 0)

@@ -112,8 +112,8 @@ bool check_extensions(Loader &loader);
 void lack(Loader &loader, const std::string &what);
 void tell_lacks(const Loader &loader);
 
-/* mended.cpp: remembers that an object has a defect which is mended; under --strict an error instead.
- * Later each defect is told in one note, with the first object and the number of others. */
+/* mended.cpp: remembers that an object has a defect which is mended; under --strict an error
+ * instead. Later each defect is told in one note, with the first object and the number of others. */
 bool mend(Loader &loader, const std::string &what, const std::string &object);
 void tell_mended(const Loader &loader);
 const char *const bad_clips = "channels of clips that are not valid are left out";
@@ -138,8 +138,8 @@ bool load_joints(Loader &loader, const tinygltf::Primitive &from, const std::str
                  struct primitive &to);
 bool load_targets(Loader &loader, const tinygltf::Primitive &from, int count, struct primitive &to);
 
-/* texture.cpp: the scene's texture for one of the file's; -1 where that has no picture. A picture that
- * is missing or broken is replaced. */
+/* texture.cpp: the scene's texture for one of the file's; -1 where that has no picture. A picture
+ * that is missing or broken is replaced. */
 bool load_texture(Loader &loader, int index, bool linear, int &out);
 
 /* gltf/material.cpp: whether the material's primitives need texture coordinates. */
