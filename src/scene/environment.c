@@ -14,12 +14,21 @@
 
 /* --- files ------------------------------------------------------------------------------------ */
 
-static bool check_picture(const struct image *image) {
+/* Panoramas of an odd size are a texel off; other shapes are another projection. */
+static bool check_picture(const struct image *image, const char *path) {
+    int width = image->width, height = image->height;
     if (image->encoded)
         return error_set("its format is for displays: radiance comes in .hdr and .exr");
-    return image->width == 2 * image->height ||
-           error_set("%d x %d pixels are no panorama, which is twice as wide as high", image->width,
-                     image->height);
+    if (2 * width < 3 * height || 2 * width > 5 * height)
+        return error_set("%d x %d pixels are no panorama, which is twice as wide as high", width,
+                         height);
+    if (width == 2 * height)
+        return true;
+    if (read_rules_are_strict())
+        return error_set("%d x %d pixels are not twice as wide as high", width, height);
+    log_note("%s: %d x %d pixels, not twice as wide as high, are spread over the whole sphere",
+             path, width, height);
+    return true;
 }
 
 /* Texels with numbers that are no radiance, which other programs write now and then. */
@@ -78,16 +87,17 @@ static bool tell_odd(const struct odd_texels *odd, const char *path) {
             snprintf(list + strlen(list), sizeof list - strlen(list), "%s%d %s", *list ? ", " : "",
                      rows[i].count, rows[i].taken);
     if (read_rules_are_strict())
-        return error_set("texels with numbers that are no radiance: %s; first in column %d, row %d",
-                         list, odd->x, odd->y);
-    log_note("%s: texels that are no radiance: %s; first in column %d, row %d", path, list, odd->x, odd->y);
+        return error_set("texels that are no radiance: %s; first in column %d, row %d", list,
+                         odd->x, odd->y);
+    log_note("%s: texels that are no radiance: %s; first in column %d, row %d", path, list, odd->x,
+             odd->y);
     return true;
 }
 
 static bool take_texels(struct environment *environment, const struct image *image,
                         const int channels[3], const char *path) {
     struct odd_texels odd = {0};
-    if (!check_picture(image))
+    if (!check_picture(image, path))
         return false;
     environment->width = image->width;
     environment->height = image->height;

@@ -12,7 +12,7 @@
 
 struct environment {
     char *path;
-    int width, height; /* width = 2 height */
+    int width, height; /* width = 2 height, or about */
     float (
         *texels)[3]; /* linear RGB from the top row on, W/(sr m2) where strength is 1; finite, none
                            negative */

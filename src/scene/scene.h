@@ -184,7 +184,8 @@ struct scene {
     int surface_count;
     char **files; /* beside path: the buffers and pictures that it names */
     int skin_count, metaballs_count, clip_count, file_count;
-    int point_primitives, line_primitives; /* of the file, which are not drawn */
+    /* Of the file, which are not drawn. */
+    int point_primitives, line_primitives;
     struct environment *environment; /* scene/environment.h; NULL = none */
     int *playing; /* the clips that play, in the order in which they act: scene/clips.h */
     int playing_count;

@@ -31,8 +31,9 @@ bool read_uri(Loader &loader, const std::string &uri, struct file_bytes &bytes,
         good = file_read_named(&bytes, loader.folder.c_str(), uri.c_str(), &path, &lack) ||
                error_set("%s", reason.c_str());
     }
-    if (good)
-        loader.files.push_back(path);
+    /* A file that many objects name lets the scene have more once. */
+    if (good && loader.files.insert(path).second)
+        allow_memory(loader, bytes.size);
     free(path);
     return good;
 }
@@ -41,40 +42,48 @@ namespace {
 
 const json::json_pointer packed_mark("/extensions/EXT_meshopt_compression");
 
-/* Which buffers have views that are packed elsewhere. */
-std::vector<bool> find_fallbacks(const json &root) {
-    std::vector<bool> fallbacks(list_size(root, "/buffers"));
-    for (size_t i = 0; i < list_size(root, "/bufferViews"); i++)
-        if (root["bufferViews"][i].contains(packed_mark))
-            fallbacks[root["bufferViews"][i]["buffer"].get<size_t>()] = true;
-    return fallbacks;
+/* Whether a buffer has views, and views that are packed elsewhere. */
+struct Use {
+    bool is_used = false, is_fallback = false;
+};
+
+std::vector<Use> find_uses(const json &root) {
+    std::vector<Use> uses(list_size(root, "/buffers"));
+    for (size_t i = 0; i < list_size(root, "/bufferViews"); i++) {
+        const json &view = root["bufferViews"][i];
+        Use &use = uses[view["buffer"].get<size_t>()];
+        use.is_used = true;
+        use.is_fallback |= view.contains(packed_mark);
+    }
+    return uses;
 }
 
 bool take_uri(Loader &loader, const std::string &uri, std::vector<unsigned char> &to) {
     OwnedBytes bytes;
     enum file_lack lack;
-    bool is_data = data_uri_is(uri.c_str());
-    if (is_data ? !data_uri_decode(&bytes, uri.c_str()) : !read_uri(loader, uri, bytes, lack))
+    if (data_uri_is(uri.c_str()) ? !data_uri_decode(&bytes, uri.c_str())
+                                 : !read_uri(loader, uri, bytes, lack))
+        return false;
+    if (!spend(loader, bytes.size, 1))
         return false;
     to.assign(bytes.data, bytes.data + bytes.size);
-    if (!is_data)
-        allow_memory(loader, bytes.size);
     return true;
 }
 
 /* Bytes of the BIN chunk, of a URI, or room for what is unpacked. */
-bool take_buffer(Loader &loader, const json &buffer, size_t index, bool is_fallback,
-                 const char *bin, size_t bin_size) {
+bool take_buffer(Loader &loader, const json &buffer, size_t index, const Use &use, const char *bin,
+                 size_t bin_size) {
     std::vector<unsigned char> &to = loader.buffers[index];
     uint64_t length = buffer["byteLength"].get<uint64_t>();
     if (buffer.contains("uri")) {
         if (!take_uri(loader, buffer["uri"].get<std::string>(), to))
-            return false;
+            return !use.is_used && mend(loader, "buffers that no view needs are not read",
+                                        "buffer " + std::to_string(index) + ": " + error_get());
     } else if (index == 0 && bin_size > 0) {
         to.assign(bin, bin + bin_size);
     } else {
         loader.is_absent[index] = true;
-        if (!is_fallback)
+        if (!use.is_fallback)
             return true;
         if (!spend(loader, length, 1))
             return false;
@@ -120,12 +129,12 @@ bool take_view(Loader &loader, json &view, size_t index, const json &buffers) {
 
 bool take_buffers(Loader &loader, json &root, const char *bin, size_t bin_size) {
     json buffers = root.value("buffers", json::array());
-    std::vector<bool> fallbacks = find_fallbacks(root);
+    std::vector<Use> uses = find_uses(root);
     loader.buffers.resize(buffers.size());
     loader.is_absent.resize(buffers.size());
     root.erase("buffers");
     for (size_t i = 0; i < buffers.size(); i++) {
-        if (!take_buffer(loader, buffers[i], i, fallbacks[i], bin, bin_size))
+        if (!take_buffer(loader, buffers[i], i, uses[i], bin, bin_size))
             return error_prefix("buffer %zu", i);
         buffers[i].erase("uri");
     }

@@ -29,6 +29,20 @@ bool load_joint_numbers(Loader &loader, int index, struct primitive &to) {
     return good;
 }
 
+/* A weight just below 0 is 0. */
+bool mend_weights(Loader &loader, const std::string &object, struct primitive &primitive) {
+    const float rounding = 1e-5F;
+    int mended = 0;
+    for (int i = 0; i < primitive.vertex_count; i++)
+        for (float &weight : primitive.weights[i]) {
+            bool is_off = weight < 0 && weight >= -rounding;
+            weight = is_off ? 0 : weight;
+            mended += is_off;
+        }
+    return mended == 0 ||
+           mend(loader, "numbers just below 0 are taken as 0", object + ": WEIGHTS_0");
+}
+
 /* The greatest joint that moves a vertex; others may be any number. */
 void bound_joints(struct primitive &primitive) {
     for (int i = 0; i < primitive.vertex_count; i++)
@@ -100,7 +114,8 @@ bool check_skin(const struct scene &scene, const struct node &node) {
 
 } // namespace
 
-bool load_joints(Loader &loader, const tinygltf::Primitive &from, struct primitive &to) {
+bool load_joints(Loader &loader, const tinygltf::Primitive &from, const std::string &object,
+                 struct primitive &to) {
     auto joints = from.attributes.find("JOINTS_0"), weights = from.attributes.find("WEIGHTS_0");
     if (joints == from.attributes.end() && weights == from.attributes.end())
         return true;
@@ -113,7 +128,11 @@ bool load_joints(Loader &loader, const tinygltf::Primitive &from, struct primiti
         return error_prefix("JOINTS_0");
     bool good = load_elements(loader, weights->second, 4, size_t(to.vertex_count), &numbers);
     to.weights = reinterpret_cast<float(*)[4]>(numbers);
-    if (!good || !primitive_repair_weights(&to))
+    if (!good)
+        return error_prefix("WEIGHTS_0");
+    if (!mend_weights(loader, object, to))
+        return false;
+    if (!primitive_repair_weights(&to))
         return error_prefix("WEIGHTS_0");
     bound_joints(to);
     return true;

@@ -58,7 +58,8 @@ static char *find_root(const char *folder) {
     return root;
 }
 
-/* The file where the name leads, if that is below the root. Whether a file lies outside is not told. */
+/* The file where the name leads, if that is below the root. Whether a file lies outside is not
+ * told. */
 static enum file_lack resolve(const char *folder, const char *root, const char *name, char **real) {
     char *as_text = join_as_text(folder, name), *path = mem_printf("%s/%s", folder, name);
     *real = realpath(*name == '/' ? name : path, NULL);

@@ -1,7 +1,7 @@
 /* glTF 2.0 files through tinygltf.
  *
- * tinygltf parses; nothing it hands out is trusted. Files that a .gltf names are read only from below a
- * root: scene/read_rules.h.
+ * tinygltf parses; nothing it hands out is trusted. Files that a .gltf names are read only from below
+ * a root: scene/read_rules.h.
  */
 #ifndef SCENE_GLTF_GLTF_H
 #define SCENE_GLTF_GLTF_H

@@ -1,5 +1,5 @@
-/* The JSON of a file before tinygltf sees it: checked, mended, and without the bytes that it names. The
- * only file that names the JSON library. */
+/* The JSON of a file before tinygltf sees it: checked, mended, and without the bytes that it
+ * names. The only file that names the JSON library. */
 #ifndef SCENE_GLTF_JSON_HPP
 #define SCENE_GLTF_JSON_HPP
 

@@ -22,7 +22,8 @@ bool load_attribute(Loader &loader, const tinygltf::Primitive &from, const std::
     return good || error_prefix("%s", name.c_str());
 }
 
-/* Indices lie packed, whatever stride their buffer view has: other readers hand them to the GPU, which knows none. */
+/* Indices lie packed, whatever stride their buffer view has: other readers hand them to the GPU,
+ * which knows none. */
 bool pack_indices(Loader &loader, int index) {
     const tinygltf::Accessor &accessor = loader.model.accessors[size_t(index)];
     if (accessor.bufferView < 0)
@@ -110,7 +111,7 @@ bool load_primitive(Loader &loader, const tinygltf::Primitive &from, int target_
     if (!load_indices(loader, from.indices, to) || !mend_indices(loader, from, object, to) ||
         !primitive_check(&to) ||
         !primitive_unroll(&to, static_cast<enum primitive_mode>(from.mode)) ||
-        !load_attributes(loader, from, to) || !load_joints(loader, from, to) ||
+        !load_attributes(loader, from, to) || !load_joints(loader, from, object, to) ||
         !load_targets(loader, from, target_count, to))
         return false;
     if (to.normal) {

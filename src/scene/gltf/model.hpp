@@ -28,6 +28,7 @@ extern "C" {
 #include <array>
 #include <cstdlib>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -90,7 +91,7 @@ struct Loader {
     std::vector<std::vector<unsigned char>> buffers; /* until the model has them */
     std::vector<Picture> pictures;                   /* one per image */
     std::vector<size_t> strides;                     /* of buffer views; 0 = packed */
-    std::vector<std::string> files;                  /* that were read beside the scene's own */
+    std::set<std::string> files;                     /* that were read beside the scene's own */
     std::vector<Mended> mended;
     std::vector<std::vector<UvSource>> mappings; /* of each material */
     std::map<int, TextureMean> texture_means;    /* of each image that was asked for */
@@ -119,8 +120,8 @@ bool check_extensions(Loader &loader);
 void lack(Loader &loader, const std::string &what);
 void tell_lacks(const Loader &loader);
 
-/* mended.cpp: remembers that an object has a defect which is mended; under --strict an error instead.
- * Later each defect is told in one note, with the first object and the number of others. */
+/* mended.cpp: remembers that an object has a defect which is mended; under --strict an error
+ * instead. Later each defect is told in one note, with the first object and the number of others. */
 bool mend(Loader &loader, const std::string &what, const std::string &object);
 void tell_mended(const Loader &loader);
 const char *const bad_clips = "channels of clips that are not valid are left out";
@@ -141,11 +142,12 @@ void allow_memory(Loader &loader, uint64_t file_size);
 bool load_elements(Loader &loader, int index, int width, size_t count, float **out);
 
 /* deform.cpp: what moves a primitive's vertices, before they are flattened. */
-bool load_joints(Loader &loader, const tinygltf::Primitive &from, struct primitive &to);
+bool load_joints(Loader &loader, const tinygltf::Primitive &from, const std::string &object,
+                 struct primitive &to);
 bool load_targets(Loader &loader, const tinygltf::Primitive &from, int count, struct primitive &to);
 
-/* texture.cpp: the scene's texture for one of the file's; -1 where that has no picture. A picture that
- * is missing or broken is replaced. */
+/* texture.cpp: the scene's texture for one of the file's; -1 where that has no picture. A picture
+ * that is missing or broken is replaced. */
 bool load_texture(Loader &loader, int index, bool linear, int &out);
 
 /* The picture of a texture, or -1. */

@@ -56,8 +56,9 @@ bool unpack_view(Loader &loader, const tinygltf::BufferView &view, const tinyglt
            unpack_meshopt(&packed, loader.model.buffers[view.buffer].data.data() + view.byteOffset);
 }
 
-/* Gives a primitive an accessor of its own, with a buffer for `count` elements: a copy of the file's, which
- * other primitives may share; its number. -1 and an error: it holds matrices, or too much. */
+/* Gives a primitive an accessor of its own, with a buffer for `count` elements: a copy of the
+ * file's, which other primitives may share; its number. -1 and an error: it holds matrices, or
+ * too much. */
 int make_room(Loader &loader, tinygltf::Accessor accessor, size_t count) {
     Model &model = loader.model;
     int components = tinygltf::GetNumComponentsInType(uint32_t(accessor.type));

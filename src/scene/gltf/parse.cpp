@@ -97,8 +97,8 @@ bool parse_json(const char *text, size_t size, json &root) try {
     return error_set("the JSON: %.300s", reason.c_str() + (bracket + 1 ? bracket + 2 : 0));
 }
 
-/* A scene in text begins with a bracket, or with a comment, which JSON does not have; a zero follows the
- * last byte. */
+/* A scene in text begins with a bracket, or with a comment, which JSON does not have; a zero
+ * follows the last byte. */
 bool check_kind(const struct file_bytes &bytes) {
     const char *text = reinterpret_cast<const char *>(bytes.data);
     const char mark[] = "\xEF\xBB\xBF";

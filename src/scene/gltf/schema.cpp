@@ -2,8 +2,8 @@
  *
  * tinygltf casts, drops or ignores where it should refuse, and recurses as deep as a file asks it
  * to. So the JSON is held against a table first: types, ranges, and that every index points at
- * something. Whoever reads the model afterwards need not ask again. A defect that changes no picture,
- * or that other readers pass over, is mended in the JSON, and told.
+ * something. Whoever reads the model afterwards need not ask again. A defect that changes no
+ * picture, or that other readers pass over, is mended in the JSON, and told.
  */
 #include "scene/gltf/json.hpp"
 #include "scene/gltf/schema.hpp"
@@ -257,6 +257,12 @@ bool check_field(Check &check, json &object, json &value, const Field &field, co
 bool check_fields(Check &check, json &object, const Field *fields) {
     for (const Field *field = fields; field->name; field++) {
         auto found = object.find(field->name);
+        if (found != object.end() && found->is_null()) {
+            object.erase(found);
+            found = object.end();
+            if (!mend_field(check, "fields that are null are left out", *field))
+                return false;
+        }
         if (found == object.end()) {
             if (field->need == Required)
                 return error_set("it has no '%s'", field->name);

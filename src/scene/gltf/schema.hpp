@@ -1,4 +1,5 @@
-/* The table of what the standard demands of a file's JSON; `file` is the whole but for animations. */
+/* The table of what the standard demands of a file's JSON; `file` is the whole but for
+ * animations. */
 #ifndef SCENE_GLTF_SCHEMA_HPP
 #define SCENE_GLTF_SCHEMA_HPP
 
@@ -251,7 +252,8 @@ const Field channel_target[] = {
     end,
 };
 
-/* Of animations, whose bad channels are left out. The sampler's index is into the animation's own list. */
+/* Of animations, whose bad channels are left out. The sampler's index is into the animation's own
+ * list. */
 const Field channel[] = {
     {"sampler", Required, Kind::Size},
     {"target", Required, Kind::Object, nullptr, channel_target},

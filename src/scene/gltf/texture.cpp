@@ -27,7 +27,6 @@ Outcome decode_file(Loader &loader, const std::string &uri, struct bitmap &bitma
     enum file_lack lack;
     if (!read_uri(loader, uri, file, lack))
         return lack == FILE_OUTSIDE ? Outcome::Refused : Outcome::Broken;
-    allow_memory(loader, file.size);
     Outcome outcome = decode(loader, file.data, file.size, bitmap);
     if (outcome != Outcome::Decoded)
         error_prefix("%s", clean(uri).c_str());

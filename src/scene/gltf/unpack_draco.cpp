@@ -65,8 +65,9 @@ bool skip_all_metadata(const unsigned char *&at, const unsigned char *end) {
     return skip_metadata(at, end, 0);
 }
 
-/* The library takes memory for as many triangles and vertices as a header says, so that is read first:
- * magic, version, kind, method, flags, metadata; then, of one method after a byte, two numbers. */
+/* The library takes memory for as many triangles and vertices as a header says, so that is read
+ * first: magic, version, kind, method, flags, metadata; then, of one method after a byte, two
+ * numbers. */
 bool read_header(const unsigned char *bytes, size_t size, uint64_t &triangles) {
     enum { MESH = 1, SEQUENTIAL = 0, METADATA = 0x80 };
     if (size < 12 || memcmp(bytes, "DRACO", 5) != 0 || bytes[5] != 2 || bytes[6] != 2 ||

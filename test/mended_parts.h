@@ -1,0 +1,253 @@
+/* Tiny glTF files that other readers open, with a note or without, and the note that is due here. */
+#ifndef TEST_MENDED_PARTS_H
+#define TEST_MENDED_PARTS_H
+
+#include "hostile_numbers.h"
+
+/* The quad's two accessors, with counts and types as written. */
+#define COUNTS(vertices, indices)                                                                  \
+    "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": " vertices                           \
+    ", \"type\": \"VEC3\"}, {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123,"      \
+    " \"count\": " indices ", \"type\": \"SCALAR\"}]"
+#define TWO_VIEWS(first, second)                                                                   \
+    "[{\"buffer\": 0, \"byteLength\": 48" first "}, {\"buffer\": 0, \"byteOffset\": 48,"           \
+    " \"byteLength\": 272" second "}]"
+#define IN_TWO_VIEWS "[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 1," INDEX_TYPE "}]"
+#define MATERIAL(fields) "[{\"pbrMetallicRoughness\": {" fields "}}]"
+#define SECOND(primitive)                                                                          \
+    "[{\"name\": \"quad\", \"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1},"  \
+    " " primitive "]}]"
+#define MATRIX_OF(m41, m44) NODE("\"matrix\": [1,0,0," m41 ", 0,1,0,0, 0,0,1,0, 0,0,0," m44 "]")
+#define FRACTIONS "numbers written as fractions are taken as whole: "
+#define SHARES "numbers that are not from 0 to 1 are clamped: material 0: "
+#define LAST_ROW "a last row of a matrix that is almost 0 0 0 1 is that: node 0 'one': matrix"
+#define LEFT_OUT                                                                                   \
+    "primitives without positions or triangles are left out: mesh 0 'quad': primitive 1: "
+
+static const float small_weights[16] = {-1e-7F, 1, 0, 0, -1e-6F, 1};
+
+struct mended {
+    const char *name, *note; /* "" = none is due */
+    struct gltf_parts parts;
+};
+
+static const struct mended mended[] = {
+    {"count 4.0", FRACTIONS "accessor 0: count (and 1 more)", {.accessors = COUNTS("4.0", "6.0")}},
+    {"count 4e0", FRACTIONS "accessor 0: count", {.accessors = COUNTS("4e0", "6")}},
+    {"count .4e1", FRACTIONS "accessor 0: count", {.accessors = COUNTS("0.4e1", "6")}},
+    {"length 320.0", FRACTIONS "buffer 0: byteLength", {.buffers = "[{\"byteLength\": 320.0}]"}},
+    {"index 0.0",
+     FRACTIONS "node 0 'one': mesh",
+     {.nodes = "[{\"name\": \"one\", \"mesh\": 0.0}]"}},
+    {"attributes 0.0",
+     FRACTIONS "mesh 0 'quad': primitive 0: attributes",
+     {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0.0}, \"indices\": 1")}},
+    {"mode 4.0",
+     FRACTIONS "mesh 0 'quad': primitive 0: mode",
+     {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0}, \"indices\": 1, \"mode\": 4.0")}},
+    {"scene 0.0", FRACTIONS "scene", {.more = "\"scenes\": [{\"nodes\": [0.0]}], \"scene\": 0.0,"}},
+    {"mesh -0", "", {.nodes = "[{\"name\": \"one\", \"mesh\": -0}]"}},
+    {"rough by rounding",
+     SHARES "roughnessFactor",
+     {.materials = MATERIAL("\"roughnessFactor\": 1.0000001")}},
+    {"metal by rounding",
+     SHARES "metallicFactor",
+     {.materials = MATERIAL("\"metallicFactor\": -1e-9")}},
+    {"negative zeros",
+     "",
+     {.materials = MATERIAL("\"metallicFactor\": -0.0, \"baseColorFactor\": [-0.0, 1, 1, 1]")}},
+    {"base colour by rounding",
+     SHARES "baseColorFactor",
+     {.materials = MATERIAL("\"baseColorFactor\": [1.0000002, 1, 1, 1]")}},
+    {"emission of four",
+     "colours of other than 3 or 4 numbers are cut or made opaque: material 0: emissiveFactor",
+     {.materials = "[{\"emissiveFactor\": [0, 0, 0, 1]}]"}},
+    {"emission by rounding",
+     "numbers just below 0 are taken as 0: material 0: emissiveFactor",
+     {.materials = "[{\"emissiveFactor\": [0, -1e-8, 0]}]"}},
+    {"light by rounding",
+     "numbers just below 0 are taken as 0: light 0: intensity",
+     {.more = LIGHT("\"type\": \"point\", \"intensity\": -1e-8")}},
+    {"glass by rounding",
+     "numbers that are off by rounding are clamped: material 0: ior",
+     {.materials = "[{\"extensions\": {\"KHR_materials_ior\": {\"ior\": 0.9999999}}}]"}},
+    {"spot of four decimals",
+     "numbers that are off by rounding are clamped: light 0: outerConeAngle",
+     {.more = SPOT("\"outerConeAngle\": 1.5708", "")}},
+    {"spot without an object",
+     "an object that is not there has its defaults: light 0: spot",
+     {.more = LIGHT("\"type\": \"spot\"")}},
+    {"sides as numbers",
+     "0 and 1 are taken as false and true: material 0: doubleSided",
+     {.materials = "[{\"doubleSided\": 1}]"}},
+    {"wrap of another OpenGL",
+     "words that do not exist are left out: sampler 0: wrapS",
+     {.more = "\"samplers\": [{\"wrapS\": 10496, \"magFilter\": 9729}],"}},
+    {"null for nothing",
+     "fields that are null are left out: node 0 'one': camera (and 1 more)",
+     {.nodes = NODE("\"camera\": null, \"skin\": null, \"extras\": null")}},
+    {"version 2",
+     "a version that is not \"2.0\" is taken for that: asset: 2",
+     {.asset = "{\"version\": \"2\"}"}},
+    {"version as a number",
+     "a version that is not \"2.0\" is taken for that: asset: 2.0",
+     {.asset = "{\"version\": 2.0}"}},
+
+    {"stride 0 of both",
+     "byteStride 0 is read as packed: buffer view 0 (and 1 more)",
+     {.views = TWO_VIEWS(", \"byteStride\": 0", ", \"byteStride\": 0"), .accessors = IN_TWO_VIEWS}},
+    {"stride of indices",
+     "a byteStride of indices is ignored: accessor 1",
+     {.views = TWO_VIEWS("", ", \"byteStride\": 4"), .accessors = IN_TWO_VIEWS}},
+    {"stride of indices that are so wide",
+     "a byteStride that is no multiple of 4 from 4 to 252 is taken as it is: buffer view 1: 2",
+     {.views = TWO_VIEWS("", ", \"byteStride\": 2"), .accessors = IN_TWO_VIEWS}},
+    {"a byte more than it says",
+     "buffer views beyond byteLength, where there are bytes, are read: buffer view 0",
+     {.buffers = "[{\"byteLength\": 100}]"}},
+    {"BIN of more bytes",
+     "",
+     {.buffers = "[{\"byteLength\": 64}]", .views = "[{\"buffer\": 0, \"byteLength\": 64}]"}},
+    {"missing buffer that no view needs",
+     "buffers that no view needs are not read: buffer 1: cannot open",
+     {.buffers = "[{\"byteLength\": 320}, {\"byteLength\": 9, \"uri\": \"none.bin\"}]"}},
+    {"buffer of nothing", "", {.buffers = "[{\"byteLength\": 320}, {\"byteLength\": 9}]"}},
+
+    {"row by rounding", LAST_ROW, {.nodes = MATRIX_OF("0", "0.99999994")}},
+    {"row by a bit", LAST_ROW, {.nodes = MATRIX_OF("1e-9", "1")}},
+    {"row by less than 1e-5", LAST_ROW, {.nodes = MATRIX_OF("-9e-6", "1.000009")}},
+    {"turn of 0",
+     "a quaternion of length 0 turns nothing: node 0 'one': rotation",
+     {.nodes = NODE("\"rotation\": [0, 0.0, -0, 0]")}},
+
+    {"seven indices",
+     "indices that make no whole triangle are ignored: mesh 0 'quad': primitive 0",
+     {.accessors = COUNTS("4", "7")}},
+    {"eight indices",
+     "indices that make no whole triangle are ignored: mesh 0 'quad': primitive 0",
+     {.accessors = COUNTS("4", "8")}},
+    {"no positions",
+     LEFT_OUT "it has no POSITION",
+     {.meshes = SECOND("{\"attributes\": {\"_HEAT\": 0}}")}},
+    {"no attributes", LEFT_OUT "it has no POSITION", {.meshes = SECOND("{\"attributes\": {}}")}},
+    {"a strip of two",
+     LEFT_OUT "it has no triangle",
+     {.accessors =
+          "[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\": 48," INDEX_TYPE
+          "}, {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123,"
+          " \"count\": 2, \"type\": \"SCALAR\"}]",
+      .meshes = SECOND("{\"attributes\": {\"POSITION\": 0}, \"indices\": 2, \"mode\": 5}")}},
+    {"no indices at all",
+     LEFT_OUT "it has no triangle",
+     {.accessors =
+          "[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\": 48," INDEX_TYPE
+          "}, {\"componentType\": 5123, \"count\": 0, \"type\": \"SCALAR\"}]",
+      .meshes = SECOND("{\"attributes\": {\"POSITION\": 0}, \"indices\": 2}")}},
+    {"lines and points beside",
+     "shown without: points and lines",
+     {.meshes = SECOND("{\"attributes\": {\"POSITION\": 0}, \"mode\": 0}, {\"attributes\":"
+                       " {\"POSITION\": 0}, \"mode\": 3}")}},
+    {"weights of joints by rounding",
+     "numbers just below 0 are taken as 0: mesh 0 'quad': primitive 0: WEIGHTS_0",
+     {.accessors = "[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\":"
+                   " 48," INDEX_TYPE "}, {\"componentType\": 5121, \"count\": 4, \"type\":"
+                   " \"VEC4\"}, {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\":"
+                   " 5126, \"count\": 4, \"type\": \"VEC4\"}]",
+      .meshes = PRIMITIVE(JOINTS("2", "3")),
+      .extra = small_weights,
+      .extra_size = sizeof small_weights}},
+    {"weights of a morph that is not there",
+     "weights without a morph target are ignored, and 0 where they lack: mesh 0 'quad'",
+     {.meshes = "[{\"name\": \"quad\", \"weights\": [1, 2], \"primitives\": [{\"attributes\":"
+                " {\"POSITION\": 0}, \"indices\": 1, \"targets\": [{\"POSITION\": 0}]}]}]"}},
+
+    {"picture without a source",
+     "colours by a magenta checker: image 0: its name is empty",
+     {.materials = TEXTURED, .more = "\"images\": [{}], \"textures\": [{\"source\": 0}],"}},
+    {"picture from a server",
+     "image 0: 'https://example.org/a.png' is a URL, which is not fetched",
+     {.materials = TEXTURED, .more = PICTURE("https://example.org/a.png")}},
+    {"picture without base64",
+     "image 0: its data URI has the byte 0x21 at 0, which is no digit of base64",
+     {.materials = TEXTURED, .more = PICTURE("data:image/png;base64,!")}},
+    {"texture without a source",
+     "textures without a picture are left out: texture 0",
+     {.materials = TEXTURED, .more = "\"textures\": [{}],"}},
+    {"missing picture that nobody uses", "", {.more = PICTURE("none.png")}},
+};
+
+/* Files that glTF-Validator finds valid, or warns of, and that hold a triangle. */
+static const struct mended valid[] = {
+    {"nothing else", "", {0}},
+    {"unused objects",
+     "",
+     {.more = "\"images\": [{\"uri\": \"none.png\"}], \"textures\": [{\"source\": 0}],"
+              " \"samplers\": [{}], \"cameras\": [{\"type\": \"perspective\", \"perspective\":"
+              " {\"yfov\": 1, \"znear\": 1}}], \"skins\": [{\"joints\": [0]}],"}},
+    {"other properties",
+     "",
+     {.nodes = NODE("\"customProperty\": [1, {\"a\": null}], \"extras\": \"text\""),
+      .more = "\"somethingElse\": true, \"extras\": [1.5],"}},
+    {"extensions not declared", "", {.more = "\"extensions\": {\"ANYBODY_thing\": {\"a\": 1}},"}},
+    {"extension used and unknown",
+     "shown without: ANYBODY_thing",
+     {.more = "\"extensionsUsed\": [\"ANYBODY_thing\"],"}},
+    {"bounds that do not match",
+     "",
+     {.accessors = "[{\"bufferView\": 0, \"min\": [7, 8, 9], \"max\": [0, \"x\"]," VECTORS
+                   "}, {\"bufferView\": 0, \"byteOffset\": 48," INDEX_TYPE "}]"}},
+    {"names alike",
+     "",
+     {.nodes = "[{\"name\": \"a\", \"mesh\": 0}, {\"name\": \"a\"}, {\"name\": \"a\"}]"}},
+    {"name with a bell", "", {.nodes = "[{\"name\": \"a\\u0007\\n\\u0000\", \"mesh\": 0}]"}},
+    {"empty nodes", "", {.nodes = "[{\"mesh\": 0}, {}, {\"children\": [1]}]"}},
+    {"empty lists", "", {.more = "\"animations\": [], \"cameras\": [], \"textures\": [],"}},
+    {"a strip", "", {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0}, \"mode\": 5")}},
+    {"a fan", "", {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0}, \"mode\": 6")}},
+    {"a line strip beside",
+     "shown without: points and lines",
+     {.meshes = SECOND("{\"attributes\": {\"POSITION\": 0}, \"indices\": 1, \"mode\": 1}")}},
+    {"indices of zeros", "", {.accessors = INDICES(INDEX_TYPE)}},
+    {"sparse indices over zeros",
+     "",
+     {.accessors = INDICES(
+          INDEX_TYPE ", \"sparse\": {\"count\": 2, \"indices\": {\"bufferView\": 0,"
+                     " \"byteOffset\": 50, \"componentType\": 5123}, \"values\": {\"bufferView\":"
+                     " 0, \"byteOffset\": 50}}")}},
+    {"sparse positions over zeros",
+     "",
+     {.accessors = POSITIONS(
+          VECTORS ", \"sparse\": {\"count\": 2, \"indices\": {\"bufferView\": 0, \"byteOffset\":"
+                  " 50, \"componentType\": 5123}, \"values\": {\"bufferView\": 0, \"byteOffset\":"
+                  " 12}}")}},
+    {"texture without a source",
+     "textures without a picture are left out: texture 0",
+     {.materials = TEXTURED, .more = "\"textures\": [{\"sampler\": 0}], \"samplers\": [{}],"}},
+    {"a clip without channels",
+     "",
+     {.more = "\"animations\": [{\"channels\": [], \"samplers\": []}],"}},
+    {"a clip of nothing",
+     "channels of clips that are not valid are left out: animation 0: it has no channels",
+     {.more = "\"animations\": [{}],"}},
+    {"a skin without a skeleton",
+     "",
+     {.nodes = "[{\"mesh\": 0, \"skin\": 0}]", .more = "\"skins\": [{\"joints\": [0]}],"}},
+    {"an unlit material",
+     "",
+     {.materials = "[{\"extensions\": {\"KHR_materials_unlit\": {\"a\": 1}}}]",
+      .more = "\"extensionsUsed\": [\"KHR_materials_unlit\"],"}},
+    {"a newer minor version", "", {.asset = "{\"version\": \"2.1\", \"minVersion\": \"2.0\"}"}},
+    {"a target of zeros",
+     "",
+     {.accessors = "[{\"bufferView\": 0," VECTORS
+                   "}, {\"bufferView\": 0, \"byteOffset\": 48," INDEX_TYPE "}, {" VECTORS "}]",
+      .meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0}, \"indices\": 1, \"targets\":"
+                          " [{\"POSITION\": 2}]")}},
+    {"a tangent and a colour of its own",
+     "",
+     {.meshes = PRIMITIVE("\"attributes\": {\"POSITION\": 0, \"_OWN\": 0}, \"indices\": 1,"
+                          " \"extras\": {}")}},
+    {"no scene", "", {.more = "\"scenes\": [{\"nodes\": [0]}, {\"name\": \"empty\"}],"}},
+};
+
+#endif
