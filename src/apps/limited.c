@@ -111,15 +111,16 @@ static _Noreturn void be_parent(const char *subcommand, double gib, int from) {
     int status = wait_for_child();
     if (WIFSIGNALED(status))
         end_by(WTERMSIG(status));
-    bool crashed = !WIFEXITED(status);
-    int code = crashed ? 1 : WEXITSTATUS(status);
-    if ((crashed || code != 0) && !relay.told_error)
-        fprintf(stderr,
-                "manylight %s: --max-memory %g: too little memory for the work and the OpenGL "
-                "driver\n",
-                subcommand, gib);
-    else if (relay.held.length)
+    int code = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+    if (code != 0 && !relay.told_error) {
+        fprintf(
+            stderr,
+            "manylight %s: --max-memory %g: too little memory for the work and the OpenGL driver\n",
+            subcommand, gib);
+        code = 1; /* some libraries end the process by other numbers */
+    } else if (relay.held.length) {
         write_all(relay.held.data, relay.held.length);
+    }
     free(relay.line.data);
     free(relay.held.data);
     _exit(code);
