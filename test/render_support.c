@@ -105,6 +105,11 @@ void scale_scene(struct scene *scene, float s) {
             light->intensity[c] *= s * s;
         for (int c = 0; c < 2 && light->type != EMITTER_DIRECTIONAL; c++)
             light->size[c] *= s;
+        light->range *= s;
+    }
+    for (int i = 0; i < scene->camera_count; i++) {
+        scene->cameras[i].near *= s;
+        scene->cameras[i].far *= s;
     }
 }
 

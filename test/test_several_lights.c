@@ -3,8 +3,11 @@
 #include "render_support.h"
 
 #include "base/error.h"
+#include "base/file/file.h"
+#include "direct/direct.h"
 #include "gl/memory.h"
 #include "scene/view.h"
+#include "techniques/technique.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -219,23 +222,90 @@ static void test_too_many(void **state) {
         lights[i] = stage.emitters.items[0];
     desc.emitters = (struct emitters){.items = lights, .count = LIGHTS_MAX + 1};
     assert_false(renderer_init(&renderer, &desc));
-    assert_string_equal(error_get(), "65 lights with 65 views: at most 64 with 256 shine at once; "
+    assert_string_equal(error_get(), "65 lights with 65 views: at most 64 with 384 shine at once; "
                                      "--light picks some");
     desc.emitters.count = LIGHTS_MAX;
     check_ok("as many as there may be", renderer_init(&renderer, &desc));
     renderer_render(&renderer);
-    for (int i = 0; i < 43; i++)
+    for (int i = 0; i <= LIGHTS_MAX; i++)
         lights[i] = stage.emitters.items[2];
-    desc.emitters.count = 43;
+    desc.emitters.count = LIGHTS_MAX + 1;
     assert_false(renderer_follow(&renderer, &desc));
-    assert_string_equal(error_get(), "43 lights with 258 views: at most 64 with 256 shine at once; "
+    assert_string_equal(error_get(), "65 lights with 390 views: at most 64 with 384 shine at once; "
                                      "--light picks some");
     renderer_render(&renderer);
-    desc.emitters.count = 42;
-    check_ok("42 points", renderer_follow(&renderer, &desc));
+    desc.emitters.count = LIGHTS_MAX;
+    check_ok("64 points", renderer_follow(&renderer, &desc));
     renderer_render(&renderer);
     renderer_free(&renderer);
     assert_int_equal(gpu_memory_total(), 0);
+    stage_free(&stage);
+}
+
+/* --- as many points as there may be ----------------------------------------------------------- */
+
+/* A point's share of a light for each: all together are that light. */
+static void split_point(const struct stage *stage, struct emitter lights[LIGHTS_MAX]) {
+    for (int i = 0; i < LIGHTS_MAX; i++) {
+        lights[i] = stage->emitters.items[2];
+        for (int c = 0; c < 3; c++)
+            lights[i].intensity[c] /= LIGHTS_MAX;
+    }
+}
+
+static void check_points(const struct stage *stage, const struct technique *technique,
+                         const struct direct_method *direct) {
+    struct emitter lights[LIGHTS_MAX], one = stage->emitters.items[2];
+    const char *settings = "vpls=1024 rsm-size=64 shadow-size=256";
+    struct renderer_desc desc = desc_of(stage, technique->name, settings, SIZE, SIZE);
+    desc.direct = direct;
+    split_point(stage, lights);
+    desc.emitters = (struct emitters){.items = lights, .count = LIGHTS_MAX};
+    struct image many = render_layers(&desc);
+    desc.emitters = (struct emitters){.items = &one, .count = 1};
+    struct image single = render_layers(&desc);
+    check_near("direct light", layer_mean(&many, "direct") / layer_mean(&single, "direct"), 1, .02);
+    check_near(technique->name, layer_mean(&many, "indirect") / layer_mean(&single, "indirect"), 1,
+               .1);
+    image_free(&many);
+    image_free(&single);
+}
+
+static void test_points(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, three_lights);
+    for (const struct technique *const *technique = techniques; *technique; technique++)
+        check_points(&stage, *technique, direct_methods[0]);
+    for (const struct direct_method *const *direct = direct_methods; *direct; direct++) {
+        printf("%s\n", (*direct)->name);
+        check_points(&stage, technique_find("unshadowed"), *direct);
+    }
+    stage_free(&stage);
+}
+
+/* Maps of many views are smaller. */
+static void test_map_share(void **state) {
+    (void)state;
+    assert_int_equal(light_map_share(2048, 32, 32), 2048);
+    assert_int_equal(light_map_share(2048, 128, 32), 1024);
+    assert_int_equal(light_map_share(32, 1000, 1), 16);
+}
+
+static void test_case(void **state) {
+    (void)state;
+    char path[512];
+    struct stage stage;
+    if (!shared_path())
+        return;
+    snprintf(path, sizeof path, "%s/cases/lights-43/points.gltf", shared_path());
+    if (!file_can_be_read(path))
+        return;
+    open_stage(&stage, path);
+    struct image image = render_stage(&stage, "clustered", "shadow-size=128 rsm-size=64", SIZE);
+    int red = image_find_channel(&image, "direct.R");
+    check_near("43 points", (double)image_at(&image, SIZE / 2, SIZE / 2)[red], 1, .005);
+    image_free(&image);
     stage_free(&stage);
 }
 
@@ -244,6 +314,8 @@ int main(void) {
         cmocka_unit_test(test_layout), cmocka_unit_test(test_dark_lights),
         cmocka_unit_test(test_sum),    cmocka_unit_test(test_split),
         cmocka_unit_test(test_truth),  cmocka_unit_test(test_too_many),
+        cmocka_unit_test(test_points), cmocka_unit_test(test_map_share),
+        cmocka_unit_test(test_case),
     };
     return cmocka_run_group_tests_name("several lights", tests, open_group_context,
                                        close_group_context);

@@ -7,7 +7,7 @@
 #include "shared/view.h"
 
 #define LIGHTS_MAX 64
-#define LIGHT_VIEWS_MAX 256
+#define LIGHT_VIEWS_MAX 384 /* six of each light: the block then has 62 KiB */
 
 /* Kinds of views, and of arrays of maps. The single views come first. */
 #define LIGHT_MAP_SINGLE 0

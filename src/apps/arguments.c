@@ -1,5 +1,7 @@
 #include "apps/arguments.h"
 
+#include "apps/limited.h"
+
 #include "base/error.h"
 #include "base/log.h"
 #include "base/memory.h"
@@ -15,8 +17,8 @@ static const struct option common_options[] = {
     {"verbose", 'v', OPTION_FLAG, offsetof(struct common_values, verbose), .help = "more notes"},
     {"max-memory", 0, OPTION_FLOAT, offsetof(struct common_values, max_memory), 0, 0, 1e6,
      .value_name = "GIB",
-     .help = "the most memory it may take; 0 = what is free, but for a scene 2 GiB and\n"
-             "64 times the size of its files"},
+     .help = "the most memory it may take, with the OpenGL driver, which needs about half a GiB;\n"
+             "0 = what is free, but for a scene 2 GiB and 64 times the size of its files"},
     {NULL},
 };
 
@@ -73,15 +75,15 @@ static void print_help(const struct arguments *arguments, const struct option *t
         arguments->print_more(stdout, values);
 }
 
-static bool apply(const struct arguments *arguments, const struct common_values *common) {
+static bool apply(int argc, char **argv, const struct arguments *arguments,
+                  const struct common_values *common) {
     if (common->quiet)
         log_set_level(LOG_QUIET);
     else if (common->verbose)
         log_set_level(LOG_VERBOSE);
     if (arguments->opens_scenes && !read_rules_set(common->strict, common->root))
         return error_prefix("--root");
-    return common->max_memory == 0 ||
-           mem_limit((uint64_t)((double)common->max_memory * (1 << 30))) ||
+    return common->max_memory == 0 || limited_begin(argc, argv, (double)common->max_memory) ||
            error_prefix("--max-memory");
 }
 
@@ -103,7 +105,7 @@ bool arguments_parse(const struct arguments *arguments, void *values, int argc, 
     } else if (*positional_count < arguments->min_positional) {
         error_set("arguments are missing: %s", arguments->synopsis);
         *status = arguments_misuse(argv[0]);
-    } else if (!apply(arguments, values)) {
+    } else if (!apply(argc, argv, arguments, values)) {
         *status = arguments_fail(argv[0]);
     } else {
         go_on = true;

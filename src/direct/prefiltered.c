@@ -11,7 +11,8 @@ struct prefilter_settings {
 
 static const struct option table[] = {
     {"texels", 0, OPTION_INT, offsetof(struct prefilter_settings, size), 1024, 16, 4096,
-     .help = "a light's own map, so many a side; of a half space its middle half has 90 degrees"},
+     .help = "a light's own map, so many a side; of a half space its middle half has 90 degrees;\n"
+             "less of more than 24 maps, of which a point has six"},
     {"depth-bias", 0, OPTION_FLOAT, offsetof(struct prefilter_settings, bias), 2e-3, 0, .5,
      .help = "receiver offset towards the light, of its distance"},
     {"contact", 0, OPTION_FLOAT, offsetof(struct prefilter_settings, contact), .01, 0, 1,
@@ -60,6 +61,13 @@ static void show_maps(struct prefiltered *own) {
     inputs->more[1] = (struct pass_texture){UNIT_SUMS, own->sums.maps.sums.id};
 }
 
+/* Three quarters of a GiB at most, of maps of 1024 texels with sums of four moments. */
+static int size_of(const struct direct_desc *desc) {
+    const struct prefilter_settings *set = settings_of(desc->settings, &prefilter_part);
+    const int full_maps = 24;
+    return light_map_share(set->size, desc->lights->maps, full_maps);
+}
+
 bool prefiltered_begin(struct prefiltered *own, const struct direct_desc *desc,
                        const struct prefiltered_desc *method) {
     const struct prefilter_settings *set = settings_of(desc->settings, &prefilter_part);
@@ -67,7 +75,7 @@ bool prefiltered_begin(struct prefiltered *own, const struct direct_desc *desc,
                                method->defines ? method->defines : "", method->filter,
                                method->search_parts, method->shadow_parts);
     bool ok = shadow_begin(&own->shadow, desc,
-                           &(struct direct_light_desc){.map_size = set->size,
+                           &(struct direct_light_desc){.map_size = size_of(desc),
                                                        .own_maps = true,
                                                        .map_bias = set->bias,
                                                        .contact = set->contact,
@@ -75,7 +83,7 @@ bool prefiltered_begin(struct prefiltered *own, const struct direct_desc *desc,
                                                        .gain = method->gain,
                                                        .fragment = "visibility/direct_map.frag",
                                                        .defines = defines}) &&
-              init_maps(own, set->size, desc->lights, method->moments);
+              init_maps(own, size_of(desc), desc->lights, method->moments);
     free(defines);
     if (ok)
         show_maps(own);

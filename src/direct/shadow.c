@@ -4,7 +4,7 @@
 
 static const struct option table[] = {
     {"shadow-size", 0, OPTION_INT, offsetof(struct shadow_settings, size), 2048, 16, 16384,
-     .help = "shadow map of a light, texels a side"},
+     .help = "shadow map of a light, texels a side; less of more than 32 lights, 21 points"},
     {"shadow-bias", 0, OPTION_FLOAT, offsetof(struct shadow_settings, bias), 1.5, 0, 100,
      .help = "receiver offset along its normal, in shadow texels"},
     {NULL},
@@ -13,6 +13,15 @@ static const struct option table[] = {
 const struct settings_part shadow_part = {"direct", "shadow maps of direct light", table,
                                           sizeof(struct shadow_settings)};
 
+/* Half a GiB at most, of maps of 2048 texels. */
+static int size_of(const struct direct_desc *desc) {
+    const struct shadow_settings *own = settings_of(desc->settings, &shadow_part);
+    const int full_views = 32, faces_of_view = 4; /* which are half as large */
+    const int *views = desc->lights->views;
+    int count = views[LIGHT_MAP_SINGLE] + views[LIGHT_MAP_FACE] / faces_of_view;
+    return light_map_share(own->size, count, full_views);
+}
+
 bool shadow_begin(struct shadow *shadow, const struct direct_desc *desc,
                   const struct direct_light_desc *program) {
     const struct shadow_settings *own = settings_of(desc->settings, &shadow_part);
@@ -20,12 +29,12 @@ bool shadow_begin(struct shadow *shadow, const struct direct_desc *desc,
     light.width = desc->width;
     light.height = desc->height;
     light.gloss = desc->gloss;
-    light.map_size = program->map_size ? program->map_size : own->size;
+    light.map_size = program->map_size ? program->map_size : size_of(desc);
     light.bias = own->bias;
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
         shadow->inputs.maps[kind] = &shadow->maps.maps[kind];
     return shadow_map_pass_init(&shadow->maps,
-                                &(struct shadow_map_desc){own->size, *desc->lights}) &&
+                                &(struct shadow_map_desc){size_of(desc), *desc->lights}) &&
            direct_light_pass_init(&shadow->light, &light);
 }
 

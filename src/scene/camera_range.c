@@ -133,7 +133,9 @@ static bool is_blind(const struct camera *camera, const struct geometry *geometr
 }
 
 void scene_check_ranges(struct scene *scene, const struct geometry *geometry) {
-    for (int n = 0; n < camera_node_count(scene); n++) {
+    const int most = 32; /* each is looked for among all nodes */
+    int count = camera_node_count(scene);
+    for (int n = 0; n < count && n < most; n++) {
         int node = node_carrying(scene, NODE_CAMERA, n);
         struct scene_camera *source = &scene->cameras[scene->nodes[node].camera];
         struct camera camera;

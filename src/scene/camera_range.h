@@ -20,7 +20,7 @@ struct camera_range {
 struct camera_range camera_range_of(const struct camera *camera, const struct geometry *geometry,
                                     float aspect);
 
-/* Lets cameras of the scene see all whose range holds nothing of it at time 0, and notes it: exporters write
+/* Lets cameras of the scene, the first 32, see all whose range holds nothing of it at time 0, and notes it: exporters write
  * constants, whatever the scene's size. */
 void scene_check_ranges(struct scene *scene, const struct geometry *geometry);
 

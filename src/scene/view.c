@@ -123,6 +123,14 @@ int light_map_size(int kind, int size) {
     return kind == LIGHT_MAP_FACE ? (size + 1) / 2 : size;
 }
 
+int light_map_share(int size, int views, int full_views) {
+    const int least = 16;
+    if (views <= full_views)
+        return size;
+    int shared = (int)((float)size * sqrtf((float)full_views / (float)views));
+    return shared > least ? shared : least;
+}
+
 static void set_spot_view(struct view *view, const struct emitter *light) {
     float tangent = sqrtf(1 - light->cos_outer * light->cos_outer) / light->cos_outer;
     /* The cone touches the edges of the map from inside. */

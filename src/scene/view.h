@@ -38,6 +38,10 @@ bool light_layouts_same(const struct light_layout *a, const struct light_layout 
  * sphere with half of that each: the same density. */
 int light_map_size(int kind, int size);
 
+/* Texels a side for maps of so many views: `size`, or less where there are more than full_views, so that all
+ * take no more than these would. */
+int light_map_share(int size, int views, int full_views);
+
 /* The orthographic view along a directional light over the scene's bounds. */
 void view_of_directional(struct view *view, const struct emitter *light,
                          const struct geometry *geometry);

@@ -246,15 +246,17 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
                             blur_pass_init(&lights->gloss_blur, &of_blur));
 }
 
-/* Many views share the texels of a few: a dozen directions of a sky need not cost as much as the picture. */
+/* Many views share the texels of a few: a dozen directions of a sky need not cost as much as the picture, and 64 points no
+ * more than 21. */
 static int rsm_size(const struct technique_desc *desc) {
-    static const int full_views = 4;
+    static const int full_views[LIGHT_MAP_KINDS] = {4, 128};
     const struct lights_settings *own = settings_of(desc->settings, &lights_part);
-    int size = own->rsm_size, views = desc->lights->views[LIGHT_MAP_SINGLE];
-    if (views <= full_views)
-        return size;
-    int shared = (int)((float)size * sqrtf((float)full_views / (float)views));
-    return shared > RSM_SIZE_MIN ? shared : RSM_SIZE_MIN;
+    int size = own->rsm_size;
+    for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++) {
+        int shared = light_map_share(own->rsm_size, desc->lights->views[kind], full_views[kind]);
+        size = shared < size ? shared : size;
+    }
+    return size > RSM_SIZE_MIN ? size : RSM_SIZE_MIN;
 }
 
 /* Rays for gloss need the smooth normals of what they meet. */

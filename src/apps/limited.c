@@ -1,0 +1,165 @@
+#define _GNU_SOURCE
+#include "apps/limited.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/text.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { HELD_MOST = 1 << 16 }; /* bytes of others' messages that are kept until the end */
+
+/* What the child writes to its standard error. Lines of ours pass at once; those of libraries wait, as a driver
+ * that ends the process has said something, too. */
+struct relay {
+    struct text line, held;
+    bool told_error; /* a line of ours that is neither a note nor a warning */
+};
+
+static void write_all(const char *bytes, size_t size) {
+    while (size > 0) {
+        ssize_t written = write(STDERR_FILENO, bytes, size);
+        if (written < 0 && errno != EINTR)
+            return;
+        bytes += written > 0 ? written : 0;
+        size -= written > 0 ? (size_t)written : 0;
+    }
+}
+
+static bool begins(const struct text *text, const char *with) {
+    return text->length >= strlen(with) && memcmp(text->data, with, strlen(with)) == 0;
+}
+
+static void pass_line(struct relay *relay) {
+    struct text *line = &relay->line;
+    if (begins(line, "manylight")) {
+        relay->told_error |=
+            !begins(line, "manylight: note") && !begins(line, "manylight: warning");
+        write_all(line->data, line->length);
+    } else if (relay->held.length + line->length < HELD_MOST) {
+        text_append(&relay->held, line->data, line->length);
+    }
+    line->length = 0;
+}
+
+static void relay_all(struct relay *relay, int from) {
+    char bytes[4096];
+    for (;;) {
+        ssize_t count = read(from, bytes, sizeof bytes);
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count <= 0)
+            break;
+        for (ssize_t i = 0; i < count; i++) {
+            text_append(&relay->line, &bytes[i], 1);
+            if (bytes[i] == '\n')
+                pass_line(relay);
+        }
+    }
+    if (relay->line.length)
+        pass_line(relay);
+}
+
+/* --- the parent ------------------------------------------------------------------------------- */
+
+static const int asked_to_end[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+
+enum { ASKED_COUNT = sizeof asked_to_end / sizeof *asked_to_end };
+
+static volatile pid_t child;
+
+static void forward(int number) {
+    kill(child, number);
+}
+
+static void forward_signals(void) {
+    struct sigaction action = {.sa_handler = forward}, before;
+    for (int i = 0; i < ASKED_COUNT; i++)
+        if (sigaction(asked_to_end[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
+            sigaction(asked_to_end[i], &action, NULL);
+}
+
+/* As the child ended, so that whoever waits for this process sees the same. */
+static void end_by(int number) {
+    for (int i = 0; i < ASKED_COUNT; i++)
+        if (asked_to_end[i] == number) {
+            signal(number, SIG_DFL);
+            raise(number);
+        }
+}
+
+static int wait_for_child(void) {
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+        ;
+    return status;
+}
+
+static _Noreturn void be_parent(const char *subcommand, double gib, int from) {
+    struct relay relay = {0};
+    forward_signals();
+    relay_all(&relay, from);
+    int status = wait_for_child();
+    if (WIFSIGNALED(status))
+        end_by(WTERMSIG(status));
+    int code = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+    if (code != 0 && !relay.told_error) {
+        fprintf(
+            stderr,
+            "manylight %s: --max-memory %g: too little memory for the work and the OpenGL driver\n",
+            subcommand, gib);
+        code = 1; /* some libraries end the process by other numbers */
+    } else if (relay.held.length) {
+        write_all(relay.held.data, relay.held.length);
+    }
+    free(relay.line.data);
+    free(relay.held.data);
+    _exit(code);
+}
+
+/* --- the child -------------------------------------------------------------------------------- */
+
+/* Says to the child that it is one. */
+static const char mark[] = "MANYLIGHT_LIMITED";
+
+/* The program begins anew, as libraries have started threads, which a copy of the process lacks. */
+static _Noreturn void be_child(int argc, char **argv, int to) {
+    char **arguments = mem_alloc((size_t)argc + 2, sizeof *arguments);
+    arguments[0] = "manylight";
+    for (int i = 0; i < argc; i++)
+        arguments[i + 1] = argv[i];
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    setrlimit(RLIMIT_CORE, &(struct rlimit){0, 0});
+    dup2(to, STDERR_FILENO);
+    setenv(mark, "1", 1);
+    execv("/proc/self/exe", arguments);
+    _exit(1);
+}
+
+bool limited_begin(int argc, char **argv, double gib) {
+    int ends[2];
+    bool has_proc = access("/proc/self/exe", X_OK) == 0;
+    if (getenv(mark) || !has_proc) {
+        unsetenv(mark);
+        return mem_limit((uint64_t)(gib * (1 << 30)));
+    }
+    if (pipe2(ends, O_CLOEXEC) != 0)
+        return error_set("no pipe: %s", strerror(errno));
+    fflush(NULL);
+    child = fork();
+    if (child < 0)
+        return error_set("no process: %s", strerror(errno));
+    if (child == 0)
+        be_child(argc, argv, ends[1]);
+    close(ends[1]);
+    be_parent(argv[0], gib, ends[0]);
+}
