@@ -28,9 +28,9 @@ struct bench {
     const char **arguments; /* scenes, or what the mode takes instead */
     int argument_count;
     char *own_scenes[BENCH_OWN_MAX]; /* those of the arguments that nobody gave */
-    struct context *context; /* current; NULL where the mode needs none */
-    struct stage *stage;     /* the present scene; NULL while arguments are tried */
-    struct results results;  /* written to --csv at the end */
+    struct context *context;         /* current; NULL where the mode needs none */
+    struct stage *stage;             /* the present scene; NULL while arguments are tried */
+    struct results results;          /* written to --csv at the end */
 };
 
 enum { BENCH_TABLES_MAX = 3 };
