@@ -10,11 +10,13 @@
 #include "apps/outputs.h"
 #include "apps/stats.h"
 
+#include "base/clock.h"
 #include "base/error.h"
 #include "base/file/image_file.h"
 #include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "base/phases.h"
 #include "base/progress.h"
 #include "gl/api.h"
 #include "gl/glsl.h"
@@ -268,6 +270,14 @@ static bool render_frame(struct values *values, struct renderer *renderer, struc
     return each_output(values, renderer, frame, write_output);
 }
 
+/* After the first picture. */
+static void tell_start(double picture_ms) {
+    phase_add(PHASE_PICTURE, picture_ms);
+    char *text = phases_text();
+    log_detail("start: %s", text);
+    free(text);
+}
+
 static bool render_frames(struct values *values, const struct frames *frames,
                           struct renderer *renderer, struct stage *stage) {
     struct work work = {.count = frames->count};
@@ -285,8 +295,10 @@ static bool render_frames(struct values *values, const struct frames *frames,
             work.skipped++;
             continue;
         }
+        double start = clock_ms();
         ok = render_frame(values, renderer, stage, &work, frame) || error_prefix("frame %d", frame);
-        work.done++;
+        if (work.done++ == 0)
+            tell_start(start);
         char note[32];
         snprintf(note, sizeof note, "frame %d", frame);
         show_work(&work, 0, note);
@@ -368,12 +380,16 @@ static bool render_scene(struct values *values, const struct frames *frames,
     struct stage stage;
     struct context *context;
     at_0.time = 0;
+    double start = clock_ms();
     if (!each_output(values, NULL, frames->numbers[0], check_file) || !stage_init(&stage, &at_0))
         return false;
+    phase_add(PHASE_SCENE, start);
     desc->scene = &stage.scene;
     desc->geometry = &stage.geometry;
     desc->camera = stage.camera;
+    start = clock_ms();
     context = context_create(&values->context);
+    phase_add(PHASE_CONTEXT, start);
     bool ok = context && (values->max_error == 0 || find_quality(values, desc, &stage));
     desc->emitters = stage.emitters; /* which posing makes anew */
     ok = ok && render(values, frames, desc, &stage);

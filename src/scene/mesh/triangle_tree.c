@@ -1,5 +1,6 @@
 #include "scene/mesh/triangle_tree.h"
 
+#include "base/extremes.h"
 #include "base/memory.h"
 
 #include <float.h>
@@ -20,8 +21,8 @@ static struct tree_box empty_box(void) {
 
 static void box_add(struct tree_box *box, const struct tree_box *other) {
     for (int c = 0; c < 3; c++) {
-        box->low[c] = fminf(box->low[c], other->low[c]);
-        box->high[c] = fmaxf(box->high[c], other->high[c]);
+        box->low[c] = float_min(other->low[c], box->low[c]);
+        box->high[c] = float_max(other->high[c], box->high[c]);
     }
 }
 
@@ -36,8 +37,8 @@ static struct tree_box box_of(const struct tree_triangle *triangle) {
     for (int c = 0; c < 3; c++) {
         float at = triangle->corner.raw[c], a = triangle->edges[0].raw[c],
               b = triangle->edges[1].raw[c];
-        box.low[c] = at + fminf(fminf(a, b), 0);
-        box.high[c] = at + fmaxf(fmaxf(a, b), 0);
+        box.low[c] = at + float_min(float_min(a, b), 0);
+        box.high[c] = at + float_max(float_max(a, b), 0);
     }
     return box;
 }
@@ -56,7 +57,7 @@ struct split {
 
 static int bin_of(const struct tree_triangle *triangle, const struct split *split) {
     float bin = (middle_of(triangle, split->axis) - split->low) * split->bins_per_metre;
-    return (int)fminf(fmaxf(bin, 0), BINS - 1);
+    return (int)float_min(float_max(bin, 0), BINS - 1);
 }
 
 /* Where the children's surfaces, times how many triangles they have, are least: [Wald 2007, eq. 2]. */
@@ -89,7 +90,7 @@ static struct split find_split_along(const struct tree_triangle *triangles, uint
     struct tree_box boxes[BINS];
     uint32_t counts[BINS] = {0};
     struct split split = {.axis = axis, .low = middles->low[axis]};
-    split.bins_per_metre = BINS / fmaxf(middles->high[axis] - split.low, FLT_MIN);
+    split.bins_per_metre = BINS / float_max(middles->high[axis] - split.low, FLT_MIN);
     for (int bin = 0; bin < BINS; bin++)
         boxes[bin] = empty_box();
     for (uint32_t i = 0; i < count; i++) {
@@ -107,8 +108,8 @@ static struct split find_split(const struct tree_triangle *triangles, uint32_t c
     for (uint32_t i = 0; i < count; i++)
         for (int c = 0; c < 3; c++) {
             float middle = middle_of(&triangles[i], c);
-            middles.low[c] = fminf(middles.low[c], middle);
-            middles.high[c] = fmaxf(middles.high[c], middle);
+            middles.low[c] = float_min(middle, middles.low[c]);
+            middles.high[c] = float_max(middle, middles.high[c]);
         }
     struct split best = find_split_along(triangles, count, &middles, 0);
     for (int axis = 1; axis < 3; axis++) {
