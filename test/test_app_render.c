@@ -307,6 +307,21 @@ static void test_stats(void **state) {
 }
 
 /* --glsl reads the very shaders that are embedded. */
+/* -v tells how long the phases of the start took, once. */
+static void test_phases(void **state) {
+    (void)state;
+    static const char *const names[] = {"start: scene ",      " ms, OpenGL ",
+                                        " ms, programs ",     " ms, simplify ",
+                                        " ms, tree of rays ", " ms, first picture "};
+    expect_box(0, "-v -o %s --frames 0,1", scratch("phases.#.png"));
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        expect_text(names[i]);
+    assert_null(strstr(strstr(output, "start: ") + 1, "start: "));
+    assert_null(strstr(output, "OpenGL 0 ms"));
+    expect_box(0, "-o %s", scratch("phases.png"));
+    assert_null(strstr(output, "start: "));
+}
+
 /* On a terminal, which script makes. */
 static void test_passes_progress(void **state) {
     (void)state;
@@ -482,23 +497,15 @@ static void test_vpl_layer(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_usage_errors),
-        cmocka_unit_test(test_ranges),
-        cmocka_unit_test(test_preset_first),
-        cmocka_unit_test(test_failures),
-        cmocka_unit_test(test_own_texture),
-        cmocka_unit_test(test_nothing_half_written),
-        cmocka_unit_test(test_files),
-        cmocka_unit_test(test_exposure),
-        cmocka_unit_test(test_stats),
-        cmocka_unit_test(test_passes_progress),
-        cmocka_unit_test(test_strips),
-        cmocka_unit_test(test_shader_folder),
-        cmocka_unit_test(test_aov),
-        cmocka_unit_test(test_gathered),
-        cmocka_unit_test(test_visibility_share),
-        cmocka_unit_test(test_light_layer),
-        cmocka_unit_test(test_vpl_layer),
+        cmocka_unit_test(test_usage_errors),    cmocka_unit_test(test_ranges),
+        cmocka_unit_test(test_preset_first),    cmocka_unit_test(test_failures),
+        cmocka_unit_test(test_own_texture),     cmocka_unit_test(test_nothing_half_written),
+        cmocka_unit_test(test_files),           cmocka_unit_test(test_exposure),
+        cmocka_unit_test(test_stats),           cmocka_unit_test(test_phases),
+        cmocka_unit_test(test_passes_progress), cmocka_unit_test(test_strips),
+        cmocka_unit_test(test_shader_folder),   cmocka_unit_test(test_aov),
+        cmocka_unit_test(test_gathered),        cmocka_unit_test(test_visibility_share),
+        cmocka_unit_test(test_light_layer),     cmocka_unit_test(test_vpl_layer),
     };
     return cmocka_run_group_tests_name("render", tests, open_group_context, close_group_context);
 }

@@ -3,6 +3,7 @@
 #include "support.h"
 
 #include "base/error.h"
+#include "base/extremes.h"
 #include "base/file/file.h"
 #include "base/file/folder.h"
 #include "base/file/image_file.h"
@@ -23,6 +24,19 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+
+/* A running value goes second, and NaN never becomes it but where it begins so. */
+static void test_extremes(void **state) {
+    (void)state;
+    static const float values[] = {0, 1, -2.5F, 1e30F, -1e30F, INFINITY, -INFINITY, 1e-45F};
+    for (size_t i = 0; i < sizeof values / sizeof *values; i++)
+        for (size_t j = 0; j < sizeof values / sizeof *values; j++) {
+            assert_true(float_min(values[i], values[j]) == fminf(values[i], values[j]));
+            assert_true(float_max(values[i], values[j]) == fmaxf(values[i], values[j]));
+        }
+    assert_true(float_min(NAN, 3) == fminf(NAN, 3) && float_max(NAN, 3) == fmaxf(NAN, 3));
+    assert_true(isnan(float_min(3, NAN)) && isnan(float_max(3, NAN)));
+}
 
 static void test_error_prefix(void **state) {
     (void)state;
@@ -498,6 +512,7 @@ int main(void) {
         cmocka_unit_test(test_no_memory),
         cmocka_unit_test(test_unread_files),
         cmocka_unit_test(test_grey),
+        cmocka_unit_test(test_extremes),
         cmocka_unit_test(test_log),
         cmocka_unit_test(test_progress),
         cmocka_unit_test(test_json),

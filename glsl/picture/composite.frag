@@ -1,7 +1,7 @@
 // The picture for a display: exposure, tone map, sRGB. Twice: by what pixels' centres see, and where a pixel's samples
 // see something else, which the depth then says, by all of them. Few pixels are: a software rasteriser skips what
 // fails the test, but executes both sides of a branch.
-#include "picture/display.glsl"
+#include "picture/background.glsl"
 #include "picture/layer.glsl"
 
 #ifndef CENTERS
@@ -26,5 +26,5 @@ void main() {
     vec3 radiance = shown == LAYER_DIRECT     ? s.direct
                     : shown == LAYER_INDIRECT ? s.indirect
                                               : s.radiance;
-    color = vec4(display(radiance, params.exposure, params.filmic), 1.0);
+    color = display_before(shown, radiance, s.coverage);
 }

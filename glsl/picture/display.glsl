@@ -6,9 +6,14 @@ vec3 filmic(vec3 x) {
     return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
 }
 
-vec3 display(vec3 radiance, float exposure, bool is_filmic) {
+// Light of the display, from 0 to 1.
+vec3 shown_light(vec3 radiance, float exposure, bool is_filmic) {
     vec3 exposed = radiance * exposure;
     if (is_filmic)
         exposed = filmic(exposed);
-    return srgb_encode(clamp(exposed, 0.0, 1.0));
+    return clamp(exposed, 0.0, 1.0);
+}
+
+vec3 display(vec3 radiance, float exposure, bool is_filmic) {
+    return srgb_encode(shown_light(radiance, exposure, is_filmic));
 }

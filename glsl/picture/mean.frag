@@ -3,7 +3,7 @@
 #include "picture/layer_weight.glsl"
 #include "shared/composite.h"
 #ifdef DISPLAY
-#include "picture/display.glsl"
+#include "picture/background.glsl"
 #endif
 
 #ifdef HAS_GLOSS
@@ -22,7 +22,7 @@ void main() {
     bool seen = coverage > 0.0 || params.layer == LAYER_BEAUTY; // a medium is seen before nothing
     vec3 mean = seen ? texelFetch(sums[params.layer], pixel, 0).rgb / weight : vec3(0.0);
 #ifdef DISPLAY
-    value = vec4(display(mean, params.exposure, params.filmic), 1.0);
+    value = display_before(params.layer, mean, coverage / params.weight);
 #else
     value = vec4(mean, coverage / params.weight);
 #endif

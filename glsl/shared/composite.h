@@ -15,9 +15,17 @@ struct composite_params {
         weight; /* of the pass, where its layer is added to a sum; of a sum; 0: a layer as it is */
     float sky_strength; /* factor of its texels; 0: it is not seen */
     float sky_turn;     /* radians */
-    float unused0, unused1, unused2;
+    int background;     /* BACKGROUND_... */
+    float unused0, unused1;
+    vec3 background_colour; /* light of the display */
+    float unused2;
 };
-PASS_BLOCK(composite_params, 48)
+PASS_BLOCK(composite_params, 64)
+
+/* Behind all surfaces: the sky or black; nothing, which alpha tells; a colour. */
+#define BACKGROUND_SCENE 0
+#define BACKGROUND_NONE 1
+#define BACKGROUND_COLOUR 2
 
 #define LAYER_BEAUTY 0
 #define LAYER_DIRECT 1

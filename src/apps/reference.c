@@ -2,6 +2,7 @@
  * visibility were exact. */
 #include "apps/apps.h"
 #include "apps/arguments.h"
+#include "apps/background.h"
 #include "apps/options.h"
 #include "apps/outputs.h"
 
@@ -16,6 +17,7 @@
 #include "metrics/quantile.h"
 #include "reference/channels.h"
 #include "scene/material.h"
+#include "shared/composite.h"
 #include "techniques/many_lights.h"
 
 #include <stdlib.h>
@@ -31,7 +33,7 @@ struct values {
     struct stage_desc stage;
     struct path_tracer_desc tracer;
     struct text_list settings;
-    const char *output, *format;
+    const char *output, *format, *background;
     float noise, tolerance;
     int technique, compensation;
 };
@@ -71,6 +73,9 @@ static const struct option options[] = {
              "1%"},
     {"centers", 0, OPTION_FLAG, offsetof(struct values, tracer.centers),
      .help = "through pixels' centres alone, as a rasteriser has them: edges are not smooth"},
+    {"background", 0, OPTION_TEXT, offsetof(struct values, background), .value_name = "none",
+     .help = "none: the sky is not seen behind surfaces, and still lights them; A tells what they "
+             "cover"},
     {"seen", 0, OPTION_FLAG, offsetof(struct values, tracer.seen),
      .help = "the layers unshadowed, direct light if nothing hid the lights, and visibility, the "
              "share\n"
@@ -108,6 +113,7 @@ static const struct arguments arguments = {
 };
 
 static bool check_values(struct values *values) {
+    struct background background;
     if (!values->output)
         return error_set("-o FILE.exr is missing");
     if (!outputs_use_format(&values->output, 1, values->format) ||
@@ -119,6 +125,10 @@ static bool check_values(struct values *values) {
         return error_set("--denoise is for --technique path");
     if (values->technique != TECHNIQUE_PATH && values->tracer.materials)
         return error_set("--materials is for --technique path");
+    if (!background_parse(&background, values->background) ||
+        !background_check(&background, &values->output, 1))
+        return false;
+    values->tracer.hides_sky = background.kind != BACKGROUND_SCENE;
     values->tracer.noise = (double)values->noise;
     return true;
 }

@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "apps/apps.h"
 #include "apps/arguments.h"
+#include "apps/background.h"
 #include "apps/frames.h"
 #include "apps/in_time.h"
 #include "apps/interrupt.h"
@@ -9,16 +10,19 @@
 #include "apps/outputs.h"
 #include "apps/stats.h"
 
+#include "base/clock.h"
 #include "base/error.h"
 #include "base/file/image_file.h"
 #include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "base/phases.h"
 #include "base/progress.h"
 #include "gl/api.h"
 #include "gl/glsl.h"
 #include "inspect/aov.h"
 #include "measure/quality.h"
+#include "shared/composite.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -32,7 +36,7 @@ struct values {
     struct text_list outputs;
     int size[2];
     int layer;
-    const char *format, *frames, *glsl, *aov;
+    const char *format, *background, *frames, *glsl, *aov;
     int quality, passes, first_pass;
     bool passes_given; /* by --passes, and not by a quality */
     float max_error, budget, fps;
@@ -64,6 +68,12 @@ static const struct option options[] = {
     TECHNIQUE_OPTIONS(struct values, technique),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, layer), .choices = shown_layer_names,
      .help = "light that PNG, JPEG and the like show; EXR has all layers"},
+    {"background", 0, OPTION_TEXT, offsetof(struct values, background), .value_name = "none|COLOUR",
+     .help =
+         "seen behind all surfaces in place of black or the sky, which still lights them. none:\n"
+         "alpha tells what surfaces cover (PNG, TGA). A colour, blended at edges as light:\n"
+         "#rrggbb, or r,g,b from 0 to 1, the display's light. EXR and TIFF hold no colour, and no\n"
+         "sky then; their A tells the coverage"},
     {"aov", 0, OPTION_TEXT, offsetof(struct values, aov), .value_name = "NAME[,NAME ...]",
      .help =
          "more layers in EXR, outputs of the technique, such as gathered (before the blur), val\n"
@@ -202,7 +212,8 @@ static bool write_output(const struct values *values, struct renderer *renderer,
         renderer_compose(renderer, values->layer);
         if (!renderer_read_display(renderer, &bitmap))
             return false;
-        ok = bitmap_write(&bitmap, path);
+        bool transparent = renderer->desc.background.kind == BACKGROUND_NONE;
+        ok = transparent ? bitmap_write_alpha(&bitmap, path) : bitmap_write(&bitmap, path);
         bitmap_free(&bitmap);
     }
     return ok;
@@ -260,6 +271,14 @@ static bool render_frame(struct values *values, struct renderer *renderer, struc
     return each_output(values, renderer, frame, write_output);
 }
 
+/* After the first picture. */
+static void tell_start(double picture_ms) {
+    phase_add(PHASE_PICTURE, picture_ms);
+    char *text = phases_text();
+    log_detail("start: %s", text);
+    free(text);
+}
+
 static bool render_frames(struct values *values, const struct frames *frames,
                           struct renderer *renderer, struct stage *stage) {
     struct work work = {.count = frames->count};
@@ -277,8 +296,10 @@ static bool render_frames(struct values *values, const struct frames *frames,
             work.skipped++;
             continue;
         }
+        double start = clock_ms();
         ok = render_frame(values, renderer, stage, &work, frame) || error_prefix("frame %d", frame);
-        work.done++;
+        if (work.done++ == 0)
+            tell_start(start);
         char note[32];
         snprintf(note, sizeof note, "frame %d", frame);
         show_work(&work, 0, note);
@@ -360,12 +381,16 @@ static bool render_scene(struct values *values, const struct frames *frames,
     struct stage stage;
     struct context *context;
     at_0.time = 0;
+    double start = clock_ms();
     if (!each_output(values, NULL, frames->numbers[0], check_file) || !stage_init(&stage, &at_0))
         return false;
+    phase_add(PHASE_SCENE, start);
     desc->scene = &stage.scene;
     desc->geometry = &stage.geometry;
     desc->camera = stage.camera;
+    start = clock_ms();
     context = context_create(&values->context);
+    phase_add(PHASE_CONTEXT, start);
     bool ok = context && (values->max_error == 0 || find_quality(values, desc, &stage));
     desc->emitters = stage.emitters; /* which posing makes anew */
     ok = ok && render(values, frames, desc, &stage);
@@ -404,6 +429,8 @@ static bool resolve(struct values *values, const struct frames *frames,
     values->in_time.texts = &named->settings;
     time_budget_init(&values->in_time.budget, (double)values->budget);
     return check_outputs(values, frames->count) &&
+           background_parse(&desc->background, values->background) &&
+           background_check(&desc->background, values->outputs.items, values->outputs.count) &&
            technique_values_resolve(named, &desc->technique, &desc->direct, &desc->settings) &&
            quality_settings(&choice, desc->technique, named->settings.items, named->settings.count,
                             &desc->settings);

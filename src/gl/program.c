@@ -1,7 +1,9 @@
 #include "gl/program.h"
 
+#include "base/clock.h"
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/phases.h"
 #include "base/text.h"
 #include "gl/glsl.h"
 
@@ -168,7 +170,9 @@ static GLuint make(const struct sources *sources, const struct program_desc *des
     GLuint program = gl.store ? take(key) : 0;
     if (program)
         return program;
+    double start = clock_ms();
     program = compile(sources, desc);
+    phase_add(PHASE_PROGRAMS, start);
     if (!program || !gl.fills_store)
         return program;
     give(key, program);

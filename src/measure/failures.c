@@ -24,7 +24,8 @@ struct bound {
 
 /* Error: of the file, or it has no such row. */
 static bool read_bound(const struct measure_desc *subject, bool small, struct bound *bound) {
-    char *path = mem_printf("src/techniques/%s/bounds.csv", subject->technique->name);
+    char *name = mem_printf("src/techniques/%s/bounds.csv", subject->technique->name);
+    char *path = folder_find_own(name);
     char *key = mem_printf("\n%s,%s,", subject->point, subject->variant);
     char *text = file_read_text(path), *line = text ? strstr(text, key) : NULL;
     struct bound both[2];
@@ -37,6 +38,7 @@ static bool read_bound(const struct measure_desc *subject, bool small, struct bo
     free(text);
     free(key);
     free(path);
+    free(name);
     return ok;
 }
 
@@ -136,8 +138,9 @@ static bool draw(const struct run *run) {
 bool failure_measure(struct results *results, const struct failure_row *row,
                      const struct failure_desc *desc) {
     struct run run = {.row = row, .desc = desc};
-    bool ok =
-        stage_init(&run.stage, &(struct stage_desc){.path = row->scene, .camera = row->camera});
+    char *scene = folder_find_own(row->scene);
+    bool ok = stage_init(&run.stage, &(struct stage_desc){.path = scene, .camera = row->camera});
+    free(scene);
     for (int i = 0; ok && i < FAILURE_COLUMNS; i++)
         ok = measure(results, &run, i) ||
              error_prefix("%.*s", (int)strcspn(failure_columns[i], ":"), failure_columns[i]);

@@ -44,6 +44,12 @@ struct frame {
 /* From 0 to 1, 0 in the first pass: multiples of the golden ratio, for numbers of pixels that are others in each pass. */
 float frame_turn(const struct frame *frame);
 
+/* What a display shows behind all surfaces. */
+struct background {
+    int kind;        /* BACKGROUND_..., shared/composite.h */
+    float colour[3]; /* light of the display, from 0 to 1 */
+};
+
 /* Surfaces seen from the camera (one layer) or from the lights (the reflective shadow map: one of
  * LIGHT_MAP_KINDS, a layer each view; without textures where there are none of the kind). Arrays of
  * layers:

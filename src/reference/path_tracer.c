@@ -96,7 +96,7 @@ static int stream_of(uint32_t sample) {
 static vec3s background(const struct tracer *tracer, float x, float y) {
     const struct environment *sky = tracer->desc.emitters.sky;
     vec3s radiance = glms_vec3_zero();
-    if (sky)
+    if (sky && !tracer->desc.hides_sky)
         environment_radiance(sky, primary_direction(&tracer->primary, x, y).raw, radiance.raw);
     return radiance;
 }

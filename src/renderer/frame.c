@@ -97,13 +97,15 @@ static struct contribution last_contribution(const struct renderer *renderer) {
 
 struct composite_inputs renderer_composite_inputs(const struct renderer *renderer) {
     const struct antialias_pass *antialias = antialias_of(renderer);
+    bool shows_sky = renderer->desc.background.kind == BACKGROUND_SCENE;
     return (struct composite_inputs){
         .gbuffer = &renderer->gbuffer,
         .direct =
             skylight_light(&renderer->skylight, renderer->direct->light(renderer->direct_state)),
         .direct_specular = skylight_specular(&renderer->skylight, direct_specular(renderer)),
         .contribution = last_contribution(renderer),
-        .sky = renderer->desc.emitters.sky,
+        .sky = shows_sky ? renderer->desc.emitters.sky : NULL,
+        .background = renderer->desc.background,
         .samples = antialias->samples,
         .exposure = renderer_exposure(renderer),
         .tone_map = (enum tone_map)renderer_picture(renderer)->tone_map,
@@ -169,9 +171,10 @@ void renderer_render(struct renderer *renderer) {
 
 static void show_mean(struct renderer *renderer, const struct frame *frame, int layer) {
     const struct refining *refining = &renderer->refining;
-    mean_pass_render_display(
-        &refining->mean, frame, refining->weight, layer, renderer_exposure(renderer),
-        renderer_picture(renderer)->tone_map == TONE_MAP_FILMIC, renderer->composite.framebuffer);
+    mean_pass_render_display(&refining->mean, frame, refining->weight, layer,
+                             renderer_exposure(renderer),
+                             renderer_picture(renderer)->tone_map == TONE_MAP_FILMIC,
+                             &renderer->desc.background, renderer->composite.framebuffer);
 }
 
 /* Of a pass in the mean. */

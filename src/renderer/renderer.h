@@ -34,8 +34,9 @@ struct renderer_desc {
     struct camera camera;
     bool keep_lights; /* frames in which only the camera moved use the lights' passes of the one
                          before: the same picture in less time */
-    bool progressive; /* ready for renderer_add_pass */
-    bool timed;       /* measure passes */
+    struct background background; /* what is not the scene's hides its sky, in all layers */
+    bool progressive;             /* ready for renderer_add_pass */
+    bool timed;                   /* measure passes */
 };
 
 /* What maps and programs are made for. */
@@ -136,7 +137,8 @@ bool renderer_read_layers(struct renderer *renderer, struct image *image);
 /* The same of one pixel, as an image of 1 x 1. */
 bool renderer_read_pixel(struct renderer *renderer, int x, int y, struct image *image);
 
-/* The last frame as the display shows it, row 0 at the top. Error: the context is lost. */
+/* The last frame as the display shows it, row 0 at the top; alpha is 255 but with BACKGROUND_NONE, where it
+ * is the coverage, by which colours are not multiplied. Error: the context is lost. */
 bool renderer_read_display(const struct renderer *renderer, struct bitmap *bitmap);
 
 /* For reading back: what the technique's passes of the last frame were given. */

@@ -72,20 +72,16 @@ static bool add_folder(struct gallery *gallery, const char *folder) {
     return count > 0;
 }
 
-/* Beside the binary that was built, where one is installed, or here. */
+/* Of the first folder that has some. */
 void gallery_add_own(struct gallery *gallery) {
-    char binary[PATH_MAX] = "";
-    ssize_t length = readlink("/proc/self/exe", binary, sizeof binary - 1);
-    binary[length > 0 ? length : 0] = '\0';
-    char *slash = strrchr(binary, '/');
-    if (slash)
-        *slash = '\0';
-    char *beside = mem_printf("%s/scenes", binary);
-    char *installed = mem_printf("%s/../share/manylight/scenes", binary);
-    if (!add_folder(gallery, beside) && !add_folder(gallery, installed))
-        add_folder(gallery, "scenes");
-    free(beside);
-    free(installed);
+    bool found = false;
+    char *folder;
+    for (int n = 0; !found && (folder = folder_of_program(n)); n++) {
+        char *scenes = mem_printf("%sscenes", folder);
+        found = add_folder(gallery, scenes);
+        free(scenes);
+        free(folder);
+    }
 }
 
 /* --- making pictures: on the thread --- */

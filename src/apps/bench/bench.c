@@ -3,11 +3,13 @@
 
 #include "apps/apps.h"
 #include "base/error.h"
+#include "base/file/folder.h"
 #include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "measure/timing.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -152,12 +154,18 @@ void bench_add_argument(struct bench *bench, const char *argument) {
 }
 
 static bool pick_scenes(struct bench *bench, const char *const *scenes) {
-    for (scenes = scenes ? scenes : paper_scenes; *scenes; scenes++)
-        if (access(*scenes, R_OK) == 0)
-            bench_add_argument(bench, *scenes);
+    scenes = scenes ? scenes : paper_scenes;
+    for (int i = 0; scenes[i]; i++) {
+        assert(i < BENCH_OWN_MAX);
+        char *path = bench->own_scenes[i] = folder_find_own(scenes[i]);
+        if (access(path, R_OK) == 0)
+            bench_add_argument(bench, path);
         else
-            log_note("%s is not here", *scenes);
-    return bench->argument_count || error_set("no SCENE, and none of the usual ones is here");
+            log_note("%s is not here", path);
+    }
+    return bench->argument_count ||
+           error_set("no SCENE, and none of the usual ones is in scenes/ here or in the "
+                     "program's share/manylight/scenes");
 }
 
 /* Everything that the arguments alone can get wrong: variants and settings are tried. */
@@ -225,6 +233,8 @@ static int run_mode(const struct bench_mode *mode, int argc, char **argv) {
             status = run(&bench, mode) ? STATUS_OK : arguments_fail(name);
     }
     results_free(&bench.results);
+    for (int i = 0; i < BENCH_OWN_MAX; i++)
+        free(bench.own_scenes[i]);
     free(bench.arguments);
     return status;
 }

@@ -20,14 +20,17 @@ struct bench_values {
     struct stage_desc stage; /* without a path */
 };
 
+enum { BENCH_OWN_MAX = 8 };
+
 /* A run of a mode. */
 struct bench {
     struct bench_values values;
     const char **arguments; /* scenes, or what the mode takes instead */
     int argument_count;
-    struct context *context; /* current; NULL where the mode needs none */
-    struct stage *stage;     /* the present scene; NULL while arguments are tried */
-    struct results results;  /* written to --csv at the end */
+    char *own_scenes[BENCH_OWN_MAX]; /* those of the arguments that nobody gave */
+    struct context *context;         /* current; NULL where the mode needs none */
+    struct stage *stage;             /* the present scene; NULL while arguments are tried */
+    struct results results;          /* written to --csv at the end */
 };
 
 enum { BENCH_TABLES_MAX = 3 };

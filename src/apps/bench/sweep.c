@@ -22,7 +22,7 @@ const struct bench_mode bench_sweep = {
     .name = "sweep",
     .help = "times and errors over a grid of settings\n"
             "Each variant at each point of the grid, its errors against the reference, if any.\n"
-            "Without SCENE: the paper's four scenes, from the folder scenes.",
+            "Without SCENE: the paper's four scenes, from scenes/ here or those installed.",
     .options =
         "vary size variant set light frames warm-up reference tracer noise cache" BENCH_CONTEXT,
     .variants = bench_variants,

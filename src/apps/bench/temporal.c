@@ -32,7 +32,7 @@ const struct bench_mode bench_temporal = {
     .help =
         "flicker over a clip, VALs in use, and memory\n"
         "Flicker is what changes from frame to frame beyond what changes in the reference, over\n"
-        "its mean. Without SCENE: moving-spot, metaballs and door, from the folder scenes.",
+        "its mean. Without SCENE: moving-spot, metaballs and door.",
     .options = "size variant set frames reference noise" BENCH_CONTEXT,
     .variants = variants,
     .scenes = scenes,

@@ -124,7 +124,7 @@ static bool finish(struct bench *bench) {
 const struct bench_mode bench_times = {
     .name = "times",
     .help = "time of a frame, pass by pass, as in the paper's Tables 1 and 2\n"
-            "Without SCENE: the paper's four scenes, from the folder scenes.",
+            "Without SCENE: the paper's four scenes, from scenes/ here or those installed.",
     .options = "size variant set frames warm-up light environment" BENCH_CONTEXT,
     .variants = bench_variants,
     .measure = measure,

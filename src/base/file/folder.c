@@ -1,13 +1,15 @@
-#define _POSIX_C_SOURCE 200809L
+#define _DEFAULT_SOURCE
 #include "base/file/folder.h"
 
 #include "base/error.h"
 #include "base/memory.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 char *folder_of_user(const char *variable, const char *below_home) {
     const char *folder = getenv(variable), *home = getenv("HOME");
@@ -17,6 +19,39 @@ char *folder_of_user(const char *variable, const char *below_home) {
         return mem_printf("%s/%s/manylight", home, below_home);
     error_set("neither %s nor HOME is set", variable);
     return NULL;
+}
+
+/* "" where the system does not tell. */
+static char *folder_of_binary(void) {
+    char binary[PATH_MAX] = "";
+    ssize_t length = readlink("/proc/self/exe", binary, sizeof binary - 1);
+    binary[length > 0 ? length : 0] = '\0';
+    char *slash = strrchr(binary, '/');
+    return mem_printf("%.*s", slash ? (int)(slash + 1 - binary) : 0, binary);
+}
+
+char *folder_of_program(int n) {
+    static const char *const below[] = {"", "../share/manylight/"};
+    if (n == 0)
+        return mem_strdup("");
+    if (n > 2)
+        return NULL;
+    char *binary = folder_of_binary(), *folder = mem_printf("%s%s", binary, below[n - 1]);
+    free(binary);
+    return folder;
+}
+
+char *folder_find_own(const char *name) {
+    for (int n = 0;; n++) {
+        char *folder = folder_of_program(n);
+        if (!folder)
+            return mem_strdup(name);
+        char *path = mem_printf("%s%s", folder, name);
+        free(folder);
+        if (access(path, R_OK) == 0)
+            return path;
+        free(path);
+    }
 }
 
 bool folder_make_for(const char *file_path) {

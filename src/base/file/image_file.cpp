@@ -24,7 +24,7 @@ const char passes_attribute[] = "manylight:passes", weight_attribute[] = "manyli
 struct format {
     const char *extension, *name;
     bool is_float;
-    bool has_alpha;
+    bool has_alpha;  /* not of WebP, whose encoder divides colours by alpha, whatever it is told */
     std::string end; /* the last bytes of a whole file, where the decoder does not miss them */
 };
 
@@ -37,7 +37,7 @@ const format formats[] = {
     {"png", "png", false, true, "IEND\xAE\x42\x60\x82"},
     {"jpg", "jpeg", false, false, ""},
     {"jpeg", "jpeg", false, false, ""},
-    {"webp", "webp", false, true, ""},
+    {"webp", "webp", false, false, ""},
     {"bmp", "bmp", false, false, ""},
     {"tga", "targa", false, true, std::string("TRUEVISION-XFILE.", 18)},
     {"gif", "gif", false, false, ";"},
@@ -259,8 +259,10 @@ extern "C" bool image_format_is_float(const char *path, bool *is_float) try {
 
 extern "C" bool image_format_has_alpha(const char *path) try {
     const format *format = find_format(path);
-    return format && (format->has_alpha ||
-                      fail(path, std::string("the format ") + format->extension + " has no alpha"));
+    return format &&
+           (format->has_alpha ||
+            fail(path, std::string(format->extension) +
+                           " is written without alpha, which png, tga, tif and exr have"));
 } catch (const std::exception &error) {
     return fail(path, error.what());
 }

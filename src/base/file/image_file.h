@@ -31,7 +31,8 @@ bool image_write(const struct image *image, const char *path);
 /* Writes an 8-bit picture (PNG, JPEG, ...) without its alpha. */
 bool bitmap_write(const struct bitmap *bitmap, const char *path);
 
-/* The same with alpha, by which colours are not multiplied. Error: also of a format without alpha. */
+/* The same with alpha, by which colours are not multiplied. Error: also of a
+ * format that is written without alpha. */
 bool bitmap_write_alpha(const struct bitmap *bitmap, const char *path);
 
 /* Whether the file opens, decodes to its last pixel and ends as its format does. Error: says why
@@ -42,7 +43,7 @@ bool image_is_whole(const char *path);
  * extension is missing or unknown; call it before long work. */
 bool image_format_is_float(const char *path, bool *is_float);
 
-/* Whether the format has alpha, and whether it holds all layers, which EXR alone does. Error: says so. */
+/* Whether the format is written with alpha, and whether it holds all layers, which EXR alone does. Error: says so. */
 bool image_format_has_alpha(const char *path);
 bool image_name_holds_layers(const char *path);
 

@@ -10,6 +10,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 unsigned composite_kinds(const struct contribution *contribution) {
     return (contribution->irradiance ? HAS_IRRADIANCE : 0U) |
@@ -109,7 +110,9 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
         .weight = weight,
         .sky_strength = inputs->sky ? inputs->sky->strength : 0,
         .sky_turn = inputs->sky ? glm_rad(inputs->sky->turn) : 0,
+        .background = inputs->background.kind,
     };
+    memcpy(params.background_colour, inputs->background.colour, sizeof params.background_colour);
     buffer_write(&pass->params, 0, sizeof params, &params);
     struct pass_state state = {
         .name = "composite",

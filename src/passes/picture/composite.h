@@ -36,6 +36,7 @@ struct composite_inputs {
     const struct texture *direct_specular; /* where has_gloss */
     struct contribution contribution;
     const struct environment *sky; /* where it is seen; NULL: nothing is, behind all surfaces */
+    struct background background;  /* of the display */
     int samples;
     float exposure; /* EV */
     enum tone_map tone_map;

@@ -5,6 +5,7 @@
 #include "gl/program.h"
 
 #include <math.h>
+#include <string.h>
 
 static bool init_sums(struct mean_pass *pass) {
     bool ok = true;
@@ -71,9 +72,13 @@ static void draw(const struct mean_pass *pass, const struct frame *frame, GLuint
 
 void mean_pass_render_display(const struct mean_pass *pass, const struct frame *frame,
                               double weight, int layer, float exposure, bool filmic,
-                              GLuint framebuffer) {
-    struct composite_params params = {
-        .layer = layer, .weight = (float)weight, .exposure = exp2f(exposure), .filmic = filmic};
+                              const struct background *background, GLuint framebuffer) {
+    struct composite_params params = {.layer = layer,
+                                      .weight = (float)weight,
+                                      .exposure = exp2f(exposure),
+                                      .filmic = filmic,
+                                      .background = background->kind};
+    memcpy(params.background_colour, background->colour, sizeof params.background_colour);
     draw(pass, frame, pass->display_program, &params, framebuffer);
 }
 

@@ -31,11 +31,11 @@ void mean_pass_free(struct mean_pass *pass);
 
 void mean_pass_clear(const struct mean_pass *pass);
 
-/* Of sums whose weights add up to `weight`: a layer for a display, with exposure (EV) and tone map; and
- * as linear floats. Timer "composite". */
+/* Of sums whose weights add up to `weight`: a layer for a display, with exposure (EV), tone map and
+ * background; and as linear floats. Timer "composite". */
 void mean_pass_render_display(const struct mean_pass *pass, const struct frame *frame,
                               double weight, int layer, float exposure, bool filmic,
-                              GLuint framebuffer);
+                              const struct background *background, GLuint framebuffer);
 void mean_pass_render_layer(const struct mean_pass *pass, const struct frame *frame, double weight,
                             int layer, GLuint framebuffer);
 

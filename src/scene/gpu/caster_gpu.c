@@ -1,5 +1,7 @@
 #include "scene/gpu/caster_gpu.h"
 
+#include "base/clock.h"
+#include "base/phases.h"
 #include "gl/vertex_array.h"
 #include "shared/bindings.h"
 
@@ -54,7 +56,9 @@ static void free_buffers(struct caster_gpu *gpu) {
 bool caster_gpu_init(struct caster_gpu *gpu, const struct geometry *geometry,
                      const struct caster_desc *desc) {
     *gpu = (struct caster_gpu){0};
+    double start = clock_ms();
     caster_init(&gpu->caster, geometry, desc);
+    phase_add(PHASE_SIMPLIFY, start);
     if (init_buffers(gpu, geometry))
         return true;
     caster_gpu_free(gpu);

@@ -1,6 +1,8 @@
 #include "scene/gpu/caster_tree.h"
 
+#include "base/clock.h"
 #include "base/error.h"
+#include "base/phases.h"
 #include "base/memory.h"
 #include "scene/mesh/corners.h"
 #include "scene/mesh/opacity.h"
@@ -79,8 +81,10 @@ bool caster_tree_update(struct caster_tree *tree, const struct scene *scene,
     }
     memcpy(desc.low, geometry->bounds_min, sizeof desc.low);
     memcpy(desc.high, geometry->bounds_max, sizeof desc.high);
+    double start = clock_ms();
     plant(&planted, scene, geometry);
     threaded_tree_init(&threaded, &planted, &desc);
+    phase_add(PHASE_TREE, start);
     bool ok = upload(tree, &threaded);
     tree->pose = geometry->pose_count;
     threaded_tree_free(&threaded);

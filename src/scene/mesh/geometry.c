@@ -1,6 +1,7 @@
 #include "scene/mesh/geometry.h"
 
 #include "base/error.h"
+#include "base/extremes.h"
 #include "base/memory.h"
 #include "scene/animation.h"
 #include "scene/mesh/primitive.h"
@@ -266,16 +267,17 @@ static void measure_part(const struct geometry *geometry, struct geometry_part *
     for (uint32_t k = part->first_index; k < part->first_index + part->index_count; k++)
         for (int c = 0; c < 3; c++) {
             float x = geometry->position[geometry->indices[k]][c];
-            low[c] = fminf(low[c], x);
-            high[c] = fmaxf(high[c], x);
+            low[c] = float_min(x, low[c]);
+            high[c] = float_max(x, high[c]);
         }
 }
 
 static void measure_farthest(const struct geometry *geometry, struct geometry_part *part) {
     float farthest = 0;
     for (uint32_t k = part->first_index; k < part->first_index + part->index_count; k++)
-        farthest = fmaxf(farthest, glm_vec3_distance2((float *)geometry->center,
-                                                      geometry->position[geometry->indices[k]]));
+        farthest = float_max(
+            glm_vec3_distance2((float *)geometry->center, geometry->position[geometry->indices[k]]),
+            farthest);
     part->farthest = sqrtf(farthest);
 }
 

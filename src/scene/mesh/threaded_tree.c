@@ -1,5 +1,6 @@
 #include "scene/mesh/threaded_tree.h"
 
+#include "base/extremes.h"
 #include "base/memory.h"
 #include "shared/triangle_tree.h"
 
@@ -27,14 +28,15 @@ static uint32_t bits(float value) {
     return same;
 }
 
+/* Whole numbers from 0 up: cutting the fraction off is rounding down. */
 static uint32_t step_below(const struct layout *layout, const struct tree_box *box, int axis) {
     float at = (box->low[axis] - layout->low[axis]) * layout->steps[axis];
-    return (uint32_t)fminf(fmaxf(floorf(at - margin), 0), (float)THREADED_STEPS);
+    return (uint32_t)float_min(float_max(at - margin, 0), (float)THREADED_STEPS);
 }
 
 static uint32_t step_above(const struct layout *layout, const struct tree_box *box, int axis) {
     float at = (box->high[axis] - layout->low[axis]) * layout->steps[axis];
-    return (uint32_t)fminf(fmaxf(ceilf(at + margin), 0), (float)THREADED_STEPS);
+    return (uint32_t)float_min(float_max(ceilf(at + margin), 0), (float)THREADED_STEPS);
 }
 
 static uint32_t *lay_box(struct layout *layout, const struct tree_box *box) {

@@ -1,5 +1,6 @@
 #include "scene/mesh/triangle_tree.h"
 
+#include "base/extremes.h"
 #include "base/memory.h"
 #include "base/parallel.h"
 
@@ -21,23 +22,14 @@ static const float traversal_cost = 1;
 
 /* --- boxes ------------------------------------------------------------------------------------ */
 
-/* fminf and fmaxf are calls: the standard's rules about NaN keep compilers from inlining them. */
-static float least(float a, float b) {
-    return a < b ? a : b;
-}
-
-static float most(float a, float b) {
-    return a > b ? a : b;
-}
-
 static struct tree_box empty_box(void) {
     return (struct tree_box){{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
 }
 
 static void box_add(struct tree_box *box, const struct tree_box *other) {
     for (int c = 0; c < 3; c++) {
-        box->low[c] = least(box->low[c], other->low[c]);
-        box->high[c] = most(box->high[c], other->high[c]);
+        box->low[c] = float_min(box->low[c], other->low[c]);
+        box->high[c] = float_max(box->high[c], other->high[c]);
     }
 }
 
@@ -59,8 +51,8 @@ static struct item item_of(const struct tree_triangle *triangle, uint32_t number
     for (int c = 0; c < 3; c++) {
         float at = triangle->corner.raw[c], a = triangle->edges[0].raw[c],
               b = triangle->edges[1].raw[c];
-        item.box.low[c] = at + least(least(a, b), 0);
-        item.box.high[c] = at + most(most(a, b), 0);
+        item.box.low[c] = at + float_min(float_min(a, b), 0);
+        item.box.high[c] = at + float_max(float_max(a, b), 0);
         item.middle[c] = (item.box.low[c] + item.box.high[c]) / 2;
     }
     return item;
@@ -88,7 +80,7 @@ struct split {
 
 static int bin_of(const struct item *item, const struct binning *binning, int axis) {
     float bin = (item->middle[axis] - binning->middles.low[axis]) * binning->bins_per_metre[axis];
-    return (int)least(bin, (float)(binning->count - 1));
+    return (int)float_min(bin, (float)(binning->count - 1));
 }
 
 static void binning_init(struct binning *binning, const struct item *items, uint32_t count) {
@@ -96,8 +88,8 @@ static void binning_init(struct binning *binning, const struct item *items, uint
     binning->count = count < 4 * (BINS - 4) ? 4 + (int)count / 4 : BINS;
     for (uint32_t i = 0; i < count; i++)
         for (int c = 0; c < 3; c++) {
-            binning->middles.low[c] = least(binning->middles.low[c], items[i].middle[c]);
-            binning->middles.high[c] = most(binning->middles.high[c], items[i].middle[c]);
+            binning->middles.low[c] = float_min(binning->middles.low[c], items[i].middle[c]);
+            binning->middles.high[c] = float_max(binning->middles.high[c], items[i].middle[c]);
         }
     for (int c = 0; c < 3; c++) {
         float side = binning->middles.high[c] - binning->middles.low[c];
