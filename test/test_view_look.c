@@ -173,6 +173,8 @@ static void test_view(void **state) {
     (void)state;
     char text[200];
     need_viewer();
+    press("Compare"); /* folded, it has no button of that name */
+    sync_viewer();
     find_text("reference", text, sizeof text);
     assert_string_equal(text, "reference");
     xdo("mousemove 40 600 click 4");
@@ -201,11 +203,11 @@ static void test_pick(void **state) {
     press("Surface");
     xdo("mousemove 150 640 click 1");
     sync_viewer();
-    find_text("position ", first, sizeof first);
+    find_text("position, m ", first, sizeof first);
     for (int i = 0; i < 4; i++) {
         xdo("mousemove 60 300 mousedown 1 mousemove %d 300 mouseup 1", i % 2 ? 53 : 67);
         sync_viewer();
-        find_text("position ", text, sizeof text);
+        find_text("position, m ", text, sizeof text);
         printf("    %s, after a turn %s\n", first, text);
         assert_true(strlen(text) > 12);
         assert_string_equal(text, first);

@@ -38,8 +38,8 @@ int session_bounces(const struct session *session) {
 }
 
 bool session_same_view(const struct session *a, const struct session *b) {
-    return strcmp(a->clip, b->clip) == 0 &&
-           a->time == b->time && session_bounces(a) == session_bounces(b) &&
+    return strcmp(a->clip, b->clip) == 0 && a->time == b->time &&
+           session_bounces(a) == session_bounces(b) &&
            strcmp(a->camera, b->camera) == 0 && strcmp(a->lights, b->lights) == 0;
 }
 

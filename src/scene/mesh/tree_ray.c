@@ -1,5 +1,7 @@
 #include "scene/mesh/tree_ray.h"
 
+#include "base/extremes.h"
+
 #include <math.h>
 
 enum { STACK = 72 }; /* the tree is less deep */
@@ -8,15 +10,6 @@ struct ray {
     vec3s origin, direction, inverse;
 };
 
-/* Of which one is no number: the second. */
-static float least(float a, float b) {
-    return a < b ? a : b;
-}
-
-static float most(float a, float b) {
-    return a > b ? a : b;
-}
-
 /* The distance at which a ray enters a box, INFINITY where it does not before its end. One along a side of the box has
  * 0 / 0 there, which bounds nothing. */
 static float entry(const struct tree_box *box, const struct ray *ray, float end) {
@@ -24,8 +17,8 @@ static float entry(const struct tree_box *box, const struct ray *ray, float end)
     for (int c = 0; c < 3; c++) {
         float a = (box->low[c] - ray->origin.raw[c]) * ray->inverse.raw[c];
         float b = (box->high[c] - ray->origin.raw[c]) * ray->inverse.raw[c];
-        from = most(least(a, b), from);
-        end = least(most(a, b), end);
+        from = float_max(float_min(a, b), from);
+        end = float_min(float_max(a, b), end);
     }
     return from <= end ? from : INFINITY;
 }

@@ -28,8 +28,8 @@ static struct tree_box empty_box(void) {
 
 static void box_add(struct tree_box *box, const struct tree_box *other) {
     for (int c = 0; c < 3; c++) {
-        box->low[c] = float_min(box->low[c], other->low[c]);
-        box->high[c] = float_max(box->high[c], other->high[c]);
+        box->low[c] = float_min(other->low[c], box->low[c]);
+        box->high[c] = float_max(other->high[c], box->high[c]);
     }
 }
 
@@ -88,8 +88,8 @@ static void binning_init(struct binning *binning, const struct item *items, uint
     binning->count = count < 4 * (BINS - 4) ? 4 + (int)count / 4 : BINS;
     for (uint32_t i = 0; i < count; i++)
         for (int c = 0; c < 3; c++) {
-            binning->middles.low[c] = float_min(binning->middles.low[c], items[i].middle[c]);
-            binning->middles.high[c] = float_max(binning->middles.high[c], items[i].middle[c]);
+            binning->middles.low[c] = float_min(items[i].middle[c], binning->middles.low[c]);
+            binning->middles.high[c] = float_max(items[i].middle[c], binning->middles.high[c]);
         }
     for (int c = 0; c < 3; c++) {
         float side = binning->middles.high[c] - binning->middles.low[c];

@@ -394,8 +394,8 @@ void ui_fact(const char *name, const char *help, const char *format, ...) {
     std::vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     ImVec2 at = ImGui::GetCursorScreenPos();
-    ImRect row(at, ImVec2(at.x + ImGui::GetContentRegionAvail().x,
-                          at.y + ImGui::GetTextLineHeight()));
+    ImRect row(at,
+               ImVec2(at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetTextLineHeight()));
     ui_value(name, "%s", text);
     ImGui::SetLastItemData(0, ImGuiItemFlags_None,
                            ImGui::IsMouseHoveringRect(row.Min, row.Max)
@@ -415,7 +415,7 @@ void ui_numbers(const char *name, const float values[3]) {
     for (int c = 0; c < 3; c++) {
         char text[32];
         double value = (double)values[c], size = std::fabs(value);
-        const char *format = size > 0 && size < 1e-3 ? "%.1e"
+        const char *format = size > 0 && size < 1e-3 ? "%.5f"
                              : size < 10             ? "%.4f"
                              : size < 100            ? "%.3f"
                                                      : "%.1f";
