@@ -361,7 +361,7 @@ PORTABLE := $(BUILD)/portable
 PORTABLE_SOURCES := $(filter-out src/reference/% src/viewer/% src/apps/view.c src/apps/reference.c \
     src/scene/gltf/unpack_meshopt.c, \
     $(SOURCES)) $(wildcard portable/*.c) src/main.c
-PORTABLE_BRIDGES := $(filter-out src/base/file/image_file.cpp src/scene/gltf/unpack_draco.cpp \
+PORTABLE_BRIDGES := $(filter-out src/base/file/image_%.cpp src/scene/gltf/unpack_draco.cpp \
     src/viewer/%,$(BRIDGES))
 PORTABLE_NEEDS := 'linux-vdso|libc\.so|libm\.so|libdl\.so|libpthread\.so|ld-linux'
 

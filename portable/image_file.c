@@ -140,6 +140,15 @@ bool image_read(struct image *image, const char *path) {
     return ok;
 }
 
+bool image_read_layer(struct image *image, const char *path, const char *layer, int channels[3]) {
+    if (!image_read(image, path))
+        return false;
+    if (image_find_layer(image, layer, channels))
+        return true;
+    image_free(image);
+    return error_prefix("%s", path);
+}
+
 static bool png_is_whole(const char *path) {
     static const char end[] = "IEND\xAE\x42\x60\x82";
     struct file_bytes bytes;

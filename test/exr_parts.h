@@ -1,4 +1,4 @@
-/* EXR files of one or several parts for tests, byte by byte: scan lines of floats without compression. */
+/* EXR files of one or several parts for tests, byte by byte: lines of floats. */
 #ifndef TEST_EXR_PARTS_H
 #define TEST_EXR_PARTS_H
 
@@ -22,7 +22,7 @@ struct exr_bytes {
     size_t size;
 };
 
-/* What a channel holds at a pixel, counted as the windows are: exact in floats, and each another. */
+/* What a channel holds at a pixel of its windows: exact in floats, and each another. */
 static inline float exr_value(const struct exr_part *part, int channel, int x, int y) {
     return part->base + (float)channel / 8 + (float)x / 256 + (float)y / 4096;
 }

@@ -43,15 +43,15 @@ static void compare(int status, const char *arguments) {
     assert_int_equal(actual, status);
 }
 
-/* --- windows -------------------------------------------------------------------------------------- */
+/* --- windows ---------------------------------------------------------------------------------- */
 
 static bool is_within(const int window[4], int x, int y) {
     return x >= window[0] && y >= window[1] && x < window[0] + window[2] &&
            y < window[1] + window[3];
 }
 
-/* Every pixel of the display window against the value that the file has there, or black; of channels in
- * the order B G R. */
+/* Every pixel of the display window against the value that the file has there, or black. The
+ * channels' order is B G R. */
 static void check_part(const struct image *layer, const struct exr_part *part) {
     int wrong = 0;
     assert_int_equal(layer->width, part->display[2]);
@@ -144,7 +144,7 @@ static void test_hostile_windows(void **state) {
                 "of 2x2 at 0,0");
 }
 
-/* --- names ---------------------------------------------------------------------------------------- */
+/* --- names ------------------------------------------------------------------------------------ */
 
 struct name_case {
     const char *channels, *parts, *layer;
@@ -259,7 +259,7 @@ static void test_many_names(void **state) {
         free(names[i]);
 }
 
-/* --- parts ---------------------------------------------------------------------------------------- */
+/* --- parts ------------------------------------------------------------------------------------ */
 
 static void test_parts(void **state) {
     (void)state;
@@ -315,7 +315,7 @@ static void test_two_names(void **state) {
     expect_text(output, "two.exr: no layer 'L.x' (there is: beauty, Z)");
 }
 
-/* --- inputs of others ------------------------------------------------------------------------------ */
+/* --- inputs of others ------------------------------------------------------------------------- */
 
 static void test_cases(void **state) {
     (void)state;

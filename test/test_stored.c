@@ -1,5 +1,5 @@
-/* Pictures of other programs, made byte by byte: colours are as stored whatever alpha is, and pictures
- * stand upright however their lines lie. */
+/* Pictures of other programs, made byte by byte: colours are as stored whatever alpha is, and
+ * pictures stand upright however their lines lie. */
 #include "support.h"
 
 #include "base/error.h"
@@ -39,7 +39,7 @@ static const char *write_bytes(const char *name, const struct bytes *bytes) {
     return path;
 }
 
-/* --- formats -------------------------------------------------------------------------------------- */
+/* --- formats ---------------------------------------------------------------------------------- */
 
 static unsigned crc_of(const unsigned char *bytes, size_t size) {
     unsigned crc = ~0U;
@@ -150,7 +150,7 @@ static const char *write_tga(const char *name, int type, int width, int height, 
     return write_bytes(name, &tga);
 }
 
-/* --- alpha ---------------------------------------------------------------------------------------- */
+/* --- alpha ------------------------------------------------------------------------------------ */
 
 /* Of two pixels, with alpha 128 and 0; TGA stores blue first. */
 static const unsigned char rgba[8] = {200, 100, 50, 128, 10, 20, 30, 0},
@@ -258,7 +258,7 @@ static void test_written(void **state) {
     }
 }
 
-/* --- upright -------------------------------------------------------------------------------------- */
+/* --- upright ---------------------------------------------------------------------------------- */
 
 /* Columns and rows of the upright picture: its value at (x, y) is 1 + x + 3 y, in all colours. */
 enum { WIDE = 3, HIGH = 2 };
@@ -278,7 +278,7 @@ static void check_upright(const char *path, double scale) {
     image_free(&layer);
 }
 
-/* The number of the upright picture's pixel that is stored at (column, row) by TIFF's orientation. */
+/* The upright picture's value that is stored at (column, row) by TIFF's orientation. */
 static int stored_value(int orientation, int column, int row) {
     bool transposed = orientation >= 5;
     bool from_right = orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7;

@@ -63,7 +63,8 @@ int image_find_channel(const struct image *image, const char *name);
  * (Combined), or as one channel (Z, normal.X), which stands for all three. They are R G B, red green
  * blue, X Y Z, or one channel alone three times. "" and "beauty": those without a layer's name;
  * else the layer or part that programs name so (beauty, rgba, Combined ...), the first part with
- * R G B, best not one of normals and the like, or the only layer of three. Error: lists the layers there are. */
+ * R G B, best not one of normals and the like, or the only layer of three. Error: lists the layers
+ * there are. */
 bool image_find_layer(const struct image *image, const char *layer, int channels[3]);
 
 /* A sentence of which layer that is, to be freed; NULL where it is the one named, or an unnamed

@@ -42,7 +42,7 @@ enum {
     RANK_NONE
 };
 
-/* --- names ---------------------------------------------------------------------------------------- */
+/* --- names ------------------------------------------------------------------------------------ */
 
 static size_t layer_length(const char *name) {
     const char *dot = strrchr(name, '.');
@@ -105,7 +105,7 @@ static bool is_alpha(const char *name) {
     return strcasecmp(last_word(name), "A") == 0 || strcasecmp(last_word(name), "alpha") == 0;
 }
 
-/* --- what a layer is ------------------------------------------------------------------------------- */
+/* --- what a layer is -------------------------------------------------------------------------- */
 
 /* The channel of that name in the layer of channel `of`; upper case goes first. */
 static int find_beside(const struct image *image, int of, const char *const names[2]) {
@@ -167,7 +167,7 @@ static struct choice look_at(const struct image *image, int of) {
     return choice;
 }
 
-/* --- which layer ----------------------------------------------------------------------------------- */
+/* --- which layer ------------------------------------------------------------------------------ */
 
 /* How likely it is the picture among the layers below scope; the least is taken. */
 static int rank_of(const struct image *image, const struct choice *choice, const char *scope) {
@@ -188,7 +188,7 @@ static int rank_of(const struct image *image, const struct choice *choice, const
     return find_word(other_names, name, length) < 0 ? RANK_PART : RANK_OTHER_PART;
 }
 
-/* Of several of one rank the first is taken; where neither name nor part tells, there must be one. */
+/* Of several of one rank the first is taken. Where neither name nor part tells, it is alone. */
 static struct choice find_beauty(const struct image *image, const char *scope) {
     struct choice best = {.first = -1};
     int least = RANK_NONE, alike = 0;
@@ -256,7 +256,7 @@ static struct choice find(const struct image *image, const char *layer) {
     return choice.first < 0 ? exact : choice;
 }
 
-/* --- what is told of it ---------------------------------------------------------------------------- */
+/* --- what is told of it ----------------------------------------------------------------------- */
 
 /* More than these would fill a terminal and the message. */
 enum { LISTED = 60, LIST_LENGTH = 1200 };

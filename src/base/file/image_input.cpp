@@ -45,7 +45,7 @@ struct Run {
     int at;         /* in the picture */
 };
 
-/* --- the file -------------------------------------------------------------------------------------- */
+/* --- the file --------------------------------------------------------------------------------- */
 
 /* OpenImageIO's WebP has no way to leave alpha out of the colours. */
 bool reopen_webp(Source &source) {
@@ -157,7 +157,7 @@ bool open_source(Source &source, const char *path) {
     return true;
 }
 
-/* --- windows --------------------------------------------------------------------------------------- */
+/* --- windows ---------------------------------------------------------------------------------- */
 
 image_window data_window(const ImageSpec &spec) {
     return {spec.x, spec.y, spec.width, spec.height};
@@ -208,7 +208,7 @@ void tell_windows(const Source &source, const Part &part, const image_window &di
     log_note("%s: %s", source.path, text.c_str());
 }
 
-/* --- pixels ---------------------------------------------------------------------------------------- */
+/* --- pixels ----------------------------------------------------------------------------------- */
 
 /* Those channels, in order, as few runs. */
 std::vector<Run> runs_of(const Source &source, const std::vector<int> &channels) {
