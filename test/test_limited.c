@@ -42,7 +42,9 @@ static void test_bounds(void **state) {
 #endif
     static const char *const bounds[] = {".01", ".12", ".15", ".18", ".2",  ".22",
                                          ".25", ".28", ".3",  ".33", ".36", "1"};
-    char render[512];
+    char render[512], reference[512];
+    snprintf(reference, sizeof reference, "reference scenes/sphere.glb -o %s --size 16x16 --spp 1",
+             scratch("limited.pfm"));
     snprintf(render, sizeof render, "render scenes/sphere.glb -o %s --size 16x16",
              scratch("limited.exr"));
     for (size_t i = 0; i < sizeof bounds / sizeof *bounds; i++)
@@ -50,6 +52,8 @@ static void test_bounds(void **state) {
     assert_int_equal(access(scratch("limited.exr"), R_OK), 0); /* 1 GiB was enough */
     for (size_t i = 0; i < 3; i++)
         check_run("info scenes/sphere.glb", bounds[3 * i]);
+    check_run("bench times scenes/sphere.glb --size 16x16", ".2");
+    check_run(reference, ".12");
 }
 
 /* The status, what is printed and what is refused are those of the work. */

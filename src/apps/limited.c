@@ -133,10 +133,13 @@ static const char mark[] = "MANYLIGHT_LIMITED";
 
 /* The program begins anew, as libraries have started threads, which a copy of the process lacks. */
 static _Noreturn void be_child(int argc, char **argv, int to) {
-    char **arguments = mem_alloc((size_t)argc + 2, sizeof *arguments);
-    arguments[0] = "manylight";
-    for (int i = 0; i < argc; i++)
-        arguments[i + 1] = argv[i];
+    char **arguments = mem_alloc((size_t)argc + 3, sizeof *arguments), *rest = argv[0];
+    int count = 0;
+    arguments[count++] = "manylight";
+    while (rest) /* "bench times" are two */
+        arguments[count++] = strsep(&rest, " ");
+    for (int i = 1; i < argc; i++)
+        arguments[count++] = argv[i];
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     setrlimit(RLIMIT_CORE, &(struct rlimit){0, 0});
     dup2(to, STDERR_FILENO);
