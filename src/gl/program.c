@@ -100,7 +100,8 @@ struct program_store {
         void *binary;
         GLsizei size;
     } entries[STORED_MAX];
-    int next; /* of the ring */
+    int next;  /* of the ring */
+    int count; /* that came */
 };
 
 struct program_store *program_store_create(void) {
@@ -123,11 +124,24 @@ void program_store_free(struct program_store *store) {
     free(store);
 }
 
+int program_store_count(struct program_store *store) {
+    int count = 0;
+    if (!store)
+        return 0;
+    pthread_mutex_lock(&store->mutex);
+    count = store->count;
+    pthread_mutex_unlock(&store->mutex);
+    return count;
+}
+
 /* Drivers without formats give no bytes. */
 static void give(const char *key, GLuint program) {
     struct program_store *store = gl.store;
     GLint size = 0;
     gl.GetProgramiv(program, GL_PROGRAM_BINARY_LENGTH, &size);
+    pthread_mutex_lock(&store->mutex);
+    store->count++;
+    pthread_mutex_unlock(&store->mutex);
     if (size <= 0)
         return;
     struct stored stored = {.key = mem_strdup(key), .binary = mem_alloc((size_t)size, 1)};

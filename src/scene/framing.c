@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
+static const char spot_name[] = "framed spot", fill_name[] = "framed fill";
 static const float fov_y = 0.7F, fov_y_in_room = 1.1F;
 
 /* Appends a node; its place follows. */
@@ -51,6 +52,11 @@ static int add_light(struct scene *scene, const char *name, int carrier) {
     return node;
 }
 
+bool framing_made_light(const struct scene *scene, int n) {
+    const char *name = scene->nodes[node_carrying(scene, NODE_LIGHT, n)].name;
+    return strcmp(name, spot_name) == 0 || strcmp(name, fill_name) == 0;
+}
+
 void framing_add(struct framing *framing, struct scene *scene) {
     *framing = (struct framing){-1, -1, -1};
     int carrier = -1;
@@ -60,8 +66,8 @@ void framing_add(struct framing *framing, struct scene *scene) {
         framing->camera = add_camera(scene);
     if (node_count_carrying(scene, NODE_LIGHT) || scene->environment)
         return;
-    framing->light = add_light(scene, "framed spot", carrier);
-    framing->fill = add_light(scene, "framed fill", carrier);
+    framing->light = add_light(scene, spot_name, carrier);
+    framing->fill = add_light(scene, fill_name, carrier);
     log_note("%s: no light, so a spot from above, and a dim one", scene->path);
 }
 

@@ -1,7 +1,6 @@
 /* Keys and mouse. The table of keys is also the help that is shown. */
 #include "viewer/viewer.h"
 
-#include "base/file/image_file.h"
 #include "shared/composite.h"
 #include "viewer/window/ui.h"
 
@@ -84,6 +83,8 @@ static void key_escape(struct viewer *viewer) {
         recorder_stop(viewer);
     } else if (viewer->start.dialog.is_open) {
         file_dialog_close(&viewer->start.dialog);
+    } else if (viewer_is_opening(viewer)) {
+        viewer_stop_opening(viewer);
     } else if (viewer->panel.help) {
         viewer->panel.help = false;
     } else if (window_is_full_screen(viewer->host.window)) {
@@ -161,6 +162,7 @@ static const struct key {
     {KEY_F12, "F12", "screenshot: PNG, and EXR with all layers", viewer_take_screenshot},
     {KEY_ESCAPE, "Esc", "close what is open; twice: quit", key_escape},
     {'O' + KEY_WITH_CONTROL, "Ctrl O", "open a file", key_open},
+    {'S' + KEY_WITH_CONTROL, "Ctrl S", "save settings, camera and lights", viewer_save_session},
     {'Z' + KEY_WITH_CONTROL, "Ctrl Z", "undo: camera, light or settings", key_undo},
     {'Z' + KEY_WITH_CONTROL + KEY_WITH_SHIFT, "Ctrl Shift Z", "redo", key_redo},
     {'Y' + KEY_WITH_CONTROL, "Ctrl Y", "redo", key_redo},
@@ -182,11 +184,12 @@ static const struct {
     {"right drag", "look around"},
     {"wheel", "zoom towards the mouse; with Shift: field of view"},
     {"Alt wheel, Alt drag", "enlarge the picture, move it"},
-    {"W A S D Q E", "fly; Shift fast, Ctrl slow, the wheel sets the speed"},
+    {"W A S D Q E", "fly; then Shift fast, Ctrl slow; the wheel sets the speed"},
     {"Ctrl 1 to 9, Alt 1 to 9", "keep a view, go to it"},
     {"click", "what a surface is and which VALs light it"},
     {"click on a cluster or a sheet", "that VAL's shadow, that layer alone"},
-    {"drop .gltf, .glb, .exr, .settings", "a scene, a reference, settings"},
+    {"drop .gltf, .glb, .hdr, .settings", "a scene, its sky, settings"},
+    {"drop .exr, .pfm", "a reference; the sky, where it is twice as wide as high"},
 };
 
 /* Ctrl and a number keep a view, Alt and the number goes there. */
@@ -336,20 +339,23 @@ static void use_mouse(struct viewer *viewer) {
         camera_hand_scroll(viewer);
 }
 
-void viewer_take_file(struct viewer *viewer, const char *path) {
-    const char *dot = strrchr(path, '.');
-    bool is_float;
-    if (dot && strcmp(dot, ".settings") == 0)
-        viewer_load_session(viewer, path);
-    else if (image_format_is_float(path, &is_float) && is_float)
-        viewer_load_reference(viewer, path);
-    else
-        viewer_open(viewer, path);
+/* The list of files has all other keys, and the mouse. */
+static void run_dialog_keys(struct viewer *viewer) {
+    const struct input *input = viewer->host.input;
+    for (int i = 0; i < input->key_count; i++)
+        if (input->keys[i] == KEY_ESCAPE)
+            key_escape(viewer);
+        else if (input->keys[i] == 'Q' + KEY_WITH_CONTROL)
+            key_quit(viewer);
 }
 
 void controls_update(struct viewer *viewer, double seconds) {
     if (viewer->host.input->dropped)
         viewer_take_file(viewer, viewer->host.input->dropped);
+    if (viewer->start.dialog.is_open) {
+        run_dialog_keys(viewer);
+        return;
+    }
     if (!ui_wants_keys())
         run_keys(viewer);
     if (!viewer->has_scene || viewer->shown.picture.width == 0)

@@ -43,6 +43,16 @@ void messages_add(struct messages *messages, enum ui_tone tone, const char *form
     va_end(args);
 }
 
+void messages_forget_errors(struct messages *messages) {
+    int kept = 0;
+    pthread_mutex_lock(&messages->lock);
+    for (int i = 0; i < messages->count; i++)
+        if (messages->items[i].tone != UI_ERROR)
+            messages->items[kept++] = messages->items[i];
+    messages->count = kept;
+    pthread_mutex_unlock(&messages->lock);
+}
+
 int messages_recent(struct messages *messages, struct message recent[MESSAGES_SHOWN]) {
     const double seconds = 8, now = window_time();
     int count = 0;

@@ -27,6 +27,9 @@ void messages_free(struct messages *messages);
 void messages_add(struct messages *messages, enum ui_tone tone, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+/* Errors go: they were of what the user has left. */
+void messages_forget_errors(struct messages *messages);
+
 /* Those that are to be seen: the newest ones of the last seconds (errors stay three times as long),
  * oldest first; how many. */
 int messages_recent(struct messages *messages, struct message recent[MESSAGES_SHOWN]);

@@ -4,6 +4,7 @@
 #define VIEWER_SESSION_H
 
 #include "renderer/settings.h"
+#include "scene/environment.h"
 #include "scene/placing.h"
 
 #include <stdbool.h>
@@ -11,8 +12,9 @@
 enum { SESSION_VIEWS = 9 };
 
 struct session {
-    const char *scene;                     /* path */
-    const struct environment *environment; /* the scene's */
+    const char *scene;            /* path */
+    char *sky;                    /* path of the environment; NULL = none */
+    float sky_turn, sky_strength; /* as struct environment has them; 0 and 1 without one */
     int width, height;
     const struct technique *technique;
     struct settings settings;
@@ -24,6 +26,9 @@ struct session {
     char *lights;
 };
 
+/* Without a sky before. */
+void session_set_sky(struct session *session, const struct environment *sky);
+
 /* A copy without what belongs to the scene, which may be gone when it is looked at. */
 struct session session_copy(const struct session *session);
 void session_free(struct session *session);
@@ -32,6 +37,7 @@ void session_free(struct session *session);
 int session_bounces(const struct session *session);
 
 /* Whether both have one truth: place, light, time, bounces and size. */
+bool session_same_sky(const struct session *a, const struct session *b);
 bool session_same_view(const struct session *a, const struct session *b);
 
 /* "manylight render SCENE --size ... -o picture.png", quoted for a shell; to be freed. Settings at
