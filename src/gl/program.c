@@ -7,6 +7,7 @@
 
 #include <assert.h>
 #include <pthread.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -65,7 +66,17 @@ static bool attach(GLuint program, GLenum type, const struct glsl_source *source
     return ok;
 }
 
-static bool link(GLuint program, const struct program_desc *desc) {
+/* What does not fit may be in any of them. */
+static void name_stages(const struct sources *sources, char *names, size_t size) {
+    size_t used = 0;
+    names[0] = '\0';
+    for (int i = 0; i < STAGES; i++)
+        if (sources->files[i] && used < size)
+            used += (size_t)snprintf(names + used, size - used, "%s%s", used ? " and " : "",
+                                     sources->files[i]);
+}
+
+static bool link(GLuint program, const struct sources *sources) {
     gl.LinkProgram(program);
     GLint ok;
     gl.GetProgramiv(program, GL_LINK_STATUS, &ok);
@@ -73,18 +84,19 @@ static bool link(GLuint program, const struct program_desc *desc) {
         return true;
     char message[1500] = "";
     gl.GetProgramInfoLog(program, sizeof message, NULL, message);
-    return error_set("shaders %s do not link: %s", desc->compute ? desc->compute : desc->vertex,
-                     message);
+    char names[300];
+    name_stages(sources, names, sizeof names);
+    return error_set("shaders %s do not link: %s", names, message);
 }
 
-static GLuint compile(const struct sources *sources, const struct program_desc *desc) {
+static GLuint compile(const struct sources *sources) {
     GLuint program = gl.CreateProgram();
     bool ok = true;
     gl.ProgramParameteri(program, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, gl.fills_store);
     for (int i = 0; ok && i < STAGES; i++)
         ok = !sources->files[i] ||
              attach(program, stage_types[i], &sources->stages[i], sources->files[i]);
-    if (ok && link(program, desc))
+    if (ok && link(program, sources))
         return program;
     gl.DeleteProgram(program);
     return 0;
@@ -177,12 +189,11 @@ static GLuint take(const char *key) {
 
 /* What is given is taken back at once: Mesa compiles a program that was stored for its draws by another key than the
  * one that it was stored from. */
-static GLuint make(const struct sources *sources, const struct program_desc *desc,
-                   const char *key) {
+static GLuint make(const struct sources *sources, const char *key) {
     GLuint program = gl.store ? take(key) : 0;
     if (program)
         return program;
-    program = compile(sources, desc);
+    program = compile(sources);
     if (!program || !gl.fills_store)
         return program;
     give(key, program);
@@ -265,7 +276,7 @@ bool program_init(GLuint *program, const struct program_desc *desc) {
         return false;
     char *key = make_key(&sources);
     struct cached *cached = find(key);
-    GLuint compiled = cached ? 0 : make(&sources, desc, key);
+    GLuint compiled = cached ? 0 : make(&sources, key);
     if (compiled)
         cached = add(key, compiled);
     else

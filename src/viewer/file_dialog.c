@@ -23,14 +23,8 @@ static const char *const commands[][2] = {
 };
 
 static bool is_in_path(const char *name) {
-    char *path = mem_strdup(getenv("PATH") ? getenv("PATH") : ""), *rest = NULL;
-    bool found = false;
-    for (char *folder = strtok_r(path, ":", &rest); folder && !found;
-         folder = strtok_r(NULL, ":", &rest)) {
-        char *program = mem_printf("%s/%s", folder, name);
-        found = access(program, X_OK) == 0;
-        free(program);
-    }
+    char *path = shell_find(name);
+    bool found = path;
     free(path);
     return found;
 }

@@ -15,7 +15,7 @@
 void viewer_tell_saved(struct viewer *viewer, bool ok, const char *path) {
     char *whole = ok ? realpath(path, NULL) : NULL;
     if (ok)
-        messages_add(&viewer->host.messages, UI_NORMAL, "saved: %s", whole ? whole : path);
+        messages_add_result(&viewer->host.messages, "saved: %s", whole ? whole : path);
     else
         viewer_tell_error(viewer);
     free(whole);

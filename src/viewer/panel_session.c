@@ -10,7 +10,7 @@
 static void copy_command(struct viewer *viewer, const struct session *session) {
     char *command = session_command(session);
     window_set_clipboard(viewer->host.window, command);
-    messages_add(&viewer->host.messages, UI_NORMAL, "Copied: %s", command);
+    messages_add_result(&viewer->host.messages, "Copied: %s", command);
     free(command);
 }
 

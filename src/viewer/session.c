@@ -86,7 +86,8 @@ static void append_quoted(char **text, const char *option, const char *word) {
 }
 
 char *session_command(const struct session *session) {
-    char *text = mem_strdup("manylight render"), value[64];
+    char *program = shell_own_program(), *text = mem_printf("%s render", program), value[64];
+    free(program);
     append_quoted(&text, "", session->scene);
     append(&text, mem_printf(" --size %dx%d", session->width, session->height));
     struct session usual = *session;

@@ -29,14 +29,14 @@ static void title_of(const char *path, char *title, size_t size) {
 
 /* As many in a row as there is room for. */
 static void draw_items(struct viewer *viewer, const char *heading, bool recent, float room) {
-    const struct gallery *gallery = &viewer->start.gallery;
+    struct gallery *gallery = &viewer->start.gallery;
     float line = ui_line_height(), gap = .6F * line;
     int columns = (int)((room + gap) / (10 * line + gap)), shown = 0;
     columns = columns < 1 ? 1 : columns;
     for (int i = 0; i < gallery->count; i++) {
-        const struct gallery_item *item = &gallery->items[i];
+        struct gallery_item *item = &gallery->items[i];
         char title[64];
-        if (item->is_recent != recent)
+        if (item->is_recent != recent || (!recent && atomic_load(&item->ready) < 0))
             continue;
         if (shown == 0)
             ui_heading(heading);

@@ -197,7 +197,7 @@ struct viewer {
         int after_frame; /* shown.frame_count before that */
     } exposing;
     bool window_shown, coarse_shown, picture_shown; /* once */
-    bool done;                        /* close the window */
+    bool done;                                      /* close the window */
 };
 
 /* Runs until the window is closed, or until desc->frames. Error: no window, or, where frames are
