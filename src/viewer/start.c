@@ -82,10 +82,11 @@ static void draw_reading(struct viewer *viewer) {
 
 /* --- the list of files --- */
 
-/* Beside the scene that is open. */
+/* Beside the scene that is open, or the one that was asked for last. */
 void viewer_ask_file(struct viewer *viewer) {
     viewer->hand.drags_picture = false;
-    file_dialog_open(&viewer->start.dialog, viewer->has_scene ? viewer->document.scene.path : NULL);
+    file_dialog_open(&viewer->start.dialog,
+                     viewer->has_scene ? viewer->document.scene.path : viewer->loader.path);
 }
 
 static void take(struct viewer *viewer, char *path) {
