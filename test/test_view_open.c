@@ -214,7 +214,8 @@ static void test_sky_of_unlit_scene(void **state) {
     need_viewer();
     open_by_panel(SPHERE);
     wait_for_scene("sphere.glb");
-    drop("scenes/day.hdr");
+    open_by_panel("scenes/day.hdr");
+    sync_viewer();
     check_same("a sky where no light was", SPHERE " --environment scenes/day.hdr");
     press("Copy command line");
     rest_mouse();

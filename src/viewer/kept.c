@@ -113,6 +113,8 @@ void kept_begin(struct viewer *viewer) {
             messages_add(&viewer->host.messages, UI_NORMAL,
                          "The scene is as you left it; Scene, Afresh: as its file has it.");
         } else {
+            messages_add(&viewer->host.messages, UI_WARNING, "The scene is not as you left it: %s",
+                         error_get());
             show_fresh(viewer);
         }
     }

@@ -83,7 +83,7 @@ static void tell_what_stays(struct viewer *viewer) {
         messages_add(&viewer->host.messages, UI_NORMAL,
                      "The comparison has ended: its reference was of the scene before.");
     }
-    if (changed)
+    if (changed && !viewer->kept.was_restored)
         messages_add(&viewer->host.messages, UI_NORMAL,
                      "Technique and settings are those of the scene before.");
     if (compare->mode == COMPARE_TECHNIQUE)
@@ -96,7 +96,6 @@ static void take_away_before(struct viewer *viewer, struct document *before,
     renderer_free(&viewer->shown.renderer);
     document_free(before);
     emitters_free(lights);
-    tell_what_stays(viewer);
 }
 
 static void begin_scene(struct viewer *viewer, const struct renderer *renderer) {
@@ -142,11 +141,14 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     compare_forget(&viewer->shown.compare);
     viewer_forget_truth(viewer);
     viewer_forget_sky(viewer);
-    if (viewer->has_scene)
+    bool replaces = viewer->has_scene;
+    if (replaces)
         take_away_before(viewer, &before, &placed_before.emitters);
     begin_scene(viewer, &renderer);
     const char *told = viewer->desc.session;
     kept_begin(viewer);
+    if (replaces)
+        tell_what_stays(viewer);
     forget_told(&viewer->desc); /* it meant the first scene */
     return !told || viewer_load_session(viewer, told) || !viewer_is_scripted(viewer);
 }

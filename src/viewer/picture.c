@@ -345,11 +345,13 @@ static void compose(struct viewer *viewer) {
     }
 }
 
-/* Scene, camera, time and lights as text. */
+/* Scene, camera, time, lights and sky as text. */
 static char *view_text(const struct viewer *viewer) {
     struct session session = viewer_session(viewer);
-    char *text = mem_printf("%s|%d|%.9g|%s|%s", session.scene, session.clip, (double)session.time,
-                            session.camera, session.lights);
+    char *text = mem_printf("%s|%d|%.9g|%s|%s|%s|%.9g|%.9g", session.scene, session.clip,
+                            (double)session.time, session.camera, session.lights,
+                            session.sky ? session.sky : "", (double)session.sky_turn,
+                            (double)session.sky_strength);
     session_free(&session);
     return text;
 }

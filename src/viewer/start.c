@@ -74,7 +74,7 @@ static void draw_reading(struct viewer *viewer) {
     char text[600];
     viewer_tell_opening(viewer, text, sizeof text);
     if (over_picture)
-        y = (float)area->height - 4 * ui_line_height();
+        y = 5.5F * ui_line_height(); /* messages are below, times in the corner */
     ui_area_begin("reading", UI_DIALOG, x, y, 0, 0);
     ui_text(UI_DIM, "%s. Esc stops.", text);
     ui_area_end();
