@@ -116,6 +116,13 @@ static void test_dialog_keys(void **state) {
     assert_true(is_on_screen("sub/"));
     xdo("key Return"); /* the folder that was left is chosen */
     assert_true(is_on_screen("Two.glb"));
+    press("one.glb"); /* by the mouse, too; and a button */
+    wait_for_scene("one.glb");
+    xdo("key ctrl+o");
+    press("Up");
+    assert_true(is_on_screen("sub/"));
+    press("sub/");
+    assert_true(is_on_screen("Two.glb"));
     xdo("type --delay 20 nosuch");
     xdo("key Return");
     assert_true(is_on_screen("Two.glb"));

@@ -229,15 +229,15 @@ void viewer_tell_opening(struct viewer *viewer, char *text, size_t size) {
     int seconds = (int)(window_time() - viewer->opening.since);
     int programs = compiling_count(&viewer->compiling);
     if (viewer->arriving_sky)
-        snprintf(text, size, "%s: compiling shaders (%d so far)",
+        snprintf(text, size, "%s\ncompiling shaders (%d so far)",
                  name_of(viewer->arriving_sky->path), programs);
     else if (!viewer->is_arriving)
-        snprintf(text, size, "%s: reading, %d s", name_of(viewer->loader.path), seconds);
+        snprintf(text, size, "%s\nreading, %d s", name_of(viewer->loader.path), seconds);
     else if (viewer->opening.is_announced)
-        snprintf(text, size, "%s: preparing %u faces, %d s", name_of(viewer->arriving.scene.path),
+        snprintf(text, size, "%s\npreparing %u faces, %d s", name_of(viewer->arriving.scene.path),
                  geometry_triangle_count(&viewer->arriving.geometry), seconds);
     else
-        snprintf(text, size, "%s: %u faces; compiling shaders (%d so far), %d s",
+        snprintf(text, size, "%s\n%u faces; compiling shaders (%d), %d s",
                  name_of(viewer->arriving.scene.path),
                  geometry_triangle_count(&viewer->arriving.geometry), programs, seconds);
 }

@@ -76,7 +76,7 @@ static void draw_reading(struct viewer *viewer) {
     if (over_picture)
         y = 5.5F * ui_line_height(); /* messages are below, times in the corner */
     ui_area_begin("reading", UI_DIALOG, x, y, 0, 0);
-    ui_text(UI_DIM, "%s. Esc stops.", text);
+    ui_text(UI_DIM, "%s\nEsc stops.", text);
     ui_area_end();
 }
 

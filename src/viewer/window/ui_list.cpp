@@ -60,18 +60,27 @@ ui_search pressed_key() {
     return UI_SEARCH_NOTHING;
 }
 
+/* A button or a name that is being pressed keeps the mouse. Nothing waits for long: a field that does not come is no
+ * reason to take no more keys. */
+void take_keys(ImGuiID field, bool has_keys) {
+    static int frames;
+    frames = has_keys ? 0 : frames + 1;
+    if (has_keys && look.typed == field)
+        look.typed = 0;
+    if (has_keys || ImGui::IsAnyItemActive())
+        return;
+    ImGui::SetKeyboardFocusHere();
+    if (frames < 4)
+        look.typed = field;
+}
+
 } // namespace
 
 /* What is typed while the field has not got the keyboard yet waits (ui_is_opening_field). */
 ui_search ui_search_field(const char *id, char *text, size_t size, const char *hint) {
     ImGuiID own = ImGui::GetID(id);
     bool has_keys = ImGui::GetActiveID() == own, was_empty = !*text;
-    if (!has_keys) {
-        ImGui::SetKeyboardFocusHere();
-        look.typed = own;
-    } else if (look.typed == own) {
-        look.typed = 0;
-    }
+    take_keys(own, has_keys);
     ImGui::SetNextItemWidth(-1);
     look_read(text);
     bool entered = ImGui::InputTextWithHint(
