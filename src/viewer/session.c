@@ -17,6 +17,11 @@ static const struct option session_table[] = {
     {"layer", 0, OPTION_CHOICE, offsetof(struct session, layer), .choices = shown_layer_names},
     {"clip", 0, OPTION_INT, offsetof(struct session, clip), 0, 0, 1e6, .help = NULL},
     {"time", 0, OPTION_FLOAT, offsetof(struct session, time), 0, 0, 1e6, .help = NULL},
+    {NULL},
+};
+
+/* Of its sky, where it has one. */
+static const struct option sky_table[] = {
     {"environment-turn", 0, OPTION_FLOAT, offsetof(struct session, sky_turn), 0, -360, 360,
      .help = NULL},
     {"environment-strength", 0, OPTION_FLOAT, offsetof(struct session, sky_strength), 1, 1e-9, 1e9,
@@ -85,18 +90,24 @@ static void append_quoted(char **text, const char *option, const char *word) {
     free(quoted);
 }
 
+/* Those that are not at their defaults. */
+static void append_options(char **text, const struct option *table, const struct session *session) {
+    struct session usual = *session;
+    char value[64];
+    options_set_defaults(table, &usual);
+    for (const struct option *option = table; option->name; option++)
+        if (!option_equal(option, session, &usual)) {
+            option_format(option, session, value, sizeof value);
+            append(text, mem_printf(" --%s %s", option->name, value));
+        }
+}
+
 char *session_command(const struct session *session) {
     char *program = shell_own_program(), *text = mem_printf("%s render", program), value[64];
     free(program);
     append_quoted(&text, "", session->scene);
     append(&text, mem_printf(" --size %dx%d", session->width, session->height));
-    struct session usual = *session;
-    options_set_defaults(session_table, &usual);
-    for (const struct option *option = session_table; option->name; option++)
-        if (!option_equal(option, session, &usual)) {
-            option_format(option, session, value, sizeof value);
-            append(&text, mem_printf(" --%s %s", option->name, value));
-        }
+    append_options(&text, session_table, session);
     if (session->technique != technique_default)
         append(&text, mem_printf(" --technique %s", session->technique->name));
     for (struct setting setting = {0}; next_changed(&session->settings, &setting);) {
@@ -107,8 +118,10 @@ char *session_command(const struct session *session) {
     }
     append_quoted(&text, "--camera", session->camera);
     append_quoted(&text, "--light", session->lights);
-    if (session->sky)
+    if (session->sky) {
         append_quoted(&text, "--environment", session->sky);
+        append_options(&text, sky_table, session);
+    }
     append(&text, mem_strdup(" -o picture.png"));
     return text;
 }
@@ -144,6 +157,8 @@ bool session_save(const struct session *session, const char *path) {
             fprintf(text.stream, "view%d = %s\n", i + 1, session->views[i]);
     for (const struct option *option = session_table; option->name; option++)
         write_value(text.stream, option, session);
+    for (const struct option *option = sky_table; session->sky && option->name; option++)
+        write_value(text.stream, option, session);
     for (struct setting setting = {0}; next_changed(&session->settings, &setting);)
         write_setting(text.stream, &setting, &session->settings);
     return output_text_end(&text, path);
@@ -173,6 +188,7 @@ static bool read_line(struct session *session, char *line, bool *sky) {
     *equals = '\0';
     const char *value = equals + 3;
     const struct option *option = option_find(session_table, line);
+    option = option ? option : option_find(sky_table, line);
     if (option)
         return option_parse(option, session, value);
     int view = view_of(line);
@@ -205,6 +221,7 @@ bool session_load(struct session *session, const char *path) {
     read.scene = session->scene;
     memset(read.views, 0, sizeof read.views);
     options_set_defaults(session_table, &read);
+    options_set_defaults(sky_table, &read);
     read.technique = technique_default;
     renderer_settings_init(&read.settings);
     char *line = NULL;

@@ -44,7 +44,7 @@ bool session_same_view(const struct session *a, const struct session *b);
  * their defaults are left out. */
 char *session_command(const struct session *session);
 
-/* One "key = value" a line: technique, layer, clip, time, camera, views, lights and the settings that are
+/* One "key = value" a line: technique, layer, clip, time, camera, views, lights, sky and the settings that are
  * not at their defaults. */
 bool session_save(const struct session *session, const char *path);
 
