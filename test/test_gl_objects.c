@@ -196,7 +196,7 @@ static void test_link_errors(void **state) {
                               "void main() { color = missing; }\n");
     assert_false(program_init(
         &program, &(struct program_desc){.vertex = "triangle.vert", .fragment = "main.frag"}));
-    expect_error("do not link");
+    expect_error("triangle.vert and main.frag do not link");
     assert_int_equal(program, 0);
 }
 

@@ -9,6 +9,7 @@
 
 #include <assert.h>
 #include <pthread.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -67,7 +68,17 @@ static bool attach(GLuint program, GLenum type, const struct glsl_source *source
     return ok;
 }
 
-static bool link(GLuint program, const struct program_desc *desc) {
+/* What does not fit may be in any of them. */
+static void name_stages(const struct sources *sources, char *names, size_t size) {
+    size_t used = 0;
+    names[0] = '\0';
+    for (int i = 0; i < STAGES; i++)
+        if (sources->files[i] && used < size)
+            used += (size_t)snprintf(names + used, size - used, "%s%s", used ? " and " : "",
+                                     sources->files[i]);
+}
+
+static bool link(GLuint program, const struct sources *sources) {
     gl.LinkProgram(program);
     GLint ok;
     gl.GetProgramiv(program, GL_LINK_STATUS, &ok);
@@ -75,18 +86,19 @@ static bool link(GLuint program, const struct program_desc *desc) {
         return true;
     char message[1500] = "";
     gl.GetProgramInfoLog(program, sizeof message, NULL, message);
-    return error_set("shaders %s do not link: %s", desc->compute ? desc->compute : desc->vertex,
-                     message);
+    char names[300];
+    name_stages(sources, names, sizeof names);
+    return error_set("shaders %s do not link: %s", names, message);
 }
 
-static GLuint compile(const struct sources *sources, const struct program_desc *desc) {
+static GLuint compile(const struct sources *sources) {
     GLuint program = gl.CreateProgram();
     bool ok = true;
     gl.ProgramParameteri(program, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, gl.fills_store);
     for (int i = 0; ok && i < STAGES; i++)
         ok = !sources->files[i] ||
              attach(program, stage_types[i], &sources->stages[i], sources->files[i]);
-    if (ok && link(program, desc))
+    if (ok && link(program, sources))
         return program;
     gl.DeleteProgram(program);
     return 0;
@@ -102,7 +114,8 @@ struct program_store {
         void *binary;
         GLsizei size;
     } entries[STORED_MAX];
-    int next; /* of the ring */
+    int next;  /* of the ring */
+    int count; /* that came */
 };
 
 struct program_store *program_store_create(void) {
@@ -125,11 +138,24 @@ void program_store_free(struct program_store *store) {
     free(store);
 }
 
+int program_store_count(struct program_store *store) {
+    int count = 0;
+    if (!store)
+        return 0;
+    pthread_mutex_lock(&store->mutex);
+    count = store->count;
+    pthread_mutex_unlock(&store->mutex);
+    return count;
+}
+
 /* Drivers without formats give no bytes. */
 static void give(const char *key, GLuint program) {
     struct program_store *store = gl.store;
     GLint size = 0;
     gl.GetProgramiv(program, GL_PROGRAM_BINARY_LENGTH, &size);
+    pthread_mutex_lock(&store->mutex);
+    store->count++;
+    pthread_mutex_unlock(&store->mutex);
     if (size <= 0)
         return;
     struct stored stored = {.key = mem_strdup(key), .binary = mem_alloc((size_t)size, 1)};
@@ -165,13 +191,12 @@ static GLuint take(const char *key) {
 
 /* What is given is taken back at once: Mesa compiles a program that was stored for its draws by another key than the
  * one that it was stored from. */
-static GLuint make(const struct sources *sources, const struct program_desc *desc,
-                   const char *key) {
+static GLuint make(const struct sources *sources, const char *key) {
     GLuint program = gl.store ? take(key) : 0;
     if (program)
         return program;
     double start = clock_ms();
-    program = compile(sources, desc);
+    program = compile(sources);
     phase_add(PHASE_PROGRAMS, start);
     if (!program || !gl.fills_store)
         return program;
@@ -255,7 +280,7 @@ bool program_init(GLuint *program, const struct program_desc *desc) {
         return false;
     char *key = make_key(&sources);
     struct cached *cached = find(key);
-    GLuint compiled = cached ? 0 : make(&sources, desc, key);
+    GLuint compiled = cached ? 0 : make(&sources, key);
     if (compiled)
         cached = add(key, compiled);
     else

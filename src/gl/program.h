@@ -36,4 +36,7 @@ void program_cache_free(struct program_cache *programs);
 struct program_store *program_store_create(void);
 void program_store_free(struct program_store *store);
 
+/* How many it has been given so far. Accepts NULL. */
+int program_store_count(struct program_store *store);
+
 #endif

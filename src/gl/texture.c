@@ -153,6 +153,20 @@ int texture_full_levels(int width, int height, int depth) {
 }
 
 /* GL's row 0 is at the bottom. */
+bool texture_init_bitmap(struct texture *texture, const char *label, const struct bitmap *bitmap) {
+    if (!texture_init(texture, &(struct texture_desc){.label = label,
+                                                      .format = GL_RGBA8,
+                                                      .width = bitmap->width,
+                                                      .height = bitmap->height,
+                                                      .filter = FILTER_LINEAR}))
+        return false;
+    for (int y = 0; y < bitmap->height; y++)
+        gl.TextureSubImage2D(texture->id, 0, 0, bitmap->height - 1 - y, bitmap->width, 1, GL_RGBA,
+                             GL_UNSIGNED_BYTE,
+                             bitmap->rgba + (size_t)y * (size_t)bitmap->width * 4);
+    return true;
+}
+
 void texture_read_bitmap(const struct texture *texture, struct bitmap *bitmap) {
     int width = texture->desc.width, height = texture->desc.height;
     size_t row = (size_t)width * 4, bytes = row * (size_t)height;

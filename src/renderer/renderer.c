@@ -506,6 +506,11 @@ bool renderer_update(struct renderer *renderer) {
            caster_pool_update(renderer->casters) && update_techniques(renderer);
 }
 
+void renderer_relight(struct renderer *renderer) {
+    renderer->lights_drawn = false;
+    renderer->refining.count = 0;
+}
+
 bool renderer_reload_shaders(struct renderer *renderer) {
     renderer->refining.count = 0;
     return change(renderer, &renderer->desc, &renderer->plan, PART_ALL);

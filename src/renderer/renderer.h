@@ -97,6 +97,8 @@ void renderer_free(struct renderer *renderer);
  * else as it is in renderer->desc. What a change reaches is made anew, all else stays; when it fails the
  * renderer is what it was. Errors are renderer_init's. */
 bool renderer_follow(struct renderer *renderer, const struct renderer_desc *desc);
+/* The environment was turned, or its strength changed, in place. */
+void renderer_relight(struct renderer *renderer);
 bool renderer_reload_shaders(struct renderer *renderer);
 
 /* Whether renderer_follow would make the technique anew, and what it has of the geometry from the

@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
+static const char spot_name[] = "framed spot", fill_name[] = "framed fill";
 static const float fov_y = 0.7F, fov_y_in_room = 1.1F;
 
 /* Appends a node; its place follows. */
@@ -53,8 +54,13 @@ static int add_light(struct scene *scene, const char *name, int carrier) {
 
 static void add_lights(struct framing *framing, struct scene *scene) {
     int carrier = framing->camera < 0 ? node_carrying(scene, NODE_CAMERA, 0) : -1;
-    framing->light = add_light(scene, "framed spot", carrier);
-    framing->fill = add_light(scene, "framed fill", carrier);
+    framing->light = add_light(scene, spot_name, carrier);
+    framing->fill = add_light(scene, fill_name, carrier);
+}
+
+bool framing_made_light(const struct scene *scene, int n) {
+    const char *name = scene->nodes[node_carrying(scene, NODE_LIGHT, n)].name;
+    return strcmp(name, spot_name) == 0 || strcmp(name, fill_name) == 0;
 }
 
 void framing_add(struct framing *framing, struct scene *scene) {

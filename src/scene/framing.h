@@ -24,4 +24,7 @@ void framing_add_lights(struct framing *framing, struct scene *scene);
 void framing_place(const struct framing *framing, struct scene *scene,
                    const struct geometry *geometry);
 
+/* Whether the scene's n-th light is one of them. */
+bool framing_made_light(const struct scene *scene, int n);
+
 #endif

@@ -89,7 +89,11 @@ static void make_mesh(struct scene *scene, const struct scene *like,
 void stand_in_init(struct stand_in *stand_in, const struct scene *scene,
                    const struct geometry *geometry) {
     struct scene *own = &stand_in->scene;
-    *stand_in = (struct stand_in){.scene = {.environment = scene->environment}};
+    *stand_in = (struct stand_in){0};
+    if (scene->environment) {
+        stand_in->sky = *scene->environment;
+        own->environment = &stand_in->sky;
+    }
     own->material_count = scene->material_count;
     own->materials = mem_alloc((size_t)scene->material_count, sizeof *own->materials);
     memcpy(own->materials, scene->materials,

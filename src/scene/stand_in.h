@@ -2,16 +2,18 @@
  * compiled before the scene itself is drawn.
  *
  * Two triangles of each material, across the scene; textures of few texels, which are sampled as the scene's
- * are; the scene's sky, which must live as long.
+ * are; the texels of the scene's sky, which must live as long.
  */
 #ifndef SCENE_STAND_IN_H
 #define SCENE_STAND_IN_H
 
+#include "scene/environment.h"
 #include "scene/mesh/geometry.h"
 
 struct stand_in {
     struct scene scene;
     struct geometry geometry;
+    struct environment sky; /* the scene's, as it was turned and strong then; with its texels */
 };
 
 void stand_in_init(struct stand_in *stand_in, const struct scene *scene,

@@ -99,13 +99,27 @@ static bool has_window(struct compiling *compiling) {
     return compiling->window;
 }
 
+/* A side of the stand-in's picture: the small one leaves what the large one leaves where it is parted into squares, and is
+ * a power of two where that is, which is compiled in. */
+static int small_side(int side) {
+    enum { SMALL = 192, PARTED = 64, POWER = 256 };
+    if (side <= POWER)
+        return side;
+    return (side & (side - 1)) == 0 ? POWER : SMALL + side % PARTED;
+}
+
 static bool start(struct compiling *compiling, const struct renderer_desc *desc) {
     stand_in_init(&compiling->stand_in, desc->scene, desc->geometry);
     compiling->desc = *desc;
     compiling->desc.scene = &compiling->stand_in.scene;
     compiling->desc.geometry = &compiling->stand_in.geometry;
     compiling->desc.emitters = emitters_copy(&desc->emitters);
+    if (desc->emitters.sky)
+        compiling->desc.emitters.sky = compiling->stand_in.scene.environment;
     compiling->desc.timed = false;
+    compiling->desc.width = small_side(desc->width);
+    compiling->desc.height = small_side(desc->height);
+    compiling->count_before = program_store_count(compiling->store);
     compiling->sum = sum_of(desc);
     atomic_store(&compiling->state, COMPILING_RUNS);
     if (pthread_create(&compiling->thread, NULL, run, compiling) == 0)
@@ -139,6 +153,16 @@ bool compiling_has(struct compiling *compiling, const struct renderer_desc *desc
     if (is_known(compiling, sum_of(desc)) || !has_window(compiling) || compiling->refused)
         return true;
     return atomic_load(&compiling->state) == COMPILING_NONE && !start(compiling, desc);
+}
+
+bool compiling_rests(struct compiling *compiling) {
+    if (compiling_has_news(compiling))
+        finish(compiling);
+    return atomic_load(&compiling->state) == COMPILING_NONE;
+}
+
+int compiling_count(const struct compiling *compiling) {
+    return program_store_count(compiling->store) - compiling->count_before;
 }
 
 void compiling_wait(struct compiling *compiling) {

@@ -1,5 +1,5 @@
 /* Shaders are compiled in the background, so that the window lives on meanwhile: a thread with a context of
- * its own draws a stand-in of the scene as the picture will be drawn. Its programs are handed over as the driver has
+ * its own draws a stand-in of the scene as the picture will be drawn, but smaller. Its programs are handed over as the driver has
  * linked them; what software OpenGL compiles when it first draws with them it keeps on disk, and finds there. */
 #ifndef VIEWER_COMPILING_H
 #define VIEWER_COMPILING_H
@@ -26,6 +26,7 @@ struct compiling {
     atomic_int state;
     struct stand_in stand_in;
     struct renderer_desc desc;       /* of the stand-in */
+    int count_before;                /* of programs, when it began */
     uint64_t sum;                    /* of what is compiled */
     uint64_t known[COMPILING_KNOWN]; /* of what was, the oldest first */
     int known_count;
@@ -40,6 +41,12 @@ bool compiling_has(struct compiling *compiling, const struct renderer_desc *desc
 
 /* Whether it may be asked again. */
 bool compiling_has_news(struct compiling *compiling);
+
+/* Whether nothing is being compiled, and no environment is in use. */
+bool compiling_rests(struct compiling *compiling);
+
+/* How many programs have been compiled since it began. */
+int compiling_count(const struct compiling *compiling);
 
 /* Waits for what is being compiled: its environment goes. */
 void compiling_wait(struct compiling *compiling);

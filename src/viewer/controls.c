@@ -1,7 +1,6 @@
 /* Keys and mouse. The table of keys is also the help that is shown. */
 #include "viewer/viewer.h"
 
-#include "base/file/image_file.h"
 #include "shared/composite.h"
 #include "viewer/window/ui.h"
 
@@ -86,6 +85,8 @@ static void key_escape(struct viewer *viewer) {
         recorder_stop(viewer);
     } else if (viewer->start.dialog.is_open) {
         file_dialog_close(&viewer->start.dialog);
+    } else if (viewer_is_opening(viewer)) {
+        viewer_stop_opening(viewer);
     } else if (viewer->panel.help) {
         viewer->panel.help = false;
     } else if (window_is_full_screen(viewer->host.window)) {
@@ -171,6 +172,7 @@ static const struct key {
     {KEY_F12, "F12", "screenshot: PNG, and EXR with all layers", viewer_take_screenshot},
     {KEY_ESCAPE, "Esc", "close what is open; twice: quit", key_escape},
     {'O' + KEY_WITH_CONTROL, "Ctrl O", "open a file", key_open},
+    {'S' + KEY_WITH_CONTROL, "Ctrl S", "save settings, camera and lights", viewer_save_session},
     {'Z' + KEY_WITH_CONTROL, "Ctrl Z", "undo: camera, light or settings", key_undo},
     {'Z' + KEY_WITH_CONTROL + KEY_WITH_SHIFT, "Ctrl Shift Z", "redo", key_redo},
     {'Y' + KEY_WITH_CONTROL, "Ctrl Y", "redo", key_redo},
@@ -193,11 +195,12 @@ static const struct {
     {"wheel", "zoom towards the mouse; with Shift: field of view"},
     {"Ctrl Shift wheel", "enlarge the picture; so does Alt wheel"},
     {"Ctrl Shift drag", "move the enlarged picture; so does Alt drag"},
-    {"W A S D Q E", "fly; Shift fast, Ctrl slow, the wheel sets the speed"},
+    {"W A S D Q E", "fly; then Shift fast, Ctrl slow; the wheel sets the speed"},
     {"Ctrl 1 to 9", "keep a view; Alt and the number goes there"},
     {"click", "a surface, and the shadow groups (VALs) that light it"},
     {"click on a cluster", "that group's shadow; on a sheet: that layer alone"},
-    {"drop a file", "a scene, a reference (.exr), settings"},
+    {"drop a file", "a scene, its sky (.hdr), settings, a reference (.exr);"},
+    {"", "an .exr twice as wide as high, without layers, is a sky"},
     {"Tab", "the panel by keyboard: Tab and arrows go on, Space"},
     {"", "presses, Enter types a number, Esc leaves"},
 };
@@ -370,20 +373,23 @@ static void escape_request(struct viewer *viewer) {
             viewer->record.is_open = false;
 }
 
-void viewer_take_file(struct viewer *viewer, const char *path) {
-    const char *dot = strrchr(path, '.');
-    bool is_float;
-    if (dot && strcmp(dot, ".settings") == 0)
-        viewer_load_session(viewer, path);
-    else if (image_format_is_float(path, &is_float) && is_float)
-        viewer_load_reference(viewer, path);
-    else
-        viewer_open(viewer, path);
+/* The list of files has all other keys, and the mouse. */
+static void run_dialog_keys(struct viewer *viewer) {
+    const struct input *input = viewer->host.input;
+    for (int i = 0; i < input->key_count; i++)
+        if (input->keys[i] == KEY_ESCAPE)
+            key_escape(viewer);
+        else if (input->keys[i] == 'Q' + KEY_WITH_CONTROL)
+            key_quit(viewer);
 }
 
 void controls_update(struct viewer *viewer, double seconds) {
     if (viewer->host.input->dropped)
         viewer_take_file(viewer, viewer->host.input->dropped);
+    if (viewer->start.dialog.is_open) {
+        run_dialog_keys(viewer);
+        return;
+    }
     /* While a clip is asked for, keys but Esc are the question's. */
     if (viewer->record.is_open)
         escape_request(viewer);

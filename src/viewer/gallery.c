@@ -150,26 +150,23 @@ void gallery_start(struct gallery *gallery, void (*wake)(void)) {
 
 /* --- showing them --- */
 
-/* The texture's row 0 is the lowest. */
-static bool upload(struct gallery_item *item, const struct bitmap *bitmap) {
-    if (!texture_init(&item->texture, &(struct texture_desc){.label = "small picture",
-                                                             .format = GL_RGBA8,
-                                                             .width = bitmap->width,
-                                                             .height = bitmap->height,
-                                                             .filter = FILTER_LINEAR}))
-        return false;
-    for (int y = 0; y < bitmap->height; y++)
-        gl.TextureSubImage2D(item->texture.id, 0, 0, bitmap->height - 1 - y, bitmap->width, 1,
-                             GL_RGBA, GL_UNSIGNED_BYTE,
-                             bitmap->rgba + (size_t)y * (size_t)bitmap->width * 4);
-    return true;
+/* Whether it is of one colour: what a camera sees within a sphere shows nothing. */
+static bool is_even(const struct bitmap *bitmap) {
+    int least = 255, most = 0;
+    for (size_t i = 0; i < 4 * (size_t)bitmap->width * (size_t)bitmap->height; i++) {
+        int value = i % 4 < 3 ? bitmap->rgba[i] : bitmap->rgba[0];
+        least = value < least ? value : least;
+        most = value > most ? value : most;
+    }
+    return most - least < 24;
 }
 
 static bool show(struct gallery_item *item) {
     struct file_bytes bytes;
     struct bitmap bitmap = {0};
     bool ok = file_read(&bytes, item->picture) && bitmap_decode(&bitmap, bytes.data, bytes.size) &&
-              upload(item, &bitmap);
+              (item->is_recent || !is_even(&bitmap)) &&
+              texture_init_bitmap(&item->texture, "small picture", &bitmap);
     free(bytes.data);
     bitmap_free(&bitmap);
     return ok;

@@ -12,7 +12,8 @@ enum { GALLERY_MAX = 40, GALLERY_WIDTH = 192, GALLERY_HEIGHT = 144 };
 struct gallery_item {
     char *path, *picture; /* the scene's file; its picture's, which may not be there yet */
     bool is_recent;
-    atomic_int ready; /* by the thread: the picture is there, or (-1) none can be made */
+    atomic_int
+        ready; /* by the thread: the picture is there, or (-1) none can be made, or is worth it */
     struct texture texture;
     bool has_texture;
 };

@@ -5,14 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool same(const struct session *a, const struct session *b) {
+bool history_same(const struct session *a, const struct session *b) {
     struct setting setting = {0};
     while (settings_next(&a->settings, &setting))
         if (!setting_equal(&setting, &a->settings, &b->settings))
             return false;
     return a->technique == b->technique && a->layer == b->layer && strcmp(a->clip, b->clip) == 0 &&
            a->time == b->time && strcmp(a->camera, b->camera) == 0 &&
-           strcmp(a->lights, b->lights) == 0;
+           strcmp(a->lights, b->lights) == 0 && session_same_sky(a, b);
 }
 
 static void drop(struct history *history, int first, int count) {
@@ -32,7 +32,7 @@ void history_forget(struct history *history) {
 }
 
 void history_note(struct history *history, const struct session *session) {
-    if (history->count > 0 && same(&history->steps[history->now], session))
+    if (history->count > 0 && history_same(&history->steps[history->now], session))
         return;
     if (history->count > 0)
         drop(history, history->now + 1, history->count - history->now - 1);

@@ -12,6 +12,9 @@ struct history {
     int count, now;        /* steps[now] is the present one */
 };
 
+/* Whether nothing was changed from one to the other; the picture's size and views that were kept are no change. */
+bool history_same(const struct session *a, const struct session *b);
+
 /* Of another scene nothing can be taken back. Accepts zeroed ones. */
 void history_forget(struct history *history);
 

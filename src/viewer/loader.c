@@ -33,6 +33,7 @@ void loader_start(struct loader *loader, const char *path,
         return;
     }
     free(loader->path);
+    loader->is_abandoned = false;
     loader->path = mem_strdup(path);
     loader->environment = environment ? *environment : (struct environment_desc){0};
     atomic_store(&loader->state, LOADER_BUSY);
@@ -48,7 +49,10 @@ enum loader_state loader_poll(struct loader *loader, struct document *document) 
         return state;
     pthread_join(loader->thread, NULL);
     atomic_store(&loader->state, LOADER_IDLE);
-    if (state == LOADER_DONE)
+    if (loader->is_abandoned) {
+        document_free(&loader->document);
+        state = LOADER_IDLE;
+    } else if (state == LOADER_DONE)
         *document = loader->document;
     else
         error_set("%s", loader->message);
@@ -60,6 +64,17 @@ enum loader_state loader_poll(struct loader *loader, struct document *document) 
         free(next);
     }
     return state;
+}
+
+void loader_abandon(struct loader *loader) {
+    loader->is_abandoned = true;
+    free(loader->next);
+    loader->next = NULL;
+}
+
+bool loader_is_busy(struct loader *loader) {
+    bool loads = atomic_load(&loader->state) != LOADER_IDLE;
+    return loader->next || (loads && !loader->is_abandoned);
 }
 
 void loader_free(struct loader *loader) {

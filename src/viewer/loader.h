@@ -24,7 +24,8 @@ struct loader {
     atomic_int state; /* enum loader_state */
     char *path;
     struct environment_desc environment;
-    char *next; /* asked for meanwhile */
+    char *next;        /* asked for meanwhile */
+    bool is_abandoned; /* what is being loaded is not wanted any more */
     struct document document;
     char message[512];
 };
@@ -36,6 +37,12 @@ void loader_start(struct loader *loader, const char *path,
 
 /* LOADER_DONE: *document is the caller's. LOADER_FAILED: error_get tells. Both are told once. */
 enum loader_state loader_poll(struct loader *loader, struct document *document);
+
+/* What is being loaded is let go when it is there, and nothing is next. */
+void loader_abandon(struct loader *loader);
+
+/* Whether something that is wanted is being loaded, or is next. */
+bool loader_is_busy(struct loader *loader);
 
 /* Waits for what is being loaded. Accepts a zeroed one. */
 void loader_free(struct loader *loader);

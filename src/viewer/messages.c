@@ -7,7 +7,11 @@
 #include <stdio.h>
 #include <string.h>
 
-static void add(struct messages *messages, enum ui_tone tone, const char *format, va_list args) {
+/* Of notes, errors and results. */
+static const double note_seconds = 8, error_seconds = 24, result_seconds = 60;
+
+static void add(struct messages *messages, enum ui_tone tone, double lasts, const char *format,
+                va_list args) {
     pthread_mutex_lock(&messages->lock);
     if (messages->count == MESSAGES_MAX) {
         messages->count--;
@@ -17,6 +21,7 @@ static void add(struct messages *messages, enum ui_tone tone, const char *format
     struct message *message = &messages->items[messages->count++];
     message->tone = tone;
     message->time = window_time();
+    message->lasts = lasts;
     vsnprintf(message->text, sizeof message->text, format, args);
     pthread_mutex_unlock(&messages->lock);
 }
@@ -39,18 +44,34 @@ void messages_free(struct messages *messages) {
 void messages_add(struct messages *messages, enum ui_tone tone, const char *format, ...) {
     va_list args;
     va_start(args, format);
-    add(messages, tone, format, args);
+    add(messages, tone, tone == UI_ERROR ? error_seconds : note_seconds, format, args);
     va_end(args);
 }
 
+void messages_add_result(struct messages *messages, const char *format, ...) {
+    va_list args;
+    va_start(args, format);
+    add(messages, UI_NORMAL, result_seconds, format, args);
+    va_end(args);
+}
+
+void messages_forget_errors(struct messages *messages) {
+    int kept = 0;
+    pthread_mutex_lock(&messages->lock);
+    for (int i = 0; i < messages->count; i++)
+        if (messages->items[i].tone != UI_ERROR)
+            messages->items[kept++] = messages->items[i];
+    messages->count = kept;
+    pthread_mutex_unlock(&messages->lock);
+}
+
 int messages_recent(struct messages *messages, struct message recent[MESSAGES_SHOWN]) {
-    const double seconds = 8, now = window_time();
+    const double now = window_time();
     int count = 0;
     pthread_mutex_lock(&messages->lock);
     for (int i = 0; i < messages->count; i++) {
         const struct message *message = &messages->items[i];
-        double lasts = message->tone == UI_ERROR ? 3 * seconds : seconds;
-        if (now - message->time > lasts)
+        if (now - message->time > message->lasts)
             continue;
         if (count == MESSAGES_SHOWN) {
             count--;

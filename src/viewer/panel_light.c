@@ -1,6 +1,7 @@
 /* The panel's section of lights: which there are, and all that one of them is. */
 #include "viewer/viewer.h"
 
+#include "scene/environment.h"
 #include "scene/node.h"
 #include "viewer/window/ui.h"
 
@@ -161,7 +162,53 @@ static void draw_light(struct viewer *viewer) {
         viewer_touch_light(viewer);
 }
 
+/* --- the sky --- */
+
+static void draw_sky_file(struct viewer *viewer) {
+    char *path = viewer->panel.sky_path;
+    struct ui_row row = {.name = "sky",
+                         .help = "a panorama, .hdr or .exr, twice as wide as high; it may also be "
+                                 "dropped on the window"};
+    if (!ui_text_field(&row, path, sizeof viewer->panel.sky_path, "path, Enter"))
+        return;
+    if (*path)
+        viewer_open_sky(viewer, path);
+    else if (viewer_can_do_without_sky(viewer))
+        viewer_remove_sky(viewer);
+}
+
+static void draw_sky(struct viewer *viewer) {
+    struct environment *sky = viewer->document.scene.environment;
+    draw_sky_file(viewer);
+    if (!sky)
+        return;
+    bool needed = !viewer_can_do_without_sky(viewer), shines = viewer_sky_shines(viewer);
+    struct ui_row turn = {.name = "turn, \xc2\xb0",
+                          .help = "about the vertical, from +Z towards +X",
+                          .differs = sky->turn != 0},
+                  strength = {.name = "strength",
+                              .help = "a factor of its radiance",
+                              .differs = sky->strength != 1};
+    enum ui_result turned = ui_float(&turn, &sky->turn, -180, 180);
+    if (turned == UI_RESET)
+        sky->turn = 0;
+    enum ui_result changed = ui_float(&strength, &sky->strength, .01F, 100);
+    if (changed == UI_RESET)
+        sky->strength = 1;
+    if (turned || changed)
+        viewer_touch_sky(viewer);
+    ui_disabled_begin(needed);
+    if (ui_flag(&(struct ui_row){.name = "sky shines", .help = "off: the ground is black, too"},
+                &shines))
+        viewer_let_sky_shine(viewer, shines);
+    if (ui_wide_button("Remove the sky", "where another light shines"))
+        viewer_remove_sky(viewer);
+    ui_disabled_end();
+}
+
 void panel_draw_light(struct viewer *viewer) {
+    draw_sky(viewer);
+    ui_space();
     if (viewer_has_light(viewer))
         draw_light(viewer);
     ui_space();

@@ -116,12 +116,18 @@ static void draw_materials(const struct scene *scene, const struct geometry *geo
 
 void panel_draw_scene(struct viewer *viewer) {
     struct ui_row open = {.name = "open",
-                          .help = "a .gltf or .glb file; one may also be dropped on the window"};
+                          .help = "a .gltf or .glb file, a sky, a reference or settings; one may "
+                                  "also be dropped on the window"};
     if (ui_text_field(&open, viewer->panel.scene_path, sizeof viewer->panel.scene_path,
                       "path, Enter"))
-        viewer_open(viewer, viewer->panel.scene_path);
+        viewer_take_file(viewer, viewer->panel.scene_path);
     if (!viewer->has_scene)
         return;
+    if (viewer->kept.was_restored &&
+        ui_wide_button("Afresh",
+                       "it is as you left it; this puts camera, lights and settings back to "
+                       "what its file has"))
+        kept_begin_afresh(viewer);
     const struct scene *scene = &viewer->document.scene;
     int camera = viewer->placed.camera_number;
     struct ui_row row = {.name = "camera",

@@ -7,18 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What went well, or the error. */
-static void tell(struct viewer *viewer, bool ok, const char *path) {
-    if (ok)
-        messages_add(&viewer->host.messages, UI_NORMAL, "saved: %s", path);
-    else
-        viewer_tell_error(viewer);
-}
-
 static void copy_command(struct viewer *viewer, const struct session *session) {
     char *command = session_command(session);
     window_set_clipboard(viewer->host.window, command);
-    messages_add(&viewer->host.messages, UI_NORMAL, "%s", command);
+    messages_add_result(&viewer->host.messages, "Copied: %s", command);
     free(command);
 }
 
@@ -26,7 +18,7 @@ static void copy_command(struct viewer *viewer, const struct session *session) {
 static void save_command(struct viewer *viewer, const struct session *session) {
     char *command = session_command(session), *text = mem_printf("#!/bin/sh\n%s\n", command);
     char *path = mem_printf("%s.sh", viewer->panel.session_path);
-    tell(viewer, output_file_write(path, text, strlen(text)), path);
+    viewer_tell_saved(viewer, output_file_write(path, text, strlen(text)), path);
     free(path);
     free(text);
     free(command);
@@ -38,7 +30,7 @@ static void save_times(struct viewer *viewer) {
     char *path = mem_printf("%s.csv", viewer->panel.session_path);
     output_text_init(&text);
     pace_print_csv(&viewer->shown.pace, text.stream);
-    tell(viewer, output_text_end(&text, path), path);
+    viewer_tell_saved(viewer, output_text_end(&text, path), path);
     free(path);
 }
 
@@ -47,8 +39,8 @@ void panel_draw_session(struct viewer *viewer) {
     const char *path = viewer->panel.session_path;
     ui_text_field(&row, viewer->panel.session_path, sizeof viewer->panel.session_path, "path");
     struct session session = viewer_session(viewer);
-    if (ui_button("Save", "settings, camera and lights, for Load and --settings"))
-        tell(viewer, session_save(&session, path), path);
+    if (ui_button("Save", "settings, camera and lights, for Load and --settings; Ctrl S"))
+        viewer_save_session(viewer);
     ui_same_line();
     if (ui_button("Load", NULL))
         viewer_load_session(viewer, path);

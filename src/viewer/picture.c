@@ -13,6 +13,9 @@
 /* A moving picture on a slow machine: what a frame may take. */
 static const double moving_ms = 60;
 
+/* A first picture on software OpenGL. */
+static const double first_pixels = 40000;
+
 const char busy_compiling[] = "compiling shaders \xe2\x80\xa6";
 
 /* What takes longer is announced. */
@@ -108,6 +111,11 @@ static void follow_wishes_from_start(struct viewer *viewer) {
         geometry_pose(&document->geometry, &document->scene, viewer->placed.posed_time);
 }
 
+static void scale_to(double scale, int *width, int *height) {
+    *width = (int)fmax(lround(*width * scale), 16);
+    *height = (int)fmax(lround(*height * scale), 16);
+}
+
 /* Lower while things move and the machine is slow. */
 static void choose_size(struct viewer *viewer, int *width, int *height) {
     struct shown *shown = &viewer->shown;
@@ -116,8 +124,10 @@ static void choose_size(struct viewer *viewer, int *width, int *height) {
     shown->coarse = false;
     if (viewer_is_scripted(viewer))
         return;
-    if (pace->frame_count == 0) /* the first picture is to come soon */
-        shown->coarse = gl.software;
+    if (pace->frame_count == 0 && gl.software) { /* the first picture is to come soon */
+        shown->coarse = true;
+        scale_to(fmin(sqrt(first_pixels / ((double)*width * *height)), 1), width, height);
+    }
     /* A budget first takes what settings can give. */
     bool has_budget = viewer->wish.budget > 0;
     if (pace->frame_count == 0 || !shown->moving || (has_budget && shown->budget.level > 0))
@@ -125,8 +135,7 @@ static void choose_size(struct viewer *viewer, int *width, int *height) {
     double scale = pace_scale(pace, (double)*width * *height,
                               has_budget ? (double)viewer->wish.budget : moving_ms);
     shown->coarse = scale < 1;
-    *width = (int)lround(*width * scale);
-    *height = (int)lround(*height * scale);
+    scale_to(scale, width, height);
 }
 
 /* What is about to take so long that one would wonder; NULL = nothing. */
@@ -138,7 +147,9 @@ static const char *what_takes_long(const struct viewer *viewer, double pixels) {
     if (viewer_is_scripted(viewer) || viewer->recorder.on || viewer->wish.budget > 0)
         return NULL;
     bool makes = makes_technique(viewer) || direct != shown->renderer.desc.direct;
-    if (pace->frame_count == 0 || (makes && !shown->awaits))
+    if (pace->frame_count == 0)
+        return "the first picture \xe2\x80\xa6";
+    if (makes && !shown->awaits)
         return busy_compiling;
     if (shown->moving || viewer->wish.play.on)
         return NULL;
@@ -334,11 +345,13 @@ static void compose(struct viewer *viewer) {
     }
 }
 
-/* Scene, camera, time and lights as text. */
+/* Scene, camera, time, lights and sky as text. */
 static char *view_text(const struct viewer *viewer) {
     struct session session = viewer_session(viewer);
-    char *text = mem_printf("%s|%s|%.9g|%s|%s", session.scene, session.clip, (double)session.time,
-                            session.camera, session.lights);
+    char *text = mem_printf("%s|%s|%.9g|%s|%s|%s|%.9g|%.9g", session.scene, session.clip,
+                            (double)session.time, session.camera, session.lights,
+                            session.sky ? session.sky : "", (double)session.sky_turn,
+                            (double)session.sky_strength);
     session_free(&session);
     return text;
 }

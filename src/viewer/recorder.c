@@ -127,8 +127,8 @@ void recorder_tell(const struct viewer *viewer, char *text, size_t size) {
 static void tell_written(struct viewer *viewer) {
     const struct recorder *recorder = &viewer->recorder;
     char *path = realpath(recorder->name, NULL);
-    messages_add(&viewer->host.messages, UI_NORMAL, "written: %s, %d frames",
-                 path ? path : recorder->name, recorder->frame);
+    messages_add_result(&viewer->host.messages, "written: %s, %d frames",
+                        path ? path : recorder->name, recorder->frame);
     free(path);
 }
 

@@ -1,11 +1,11 @@
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700
 #include "viewer/session.h"
 
 #include "base/error.h"
 #include "base/file/output_file.h"
 #include "base/memory.h"
+#include "base/shell.h"
 #include "renderer/renderer.h"
-#include "scene/environment.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -20,15 +20,25 @@ static const struct option session_table[] = {
     {NULL},
 };
 
+/* Of its sky, where it has one. */
+static const struct option sky_table[] = {
+    {"environment-turn", 0, OPTION_FLOAT, offsetof(struct session, sky_turn), 0, -360, 360,
+     .help = NULL},
+    {"environment-strength", 0, OPTION_FLOAT, offsetof(struct session, sky_strength), 1, 1e-9, 1e9,
+     .help = NULL},
+    {NULL},
+};
+
 void session_free(struct session *session) {
     free(session->lights);
-    session->lights = NULL;
+    free(session->sky);
+    session->lights = session->sky = NULL;
 }
 
 struct session session_copy(const struct session *session) {
     struct session copy = *session;
     copy.scene = NULL;
-    copy.environment = NULL;
+    copy.sky = session->sky ? mem_strdup(session->sky) : NULL;
     copy.lights = mem_strdup(session->lights);
     return copy;
 }
@@ -37,10 +47,22 @@ int session_bounces(const struct session *session) {
     return (int)settings_number(&session->settings, "lights.bounces");
 }
 
+bool session_same_sky(const struct session *a, const struct session *b) {
+    return a->sky_turn == b->sky_turn && a->sky_strength == b->sky_strength && !a->sky == !b->sky &&
+           (!a->sky || strcmp(a->sky, b->sky) == 0);
+}
+
+void session_set_sky(struct session *session, const struct environment *sky) {
+    session->sky = sky ? mem_strdup(sky->path) : NULL;
+    session->sky_turn = sky ? sky->turn : 0;
+    session->sky_strength = sky ? sky->strength : 1;
+}
+
 bool session_same_view(const struct session *a, const struct session *b) {
     return strcmp(a->clip, b->clip) == 0 && a->time == b->time &&
            session_bounces(a) == session_bounces(b) &&
-           strcmp(a->camera, b->camera) == 0 && strcmp(a->lights, b->lights) == 0;
+           strcmp(a->camera, b->camera) == 0 && strcmp(a->lights, b->lights) == 0 &&
+           session_same_sky(a, b);
 }
 
 /* Steps through the settings that are not at their defaults. */
@@ -62,44 +84,30 @@ static void append(char **text, char *more) {
     *text = longer;
 }
 
-/* In single quotes where a shell would take it apart; a single quote closes, escapes and opens. */
-static char *quote(const char *word) {
-    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                                "_-+=./,:@%";
-    if (*word && word[strspn(word, plain)] == '\0')
-        return mem_strdup(word);
-    char *quoted = mem_strdup("'");
-    for (const char *c = word; *c; c++)
-        append(&quoted, *c == '\'' ? mem_strdup("'\\''") : mem_printf("%c", *c));
-    append(&quoted, mem_strdup("'"));
-    return quoted;
-}
-
 static void append_quoted(char **text, const char *option, const char *word) {
-    char *quoted = quote(word);
+    char *quoted = shell_quote(word);
     append(text, mem_printf(" %s%s%s", option, *option ? " " : "", quoted));
     free(quoted);
 }
 
-static void append_environment(char **text, const struct environment *environment) {
-    append_quoted(text, "--environment", environment->path);
-    if (environment->turn != 0)
-        append(text, mem_printf(" --environment-turn %.9g", (double)environment->turn));
-    if (environment->strength != 1)
-        append(text, mem_printf(" --environment-strength %.9g", (double)environment->strength));
+/* Those that are not at their defaults. */
+static void append_options(char **text, const struct option *table, const struct session *session) {
+    struct session usual = *session;
+    char value[64];
+    options_set_defaults(table, &usual);
+    for (const struct option *option = table; option->name; option++)
+        if (!option_equal(option, session, &usual)) {
+            option_format(option, session, value, sizeof value);
+            append(text, mem_printf(" --%s %s", option->name, value));
+        }
 }
 
 char *session_command(const struct session *session) {
-    char *text = mem_strdup("manylight render"), value[64];
+    char *program = shell_own_program(), *text = mem_printf("%s render", program), value[64];
+    free(program);
     append_quoted(&text, "", session->scene);
     append(&text, mem_printf(" --size %dx%d", session->width, session->height));
-    struct session usual = *session;
-    options_set_defaults(session_table, &usual);
-    for (const struct option *option = session_table; option->name; option++)
-        if (!option_equal(option, session, &usual)) {
-            option_format(option, session, value, sizeof value);
-            append(&text, mem_printf(" --%s %s", option->name, value));
-        }
+    append_options(&text, session_table, session);
     if (session->technique != technique_default)
         append(&text, mem_printf(" --technique %s", session->technique->name));
     if (session->direct)
@@ -114,8 +122,10 @@ char *session_command(const struct session *session) {
     append_quoted(&text, "--light", session->lights);
     if (*session->clip)
         append_quoted(&text, "--clip", session->clip);
-    if (session->environment)
-        append_environment(&text, session->environment);
+    if (session->sky) {
+        append_quoted(&text, "--environment", session->sky);
+        append_options(&text, sky_table, session);
+    }
     append(&text, mem_strdup(" -o picture.png"));
     return text;
 }
@@ -147,10 +157,15 @@ bool session_save(const struct session *session, const char *path) {
             *session->clip ? session->clip : "all");
     if (session->direct)
         fprintf(text.stream, "direct = %s\n", session->direct->name);
+    char *sky = session->sky ? realpath(session->sky, NULL) : NULL;
+    fprintf(text.stream, "environment = %s\n", sky ? sky : session->sky ? session->sky : "none");
+    free(sky);
     for (int i = 0; i < SESSION_VIEWS; i++)
         if (*session->views[i])
             fprintf(text.stream, "view%d = %s\n", i + 1, session->views[i]);
     for (const struct option *option = session_table; option->name; option++)
+        write_value(text.stream, option, session);
+    for (const struct option *option = sky_table; session->sky && option->name; option++)
         write_value(text.stream, option, session);
     for (struct setting setting = {0}; next_changed(&session->settings, &setting);)
         write_setting(text.stream, &setting, &session->settings);
@@ -164,7 +179,14 @@ static int view_of(const char *key) {
     return is_view ? key[4] - '1' : -1;
 }
 
-static bool read_line(struct session *session, char *line) {
+static bool read_sky(struct session *session, const char *value) {
+    free(session->sky);
+    session->sky = strcmp(value, "none") == 0 ? NULL : mem_strdup(value);
+    return true;
+}
+
+/* sky: whether the file says of one. */
+static bool read_line(struct session *session, char *line, bool *sky) {
     char *equals = strstr(line, " = ");
     line[strcspn(line, "\r\n")] = '\0';
     if (line[0] == '#' || line[0] == '\0')
@@ -174,11 +196,14 @@ static bool read_line(struct session *session, char *line) {
     *equals = '\0';
     const char *value = equals + 3;
     const struct option *option = option_find(session_table, line);
+    option = option ? option : option_find(sky_table, line);
     if (option)
         return option_parse(option, session, value);
     int view = view_of(line);
     if (view >= 0)
         return snprintf(session->views[view], sizeof session->views[view], "%s", value) > 0;
+    if (strcmp(line, "environment") == 0)
+        return *sky = read_sky(session, value);
     if (strcmp(line, "camera") == 0)
         return snprintf(session->camera, sizeof session->camera, "%s", value) > 0;
     if (strcmp(line, "clip") == 0)
@@ -207,21 +232,26 @@ bool session_load(struct session *session, const char *path) {
     FILE *file = fopen(path, "r");
     if (!file)
         return error_set("cannot read %s: %s", path, strerror(errno));
-    struct session read = *session;
-    read.lights = mem_strdup(session->lights);
+    struct session read = session_copy(session);
+    read.scene = session->scene;
     memset(read.views, 0, sizeof read.views);
     memset(read.clip, 0, sizeof read.clip);
     options_set_defaults(session_table, &read);
+    options_set_defaults(sky_table, &read);
     read.technique = technique_default;
     read.direct = NULL;
     renderer_settings_init(&read.settings);
     char *line = NULL;
     size_t room = 0;
-    bool ok = true;
+    bool ok = true, has_sky = false;
     for (int number = 1; ok && getline(&line, &room, file) >= 0; number++)
-        ok = read_line(&read, line) || error_prefix("%s:%d", path, number);
+        ok = read_line(&read, line, &has_sky) || error_prefix("%s:%d", path, number);
     free(line);
     fclose(file);
+    if (!has_sky) { /* the scene's stays as it is */
+        read.sky_turn = session->sky_turn;
+        read.sky_strength = session->sky_strength;
+    }
     session_free(ok ? session : &read);
     if (ok)
         *session = read;

@@ -5,6 +5,7 @@
 
 #include "renderer/settings.h"
 #include "scene/clips.h"
+#include "scene/environment.h"
 #include "scene/placing.h"
 
 #include <stdbool.h>
@@ -12,8 +13,9 @@
 enum { SESSION_VIEWS = 9 };
 
 struct session {
-    const char *scene;                     /* path */
-    const struct environment *environment; /* the scene's */
+    const char *scene;            /* path */
+    char *sky;                    /* path of the environment; NULL = none */
+    float sky_turn, sky_strength; /* as struct environment has them; 0 and 1 without one */
     int width, height;
     const struct technique *technique;
     const struct direct_method *direct; /* NULL: by the lights' sizes */
@@ -27,6 +29,9 @@ struct session {
     char *lights;
 };
 
+/* Without a sky before. */
+void session_set_sky(struct session *session, const struct environment *sky);
+
 /* A copy without what belongs to the scene, which may be gone when it is looked at. */
 struct session session_copy(const struct session *session);
 void session_free(struct session *session);
@@ -34,14 +39,16 @@ void session_free(struct session *session);
 /* How often light is reflected. */
 int session_bounces(const struct session *session);
 
-/* Whether both have one reference but for its size: place, light, time and bounces. */
+bool session_same_sky(const struct session *a, const struct session *b);
+
+/* Whether both have one reference but for its size: place, light, time, bounces and sky. */
 bool session_same_view(const struct session *a, const struct session *b);
 
 /* "manylight render SCENE --size ... -o picture.png", quoted for a shell; to be freed. Settings at
  * their defaults are left out. */
 char *session_command(const struct session *session);
 
-/* One "key = value" a line: technique, direct light's method, passes, layer, clip, time, camera, views, lights and the settings that are
+/* One "key = value" a line: technique, direct light's method, passes, layer, clip, time, camera, views, lights, sky and the settings that are
  * not at their defaults. */
 bool session_save(const struct session *session, const char *path);
 

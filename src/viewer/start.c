@@ -29,14 +29,14 @@ static void title_of(const char *path, char *title, size_t size) {
 
 /* As many in a row as there is room for. */
 static void draw_items(struct viewer *viewer, const char *heading, bool recent, float room) {
-    const struct gallery *gallery = &viewer->start.gallery;
+    struct gallery *gallery = &viewer->start.gallery;
     float line = ui_line_height(), gap = .6F * line;
     int columns = (int)((room + gap) / (10 * line + gap)), shown = 0;
     columns = columns < 1 ? 1 : columns;
     for (int i = 0; i < gallery->count; i++) {
-        const struct gallery_item *item = &gallery->items[i];
+        struct gallery_item *item = &gallery->items[i];
         char title[64];
-        if (item->is_recent != recent)
+        if (item->is_recent != recent || (!recent && atomic_load(&item->ready) < 0))
             continue;
         if (shown == 0)
             ui_heading(heading);
@@ -68,19 +68,25 @@ static void draw_start(struct viewer *viewer) {
 }
 
 static void draw_reading(struct viewer *viewer) {
-    float x = (float)viewer->shown.area.width / 2, y = (float)viewer->shown.area.height / 2;
+    const struct rectangle *area = &viewer->shown.area;
+    bool over_picture = viewer->has_scene || preview_picture(&viewer->preview);
+    float x = (float)area->width / 2, y = (float)area->height / 2;
+    char text[600];
+    viewer_tell_opening(viewer, text, sizeof text);
+    if (over_picture)
+        y = 5.5F * ui_line_height(); /* messages are below, times in the corner */
     ui_area_begin("reading", UI_DIALOG, x, y, 0, 0);
-    if (viewer->is_arriving)
-        ui_text(UI_DIM, "compiling shaders of %s ...", viewer->arriving.scene.path);
-    else
-        ui_text(UI_DIM, "reading %s ...", viewer->loader.path);
+    ui_text(UI_DIM, "%s\nEsc stops.", text);
     ui_area_end();
 }
 
 /* --- the list of files --- */
 
+/* Beside the scene that is open, or the one that was asked for last. */
 void viewer_ask_file(struct viewer *viewer) {
-    file_dialog_open(&viewer->start.dialog);
+    viewer->hand.drags_picture = false;
+    file_dialog_open(&viewer->start.dialog,
+                     viewer->has_scene ? viewer->document.scene.path : viewer->loader.path);
 }
 
 static void take(struct viewer *viewer, char *path) {
@@ -89,23 +95,73 @@ static void take(struct viewer *viewer, char *path) {
     free(path);
 }
 
+/* The file that Enter gives; NULL = none. */
+static char *draw_search(struct file_dialog *dialog) {
+    enum { PAGE = 12 };
+    switch (ui_search_field("##typed", dialog->typed, sizeof dialog->typed, "name or path")) {
+    case UI_SEARCH_EDITED:
+        file_dialog_search(dialog);
+        break;
+    case UI_SEARCH_ENTERED:
+        return file_dialog_accept(dialog);
+    case UI_SEARCH_BACK:
+        file_dialog_leave(dialog);
+        break;
+    case UI_SEARCH_UP:
+        file_dialog_move(dialog, -1);
+        break;
+    case UI_SEARCH_DOWN:
+        file_dialog_move(dialog, 1);
+        break;
+    case UI_SEARCH_PAGE_UP:
+        file_dialog_move(dialog, -PAGE);
+        break;
+    case UI_SEARCH_PAGE_DOWN:
+        file_dialog_move(dialog, PAGE);
+        break;
+    case UI_SEARCH_NOTHING:
+        break;
+    }
+    return NULL;
+}
+
+/* The name that was clicked; -1 = none. */
+static int draw_names(struct file_dialog *dialog) {
+    int clicked = -1;
+    ui_list_begin("names");
+    for (int i = 0; i < dialog->count; i++)
+        if (ui_entry(dialog->names[i], i == dialog->chosen, dialog->seeks))
+            clicked = i;
+    dialog->seeks = false;
+    ui_list_end();
+    return clicked;
+}
+
 static void draw_dialog(struct viewer *viewer) {
     struct file_dialog *dialog = &viewer->start.dialog;
     const struct input *input = viewer->host.input;
-    int clicked = -1;
+    ui_veil((float)input->width, (float)input->height);
     ui_page_begin("files", (float)input->width, (float)input->height, 42, 32);
     ui_text(UI_TITLE, "Open");
     ui_text(UI_DIM, "%s", dialog->folder);
     bool closes = ui_button("Cancel", "Esc");
-    ui_separator();
-    for (int i = 0; i < dialog->count; i++)
-        if (ui_line(dialog->names[i]))
-            clicked = i;
+    ui_same_line();
+    bool leaves = ui_button("Up", "the folder above; Backspace");
+    ui_same_line();
+    bool goes_home = ui_button("Home", "your own folder; or type ~ and Enter");
+    char *file = draw_search(dialog);
+    if (*dialog->problem)
+        ui_text(UI_ERROR, "%s", dialog->problem);
+    int clicked = file ? -1 : draw_names(dialog);
     ui_area_end();
     if (closes)
         file_dialog_close(dialog);
-    else if (clicked >= 0)
-        take(viewer, file_dialog_choose(dialog, clicked));
+    else if (leaves)
+        file_dialog_leave(dialog);
+    else if (goes_home)
+        file_dialog_enter(dialog, "~");
+    else
+        take(viewer, clicked >= 0 ? file_dialog_choose(dialog, clicked) : file);
 }
 
 /* --- both --- */
@@ -113,7 +169,7 @@ static void draw_dialog(struct viewer *viewer) {
 void start_draw(struct viewer *viewer) {
     struct start *start = &viewer->start;
     bool reads = viewer_is_opening(viewer);
-    if (!viewer->has_scene && !reads && !viewer->desc.scene)
+    if (!viewer->has_scene && !reads && !viewer_is_scripted(viewer))
         draw_start(viewer);
     if (viewer->has_scene && start->has_gallery) {
         gallery_free(&start->gallery);

@@ -105,7 +105,6 @@ static void *run(void *context) {
 
 static void tell_view(struct truth *truth, const struct truth_view *view) {
     const struct session *session = view->session;
-    const struct environment *environment = session->environment;
     *truth = (struct truth){
         .scene = mem_strdup(session->scene),
         .camera = mem_strdup(session->camera),
@@ -118,10 +117,10 @@ static void tell_view(struct truth *truth, const struct truth_view *view) {
         .wake = view->wake,
     };
     memcpy(truth->clip, session->clip, sizeof truth->clip);
-    if (environment) {
-        truth->environment = mem_strdup(environment->path);
-        truth->turn = environment->turn;
-        truth->strength = environment->strength;
+    if (session->sky) {
+        truth->environment = mem_strdup(session->sky);
+        truth->turn = session->sky_turn;
+        truth->strength = session->sky_strength;
     }
 }
 

@@ -6,6 +6,7 @@
 #include "gl/glsl.h"
 #include "viewer/window/ui.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,6 +15,12 @@ static const double rest_after = .25;
 
 /* How long widgets are drawn anew after the last thing that happened, seconds. */
 static const double awake_for = 1.5;
+
+/* How often a caret is drawn, which blinks in 1.2 s, seconds. */
+static const double caret_period = .4;
+
+/* How often what is opened tells how far it is, seconds. */
+static const double opening_period = .25;
 
 enum { PANEL_WIDTH = 340 }; /* pixels of a monitor of scale 1 */
 
@@ -42,14 +49,17 @@ static void make_room_for_timeline(struct viewer *viewer) {
 static void tell_start(struct viewer *viewer) {
     if (!viewer->window_shown)
         log_detail("the window is there after %.2f s", window_time());
+    if (!viewer->coarse_shown && viewer->preview.has_texture)
+        log_detail("a coarse picture is there after %.2f s", window_time());
     if (!viewer->picture_shown && viewer->shown.frame_count > 0)
         log_detail("the first picture is there after %.2f s", window_time());
     viewer->window_shown = true;
+    viewer->coarse_shown |= viewer->preview.has_texture;
     viewer->picture_shown = viewer->shown.frame_count > 0;
 }
 
 /* Whether all that was asked for is shown; what goes on by itself has no end to wait for. */
-static bool is_settled(const struct viewer *viewer) {
+static bool is_settled(struct viewer *viewer) {
     const struct shown *shown = &viewer->shown;
     if (viewer->wish.play.on || viewer->recorder.on || viewer_is_charting(viewer))
         return true;
@@ -79,15 +89,38 @@ static void write_places(struct viewer *viewer) {
     panel->places = places;
 }
 
+/* As large as the area has room for. */
+static struct rectangle fit(const struct texture *picture, const struct rectangle *area) {
+    double across = (double)area->width / picture->desc.width;
+    double scale = fmin(across, (double)area->height / picture->desc.height);
+    int width = (int)(scale * picture->desc.width), height = (int)(scale * picture->desc.height);
+    return (struct rectangle){area->x + (area->width - width) / 2,
+                              area->y + (area->height - height) / 2, width, height};
+}
+
+/* The coarse picture of a scene that arrives stands in for its first one. */
+static const struct texture *coarse_picture(struct viewer *viewer) {
+    if (viewer->is_arriving || !viewer->shown.left)
+        return preview_picture(&viewer->preview);
+    preview_free(&viewer->preview);
+    return NULL;
+}
+
 static void draw(struct viewer *viewer) {
     static const struct texture nothing = {0};
     const struct input *input = viewer->host.input;
     struct screen_pictures pictures = {.left = &nothing};
-    if (viewer->shown.left)
+    struct rectangle place = viewer->shown.picture;
+    const struct texture *coarse = coarse_picture(viewer);
+    if (coarse) {
+        pictures.left = coarse;
+        place = fit(coarse, &viewer->shown.area);
+    } else if (viewer->shown.left)
         pictures = viewer_pictures(viewer);
-    screen_draw(&viewer->host.screen, input->height, &viewer->shown.picture, &pictures);
+    screen_draw(&viewer->host.screen, input->height, &place, &pictures);
     ui_frame_end();
     window_swap(viewer->host.window);
+    viewer->host.last_drawn = window_time();
     write_places(viewer);
     tell_start(viewer);
 }
@@ -98,6 +131,11 @@ static bool is_busy(const struct viewer *viewer) {
            viewer_is_scripted(viewer) || viewer_is_refining(viewer) || viewer_is_charting(viewer);
 }
 
+/* Seconds are told while a scene is opened. */
+static bool is_due(struct viewer *viewer) {
+    return viewer_is_opening(viewer) && window_time() - viewer->host.last_drawn >= opening_period;
+}
+
 /* What changes without the user: the loader, what threads have made, and messages, which come from
  * other threads and go with time. */
 static bool has_news(struct viewer *viewer) {
@@ -105,11 +143,13 @@ static bool has_news(struct viewer *viewer) {
     struct message recent[MESSAGES_SHOWN];
     int count = messages_recent(&host->messages, recent);
     double newest = count > 0 ? recent[count - 1].time : 0;
-    bool news = atomic_load(&viewer->loader.state) != LOADER_IDLE || count != host->message_count ||
-                newest != host->newest_message || compiling_has_news(&viewer->compiling) ||
-                truth_has_news(&viewer->tracing.truth) ||
-                measuring_has_news(&viewer->shown.compare.measuring) ||
-                start_has_news(&viewer->start);
+    int loader = atomic_load(&viewer->loader.state);
+    bool news =
+        loader == LOADER_DONE || loader == LOADER_FAILED || count != host->message_count ||
+        preview_has_news(&viewer->preview) ||
+        (viewer->is_arriving && viewer->opening.is_announced) || newest != host->newest_message ||
+        compiling_has_news(&viewer->compiling) || truth_has_news(&viewer->tracing.truth) ||
+        measuring_has_news(&viewer->shown.compare.measuring) || start_has_news(&viewer->start);
     host->message_count = count;
     host->newest_message = newest;
     return news;
@@ -126,7 +166,8 @@ static bool is_awake(struct viewer *viewer) {
     host->height = input->height;
     if (input->any || input->close || resized || is_busy(viewer) || has_news(viewer))
         host->awake_until = now + awake_for;
-    return now < host->awake_until || ui_wants_keys();
+    return now < host->awake_until || (ui_wants_keys() && now - host->last_drawn >= caret_period) ||
+           is_due(viewer);
 }
 
 static double waiting_time(const struct viewer *viewer) {
@@ -135,8 +176,10 @@ static double waiting_time(const struct viewer *viewer) {
         return .5; /* minimised */
     if (is_busy(viewer))
         return 0;
-    bool awake = window_time() < host->awake_until || ui_wants_keys();
-    return awake ? .05 : .25;
+    double now = window_time(), caret = host->last_drawn + caret_period - now;
+    if (now < host->awake_until)
+        return .05;
+    return ui_wants_keys() && caret < .25 ? fmax(caret, .01) : .25;
 }
 
 static void update(struct viewer *viewer) {
@@ -148,6 +191,7 @@ static void update(struct viewer *viewer) {
         panel_draw(viewer);
     if (!viewer->has_scene)
         return;
+    viewer_follow_sky(viewer);
     recorder_pose(viewer);
     viewer_animate(viewer, seconds);
     viewer->shown.moving =
@@ -225,7 +269,10 @@ static bool open_window(struct viewer *viewer) {
 static void close_window(struct viewer *viewer) {
     viewer_forget_truth(viewer);
     gallery_free(&viewer->start.gallery);
+    preview_free(&viewer->preview);
     compiling_free(&viewer->compiling);
+    document_free(&viewer->leaving);
+    environment_free(viewer->arriving_sky);
     document_free(&viewer->arriving);
     if (viewer->has_scene) {
         renderer_free(&viewer->shown.renderer);
@@ -276,7 +323,11 @@ bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc) {
     return false;
 }
 
+/* The window goes first: threads and the driver may take seconds to end. */
 void viewer_end(struct viewer *viewer) {
+    window_hide(viewer->host.window);
+    kept_save(viewer);
+    kept_free(viewer);
     loader_free(&viewer->loader);
     recorder_stop(viewer);
     close_window(viewer);

@@ -23,6 +23,7 @@
 #include "viewer/messages.h"
 #include "viewer/orbit.h"
 #include "viewer/pace.h"
+#include "viewer/preview.h"
 #include "viewer/recent.h"
 #include "viewer/recorder.h"
 #include "viewer/session.h"
@@ -67,7 +68,8 @@ struct host {
     int message_count; /* that are shown */
     double newest_message;
     double awake_until; /* then nothing is drawn until something happens */
-    int width, height;  /* of the window then */
+    double last_drawn;
+    int width, height; /* of the window then */
     struct screen screen;
 };
 
@@ -134,8 +136,8 @@ struct hand {
 struct panel {
     bool is_open, help;
     enum overlay_kind { OVERLAY_LINE, OVERLAY_TABLE, OVERLAY_NONE, OVERLAY_KINDS } overlay;
-    char scene_path[512], reference_path[512],
-        session_path[512];             /* typed, or where they came from */
+    char scene_path[512], reference_path[512], session_path[512],
+        sky_path[512];                 /* typed, or where they came from */
     char filter[32];                   /* of the settings under Advanced */
     bool was_comparing;                /* when it was drawn last */
     bool shows_chart;                  /* it was asked for, and comes into view when it is drawn */
@@ -158,8 +160,15 @@ struct viewer {
     struct loader loader;
     struct document arriving; /* read, and waits for its shaders, where is_arriving */
     bool is_arriving;
+    struct document leaving; /* not wanted any more, but its shaders are still being compiled */
+    struct opening {
+        double since;      /* when the scene was asked for */
+        bool is_announced; /* that its renderer is made next */
+    } opening;
+    struct preview preview; /* of what arrives */
     struct compiling compiling;
-    struct document document; /* where has_scene */
+    struct environment *arriving_sky; /* waits for its shaders; NULL = none */
+    struct document document;         /* where has_scene */
     bool has_scene;
     struct wish wish;
     struct placed {
@@ -181,14 +190,19 @@ struct viewer {
     struct history history;
     struct tracing tracing;
     struct start start;
+    struct kept {
+        bool on;              /* nobody has said how the scene is to look */
+        bool was_restored;    /* it is as it was left */
+        struct session fresh; /* as its file has it, where on */
+    } kept;
     struct exposing {
         float usual;     /* EV: where the scene began */
         bool waits;      /* for its first frame */
         int after_frame; /* shown.frame_count before that */
     } exposing;
-    bool window_shown, picture_shown; /* once */
-    int timeline_room;                /* pixels that the window has grown by for it */
-    bool done;                        /* close the window */
+    bool window_shown, coarse_shown, picture_shown; /* once */
+    int timeline_room;                              /* pixels that the window has grown by for it */
+    bool done;                                      /* close the window */
 };
 
 /* Runs until the window is closed, or until desc->frames. Error: no window, or, where frames are
@@ -212,7 +226,7 @@ bool viewer_is_scripted(const struct viewer *viewer);
 /* Marks the picture as moving: it is rendered at once, and as small as it must be. */
 void viewer_touch(struct viewer *viewer);
 
-/* Shows the present error. */
+/* Shows the present error, and prints it. */
 void viewer_tell_error(struct viewer *viewer);
 
 /* --- viewer/budget.c --- */
@@ -304,7 +318,7 @@ void viewer_add_light(struct viewer *viewer, enum emitter_type type);
 bool viewer_can_remove_light(const struct viewer *viewer);
 void viewer_remove_light(struct viewer *viewer);
 
-/* --- viewer/scenes.c --- */
+/* --- viewer/opening.c, viewer/scenes.c --- */
 
 void viewer_open(struct viewer *viewer, const char *path);
 
@@ -312,12 +326,26 @@ void viewer_open(struct viewer *viewer, const char *path);
  * before stays. */
 bool viewer_poll_loader(struct viewer *viewer);
 
-/* Whether one is being read, or has been and is not shown yet. */
-bool viewer_is_opening(const struct viewer *viewer);
+/* Whether one is being read, or has been and is not shown yet, or a sky. */
+bool viewer_is_opening(struct viewer *viewer);
+
+/* Lets go what is being opened; what was there before stays. */
+void viewer_stop_opening(struct viewer *viewer);
+
+/* What is done of that now, for how long, in words. */
+void viewer_tell_opening(struct viewer *viewer, char *text, size_t size);
 
 /* Places the scene's n-th camera, or one by its text. Error: it is not understood. */
 void viewer_pick_camera(struct viewer *viewer, int n);
 bool viewer_place_camera(struct viewer *viewer, const char *text);
+
+/* Lights by a text. What it moves stays there. Error: it is not understood. */
+bool viewer_place_lights(struct viewer *viewer, const char *text);
+
+/* What a renderer of the document begins with, without camera and lights; and one of the scene as it is placed. */
+struct renderer_desc viewer_first_desc(const struct viewer *viewer,
+                                       const struct document *document);
+bool viewer_init_renderer(struct viewer *viewer, struct renderer *renderer);
 
 /* Begins the clips of that text (scene/clips.h). */
 void viewer_pick_clips(struct viewer *viewer, const char *text);
@@ -331,6 +359,35 @@ bool viewer_load_session(struct viewer *viewer, const char *path);
 
 /* Shows a session as it was: of the same scene. Error: a camera or a light is not understood. */
 bool viewer_show_session(struct viewer *viewer, const struct session *session);
+
+/* --- viewer/sky.c: the environment of the scene that is open --- */
+
+/* Reads a sky, which takes the place of the one before when its shaders have been compiled. Error: shown, too; the
+ * one before stays. */
+bool viewer_open_sky(struct viewer *viewer, const char *path);
+
+/* Takes the sky whose shaders have come. */
+void viewer_follow_sky(struct viewer *viewer);
+
+/* Lets a sky go that waits for its shaders. */
+void viewer_forget_sky(struct viewer *viewer);
+
+/* What of a sky the panel's rows tell. */
+void viewer_tell_sky(struct viewer *viewer);
+
+/* It was turned, or its strength was changed, in place. */
+void viewer_touch_sky(struct viewer *viewer);
+
+/* Whether it shines; and whether anything else does, so that it need not. */
+bool viewer_sky_shines(const struct viewer *viewer);
+bool viewer_can_do_without_sky(const struct viewer *viewer);
+void viewer_let_sky_shine(struct viewer *viewer, bool shines);
+
+/* Asserts viewer_can_do_without_sky. */
+void viewer_remove_sky(struct viewer *viewer);
+
+/* The sky of a session, at once, with its lights. Error: of the file, or of the lights. */
+bool viewer_show_sky(struct viewer *viewer, const struct session *session);
 
 /* --- viewer/undo.c --- */
 
@@ -347,9 +404,25 @@ void viewer_undo(struct viewer *viewer, int by);
 void viewer_begin_exposure(struct viewer *viewer);
 void viewer_follow_exposure(struct viewer *viewer);
 
+/* It stays as it is, and is the one that the scene began with. */
+void viewer_keep_exposure(struct viewer *viewer);
+
 /* Stops up or down; and back to where the scene began. */
 void viewer_expose(struct viewer *viewer, float by);
 void viewer_reset_exposure(struct viewer *viewer);
+
+/* --- viewer/kept.c --- */
+
+/* Saves settings, camera and lights, and says where; or the error. */
+void viewer_save_session(struct viewer *viewer);
+void viewer_tell_saved(struct viewer *viewer, bool ok, const char *path);
+
+/* How each scene was left, beside the list of recent files: kept where something was changed, and taken up when
+ * the scene is opened again and no option says how it is to look. */
+void kept_save(struct viewer *viewer);
+void kept_begin(struct viewer *viewer);
+void kept_begin_afresh(struct viewer *viewer);
+void kept_free(struct viewer *viewer);
 
 /* --- viewer/tracing.c --- */
 
@@ -480,7 +553,9 @@ void camera_hand_frame(struct viewer *viewer);
 void controls_update(struct viewer *viewer, double seconds);
 void controls_draw_help(void);
 
-/* Opens a file by its name: a reference, a session, or else a scene. */
+/* --- viewer/take.c --- */
+/* Opens a file that was dropped, typed or chosen: a scene, the sky of the one that is open, a reference, or settings;
+ * a picture that may be either is told from how it is made. */
 void viewer_take_file(struct viewer *viewer, const char *path);
 
 /* --- viewer/start.c --- */

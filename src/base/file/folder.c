@@ -54,6 +54,12 @@ char *folder_find_own(const char *name) {
     }
 }
 
+char *path_of_user(const char *path) {
+    bool begins_at_home = path[0] == '~' && (path[1] == '/' || path[1] == '\0');
+    const char *home = begins_at_home ? getenv("HOME") : NULL;
+    return home ? mem_printf("%s%s", home, path + 1) : mem_strdup(path);
+}
+
 bool folder_make_for(const char *file_path) {
     char *path = mem_strdup(file_path);
     bool ok = true;

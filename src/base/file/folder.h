@@ -21,4 +21,7 @@ bool folder_make_for(const char *file_path);
  * frees it. NULL, and an error: neither variable nor HOME is set. */
 char *folder_of_user(const char *variable, const char *below_home);
 
+/* The path as a shell reads it: "~" and "~/..." begin in HOME; the caller frees it. */
+char *path_of_user(const char *path);
+
 #endif

@@ -281,6 +281,8 @@ void ui_area_begin(const char *id, ui_area kind, float x, float y, float width, 
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, kind == UI_PAGE ? 1.F : 0.F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, square ? 0 : units(.4F));
     ImGui::Begin(id, nullptr, flags);
+    if (kind == UI_NOTE) /* it would lie below areas that come after it */
+        ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     ImGui::PopStyleVar(2);
     ImGui::PopStyleColor();
 }

@@ -2,6 +2,10 @@
  * are read when a text first has them: fonts of Chinese, Japanese and Korean have tens of thousands. */
 #include "viewer/window/look.hpp"
 
+extern "C" {
+#include "base/log.h"
+}
+
 #include <backends/imgui_impl_opengl3.h>
 
 #include <cstring>
@@ -36,9 +40,15 @@ const char *east_asian() {
     static const char *const files[] = {
         "/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc",
         "/usr/share/fonts/google-noto-cjk/NotoSansCJK-Regular.ttc",
+        "/usr/share/fonts/google-noto-sans-cjk-fonts/NotoSansCJK-Regular.ttc",
         "/usr/share/fonts/noto-cjk/NotoSansCJK-Regular.ttc",
         "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc",
+        "/usr/share/fonts/truetype/wqy/wqy-zenhei.ttc",
+        "/usr/share/fonts/wenquanyi/wqy-microhei/wqy-microhei.ttc",
         "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf",
+        "/usr/share/fonts/opentype/ipafont-gothic/ipag.ttf",
+        "/usr/share/fonts/truetype/arphic/uming.ttc",
+        "/usr/share/fonts/truetype/nanum/NanumGothic.ttf",
         nullptr,
     };
     return find(files);
@@ -94,7 +104,21 @@ void look_reload_fonts(void) {
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
+/* From the radicals on, letters are East Asian, and emoji. */
+static void note_missing() {
+    static bool is_told;
+    bool found = false;
+    for (unsigned letter = 0x2e80; letter < 0xff00 && !found; letter++)
+        found = look.wanted.GetBit(letter);
+    if (!found || is_told || east_asian())
+        return;
+    is_told = true;
+    log_note("a name has East Asian letters, and no font here has them; Noto Sans CJK would");
+}
+
 void look_follow_letters(void) {
-    if (look.lacks_letters)
+    if (look.lacks_letters) {
         look_reload_fonts();
+        note_missing();
+    }
 }

@@ -179,6 +179,13 @@ struct window *window_create(const struct window_desc *desc) {
     return window;
 }
 
+void window_hide(struct window *window) {
+    if (!window || !window->handle)
+        return;
+    glfwHideWindow(window->handle);
+    glfwPollEvents();
+}
+
 void window_free(struct window *window) {
     if (!window)
         return;
@@ -232,7 +239,7 @@ static void take_key(struct window *window, const struct event *event) {
     int key = key_of(event->code);
     if (event->code >= 0 && event->code <= GLFW_KEY_LAST)
         window->down[event->code] = event->down;
-    input->key_held[key] = event->down;
+    input->key_held[key] = event->down && !(event->modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT));
     if (event->down && key)
         input->keys[input->key_count++] = key_with(key, event->modifiers);
 }

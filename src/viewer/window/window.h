@@ -42,7 +42,7 @@ struct input {
     bool inside;             /* the mouse is over the window */
     bool held[BUTTON_COUNT], pressed[BUTTON_COUNT], released[BUTTON_COUNT];
     bool shift, control, alt;
-    bool key_held[KEY_COUNT];
+    bool key_held[KEY_COUNT]; /* but those pressed with Ctrl or Alt, which are commands */
     int keys[EVENTS_OF_TURN]; /* pressed, in order */
     int key_count;
     unsigned text[EVENTS_OF_TURN]; /* characters typed */
@@ -66,6 +66,9 @@ struct window;
 
 /* Opens the window; its context is current. Error: no display, or no such context. */
 struct window *window_create(const struct window_desc *desc);
+
+/* Lets it be seen no more. Accepts NULL. */
+void window_hide(struct window *window);
 
 /* Accepts NULL. */
 void window_free(struct window *window);

@@ -1,0 +1,123 @@
+/* A scene that arrives: a coarse picture of it comes before its shaders, the step is told, and it can be stopped. */
+#define _XOPEN_SOURCE 700
+#include "view_stage.h"
+
+#include "viewer/viewer.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static struct viewer viewer;
+
+static void turn(void) {
+    check_ok("turn", viewer_turn(&viewer));
+    pause_ms(2);
+}
+
+static void begin(void) {
+    struct viewer_desc desc = {.width = 100, .height = 90, .debug = true};
+    static const char cheap[] =
+        "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=128 interleave=4";
+    if (!stage.server)
+        skip();
+    renderer_settings_init(&desc.settings);
+    check_ok(cheap, settings_assign(&desc.settings, cheap));
+    desc.auto_exposure = true;
+    check_ok("viewer", viewer_begin(&viewer, &desc));
+    keep_driver();
+    turn();
+}
+
+/* As long as the scene waits for its shaders. */
+static void wait_for_arrival(void) {
+    for (int i = 0; i < 20000 && !viewer.is_arriving; i++)
+        turn();
+    assert_true(viewer.is_arriving);
+}
+
+/* How many different greens a texture has. */
+static int count_values(const struct texture *texture) {
+    struct bitmap bitmap;
+    bool seen[256] = {false};
+    int count = 0;
+    texture_read_bitmap(texture, &bitmap);
+    for (int i = 0; i < bitmap.width * bitmap.height; i++) {
+        count += !seen[bitmap.rgba[4 * i + 1]];
+        seen[bitmap.rgba[4 * i + 1]] = true;
+    }
+    bitmap_free(&bitmap);
+    return count;
+}
+
+static void test_coarse_picture(void **state) {
+    (void)state;
+    char text[600] = "";
+    bool was_read = false, was_compiled = false;
+    begin();
+    viewer_open(&viewer, "scenes/cornell-box.glb");
+    int values = 0;
+    for (int i = 0; i < 60000 && !viewer.has_scene; i++) {
+        viewer_tell_opening(&viewer, text, sizeof text);
+        was_read |= strstr(text, "reading") != NULL;
+        was_compiled |= strstr(text, "faces; compiling shaders") != NULL;
+        turn();
+        if (values == 0 && viewer.preview.has_texture) {
+            printf("    %s: the coarse picture is there\n", text);
+            values = count_values(&viewer.preview.texture);
+            assert_false(viewer.has_scene);
+        }
+    }
+    printf("    %d greens in it; reading was told: %d, compiling: %d\n", values, was_read,
+           was_compiled);
+    assert_true(values > 20 && was_read && was_compiled);
+    while (viewer.shown.dirty || viewer.shown.coarse || viewer.shown.moving)
+        turn();
+    turn();
+    assert_false(viewer.preview.has_texture); /* the picture has taken its place */
+    assert_ptr_equal(viewer.shown.left, &viewer.shown.renderer.composite.display);
+}
+
+/* Esc lets a scene go that is read or waits for its shaders; the one before stays. */
+static void test_stop(void **state) {
+    (void)state;
+    if (!viewer.has_scene)
+        skip();
+    viewer_open(&viewer, "scenes/gloss.glb");
+    viewer_stop_opening(&viewer);
+    assert_false(viewer_is_opening(&viewer));
+    while (atomic_load(&viewer.loader.state) != LOADER_IDLE)
+        turn();
+    assert_false(viewer.is_arriving);
+    viewer_open(&viewer, "scenes/gloss.glb");
+    wait_for_arrival();
+    viewer_stop_opening(&viewer);
+    assert_false(viewer_is_opening(&viewer));
+    for (int i = 0; i < 8; i++)
+        turn();
+    assert_non_null(strstr(viewer.document.scene.path, "cornell-box"));
+    viewer_open(&viewer, "scenes/materials.glb");
+    for (int i = 0; i < 60000 && viewer_is_opening(&viewer); i++)
+        turn();
+    assert_non_null(strstr(viewer.document.scene.path, "materials"));
+    assert_null(viewer.leaving.scene.path);
+    assert_int_equal(context_message_count(viewer.host.context), 0);
+}
+
+/* The window ends while a scene arrives. */
+static void test_end(void **state) {
+    (void)state;
+    if (!viewer.has_scene)
+        skip();
+    viewer_open(&viewer, "scenes/gloss.glb");
+    wait_for_arrival();
+    viewer_end(&viewer);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_coarse_picture),
+        cmocka_unit_test(test_stop),
+        cmocka_unit_test(test_end),
+    };
+    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
+}
