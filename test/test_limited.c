@@ -44,7 +44,7 @@ static void test_bounds(void **state) {
                                          ".25", ".28", ".3",  ".33", ".36", "1"};
     char render[512], reference[512];
     snprintf(reference, sizeof reference, "reference scenes/sphere.glb -o %s --size 16x16 --spp 1",
-             scratch("limited.pfm"));
+             scratch("limited-r.exr"));
     snprintf(render, sizeof render, "render scenes/sphere.glb -o %s --size 16x16",
              scratch("limited.exr"));
     for (size_t i = 0; i < sizeof bounds / sizeof *bounds; i++)
