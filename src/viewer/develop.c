@@ -5,8 +5,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* What the middle of the picture's brightness becomes, and what its brightest twentieth may. */
-static const double middle_grey = .14, brightest = 4;
+/* The brightness that the middle of the picture gets, and the most that its brightest twentieth and fiftieth may: the
+ * filmic curve shows 2.5 as 248 of 255, so that the form of what a lamp lights is seen. */
+static const double middle_grey = .14, brightest = 4, below_white = 2.5;
 
 static double luminance(const float *rgb) {
     return .2126 * (double)rgb[0] + .7152 * (double)rgb[1] + .0722 * (double)rgb[2];
@@ -58,6 +59,7 @@ float develop_exposure(const struct image *image) {
         qsort(values, count, sizeof *values, ascending);
         ev = fmin(log2(middle_grey / values[count / 2]),
                   log2(brightest / values[count - 1 - count / 20]));
+        ev = fmin(ev, log2(below_white / values[count - 1 - count / 50]));
     }
     free(values);
     return (float)(round(4 * fmin(fmax(ev, -30), 30)) / 4 + 0.); /* no -0 */

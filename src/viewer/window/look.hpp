@@ -31,6 +31,7 @@ extern struct look {
         bool in_view;
     } asked;          /* the section to be opened; no title: none */
     bool has_keys;    /* a panel has the keyboard */
+    bool begins_keys; /* from this frame on: at its first widget */
     bool had_keys;    /* until this frame's Esc, which is not to mean something else, too */
     bool tab_before, escape_before; /* were down in the frame before */
     ImGuiID typed;    /* the slider whose value is to be typed from the next frame on */
@@ -57,8 +58,10 @@ void look_follow_letters(void);
 /* The text itself, whose letters the fonts will have in the next frame. */
 const char *look_read(const char *text);
 
-/* Gives the keyboard to the panel, or takes it away, before a frame begins: viewer/window/ui_keys.cpp. */
+/* Gives the keyboard to the panel, or takes it away, before a frame begins; and when it has begun:
+ * viewer/window/ui_keys.cpp. */
 void look_follow_keys(void);
+void look_begin_keys(void);
 
 /* A tooltip for the last item, where the mouse rests on it. */
 void look_explain(const char *help);

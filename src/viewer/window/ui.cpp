@@ -207,6 +207,7 @@ void ui_frame_begin(const struct input *input) {
     take_input(ImGui::GetIO(), input);
     look_follow_keys();
     ImGui::NewFrame();
+    look_begin_keys();
     /* A row that is not there any more opens nothing. */
     look.typed_frames = look.typed ? look.typed_frames + 1 : 0;
     if (look.typed_frames > 4)

@@ -10,9 +10,7 @@ static ImGuiWindow *panel(void) {
 static void enter(ImGuiWindow *window) {
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     ImGui::FocusWindow(window);
-    ImGui::NavInitWindow(window, true);
-    ImGui::GetCurrentContext()->NavDisableHighlight = false;
-    look.has_keys = true;
+    look.has_keys = look.begins_keys = true;
 }
 
 static void leave(void) {
@@ -45,6 +43,16 @@ void look_follow_keys(void) {
         enter(panel());
     else if (look.has_keys && !io.WantTextInput)
         go_on(io, tab);
+}
+
+/* NewFrame would forget it. */
+void look_begin_keys(void) {
+    ImGuiWindow *window = panel();
+    if (look.begins_keys && window) {
+        ImGui::NavInitWindow(window, true);
+        ImGui::GetCurrentContext()->NavDisableHighlight = false;
+    }
+    look.begins_keys = false;
 }
 
 bool ui_is_entered(void) {
