@@ -34,6 +34,7 @@ extern struct look {
     bool begins_keys; /* from this frame on: at its first widget */
     bool had_keys;    /* until this frame's Esc, which is not to mean something else, too */
     bool tab_before, escape_before; /* were down in the frame before */
+    bool tab_enters;                /* and has entered a panel with that */
     ImGuiID typed;    /* the slider whose value is to be typed from the next frame on */
     int typed_frames; /* for which that has been so */
     ImFontGlyphRangesBuilder wanted; /* letters that texts have had */

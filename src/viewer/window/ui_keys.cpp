@@ -10,7 +10,7 @@ static ImGuiWindow *panel(void) {
 static void enter(ImGuiWindow *window) {
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     ImGui::FocusWindow(window);
-    look.has_keys = look.begins_keys = true;
+    look.has_keys = look.begins_keys = look.tab_enters = true;
 }
 
 static void leave(void) {
@@ -21,10 +21,9 @@ static void leave(void) {
 }
 
 /* All widgets lie below each other: Dear ImGui's own Tab goes to those alone into which one types. */
-static void go_on(ImGuiIO &io, int tab) {
-    if (!io.KeysDown[tab])
-        return;
-    io.KeysDown[tab] = false;
+static void go_on(ImGuiIO &io) {
+    if (io.WantTextInput)
+        ImGui::ClearActiveID();
     io.KeysDown[io.KeyMap[io.KeyShift ? ImGuiKey_UpArrow : ImGuiKey_DownArrow]] = true;
 }
 
@@ -33,7 +32,9 @@ void look_follow_keys(void) {
     int tab = io.KeyMap[ImGuiKey_Tab], escape = io.KeyMap[ImGuiKey_Escape];
     bool tabbed = io.KeysDown[tab] && !look.tab_before && !io.KeyCtrl && !io.KeyAlt;
     bool escaped = io.KeysDown[escape] && !look.escape_before;
+    bool holds = io.KeysDown[tab] && look.tab_enters; /* the one that entered */
     bool is_open = ImGui::GetCurrentContext()->OpenPopupStack.Size > 0 || io.WantTextInput;
+    look.tab_enters = holds;
     look.tab_before = io.KeysDown[tab];
     look.escape_before = io.KeysDown[escape];
     look.had_keys = false;
@@ -41,8 +42,10 @@ void look_follow_keys(void) {
         leave();
     else if (!look.has_keys && tabbed && !is_open && panel())
         enter(panel());
-    else if (look.has_keys && !io.WantTextInput)
-        go_on(io, tab);
+    else if (look.has_keys && io.KeysDown[tab] && !holds)
+        go_on(io);
+    if (look.has_keys)
+        io.KeysDown[tab] = false;
 }
 
 /* NewFrame would forget it. */
