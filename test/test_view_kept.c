@@ -1,0 +1,257 @@
+/* What stays and what is asked for, in the window's own process: a reference past other sizes, its file, one error
+ * of one definition, a part of a clip; and words of presets and the first exposure, which need no window. */
+#define _XOPEN_SOURCE 700
+#include "view_stage.h"
+
+#include "base/clock.h"
+#include "base/file/image_file.h"
+#include "renderer/settings.h"
+#include "viewer/develop.h"
+#include "viewer/preset.h"
+#include "viewer/viewer.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define SETTINGS "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=128 interleave=4"
+
+static struct viewer viewer;
+
+static void turn(void) {
+    check_ok("turn", viewer_turn(&viewer));
+    pause_ms(2);
+}
+
+enum { PATIENCE = 120000 };
+
+#define turn_until(condition)                                                                      \
+    for (double start = clock_ms(); !(condition); turn())                                          \
+    assert_true(clock_ms() - start < PATIENCE)
+
+static void rest(void) {
+    for (int i = 0; i < 3; i++)
+        turn();
+    turn_until(!viewer.shown.moving && !viewer.shown.dirty && !viewer.shown.coarse &&
+               !viewer.shown.awaits);
+    turn();
+}
+
+static void begin(const char *scene) {
+    char path[640];
+    struct viewer_desc desc = {.scene = path, .width = 96, .height = 96, .debug = true};
+    if (!stage.server)
+        skip();
+    snprintf(path, sizeof path, "%s/%s", stage.here, scene);
+    renderer_settings_init(&desc.settings);
+    check_ok("settings", settings_assign(&desc.settings, SETTINGS));
+    check_ok("viewer", viewer_begin(&viewer, &desc));
+    keep_driver();
+    turn_until(viewer.has_scene && viewer.shown.frame_count > 0);
+    rest();
+}
+
+static void end(void) {
+    assert_int_equal(context_message_count(viewer.host.context), 0);
+    viewer_end(&viewer);
+}
+
+/* The window gets another size, and is filled: minutes of tracing stay. */
+static void test_reference_is_kept(void **state) {
+    (void)state;
+    begin("scenes/cornell-box.glb");
+    viewer_trace(&viewer);
+    turn_until(viewer.tracing.samples >= 4 || !viewer_is_tracing(&viewer));
+    const float *traced = viewer.shown.compare.reference.picture.pixels;
+    window_set_size(viewer.host.window, PANEL + 140, 120);
+    turn_until(viewer.host.input->height == 120);
+    viewer_fill_window(&viewer);
+    rest();
+    printf("    filled: %d x %d, %d samples of %d x %d\n", viewer.shown.renderer.desc.width,
+           viewer.shown.renderer.desc.height, viewer.tracing.samples, viewer.tracing.view.width,
+           viewer.tracing.view.height);
+    assert_int_equal(viewer.shown.renderer.desc.height, 120);
+    assert_true(viewer.tracing.samples >= 4 && viewer.tracing.of_view);
+    assert_non_null(traced);
+    assert_false(viewer_has_reference_size(&viewer));
+    assert_null(viewer.shown.right);
+    /* It comes back with its size. */
+    viewer_compare_reference(&viewer);
+    rest();
+    assert_int_equal(viewer.shown.renderer.desc.height, 96);
+    assert_true(viewer_has_reference_size(&viewer) && viewer.shown.right);
+}
+
+/* Of layer indirect both numbers are one; of all light it is the same light's noise over a larger mean. */
+static void test_one_error(void **state) {
+    (void)state;
+    double error, with_noise;
+    if (!stage.server)
+        skip();
+    truth_pause(&viewer.tracing.truth, true);
+    viewer.shown.layer = LAYER_INDIRECT;
+    viewer.shown.compare.measured = false;
+    viewer.shown.recompose = true;
+    rest();
+    turn_until(viewer.tracing.has_error && viewer_compared_error(&viewer, &error));
+    with_noise = viewer.shown.compare.values[metric_find("relative-rmse") - metrics];
+    printf("    reference %.6f, compare %.6f, with noise %.6f\n", viewer.tracing.error, error,
+           with_noise);
+    check_near("of the indirect layer", error, viewer.tracing.error, 1e-6);
+    assert_true(with_noise > error);
+    check_near("of the noise", with_noise * with_noise - error * error,
+               viewer.tracing.noise * viewer.tracing.noise, 1e-6);
+    viewer.shown.layer = LAYER_BEAUTY;
+    assert_true(viewer_reference_noise(&viewer) > 0);
+    assert_true(viewer_reference_noise(&viewer) < viewer.tracing.noise);
+}
+
+static void test_reference_is_saved(void **state) {
+    (void)state;
+    struct image saved = {0};
+    char here[512];
+    if (!stage.server)
+        skip();
+    const struct image *traced = &viewer.shown.compare.reference.picture;
+    assert_non_null(getcwd(here, sizeof here));
+    assert_int_equal(chdir(stage.folder), 0);
+    viewer_save_reference(&viewer);
+    check_ok("file", image_read(&saved, "manylight-reference-0001.exr"));
+    assert_int_equal(chdir(here), 0);
+    assert_int_equal(saved.width, traced->width);
+    assert_int_equal(saved.channel_count, traced->channel_count);
+    int a[3], b[3], wrong = 0;
+    assert_true(image_find_layer(&saved, "indirect", a) &&
+                image_find_layer(traced, "indirect", b));
+    for (int i = 0; i < saved.width * saved.height; i++)
+        for (int c = 0; c < 3; c++) {
+            float x = saved.pixels[i * saved.channel_count + a[c]];
+            float y = traced->pixels[i * traced->channel_count + b[c]];
+            wrong += fabsf(x - y) > 2e-3F * fabsf(y) + 1e-6F;
+        }
+    printf("    %d layers, %d values wrong\n", saved.channel_count, wrong);
+    assert_int_equal(wrong, 0);
+    image_free(&saved);
+    truth_pause(&viewer.tracing.truth, false);
+    end();
+}
+
+/* --- time ------------------------------------------------------------------------------------- */
+
+/* The timeline has its own room, below the picture; the window has grown by it. */
+static void test_timeline(void **state) {
+    (void)state;
+    begin("scenes/moving-spot.glb");
+    const struct rectangle *area = &viewer.shown.area, *picture = &viewer.shown.picture;
+    turn_until(viewer.host.input->height > 96);
+    rest();
+    printf("    window %d, picture %d to %d, timeline %.0f\n", viewer.host.input->height,
+           picture->y, picture->y + picture->height, (double)timeline_height(&viewer));
+    assert_true(timeline_height(&viewer) > 20);
+    assert_int_equal(area->height + (int)timeline_height(&viewer), viewer.host.input->height);
+    assert_true(picture->y + picture->height <= area->height);
+    assert_int_equal(viewer.shown.renderer.desc.height, 96);
+}
+
+static bool exists(int frame) {
+    char path[700];
+    snprintf(path, sizeof path, "%s/a 'folder'/manylight-clip-0001/%04d.png", stage.folder, frame);
+    return access(path, R_OK) == 0;
+}
+
+static void set_folder(struct record_request *request, const char *name) {
+    int length =
+        snprintf(request->folder, sizeof request->folder, "%.400s/%s", stage.folder, name);
+    assert_true(length > 0 && (size_t)length < sizeof request->folder);
+}
+
+/* Frames 2 to 4 alone, into a folder that a shell would take apart. */
+static void test_record_range(void **state) {
+    (void)state;
+    char text[96];
+    struct record_request *request = &viewer.record;
+    if (!stage.server)
+        skip();
+    recorder_ask(&viewer, RECORD_PICTURES);
+    assert_true(request->is_open && request->to > 1);
+    turn();
+    request->from = 2.F / TIMELINE_FPS;
+    request->to = 5.F / TIMELINE_FPS;
+    set_folder(request, "a 'folder'");
+    assert_int_equal(shell("mkdir -p \"%s\"", request->folder), 0);
+    request->is_open = false;
+    recorder_start(&viewer);
+    assert_int_equal(viewer.recorder.count, 3);
+    turn_until(viewer.recorder.frame >= 1 || !viewer.recorder.on);
+    recorder_tell(&viewer, text, sizeof text);
+    printf("    %s\n", text);
+    assert_true(strncmp(text, "recording 1 of 3, ", 18) == 0 && strstr(text, " left"));
+    turn_until(!viewer.recorder.on);
+    assert_true(exists(2) && exists(3) && exists(4));
+    assert_false(exists(1) || exists(5));
+    /* A folder that is not there is an error, and nothing is recorded. */
+    set_folder(request, "nowhere");
+    recorder_start(&viewer);
+    assert_false(viewer.recorder.on);
+    end();
+}
+
+/* --- without a window ------------------------------------------------------------------------- */
+
+static void test_words(void **state) {
+    (void)state;
+    static const char *const pairs[][2] = {{"path=fast", "path=normal"},
+                                           {"path=fine", "path=high"},
+                                           {"path=traced", "path=rays"}};
+    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
+        struct settings a, b;
+        renderer_settings_init(&a);
+        renderer_settings_init(&b);
+        check_ok(pairs[i][0], renderer_settings_assign(&a, technique_default, &pairs[i][0], 1));
+        check_ok(pairs[i][1], renderer_settings_assign(&b, technique_default, &pairs[i][1], 1));
+        assert_true(renderer_settings_same(&a, &b, technique_default->parts));
+    }
+    for (const struct preset *p = technique_default->presets; p->name; p++) {
+        char title[PRESET_TITLE_SIZE], help[PRESET_HELP_SIZE];
+        preset_title(p, title);
+        preset_explain(p, help);
+        printf("    %-8s %s\n", title, help);
+        assert_non_null(strstr(help, "On the command line: --"));
+    }
+}
+
+/* A fiftieth of the picture stays below white; a hundredth may not be. */
+static void test_exposure(void **state) {
+    (void)state;
+    static const char *const names[] = {"R", "G", "B"};
+    for (int bright = 1; bright <= 4; bright += 3) {
+        struct image image = {0};
+        image_init_named(&image, 100, 10, names, 3);
+        for (int i = 0; i < 1000; i++)
+            for (int c = 0; c < 3; c++)
+                image.pixels[3 * i + c] = i < 10 * bright ? 20 : .1F;
+        float ev = develop_exposure(&image);
+        printf("    %d %% at 20: %g EV, shown as if %.2f\n", bright, (double)ev,
+               20 * exp2((double)ev));
+        if (bright == 4)
+            check_at_most("the lamp's place", 20 * exp2((double)ev), 2.75);
+        else
+            check_near("by the middle", (double)ev, .5, .01);
+        image_free(&image);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_words),
+        cmocka_unit_test(test_exposure),
+        cmocka_unit_test(test_reference_is_kept),
+        cmocka_unit_test(test_one_error),
+        cmocka_unit_test(test_reference_is_saved),
+        cmocka_unit_test(test_timeline),
+        cmocka_unit_test(test_record_range),
+    };
+    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
+}
