@@ -155,6 +155,8 @@ static void test_filter(void **state) {
     sync_viewer();
     assert_true(is_on_screen("radius"));
     assert_false(is_on_screen("paths"));
+    xdo("key Return"); /* lets the field go */
+    rest_mouse();
     end_viewer();
 }
 
