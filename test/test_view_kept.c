@@ -123,8 +123,7 @@ static void test_reference_is_saved(void **state) {
     assert_int_equal(saved.width, traced->width);
     assert_int_equal(saved.channel_count, traced->channel_count);
     int a[3], b[3], wrong = 0;
-    assert_true(image_find_layer(&saved, "indirect", a) &&
-                image_find_layer(traced, "indirect", b));
+    assert_true(image_find_layer(&saved, "indirect", a) && image_find_layer(traced, "indirect", b));
     for (int i = 0; i < saved.width * saved.height; i++)
         for (int c = 0; c < 3; c++) {
             float x = saved.pixels[i * saved.channel_count + a[c]];
@@ -162,8 +161,7 @@ static bool exists(int frame) {
 }
 
 static void set_folder(struct record_request *request, const char *name) {
-    int length =
-        snprintf(request->folder, sizeof request->folder, "%.400s/%s", stage.folder, name);
+    int length = snprintf(request->folder, sizeof request->folder, "%.400s/%s", stage.folder, name);
     assert_true(length > 0 && (size_t)length < sizeof request->folder);
 }
 
@@ -202,9 +200,8 @@ static void test_record_range(void **state) {
 
 static void test_words(void **state) {
     (void)state;
-    static const char *const pairs[][2] = {{"path=fast", "path=normal"},
-                                           {"path=fine", "path=high"},
-                                           {"path=traced", "path=rays"}};
+    static const char *const pairs[][2] = {
+        {"path=fast", "path=normal"}, {"path=fine", "path=high"}, {"path=traced", "path=rays"}};
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
         struct settings a, b;
         renderer_settings_init(&a);

@@ -65,9 +65,9 @@ static void draw_output(struct viewer *viewer, float x, float y, float width) {
     bool is_of_picture =
         bitmap.width == renderer->desc.width && bitmap.height == renderer->desc.height;
     for (int c = 0; c < 3; c++)
-        shown[c] = bitmap.rgba[4 * ((size_t)row * (size_t)bitmap.width + (size_t)column) +
-                               (size_t)c] /
-                   255.F;
+        shown[c] =
+            bitmap.rgba[4 * ((size_t)row * (size_t)bitmap.width + (size_t)column) + (size_t)c] /
+            255.F;
     begin_area(viewer, width);
     ui_value(viewer->shown.choice.output, "%d, %d of %d x %d", column, row, bitmap.width,
              bitmap.height);
@@ -85,7 +85,8 @@ void inspector_draw(struct viewer *viewer) {
     const struct rectangle *area = &viewer->shown.area;
     struct renderer *renderer = &viewer->shown.renderer;
     float x, y, left[3], right[3], line = ui_line_height(), width = 21 * line;
-    if (!viewer->look.inspects || !viewer->has_scene || viewer->shown.frame_count == 0 || ui_wants_mouse() || !look_at_mouse(viewer, &x, &y))
+    if (!viewer->look.inspects || !viewer->has_scene || viewer->shown.frame_count == 0 ||
+        ui_wants_mouse() || !look_at_mouse(viewer, &x, &y))
         return;
     int column = (int)(x * (float)renderer->desc.width),
         row = (int)(y * (float)renderer->desc.height);

@@ -97,8 +97,7 @@ static void draw_meanings(const struct viewer *viewer) {
     const struct rectangle *area = &viewer->shown.area;
     float line = ui_line_height(), width = row_width(viewer);
     float x = (float)area->x + (width > 0 ? .5F * ((float)area->width - width) : .6F * line);
-    float y = (float)(area->y + area->height) - meanings_height(viewer) +
-              .1F * line;
+    float y = (float)(area->y + area->height) - meanings_height(viewer) + .1F * line;
     for (int i = 0; i < MEANINGS; i++) {
         float patch = draw_patch(x, y + .28F * line, color_of(&shadow_colors[i]));
         ui_draw_label(x + patch + .2F * line, y, 0, shadow_colors[i].text);

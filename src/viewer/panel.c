@@ -49,11 +49,11 @@ static void draw_layer_choice(struct viewer *viewer) {
 
 static bool draw_exposure(struct viewer *viewer, struct picture_settings *picture) {
     struct ui_row row = {.name = "exposure, EV",
-                         .help = "stops: drag sideways, .02 a pixel, ten times as fast with Shift; two clicks type it; + "
+                         .help = "stops: drag sideways, .02 a pixel, ten times as fast with Shift; "
+                                 "two clicks type it; + "
                                  "and -, or Ctrl and the wheel; 0: as the scene began",
                          .differs = picture->exposure != viewer->exposing.usual};
-    enum ui_result result =
-        ui_drag(&row, &picture->exposure, -EXPOSURE_MOST, EXPOSURE_MOST, .02F);
+    enum ui_result result = ui_drag(&row, &picture->exposure, -EXPOSURE_MOST, EXPOSURE_MOST, .02F);
     if (result == UI_RESET)
         picture->exposure = viewer->exposing.usual;
     return result != UI_NOTHING;
@@ -108,10 +108,11 @@ static void draw_picture(struct viewer *viewer) {
 static void draw_vals(struct viewer *viewer, const struct pick *pick) {
     struct inspect_choice *choice = &viewer->shown.choice;
     if (pick->val_count)
-        ui_fact("lit most by",
-                "groups of virtual lights: each is tested for shadow by one virtual area light, a VAL; "
-                "its share of the light here, and how much of it is seen from here",
-                "%d groups", pick->val_count);
+        ui_fact(
+            "lit most by",
+            "groups of virtual lights: each is tested for shadow by one virtual area light, a VAL; "
+            "its share of the light here, and how much of it is seen from here",
+            "%d groups", pick->val_count);
     for (int i = 0; i < pick->val_count; i++) {
         const struct pick_val *val = &pick->vals[i];
         char name[32], share[32], visible[32];

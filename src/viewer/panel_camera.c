@@ -14,7 +14,8 @@ static void draw_lens(struct viewer *viewer) {
     struct ui_row field = {.name = "field of view",
                            .help = "degrees, from top to bottom; Shift and the wheel",
                            .even = true},
-                  height = {.name = "half height, m", .help = "half of the height that is in sight, metres"};
+                  height = {.name = "half height, m",
+                            .help = "half of the height that is in sight, metres"};
     bool changed = camera->orthographic
                        ? ui_float(&height, &camera->y_extent, 1e-3F * most, most)
                        : ui_float(&field, &degrees, CAMERA_FIELD_LEAST, CAMERA_FIELD_MOST);

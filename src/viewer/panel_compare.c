@@ -114,9 +114,10 @@ void panel_draw_compare(struct viewer *viewer) {
             viewer_load_reference(viewer, viewer->panel.reference_path);
     }
     if (viewer->shown.fixed_width > 0 &&
-        ui_wide_button("Fill the window again",
-                       "the picture has the reference's size; the reference and its chart stay, and "
-                       "'reference' above shows them again"))
+        ui_wide_button(
+            "Fill the window again",
+            "the picture has the reference's size; the reference and its chart stay, and "
+            "'reference' above shows them again"))
         viewer_fill_window(viewer);
     if (viewer->shown.right) {
         draw_layout(viewer);

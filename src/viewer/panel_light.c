@@ -91,8 +91,10 @@ static bool draw_power(struct viewer *viewer, struct emitter *light) {
 static bool draw_size(struct viewer *viewer, struct emitter *light) {
     float most = viewer->document.geometry.radius, angle = glm_deg(light->size[0]);
     struct ui_row across = {.name = "width, m", .help = "of the lamp, across; 0: a point"},
-                  up = {.name = "length, m", .help = "of a rectangle, its other side; 0: it is round"},
-                  sun = {.name = "disc, \xc2\xb0", .help = "how wide it is in the sky, degrees; the sun's is 0.53"};
+                  up = {.name = "length, m",
+                        .help = "of a rectangle, its other side; 0: it is round"},
+                  sun = {.name = "disc, \xc2\xb0",
+                         .help = "how wide it is in the sky, degrees; the sun's is 0.53"};
     if (light->type == EMITTER_DIRECTIONAL) {
         bool changed = ui_float(&sun, &angle, 0, 60);
         if (changed)

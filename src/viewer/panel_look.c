@@ -10,8 +10,9 @@ void panel_draw_look(struct viewer *viewer) {
     float percent = (float)(100 * look_zoom(viewer));
     struct ui_row enlarged = {
         .name = "enlarged, %",
-        .help = "100: a pixel of the picture is one of the window; Ctrl Shift wheel, and Ctrl Shift "
-                "drag moves the picture",
+        .help =
+            "100: a pixel of the picture is one of the window; Ctrl Shift wheel, and Ctrl Shift "
+            "drag moves the picture",
         .differs = look->zoom > 0};
     if (!viewer->shown.left)
         return;

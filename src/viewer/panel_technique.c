@@ -180,8 +180,8 @@ static bool draw_advanced(struct viewer *viewer, const struct technique *techniq
                           struct settings *settings) {
     const struct emitters *emitters = &viewer->placed.emitters;
     char *filter = viewer->panel.filter;
-    struct ui_row row = {.name = "find",
-                         .help = "shows the settings alone whose name, group or explanation has it"};
+    struct ui_row row = {
+        .name = "find", .help = "shows the settings alone whose name, group or explanation has it"};
     ui_text_field(&row, filter, sizeof viewer->panel.filter, "shadow, blur, seed ...");
     bool changed = draw_parts(technique->parts, technique, filter, settings);
     changed |= draw_parts(viewer->shown.renderer.desc.direct->parts, technique, filter, settings);

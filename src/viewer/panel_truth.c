@@ -8,12 +8,11 @@
 static const double wanted_error = .05;
 
 static uint32_t dot_color(int i) {
-    static const unsigned char colors[][3] = {{108, 182, 255}, {240, 168, 72},  {126, 211, 133},
-                                              {232, 120, 150}, {186, 148, 240}, {150, 156, 168},
-                                              {90, 206, 206},  {222, 206, 110},
-                                              {198, 110, 66},   {96, 124, 230},  {230, 230, 236},
-                                              {176, 214, 64},   {214, 92, 214},  {122, 96, 78},
-                                              {60, 148, 110},   {255, 176, 176}};
+    static const unsigned char colors[][3] = {
+        {108, 182, 255}, {240, 168, 72},  {126, 211, 133}, {232, 120, 150},
+        {186, 148, 240}, {150, 156, 168}, {90, 206, 206},  {222, 206, 110},
+        {198, 110, 66},  {96, 124, 230},  {230, 230, 236}, {176, 214, 64},
+        {214, 92, 214},  {122, 96, 78},   {60, 148, 110},  {255, 176, 176}};
     const unsigned char *c = colors[(size_t)i % (sizeof colors / sizeof *colors)];
     return UI_RGBA(c[0], c[1], c[2], 255);
 }
@@ -234,10 +233,11 @@ static void draw_state(const struct viewer *viewer) {
     else if (viewer_is_tracing(viewer))
         ui_text(UI_DIM, "tracing the first samples ...");
     if (tracing->samples > 0)
-        ui_fact("its noise",
-                "standard error of the reference's indirect light, RMS over its mean: it falls with "
-                "the samples",
-                "%.1f %%", 100 * tracing->noise);
+        ui_fact(
+            "its noise",
+            "standard error of the reference's indirect light, RMS over its mean: it falls with "
+            "the samples",
+            "%.1f %%", 100 * tracing->noise);
     if (tracing->has_error)
         ui_fact("error of indirect light",
                 "relative RMSE of the picture's indirect light, with the reference's noise taken "

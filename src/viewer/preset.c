@@ -17,12 +17,14 @@ void preset_title(const struct preset *preset, char title[PRESET_TITLE_SIZE]) {
 static const struct {
     const char *word, *help;
 } prices[] = {
-    {"draft", "For slow machines and first looks. x0.5 the time of Normal, and 1.4 to 2.7 times its "
-              "error"},
+    {"draft",
+     "For slow machines and first looks. x0.5 the time of Normal, and 1.4 to 2.7 times its "
+     "error"},
     {"normal", "For most scenes: the defaults"},
     {"high", "For scenes of many small things. x1.4 the time of Normal, a tenth less error"},
-    {"rays", "The truest frame: shadows by rays through the triangles. x1 to x3 the time of Normal, "
-             "most in large halls, and a fifth to a third less error"},
+    {"rays",
+     "The truest frame: shadows by rays through the triangles. x1 to x3 the time of Normal, "
+     "most in large halls, and a fifth to a third less error"},
 };
 
 void preset_explain(const struct preset *preset, char text[PRESET_HELP_SIZE]) {
@@ -30,8 +32,8 @@ void preset_explain(const struct preset *preset, char text[PRESET_HELP_SIZE]) {
     for (size_t i = 0; i < sizeof prices / sizeof *prices; i++)
         if (strcmp(prices[i].word, word) == 0)
             help = prices[i].help;
-    bool is_quality = strcmp(word, "draft") == 0 || strcmp(word, "normal") == 0 ||
-                      strcmp(word, "high") == 0;
+    bool is_quality =
+        strcmp(word, "draft") == 0 || strcmp(word, "normal") == 0 || strcmp(word, "high") == 0;
     snprintf(text, PRESET_HELP_SIZE, "%s. On the command line: %s%s.", help,
              is_quality ? "--quality " : "--set path=", word);
 }

@@ -74,10 +74,10 @@ static char *quote(const char *path) {
 /* The video's sides are even, as most players want them. */
 static bool open_pipe(struct recorder *recorder) {
     char *part = quote(recorder->part);
-    char *command =
-        mem_printf("ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgba -s %dx%d -r %d -i - -an -vf "
-                   "'crop=trunc(iw/2)*2:trunc(ih/2)*2' -pix_fmt yuv420p %s",
-                   recorder->width, recorder->height, TIMELINE_FPS, part);
+    char *command = mem_printf(
+        "ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgba -s %dx%d -r %d -i - -an -vf "
+        "'crop=trunc(iw/2)*2:trunc(ih/2)*2' -pix_fmt yuv420p %s",
+        recorder->width, recorder->height, TIMELINE_FPS, part);
     signal(SIGPIPE, SIG_IGN); /* an ffmpeg that fails is told by fwrite */
     recorder->pipe = popen(command, "w");
     free(command);
@@ -115,9 +115,8 @@ void recorder_start(struct viewer *viewer) {
 void recorder_tell(const struct viewer *viewer, char *text, size_t size) {
     const struct recorder *recorder = &viewer->recorder;
     double seconds = window_time() - recorder->started;
-    double left = recorder->frame > 0
-                      ? seconds / recorder->frame * (recorder->count - recorder->frame)
-                      : 0;
+    double left =
+        recorder->frame > 0 ? seconds / recorder->frame * (recorder->count - recorder->frame) : 0;
     int at = snprintf(text, size, "recording %d of %d", recorder->frame, recorder->count);
     if (recorder->frame > 0 && at > 0 && (size_t)at < size && left < 90)
         snprintf(text + at, size - (size_t)at, ", %.0f seconds left", left);
@@ -155,8 +154,8 @@ void recorder_stop(struct viewer *viewer) {
 
 void recorder_pose(struct viewer *viewer) {
     if (viewer->recorder.on)
-        viewer_go_to(viewer, (double)(viewer->recorder.first + viewer->recorder.frame) /
-                                 TIMELINE_FPS);
+        viewer_go_to(viewer,
+                     (double)(viewer->recorder.first + viewer->recorder.frame) / TIMELINE_FPS);
 }
 
 static bool write_picture(struct viewer *viewer) {

@@ -11,9 +11,10 @@ enum record_kind { RECORD_PICTURES, RECORD_VIDEO };
 struct recorder {
     bool on;
     enum record_kind kind;
-    int first, frame, count; /* of the clip where it begins; the one to come, from there; how many */
-    double started;          /* when, window_time */
-    char folder[512];        /* where it goes */
+    int first, frame,
+        count;         /* of the clip where it begins; the one to come, from there; how many */
+    double started;    /* when, window_time */
+    char folder[512];  /* where it goes */
     int width, height; /* of the frames; 0 before the first */
     char name[600];    /* of its own folder, or of the video */
     char part[600];    /* of the video until it is whole */

@@ -39,8 +39,7 @@ int session_bounces(const struct session *session) {
 }
 
 bool session_same_view(const struct session *a, const struct session *b) {
-    return a->clip == b->clip &&
-           a->time == b->time && session_bounces(a) == session_bounces(b) &&
+    return a->clip == b->clip && a->time == b->time && session_bounces(a) == session_bounces(b) &&
            strcmp(a->camera, b->camera) == 0 && strcmp(a->lights, b->lights) == 0;
 }
 

@@ -91,8 +91,8 @@ bool viewer_compared_error(const struct viewer *viewer, double *error) {
     bool is_reference = compare->mode == COMPARE_REFERENCE;
     if (!compare->measured || !compare->is_known[metric])
         return false;
-    *error = without_noise(compare->values[metric],
-                           is_reference ? viewer_reference_noise(viewer) : 0);
+    *error =
+        without_noise(compare->values[metric], is_reference ? viewer_reference_noise(viewer) : 0);
     return true;
 }
 

@@ -261,7 +261,8 @@ static const struct preset presets[] = {
     {"paper", "as published: disks, one iteration a frame from seeds by importance, no visibility",
      "cluster-lights.form=disk cluster-lights.area-lights=256 cluster-lights.steps=1 "
      "cluster-lights.begin=reseed cluster-lights.seeds=importance cluster-lights.shadows=none "
-     "cluster-lights.weight-facing=10 cluster-lights.near=0 lights.vpls=16384", NULL},
+     "cluster-lights.weight-facing=10 cluster-lights.near=0 lights.vpls=16384",
+     NULL},
     {NULL}};
 
 extern const struct technique cluster_lights_technique;

@@ -76,7 +76,8 @@ static const struct settings_part *const parts[] = {&lights_part, &vals_part,   
 
 static const struct preset presets[] = {
     {"draft", "for slow machines: fewer lights and maps, no care for detail",
-     "lights.vpls=512 clustered.vals=12 map.size=128 gather.detail=0 gather.near-samples=256", NULL},
+     "lights.vpls=512 clustered.vals=12 map.size=128 gather.detail=0 gather.near-samples=256",
+     NULL},
     MANY_LIGHTS_FAST,
     {"fine", "for scenes of many small things: more maps, and lights where detail is",
      "clustered.vals=60 clustered.bounce-vals=120 gather.detail=2 gather.detail-times=1", "high"},
@@ -87,7 +88,8 @@ static const struct preset presets[] = {
      "rays"},
     {"paper", "as published: convolution soft shadow maps at each pixel and VPL",
      "clustered.visibility=cssm clustered.visibility-block=0 "
-     "clustered.importance=none " MANY_LIGHTS_AS_PUBLISHED, NULL},
+     "clustered.importance=none " MANY_LIGHTS_AS_PUBLISHED,
+     NULL},
     {NULL}};
 
 extern const struct technique clustered_technique;

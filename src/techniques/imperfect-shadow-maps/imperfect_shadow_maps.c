@@ -121,7 +121,8 @@ static const struct settings_part *const parts[] = {
 static const struct preset presets[] = {
     MANY_LIGHTS_FAST,
     {"paper", "holes closed, and gather and blur, as published",
-     MANY_LIGHTS_AS_PUBLISHED " imperfect-shadow-maps.shape=filled imperfect-shadow-maps.scale=.5", NULL},
+     MANY_LIGHTS_AS_PUBLISHED " imperfect-shadow-maps.shape=filled imperfect-shadow-maps.scale=.5",
+     NULL},
     {NULL}};
 
 extern const struct technique imperfect_shadow_maps_technique;

@@ -98,7 +98,9 @@ static const struct settings_part *const parts[] = {
     &lights_part, &own_part, &map_part, &lookup_part, &caster_part, &gather_part, &blur_part, NULL};
 
 static const struct preset presets[] = {
-    MANY_LIGHTS_FAST, {"paper", "gather and blur as published", MANY_LIGHTS_AS_PUBLISHED, NULL}, {NULL}};
+    MANY_LIGHTS_FAST,
+    {"paper", "gather and blur as published", MANY_LIGHTS_AS_PUBLISHED, NULL},
+    {NULL}};
 
 extern const struct technique instant_radiosity_technique;
 const struct technique instant_radiosity_technique = {

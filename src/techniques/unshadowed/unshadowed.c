@@ -33,7 +33,9 @@ static void outputs(const void *state, struct output_list *outputs) {
 static const struct settings_part *const parts[] = {&lights_part, &gather_part, &blur_part, NULL};
 
 static const struct preset presets[] = {
-    MANY_LIGHTS_FAST, {"paper", "gather and blur as published", MANY_LIGHTS_AS_PUBLISHED, NULL}, {NULL}};
+    MANY_LIGHTS_FAST,
+    {"paper", "gather and blur as published", MANY_LIGHTS_AS_PUBLISHED, NULL},
+    {NULL}};
 
 /* Towards the unshadowed sum. */
 static const struct refinement refinement = {"unshadowed", MANY_LIGHTS_REFINED, 2};

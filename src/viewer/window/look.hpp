@@ -25,7 +25,7 @@ extern struct look {
     struct {
         ImVec2 at;
         double since;
-    } rest;           /* of the mouse, on an item */
+    } rest; /* of the mouse, on an item */
     struct {
         std::string title;
         bool in_view;

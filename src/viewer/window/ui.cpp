@@ -394,8 +394,8 @@ void ui_fact(const char *name, const char *help, const char *format, ...) {
     std::vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     ImVec2 at = ImGui::GetCursorScreenPos();
-    ImRect row(at, ImVec2(at.x + ImGui::GetContentRegionAvail().x,
-                          at.y + ImGui::GetTextLineHeight()));
+    ImRect row(at,
+               ImVec2(at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetTextLineHeight()));
     ui_value(name, "%s", text);
     ImGui::SetLastItemData(0, ImGuiItemFlags_None,
                            ImGui::IsMouseHoveringRect(row.Min, row.Max)
