@@ -201,11 +201,11 @@ static void test_pick(void **state) {
     press("Surface");
     xdo("mousemove 150 640 click 1");
     sync_viewer();
-    find_text("position ", first, sizeof first);
+    find_text("position, m ", first, sizeof first);
     for (int i = 0; i < 4; i++) {
         xdo("mousemove 60 300 mousedown 1 mousemove %d 300 mouseup 1", i % 2 ? 53 : 67);
         sync_viewer();
-        find_text("position ", text, sizeof text);
+        find_text("position, m ", text, sizeof text);
         printf("    %s, after a turn %s\n", first, text);
         assert_true(strlen(text) > 12);
         assert_string_equal(text, first);

@@ -39,11 +39,11 @@ static void test_click(void **state) {
     (void)state;
     char text[200] = "";
     begin("");
-    assert_false(is_told("position ", text, sizeof text));
+    assert_false(is_told("position, m ", text, sizeof text));
     xdo("mousemove 150 640 click 1");
     sync_viewer();
     sync_viewer();
-    assert_true(is_told("position ", text, sizeof text));
+    assert_true(is_told("position, m ", text, sizeof text));
     printf("    %s\n", text);
     assert_true(is_told("lit most by ", text, sizeof text));
     printf("    %s\n", text);

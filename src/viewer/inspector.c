@@ -73,7 +73,7 @@ static void draw_output(struct viewer *viewer, float x, float y, float width) {
              bitmap.height);
     ui_numbers("as shown", shown);
     if (is_of_picture && probe_pick(&viewer->shown.probe, renderer, x, y, &pick) && pick.present) {
-        ui_numbers("position", pick.position);
+        ui_numbers("position, m", pick.position);
         ui_numbers("normal", pick.normal);
         ui_numbers("albedo", pick.albedo);
     }

@@ -138,7 +138,7 @@ static void draw_surface(struct viewer *viewer) {
         ui_text(UI_DIM, "Click on the picture.");
         return;
     }
-    ui_numbers("position", pick->position);
+    ui_numbers("position, m", pick->position);
     ui_numbers("normal", pick->normal);
     ui_numbers("albedo", pick->albedo);
     ui_numbers("radiance", pick->radiance);

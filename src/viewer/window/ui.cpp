@@ -415,7 +415,7 @@ void ui_numbers(const char *name, const float values[3]) {
     for (int c = 0; c < 3; c++) {
         char text[32];
         double value = (double)values[c], size = std::fabs(value);
-        const char *format = size > 0 && size < 1e-3 ? "%.1e"
+        const char *format = size > 0 && size < 1e-3 ? "%.5f"
                              : size < 10             ? "%.4f"
                              : size < 100            ? "%.3f"
                                                      : "%.1f";
