@@ -145,7 +145,8 @@ static void test_darkness(void **state) {
     assert_true(desktop_read_clipboard(command, sizeof command));
     printf("    %s\n", command);
     assert_non_null(strstr(command, "--time 5"));
-    assert_true(atof(strstr(command, "picture.exposure=") + strlen("picture.exposure=")) < 8);
+    const char *exposure = strstr(command, "picture.exposure="); /* 0 is left out */
+    assert_true(!exposure || atof(exposure + strlen("picture.exposure=")) < 8);
 }
 
 /* By our own list, in the folder where the viewer was started; Esc closes it. */
@@ -270,9 +271,8 @@ static void test_fields(void **state) {
     assert_true(is_on_screen("half"));
     press("What it holds");
     press("Quality");
-    press("Truth");
-    press("Picture");
-    press("Compare");
+    press("Reference");
+    press("Picture"); /* Compare is open: a reference is compared with */
     expect_field("file", path);
     end_viewer();
 }
