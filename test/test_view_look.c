@@ -173,6 +173,8 @@ static void test_view(void **state) {
     (void)state;
     char text[200];
     need_viewer();
+    press("Compare"); /* folded, it has no button of that name */
+    sync_viewer();
     find_text("reference", text, sizeof text);
     assert_string_equal(text, "reference");
     xdo("mousemove 40 600 click 4");
