@@ -145,8 +145,8 @@ static void test_cone(void **state) {
     press("type");
     press("spot");
     sync_viewer();
-    enter("dark, \xc2\xb0", "40");
-    enter("bright, \xc2\xb0", "30");
+    enter("outer angle, \xc2\xb0", "40");
+    enter("inner angle, \xc2\xb0", "30");
     press("Light");
     struct emitters lights = saved_lights(text, sizeof text);
     const struct emitter *light = &lights.items[1];

@@ -28,15 +28,15 @@ static void lay_out(struct viewer *viewer) {
     viewer->shown.area = (struct rectangle){0, 0, input->width - panel, height};
 }
 
-/* The first scene's picture has the size that was asked for: the timeline takes its room from the screen. */
+/* The timeline takes its room from the screen and gives it back: pictures keep their size from scene to scene. */
 static void make_room_for_timeline(struct viewer *viewer) {
     const struct input *input = viewer->host.input;
-    int bar = (int)timeline_height(viewer);
-    if (!viewer->has_scene || viewer->has_made_room)
+    int bar = (int)timeline_height(viewer), more = bar - viewer->timeline_room;
+    if (!viewer->has_scene || !viewer->panel.is_open || more == 0 || viewer_is_scripted(viewer) ||
+        window_is_full_screen(viewer->host.window))
         return;
-    viewer->has_made_room = true;
-    if (bar > 0 && !viewer->desc.full_screen && !viewer_is_scripted(viewer))
-        window_set_size(viewer->host.window, input->width, input->height + bar);
+    viewer->timeline_room = bar;
+    window_set_size(viewer->host.window, input->width, input->height + more);
 }
 
 static void tell_start(struct viewer *viewer) {

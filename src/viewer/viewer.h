@@ -187,7 +187,7 @@ struct viewer {
         int after_frame; /* shown.frame_count before that */
     } exposing;
     bool window_shown, picture_shown; /* once */
-    bool has_made_room;               /* for the first scene's timeline */
+    int timeline_room;                /* pixels that the window has grown by for it */
     bool done;                        /* close the window */
 };
 
