@@ -21,8 +21,7 @@
 #include <string.h>
 
 struct context *open_context(enum context_kind kind) {
-    struct context *context =
-        context_create(&(struct context_desc){.kind = kind, .debug = true});
+    struct context *context = context_create(&(struct context_desc){.kind = kind, .debug = true});
     if (!context) {
         printf("    skipped: %s\n", error_get());
         skip();
@@ -55,8 +54,7 @@ static int count_named_objects(void) {
 static int count_at_start;
 
 int open_group_context(void **state) {
-    *state =
-        context_create(&(struct context_desc){.kind = CONTEXT_AUTO, .debug = true});
+    *state = context_create(&(struct context_desc){.kind = CONTEXT_AUTO, .debug = true});
     if (!*state) {
         printf("    %s\n", error_get());
         return -1;

@@ -92,8 +92,8 @@ static void test_contexts(void **state) {
     struct image images[2][RECIPES];
     open_stage(&stage, cornell_animal);
     for (int k = 0; k < 2; k++) {
-        struct context *context = context_create(&(struct context_desc){
-            .kind = k ? CONTEXT_OSMESA : CONTEXT_EGL, .debug = true});
+        struct context *context = context_create(
+            &(struct context_desc){.kind = k ? CONTEXT_OSMESA : CONTEXT_EGL, .debug = true});
         if (!context || !gl.software) {
             printf("    skipped: EGL and OSMesa in software are not both there\n");
             context_free(context);

@@ -76,10 +76,9 @@ static float emission_at(const struct search *search, const struct tree_triangle
         corners.weight[2] =
             glms_vec3_dot(glms_vec3_cross(triangle->edges[0], from), normal) / area2;
         corners.weight[0] = 1 - corners.weight[1] - corners.weight[2];
-        vec4s texel =
-            corners_texel(&corners, search->scene, search->geometry, search->srgb_to_linear,
-                          &(struct corners_texture){material->emission_texture,
-                                                    material->emission_mapping});
+        vec4s texel = corners_texel(
+            &corners, search->scene, search->geometry, search->srgb_to_linear,
+            &(struct corners_texture){material->emission_texture, material->emission_mapping});
         color = glms_vec3_mul(color, glms_vec3(texel));
     }
     return glms_vec3_max(color);

@@ -60,9 +60,8 @@ void session_set_sky(struct session *session, const struct environment *sky) {
 
 bool session_same_view(const struct session *a, const struct session *b) {
     return strcmp(a->clip, b->clip) == 0 && a->time == b->time &&
-           session_bounces(a) == session_bounces(b) &&
-           strcmp(a->camera, b->camera) == 0 && strcmp(a->lights, b->lights) == 0 &&
-           session_same_sky(a, b);
+           session_bounces(a) == session_bounces(b) && strcmp(a->camera, b->camera) == 0 &&
+           strcmp(a->lights, b->lights) == 0 && session_same_sky(a, b);
 }
 
 /* Steps through the settings that are not at their defaults. */

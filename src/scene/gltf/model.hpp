@@ -96,11 +96,11 @@ struct Loader {
     std::vector<std::vector<UvSource>> mappings; /* of each material */
     std::map<int, TextureMean> texture_means;    /* of each image that was asked for */
     std::vector<TextureKey> texture_keys;        /* one per texture of the scene */
-    std::vector<unsigned char> texture_uses;     /* one per texture of the file, once one is broken */
-    std::vector<int> node_places;                /* each node's index in the scene, or -1 */
-    std::vector<bool> is_absent;                 /* of each buffer: its views are unpacked here */
-    std::vector<std::string> lacks;              /* what the scene is shown without, in words */
-    uint64_t memory = 0;                         /* bytes that the scene may still take */
+    std::vector<unsigned char> texture_uses; /* one per texture of the file, once one is broken */
+    std::vector<int> node_places;            /* each node's index in the scene, or -1 */
+    std::vector<bool> is_absent;             /* of each buffer: its views are unpacked here */
+    std::vector<std::string> lacks;          /* what the scene is shown without, in words */
+    uint64_t memory = 0;                     /* bytes that the scene may still take */
 };
 
 /* packed.cpp: fills absent buffers with what their views have packed, and gives accessors of packed
