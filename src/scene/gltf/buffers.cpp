@@ -38,6 +38,16 @@ bool read_uri(Loader &loader, const std::string &uri, struct file_bytes &bytes,
     return good;
 }
 
+void remember_uri(Loader &loader, const std::string &uri) {
+    for (const std::string &name : {unescape(uri), uri}) {
+        enum file_lack lack;
+        char *path = file_find_named(loader.folder.c_str(), name.c_str(), nullptr, &lack);
+        if (path)
+            loader.files.insert(path);
+        free(path);
+    }
+}
+
 namespace {
 
 const json::json_pointer packed_mark("/extensions/EXT_meshopt_compression");

@@ -46,6 +46,9 @@ namespace {
 
 void list_files(Loader &loader) {
     struct scene &scene = *loader.scene;
+    for (const Picture &picture : loader.pictures)
+        if (!picture.uri.empty())
+            remember_uri(loader, picture.uri);
     scene.files = allocate<char *>(loader.files.size());
     for (const std::string &file : loader.files)
         scene.files[scene.file_count++] = mem_strdup(file.c_str());

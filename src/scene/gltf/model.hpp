@@ -91,7 +91,7 @@ struct Loader {
     std::vector<std::vector<unsigned char>> buffers; /* until the model has them */
     std::vector<Picture> pictures;                   /* one per image */
     std::vector<size_t> strides;                     /* of buffer views; 0 = packed */
-    std::set<std::string> files;                     /* that were read beside the scene's own */
+    std::set<std::string> files;                     /* named beside the scene's own, and there */
     std::vector<Mended> mended;
     std::vector<std::vector<UvSource>> mappings; /* of each material */
     std::map<int, TextureMean> texture_means;    /* of each image that was asked for */
@@ -114,6 +114,9 @@ bool parse(Loader &loader, const char *path);
 /* buffers.cpp: reads the file that a URI names, with or without percent signs. */
 bool read_uri(Loader &loader, const std::string &uri, struct file_bytes &bytes,
               enum file_lack &lack);
+
+/* The file of a URI that was not read is the scene's all the same: nothing is written over it. */
+void remember_uri(Loader &loader, const std::string &uri);
 
 /* extension.cpp: remembers, once, what the scene is shown without; and says it all in one note. */
 bool check_extensions(Loader &loader);
