@@ -208,8 +208,8 @@ static void test_failures(void **state) {
     desc = renderer.desc;
     desc.technique = technique_baseline;
     desc.emitters =
-        (struct emitters){.items = mem_alloc(64, sizeof *desc.emitters.items), .count = 64};
-    for (int i = 0; i < 64; i++) {
+        (struct emitters){.items = mem_alloc(65, sizeof *desc.emitters.items), .count = 65};
+    for (int i = 0; i < 65; i++) {
         desc.emitters.items[i] = renderer.desc.emitters.items[0];
         desc.emitters.items[i].type = EMITTER_POINT;
     }
