@@ -118,7 +118,8 @@ static bool read_pfm(FILE *file, struct image *image, const char *path) {
     enum { SIDE_MAX = 16384 };
     if (fscanf(file, "PF %d %d %lf", &width, &height, &scale) != 3 || fgetc(file) != '\n' ||
         width < 1 || height < 1 || width > SIDE_MAX || height > SIDE_MAX || scale >= 0)
-        return error_set("%s: not a little-endian PFM in colour", path);
+        return error_set("%s: not a little-endian PFM in colour, which this build reads alone",
+                         path);
     image_init(image, width, height, "R G B");
     size_t row = 3 * (size_t)width;
     for (int y = height - 1; y >= 0; y--)
@@ -134,8 +135,7 @@ bool image_read(struct image *image, const char *path) {
     FILE *file = fopen(path, "rb");
     if (!file)
         return error_set("cannot open %s: %s", path, strerror(errno));
-    bool ok = has_extension(path, "pfm") ? read_pfm(file, image, path)
-                                         : error_set("%s: this build reads .pfm alone", path);
+    bool ok = read_pfm(file, image, path);
     fclose(file);
     return ok;
 }

@@ -65,8 +65,8 @@ static void test_usage_errors(void **state) {
         {"a.glb -o b.png --set terms=17", "terms: '17' is not a whole number from 1 to 16"},
         {"a.glb -o b.png --set vals=many", "vals"},
         {"a.glb -o b.png --set nothing=1", "nothing"},
-        {"a.glb -o b.png --set path=slow",
-         "path: 'slow' is not one of clustered's: draft, fast, normal, fine, high, traced, rays, paper"},
+        {"a.glb -o b.png --set path=slow", "path: 'slow' is not one of clustered's: draft, fast, "
+                                           "normal, fine, high, traced, rays, paper"},
         {"a.glb -o b.png --direct soft",
          "no direct light is called 'soft' (there is hard, pcss, samples, vssm, msm, cssm)"},
         {"a.glb -o b.png --set vpls=63 --set interleave=8", "interleave=8 needs at least 64 VPLs"},
@@ -165,13 +165,16 @@ static void test_own_texture(void **state) {
     struct file_bytes before, after;
     check_ok("texture", bitmap_write(&(struct bitmap){1, 1, red}, scratch("own.png")));
     check_ok("read", file_read(&before, scratch("own.png")));
-    char arguments[1024];
-    snprintf(arguments, sizeof arguments, "%s --size 8x8 -o %s",
-             write_parts("own.glb",
-                         &(struct gltf_parts){.more = "\"images\": [{\"uri\": \"own.png\"}],"}),
-             scratch("own.png"));
-    expect(1, arguments);
-    expect_text("own.png: it is the input");
+    /* Named so, used or not, it is the scene's. */
+    static const char *const names[] = {"own.png", "./own.png", "nowhere/../own.png", "%6fwn.png"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        char arguments[1024], images[128];
+        snprintf(images, sizeof images, "\"images\": [{\"uri\": \"%s\"}],", names[i]);
+        snprintf(arguments, sizeof arguments, "%s --size 8x8 -o %s",
+                 write_parts("own.glb", &(struct gltf_parts){.more = images}), scratch("own.png"));
+        expect(1, arguments);
+        expect_text("own.png: it is the input");
+    }
     check_ok("read again", file_read(&after, scratch("own.png")));
     assert_int_equal(after.size, before.size);
     assert_memory_equal(after.data, before.data, after.size);

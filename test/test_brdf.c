@@ -223,12 +223,30 @@ static void test_matt(void **state) {
     assert_false(brdf_of(&material, glms_vec3_one(), &reflectance).matt);
 }
 
+/* All is reflected outside, as older files' white specular colour has it: nothing is left to divide by. */
+static void test_all_outside(void **state) {
+    (void)state;
+    const struct material materials[] = {
+        {.roughness = 1, .specular_f0 = {1, 1, 1}, .specular_f90 = 1},
+        {.roughness = .1F, .specular_f0 = {1, 0, 0}, .specular_f90 = 1},
+    };
+    for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
+        struct reflectance reflectance = material_reflectance(&materials[i]);
+        struct brdf brdf = brdf_of(&materials[i], glms_vec3_one(), &reflectance);
+        struct brdf_value value = brdf_eval(&brdf, up, at_cosine(.7F, 0), at_cosine(.4F, 2));
+        printf("  transmitted %g, diffuse %g, albedo %g\n", (double)brdf.transmitted,
+               (double)value.diffuse, (double)brdf.albedo.x);
+        assert_true(isfinite(value.diffuse) && value.diffuse >= 0);
+        assert_true(brdf.albedo.x == 0);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_albedo),       cmocka_unit_test(test_reciprocity),
         cmocka_unit_test(test_sampling),     cmocka_unit_test(test_energy),
         cmocka_unit_test(test_transmission), cmocka_unit_test(test_even_light),
-        cmocka_unit_test(test_matt),
+        cmocka_unit_test(test_matt),         cmocka_unit_test(test_all_outside),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

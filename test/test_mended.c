@@ -192,6 +192,8 @@ static void test_clips(void **state) {
                BAD "output: 2 elements, not 3");
     check_clip("values of another type", &keys, FLOATS("108", "3", "VEC2"), SAMPLER, TURNED,
                BAD "output: accessor 5 has 2 numbers an element, not 4");
+    check_clip("turns without their fourth number", &keys, FLOATS("108", "3", "VEC3"), SAMPLER,
+               TURNED, BAD "output: accessor 5 has 3 numbers an element, not 4");
     check_clip("cubic with too few", &keys, TURNS,
                "{\"input\": 4, \"output\": 5, \"interpolation\": \"CUBICSPLINE\"}", TURNED,
                BAD "output: 3 elements, not 9");

@@ -37,7 +37,7 @@ static void wait_for(const char *name) {
 
 /* Until more is seen in the middle of the picture than a word on a ground. */
 static void wait_for_picture(void) {
-    for (int i = 0; i < 1200; i++) {
+    for (int i = 0; i < 3000; i++) {
         struct bitmap screen = read_screen();
         int changes = 0;
         for (int x = 1; x < width; x++)

@@ -115,7 +115,9 @@ bool arguments_parse(const struct arguments *arguments, void *values, int argc, 
 }
 
 int arguments_fail(const char *name) {
-    fprintf(stderr, "manylight %s: %s\n", name, error_get());
+    /* Libraries do not always say that it was memory. */
+    fprintf(stderr, "manylight %s: %s%s\n", name, error_get(),
+            mem_is_limited() ? " (--max-memory bounds its memory)" : "");
     return STATUS_FAILED;
 }
 

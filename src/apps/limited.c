@@ -22,7 +22,8 @@ enum { HELD_MOST = 1 << 16 }; /* bytes of others' messages that are kept until t
  * that ends the process has said something, too. */
 struct relay {
     struct text line, held;
-    bool told_error; /* a line of ours that is neither a note nor a warning */
+    const char *subcommand;
+    bool told_error; /* a line of ours that is an error, not a note, a warning or a detail */
 };
 
 static void write_all(const char *bytes, size_t size) {
@@ -39,11 +40,18 @@ static bool begins(const struct text *text, const char *with) {
     return text->length >= strlen(with) && memcmp(text->data, with, strlen(with)) == 0;
 }
 
+/* "manylight render: ..." of arguments_fail, or the last words of base/memory.h. */
+static bool is_error(const struct relay *relay, const struct text *line) {
+    size_t name = strlen("manylight ");
+    return begins(line, "manylight: out of memory") || begins(line, "manylight: cannot write") ||
+           (begins(line, "manylight ") && line->length > name + strlen(relay->subcommand) &&
+            memcmp(line->data + name, relay->subcommand, strlen(relay->subcommand)) == 0);
+}
+
 static void pass_line(struct relay *relay) {
     struct text *line = &relay->line;
     if (begins(line, "manylight")) {
-        relay->told_error |=
-            !begins(line, "manylight: note") && !begins(line, "manylight: warning");
+        relay->told_error |= is_error(relay, line);
         write_all(line->data, line->length);
     } else if (relay->held.length + line->length < HELD_MOST) {
         text_append(&relay->held, line->data, line->length);
@@ -88,13 +96,16 @@ static void forward_signals(void) {
             sigaction(asked_to_end[i], &action, NULL);
 }
 
+/* How a process ends that lacks memory, by its own hand or by the system's. */
+static bool is_lack_of_memory(int number) {
+    return number == SIGSEGV || number == SIGABRT || number == SIGBUS || number == SIGILL ||
+           number == SIGTRAP || number == SIGKILL;
+}
+
 /* As the child ended, so that whoever waits for this process sees the same. */
 static void end_by(int number) {
-    for (int i = 0; i < ASKED_COUNT; i++)
-        if (asked_to_end[i] == number) {
-            signal(number, SIG_DFL);
-            raise(number);
-        }
+    signal(number, SIG_DFL);
+    raise(number);
 }
 
 static int wait_for_child(void) {
@@ -105,11 +116,11 @@ static int wait_for_child(void) {
 }
 
 static _Noreturn void be_parent(const char *subcommand, double gib, int from) {
-    struct relay relay = {0};
+    struct relay relay = {.subcommand = subcommand};
     forward_signals();
     relay_all(&relay, from);
     int status = wait_for_child();
-    if (WIFSIGNALED(status))
+    if (WIFSIGNALED(status) && !is_lack_of_memory(WTERMSIG(status)))
         end_by(WTERMSIG(status));
     int code = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
     if (code != 0 && !relay.told_error) {

@@ -209,10 +209,10 @@ struct contribution {
     const struct texture *in_scatter, *transmittance; /* both or none */
 };
 
-/* The camera's view, of that many layers; the margin is draw_views'. */
 /* Lets what is drawn by one of the programs end where the camera's range does (picture/camera_range.glsl). */
 void frame_cut_by_range(const struct frame *frame, struct pass_state *state);
 
+/* The camera's view, of that many layers; the margin is draw_views'. */
 struct draw_views frame_camera_views(const struct frame *frame, int layers, float margin);
 
 /* The lights' of that kind. */

@@ -73,8 +73,11 @@ struct brdf_value brdf_eval(const struct brdf *brdf, vec3s n, vec3s v, vec3s l) 
     float visibility =
         .5F / (n_v * smith_root(brdf->alpha, n_l) + n_l * smith_root(brdf->alpha, n_v));
     float lobe = visibility * distribution(brdf->alpha, n, h);
+    /* Where all is reflected outside, the albedo is 0 and this may be anything that is finite. */
+    bool transmits = brdf->transmitted > 0;
     return (struct brdf_value){
-        .diffuse = (1 - glm_lerp(brdf->outer_f0, brdf->outer_f90, w)) / brdf->transmitted,
+        .diffuse =
+            transmits ? (1 - glm_lerp(brdf->outer_f0, brdf->outer_f90, w)) / brdf->transmitted : 1,
         .specular = glms_vec3_scale(glms_vec3_lerp(brdf->f0, brdf->f90, w), lobe),
     };
 }

@@ -27,7 +27,7 @@ float scene_brightness(const struct scene *scene, const struct geometry *geometr
 
 void scene_note_brightness(const struct scene *scene, const struct geometry *geometry) {
     const float stops_shown = 6; /* what lies in shade may want that much */
-    const float stops_lit = 8;   /* no lamp of a room that is seen at all gives it less */
+    const float stops_lit = 6;   /* less is nearly black on a display */
     float stops = scene_brightness(scene, geometry);
     if (stops > stops_shown)
         log_note("%s: its lights are %.0f times as bright as white: --set exposure=%.0f",

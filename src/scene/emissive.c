@@ -31,7 +31,8 @@ struct findings {
     float (*worlds)[16]; /* at time 0 */
     struct finding *items;
     int count, room;
-    bool *told; /* each material: it is among the names */
+    bool *told;     /* each material: it is among the names */
+    uint32_t looks; /* left, as struct lamp_triangles has them */
     struct names dark;
 };
 
@@ -45,11 +46,12 @@ static bool is_uniform(const struct material *material) {
     return material->emission_texture < 0 && !material->alpha_mask;
 }
 
-static double power_of(const struct findings *findings, const struct finding *finding) {
-    struct lamp_triangles triangles = {0};
+static double power_of(struct findings *findings, const struct finding *finding) {
+    struct lamp_triangles triangles = {.looks = findings->looks};
     lamp_triangles_add(&triangles, findings->scene, finding->primitive,
                        findings->worlds[finding->node]);
     double power = lamp_triangles_power(&triangles);
+    findings->looks = triangles.looks;
     lamp_triangles_free(&triangles);
     return power;
 }
@@ -240,7 +242,7 @@ static void add_lamp(struct findings *findings, const struct finding *finding, i
         add_flat_lights(findings->scene, finding, lamp);
         return;
     }
-    struct lamp_triangles triangles = {0};
+    struct lamp_triangles triangles = {.looks = LAMP_LOOKS};
     lamp_triangles_add(&triangles, findings->scene, finding->primitive,
                        findings->worlds[finding->node]);
     add_stand_ins(findings, &triangles, finding->node, finding->material->name, lamp,
@@ -250,7 +252,7 @@ static void add_lamp(struct findings *findings, const struct finding *finding, i
 
 /* Those that got no lights of their own, as one lamp that does not move. */
 static void add_rest(struct findings *findings, int lamp) {
-    struct lamp_triangles triangles = {0};
+    struct lamp_triangles triangles = {.looks = LAMP_LOOKS};
     int rest = 0;
     for (int i = 0; i < findings->count; i++) {
         const struct finding *finding = &findings->items[i];
@@ -285,7 +287,7 @@ static void add_lamps(struct findings *findings) {
 }
 
 void emissive_add_lights(struct scene *scene) {
-    struct findings findings = {.scene = scene};
+    struct findings findings = {.scene = scene, .looks = LAMP_LOOKS};
     findings.worlds = mem_alloc((size_t)scene->node_count, sizeof *findings.worlds);
     findings.told = mem_alloc((size_t)scene->material_count, sizeof *findings.told);
     scene_node_worlds(scene, 0, findings.worlds);

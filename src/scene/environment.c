@@ -1,7 +1,7 @@
 #include "scene/environment.h"
 
 #include "base/error.h"
-#include "base/file/image_file.h"
+#include "base/file/piped_file.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "scene/read_rules.h"
@@ -113,7 +113,7 @@ bool environment_load(struct environment *environment, const char *path) {
     struct image image;
     int channels[3];
     *environment = (struct environment){.strength = 1};
-    if (!image_read_layer(&image, path, "", channels))
+    if (!piped_image_read_layer(&image, path, "", channels))
         return false;
     bool ok = take_texels(environment, &image, channels, path) || error_prefix("%s", path);
     image_free(&image);

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where a textured triangle is looked at; one that looks dark there, at most; and all of a primitive that
- * do, together, over three. */
+/* Where a textured triangle is looked at; at most so many places of one that looks dark there; and three times the places of
+ * all dark triangles of a primitive. */
 enum { PLACES = 16, CLOSE_PLACES = 1 << 12, CLOSE_PLACES_OF_ALL = 3 << 21 };
 
 struct source {
@@ -64,7 +64,7 @@ static void average_places(const struct source *source, const uint32_t index[3],
 
 /* One for each texel of the emission that the triangle covers, so that no small light of a large one is
  * overlooked. */
-static uint32_t close_places(const struct source *source, const uint32_t index[3]) {
+static uint32_t close_places(const struct source *source, const uint32_t index[3], uint32_t looks) {
     const struct material *material = source->material;
     float(*uvs)[2] = source->primitive->uv[material->emission_mapping];
     if (material->emission_texture < 0 || !uvs)
@@ -73,18 +73,22 @@ static uint32_t close_places(const struct source *source, const uint32_t index[3
     const float *a = uvs[index[0]], *b = uvs[index[1]], *c = uvs[index[2]];
     double area = fabs((double)((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))) / 2;
     double most = fmin(CLOSE_PLACES, (double)CLOSE_PLACES_OF_ALL / source->primitive->index_count);
+    most = fmin(most, looks);
     return (uint32_t)fmin(area * bitmap->width * bitmap->height, most);
 }
 
 /* Over the triangle. One that looks dark is looked at closely. */
-static void average(const struct source *source, const uint32_t index[3], double radiance[3]) {
+static void average(const struct source *source, const uint32_t index[3], uint32_t *looks,
+                    double radiance[3]) {
     const struct material *material = source->material;
     double mean[3] = {1, 1, 1};
     if (material->emission_texture >= 0 || material->alpha_mask) {
         average_places(source, index, PLACES, mean);
-        uint32_t close = mean[0] + mean[1] + mean[2] > 0 ? 0 : close_places(source, index);
-        if (close > PLACES)
+        uint32_t close = mean[0] + mean[1] + mean[2] > 0 ? 0 : close_places(source, index, *looks);
+        if (close > PLACES) {
             average_places(source, index, close, mean);
+            *looks -= close;
+        }
     }
     for (int c = 0; c < 3; c++)
         radiance[c] = (double)material->emission[c] * mean[c];
@@ -136,7 +140,7 @@ void lamp_triangles_add(struct lamp_triangles *triangles, const struct scene *sc
     triangles->items = mem_resize(triangles->items, most, sizeof *triangles->items);
     for (int i = 0; i + 2 < primitive->index_count; i += 3) {
         struct lamp_triangle triangle;
-        average(&source, &primitive->indices[i], triangle.radiance);
+        average(&source, &primitive->indices[i], &triangles->looks, triangle.radiance);
         if (!place(&source, &primitive->indices[i], world, &triangle) ||
             !(triangle.radiance[0] + triangle.radiance[1] + triangle.radiance[2] > 0))
             continue;

@@ -5,10 +5,16 @@
 #include "scene/lamp_parts.h"
 #include "scene/scene.h"
 
+#include <stdint.h>
+
 struct lamp_triangles {
     struct lamp_triangle *items;
     int count;
+    uint32_t looks; /* how many texels may still be looked at closely */
 };
+
+/* Looks for all surfaces of a scene, however often each is there. */
+enum { LAMP_LOOKS = 1 << 24 };
 
 /* Adds those of a primitive that shine: of both sides, where the material has two. What textures say is
  * averaged over each. */

@@ -80,7 +80,6 @@ enum interpolation find_interpolation(const std::string &name) {
                                    : INTERPOLATION_LINEAR;
 }
 
-/* Nothing is left of a channel that failed. */
 bool load_keys(Loader &loader, const tinygltf::AnimationSampler &sampler, struct channel &to) {
     to.interpolation = find_interpolation(sampler.interpolation);
     if (!load_times(loader, sampler.input, to))
@@ -88,6 +87,7 @@ bool load_keys(Loader &loader, const tinygltf::AnimationSampler &sampler, struct
     return load_values(loader, sampler.output, to) || error_prefix("output");
 }
 
+/* Nothing is left of a channel that failed. */
 void drop_keys(struct channel &channel) {
     free(channel.times);
     free(channel.values);

@@ -92,11 +92,11 @@ bool spend(Loader &loader, uint64_t count, size_t size) {
     return true;
 }
 
-bool load_elements(Loader &loader, int index, int width, size_t count, float **out) {
+bool load_elements(Loader &loader, int index, int width, size_t count, float **out, int least) {
     struct accessor accessor;
     if (!resolve_accessor(loader.model, index, accessor))
         return false;
-    if (accessor.components != width && !(width == 4 && accessor.components == 3))
+    if (accessor.components != width && accessor.components != least)
         return error_set("accessor %d has %d numbers an element, not %d", index,
                          accessor.components, width);
     if (accessor.count != count)

@@ -41,7 +41,7 @@ bool read_uri(Loader &loader, const std::string &uri, struct file_bytes &bytes,
 void remember_uri(Loader &loader, const std::string &uri) {
     for (const std::string &name : {unescape(uri), uri}) {
         enum file_lack lack;
-        char *path = file_find_named(loader.folder.c_str(), name.c_str(), nullptr, &lack);
+        char *path = file_find_named(loader.folder.c_str(), name.c_str(), &lack);
         if (path)
             loader.files.insert(path);
         free(path);
@@ -52,7 +52,7 @@ namespace {
 
 const json::json_pointer packed_mark("/extensions/EXT_meshopt_compression");
 
-/* Whether a buffer has views, and views that are packed elsewhere. */
+/* Whether bytes of a buffer are read, and whether views of it are packed elsewhere. */
 struct Use {
     bool is_used = false, is_fallback = false;
 };
@@ -61,9 +61,12 @@ std::vector<Use> find_uses(const json &root) {
     std::vector<Use> uses(list_size(root, "/buffers"));
     for (size_t i = 0; i < list_size(root, "/bufferViews"); i++) {
         const json &view = root["bufferViews"][i];
+        bool is_packed = view.contains(packed_mark);
         Use &use = uses[view["buffer"].get<size_t>()];
-        use.is_used = true;
-        use.is_fallback |= view.contains(packed_mark);
+        use.is_fallback |= is_packed;
+        use.is_used |= !is_packed;
+        if (is_packed)
+            uses[view[packed_mark]["buffer"].get<size_t>()].is_used = true;
     }
     return uses;
 }
@@ -85,7 +88,7 @@ bool take_buffer(Loader &loader, const json &buffer, size_t index, const Use &us
                  size_t bin_size) {
     std::vector<unsigned char> &to = loader.buffers[index];
     uint64_t length = buffer["byteLength"].get<uint64_t>();
-    if (buffer.contains("uri")) {
+    if (buffer.contains("uri") && (use.is_used || !use.is_fallback)) {
         if (!take_uri(loader, buffer["uri"].get<std::string>(), to))
             return !use.is_used && mend(loader, "buffers that no view needs are not read",
                                         "buffer " + std::to_string(index) + ": " + error_get());
@@ -117,6 +120,10 @@ bool check_stride(Loader &loader, size_t index, size_t stride) {
 bool take_view(Loader &loader, json &view, size_t index, const json &buffers) {
     size_t buffer = view["buffer"], offset = view.value("byteOffset", size_t(0));
     size_t size = view["byteLength"], available = loader.buffers[buffer].size();
+    if (loader.is_absent[buffer] &&
+        view.contains("/extensions/KHR_meshopt_compression"_json_pointer))
+        return error_set(
+            "its bytes are in the format of KHR_meshopt_compression, which is not read");
     if (loader.is_absent[buffer] && !view.contains(packed_mark))
         return error_set("its buffer %zu has no uri, and there is no BIN chunk for it", buffer);
     if (offset > available || size > available - offset)

@@ -45,10 +45,11 @@ bool load_environment(Loader &loader) {
     if (!read_desc(*extras, desc))
         return error_prefix("extras");
     enum file_lack lack;
-    char *path =
-        file_find_named(loader.folder.c_str(), name.Get<std::string>().c_str(), nullptr, &lack);
+    char *path = file_find_named(loader.folder.c_str(), name.Get<std::string>().c_str(), &lack);
     desc.path = path;
-    bool good = path && environment_follow(&loader.scene->environment, &desc);
+    /* No pipe, which only the user may name. */
+    bool good =
+        path && file_can_be_read(path) && environment_follow(&loader.scene->environment, &desc);
     free(path);
     return good || error_prefix("extras: environment");
 }

@@ -116,11 +116,9 @@ static void slashes_for_backslashes(char *path) {
             *path = '/';
 }
 
-char *file_find_named(const char *folder, const char *name, char **real, enum file_lack *lack) {
-    char text[80], *path = path_of(folder, name), *found = NULL, *joined = NULL;
+char *file_find_named(const char *folder, const char *name, enum file_lack *lack) {
+    char text[80], *path = path_of(folder, name), *found = NULL;
     *lack = FILE_MISSING;
-    if (real)
-        *real = NULL;
     if (!path)
         return NULL;
     char *base = realpath(*folder ? folder : ".", NULL), *root = find_root(base ? base : "/");
@@ -129,37 +127,28 @@ char *file_find_named(const char *folder, const char *name, char **real, enum fi
         slashes_for_backslashes(path);
         *lack = base ? resolve(base, root, path, &found) : FILE_MISSING;
     }
-    if (*lack == FILE_FOUND)
-        joined = mem_printf("%s%s", *path == '/' ? "" : folder, path);
-    else if (*lack == FILE_MISSING)
+    if (*lack == FILE_MISSING)
         error_set("cannot open %s%s: %s", *path == '/' ? "" : folder, shown(text, path),
                   strerror(ENOENT));
-    else
+    else if (*lack == FILE_OUTSIDE)
         error_set("'%s' leads out of the folder %s (--root DIR names another)", shown(text, name),
                   root);
-    if (real)
-        *real = found;
-    else
-        free(found);
     free(path);
     free(base);
     free(root);
-    return joined;
+    return found;
 }
 
 bool file_read_named(struct file_bytes *bytes, const char *folder, const char *name, char **path,
                      enum file_lack *lack) {
-    char *real, *named = file_find_named(folder, name, &real, lack);
+    *path = file_find_named(folder, name, lack);
     *bytes = (struct file_bytes){0};
-    bool good = named && file_read(bytes, real);
-    if (named && !good)
-        *lack = FILE_MISSING;
-    free(real);
-    if (path && good)
-        *path = named;
-    else
-        free(named);
-    return good;
+    if (!*path || file_read(bytes, *path))
+        return *path != NULL;
+    *lack = FILE_MISSING;
+    free(*path);
+    *path = NULL;
+    return false;
 }
 
 static uint32_t word_at(const struct file_bytes *bytes, size_t at) {
@@ -175,7 +164,7 @@ bool glb_is(const struct file_bytes *bytes) {
 /* A chunk at an offset, of which at least type and size are there. */
 static bool check_chunk(int chunk, uint32_t type, size_t size, size_t left) {
     enum { JSON = 0x4E4F534A };
-    if (size > left)
+    if (size > left && chunk <= 1)
         return error_set("chunk %d: %zu bytes, but only %zu are left", chunk, size, left);
     if ((chunk == 0) != (type == JSON))
         return error_set("chunk %d: type 0x%08X is %s", chunk, type,
@@ -201,6 +190,8 @@ bool glb_check(const struct file_bytes *bytes, struct glb_chunks *chunks) {
         uint32_t type = word_at(bytes, at + 4);
         if (!check_chunk(chunk, type, size, end - at - 8))
             return false;
+        if (size > end - at - 8)
+            break; /* padding behind JSON and BIN, which the header counts */
         chunks->is_uneven |= size % 4 != 0;
         if (chunk == 0) {
             chunks->json_size = size;

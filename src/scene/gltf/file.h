@@ -13,16 +13,14 @@ enum file_lack { FILE_FOUND, FILE_MISSING, FILE_OUTSIDE };
 /* In place of the folder of a scene that came through a pipe: it can name no files. */
 extern const char file_no_folder[];
 
-/* The path of a file that a scene in the folder names; free() frees. folder is "" or ends in a
- * slash. The name may be absolute, lead upward and go through links; backslashes are slashes
- * where there is no such file otherwise. The file, links resolved, lies below the root: that of
- * scene/read_rules.h, or the parent of the folder, or the folder itself where the parent is "/".
- * real, unless NULL, gets the path without links, which free() frees, too. NULL and an error:
- * lack tells which. */
-char *file_find_named(const char *folder, const char *name, char **real, enum file_lack *lack);
+/* The path, without links, of a file that a scene in the folder names; free() frees. folder is "" or
+ * ends in a slash. The name may be absolute, lead upward and go through links; backslashes are slashes
+ * where there is no such file otherwise. The file lies below the root: that of scene/read_rules.h, or
+ * the parent of the folder, or the folder itself where the parent is "/". NULL and an error: lack tells
+ * which. */
+char *file_find_named(const char *folder, const char *name, enum file_lack *lack);
 
-/* Reads it; path, unless NULL, gets its path, which free() frees. A file that cannot be read
- * counts as missing. */
+/* Reads it, and gives its path, NULL where that fails. A file that cannot be read counts as missing. */
 bool file_read_named(struct file_bytes *bytes, const char *folder, const char *name, char **path,
                      enum file_lack *lack);
 

@@ -155,7 +155,7 @@ TextureMean mean_of(const struct scene_texture &texture) {
     return mean;
 }
 
-/* What the whole of a texture is on average, for want of its texels: white where there is none. The
+/* What the whole of a texture is on average, for want of its texels: white where there is none, or its picture is missing. The
  * scene does not keep it. */
 bool find_mean(Loader &loader, const tinygltf::TextureInfo &info, TextureMean &mean) {
     mean = {1, 1, 1, 1};
@@ -169,7 +169,7 @@ bool find_mean(Loader &loader, const tinygltf::TextureInfo &info, TextureMean &m
         mean = known->second;
     else if (!load_texture(loader, info.index, false, number))
         return false;
-    else if (number >= 0)
+    else if (number >= 0 && !loader.replaced_images.count(image))
         loader.texture_means[image] = mean = mean_of(loader.scene->textures[number]);
     if (loader.scene->texture_count > before) {
         bitmap_free(&loader.scene->textures[before].bitmap);

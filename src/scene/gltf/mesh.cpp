@@ -17,7 +17,9 @@ bool load_attribute(Loader &loader, const tinygltf::Primitive &from, const std::
     if (found == from.attributes.end())
         return true;
     float *numbers = nullptr;
-    bool good = load_elements(loader, found->second, Width, count, &numbers);
+    /* Colours may lack alpha. */
+    bool good =
+        load_elements(loader, found->second, Width, count, &numbers, Width == 4 ? 3 : Width);
     *out = reinterpret_cast<float(*)[Width]>(numbers);
     return good || error_prefix("%s", name.c_str());
 }

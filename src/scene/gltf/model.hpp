@@ -91,10 +91,11 @@ struct Loader {
     std::vector<std::vector<unsigned char>> buffers; /* until the model has them */
     std::vector<Picture> pictures;                   /* one per image */
     std::vector<size_t> strides;                     /* of buffer views; 0 = packed */
-    std::set<std::string> files;                     /* named beside the scene's own, and there */
+    std::set<std::string> files; /* that it names, by their paths without links */
     std::vector<Mended> mended;
     std::vector<std::vector<UvSource>> mappings; /* of each material */
     std::map<int, TextureMean> texture_means;    /* of each image that was asked for */
+    std::set<int> replaced_images;               /* whose picture is missing or broken */
     std::vector<TextureKey> texture_keys;        /* one per texture of the scene */
     std::vector<unsigned char> texture_uses; /* one per texture of the file, once one is broken */
     std::vector<int> node_places;            /* each node's index in the scene, or -1 */
@@ -140,9 +141,9 @@ bool spend(Loader &loader, uint64_t count, size_t size);
 /* Lets it have more, for one more file of so many bytes. */
 void allow_memory(Loader &loader, uint64_t file_size);
 
-/* Reads an accessor that holds `count` elements, each of `width` floats, into a new array. Where
- * width is 4, there may be 3; the fourth is 1 then. */
-bool load_elements(Loader &loader, int index, int width, size_t count, float **out);
+/* Reads an accessor that holds `count` elements, each of `width` floats, into a new array. Elements may
+ * have `least` instead, unless it is 0; the others are 1 then. */
+bool load_elements(Loader &loader, int index, int width, size_t count, float **out, int least = 0);
 
 /* deform.cpp: what moves a primitive's vertices, before they are flattened. */
 bool load_joints(Loader &loader, const tinygltf::Primitive &from, const std::string &object,

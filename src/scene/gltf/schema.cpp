@@ -274,7 +274,7 @@ bool check_fields(Check &check, json &object, const Field *fields) {
     return true;
 }
 
-/* Whether each sampler is one; NULL and the reason otherwise. */
+/* Why each sampler is none; "" = it is one. */
 std::vector<std::string> check_samplers(Check &check, json &animation) {
     std::vector<std::string> reasons;
     json stub = {{"input", 0}, {"output", 0}};

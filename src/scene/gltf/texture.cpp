@@ -116,6 +116,7 @@ bool load_picture(Loader &loader, int index, int source, struct scene_texture &m
               object + ": " + error_get()) ||
         !spend(loader, stand_in_size * stand_in_size, 4))
         return false;
+    loader.replaced_images.insert(source);
     if (loader.texture_uses.empty())
         find_uses(loader);
     make_stand_in(loader.texture_uses[size_t(index)], made);
