@@ -188,14 +188,25 @@ static void place_starts(struct renderer *renderer) {
     renderer->start_emitters = light_starts_emitters(&renderer->starts);
 }
 
+/* Looks at triangles, so only where another view may cut others. */
+static void follow_range(struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    const float aspect = (float)desc->width / (float)desc->height;
+    struct ranged *of = &renderer->ranged;
+    if (of->geometry == desc->geometry && of->pose == desc->geometry->pose_count &&
+        of->aspect == aspect && cameras_same(&of->camera, &desc->camera))
+        return;
+    *of = (struct ranged){desc->geometry, desc->geometry->pose_count, aspect, desc->camera};
+    renderer->camera_range = camera_range_of(&desc->camera, desc->geometry, aspect);
+}
+
 void renderer_write_views(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     const float place[2] = {2 * place_in_pixel(2, renderer->pass) / (float)desc->width,
                             2 * place_in_pixel(3, renderer->pass) / (float)desc->height};
     view_of_camera(&renderer->camera_view, &desc->camera, desc->geometry,
                    (float)desc->width / (float)desc->height);
-    renderer->camera_range =
-        camera_range_of(&desc->camera, desc->geometry, (float)desc->width / (float)desc->height);
+    follow_range(renderer);
     if (renderer->pass > 0)
         view_shift(&renderer->camera_view, place);
     views_of_emitters(renderer->light_block, &desc->emitters, desc->geometry);

@@ -79,6 +79,12 @@ struct renderer {
     } refining;
     struct view camera_view;
     struct camera_range camera_range;
+    struct ranged { /* the view that it is of */
+        const struct geometry *geometry;
+        unsigned pose;
+        float aspect;
+        struct camera camera;
+    } ranged;
     struct buffer view_buffer;
     struct light_plan plan;
     /* What shines, for direct light; and what techniques are given for it. */
