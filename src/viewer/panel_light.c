@@ -178,8 +178,8 @@ static void draw_sky_file(struct viewer *viewer) {
 }
 
 static void draw_sky(struct viewer *viewer) {
+    draw_sky_file(viewer); /* may free the environment */
     struct environment *sky = viewer->document.scene.environment;
-    draw_sky_file(viewer);
     if (!sky)
         return;
     bool needed = !viewer_can_do_without_sky(viewer), shines = viewer_sky_shines(viewer);
