@@ -85,6 +85,7 @@ static void draw_reading(struct viewer *viewer) {
 /* Beside the scene that is open, or the one that was asked for last. */
 void viewer_ask_file(struct viewer *viewer) {
     viewer->hand.drags_picture = false;
+    viewer->panel.help = false; /* it would cover the list and take its keyboard */
     file_dialog_open(&viewer->start.dialog,
                      viewer->has_scene ? viewer->document.scene.path : viewer->loader.path);
 }
