@@ -46,14 +46,6 @@ static char *state_path(const char *scene) {
     return path;
 }
 
-/* A command line that says how the scene is to look means that. */
-static bool is_told(const struct viewer_desc *desc) {
-    return desc->camera || desc->light || desc->clip || desc->session || desc->time != 0 ||
-           desc->environment.path || desc->reference || desc->direct || desc->layer ||
-           desc->budget > 0 || (desc->technique && desc->technique != technique_default) ||
-           (desc->given && desc->given->count > 0);
-}
-
 /* Whether the user has changed something: an exposure that came by itself is nothing. */
 static bool is_changed(struct viewer *viewer, const struct session *now) {
     struct session fresh = session_copy(&viewer->kept.fresh);
@@ -99,7 +91,7 @@ void kept_begin(struct viewer *viewer) {
     struct kept *kept = &viewer->kept;
     session_free(&kept->fresh);
     kept->was_restored = false;
-    kept->on = !viewer_is_scripted(viewer) && !is_told(&viewer->desc);
+    kept->on = !viewer_is_scripted(viewer) && !viewer->opening.is_told;
     if (!kept->on)
         return;
     struct session fresh = viewer_session(viewer);

@@ -58,7 +58,9 @@ static bool place_as_told(struct viewer *viewer) {
     return has_camera && has_lights && has_clip;
 }
 
-static void forget_told(struct viewer_desc *desc) {
+static void forget_told(struct viewer *viewer) {
+    struct viewer_desc *desc = &viewer->desc;
+    viewer->opening.is_told = false;
     desc->camera = desc->light = desc->clip = desc->session = NULL;
     desc->environment = (struct environment_desc){0};
     desc->time = 0;
@@ -76,7 +78,8 @@ static void tell_what_stays(struct viewer *viewer) {
     struct compare *compare = &viewer->shown.compare;
     const struct technique *first =
         viewer->desc.technique ? viewer->desc.technique : technique_default;
-    bool changed = viewer->wish.technique != first ||
+    bool changed = viewer->wish.technique != first || viewer->wish.direct != viewer->desc.direct ||
+                   viewer->wish.passes != viewer->desc.passes ||
                    is_changed(&viewer->wish.settings, &viewer->desc.settings);
     if (compare->mode == COMPARE_REFERENCE) {
         compare->mode = COMPARE_OFF;
@@ -150,7 +153,7 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     kept_begin(viewer);
     if (replaces)
         tell_what_stays(viewer);
-    forget_told(&viewer->desc); /* it meant the first scene */
+    forget_told(viewer); /* it meant the first scene */
     return !told || viewer_load_session(viewer, told) || !viewer_is_scripted(viewer);
 }
 
@@ -223,7 +226,7 @@ void viewer_stop_opening(struct viewer *viewer) {
     if (viewer->is_arriving)
         leave_arriving(viewer);
     viewer_forget_sky(viewer);
-    forget_told(&viewer->desc);
+    forget_told(viewer);
 }
 
 void viewer_tell_opening(struct viewer *viewer, char *text, size_t size) {
@@ -260,7 +263,7 @@ bool viewer_poll_loader(struct viewer *viewer) {
         break;
     case LOADER_FAILED:
         if (!viewer_is_scripted(viewer))
-            forget_told(&viewer->desc);
+            forget_told(viewer);
         return false;
     case LOADER_IDLE:
     case LOADER_BUSY:

@@ -28,7 +28,7 @@ struct renderer_desc viewer_first_desc(const struct viewer *viewer,
                                        const struct document *document) {
     struct renderer_desc desc = {
         .technique = viewer->wish.technique,
-        .direct = viewer->desc.direct,
+        .direct = viewer->wish.direct,
         .settings = viewer->wish.settings,
         .scene = &document->scene,
         .geometry = &document->geometry,
@@ -114,8 +114,8 @@ struct session viewer_session(const struct viewer *viewer) {
     struct session session = {
         .scene = scene->path,
         .technique = viewer->wish.technique,
-        .direct = viewer->desc.direct,
-        .passes = viewer->desc.passes,
+        .direct = viewer->wish.direct,
+        .passes = viewer->wish.passes,
         .settings = viewer->wish.settings,
         .layer = viewer->shown.layer,
         .time = (float)viewer->placed.time,
@@ -133,8 +133,8 @@ struct session viewer_session(const struct viewer *viewer) {
 bool viewer_show_session(struct viewer *viewer, const struct session *session) {
     memcpy(viewer->placed.views, session->views, sizeof session->views);
     viewer->wish.technique = session->technique;
-    viewer->desc.direct = session->direct;
-    viewer->desc.passes = session->passes;
+    viewer->wish.direct = session->direct;
+    viewer->wish.passes = session->passes;
     viewer->wish.settings = session->settings;
     viewer->shown.layer = session->layer;
     viewer->wish.play.on = false;

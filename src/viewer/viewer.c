@@ -304,11 +304,23 @@ static bool begin(struct viewer *viewer) {
            !viewer_is_scripted(viewer);
 }
 
+/* A command line that says how the scene is to look means that. */
+static bool is_told(const struct viewer_desc *desc) {
+    return desc->camera || desc->light || desc->clip || desc->session || desc->time != 0 ||
+           desc->environment.path || desc->reference || desc->direct || desc->layer ||
+           desc->passes > 0 || desc->budget > 0 ||
+           (desc->technique && desc->technique != technique_default) ||
+           (desc->given && desc->given->count > 0);
+}
+
 bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc) {
     *viewer = (struct viewer){
         .desc = *desc,
+        .opening = {.is_told = is_told(desc)},
         .wish = {.technique = desc->technique ? desc->technique : technique_default,
+                 .direct = desc->direct,
                  .settings = desc->settings,
+                 .passes = desc->passes,
                  .play = {.loops = true, .speed = 1}},
         .shown = {.layer = desc->layer,
                   .choice = {.layer = -1, .chosen = -1},

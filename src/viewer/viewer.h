@@ -76,7 +76,9 @@ struct host {
 /* What is wanted of a picture; the renderer follows. */
 struct wish {
     const struct technique *technique;
+    const struct direct_method *direct; /* NULL: by the lights' sizes, which may change */
     struct settings settings;
+    int passes;   /* as struct viewer_desc has it */
     float budget; /* ms; 0: none */
     struct playing {
         bool on, loops;
@@ -164,6 +166,7 @@ struct viewer {
     struct opening {
         double since;      /* when the scene was asked for */
         bool is_announced; /* that its renderer is made next */
+        bool is_told;      /* the command line says how it is to look: it means the first scene */
     } opening;
     struct preview preview; /* of what arrives */
     struct compiling compiling;
