@@ -218,6 +218,7 @@ static void test_sky_turned(void **state) {
 /* Lights that stand in for missing ones go, as they do with --environment; the copied line says it all. */
 static void test_sky_of_unlit_scene(void **state) {
     (void)state;
+    int x, y;
     need_viewer();
     open_by_panel(SPHERE);
     wait_for_scene("sphere.glb");
@@ -233,6 +234,18 @@ static void test_sky_of_unlit_scene(void **state) {
     assert_non_null(strstr(command, "/scenes/day.hdr"));
     xdo("key ctrl+z");
     check_same("and taken back", SPHERE);
+    xdo("key ctrl+y");
+    press("Remove the sky");
+    rest_mouse();
+    check_same("removed: the lights that stood in shine again", SPHERE);
+    xdo("key ctrl+z");
+    find_place("sky", &x, &y);
+    click(x, y);
+    sync_viewer();
+    xdo("key ctrl+a key BackSpace key Return");
+    rest_mouse();
+    sync_viewer();
+    check_same("and by its field", SPHERE);
     end_viewer();
 }
 

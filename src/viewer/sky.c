@@ -15,10 +15,12 @@ static bool stands_in(const struct viewer *viewer, const struct emitter *light) 
     return light->number >= 0 && framing_made_light(&viewer->document.scene, light->number);
 }
 
-/* The lights beside a new sky; to be freed. */
+/* The lights beside a new sky; NULL: without one, where all of the scene's shine if no other does. To be freed. */
 static struct emitters with_sky(const struct viewer *viewer, const struct environment *sky) {
     struct emitters lights = emitters_copy(&viewer->placed.emitters);
     int kept = 0;
+    if (!sky && lights.count == 0)
+        emitters_from_text(&lights, &viewer->document.scene, NULL, viewer->placed.time);
     for (int i = 0; sky && i < lights.count; i++)
         if (!stands_in(viewer, &lights.items[i]))
             lights.items[kept++] = lights.items[i];
@@ -153,6 +155,10 @@ bool viewer_sky_shines(const struct viewer *viewer) {
 
 bool viewer_can_do_without_sky(const struct viewer *viewer) {
     return viewer->placed.emitters.count > 0;
+}
+
+bool viewer_can_remove_sky(const struct viewer *viewer) {
+    return viewer_can_do_without_sky(viewer) || emitter_node_count(&viewer->document.scene) > 0;
 }
 
 void viewer_let_sky_shine(struct viewer *viewer, bool shines) {

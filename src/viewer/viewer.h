@@ -386,7 +386,9 @@ bool viewer_sky_shines(const struct viewer *viewer);
 bool viewer_can_do_without_sky(const struct viewer *viewer);
 void viewer_let_sky_shine(struct viewer *viewer, bool shines);
 
-/* Asserts viewer_can_do_without_sky. */
+/* Whether something is there that shines without it: then it can be removed, and the scene's lights shine where no
+ * other does. */
+bool viewer_can_remove_sky(const struct viewer *viewer);
 void viewer_remove_sky(struct viewer *viewer);
 
 /* The sky of a session, at once, with its lights. Error: of the file, or of the lights. */
