@@ -105,20 +105,28 @@ static bool makes_technique(const struct viewer *viewer) {
              renderer_makes_technique(&compare->other, compare->technique, &compare->settings)));
 }
 
-/* Casters are those of time 0, as a picture rendered offscreen has them. */
-static void follow_wishes_from_start(struct viewer *viewer) {
+bool viewer_pose_start(struct viewer *viewer) {
     struct document *document = &viewer->document;
+    return viewer->placed.posed_time != 0 &&
+           geometry_pose(&document->geometry, &document->scene, 0);
+}
+
+void viewer_pose_back(struct viewer *viewer, bool away) {
+    struct document *document = &viewer->document;
+    if (away)
+        geometry_pose(&document->geometry, &document->scene, viewer->placed.posed_time);
+}
+
+static void follow_wishes_from_start(struct viewer *viewer) {
     struct shown *shown = &viewer->shown;
-    bool away = viewer->placed.posed_time != 0 && makes_technique(viewer) &&
-                geometry_pose(&document->geometry, &document->scene, 0);
+    bool away = makes_technique(viewer) && viewer_pose_start(viewer);
     if (!follow_wishes(viewer)) {
         take_wishes_back(viewer);
         follow_wishes(viewer); /* the camera */
     }
     if (!compare_follow(&shown->compare, &shown->renderer, shown->coarse, shown->awaits))
         viewer_tell_error(viewer);
-    if (away)
-        geometry_pose(&document->geometry, &document->scene, viewer->placed.posed_time);
+    viewer_pose_back(viewer, away);
 }
 
 static void scale_to(double scale, int *width, int *height) {
@@ -282,18 +290,15 @@ bool viewer_is_refining(const struct viewer *viewer) {
 
 /* Casters of passes, too, are those of time 0. Error: the renderer must be freed. */
 static bool make_progressive(struct viewer *viewer) {
-    struct document *document = &viewer->document;
     struct renderer *renderer = &viewer->shown.renderer;
     struct renderer_desc desc = renderer->desc;
-    bool away =
-        viewer->placed.posed_time != 0 && geometry_pose(&document->geometry, &document->scene, 0);
+    bool away = viewer_pose_start(viewer);
     desc.progressive = true;
     if (!renderer_follow(renderer, &desc)) {
         viewer_tell_error(viewer);
         viewer->wish.passes = 1;
     }
-    if (away)
-        geometry_pose(&document->geometry, &document->scene, viewer->placed.posed_time);
+    viewer_pose_back(viewer, away);
     return renderer_update(renderer);
 }
 

@@ -50,8 +50,10 @@ static bool put(struct viewer *viewer, struct environment *sky, const char *text
     compiling_wait(&viewer->compiling);
     *own = sky;
     viewer->placed.emitters = lights;
+    bool away = viewer_pose_start(viewer);
     bool ok =
         (!text || viewer_place_lights(viewer, text)) && viewer_init_renderer(viewer, &renderer);
+    viewer_pose_back(viewer, away);
     lights = viewer->placed.emitters;
     viewer->placed.emitters = placed.emitters;
     if (!ok) {

@@ -251,6 +251,11 @@ void viewer_full_size(const struct viewer *viewer, int *width, int *height);
 /* Renders and composes what has changed. Error: the scene cannot be drawn any more. */
 bool viewer_update_picture(struct viewer *viewer);
 
+/* Casters are those of time 0, as a picture rendered offscreen has them: poses the scene there before casters are
+ * made, and back. viewer_pose_start: whether it was elsewhere, for viewer_pose_back. */
+bool viewer_pose_start(struct viewer *viewer);
+void viewer_pose_back(struct viewer *viewer, bool away);
+
 /* Shows the picture in the exposure and tone map that are wanted: nothing is rendered for that. */
 void viewer_retone(struct viewer *viewer);
 
