@@ -253,10 +253,18 @@ static bool is_announced(struct viewer *viewer) {
     return is;
 }
 
+static void free_what_leaves(struct viewer *viewer) {
+    bool leaves = viewer->leaving.scene.path || viewer->leaving_sky;
+    if (!leaves || !compiling_rests(&viewer->compiling))
+        return;
+    document_free(&viewer->leaving);
+    environment_free(viewer->leaving_sky);
+    viewer->leaving_sky = NULL;
+}
+
 bool viewer_poll_loader(struct viewer *viewer) {
     struct document document;
-    if (viewer->leaving.scene.path && compiling_rests(&viewer->compiling))
-        document_free(&viewer->leaving);
+    free_what_leaves(viewer);
     switch (loader_poll(&viewer->loader, &document)) {
     case LOADER_DONE:
         await_document(viewer, &document);

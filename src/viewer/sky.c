@@ -133,8 +133,10 @@ void viewer_follow_sky(struct viewer *viewer) {
 void viewer_forget_sky(struct viewer *viewer) {
     if (!viewer->arriving_sky)
         return;
-    compiling_wait(&viewer->compiling);
-    environment_free(viewer->arriving_sky);
+    if (viewer->leaving_sky)
+        compiling_wait(&viewer->compiling);
+    environment_free(viewer->leaving_sky);
+    viewer->leaving_sky = viewer->arriving_sky;
     viewer->arriving_sky = NULL;
 }
 

@@ -273,6 +273,7 @@ static void close_window(struct viewer *viewer) {
     compiling_free(&viewer->compiling);
     document_free(&viewer->leaving);
     environment_free(viewer->arriving_sky);
+    environment_free(viewer->leaving_sky);
     document_free(&viewer->arriving);
     if (viewer->has_scene) {
         renderer_free(&viewer->shown.renderer);

@@ -171,7 +171,9 @@ struct viewer {
     struct preview preview; /* of what arrives */
     struct compiling compiling;
     struct environment *arriving_sky; /* waits for its shaders; NULL = none */
-    struct document document;         /* where has_scene */
+    struct environment
+        *leaving_sky;         /* not wanted any more, but its shaders are still being compiled */
+    struct document document; /* where has_scene */
     bool has_scene;
     struct wish wish;
     struct placed {
@@ -377,7 +379,7 @@ bool viewer_open_sky(struct viewer *viewer, const char *path);
 /* Takes the sky whose shaders have come. */
 void viewer_follow_sky(struct viewer *viewer);
 
-/* Lets a sky go that waits for its shaders. */
+/* Lets a sky go that waits for its shaders; it is freed when none are being compiled. */
 void viewer_forget_sky(struct viewer *viewer);
 
 /* What of a sky the panel's rows tell. */
