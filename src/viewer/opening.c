@@ -33,6 +33,7 @@ static void set_title(struct viewer *viewer) {
 
 void viewer_close_scene(struct viewer *viewer) {
     recorder_stop(viewer);
+    viewer->record.is_open = false;
     viewer_forget_truth(viewer);
     compare_forget(&viewer->shown.compare);
     compiling_wait(&viewer->compiling);
@@ -106,6 +107,7 @@ static void begin_scene(struct viewer *viewer, const struct renderer *renderer) 
     const char *path = viewer->document.scene.path;
     viewer->wish.play.on = false;
     recorder_stop(viewer);
+    viewer->record.is_open = false;
     viewer->shown.renderer = *renderer;
     viewer->has_scene = true;
     viewer->shown.has_pick = false;
