@@ -286,5 +286,10 @@ bool viewer_poll_loader(struct viewer *viewer) {
     document = viewer->arriving;
     viewer->arriving = (struct document){0};
     viewer->is_arriving = false;
-    return show_document(viewer, &document);
+    if (show_document(viewer, &document))
+        return true;
+    preview_free(&viewer->preview); /* no picture follows */
+    if (!viewer_is_scripted(viewer))
+        forget_told(viewer);
+    return false;
 }
