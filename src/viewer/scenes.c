@@ -140,7 +140,8 @@ bool viewer_show_session(struct viewer *viewer, const struct session *session) {
     viewer->wish.play.on = false;
     char clips[CLIPS_TEXT_SIZE];
     clips_to_text(&viewer->document.scene, clips);
-    if (strcmp(session->clip, clips) != 0)
+    /* A file of settings may name clip 0 of a scene that has none. */
+    if (viewer->document.scene.clip_count > 0 && strcmp(session->clip, clips) != 0)
         viewer_pick_clips(viewer, session->clip);
     viewer_go_to(viewer, (double)session->time);
     viewer->shown.recompose = true;
