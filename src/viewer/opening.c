@@ -119,6 +119,8 @@ static void begin_scene(struct viewer *viewer, const struct renderer *renderer) 
     pace_forget(&viewer->shown.pace);
     set_title(viewer);
     snprintf(viewer->panel.scene_path, sizeof viewer->panel.scene_path, "%s", path);
+    /* A file of settings is of the scene before: Save must not overwrite it. */
+    snprintf(viewer->panel.session_path, sizeof viewer->panel.session_path, SESSION_PATH);
     viewer_tell_sky(viewer);
 }
 

@@ -326,7 +326,7 @@ bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc) {
         .shown = {.layer = desc->layer,
                   .choice = {.layer = -1, .chosen = -1},
                   .compare = {.split = .5F, .technique = technique_baseline}},
-        .panel = {.is_open = !desc->no_panel, .session_path = "manylight.settings"},
+        .panel = {.is_open = !desc->no_panel, .session_path = SESSION_PATH},
     };
     glsl_set_folder(desc->glsl);
     messages_init(&viewer->host.messages);

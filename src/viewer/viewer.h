@@ -32,6 +32,9 @@
 
 enum { PASSES_AT_REST = 1024 };
 
+/* In the working folder: where settings are saved until another file is named. */
+#define SESSION_PATH "manylight.settings"
+
 struct viewer_desc {
     const char *scene; /* NULL: none yet */
     int width, height; /* of the picture */
