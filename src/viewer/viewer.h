@@ -201,7 +201,9 @@ struct viewer {
     struct kept {
         bool on;              /* nobody has said how the scene is to look */
         bool was_restored;    /* it is as it was left */
+        bool is_incomplete;   /* but not all of it could be shown */
         struct session fresh; /* as its file has it, where on */
+        struct session shown; /* how it began, where it was restored */
     } kept;
     struct exposing {
         float usual;     /* EV: where the scene began */
