@@ -66,6 +66,8 @@ static void test_dialog_is_modal(void **state) {
     start_viewer(BOX, "");
     save_settings();
     read_setting("camera", before, sizeof before);
+    xdo("key F1"); /* the help gives way */
+    sync_viewer();
     xdo("key ctrl+o");
     sync_viewer();
     xdo("type --delay 40 wasdqe2rcv");
@@ -249,6 +251,16 @@ static void test_sky_of_unlit_scene(void **state) {
     end_viewer();
 }
 
+/* The casters of its renderer are those of time 0, as offscreen. */
+static void test_sky_of_moving_scene(void **state) {
+    (void)state;
+    start_viewer("scenes/metaballs.glb", "--time 1.5");
+    check_same("without a sky", "scenes/metaballs.glb --time 1.5");
+    drop("scenes/overcast.hdr");
+    check_same("with a sky", "scenes/metaballs.glb --time 1.5 " SKY);
+    end_viewer();
+}
+
 /* A grey picture of that size. */
 static const char *write_picture(const char *name, const char *channels, int width, int height) {
     struct image image;
@@ -303,7 +315,8 @@ int main(void) {
         cmocka_unit_test(test_dialog_is_modal),    cmocka_unit_test(test_dialog_keys),
         cmocka_unit_test(test_broken_keeps_scene), cmocka_unit_test(test_start_page),
         cmocka_unit_test(test_sky_dropped),        cmocka_unit_test(test_sky_turned),
-        cmocka_unit_test(test_sky_of_unlit_scene), cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_sky_of_unlit_scene), cmocka_unit_test(test_sky_of_moving_scene),
+        cmocka_unit_test(test_pictures),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

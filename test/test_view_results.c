@@ -19,6 +19,7 @@
 #define SETTINGS "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=128 interleave=4"
 
 static struct viewer viewer;
+static int told_passes; /* --passes */
 
 static void turn(void) {
     check_ok("turn", viewer_turn(&viewer));
@@ -41,7 +42,8 @@ static void rest(void) {
 
 static void begin(const char *scene) {
     char path[640];
-    struct viewer_desc desc = {.scene = path, .width = 96, .height = 96, .debug = true};
+    struct viewer_desc desc = {
+        .scene = path, .width = 96, .height = 96, .passes = told_passes, .debug = true};
     if (!stage.server)
         skip();
     snprintf(path, sizeof path, "%s/%s", stage.here, scene);
@@ -292,6 +294,20 @@ static void test_sky_is_gone(void **state) {
         0);
 }
 
+/* An option means the scene that it came with, and no other. */
+static void test_options_mean_first_scene(void **state) {
+    (void)state;
+    told_passes = 2;
+    begin("scenes/cornell-box.glb"); /* it was left otherwise */
+    printf("    %d passes, restored %d\n", viewer.wish.passes, viewer.kept.was_restored);
+    assert_int_equal(viewer.wish.passes, 2);
+    assert_false(viewer.kept.on || viewer.kept.was_restored);
+    open_scene("scenes/gloss.glb");
+    assert_true(viewer.kept.on);
+    end();
+    told_passes = 0;
+}
+
 /* --- without a window ------------------------------------------------------------------------- */
 
 static void test_words(void **state) {
@@ -348,6 +364,7 @@ int main(void) {
         cmocka_unit_test(test_second_scene),
         cmocka_unit_test(test_settings_name_no_clip),
         cmocka_unit_test(test_sky_is_gone),
+        cmocka_unit_test(test_options_mean_first_scene),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }
