@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "base/file/folder.h"
 #include "base/log.h"
-#include "scene/animation.h"
 #include "scene/clips.h"
 
 #include <stdio.h>
@@ -20,14 +19,9 @@ void viewer_open(struct viewer *viewer, const char *path) {
     free(whole);
 }
 
-static const char *name_of(const char *path) {
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
 static void set_title(struct viewer *viewer) {
     char title[256];
-    snprintf(title, sizeof title, "%s - manylight", name_of(viewer->document.scene.path));
+    snprintf(title, sizeof title, "%s - manylight", path_name(viewer->document.scene.path));
     window_set_title(viewer->host.window, title);
 }
 
@@ -225,7 +219,7 @@ bool viewer_is_opening(struct viewer *viewer) {
 void viewer_stop_opening(struct viewer *viewer) {
     const char *path = viewer->is_arriving ? viewer->arriving.scene.path : viewer->loader.path;
     if (viewer->is_arriving || loader_is_busy(&viewer->loader))
-        messages_add(&viewer->host.messages, UI_NORMAL, "%s is not opened.", name_of(path));
+        messages_add(&viewer->host.messages, UI_NORMAL, "%s is not opened.", path_name(path));
     loader_abandon(&viewer->loader);
     if (viewer->is_arriving)
         leave_arriving(viewer);
@@ -238,15 +232,15 @@ void viewer_tell_opening(struct viewer *viewer, char *text, size_t size) {
     int programs = compiling_count(&viewer->compiling);
     if (viewer->arriving_sky)
         snprintf(text, size, "%s\ncompiling shaders (%d so far)",
-                 name_of(viewer->arriving_sky->path), programs);
+                 path_name(viewer->arriving_sky->path), programs);
     else if (!viewer->is_arriving)
-        snprintf(text, size, "%s\nreading, %d s", name_of(viewer->loader.path), seconds);
+        snprintf(text, size, "%s\nreading, %d s", path_name(viewer->loader.path), seconds);
     else if (viewer->opening.is_announced)
-        snprintf(text, size, "%s\npreparing %u faces, %d s", name_of(viewer->arriving.scene.path),
+        snprintf(text, size, "%s\npreparing %u faces, %d s", path_name(viewer->arriving.scene.path),
                  geometry_triangle_count(&viewer->arriving.geometry), seconds);
     else
         snprintf(text, size, "%s\n%u faces; compiling shaders (%d), %d s",
-                 name_of(viewer->arriving.scene.path),
+                 path_name(viewer->arriving.scene.path),
                  geometry_triangle_count(&viewer->arriving.geometry), programs, seconds);
 }
 

@@ -1,14 +1,9 @@
 /* Scenes come and go, cameras and lights are chosen, animations play. */
 #include "viewer/viewer.h"
 
-#include "base/error.h"
-#include "base/file/folder.h"
-#include "base/memory.h"
-#include "scene/animation.h"
 #include "scene/clips.h"
 #include "scene/placing.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,6 @@
 /* The sky of the scene that is open: it comes, turns, shines and goes. */
 #include "viewer/viewer.h"
 
-#include "base/error.h"
 #include "base/file/folder.h"
 #include "base/memory.h"
 #include "scene/framing.h"
@@ -108,11 +107,11 @@ static bool has_shaders(struct viewer *viewer, struct environment *sky) {
 }
 
 static void tell_new_sky(struct viewer *viewer, int lights_before) {
-    const char *path = viewer->document.scene.environment->path, *slash = strrchr(path, '/');
+    const char *path = viewer->document.scene.environment->path;
     bool fewer = viewer->placed.emitters.count < lights_before;
     messages_add(&viewer->host.messages, UI_NORMAL,
                  "%s is the sky%s. As a reference to compare with: Compare, file.",
-                 slash ? slash + 1 : path,
+                 path_name(path),
                  fewer ? ", and the lights that stood in for missing ones are gone" : "");
 }
 

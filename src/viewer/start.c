@@ -1,7 +1,7 @@
 /* The first minute: the empty window's pictures of scenes to click, and the list of files. */
 #include "viewer/viewer.h"
 
-#include "base/memory.h"
+#include "base/file/folder.h"
 #include "viewer/window/ui.h"
 
 #include <stdio.h>
@@ -23,7 +23,7 @@ static void fill_gallery(struct viewer *viewer) {
 }
 
 static void title_of(const char *path, char *title, size_t size) {
-    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    const char *name = path_name(path);
     snprintf(title, size, "%.*s", (int)strcspn(name, "."), name);
 }
 
