@@ -217,37 +217,66 @@ static void test_sky_turned(void **state) {
                "scenes/three-lights.glb " SKY " --environment-turn 90 --environment-strength 2.5");
 }
 
-/* Lights that stand in for missing ones go, as they do with --environment; the copied line says it all. */
-static void test_sky_of_unlit_scene(void **state) {
-    (void)state;
+/* A square without lights and camera; what the scene's arguments are. */
+static const char *write_unlit(void) {
+    static const char text[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
+        "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},"
+        "\"indices\":1}]}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,"
+        "\"type\":\"VEC3\",\"min\":[-1,0,-1],\"max\":[1,0,1]},"
+        "{\"bufferView\":1,\"componentType\":5123,\"count\":6,\"type\":\"SCALAR\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":48},"
+        "{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12}],\"buffers\":[{\"byteLength\":60,"
+        "\"uri\":\"data:application/octet-stream;base64,AACAvwAAAAAAAIC/AACAPwAAAAAAAIC/"
+        "AACAvwAAAAAAAIA/AACAPwAAAAAAAIA/AAACAAEAAQACAAMA\"}]}";
+    const char *path = scratch_path("unlit.gltf");
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+    return path;
+}
+
+static void empty_sky_field(void) {
     int x, y;
-    need_viewer();
-    open_by_panel(SPHERE);
-    wait_for_scene("sphere.glb");
-    open_by_panel("scenes/day.hdr");
-    sync_viewer();
-    check_same("a sky where no light was", SPHERE " --environment scenes/day.hdr");
-    press("Copy command line");
-    rest_mouse();
-    sync_viewer();
-    char command[3000];
-    assert_true(desktop_read_clipboard(command, sizeof command));
-    printf("    %s\n", command);
-    assert_non_null(strstr(command, "/scenes/day.hdr"));
-    xdo("key ctrl+z");
-    check_same("and taken back", SPHERE);
-    xdo("key ctrl+y");
-    press("Remove the sky");
-    rest_mouse();
-    check_same("removed: the lights that stood in shine again", SPHERE);
-    xdo("key ctrl+z");
     find_place("sky", &x, &y);
     click(x, y);
     sync_viewer();
     xdo("key ctrl+a key BackSpace key Return");
     rest_mouse();
     sync_viewer();
-    check_same("and by its field", SPHERE);
+}
+
+/* Lights that stand in for missing ones go, as they do with --environment, and come again when the sky is
+ * removed; the copied line says it all. */
+static void test_sky_of_unlit_scene(void **state) {
+    (void)state;
+    need_viewer();
+    char unlit[700], under_sky[800], command[3000];
+    snprintf(unlit, sizeof unlit, "%s", write_unlit());
+    snprintf(under_sky, sizeof under_sky, "%s --environment scenes/day.hdr", unlit);
+    drop(unlit);
+    wait_for_scene("unlit.gltf");
+    drop("scenes/day.hdr");
+    check_same("a sky where no light was", under_sky);
+    press("Copy command line");
+    rest_mouse();
+    sync_viewer();
+    assert_true(desktop_read_clipboard(command, sizeof command));
+    printf("    %s\n", command);
+    assert_non_null(strstr(command, "/scenes/day.hdr"));
+    assert_non_null(strstr(command, "--light sky "));
+    xdo("key ctrl+z");
+    check_same("and taken back", unlit);
+    xdo("key ctrl+y");
+    check_same("and again", under_sky);
+    press("Remove the sky");
+    rest_mouse();
+    check_same("removed: the lights that stood in shine again", unlit);
+    xdo("key ctrl+z");
+    check_same("taken back", under_sky);
+    empty_sky_field();
+    check_same("removed by its field", unlit);
     end_viewer();
 }
 
