@@ -110,8 +110,7 @@ static void tell_new_sky(struct viewer *viewer, int lights_before) {
     const char *path = viewer->document.scene.environment->path;
     bool fewer = viewer->placed.emitters.count < lights_before;
     messages_add(&viewer->host.messages, UI_NORMAL,
-                 "%s is the sky%s. As a reference to compare with: Compare, file.",
-                 path_name(path),
+                 "%s is the sky%s. As a reference to compare with: Compare, file.", path_name(path),
                  fewer ? ", and the lights that stood in for missing ones are gone" : "");
 }
 
