@@ -103,6 +103,27 @@ static void test_stop(void **state) {
     assert_int_equal(context_message_count(viewer.host.context), 0);
 }
 
+/* A sky that waits for its shaders is let go at once, and freed when none are being compiled. */
+static void test_stop_sky(void **state) {
+    (void)state;
+    if (!viewer.has_scene)
+        skip();
+    assert_true(viewer_open_sky(&viewer, "scenes/overcast.hdr"));
+    for (int i = 0; i < 4; i++)
+        turn();
+    assert_true(viewer_is_opening(&viewer));
+    bool compiles = !compiling_rests(&viewer.compiling);
+    viewer_stop_opening(&viewer);
+    printf("    shaders are being compiled: %d, afterwards %d\n", compiles,
+           !compiling_rests(&viewer.compiling));
+    assert_false(viewer_is_opening(&viewer));
+    assert_non_null(viewer.leaving_sky);
+    for (int i = 0; i < 60000 && viewer.leaving_sky; i++)
+        turn();
+    assert_null(viewer.leaving_sky);
+    assert_null(viewer.document.scene.environment);
+}
+
 /* The window ends while a scene arrives. */
 static void test_end(void **state) {
     (void)state;
@@ -117,6 +138,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_coarse_picture),
         cmocka_unit_test(test_stop),
+        cmocka_unit_test(test_stop_sky),
         cmocka_unit_test(test_end),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);

@@ -66,6 +66,8 @@ static void test_dialog_is_modal(void **state) {
     start_viewer(BOX, "");
     save_settings();
     read_setting("camera", before, sizeof before);
+    xdo("key F1"); /* the help gives way */
+    sync_viewer();
     xdo("key ctrl+o");
     sync_viewer();
     xdo("type --delay 40 wasdqe2rcv");
@@ -215,24 +217,76 @@ static void test_sky_turned(void **state) {
                "scenes/three-lights.glb " SKY " --environment-turn 90 --environment-strength 2.5");
 }
 
-/* Lights that stand in for missing ones go, as they do with --environment; the copied line says it all. */
+/* A square without lights and camera; what the scene's arguments are. */
+static const char *write_unlit(void) {
+    static const char text[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
+        "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},"
+        "\"indices\":1}]}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,"
+        "\"type\":\"VEC3\",\"min\":[-1,0,-1],\"max\":[1,0,1]},"
+        "{\"bufferView\":1,\"componentType\":5123,\"count\":6,\"type\":\"SCALAR\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":48},"
+        "{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12}],\"buffers\":[{\"byteLength\":60,"
+        "\"uri\":\"data:application/octet-stream;base64,AACAvwAAAAAAAIC/AACAPwAAAAAAAIC/"
+        "AACAvwAAAAAAAIA/AACAPwAAAAAAAIA/AAACAAEAAQACAAMA\"}]}";
+    const char *path = scratch_path("unlit.gltf");
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+    return path;
+}
+
+static void empty_sky_field(void) {
+    int x, y;
+    find_place("sky", &x, &y);
+    click(x, y);
+    sync_viewer();
+    xdo("key ctrl+a key BackSpace key Return");
+    rest_mouse();
+    sync_viewer();
+}
+
+/* Lights that stand in for missing ones go, as they do with --environment, and come again when the sky is
+ * removed; the copied line says it all. */
 static void test_sky_of_unlit_scene(void **state) {
     (void)state;
     need_viewer();
-    open_by_panel(SPHERE);
-    wait_for_scene("sphere.glb");
-    open_by_panel("scenes/day.hdr");
-    sync_viewer();
-    check_same("a sky where no light was", SPHERE " --environment scenes/day.hdr");
+    char unlit[700], under_sky[800], command[3000];
+    snprintf(unlit, sizeof unlit, "%s", write_unlit());
+    snprintf(under_sky, sizeof under_sky, "%s --environment scenes/day.hdr", unlit);
+    drop(unlit);
+    wait_for_scene("unlit.gltf");
+    drop("scenes/day.hdr");
+    check_same("a sky where no light was", under_sky);
     press("Copy command line");
     rest_mouse();
     sync_viewer();
-    char command[3000];
     assert_true(desktop_read_clipboard(command, sizeof command));
     printf("    %s\n", command);
     assert_non_null(strstr(command, "/scenes/day.hdr"));
+    assert_non_null(strstr(command, "--light sky "));
     xdo("key ctrl+z");
-    check_same("and taken back", SPHERE);
+    check_same("and taken back", unlit);
+    xdo("key ctrl+y");
+    check_same("and again", under_sky);
+    press("Remove the sky");
+    rest_mouse();
+    check_same("removed: the lights that stood in shine again", unlit);
+    xdo("key ctrl+z");
+    check_same("taken back", under_sky);
+    empty_sky_field();
+    check_same("removed by its field", unlit);
+    end_viewer();
+}
+
+/* The casters of its renderer are those of time 0, as offscreen. */
+static void test_sky_of_moving_scene(void **state) {
+    (void)state;
+    start_viewer("scenes/metaballs.glb", "--time 1.5");
+    check_same("without a sky", "scenes/metaballs.glb --time 1.5");
+    drop("scenes/overcast.hdr");
+    check_same("with a sky", "scenes/metaballs.glb --time 1.5 " SKY);
     end_viewer();
 }
 
@@ -290,7 +344,8 @@ int main(void) {
         cmocka_unit_test(test_dialog_is_modal),    cmocka_unit_test(test_dialog_keys),
         cmocka_unit_test(test_broken_keeps_scene), cmocka_unit_test(test_start_page),
         cmocka_unit_test(test_sky_dropped),        cmocka_unit_test(test_sky_turned),
-        cmocka_unit_test(test_sky_of_unlit_scene), cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_sky_of_unlit_scene), cmocka_unit_test(test_sky_of_moving_scene),
+        cmocka_unit_test(test_pictures),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

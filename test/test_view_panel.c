@@ -188,6 +188,11 @@ static void test_direct(void **state) {
     read_setting("direct", value, sizeof value);
     assert_string_equal(value, "pcss");
     check_same("pcss by its row", BOX " --direct pcss");
+    xdo("key ctrl+z");
+    save_settings();
+    read_setting("direct", value, sizeof value);
+    printf("    taken back: '%s'\n", value);
+    assert_string_equal(value, "");
     end_viewer();
 }
 

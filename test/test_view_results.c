@@ -19,6 +19,7 @@
 #define SETTINGS "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=128 interleave=4"
 
 static struct viewer viewer;
+static int told_passes; /* --passes */
 
 static void turn(void) {
     check_ok("turn", viewer_turn(&viewer));
@@ -41,7 +42,8 @@ static void rest(void) {
 
 static void begin(const char *scene) {
     char path[640];
-    struct viewer_desc desc = {.scene = path, .width = 96, .height = 96, .debug = true};
+    struct viewer_desc desc = {
+        .scene = path, .width = 96, .height = 96, .passes = told_passes, .debug = true};
     if (!stage.server)
         skip();
     snprintf(path, sizeof path, "%s/%s", stage.here, scene);
@@ -108,6 +110,12 @@ static void test_one_error(void **state) {
     assert_true(viewer_reference_noise(&viewer) < viewer.tracing.noise);
 }
 
+static double last_lasts(void) {
+    struct message recent[MESSAGES_SHOWN];
+    int count = messages_recent(&viewer.host.messages, recent);
+    return count > 0 ? recent[count - 1].lasts : 0;
+}
+
 static void test_reference_is_saved(void **state) {
     (void)state;
     struct image saved = {0};
@@ -119,6 +127,7 @@ static void test_reference_is_saved(void **state) {
     assert_int_equal(chdir(stage.folder), 0);
     viewer_save_reference(&viewer);
     check_ok("file", image_read(&saved, "manylight-reference-0001.exr"));
+    assert_true(last_lasts() >= 60); /* seconds that its path is shown */
     assert_int_equal(chdir(here), 0);
     assert_int_equal(saved.width, traced->width);
     assert_int_equal(saved.channel_count, traced->channel_count);
@@ -196,6 +205,109 @@ static void test_record_range(void **state) {
     end();
 }
 
+/* --- how scenes were left ---------------------------------------------------------------------- */
+
+static void open_scene(const char *scene) {
+    char path[640];
+    snprintf(path, sizeof path, "%s/%s", stage.here, scene);
+    viewer_open(&viewer, path);
+    turn_until(!viewer_is_opening(&viewer) && strcmp(viewer.document.scene.path, path) == 0);
+    turn();
+}
+
+static bool is_told(const char *text, enum ui_tone tone) {
+    struct message recent[MESSAGES_SHOWN];
+    int count = messages_recent(&viewer.host.messages, recent);
+    for (int i = 0; i < count; i++)
+        if (recent[i].tone == tone && strstr(recent[i].text, text))
+            return true;
+    return false;
+}
+
+/* Settings go from scene to scene, but afresh a scene has none of them; nor has it the others' files. */
+static void test_second_scene(void **state) {
+    (void)state;
+    begin("scenes/cornell-box.glb");
+    check_ok("settings", settings_assign(&viewer.wish.settings, "vpls=32"));
+    viewer.wish.passes = 4;
+    viewer.record.is_open = true;
+    snprintf(viewer.panel.session_path, sizeof viewer.panel.session_path, "a.settings");
+    open_scene("scenes/three-lights.glb");
+    printf("    %g virtual lights, settings in %s\n",
+           settings_number(&viewer.wish.settings, "lights.vpls"), viewer.panel.session_path);
+    assert_int_equal(settings_number(&viewer.wish.settings, "lights.vpls"), 32);
+    assert_string_equal(viewer.panel.session_path, "manylight.settings");
+    assert_false(viewer.record.is_open);
+    check_ok("camera", viewer_place_camera(&viewer, "eye=0,1,5 forward=0,0,-1"));
+    open_scene("scenes/cornell-box.glb");
+    assert_true(viewer.kept.was_restored);
+    open_scene("scenes/three-lights.glb");
+    assert_true(viewer.kept.was_restored && viewer.placed.camera_moved);
+    kept_begin_afresh(&viewer);
+    printf("    afresh: %g virtual lights, %d passes\n",
+           settings_number(&viewer.wish.settings, "lights.vpls"), viewer.wish.passes);
+    assert_int_equal(settings_number(&viewer.wish.settings, "lights.vpls"), 64);
+    assert_int_equal(viewer.wish.passes, 0);
+    assert_false(viewer.placed.camera_moved);
+    rest();
+    end();
+}
+
+static void test_settings_name_no_clip(void **state) {
+    (void)state;
+    char path[700];
+    begin("scenes/gloss.glb");
+    snprintf(path, sizeof path, "%s/old.settings", stage.folder);
+    assert_int_equal(shell("printf 'clip = 0\\npasses = 3\\n' > %s", path), 0);
+    assert_int_equal(viewer.document.scene.clip_count, 0);
+    check_ok("clip 0 of none", viewer_load_session(&viewer, path));
+    assert_int_equal(viewer.wish.passes, 3);
+    assert_false(is_told("", UI_ERROR));
+    end();
+}
+
+/* All but the sky is as it was left, and its file keeps the sky. */
+static void test_sky_is_gone(void **state) {
+    (void)state;
+    char sky[700];
+    begin("scenes/sphere.glb");
+    snprintf(sky, sizeof sky, "%s/gone.hdr", stage.folder);
+    assert_int_equal(shell("cp %s/scenes/overcast.hdr %s", stage.here, sky), 0);
+    assert_true(viewer_open_sky(&viewer, sky));
+    turn_until(viewer.document.scene.environment);
+    check_ok("camera", viewer_place_camera(&viewer, "eye=0,1,5 forward=0,0,-1"));
+    rest();
+    end();
+    assert_int_equal(shell("rm %s", sky), 0);
+    for (int i = 0; i < 2; i++) {
+        begin("scenes/sphere.glb");
+        printf("    restored %d, not all %d, camera moved %d, lights %d\n",
+               viewer.kept.was_restored, viewer.kept.is_incomplete, viewer.placed.camera_moved,
+               viewer.placed.emitters.count);
+        assert_true(viewer.kept.was_restored && viewer.kept.is_incomplete);
+        assert_true(is_told("gone.hdr", UI_WARNING));
+        assert_true(viewer.placed.camera_moved && viewer.placed.emitters.count > 0);
+        end();
+    }
+    assert_int_equal(
+        shell("grep -q 'environment = .*gone.hdr' %s/manylight/scenes/*.settings", stage.folder),
+        0);
+}
+
+/* An option means the scene that it came with, and no other. */
+static void test_options_mean_first_scene(void **state) {
+    (void)state;
+    told_passes = 2;
+    begin("scenes/cornell-box.glb"); /* it was left otherwise */
+    printf("    %d passes, restored %d\n", viewer.wish.passes, viewer.kept.was_restored);
+    assert_int_equal(viewer.wish.passes, 2);
+    assert_false(viewer.kept.on || viewer.kept.was_restored);
+    open_scene("scenes/gloss.glb");
+    assert_true(viewer.kept.on);
+    end();
+    told_passes = 0;
+}
+
 /* --- without a window ------------------------------------------------------------------------- */
 
 static void test_words(void **state) {
@@ -249,6 +361,10 @@ int main(void) {
         cmocka_unit_test(test_reference_is_saved),
         cmocka_unit_test(test_timeline),
         cmocka_unit_test(test_record_range),
+        cmocka_unit_test(test_second_scene),
+        cmocka_unit_test(test_settings_name_no_clip),
+        cmocka_unit_test(test_sky_is_gone),
+        cmocka_unit_test(test_options_mean_first_scene),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

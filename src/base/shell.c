@@ -5,7 +5,6 @@
 #include "base/text.h"
 
 #include <limits.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -36,6 +35,13 @@ char *shell_find(const char *program) {
     }
     free(path);
     return found;
+}
+
+bool shell_has(const char *program) {
+    char *path = shell_find(program);
+    bool has = path;
+    free(path);
+    return has;
 }
 
 char *shell_own_program(void) {

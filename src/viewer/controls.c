@@ -81,10 +81,10 @@ static void key_escape(struct viewer *viewer) {
     double now = window_time();
     if (ui_close_popup())
         return;
-    if (viewer->recorder.on) {
-        recorder_stop(viewer);
-    } else if (viewer->start.dialog.is_open) {
+    if (viewer->start.dialog.is_open) {
         file_dialog_close(&viewer->start.dialog);
+    } else if (viewer->recorder.on) {
+        recorder_stop(viewer);
     } else if (viewer_is_opening(viewer)) {
         viewer_stop_opening(viewer);
     } else if (viewer->panel.help) {

@@ -22,16 +22,9 @@ static const char *const commands[][2] = {
     {"kdialog", "kdialog --getopenfilename ."},
 };
 
-static bool is_in_path(const char *name) {
-    char *path = shell_find(name);
-    bool found = path;
-    free(path);
-    return found;
-}
-
 static bool ask_desktop(struct file_dialog *dialog, const char *folder) {
     for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
-        if (is_in_path(commands[i][0])) {
+        if (shell_has(commands[i][0])) {
             char *quoted = shell_quote(folder);
             char *command = mem_printf("cd -- %s; %s 2>/dev/null", quoted, commands[i][1]);
             dialog->answer = popen(command, "re");
@@ -182,8 +175,7 @@ void file_dialog_enter(struct file_dialog *dialog, const char *folder) {
 
 /* The folder that was left is chosen, to be entered again. */
 void file_dialog_leave(struct file_dialog *dialog) {
-    const char *slash = strrchr(dialog->folder, '/');
-    char *left = mem_printf("%s/", slash ? slash + 1 : dialog->folder);
+    char *left = mem_printf("%s/", path_name(dialog->folder));
     take(dialog, path_in(dialog, ".."));
     choose_name(dialog, left);
     free(left);
@@ -239,7 +231,7 @@ void file_dialog_open(struct file_dialog *dialog, const char *beside) {
     dialog->is_open = true;
     go(dialog, folder);
     if (beside)
-        choose_name(dialog, strrchr(beside, '/') ? strrchr(beside, '/') + 1 : beside);
+        choose_name(dialog, path_name(beside));
 }
 
 bool file_dialog_is_open(const struct file_dialog *dialog) {

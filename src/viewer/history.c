@@ -10,9 +10,10 @@ bool history_same(const struct session *a, const struct session *b) {
     while (settings_next(&a->settings, &setting))
         if (!setting_equal(&setting, &a->settings, &b->settings))
             return false;
-    return a->technique == b->technique && a->layer == b->layer && strcmp(a->clip, b->clip) == 0 &&
-           a->time == b->time && strcmp(a->camera, b->camera) == 0 &&
-           strcmp(a->lights, b->lights) == 0 && session_same_sky(a, b);
+    return a->technique == b->technique && a->direct == b->direct && a->passes == b->passes &&
+           a->layer == b->layer && strcmp(a->clip, b->clip) == 0 && a->time == b->time &&
+           strcmp(a->camera, b->camera) == 0 && strcmp(a->lights, b->lights) == 0 &&
+           session_same_sky(a, b);
 }
 
 static void drop(struct history *history, int first, int count) {

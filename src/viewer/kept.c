@@ -46,33 +46,31 @@ static char *state_path(const char *scene) {
     return path;
 }
 
-/* A command line that says how the scene is to look means that. */
-static bool is_told(const struct viewer_desc *desc) {
-    return desc->camera || desc->light || desc->clip || desc->session || desc->time != 0 ||
-           desc->environment.path || desc->reference || desc->direct || desc->layer ||
-           desc->budget > 0 || (desc->technique && desc->technique != technique_default) ||
-           (desc->given && desc->given->count > 0);
+/* Whether the user has changed something since: an exposure that came by itself is nothing. */
+static bool is_changed(struct viewer *viewer, const struct session *since,
+                       const struct session *now) {
+    struct session before = session_copy(since);
+    struct picture_settings *picture = settings_edit(&before.settings, &picture_part);
+    picture->exposure = viewer->exposing.usual;
+    bool changed = !history_same(&before, now);
+    for (int i = 0; i < SESSION_VIEWS; i++)
+        changed |= strcmp(before.views[i], now->views[i]) != 0;
+    session_free(&before);
+    return changed;
 }
 
-/* Whether the user has changed something: an exposure that came by itself is nothing. */
-static bool is_changed(struct viewer *viewer, const struct session *now) {
-    struct session fresh = session_copy(&viewer->kept.fresh);
-    struct picture_settings *picture = settings_edit(&fresh.settings, &picture_part);
-    picture->exposure = viewer->exposing.usual;
-    bool changed = !history_same(&fresh, now);
-    for (int i = 0; i < SESSION_VIEWS; i++)
-        changed |= *now->views[i] != '\0';
-    session_free(&fresh);
-    return changed;
+/* The file keeps a sky that could not be read, until the user changes something. */
+static bool is_left_alone(struct viewer *viewer, const struct session *now) {
+    return viewer->kept.is_incomplete && !is_changed(viewer, &viewer->kept.shown, now);
 }
 
 void kept_save(struct viewer *viewer) {
     if (!viewer->has_scene || !viewer->kept.on)
         return;
     struct session session = viewer_session(viewer);
-    char *path = state_path(session.scene);
+    char *path = is_left_alone(viewer, &session) ? NULL : state_path(session.scene);
     /* What is not kept is no reason to stop the user. */
-    if (path && !viewer->kept.was_restored && !is_changed(viewer, &session))
+    if (path && !viewer->kept.was_restored && !is_changed(viewer, &viewer->kept.fresh, &session))
         remove(path);
     else if (path && folder_make_for(path))
         session_save(&session, path);
@@ -80,51 +78,96 @@ void kept_save(struct viewer *viewer) {
     free(path);
 }
 
-static void show_fresh(struct viewer *viewer) {
-    if (!viewer_show_session(viewer, &viewer->kept.fresh))
-        viewer_tell_error(viewer);
-    viewer->kept.was_restored = false;
-    viewer_begin_exposure(viewer);
+static struct session copy_session(const struct viewer *viewer) {
+    struct session now = viewer_session(viewer), copy = session_copy(&now);
+    session_free(&now);
+    return copy;
 }
 
-static bool restore(struct viewer *viewer, const char *path) {
+/* The sky comes last in a text of lights. Of none, all of the scene's shine. */
+static void drop_sky(char *lights) {
+    size_t length = strlen(lights);
+    if (length < 3 || strcmp(lights + length - 3, "sky") != 0)
+        return;
+    for (length -= 3; length > 0 && strchr("; ,", lights[length - 1]); length--)
+        ;
+    lights[length] = '\0';
+}
+
+/* A sky that cannot be read any more: the scene's own is there in its place. */
+static void show_without_sky(struct viewer *viewer, struct session *session) {
+    const struct environment *own = viewer->document.scene.environment;
+    free(session->sky);
+    session_set_sky(session, own);
+    if (!own)
+        drop_sky(session->lights);
+    if (!viewer_show_session(viewer, session))
+        viewer_tell_error(viewer);
+}
+
+/* As much of it as can be shown. */
+static void show_left(struct viewer *viewer, struct session *session) {
+    struct kept *kept = &viewer->kept;
+    kept->was_restored = true;
+    kept->is_incomplete = !viewer_show_session(viewer, session);
+    if (kept->is_incomplete) {
+        struct session now = viewer_session(viewer);
+        messages_add(&viewer->host.messages, UI_WARNING,
+                     "Not all of the scene is as you left it: %s", error_get());
+        if (!session_same_sky(&now, session))
+            show_without_sky(viewer, session);
+        session_free(&now);
+    } else
+        messages_add(&viewer->host.messages, UI_NORMAL,
+                     "The scene is as you left it; Scene, Afresh: as its file has it.");
+    viewer_keep_exposure(viewer);
+}
+
+static void restore(struct viewer *viewer, const char *path) {
     struct session session = session_copy(&viewer->kept.fresh);
     session.scene = viewer->document.scene.path;
-    bool ok = session_load(&session, path) && viewer_show_session(viewer, &session);
+    if (session_load(&session, path)) {
+        show_left(viewer, &session);
+    } else {
+        viewer->kept.is_incomplete = true;
+        messages_add(&viewer->host.messages, UI_WARNING, "The scene is not as you left it: %s",
+                     error_get());
+    }
     session_free(&session);
-    return ok;
+    viewer->kept.shown = copy_session(viewer);
 }
 
 void kept_begin(struct viewer *viewer) {
     struct kept *kept = &viewer->kept;
-    session_free(&kept->fresh);
-    kept->was_restored = false;
-    kept->on = !viewer_is_scripted(viewer) && !is_told(&viewer->desc);
+    kept_free(viewer);
+    kept->was_restored = kept->is_incomplete = false;
+    kept->on = !viewer_is_scripted(viewer) && !viewer->opening.is_told;
     if (!kept->on)
         return;
-    struct session fresh = viewer_session(viewer);
-    kept->fresh = session_copy(&fresh);
-    session_free(&fresh);
+    kept->fresh = copy_session(viewer);
     char *path = state_path(viewer->document.scene.path);
-    if (path && access(path, R_OK) == 0) {
-        kept->was_restored = restore(viewer, path);
-        if (kept->was_restored) {
-            viewer_keep_exposure(viewer);
-            messages_add(&viewer->host.messages, UI_NORMAL,
-                         "The scene is as you left it; Scene, Afresh: as its file has it.");
-        } else {
-            messages_add(&viewer->host.messages, UI_WARNING, "The scene is not as you left it: %s",
-                         error_get());
-            show_fresh(viewer);
-        }
-    }
+    if (path && access(path, R_OK) == 0)
+        restore(viewer, path);
     free(path);
 }
 
+/* Technique and settings may have come from the scene before: as the command line has them. */
 void kept_begin_afresh(struct viewer *viewer) {
-    show_fresh(viewer);
+    const struct viewer_desc *desc = &viewer->desc;
+    struct session *fresh = &viewer->kept.fresh;
+    fresh->technique = desc->technique ? desc->technique : technique_default;
+    fresh->direct = desc->direct;
+    fresh->passes = desc->passes;
+    fresh->settings = desc->settings;
+    fresh->layer = desc->layer;
+    if (!viewer_show_session(viewer, fresh))
+        viewer_tell_error(viewer);
+    viewer_set_budget(viewer, desc->budget);
+    viewer->kept.was_restored = viewer->kept.is_incomplete = false;
+    viewer_begin_exposure(viewer);
 }
 
 void kept_free(struct viewer *viewer) {
     session_free(&viewer->kept.fresh);
+    session_free(&viewer->kept.shown);
 }

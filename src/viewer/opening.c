@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "base/file/folder.h"
 #include "base/log.h"
-#include "scene/animation.h"
 #include "scene/clips.h"
 
 #include <stdio.h>
@@ -20,19 +19,15 @@ void viewer_open(struct viewer *viewer, const char *path) {
     free(whole);
 }
 
-static const char *name_of(const char *path) {
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
 static void set_title(struct viewer *viewer) {
     char title[256];
-    snprintf(title, sizeof title, "%s - manylight", name_of(viewer->document.scene.path));
+    snprintf(title, sizeof title, "%s - manylight", path_name(viewer->document.scene.path));
     window_set_title(viewer->host.window, title);
 }
 
 void viewer_close_scene(struct viewer *viewer) {
     recorder_stop(viewer);
+    viewer->record.is_open = false;
     viewer_forget_truth(viewer);
     compare_forget(&viewer->shown.compare);
     compiling_wait(&viewer->compiling);
@@ -58,7 +53,9 @@ static bool place_as_told(struct viewer *viewer) {
     return has_camera && has_lights && has_clip;
 }
 
-static void forget_told(struct viewer_desc *desc) {
+static void forget_told(struct viewer *viewer) {
+    struct viewer_desc *desc = &viewer->desc;
+    viewer->opening.is_told = false;
     desc->camera = desc->light = desc->clip = desc->session = NULL;
     desc->environment = (struct environment_desc){0};
     desc->time = 0;
@@ -76,7 +73,8 @@ static void tell_what_stays(struct viewer *viewer) {
     struct compare *compare = &viewer->shown.compare;
     const struct technique *first =
         viewer->desc.technique ? viewer->desc.technique : technique_default;
-    bool changed = viewer->wish.technique != first ||
+    bool changed = viewer->wish.technique != first || viewer->wish.direct != viewer->desc.direct ||
+                   viewer->wish.passes != viewer->desc.passes ||
                    is_changed(&viewer->wish.settings, &viewer->desc.settings);
     if (compare->mode == COMPARE_REFERENCE) {
         compare->mode = COMPARE_OFF;
@@ -103,6 +101,7 @@ static void begin_scene(struct viewer *viewer, const struct renderer *renderer) 
     const char *path = viewer->document.scene.path;
     viewer->wish.play.on = false;
     recorder_stop(viewer);
+    viewer->record.is_open = false;
     viewer->shown.renderer = *renderer;
     viewer->has_scene = true;
     viewer->shown.has_pick = false;
@@ -114,6 +113,8 @@ static void begin_scene(struct viewer *viewer, const struct renderer *renderer) 
     pace_forget(&viewer->shown.pace);
     set_title(viewer);
     snprintf(viewer->panel.scene_path, sizeof viewer->panel.scene_path, "%s", path);
+    /* A file of settings is of the scene before: Save must not overwrite it. */
+    snprintf(viewer->panel.session_path, sizeof viewer->panel.session_path, SESSION_PATH);
     viewer_tell_sky(viewer);
 }
 
@@ -150,7 +151,7 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     kept_begin(viewer);
     if (replaces)
         tell_what_stays(viewer);
-    forget_told(&viewer->desc); /* it meant the first scene */
+    forget_told(viewer); /* it meant the first scene */
     return !told || viewer_load_session(viewer, told) || !viewer_is_scripted(viewer);
 }
 
@@ -218,12 +219,12 @@ bool viewer_is_opening(struct viewer *viewer) {
 void viewer_stop_opening(struct viewer *viewer) {
     const char *path = viewer->is_arriving ? viewer->arriving.scene.path : viewer->loader.path;
     if (viewer->is_arriving || loader_is_busy(&viewer->loader))
-        messages_add(&viewer->host.messages, UI_NORMAL, "%s is not opened.", name_of(path));
+        messages_add(&viewer->host.messages, UI_NORMAL, "%s is not opened.", path_name(path));
     loader_abandon(&viewer->loader);
     if (viewer->is_arriving)
         leave_arriving(viewer);
     viewer_forget_sky(viewer);
-    forget_told(&viewer->desc);
+    forget_told(viewer);
 }
 
 void viewer_tell_opening(struct viewer *viewer, char *text, size_t size) {
@@ -231,15 +232,15 @@ void viewer_tell_opening(struct viewer *viewer, char *text, size_t size) {
     int programs = compiling_count(&viewer->compiling);
     if (viewer->arriving_sky)
         snprintf(text, size, "%s\ncompiling shaders (%d so far)",
-                 name_of(viewer->arriving_sky->path), programs);
+                 path_name(viewer->arriving_sky->path), programs);
     else if (!viewer->is_arriving)
-        snprintf(text, size, "%s\nreading, %d s", name_of(viewer->loader.path), seconds);
+        snprintf(text, size, "%s\nreading, %d s", path_name(viewer->loader.path), seconds);
     else if (viewer->opening.is_announced)
-        snprintf(text, size, "%s\npreparing %u faces, %d s", name_of(viewer->arriving.scene.path),
+        snprintf(text, size, "%s\npreparing %u faces, %d s", path_name(viewer->arriving.scene.path),
                  geometry_triangle_count(&viewer->arriving.geometry), seconds);
     else
         snprintf(text, size, "%s\n%u faces; compiling shaders (%d), %d s",
-                 name_of(viewer->arriving.scene.path),
+                 path_name(viewer->arriving.scene.path),
                  geometry_triangle_count(&viewer->arriving.geometry), programs, seconds);
 }
 
@@ -250,17 +251,25 @@ static bool is_announced(struct viewer *viewer) {
     return is;
 }
 
+static void free_what_leaves(struct viewer *viewer) {
+    bool leaves = viewer->leaving.scene.path || viewer->leaving_sky;
+    if (!leaves || !compiling_rests(&viewer->compiling))
+        return;
+    document_free(&viewer->leaving);
+    environment_free(viewer->leaving_sky);
+    viewer->leaving_sky = NULL;
+}
+
 bool viewer_poll_loader(struct viewer *viewer) {
     struct document document;
-    if (viewer->leaving.scene.path && compiling_rests(&viewer->compiling))
-        document_free(&viewer->leaving);
+    free_what_leaves(viewer);
     switch (loader_poll(&viewer->loader, &document)) {
     case LOADER_DONE:
         await_document(viewer, &document);
         break;
     case LOADER_FAILED:
         if (!viewer_is_scripted(viewer))
-            forget_told(&viewer->desc);
+            forget_told(viewer);
         return false;
     case LOADER_IDLE:
     case LOADER_BUSY:
@@ -273,5 +282,10 @@ bool viewer_poll_loader(struct viewer *viewer) {
     document = viewer->arriving;
     viewer->arriving = (struct document){0};
     viewer->is_arriving = false;
-    return show_document(viewer, &document);
+    if (show_document(viewer, &document))
+        return true;
+    preview_free(&viewer->preview); /* no picture follows */
+    if (!viewer_is_scripted(viewer))
+        forget_told(viewer);
+    return false;
 }

@@ -1,6 +1,7 @@
 /* What is written over the picture: times, counts, memory, messages. */
 #include "viewer/viewer.h"
 
+#include "base/file/folder.h"
 #include "gl/memory.h"
 #include "inspect/marks.h"
 #include "viewer/window/ui.h"
@@ -8,11 +9,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-static const char *last_part(const char *path) {
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
 
 /* Passes of the frame have colours; their own parts share them. */
 static uint32_t color_of(int n, int alpha) {
@@ -39,10 +35,10 @@ static void draw_times(const struct pace *pace, bool all) {
         if (!is_listed(pass, all))
             continue;
         if (pass->idle)
-            ui_bar(color, last_part(pass->path), pass->depth - 1, 0, "%s",
+            ui_bar(color, path_name(pass->path), pass->depth - 1, 0, "%s",
                    pass->kept ? "kept" : "-");
         else
-            ui_bar(color, last_part(pass->path), pass->depth - 1, ms / frame,
+            ui_bar(color, path_name(pass->path), pass->depth - 1, ms / frame,
                    ms < 1000 ? "%.1f ms" : "%.2f s", (double)(ms < 1000 ? ms : ms / 1000));
     }
 }

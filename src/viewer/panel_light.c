@@ -173,13 +173,15 @@ static void draw_sky_file(struct viewer *viewer) {
         return;
     if (*path)
         viewer_open_sky(viewer, path);
-    else if (viewer_can_do_without_sky(viewer))
+    else if (viewer_can_remove_sky(viewer))
         viewer_remove_sky(viewer);
+    else
+        viewer_tell_sky(viewer);
 }
 
 static void draw_sky(struct viewer *viewer) {
+    draw_sky_file(viewer); /* may free the environment */
     struct environment *sky = viewer->document.scene.environment;
-    draw_sky_file(viewer);
     if (!sky)
         return;
     bool needed = !viewer_can_do_without_sky(viewer), shines = viewer_sky_shines(viewer);
@@ -201,7 +203,9 @@ static void draw_sky(struct viewer *viewer) {
     if (ui_flag(&(struct ui_row){.name = "sky shines", .help = "off: the ground is black, too"},
                 &shines))
         viewer_let_sky_shine(viewer, shines);
-    if (ui_wide_button("Remove the sky", "where another light shines"))
+    ui_disabled_end();
+    ui_disabled_begin(!viewer_can_remove_sky(viewer));
+    if (ui_wide_button("Remove the sky", "where the scene has a light"))
         viewer_remove_sky(viewer);
     ui_disabled_end();
 }

@@ -211,7 +211,7 @@ static bool draw_technique_choice(const struct technique **technique) {
 /* By the lights' sizes first. */
 static bool draw_direct_choice(struct viewer *viewer) {
     const char *names[TECHNIQUES_MAX] = {"by the lights"};
-    const struct direct_method *now = viewer->desc.direct;
+    const struct direct_method *now = viewer->wish.direct;
     int count = 1, chosen = 0;
     for (; direct_methods[count - 1] && count < TECHNIQUES_MAX; count++) {
         names[count] = direct_methods[count - 1]->name;
@@ -223,7 +223,7 @@ static bool draw_direct_choice(struct viewer *viewer) {
         .differs = now};
     enum ui_result result = ui_choice(&row, &chosen, names, count);
     if (result != UI_NOTHING)
-        viewer->desc.direct = result == UI_RESET || chosen == 0 ? NULL : direct_methods[chosen - 1];
+        viewer->wish.direct = result == UI_RESET || chosen == 0 ? NULL : direct_methods[chosen - 1];
     return result != UI_NOTHING;
 }
 
@@ -234,11 +234,11 @@ static void draw_passes(struct viewer *viewer) {
                          .help = "at rest the picture becomes the mean of so many, each with other "
                                  "virtual lights: truer, and as many times as dear (--passes; 64: "
                                  "--quality final)",
-                         .differs = viewer->desc.passes > 0};
+                         .differs = viewer->wish.passes > 0};
     enum ui_result result = ui_int(&row, &passes, 1, PASSES_AT_REST);
     if (result == UI_NOTHING)
         return;
-    viewer->desc.passes = result == UI_RESET ? 0 : passes;
+    viewer->wish.passes = result == UI_RESET ? 0 : passes;
     viewer_touch(viewer);
 }
 

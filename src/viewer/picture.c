@@ -35,6 +35,15 @@ void viewer_full_size(const struct viewer *viewer, int *width, int *height) {
 
 /* --- rendering --- */
 
+/* The renderer always has a method; one that its lights ask for by themselves need not be named. */
+static void take_direct_back(struct viewer *viewer) {
+    const struct renderer_desc *desc = &viewer->shown.renderer.desc;
+    const struct direct_method *by_lights = direct_for(&desc->emitters);
+    const struct direct_method *wanted = viewer->wish.direct ? viewer->wish.direct : by_lights;
+    if (wanted != desc->direct)
+        viewer->wish.direct = desc->direct == by_lights ? NULL : desc->direct;
+}
+
 /* What the renderer refuses goes back to what it was. */
 static void take_wishes_back(struct viewer *viewer) {
     const struct renderer_desc *desc = &viewer->shown.renderer.desc;
@@ -43,6 +52,7 @@ static void take_wishes_back(struct viewer *viewer) {
     renderer_settings_copy_but_samples(&viewer->wish.settings, &desc->settings);
     emitters_free(&viewer->placed.emitters);
     viewer->placed.emitters = emitters_copy(&desc->emitters);
+    take_direct_back(viewer);
     if (viewer->placed.chosen_light >= desc->emitters.count)
         viewer->placed.chosen_light = 0;
 }
@@ -51,7 +61,7 @@ static void take_wishes_back(struct viewer *viewer) {
 static struct renderer_desc wished(const struct viewer *viewer) {
     struct renderer_desc desc = viewer->shown.renderer.desc;
     desc.technique = viewer->wish.technique;
-    desc.direct = viewer->desc.direct; /* NULL: by the lights' sizes, which may change */
+    desc.direct = viewer->wish.direct;
     desc.settings = viewer->wish.settings;
     desc.emitters = viewer->placed.emitters;
     desc.camera = viewer->placed.orbit.camera;
@@ -95,20 +105,28 @@ static bool makes_technique(const struct viewer *viewer) {
              renderer_makes_technique(&compare->other, compare->technique, &compare->settings)));
 }
 
-/* Casters are those of time 0, as a picture rendered offscreen has them. */
-static void follow_wishes_from_start(struct viewer *viewer) {
+bool viewer_pose_start(struct viewer *viewer) {
     struct document *document = &viewer->document;
+    return viewer->placed.posed_time != 0 &&
+           geometry_pose(&document->geometry, &document->scene, 0);
+}
+
+void viewer_pose_back(struct viewer *viewer, bool away) {
+    struct document *document = &viewer->document;
+    if (away)
+        geometry_pose(&document->geometry, &document->scene, viewer->placed.posed_time);
+}
+
+static void follow_wishes_from_start(struct viewer *viewer) {
     struct shown *shown = &viewer->shown;
-    bool away = viewer->placed.posed_time != 0 && makes_technique(viewer) &&
-                geometry_pose(&document->geometry, &document->scene, 0);
+    bool away = makes_technique(viewer) && viewer_pose_start(viewer);
     if (!follow_wishes(viewer)) {
         take_wishes_back(viewer);
         follow_wishes(viewer); /* the camera */
     }
     if (!compare_follow(&shown->compare, &shown->renderer, shown->coarse, shown->awaits))
         viewer_tell_error(viewer);
-    if (away)
-        geometry_pose(&document->geometry, &document->scene, viewer->placed.posed_time);
+    viewer_pose_back(viewer, away);
 }
 
 static void scale_to(double scale, int *width, int *height) {
@@ -143,7 +161,7 @@ static const char *what_takes_long(const struct viewer *viewer, double pixels) {
     const struct shown *shown = &viewer->shown;
     const struct pace *pace = &shown->pace;
     const struct direct_method *direct =
-        viewer->desc.direct ? viewer->desc.direct : direct_for(&viewer->placed.emitters);
+        viewer->wish.direct ? viewer->wish.direct : direct_for(&viewer->placed.emitters);
     if (viewer_is_scripted(viewer) || viewer->recorder.on || viewer->wish.budget > 0)
         return NULL;
     bool makes = makes_technique(viewer) || direct != shown->renderer.desc.direct;
@@ -257,7 +275,7 @@ void viewer_retone(struct viewer *viewer) {
 /* --- at rest --- */
 
 int viewer_passes(const struct viewer *viewer) {
-    int asked = viewer->desc.passes, usual = gl.software ? 1 : PASSES_AT_REST;
+    int asked = viewer->wish.passes, usual = gl.software ? 1 : PASSES_AT_REST;
     return asked > 0 ? asked : usual;
 }
 
@@ -272,18 +290,15 @@ bool viewer_is_refining(const struct viewer *viewer) {
 
 /* Casters of passes, too, are those of time 0. Error: the renderer must be freed. */
 static bool make_progressive(struct viewer *viewer) {
-    struct document *document = &viewer->document;
     struct renderer *renderer = &viewer->shown.renderer;
     struct renderer_desc desc = renderer->desc;
-    bool away =
-        viewer->placed.posed_time != 0 && geometry_pose(&document->geometry, &document->scene, 0);
+    bool away = viewer_pose_start(viewer);
     desc.progressive = true;
     if (!renderer_follow(renderer, &desc)) {
         viewer_tell_error(viewer);
-        viewer->desc.passes = 1;
+        viewer->wish.passes = 1;
     }
-    if (away)
-        geometry_pose(&document->geometry, &document->scene, viewer->placed.posed_time);
+    viewer_pose_back(viewer, away);
     return renderer_update(renderer);
 }
 

@@ -4,8 +4,10 @@
 #include "viewer/viewer.h"
 
 #include "base/error.h"
+#include "base/file/folder.h"
 #include "base/file/output_file.h"
 #include "base/memory.h"
+#include "base/shell.h"
 #include "scene/animation.h"
 
 #include <errno.h>
@@ -19,20 +21,8 @@
 
 /* --- where it goes ---------------------------------------------------------------------------- */
 
-/* Whether a program of that name is in the path. */
-static bool has_program(const char *name) {
-    const char *path = getenv("PATH");
-    char file[512];
-    for (; path && *path; path += strcspn(path, ":"), path += *path == ':') {
-        snprintf(file, sizeof file, "%.*s/%s", (int)strcspn(path, ":"), path, name);
-        if (access(file, X_OK) == 0)
-            return true;
-    }
-    return false;
-}
-
 bool recorder_has_video(void) {
-    return has_program("ffmpeg");
+    return shell_has("ffmpeg");
 }
 
 /* Makes the folder, or the file that ffmpeg writes; false where another viewer has done so. */
@@ -61,19 +51,9 @@ static bool choose_name(struct recorder *recorder) {
     return error_set("too many clips are here");
 }
 
-/* For the shell: in single quotes; one of its own closes, escapes and opens. To be freed. */
-static char *quote(const char *path) {
-    char *quoted = mem_alloc(4 * strlen(path) + 3, 1), *to = quoted;
-    *to++ = '\'';
-    for (; *path; path++)
-        to += *path == '\'' ? sprintf(to, "'\\''") : sprintf(to, "%c", *path);
-    strcpy(to, "'");
-    return quoted;
-}
-
 /* The video's sides are even, as most players want them. */
 static bool open_pipe(struct recorder *recorder) {
-    char *part = quote(recorder->part);
+    char *part = shell_quote(recorder->part);
     char *command = mem_printf(
         "ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgba -s %dx%d -r %d -i - -an -vf "
         "'crop=trunc(iw/2)*2:trunc(ih/2)*2' -pix_fmt yuv420p %s",
@@ -87,11 +67,10 @@ static bool open_pipe(struct recorder *recorder) {
 
 /* --- a clip ----------------------------------------------------------------------------------- */
 
-/* As a shell and the field for scenes take it. */
 static void set_folder(struct recorder *recorder, const char *folder) {
-    const char *home = strncmp(folder, "~/", 2) == 0 ? getenv("HOME") : NULL;
-    snprintf(recorder->folder, sizeof recorder->folder, "%s%s", home ? home : "",
-             home ? folder + 1 : folder);
+    char *whole = path_of_user(folder);
+    snprintf(recorder->folder, sizeof recorder->folder, "%s", whole);
+    free(whole);
 }
 
 void recorder_start(struct viewer *viewer) {

@@ -1,14 +1,9 @@
 /* Scenes come and go, cameras and lights are chosen, animations play. */
 #include "viewer/viewer.h"
 
-#include "base/error.h"
-#include "base/file/folder.h"
-#include "base/memory.h"
-#include "scene/animation.h"
 #include "scene/clips.h"
 #include "scene/placing.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,7 +23,7 @@ struct renderer_desc viewer_first_desc(const struct viewer *viewer,
                                        const struct document *document) {
     struct renderer_desc desc = {
         .technique = viewer->wish.technique,
-        .direct = viewer->desc.direct,
+        .direct = viewer->wish.direct,
         .settings = viewer->wish.settings,
         .scene = &document->scene,
         .geometry = &document->geometry,
@@ -114,8 +109,8 @@ struct session viewer_session(const struct viewer *viewer) {
     struct session session = {
         .scene = scene->path,
         .technique = viewer->wish.technique,
-        .direct = viewer->desc.direct,
-        .passes = viewer->desc.passes,
+        .direct = viewer->wish.direct,
+        .passes = viewer->wish.passes,
         .settings = viewer->wish.settings,
         .layer = viewer->shown.layer,
         .time = (float)viewer->placed.time,
@@ -133,14 +128,15 @@ struct session viewer_session(const struct viewer *viewer) {
 bool viewer_show_session(struct viewer *viewer, const struct session *session) {
     memcpy(viewer->placed.views, session->views, sizeof session->views);
     viewer->wish.technique = session->technique;
-    viewer->desc.direct = session->direct;
-    viewer->desc.passes = session->passes;
+    viewer->wish.direct = session->direct;
+    viewer->wish.passes = session->passes;
     viewer->wish.settings = session->settings;
     viewer->shown.layer = session->layer;
     viewer->wish.play.on = false;
     char clips[CLIPS_TEXT_SIZE];
     clips_to_text(&viewer->document.scene, clips);
-    if (strcmp(session->clip, clips) != 0)
+    /* A file of settings may name clip 0 of a scene that has none. */
+    if (viewer->document.scene.clip_count > 0 && strcmp(session->clip, clips) != 0)
         viewer_pick_clips(viewer, session->clip);
     viewer_go_to(viewer, (double)session->time);
     viewer->shown.recompose = true;

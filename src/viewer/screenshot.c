@@ -84,8 +84,8 @@ void viewer_save_reference(struct viewer *viewer) {
         return;
     }
     char *path = realpath(name, NULL);
-    messages_add(&viewer->host.messages, UI_NORMAL, "written: %s, %d samples a pixel",
-                 path ? path : name, viewer->tracing.samples);
+    messages_add_result(&viewer->host.messages, "written: %s, %d samples a pixel",
+                        path ? path : name, viewer->tracing.samples);
     free(path);
 }
 
@@ -111,8 +111,8 @@ void viewer_take_screenshot(struct viewer *viewer) {
     }
     char *folder = realpath(".", NULL);
     if (viewer_write_picture(viewer, png) && viewer_write_picture(viewer, exr))
-        messages_add(&viewer->host.messages, UI_NORMAL, "written to %s: %s, and %s with all layers",
-                     folder ? folder : ".", png, exr);
+        messages_add_result(&viewer->host.messages, "written to %s: %s, and %s with all layers",
+                            folder ? folder : ".", png, exr);
     else
         viewer_tell_error(viewer);
     free(folder);

@@ -1,7 +1,6 @@
 /* The sky of the scene that is open: it comes, turns, shines and goes. */
 #include "viewer/viewer.h"
 
-#include "base/error.h"
 #include "base/file/folder.h"
 #include "base/memory.h"
 #include "scene/framing.h"
@@ -15,10 +14,12 @@ static bool stands_in(const struct viewer *viewer, const struct emitter *light) 
     return light->number >= 0 && framing_made_light(&viewer->document.scene, light->number);
 }
 
-/* The lights beside a new sky; to be freed. */
+/* The lights beside a new sky; NULL: without one, where all of the scene's shine if no other does. To be freed. */
 static struct emitters with_sky(const struct viewer *viewer, const struct environment *sky) {
     struct emitters lights = emitters_copy(&viewer->placed.emitters);
     int kept = 0;
+    if (!sky && lights.count == 0)
+        emitters_from_text(&lights, &viewer->document.scene, NULL, viewer->placed.time);
     for (int i = 0; sky && i < lights.count; i++)
         if (!stands_in(viewer, &lights.items[i]))
             lights.items[kept++] = lights.items[i];
@@ -48,8 +49,10 @@ static bool put(struct viewer *viewer, struct environment *sky, const char *text
     compiling_wait(&viewer->compiling);
     *own = sky;
     viewer->placed.emitters = lights;
+    bool away = viewer_pose_start(viewer);
     bool ok =
         (!text || viewer_place_lights(viewer, text)) && viewer_init_renderer(viewer, &renderer);
+    viewer_pose_back(viewer, away);
     lights = viewer->placed.emitters;
     viewer->placed.emitters = placed.emitters;
     if (!ok) {
@@ -104,11 +107,10 @@ static bool has_shaders(struct viewer *viewer, struct environment *sky) {
 }
 
 static void tell_new_sky(struct viewer *viewer, int lights_before) {
-    const char *path = viewer->document.scene.environment->path, *slash = strrchr(path, '/');
+    const char *path = viewer->document.scene.environment->path;
     bool fewer = viewer->placed.emitters.count < lights_before;
     messages_add(&viewer->host.messages, UI_NORMAL,
-                 "%s is the sky%s. As a reference to compare with: Compare, file.",
-                 slash ? slash + 1 : path,
+                 "%s is the sky%s. As a reference to compare with: Compare, file.", path_name(path),
                  fewer ? ", and the lights that stood in for missing ones are gone" : "");
 }
 
@@ -129,8 +131,10 @@ void viewer_follow_sky(struct viewer *viewer) {
 void viewer_forget_sky(struct viewer *viewer) {
     if (!viewer->arriving_sky)
         return;
-    compiling_wait(&viewer->compiling);
-    environment_free(viewer->arriving_sky);
+    if (viewer->leaving_sky)
+        compiling_wait(&viewer->compiling);
+    environment_free(viewer->leaving_sky);
+    viewer->leaving_sky = viewer->arriving_sky;
     viewer->arriving_sky = NULL;
 }
 
@@ -153,6 +157,10 @@ bool viewer_sky_shines(const struct viewer *viewer) {
 
 bool viewer_can_do_without_sky(const struct viewer *viewer) {
     return viewer->placed.emitters.count > 0;
+}
+
+bool viewer_can_remove_sky(const struct viewer *viewer) {
+    return viewer_can_do_without_sky(viewer) || emitter_node_count(&viewer->document.scene) > 0;
 }
 
 void viewer_let_sky_shine(struct viewer *viewer, bool shines) {

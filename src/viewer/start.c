@@ -1,7 +1,7 @@
 /* The first minute: the empty window's pictures of scenes to click, and the list of files. */
 #include "viewer/viewer.h"
 
-#include "base/memory.h"
+#include "base/file/folder.h"
 #include "viewer/window/ui.h"
 
 #include <stdio.h>
@@ -23,7 +23,7 @@ static void fill_gallery(struct viewer *viewer) {
 }
 
 static void title_of(const char *path, char *title, size_t size) {
-    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    const char *name = path_name(path);
     snprintf(title, size, "%.*s", (int)strcspn(name, "."), name);
 }
 
@@ -85,6 +85,7 @@ static void draw_reading(struct viewer *viewer) {
 /* Beside the scene that is open, or the one that was asked for last. */
 void viewer_ask_file(struct viewer *viewer) {
     viewer->hand.drags_picture = false;
+    viewer->panel.help = false; /* it would cover the list and take its keyboard */
     file_dialog_open(&viewer->start.dialog,
                      viewer->has_scene ? viewer->document.scene.path : viewer->loader.path);
 }

@@ -1,7 +1,6 @@
 /* What a file is that was dropped, typed or chosen. */
 #include "viewer/viewer.h"
 
-#include "base/error.h"
 #include "base/file/folder.h"
 #include "base/file/image_file.h"
 
@@ -12,11 +11,6 @@
 static bool ends_in(const char *path, const char *ending) {
     const char *dot = strrchr(path, '.');
     return dot && strcasecmp(dot, ending) == 0;
-}
-
-static const char *name_of(const char *path) {
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
 }
 
 /* A picture of a view has layers, or depth, or tells its passes; no panorama has. */
@@ -40,7 +34,7 @@ static bool is_sky(const char *path, bool *is) {
 static void take_reference(struct viewer *viewer, const char *path) {
     if (viewer_load_reference(viewer, path))
         messages_add(&viewer->host.messages, UI_NORMAL,
-                     "%s: the reference to compare with. As a sky: Light, sky.", name_of(path));
+                     "%s: the reference to compare with. As a sky: Light, sky.", path_name(path));
 }
 
 static void take_picture(struct viewer *viewer, const char *path) {
@@ -51,7 +45,7 @@ static void take_picture(struct viewer *viewer, const char *path) {
         take_reference(viewer, path);
     else if (!viewer->has_scene)
         messages_add(&viewer->host.messages, UI_WARNING, "%s is a sky: open a scene, then its sky.",
-                     name_of(path));
+                     path_name(path));
     else
         viewer_open_sky(viewer, path);
 }

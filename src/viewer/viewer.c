@@ -273,6 +273,7 @@ static void close_window(struct viewer *viewer) {
     compiling_free(&viewer->compiling);
     document_free(&viewer->leaving);
     environment_free(viewer->arriving_sky);
+    environment_free(viewer->leaving_sky);
     document_free(&viewer->arriving);
     if (viewer->has_scene) {
         renderer_free(&viewer->shown.renderer);
@@ -304,16 +305,28 @@ static bool begin(struct viewer *viewer) {
            !viewer_is_scripted(viewer);
 }
 
+/* A command line that says how the scene is to look means that. */
+static bool is_told(const struct viewer_desc *desc) {
+    return desc->camera || desc->light || desc->clip || desc->session || desc->time != 0 ||
+           desc->environment.path || desc->reference || desc->direct || desc->layer ||
+           desc->passes > 0 || desc->budget > 0 ||
+           (desc->technique && desc->technique != technique_default) ||
+           (desc->given && desc->given->count > 0);
+}
+
 bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc) {
     *viewer = (struct viewer){
         .desc = *desc,
+        .opening = {.is_told = is_told(desc)},
         .wish = {.technique = desc->technique ? desc->technique : technique_default,
+                 .direct = desc->direct,
                  .settings = desc->settings,
+                 .passes = desc->passes,
                  .play = {.loops = true, .speed = 1}},
         .shown = {.layer = desc->layer,
                   .choice = {.layer = -1, .chosen = -1},
                   .compare = {.split = .5F, .technique = technique_baseline}},
-        .panel = {.is_open = !desc->no_panel, .session_path = "manylight.settings"},
+        .panel = {.is_open = !desc->no_panel, .session_path = SESSION_PATH},
     };
     glsl_set_folder(desc->glsl);
     messages_init(&viewer->host.messages);

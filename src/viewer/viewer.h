@@ -32,6 +32,9 @@
 
 enum { PASSES_AT_REST = 1024 };
 
+/* In the working folder: where settings are saved until another file is named. */
+#define SESSION_PATH "manylight.settings"
+
 struct viewer_desc {
     const char *scene; /* NULL: none yet */
     int width, height; /* of the picture */
@@ -76,7 +79,9 @@ struct host {
 /* What is wanted of a picture; the renderer follows. */
 struct wish {
     const struct technique *technique;
+    const struct direct_method *direct; /* NULL: by the lights' sizes, which may change */
     struct settings settings;
+    int passes;   /* as struct viewer_desc has it */
     float budget; /* ms; 0: none */
     struct playing {
         bool on, loops;
@@ -164,11 +169,14 @@ struct viewer {
     struct opening {
         double since;      /* when the scene was asked for */
         bool is_announced; /* that its renderer is made next */
+        bool is_told;      /* the command line says how it is to look: it means the first scene */
     } opening;
     struct preview preview; /* of what arrives */
     struct compiling compiling;
     struct environment *arriving_sky; /* waits for its shaders; NULL = none */
-    struct document document;         /* where has_scene */
+    struct environment
+        *leaving_sky;         /* not wanted any more, but its shaders are still being compiled */
+    struct document document; /* where has_scene */
     bool has_scene;
     struct wish wish;
     struct placed {
@@ -193,7 +201,9 @@ struct viewer {
     struct kept {
         bool on;              /* nobody has said how the scene is to look */
         bool was_restored;    /* it is as it was left */
+        bool is_incomplete;   /* but not all of it could be shown */
         struct session fresh; /* as its file has it, where on */
+        struct session shown; /* how it began, where it was restored */
     } kept;
     struct exposing {
         float usual;     /* EV: where the scene began */
@@ -247,6 +257,11 @@ void viewer_full_size(const struct viewer *viewer, int *width, int *height);
 
 /* Renders and composes what has changed. Error: the scene cannot be drawn any more. */
 bool viewer_update_picture(struct viewer *viewer);
+
+/* Casters are those of time 0, as a picture rendered offscreen has them: poses the scene there before casters are
+ * made, and back. viewer_pose_start: whether it was elsewhere, for viewer_pose_back. */
+bool viewer_pose_start(struct viewer *viewer);
+void viewer_pose_back(struct viewer *viewer, bool away);
 
 /* Shows the picture in the exposure and tone map that are wanted: nothing is rendered for that. */
 void viewer_retone(struct viewer *viewer);
@@ -369,7 +384,7 @@ bool viewer_open_sky(struct viewer *viewer, const char *path);
 /* Takes the sky whose shaders have come. */
 void viewer_follow_sky(struct viewer *viewer);
 
-/* Lets a sky go that waits for its shaders. */
+/* Lets a sky go that waits for its shaders; it is freed when none are being compiled. */
 void viewer_forget_sky(struct viewer *viewer);
 
 /* What of a sky the panel's rows tell. */
@@ -383,7 +398,9 @@ bool viewer_sky_shines(const struct viewer *viewer);
 bool viewer_can_do_without_sky(const struct viewer *viewer);
 void viewer_let_sky_shine(struct viewer *viewer, bool shines);
 
-/* Asserts viewer_can_do_without_sky. */
+/* Whether something is there that shines without it: then it can be removed, and the scene's lights shine where no
+ * other does. */
+bool viewer_can_remove_sky(const struct viewer *viewer);
 void viewer_remove_sky(struct viewer *viewer);
 
 /* The sky of a session, at once, with its lights. Error: of the file, or of the lights. */

@@ -60,6 +60,11 @@ char *path_of_user(const char *path) {
     return home ? mem_printf("%s%s", home, path + 1) : mem_strdup(path);
 }
 
+const char *path_name(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
 bool folder_make_for(const char *file_path) {
     char *path = mem_strdup(file_path);
     bool ok = true;

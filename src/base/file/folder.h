@@ -24,4 +24,7 @@ char *folder_of_user(const char *variable, const char *below_home);
 /* The path as a shell reads it: "~" and "~/..." begin in HOME; the caller frees it. */
 char *path_of_user(const char *path);
 
+/* What follows the last slash of a path; the path itself where it has none. */
+const char *path_name(const char *path);
+
 #endif

@@ -165,10 +165,7 @@ bool ui_wide_button(const char *name, const char *help);
 /* A picture with a name below, to be clicked; texture 0: there is none yet. */
 bool ui_tile(const char *name, unsigned texture, float width, float height, const char *help);
 
-/* A line that can be clicked. */
-bool ui_line(const char *name);
-
-/* The same in a list in which one is chosen; seeks: the list scrolls to it. */
+/* A line of a list, in which one is chosen, that can be clicked; seeks: the list scrolls to it. */
 bool ui_entry(const char *name, bool chosen, bool seeks);
 
 /* A part that scrolls by itself, as high as the area has room for. */

@@ -190,12 +190,6 @@ bool ui_wide_button(const char *name, const char *help) {
     return clicked;
 }
 
-bool ui_line(const char *name) {
-    bool clicked = ImGui::Selectable(look_read(name));
-    look_mark(name);
-    return clicked;
-}
-
 /* The texture's row 0 is the lowest. */
 bool ui_tile(const char *name, unsigned texture, float width, float height, const char *help) {
     ImVec2 at = ImGui::GetCursorScreenPos(), end(at.x + width, at.y + height);

@@ -48,10 +48,13 @@ static void add(GLFWwindow *handle, const struct event *event) {
     events_add(&window->events, event);
 }
 
-/* A key that is held comes again and again, which tells nothing new; what it types comes as text. */
+/* A key that is held comes again and again. What it types comes as text; fields repeat the other keys by
+ * themselves, as long as the window draws. */
 static void on_key(GLFWwindow *handle, int code, int scancode, int action, int modifiers) {
     (void)scancode;
-    if (action != GLFW_REPEAT)
+    if (action == GLFW_REPEAT)
+        ((struct window *)glfwGetWindowUserPointer(handle))->next.any = true;
+    else
         add(handle, &(struct event){.kind = EVENT_KEY,
                                     .code = code,
                                     .modifiers = modifiers,
