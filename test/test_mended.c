@@ -3,8 +3,8 @@
 #include "mended_parts.h"
 
 #include "base/error.h"
-#include "base/memory.h"
 #include "base/log.h"
+#include "base/memory.h"
 #include "scene/animation.h"
 #include "scene/open.h"
 #include "scene/read_rules.h"
