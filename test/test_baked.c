@@ -1,6 +1,6 @@
-/* Models as artists bake them, drawn beside path-traced: a cube whose colour lies by one TEXCOORD and whose glow
- * by another (of the properties of the Khronos Group's MultiUVTest), and a helmet with maps of everything and a
- * few small lamps (DamagedHelmet), which alone light it. */
+/* Models as artists bake them, drawn beside path-traced: two scenes of the Khronos Group's properties.
+ * MultiUVTest: a cube with its colour on one TEXCOORD and its emission on another. DamagedHelmet: maps of everything,
+ * and a few small lamps as the only lights. */
 #include "gltf_parts.h"
 #include "render_support.h"
 #include "tiny_png.h"
