@@ -35,13 +35,13 @@ static void wait_for(const char *name) {
         pause_ms(100);
 }
 
-/* Until more is seen in the middle of the picture than a word on a ground. */
+/* Until more is seen of the wall than a word on a ground. */
 static void wait_for_picture(void) {
     for (int i = 0; i < 3000; i++) {
         struct bitmap screen = read_screen();
         int changes = 0;
         for (int x = 1; x < width; x++)
-            changes += memcmp(pixel(&screen, x, 500), pixel(&screen, x - 1, 500), 3) != 0;
+            changes += memcmp(pixel(&screen, x, 240), pixel(&screen, x - 1, 240), 3) != 0;
         bitmap_free(&screen);
         if (changes > width / 4)
             return;
