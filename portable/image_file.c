@@ -149,27 +149,33 @@ bool image_read_layer(struct image *image, const char *path, const char *layer, 
     return error_prefix("%s", path);
 }
 
-static bool png_is_whole(const char *path) {
+static bool read_png(struct bitmap *bitmap, const char *path) {
     static const char end[] = "IEND\xAE\x42\x60\x82";
     struct file_bytes bytes;
-    struct bitmap bitmap = {0};
     if (!file_read(&bytes, path))
         return false;
     bool ok = bytes.size > 8 && memcmp(bytes.data + bytes.size - 8, end, 8) == 0;
-    ok = ok ? bitmap_decode(&bitmap, bytes.data, bytes.size) || error_prefix("%s", path)
+    ok = ok ? bitmap_decode(bitmap, bytes.data, bytes.size) || error_prefix("%s", path)
             : error_set("%s: ends too soon", path);
-    bitmap_free(&bitmap);
     free(bytes.data);
     return ok;
 }
 
-bool image_is_whole(const char *path) {
-    struct image image;
-    if (has_extension(path, "png"))
-        return png_is_whole(path);
-    bool ok = image_read(&image, path);
+bool image_size(const char *path, int size[2]) {
+    struct image image = {0};
+    struct bitmap bitmap = {0};
+    bool is_png = has_extension(path, "png");
+    bool ok = is_png ? read_png(&bitmap, path) : image_read(&image, path);
+    size[0] = is_png ? bitmap.width : image.width;
+    size[1] = is_png ? bitmap.height : image.height;
+    bitmap_free(&bitmap);
     image_free(&image);
     return ok;
+}
+
+bool image_is_whole(const char *path) {
+    int size[2];
+    return image_size(path, size);
 }
 
 bool bitmap_measure(const void *bytes, size_t size, uint64_t *memory) {

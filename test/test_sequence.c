@@ -111,7 +111,7 @@ static long size_of(const char *path) {
     return stat(path, &found) == 0 ? (long)found.st_size : -1;
 }
 
-/* A frame that is there and whole is left alone; one that is cut is not. */
+/* A frame that is there and whole is left alone; one that is cut, or of another size, is not. */
 static void test_resume(void **state) {
     (void)state;
     char more[512];
@@ -121,13 +121,18 @@ static void test_resume(void **state) {
         snprintf(name, sizeof name, "resumed.%d.png", frame);
         remove(scratch(name));
     }
-    unsigned char grey[4] = {128, 128, 128, 255};
+    unsigned char grey[24 * 16 * 4];
+    memset(grey, 128, sizeof grey);
     check_ok("another picture",
-             bitmap_write(&(struct bitmap){1, 1, grey}, scratch("resumed.1.png")));
+             bitmap_write(&(struct bitmap){24, 16, grey}, scratch("resumed.1.png")));
+    check_ok("another size",
+             bitmap_write(&(struct bitmap){16, 24, grey}, scratch("resumed.0.png")));
     long kept = size_of(scratch("resumed.1.png"));
     if (render(more) != 0)
         skip();
+    printf("    %s", output);
     assert_non_null(strstr(output, "2 frames in"));
+    assert_non_null(strstr(output, "resumed.0.png is 16x24, not 24x16; it is rendered again"));
     assert_int_equal(size_of(scratch("resumed.1.png")), kept);
     long whole = size_of(scratch("resumed.2.png"));
     assert_true(whole > 100);

@@ -221,13 +221,17 @@ static bool write_output(const struct values *values, struct renderer *renderer,
 
 /* Says which files are there but must be rendered again. */
 static bool is_there(const struct values *values, struct renderer *renderer, const char *path) {
-    (void)values, (void)renderer;
+    (void)values;
+    const struct renderer_desc *desc = &renderer->desc;
+    int size[2];
     if (access(path, F_OK) != 0)
         return false;
-    if (image_is_whole(path))
-        return true;
-    log_note("%s; it is rendered again", error_get());
-    return false;
+    bool ok = image_is_whole(path) && image_size(path, size);
+    if (ok && (size[0] != desc->width || size[1] != desc->height))
+        ok = error_set("%s is %dx%d, not %dx%d", path, size[0], size[1], desc->width, desc->height);
+    if (!ok)
+        log_note("%s; it is rendered again", error_get());
+    return ok;
 }
 
 /* What is done of the frames, and what tells of it. */

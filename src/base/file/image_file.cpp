@@ -192,6 +192,17 @@ extern "C" bool image_is_whole(const char *path) try {
     return fail(path, error.what());
 }
 
+extern "C" bool image_size(const char *path, int size[2]) try {
+    auto in = ImageInput::open(path);
+    if (!in)
+        return fail(path, geterror());
+    size[0] = in->spec().width;
+    size[1] = in->spec().height;
+    return true;
+} catch (const std::exception &error) {
+    return fail(path, error.what());
+}
+
 extern "C" bool image_write(const struct image *image, const char *path) try {
     const format *format = find_format(path);
     if (!format)

@@ -39,6 +39,9 @@ bool bitmap_write_alpha(const struct bitmap *bitmap, const char *path);
  * not. */
 bool image_is_whole(const char *path);
 
+/* Pixels across and down. Error: the file is no picture. */
+bool image_size(const char *path, int size[2]);
+
 /* Whether the extension names a format that stores floats (EXR, PFM, HDR, ...). An error where the
  * extension is missing or unknown; call it before long work. */
 bool image_format_is_float(const char *path, bool *is_float);
