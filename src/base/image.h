@@ -61,9 +61,9 @@ int image_find_channel(const struct image *image, const char *name);
 
 /* The channels of a layer: R G B, red green blue, X Y Z, or one channel alone three times. The name is
  * whole (ViewLayer.Combined, a part), an end (Combined), or one channel (Z, normal.X). "" and "beauty"
- * take channels without a layer's name, else the layer or part that programs name so (beauty, rgba,
- * Combined ...), else the first part with R G B, else the only layer of three. Parts named as normals
- * and the like come last. Error: lists the layers there are. */
+ * take channels without a layer's name. Without these they take the layer or part that programs name so
+ * (beauty, rgba, Combined ...), then the first part with R G B, then the only layer of three. Parts
+ * named as normals and the like come last. Error: lists the layers there are. */
 bool image_find_layer(const struct image *image, const char *layer, int channels[3]);
 
 /* A sentence of which layer that is, to be freed; NULL where it is the one named, or an unnamed

@@ -19,6 +19,9 @@ extern "C" {
 
 namespace bridge {
 
+/* Of an EXR that is a mean of passes. */
+const char passes_attribute[] = "manylight:passes", weight_attribute[] = "manylight:weight";
+
 /* Sets the error, of the reason's first line. */
 inline bool fail(const char *path, const std::string &reason) {
     std::string line = reason.empty() ? "cannot be read" : reason.substr(0, reason.find('\n'));

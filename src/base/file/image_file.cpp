@@ -16,9 +16,6 @@ using namespace bridge;
 
 namespace {
 
-/* Of an EXR that is a mean of passes. */
-const char passes_attribute[] = "manylight:passes", weight_attribute[] = "manylight:weight";
-
 /* What is written and read here; of the other formats that OpenImageIO knows, some lose what does
  * not fit on the disk without a word. */
 struct format {

@@ -18,9 +18,6 @@ namespace {
 /* Finding layers among more names takes long. */
 const int max_channels = 2048;
 
-/* Of an EXR that is a mean of passes; image_file.cpp writes them. */
-const char passes_attribute[] = "manylight:passes", weight_attribute[] = "manylight:weight";
-
 struct Part {
     int index; /* in the file */
     ImageSpec spec;
