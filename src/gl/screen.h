@@ -36,7 +36,7 @@
 #include "gl/pass.h"
 
 enum screen_way {
-    SCREEN_AUTO, /* the faster one: timed when the process makes its first screen pass */
+    SCREEN_AUTO, /* the faster one: on a GPU timed when the process makes its first screen pass, else fragment */
     SCREEN_FRAGMENT,
     SCREEN_COMPUTE,
 };
@@ -49,6 +49,13 @@ void screen_set_way(enum screen_way way);
 
 /* How screen passes run that the current context makes: never SCREEN_AUTO. */
 enum screen_way screen_way(void);
+
+/* Of one pass, milliseconds; infinite where it does not run. Error: no memory for a picture. */
+struct screen_times {
+    double drawn, dispatched;
+};
+
+bool screen_time_ways(struct screen_times *times);
 
 /* For gl/pass.c. The pass that the state begins is a dispatch, if its program is one. */
 void screen_begin(const struct pass_state *state);
