@@ -370,7 +370,7 @@ stability: all
 # --- bundle ---------------------------------------------------------------------------------------
 
 # A folder, and an archive of it, that runs on a bare Linux machine with a driver of OpenGL: program, test programs, scenes
-# and libraries, without the viewer (bundle/README). Its objects are its own.
+# and libraries, without the viewer (bundle/README). It is built apart, in BUNDLE_BUILD.
 BUNDLE_PACKAGES := $(filter-out libopenimageio-dev libglfw3-dev libimgui-dev libx11-dev gnuplot-nox xvfb xdotool,$(PACKAGES)) \
     libopenexr-dev libpng-dev libjpeg-dev libwebp-dev patchelf
 BUNDLE := build/bundle
