@@ -393,7 +393,8 @@ struct parts {
 /* With vertices counted from the part's first, and welded. */
 static void simplify_part(const struct parts *parts, const struct geometry_part *part) {
     uint32_t base = part->first_vertex, count = part->vertex_count;
-    const uint32_t *first = parts->weld.first, *corner = parts->geometry->indices + part->first_index;
+    const uint32_t *first = parts->weld.first;
+    const uint32_t *corner = parts->geometry->indices + part->first_index;
     uint32_t *indices = mem_alloc(part->index_count, sizeof *indices);
     uint32_t *moved = mem_alloc(count, sizeof *moved);
     for (uint32_t k = 0; k < part->index_count; k++)
