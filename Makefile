@@ -178,6 +178,12 @@ FUZZ_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/driver.c,$(sort $(wil
 $(BUILD)/test/test_seeds: $(FUZZ_OBJECTS)
 $(BUILD)/test/fuzz/%.o $(BUILD)/test/test_seeds.o: INCLUDES += -Itest
 
+# The sources of all programs, as drivers get them, for another compiler of GLSL to read.
+SHADER_DUMP := $(BUILD)/test/shaders/dump
+$(SHADER_DUMP): $(patsubst %.c,$(BUILD)/%.o,$(wildcard test/shaders/*.c)) $(LIBRARY)
+	$(say) LINK $@
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+
 # What makes calls of the program fail, for test_faults.
 FAULTS := $(BUILD)/test/faults.so
 $(BUILD)/test/test_faults: | $(FAULTS)
@@ -493,8 +499,15 @@ mutants: all $(patsubst %,$(BUILD)/test/test_%,metrics heat_map options cluster 
 	@test/mutate $(BUILD) $(MUTANTS) "test_cluster test_passes test_cluster_lights" src/passes/lights/cluster.c \
 	    $(wildcard glsl/lights/cluster_* glsl/lights/val_distance.glsl glsl/lights/val_seed.glsl)
 
-lint:
+lint: $(BUILD)/shaders.checked
+	@test/install-packages clang-format
 	@test/lint
+
+$(BUILD)/shaders.checked: $(SHADER_DUMP) $(SHADERS) test/shaders/check | $(SCENES)
+	@test/install-packages glslang-tools
+	$(say) LINT shaders
+	$(Q)test/shaders/check $(SHADER_DUMP) $(SHADERS)
+	@touch $@
 
 analyze: all
 	@test/install-packages cppcheck clang-tidy
