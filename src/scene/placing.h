@@ -34,6 +34,10 @@ bool camera_from_text(struct camera *camera, const struct scene *scene, const ch
 bool emitters_from_text(struct emitters *emitters, const struct scene *scene, const char *text,
                         double time);
 
+/* Whether the text names the lights that shine, by lights that the scene has or that are added: no further light
+ * of the scene would shine. False for NULL and for changes of all lights. */
+bool emitters_text_is_complete(const struct scene *scene, const char *text);
+
 /* The number alone where the camera is just the scene's n-th. */
 void camera_to_text(const struct camera *camera, const struct scene *scene, int n, double time,
                     char text[PLACING_TEXT_SIZE]);
