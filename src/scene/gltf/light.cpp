@@ -105,10 +105,10 @@ bool load_area_light(const tinygltf::Value &from, struct scene_light &to) {
                      double(rectangle ? to.size[1] : to.size[0]));
 }
 
-/* A range that holds nothing cuts nothing. */
+/* Numbers that mended.cpp lets pass. */
 void load_range(double near, double far, struct scene_camera &to) {
-    to.near = near > 0 && near <= size_max ? float(near) : 0;
-    to.far = far > near && far <= size_max ? float(far) : 0;
+    to.near = float(near);
+    to.far = far <= camera_depth_most ? float(far) : 0;
 }
 
 bool load_perspective(const tinygltf::PerspectiveCamera &from, struct scene_camera &to) {
