@@ -161,46 +161,73 @@ bool glb_is(const struct file_bytes *bytes) {
     return bytes->size >= 4 && memcmp(bytes->data, "glTF", 4) == 0;
 }
 
-/* A chunk at an offset, of which at least type and size are there. */
-static bool check_chunk(int chunk, uint32_t type, size_t size, size_t left) {
-    enum { JSON = 0x4E4F534A };
-    if (size > left && chunk <= 1)
-        return error_set("chunk %d: %zu bytes, but only %zu are left", chunk, size, left);
-    if ((chunk == 0) != (type == JSON))
+enum { GLB_JSON = 0x4E4F534A, GLB_BIN = 0x004E4942 };
+
+/* The lengths that a file tells of itself, and its own. */
+struct glb_sizes {
+    size_t told, file;
+};
+
+static void tell_header(char text[80], const struct glb_sizes *sizes) {
+    snprintf(text, 80, "the header says %zu bytes, there are %zu", sizes->told, sizes->file);
+}
+
+static void tell_chunk(char text[80], int chunk, size_t size, size_t left) {
+    snprintf(text, 80, "chunk %d: %zu bytes, but only %zu are left", chunk, size, left);
+}
+
+/* Errors of the first chunk, and of a second one of its kind. */
+static bool check_chunk(int chunk, uint32_t type, size_t size, size_t left,
+                        const struct glb_sizes *sizes) {
+    char text[80];
+    if ((chunk == 0) != (type == GLB_JSON))
         return error_set("chunk %d: type 0x%08X is %s", chunk, type,
                          chunk == 0 ? "not JSON" : "JSON, which comes first alone");
-    return true;
+    if (chunk > 0 || size <= left)
+        return true;
+    if (sizes->told > sizes->file)
+        tell_header(text, sizes);
+    else
+        tell_chunk(text, chunk, size, left);
+    return error_set("truncated: %s", text);
 }
 
 /* glTF 2.0, 4.4: a header of 12 bytes, then chunks of length, type and data: JSON, then BIN, then
- * any others, which are ignored. */
+ * any others, which are ignored. The chunks tell where the file ends: past the length in the header
+ * only BIN counts. */
 bool glb_check(const struct file_bytes *bytes, struct glb_chunks *chunks) {
-    enum { BIN = 0x004E4942 };
     if (bytes->size < 20)
         return error_set("truncated: %zu bytes are no GLB file", bytes->size);
     if (word_at(bytes, 4) != 2)
         return error_set("glTF version %u; 2.0 is read", word_at(bytes, 4));
-    size_t end = word_at(bytes, 8), at = 12;
-    if (end > bytes->size || end < 20)
-        return error_set("%s: the header says %zu bytes, there are %zu",
-                         end > bytes->size ? "truncated" : "wrong length", end, bytes->size);
+    const struct glb_sizes sizes = {word_at(bytes, 8), bytes->size};
+    size_t at = 12;
     *chunks = (struct glb_chunks){.json = (const char *)bytes->data + 20};
-    for (int chunk = 0; end - at >= 8; chunk++) {
-        size_t size = word_at(bytes, at);
+    for (int chunk = 0; bytes->size - at >= 8; chunk++) {
+        size_t size = word_at(bytes, at), left = bytes->size - at - 8;
         uint32_t type = word_at(bytes, at + 4);
-        if (!check_chunk(chunk, type, size, end - at - 8))
+        bool is_bin = type == GLB_BIN && !chunks->bin;
+        if (chunk > 0 && !is_bin && (at >= sizes.told || size > left))
+            break; /* padding, which the header may count, or bytes behind */
+        if (!check_chunk(chunk, type, size, left, &sizes))
             return false;
-        if (size > end - at - 8)
-            break; /* padding behind JSON and BIN, which the header counts */
         chunks->is_uneven |= size % 4 != 0;
-        if (chunk == 0) {
+        if (size > left) {
+            tell_chunk(chunks->length, chunk, size, left);
+            chunks->is_cut = true;
+            size = left;
+        }
+        if (chunk == 0)
             chunks->json_size = size;
-        } else if (type == BIN && !chunks->bin) {
+        else if (is_bin) {
             chunks->bin = (const char *)bytes->data + at + 8;
             chunks->bin_size = size;
         }
         at += 8 + size;
     }
     chunks->tail = bytes->size - at;
+    if (sizes.told > bytes->size || sizes.told < at)
+        tell_header(chunks->length, &sizes);
+    chunks->is_cut |= sizes.told > bytes->size;
     return true;
 }

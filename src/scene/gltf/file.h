@@ -32,6 +32,8 @@ struct glb_chunks {
     size_t json_size, bin_size; /* bin_size = 0: there is no BIN chunk */
     size_t tail;                /* bytes after the last chunk, which are ignored */
     bool is_uneven;             /* a chunk's size is no multiple of 4 */
+    char length[80];            /* which length in the file is wrong, in words; "" = none */
+    bool is_cut;                /* it is the file that is too short */
 };
 
 /* Checks the container of a .glb, header and chunks, and finds JSON and BIN. */
