@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/shell.h"
 #include "scene/read_rules.h"
 
 #include <errno.h>
@@ -58,25 +59,50 @@ static char *find_root(const char *folder) {
     return root;
 }
 
-/* The file where the name leads, if that is below the root. Whether a file lies outside is not
- * told. */
-static enum file_lack resolve(const char *folder, const char *root, const char *name, char **real) {
+/* The deepest folder that holds both. */
+static char *common_folder(const char *folder, const char *path) {
+    char *common = mem_strdup(folder);
+    while (!is_below(common, path)) {
+        char *slash = strrchr(common, '/');
+        slash[slash == common] = '\0';
+    }
+    return common;
+}
+
+/* Where the name leads: the file without links, if that is below the root. place: the file, or the place
+ * outside; NULL where a file is missing. The place outside is that of the name as text, so that none can tell
+ * whether a file is there; it is that of links where the text stays in the root. */
+static enum file_lack resolve(const char *folder, const char *root, const char *name,
+                              char **place) {
     char *as_text = join_as_text(folder, name), *path = mem_printf("%s/%s", folder, name);
-    *real = realpath(*name == '/' ? name : path, NULL);
-    if (!*real)
-        *real = realpath(as_text, NULL);
-    enum file_lack lack = FILE_FOUND;
-    if (!is_below(root, *real ? *real : as_text))
+    *place = realpath(*name == '/' ? name : path, NULL);
+    if (!*place)
+        *place = realpath(as_text, NULL);
+    enum file_lack lack = *place ? FILE_FOUND : FILE_MISSING;
+    if (!is_below(root, *place ? *place : as_text)) {
         lack = FILE_OUTSIDE;
-    else if (!*real)
-        lack = FILE_MISSING;
-    if (lack != FILE_FOUND) {
-        free(*real);
-        *real = NULL;
+        if (!is_below(root, as_text)) {
+            free(*place);
+            *place = mem_strdup(as_text);
+        }
     }
     free(as_text);
     free(path);
     return lack;
+}
+
+/* The error names the root that would allow it, but not all of the machine. */
+static void refuse_outside(const char *folder, const char *root, const char *place,
+                           const char *name) {
+    char text[80], *common = common_folder(folder, place), *word = shell_quote(common);
+    if (strcmp(common, "/") == 0)
+        error_set("'%s' leads out of the folder %s (--root DIR names another)", shown(text, name),
+                  root);
+    else
+        error_set("'%s' leads out of the folder %s (--root %s allows it)", shown(text, name), root,
+                  word);
+    free(word);
+    free(common);
 }
 
 /* The name as a path: without "file://"; the caller frees it. NULL: another URL, or nothing. */
@@ -116,27 +142,38 @@ static void slashes_for_backslashes(char *path) {
             *path = '/';
 }
 
+/* The same of a name with backslashes, as they are or as slashes. */
+static enum file_lack resolve_either(const char *folder, const char *root, char *path,
+                                     char **place) {
+    enum file_lack lack = resolve(folder, root, path, place);
+    if (lack == FILE_FOUND || !strchr(path, '\\'))
+        return lack;
+    free(*place);
+    slashes_for_backslashes(path);
+    return resolve(folder, root, path, place);
+}
+
 char *file_find_named(const char *folder, const char *name, enum file_lack *lack) {
-    char text[80], *path = path_of(folder, name), *found = NULL;
+    char text[80], *path = path_of(folder, name), *place = NULL;
     *lack = FILE_MISSING;
     if (!path)
         return NULL;
     char *base = realpath(*folder ? folder : ".", NULL), *root = find_root(base ? base : "/");
-    *lack = base ? resolve(base, root, path, &found) : FILE_MISSING;
-    if (*lack != FILE_FOUND && strchr(path, '\\')) {
-        slashes_for_backslashes(path);
-        *lack = base ? resolve(base, root, path, &found) : FILE_MISSING;
-    }
+    if (base)
+        *lack = resolve_either(base, root, path, &place);
     if (*lack == FILE_MISSING)
         error_set("cannot open %s%s: %s", *path == '/' ? "" : folder, shown(text, path),
                   strerror(ENOENT));
-    else if (*lack == FILE_OUTSIDE)
-        error_set("'%s' leads out of the folder %s (--root DIR names another)", shown(text, name),
-                  root);
+    else if (*lack == FILE_OUTSIDE) {
+        refuse_outside(base, root, place, name);
+        free(place);
+        place = NULL;
+        *lack = *path == '/' ? FILE_MISSING : FILE_OUTSIDE;
+    }
     free(path);
     free(base);
     free(root);
-    return found;
+    return place;
 }
 
 bool file_read_named(struct file_bytes *bytes, const char *folder, const char *name, char **path,
