@@ -1,5 +1,5 @@
 /* manylight info. */
-#include "support.h"
+#include "gltf_parts.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -48,6 +48,36 @@ static void test_point_light(void **state) {
     check_says("point (3.142, 3.142, 3.142) W/sr at (0, 0, 0)\n");
 }
 
+/* Names are those of nodes, as in messages; of what a node without a name carries. */
+static void test_names(void **state) {
+    (void)state;
+    char arguments[1024];
+    const char *path = write_parts(
+        "names.glb",
+        &(struct gltf_parts){
+            .nodes = "[{\"mesh\": 0}, {\"name\": \"Eye node\", \"camera\": 0}, {\"camera\": 0},"
+                     " {\"name\": \"Lamp node\", \"extensions\": {\"KHR_lights_punctual\":"
+                     " {\"light\": 0}}}, {\"extensions\": {\"KHR_lights_punctual\":"
+                     " {\"light\": 0}}}]",
+            .more = "\"cameras\": [{\"name\": \"Eye data\", \"type\": \"perspective\","
+                    " \"perspective\": {\"yfov\": 1, \"znear\": 1}}], \"extensions\":"
+                    " {\"KHR_lights_punctual\": {\"lights\": [{\"name\": \"Lamp data\","
+                    " \"type\": \"point\"}]}},"});
+    assert_int_equal(info(path), 0);
+    check_says("  0  Eye node             perspective");
+    check_says("  1  Eye data             perspective");
+    check_says("  0  Lamp node            point");
+    check_says("  1  Lamp data            point");
+    snprintf(arguments, sizeof arguments, "%s reference %s -o %s --camera none", binary_path(),
+             path, scratch("none.exr"));
+    assert_int_equal(run_command(arguments, output, sizeof output), 1);
+    check_says("(there is: 0=Eye node 1=Eye data)");
+    snprintf(arguments, sizeof arguments, "%s reference %s -o %s --light none", binary_path(), path,
+             scratch("none.exr"));
+    assert_int_equal(run_command(arguments, output, sizeof output), 1);
+    check_says("(there is: 0=Lamp node 1=Lamp data)");
+}
+
 static void test_refusals(void **state) {
     (void)state;
     assert_int_equal(info("no-such-scene.glb"), 1);
@@ -62,9 +92,8 @@ static void test_refusals(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_gl),
-        cmocka_unit_test(test_scene),
-        cmocka_unit_test(test_point_light),
+        cmocka_unit_test(test_gl),          cmocka_unit_test(test_scene),
+        cmocka_unit_test(test_point_light), cmocka_unit_test(test_names),
         cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests_name("info", tests, NULL, NULL);

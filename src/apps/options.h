@@ -41,6 +41,7 @@ struct technique_values {
     {"light", 0, OPTION_TEXT, offsetof(type, member.light), .value_name = "NAME|N,...",            \
      .help = "lights of the scene that shine [all], or changed: \"lamp,2\",\n"                     \
              "\"0 position=0,2,0 intensity=9,9,9; 1\"; emitters: all area lights; sky;\n"              \
+             "a name that has , ; or = stands alone, or by its number in manylight info;\n"             \
              "a new one: \"+area size=1,1 position=0,2,0 direction=0,-1,0 intensity=9,9,9\""},                  \
     {"environment", 0, OPTION_TEXT, offsetof(type, member.environment.path), .value_name = "FILE", \
      .help = "a sky in place of the scene's own: a panorama, .hdr or .exr, in W/(sr m2)"},         \

@@ -171,8 +171,9 @@ static void append_words(const struct word *words, const void *values, const voi
 static bool change_camera(struct camera *camera, const struct scene *scene, char *text, double time,
                           int *n) {
     struct camera changes = {.up = {0, 1, 0}};
-    unsigned given;
-    if (!parse_words(camera_words, &changes, text, &given))
+    unsigned given = 0;
+    bool is_name = strchr(text, '=') && camera_find(scene, text) >= 0;
+    if (!is_name && !parse_words(camera_words, &changes, text, &given))
         return error_prefix("camera");
     int found = *text ? camera_find(scene, text) : 0;
     if (found < 0)
@@ -298,6 +299,9 @@ static bool pick_emitters(struct picked *picked, const struct scene *scene, char
 }
 
 static bool pick_all_parts(struct picked *picked, const struct scene *scene, const char *text) {
+    int whole = text && strpbrk(text, ",;=") ? emitter_find(scene, text) : -1;
+    if (whole >= 0)
+        return picked->shines[whole] = true;
     char *copy = mem_strdup(text ? text : ""), *next = NULL;
     char *part = strtok_r(copy, ";", &next);
     bool ok = pick_emitters(picked, scene, part ? part : copy);

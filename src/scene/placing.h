@@ -11,8 +11,9 @@
  * direction and of up; with it all are taken as they are, so that a text that was written here gives
  * the very same camera again.
  *
- * Commas part the names of lights, semicolons lights with changes from others; a light whose name
- * has either goes by its number. Changes without a name are of all lights. "emitters" stands for all
+ * Commas part the names of lights, semicolons lights with changes from others. A light whose name
+ * has either, or "=", goes by its number in lists and with changes; alone the whole text may be its
+ * name, as a camera's may. Changes without a name are of all lights. "emitters" stands for all
  * area lights, "sky" for the environment, which has no changes, where there are any. "+area" and the
  * other types add a light that the file does not have (emitter_new).
  */
