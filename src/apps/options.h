@@ -33,6 +33,11 @@ struct technique_values {
     {"gl-debug", 0, OPTION_FLAG, offsetof(type, member.debug),                                     \
      .help = "a debug context: OpenGL's messages go to stderr"}
 
+/* Of a size that may be 0. */
+#define SIZE_HELP                                                                                  \
+    "of the picture, pixels [800x800; of a camera with an aspect ratio 800 along the\n"            \
+    "longer side]; the vertical field of view is the camera's at any size"
+
 /* What of a scene is shown: the member has camera, light, environment, clip and time, as a struct
  * stage_desc. */
 #define STAGE_OPTIONS(type, member)                                                                \

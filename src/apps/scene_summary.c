@@ -135,6 +135,10 @@ static void print_camera(const struct scene *scene, int n) {
         printf("%.4g m high", 2 * (double)camera.y_extent);
     else
         printf("%.4g degrees high", degrees(camera.fov_y));
+    const struct scene_camera *source =
+        &scene->cameras[scene->nodes[node_carrying(scene, NODE_CAMERA, n)].camera];
+    if (source->aspect > 0)
+        printf(", aspect ratio %.4g", (double)source->aspect);
     print_vector(", at ", camera.eye);
     print_vector(" towards ", camera.forward);
     if (camera.far > 0)

@@ -33,6 +33,13 @@ bool stage_pose(struct stage *stage, double time) {
     return geometry_pose(&stage->geometry, &stage->scene, time) && place(stage, time);
 }
 
+void stage_default_size(const struct stage *stage, int size[2]) {
+    struct camera camera;
+    int n = 0;
+    camera_from_text(&camera, &stage->scene, stage->camera_text, 0, &n);
+    camera_default_size(&stage->scene, n, size);
+}
+
 bool stage_show(const struct stage *stage, struct renderer *renderer) {
     struct renderer_desc desc = renderer->desc;
     desc.emitters = stage->emitters;
