@@ -1,31 +1,12 @@
 /* A scene that arrives: a coarse picture of it comes before its shaders, the step is told, and it can be stopped. */
 #define _XOPEN_SOURCE 700
-#include "view_stage.h"
-
-#include "viewer/viewer.h"
+#include "view_inside.h"
 
 #include <stdio.h>
 #include <string.h>
 
-static struct viewer viewer;
-
-static void turn(void) {
-    check_ok("turn", viewer_turn(&viewer));
-    pause_ms(2);
-}
-
 static void begin(void) {
-    struct viewer_desc desc = {.width = 100, .height = 90, .debug = true};
-    static const char cheap[] =
-        "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=128 interleave=4";
-    if (!stage.server)
-        skip();
-    renderer_settings_init(&desc.settings);
-    check_ok(cheap, settings_assign(&desc.settings, cheap));
-    desc.auto_exposure = true;
-    check_ok("viewer", viewer_begin(&viewer, &desc));
-    keep_driver();
-    turn();
+    begin_viewer(&(struct viewer_desc){.width = 100, .height = 90, .auto_exposure = true});
 }
 
 /* As long as the scene waits for its shaders. */

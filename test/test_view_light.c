@@ -87,23 +87,14 @@ static void test_size(void **state) {
     emitters_free(&after);
 }
 
-/* Ctrl and a click let a number be typed where there is a slider. */
-static void enter(const char *row, const char *number) {
-    int x, y;
-    find_place(row, &x, &y);
-    xdo("mousemove %d %d keydown ctrl click 1 keyup ctrl type --delay 1 %s", x, y, number);
-    xdo("key Return");
-    sync_viewer();
-}
-
 /* The chosen light's watts, and its colour, of which the green is what lies in the row's middle: its power stays. */
 static void test_power_and_color(void **state) {
     (void)state;
     char text[600];
     need_viewer();
     press("Light");
-    enter("power, W", "7.5");
-    enter("colour", "0");
+    type_into("power, W", "7.5");
+    type_into("colour", "0");
     press("Light");
     struct emitters lights = saved_lights(text, sizeof text);
     const struct emitter *light = &lights.items[1];
@@ -145,8 +136,8 @@ static void test_cone(void **state) {
     press("type");
     press("spot");
     sync_viewer();
-    enter("outer angle, \xc2\xb0", "40");
-    enter("inner angle, \xc2\xb0", "30");
+    type_into("outer angle, \xc2\xb0", "40");
+    type_into("inner angle, \xc2\xb0", "30");
     press("Light");
     struct emitters lights = saved_lights(text, sizeof text);
     const struct emitter *light = &lights.items[1];

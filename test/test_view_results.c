@@ -1,14 +1,12 @@
 /* What stays and what is asked for, in the window's own process: a reference past other sizes, its file, one error
  * of one definition, a part of a clip; and words of presets and the first exposure, which need no window. */
 #define _XOPEN_SOURCE 700
-#include "view_stage.h"
+#include "view_inside.h"
 
-#include "base/clock.h"
 #include "base/file/image_file.h"
 #include "renderer/settings.h"
 #include "viewer/develop.h"
 #include "viewer/preset.h"
-#include "viewer/viewer.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -16,48 +14,13 @@
 #include <string.h>
 #include <unistd.h>
 
-#define SETTINGS "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=128 interleave=4"
-
-static struct viewer viewer;
 static int told_passes; /* --passes */
-
-static void turn(void) {
-    check_ok("turn", viewer_turn(&viewer));
-    pause_ms(2);
-}
-
-enum { PATIENCE = 120000 };
-
-#define turn_until(condition)                                                                      \
-    for (double start = clock_ms(); !(condition); turn())                                          \
-    assert_true(clock_ms() - start < PATIENCE)
-
-static void rest(void) {
-    for (int i = 0; i < 3; i++)
-        turn();
-    turn_until(!viewer.shown.moving && !viewer.shown.dirty && !viewer.shown.coarse &&
-               !viewer.shown.awaits);
-    turn();
-}
 
 static void begin(const char *scene) {
     char path[640];
-    struct viewer_desc desc = {
-        .scene = path, .width = 96, .height = 96, .passes = told_passes, .debug = true};
-    if (!stage.server)
-        skip();
     snprintf(path, sizeof path, "%s/%s", stage.here, scene);
-    renderer_settings_init(&desc.settings);
-    check_ok("settings", settings_assign(&desc.settings, SETTINGS));
-    check_ok("viewer", viewer_begin(&viewer, &desc));
-    keep_driver();
-    turn_until(viewer.has_scene && viewer.shown.frame_count > 0);
-    rest();
-}
-
-static void end(void) {
-    assert_int_equal(context_message_count(viewer.host.context), 0);
-    viewer_end(&viewer);
+    begin_viewer(
+        &(struct viewer_desc){.scene = path, .width = 96, .height = 96, .passes = told_passes});
 }
 
 /* The window gets another size, and is filled: minutes of tracing stay. */
@@ -143,7 +106,7 @@ static void test_reference_is_saved(void **state) {
     assert_int_equal(wrong, 0);
     image_free(&saved);
     truth_pause(&viewer.tracing.truth, false);
-    end();
+    finish_viewer();
 }
 
 /* --- time ------------------------------------------------------------------------------------- */
@@ -202,7 +165,7 @@ static void test_record_range(void **state) {
     set_folder(request, "nowhere");
     recorder_start(&viewer);
     assert_false(viewer.recorder.on);
-    end();
+    finish_viewer();
 }
 
 /* --- how scenes were left ---------------------------------------------------------------------- */
@@ -213,15 +176,6 @@ static void open_scene(const char *scene) {
     viewer_open(&viewer, path);
     turn_until(!viewer_is_opening(&viewer) && strcmp(viewer.document.scene.path, path) == 0);
     turn();
-}
-
-static bool is_told(const char *text, enum ui_tone tone) {
-    struct message recent[MESSAGES_SHOWN];
-    int count = messages_recent(&viewer.host.messages, recent);
-    for (int i = 0; i < count; i++)
-        if (recent[i].tone == tone && strstr(recent[i].text, text))
-            return true;
-    return false;
 }
 
 /* Settings go from scene to scene, but afresh a scene has none of them; nor has it the others' files. */
@@ -250,7 +204,7 @@ static void test_second_scene(void **state) {
     assert_int_equal(viewer.wish.passes, 0);
     assert_false(viewer.placed.camera_moved);
     rest();
-    end();
+    finish_viewer();
 }
 
 static void test_settings_name_no_clip(void **state) {
@@ -262,8 +216,8 @@ static void test_settings_name_no_clip(void **state) {
     assert_int_equal(viewer.document.scene.clip_count, 0);
     check_ok("clip 0 of none", viewer_load_session(&viewer, path));
     assert_int_equal(viewer.wish.passes, 3);
-    assert_false(is_told("", UI_ERROR));
-    end();
+    assert_false(is_message_told("", UI_ERROR));
+    finish_viewer();
 }
 
 /* All but the sky is as it was left, and its file keeps the sky. */
@@ -277,7 +231,7 @@ static void test_sky_is_gone(void **state) {
     turn_until(viewer.document.scene.environment);
     check_ok("camera", viewer_place_camera(&viewer, "eye=0,1,5 forward=0,0,-1"));
     rest();
-    end();
+    finish_viewer();
     assert_int_equal(shell("rm %s", sky), 0);
     for (int i = 0; i < 2; i++) {
         begin("scenes/sphere.glb");
@@ -285,9 +239,9 @@ static void test_sky_is_gone(void **state) {
                viewer.kept.was_restored, viewer.kept.is_incomplete, viewer.placed.camera_moved,
                viewer.placed.emitters.count);
         assert_true(viewer.kept.was_restored && viewer.kept.is_incomplete);
-        assert_true(is_told("gone.hdr", UI_WARNING));
+        assert_true(is_message_told("gone.hdr", UI_WARNING));
         assert_true(viewer.placed.camera_moved && viewer.placed.emitters.count > 0);
-        end();
+        finish_viewer();
     }
     assert_int_equal(
         shell("grep -q 'environment = .*gone.hdr' %s/manylight/scenes/*.settings", stage.folder),
@@ -304,7 +258,7 @@ static void test_options_mean_first_scene(void **state) {
     assert_false(viewer.kept.on || viewer.kept.was_restored);
     open_scene("scenes/gloss.glb");
     assert_true(viewer.kept.on);
-    end();
+    finish_viewer();
     told_passes = 0;
 }
 
