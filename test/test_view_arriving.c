@@ -2,6 +2,9 @@
 #define _XOPEN_SOURCE 700
 #include "view_inside.h"
 
+#include "base/error.h"
+
+#include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -105,6 +108,47 @@ static void test_stop_sky(void **state) {
     assert_null(viewer.document.scene.environment);
 }
 
+static atomic_bool may_end;
+
+/* The background thread waits here for the coarse picture. */
+static bool refuse(void **state, const struct direct_desc *desc) {
+    (void)state, (void)desc;
+    for (int i = 0; i < 60000 && !atomic_load(&may_end); i++)
+        pause_ms(2);
+    return error_set("no memory for these shadows");
+}
+
+/* A scene that was read and that no renderer can be made for: the window tells why, shows what was there before and
+ * no coarse picture, and the command line's options were that scene's. */
+static void test_fails_after_reading(void **state) {
+    (void)state;
+    if (!viewer.has_scene)
+        skip();
+    struct direct_method refused = *direct_find("hard");
+    refused.init = refuse;
+    viewer.wish.direct = &refused;
+    viewer.desc.light = "0";
+    viewer.desc.time = 1;
+    viewer.opening.is_told = true;
+    viewer_open(&viewer, "scenes/moving-spot.glb");
+    wait_for_arrival();
+    turn_until(viewer.preview.has_texture);
+    atomic_store(&may_end, true);
+    turn_until(!viewer_is_opening(&viewer));
+    printf("    after it has failed: coarse picture %d, told %d, at %g s\n",
+           viewer.preview.has_texture, viewer.opening.is_told, (double)viewer.desc.time);
+    assert_true(is_message_told("no memory for these shadows", UI_ERROR));
+    assert_true(viewer.has_scene);
+    assert_non_null(strstr(viewer.document.scene.path, "materials"));
+    assert_false(viewer.preview.has_texture);
+    assert_false(viewer.opening.is_told);
+    assert_null(viewer.desc.light);
+    assert_true(viewer.desc.time == 0);
+    viewer.wish.direct = NULL;
+    viewer_touch(&viewer);
+    rest();
+}
+
 /* The window ends while a scene arrives. */
 static void test_end(void **state) {
     (void)state;
@@ -120,6 +164,7 @@ int main(void) {
         cmocka_unit_test(test_coarse_picture),
         cmocka_unit_test(test_stop),
         cmocka_unit_test(test_stop_sky),
+        cmocka_unit_test(test_fails_after_reading),
         cmocka_unit_test(test_end),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);

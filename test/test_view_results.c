@@ -3,6 +3,7 @@
 #define _XOPEN_SOURCE 700
 #include "view_inside.h"
 
+#include "base/error.h"
 #include "base/file/image_file.h"
 #include "renderer/settings.h"
 #include "viewer/develop.h"
@@ -106,6 +107,37 @@ static void test_reference_is_saved(void **state) {
     assert_int_equal(wrong, 0);
     image_free(&saved);
     truth_pause(&viewer.tracing.truth, false);
+    finish_viewer();
+}
+
+static bool refuse(void **state, const struct direct_desc *desc) {
+    (void)state, (void)desc;
+    return error_set("no memory for these shadows");
+}
+
+/* A method of direct light that cannot be made is told, and the wish goes back to the one before. */
+static void test_refused_direct(void **state) {
+    (void)state;
+    begin("scenes/cornell-box.glb");
+    struct direct_method refused = *direct_find("hard");
+    refused.init = refuse;
+    static const char *const before[] = {NULL, "pcss"};
+    for (int i = 0; i < 2; i++) {
+        const struct direct_method *method = before[i] ? direct_find(before[i]) : NULL;
+        viewer.wish.direct = method;
+        viewer_touch(&viewer);
+        rest();
+        messages_forget_errors(&viewer.host.messages);
+        viewer.wish.direct = &refused;
+        viewer_touch(&viewer);
+        rest();
+        printf("    after a refused method: %s, drawn with %s\n",
+               viewer.wish.direct ? viewer.wish.direct->name : "by the lights",
+               viewer.shown.renderer.desc.direct->name);
+        assert_true(is_message_told("no memory for these shadows", UI_ERROR));
+        assert_ptr_equal(viewer.wish.direct, method);
+        assert_ptr_equal(viewer.shown.renderer.desc.direct, direct_find(method ? "pcss" : "hard"));
+    }
     finish_viewer();
 }
 
@@ -313,6 +345,7 @@ int main(void) {
         cmocka_unit_test(test_reference_is_kept),
         cmocka_unit_test(test_one_error),
         cmocka_unit_test(test_reference_is_saved),
+        cmocka_unit_test(test_refused_direct),
         cmocka_unit_test(test_timeline),
         cmocka_unit_test(test_record_range),
         cmocka_unit_test(test_second_scene),
