@@ -7,12 +7,14 @@
 #include "base/file/image_file.h"
 #include "renderer/settings.h"
 #include "viewer/develop.h"
+#include "viewer/free_number.h"
 #include "viewer/preset.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static int told_passes; /* --passes */
@@ -78,6 +80,69 @@ static double last_lasts(void) {
     struct message recent[MESSAGES_SHOWN];
     int count = messages_recent(&viewer.host.messages, recent);
     return count > 0 ? recent[count - 1].lasts : 0;
+}
+
+static enum name_state state_of(void *user, int number) {
+    return number <= *(int *)user ? NAME_IS_TAKEN : NAME_IS_FREE;
+}
+
+static enum name_state refuse_name(void *user, int number) {
+    (void)user, (void)number;
+    error_set("refused");
+    return NAME_IS_REFUSED;
+}
+
+/* Numbers have as many digits as they need. */
+static void test_free_number(void **state) {
+    (void)state;
+    int taken[] = {0, 9999, FREE_NUMBER_MOST};
+    assert_int_equal(free_number(state_of, &taken[0]), 1);
+    assert_int_equal(free_number(state_of, &taken[1]), 10000);
+    assert_int_equal(free_number(state_of, &taken[2]), 0);
+    printf("    %s\n", error_get());
+    assert_non_null(strstr(error_get(), "999999"));
+    assert_int_equal(free_number(refuse_name, NULL), 0);
+    assert_string_equal(error_get(), "refused");
+}
+
+/* Names of 1 to 9999 in the working folder. */
+static void take_names(const char *format) {
+    for (int i = 1; i < 10000; i++) {
+        char name[64];
+        snprintf(name, sizeof name, format, i);
+        FILE *file = fopen(name, "w");
+        assert_non_null(file);
+        fclose(file);
+    }
+}
+
+static long size_of(const char *name) {
+    struct stat info;
+    return stat(name, &info) == 0 ? (long)info.st_size : -1;
+}
+
+/* The ten thousandth picture overwrites none. */
+static void test_no_picture_is_overwritten(void **state) {
+    (void)state;
+    char here[512];
+    if (!stage.server)
+        skip();
+    assert_non_null(getcwd(here, sizeof here));
+    assert_int_equal(shell("mkdir -p %s/full", stage.folder), 0);
+    assert_int_equal(chdir(in_stage("full")), 0);
+    take_names("manylight-%04d.exr");
+    take_names("manylight-reference-%04d.exr");
+    viewer_take_screenshot(&viewer);
+    viewer_save_reference(&viewer);
+    long sizes[] = {size_of("manylight-9999.exr"), size_of("manylight-reference-9999.exr"),
+                    size_of("manylight-10000.png"), size_of("manylight-10000.exr"),
+                    size_of("manylight-reference-10000.exr")};
+    assert_int_equal(chdir(here), 0);
+    printf("    bytes: 9999: %ld and %ld, 10000: %ld, %ld and %ld\n", sizes[0], sizes[1], sizes[2],
+           sizes[3], sizes[4]);
+    assert_true(sizes[0] == 0 && sizes[1] == 0);
+    assert_true(sizes[2] > 0 && sizes[3] > 0 && sizes[4] > 0);
+    assert_int_equal(shell("rm -r %s", in_stage("full")), 0);
 }
 
 static void test_reference_is_saved(void **state) {
@@ -344,6 +409,8 @@ int main(void) {
         cmocka_unit_test(test_exposure),
         cmocka_unit_test(test_reference_is_kept),
         cmocka_unit_test(test_one_error),
+        cmocka_unit_test(test_free_number),
+        cmocka_unit_test(test_no_picture_is_overwritten),
         cmocka_unit_test(test_reference_is_saved),
         cmocka_unit_test(test_refused_direct),
         cmocka_unit_test(test_timeline),
