@@ -149,6 +149,37 @@ static void test_cone(void **state) {
     emitters_free(&lights);
 }
 
+/* Where the chosen light's light ends; undone, and there again. */
+static void test_range(void **state) {
+    (void)state;
+    char text[600], ranged[600];
+    need_viewer();
+    press("Light");
+    type_into("range, m", "4");
+    press("Light");
+    struct emitters lights = saved_lights(ranged, sizeof ranged);
+    printf("    the light ends after %g m\n", (double)lights.items[1].range);
+    assert_true(lights.items[1].range == 4);
+    assert_non_null(strstr(ranged, "range=4"));
+    check_picture("a light that ends", ranged);
+    emitters_free(&lights);
+    xdo("key ctrl+z");
+    lights = saved_lights(text, sizeof text);
+    assert_true(lights.items[1].range == 0);
+    check_picture("taken back", text);
+    emitters_free(&lights);
+    xdo("key ctrl+y");
+    check_picture("and again", ranged);
+    press("Light");
+    press("light"); /* the scene's is chosen */
+    press("2  added");
+    type_into("range, m", "0");
+    press("Light");
+    lights = saved_lights(text, sizeof text);
+    assert_true(lights.items[1].range == 0);
+    emitters_free(&lights);
+}
+
 static void test_remove(void **state) {
     (void)state;
     char text[600];
@@ -172,6 +203,7 @@ int main(void) {
         cmocka_unit_test(test_power_and_color),
         cmocka_unit_test(test_type),
         cmocka_unit_test(test_cone),
+        cmocka_unit_test(test_range),
         cmocka_unit_test(test_remove),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
