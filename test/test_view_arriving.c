@@ -108,6 +108,52 @@ static void test_stop_sky(void **state) {
     assert_null(viewer.document.scene.environment);
 }
 
+/* The coarse picture is of the command line's time and clips: the light and the triangles are where they are then. */
+static void test_coarse_picture_of_time(void **state) {
+    (void)state;
+    const double time = 1.5;
+    struct scene scene;
+    struct geometry geometry;
+    struct emitter light;
+    if (!viewer.has_scene)
+        skip();
+    viewer.desc.time = (float)time;
+    viewer.desc.clip = "0";
+    viewer_open(&viewer, "scenes/moving-spot.glb");
+    wait_for_arrival();
+    check_ok("scene", scene_load(&scene, "scenes/moving-spot.glb"));
+    check_ok("geometry", geometry_init(&geometry, &scene, 0));
+    emitter_place(&light, &scene, 0, 0);
+    float first = light.direction[2];
+    emitter_place(&light, &scene, 0, time);
+    float got = viewer.preview.desc.emitters.items[0].direction[2];
+    printf("    the light shines to z %g, at first %g, expected %g\n", (double)got, (double)first,
+           (double)light.direction[2]);
+    assert_true(got == light.direction[2] && got != first);
+    geometry_free(&geometry);
+    scene_free(&scene);
+    turn_until(!viewer_is_opening(&viewer));
+    rest();
+    assert_true(viewer.placed.time == time);
+    viewer.desc.time = (float)time;
+    viewer_open(&viewer, "scenes/metaballs.glb");
+    wait_for_arrival();
+    check_ok("scene", scene_load(&scene, "scenes/metaballs.glb"));
+    check_ok("geometry", geometry_init(&geometry, &scene, 0));
+    const struct geometry *coarse = &viewer.arriving.geometry;
+    size_t size = sizeof *geometry.position * geometry.vertex_count;
+    check_ok("pose", geometry_pose(&geometry, &scene, time));
+    assert_int_equal(coarse->vertex_count, geometry.vertex_count);
+    assert_memory_equal(coarse->position, geometry.position, size);
+    geometry_pose(&geometry, &scene, 0);
+    assert_true(coarse->vertex_count != geometry.vertex_count ||
+                memcmp(coarse->position, geometry.position, size) != 0);
+    geometry_free(&geometry);
+    scene_free(&scene);
+    turn_until(!viewer_is_opening(&viewer));
+    rest();
+}
+
 static atomic_bool may_end;
 
 /* The background thread waits here for the coarse picture. */
@@ -139,7 +185,7 @@ static void test_fails_after_reading(void **state) {
            viewer.preview.has_texture, viewer.opening.is_told, (double)viewer.desc.time);
     assert_true(is_message_told("no memory for these shadows", UI_ERROR));
     assert_true(viewer.has_scene);
-    assert_non_null(strstr(viewer.document.scene.path, "materials"));
+    assert_non_null(strstr(viewer.document.scene.path, "metaballs"));
     assert_false(viewer.preview.has_texture);
     assert_false(viewer.opening.is_told);
     assert_null(viewer.desc.light);
@@ -164,6 +210,7 @@ int main(void) {
         cmocka_unit_test(test_coarse_picture),
         cmocka_unit_test(test_stop),
         cmocka_unit_test(test_stop_sky),
+        cmocka_unit_test(test_coarse_picture_of_time),
         cmocka_unit_test(test_fails_after_reading),
         cmocka_unit_test(test_end),
     };
