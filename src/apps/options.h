@@ -41,6 +41,11 @@ struct technique_values {
     {"gl-debug", 0, OPTION_FLAG, offsetof(type, member.debug),                                     \
      .help = "a debug context: OpenGL's messages go to stderr"}
 
+/* Of a size that may be 0. */
+#define SIZE_HELP                                                                                  \
+    "of the picture, pixels [800x800; of a camera with an aspect ratio 800 along the\n"            \
+    "longer side]; the vertical field of view is the camera's at any size"
+
 /* What of a scene is shown: the member has camera, light, environment, clip and time, as a struct
  * stage_desc. */
 #define STAGE_OPTIONS(type, member)                                                                \
@@ -49,6 +54,7 @@ struct technique_values {
     {"light", 0, OPTION_TEXT, offsetof(type, member.light), .value_name = "NAME|N,...",            \
      .help = "lights of the scene that shine [all], or changed: \"lamp,2\",\n"                     \
              "\"0 position=0,2,0 intensity=9,9,9; 1\"; emitters: all area lights; sky;\n"              \
+             "a name that has , ; or = stands alone, or by its number in manylight info;\n"             \
              "a new one: \"+area size=1,1 position=0,2,0 direction=0,-1,0 intensity=9,9,9\""},                  \
     {"environment", 0, OPTION_TEXT, offsetof(type, member.environment.path), .value_name = "FILE", \
      .help = "a sky in place of the scene's own: a panorama, .hdr or .exr, in W/(sr m2)"},         \

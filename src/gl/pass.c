@@ -131,7 +131,9 @@ void pass_bind_texture(GLuint unit, GLuint texture) {
     gl.BindTextureUnit(unit, texture);
 }
 
+/* Drivers ask for offsets that are multiples of 256 at most. */
 void pass_bind_block(const struct pass_block *block) {
+    assert(block->offset % 256 == 0);
     bind_range(GL_UNIFORM_BUFFER, block);
 }
 

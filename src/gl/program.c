@@ -250,8 +250,11 @@ struct program_cache {
 
 static char *make_key(const struct sources *sources) {
     struct text key = {0};
-    for (int i = 0; i < STAGES; i++)
-        text_print(&key, "%s\f", sources->files[i] ? sources->stages[i].text : "");
+    for (int i = 0; i < STAGES; i++) {
+        if (sources->files[i])
+            text_append(&key, sources->stages[i].text, strlen(sources->stages[i].text));
+        text_append(&key, "\f", 1);
+    }
     return key.data;
 }
 
