@@ -1,8 +1,6 @@
-/* Screen passes (gl/screen.h): drawn and dispatched they have the same bits, and what is dispatched is GLSL for
- * strict compilers, too. */
+/* Screen passes (gl/screen.h): drawn and dispatched they have the same bits. */
 #include "render_support.h"
 
-#include "base/file/output_file.h"
 #include "gl/context/context.h"
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
@@ -10,57 +8,11 @@
 #include "gl/screen.h"
 #include "gl/screen_glsl.h"
 #include "gl/screen_rows.h"
-#include "scene/hash.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* --- programs ---------------------------------------------------------------------------------- */
-
-/* Full texts of dispatched screen passes, as a strict compiler takes them. */
-static struct {
-    uint64_t seen[256];
-    int count, refused;
-    bool available;
-} validated;
-
-/* OpenGL 4.5 promises more texture units than the validator grants. */
-static void open_validator(void) {
-    char command[1024], output[4096];
-    snprintf(command, sizeof command,
-             "glslangValidator -c | sed 's/\\(CombinedTextureImageUnits\\) .*/\\1 96/' > %s; "
-             "glslangValidator --version",
-             scratch("screen.conf"));
-    validated.available = run_command(command, output, sizeof output) == 0;
-}
-
-static bool is_new(const char *text) {
-    uint64_t hash = 0;
-    hash_bytes(&hash, text, strlen(text));
-    for (int i = 0; i < validated.count; i++)
-        if (validated.seen[i] == hash)
-            return false;
-    assert_true(validated.count < (int)(sizeof validated.seen / sizeof *validated.seen));
-    validated.seen[validated.count++] = hash;
-    return true;
-}
-
-static void validate(const char *text, bool compute, void *user) {
-    char command[1024], output[4096], path[512];
-    (void)user;
-    if (!validated.available || !compute || !strstr(text, "#define SCREEN_COMPUTE\n") ||
-        !is_new(text))
-        return;
-    snprintf(path, sizeof path, "%s", scratch("screen.comp"));
-    check_ok(path, output_file_write(path, text, strlen(text)));
-    snprintf(command, sizeof command, "glslangValidator %s %s", scratch("screen.conf"), path);
-    if (run_command(command, output, sizeof output) == 0)
-        return;
-    validated.refused++;
-    printf("%s\n", output);
-}
 
 /* --- pictures ---------------------------------------------------------------------------------- */
 
@@ -116,7 +68,6 @@ static void check_picture(const struct picture *picture) {
     struct bitmap shown[2];
     struct image drawn = render(&desc, SCREEN_FRAGMENT, &shown[0]);
     struct image dispatched = render(&desc, SCREEN_COMPUTE, &shown[1]);
-    program_visit(validate, NULL);
     size_t pixels = (size_t)picture->width * (size_t)picture->height;
     int count = differing(drawn.pixels, dispatched.pixels,
                           pixels * (size_t)drawn.channel_count * sizeof(float)),
@@ -136,22 +87,8 @@ static void check_picture(const struct picture *picture) {
 
 static void test_pictures(void **state) {
     (void)state;
-    open_validator();
     for (size_t i = 0; i < sizeof pictures / sizeof *pictures; i++)
         check_picture(&pictures[i]);
-}
-
-/* Of the pictures' programs. */
-static void test_valid(void **state) {
-    (void)state;
-    if (!validated.available) {
-        printf("    glslangValidator is not here\n");
-        skip();
-    }
-    printf("    %d screen passes as compute shaders, %d refused\n", validated.count,
-           validated.refused);
-    assert_true(validated.count > 40);
-    assert_int_equal(validated.refused, 0);
 }
 
 /* --- one pass ---------------------------------------------------------------------------------- */
@@ -280,7 +217,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_places),   cmocka_unit_test(test_auto),
         cmocka_unit_test(test_rounds),   cmocka_unit_test(test_viewport),
-        cmocka_unit_test(test_pictures), cmocka_unit_test(test_valid),
+        cmocka_unit_test(test_pictures),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -333,21 +333,6 @@ const struct screen_desc *program_dispatched(GLuint program) {
     return NULL;
 }
 
-/* Keys are the texts. */
-void program_visit(void (*visit)(const char *text, bool compute, void *user), void *user) {
-    for (int i = 0; i < gl.programs->count; i++) {
-        char *key = mem_strdup(gl.programs->entries[i].key), *stage = key;
-        for (int k = 0; k < STAGES; k++) {
-            char *end = strchr(stage, '\f');
-            *end = '\0';
-            if (*stage)
-                visit(stage, stage_types[k] == GL_COMPUTE_SHADER, user);
-            stage = end + 1;
-        }
-        free(key);
-    }
-}
-
 int program_use_count(void) {
     int count = 0;
     for (int i = 0; i < gl.programs->count; i++)

@@ -37,9 +37,6 @@ void program_free(GLuint *program);
 /* What it runs for each pixel, if that is by a dispatch; else NULL. */
 const struct screen_desc *program_dispatched(GLuint program);
 
-/* The full texts of all stages of the current context's programs, each after the other: for checks. */
-void program_visit(void (*visit)(const char *text, bool compute, void *user), void *user);
-
 /* How many programs of the current context nobody has freed. */
 int program_use_count(void);
 

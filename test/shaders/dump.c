@@ -1,5 +1,5 @@
 /* dump FOLDER SCENE ...: the sources of all shaders, for another compiler to read: every setting of every technique and
- * direct method by turns, on a driver that draws nothing; in scenes after the first settings that are no numbers. */
+ * direct method by turns, screen passes drawn and dispatched, on a driver that draws nothing; in scenes after the first settings that are no numbers. */
 #include "null_driver.h"
 
 #include "base/error.h"
@@ -7,6 +7,7 @@
 #include "direct/direct.h"
 #include "gl/context/context.h"
 #include "gl/pass.h"
+#include "gl/screen.h"
 #include "inspect/aov.h"
 #include "inspect/inspect.h"
 #include "inspect/probe.h"
@@ -99,7 +100,8 @@ static int values_of(const struct setting *setting, bool numbers, char values[16
         if (option->default_value != option->minimum)
             snprintf(values[count++], 16, "%g", option->minimum);
         if (option->default_value == option->minimum || option->type == OPTION_INT)
-            snprintf(values[count++], 16, "%g", fmin(option->maximum, fmax(1, 4 * option->minimum)));
+            snprintf(values[count++], 16, "%g",
+                     fmin(option->maximum, fmax(1, 4 * option->minimum)));
     }
     return count;
 }
@@ -187,9 +189,15 @@ int main(int argc, char **argv) {
     log_set_level(LOG_QUIET);
     struct context *context = context_adopt(null_driver_getproc, false);
     check(context != NULL, "context");
+    struct screen_times times;
+    check(screen_time_ways(&times), "screen probe");
+    screen_set_way(SCREEN_FRAGMENT);
     for (int i = 2; i < argc; i++)
         make_scene(argv[i], i == 2);
     show_window();
+    screen_set_way(SCREEN_COMPUTE); /* the same texts: choices show all that the way changes */
+    for (int i = 3; i < argc; i++)
+        make_scene(argv[i], false);
     context_free(context);
     printf("%d shaders\n", null_driver_count());
     return 0;
