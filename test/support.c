@@ -2,6 +2,7 @@
 #include "support.h"
 
 #include "base/error.h"
+#include "base/file/image_file.h"
 
 #include <errno.h>
 #include <math.h>
@@ -71,6 +72,34 @@ void in_scratch(char *to, size_t size, const char *text) {
         size -= step;
     }
     *to = '\0';
+}
+
+bool knows_format(const char *extension) {
+    char name[32];
+    snprintf(name, sizeof name, "a.%s", extension);
+    return image_name_tells_format(name);
+}
+
+void need_all_formats(void) {
+    if (knows_format("tif"))
+        return;
+    printf("    skipped: this build knows few picture formats\n");
+    skip();
+}
+
+void need_command(const char *command) {
+    char output[256];
+    if (run_command(command, output, sizeof output) == 0)
+        return;
+    printf("    skipped: '%s' does not run here\n", command);
+    skip();
+}
+
+void need_file(const char *path) {
+    if (access(path, F_OK) == 0)
+        return;
+    printf("    skipped: %s is not here\n", path);
+    skip();
 }
 
 const char *binary_path(void) {

@@ -6,6 +6,7 @@
 #include "base/log.h"
 #include "scene/emitter.h"
 #include "scene/open.h"
+#include "scene/placing.h"
 
 #include <stdlib.h>
 
@@ -141,6 +142,62 @@ static void test_notes(void **state) {
     assert_non_null(strstr(output, "--set exposure="));
 }
 
+/* Nothing is added where the user names the lights, and the note tells the truth. */
+static void test_named_lights(void **state) {
+    (void)state;
+    static const struct {
+        const char *light;
+        int added, shining; /* lights */
+    } texts[] = {
+        {NULL, 2, 3},
+        {"emitters", 0, 1},
+        {"0", 0, 1},
+        {"0 size=1,1", 0, 1},
+        {"size=1,1", 2, 3},
+        {"+point position=0,3,0", 0, 1},
+        {"0; +point", 0, 2},
+        {"framed spot", 2, 1},
+        {"0,1", 2, 2},
+        {"", 2, 3},
+        {"+point; intensity=1,1,1", 2, 4},
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        struct scene scene;
+        struct geometry geometry;
+        struct emitters emitters = {0};
+        const struct scene_open_desc desc = {.light = texts[i].light};
+        const char *name = texts[i].light ? texts[i].light : "no text";
+        check_ok(name, scene_open(&scene, &geometry, write_row(&rows[0]), &desc));
+        check_near(name, count_added(&scene), texts[i].added, 0);
+        check_ok(name, emitters_from_text(&emitters, &scene, texts[i].light, 0));
+        check_near("lights that shine", emitters.count, texts[i].shining, 0);
+        emitters_free(&emitters);
+        geometry_free(&geometry);
+        scene_free(&scene);
+    }
+}
+
+static void test_notes_of_named_lights(void **state) {
+    (void)state;
+    static const struct row without = {"a box alone", CUBE, "0", "1", NULL, true};
+    static const struct {
+        const struct row *row;
+        const char *light;
+        bool is_added;
+    } cases[] = {{&rows[0], "emitters", false},
+                 {&rows[0], "framed spot", true},
+                 {&without, "+point position=0,3,3", false},
+                 {&without, "framed spot", true}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char command[1024], output[8192];
+        snprintf(command, sizeof command, "%s reference %s -o %s --size 16x16 --spp 1 --light '%s'",
+                 binary_path(), write_row(cases[i].row), scratch("named.exr"), cases[i].light);
+        assert_int_equal(run_command(command, output, sizeof output), 0);
+        bool is_noted = strstr(output, "so a spot from above") != NULL;
+        check_near(cases[i].light, is_noted, cases[i].is_added, 0);
+    }
+}
+
 /* A black emission map with one bright texel of 8 x 8, as a helmet's lights are: most of the model is dark. */
 static void test_emission_map(void **state) {
     (void)state;
@@ -199,8 +256,12 @@ static void test_case(void **state) {
 int main(void) {
     log_set_level(LOG_QUIET);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lamps), cmocka_unit_test(test_far_and_large),
-        cmocka_unit_test(test_notes), cmocka_unit_test(test_emission_map),
+        cmocka_unit_test(test_lamps),
+        cmocka_unit_test(test_far_and_large),
+        cmocka_unit_test(test_notes),
+        cmocka_unit_test(test_named_lights),
+        cmocka_unit_test(test_notes_of_named_lights),
+        cmocka_unit_test(test_emission_map),
         cmocka_unit_test(test_case),
     };
     return cmocka_run_group_tests_name("darkness", tests, NULL, NULL);

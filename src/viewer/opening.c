@@ -14,7 +14,9 @@
 void viewer_open(struct viewer *viewer, const char *path) {
     char *whole = path_of_user(path);
     messages_forget_errors(&viewer->host.messages);
-    loader_start(&viewer->loader, whole, &viewer->desc.environment);
+    const struct scene_open_desc desc = {.light = viewer->desc.light,
+                                         .environment = viewer->desc.environment};
+    loader_start(&viewer->loader, whole, &desc);
     viewer->opening.since = window_time();
     free(whole);
 }

@@ -22,11 +22,9 @@ static void draw_choice(struct viewer *viewer) {
     int count = placed->emitters.count < LIGHTS_MAX ? placed->emitters.count : LIGHTS_MAX;
     for (int i = 0; i < count; i++) {
         const struct emitter *light = &placed->emitters.items[i];
-        int node = light->number < 0 ? -1 : node_carrying(scene, NODE_LIGHT, light->number);
-        const char *name = node < 0                   ? "added"
-                           : *scene->nodes[node].name ? scene->nodes[node].name
-                                                      : "without a name";
-        snprintf(texts[i], NAME_SIZE, "%d  %s", i + 1, name);
+        const char *name =
+            light->number < 0 ? "added" : node_name_carrying(scene, NODE_LIGHT, light->number);
+        snprintf(texts[i], NAME_SIZE, "%d  %s", i + 1, *name ? name : "without a name");
         names[i] = texts[i];
     }
     bool moved = placed->lights_moved >> placed->chosen_light & 1;
