@@ -338,7 +338,7 @@ bool output_journal_cut(struct output_journal *journal, size_t size) {
 
 bool output_journal_append(struct output_journal *journal, const void *bytes, size_t size) {
     size_t before = journal->size;
-    if (write_all(journal->file, bytes, size) && sync_all(journal->file)) {
+    if (output_file_put(journal->file, bytes, size) && sync_all(journal->file)) {
         journal->size += size;
         return true;
     }
