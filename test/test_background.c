@@ -117,8 +117,10 @@ static void test_transparent(void **state) {
     (void)state;
     render("square.glb", "png", "--background none");
     check_transparent("back.png", .51);
-    render("square.glb", "tga", "--background none");
-    check_transparent("back.tga", .51);
+    if (knows_format("tga")) {
+        render("square.glb", "tga", "--background none");
+        check_transparent("back.tga", .51);
+    }
     render("square.glb", "png", "--background none --passes 2");
     check_transparent("back.png", .51);
 }
@@ -248,6 +250,8 @@ static void test_refusals(void **state) {
     static const char *const formats[] = {"jpg", "bmp", "ppm", "hdr", "pfm", "gif", "webp"};
     char arguments[256], message[256];
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
+        if (!knows_format(formats[i]))
+            continue;
         snprintf(arguments, sizeof arguments, "render a.glb -o a.png -o b.%s --background none",
                  formats[i]);
         expect(2, arguments);

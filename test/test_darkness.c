@@ -1,9 +1,8 @@
 /* Models with faint lamps get the light that models without any get; lamps that make a picture are left alone.
  * Little scenes of cubes and emissive squares. */
 #define _XOPEN_SOURCE 700
-#include "gltf_parts.h"
+#include "cube_parts.h"
 
-#include "base/file/file.h"
 #include "base/log.h"
 #include "scene/emitter.h"
 #include "scene/open.h"
@@ -11,35 +10,9 @@
 
 #include <stdlib.h>
 
-/* A cube of 2 m, whose triangles face outwards (mesh 0) or inwards (mesh 1). */
-struct cubes {
-    float corners[8][3];
-    uint8_t outwards[36], inwards[36];
-};
-
-static struct cubes make_cubes(void) {
-    static const uint8_t faces[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1},
-                                        {4, 6, 7, 5}, {0, 1, 3, 2}, {2, 3, 7, 6}};
-    struct cubes cubes = {0};
-    for (int i = 0; i < 8; i++)
-        for (int c = 0; c < 3; c++)
-            cubes.corners[i][c] = i >> c & 1 ? 1 : -1;
-    for (int f = 0; f < 6; f++)
-        for (int k = 0; k < 6; k++) {
-            uint8_t corner = faces[f][k < 3 ? k : k == 3 ? 0 : k - 2];
-            cubes.inwards[f * 6 + k] = corner;
-            cubes.outwards[f * 6 + 5 - k] = corner;
-        }
-    return cubes;
-}
-
+/* Mesh 0 is the cube, whose triangles face outwards, mesh 1 the same inwards. */
 #define ACCESSORS                                                                                  \
-    "[{\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126, \"count\": 8,"              \
-    " \"type\": \"VEC3\"},"                                                                        \
-    " {\"bufferView\": 0, \"byteOffset\": 160, \"componentType\": 5121, \"count\": 36,"            \
-    " \"type\": \"SCALAR\"},"                                                                      \
-    " {\"bufferView\": 0, \"byteOffset\": 196, \"componentType\": 5121, \"count\": 36,"            \
-    " \"type\": \"SCALAR\"},"                                                                      \
+    "[" CUBE_ACCESSORS ","                                                                         \
     " {\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"             \
     " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"              \
     " \"type\": \"SCALAR\"}]"
@@ -93,7 +66,7 @@ static const struct row {
 };
 
 static const char *write_row(const struct row *row) {
-    struct cubes cubes = make_cubes();
+    struct cube_bytes cube = make_cube();
     char materials[512], nodes[1024], more[256];
     snprintf(
         materials, sizeof materials,
@@ -110,8 +83,8 @@ static const char *write_row(const struct row *row) {
                                                        .meshes = MESHES,
                                                        .nodes = nodes,
                                                        .more = more,
-                                                       .extra = &cubes,
-                                                       .extra_size = sizeof cubes});
+                                                       .extra = &cube,
+                                                       .extra_size = sizeof cube});
 }
 
 /* How many lights there are that the file does not have. */
@@ -269,13 +242,10 @@ static void test_emission_map(void **state) {
 /* The case of the public reports. */
 static void test_case(void **state) {
     (void)state;
-    char path[512];
+    const char *path = shared_case("faint-emission/led.gltf");
     struct scene scene;
     struct geometry geometry;
-    if (!shared_path())
-        return;
-    snprintf(path, sizeof path, "%s/cases/faint-emission/led.gltf", shared_path());
-    if (!file_can_be_read(path))
+    if (!path)
         return;
     check_ok("open", scene_open(&scene, &geometry, path, NULL));
     check_near("lights added", count_added(&scene), 2, 0);

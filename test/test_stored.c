@@ -183,6 +183,8 @@ static void test_alpha(void **state) {
     check_encoded(write_png("rgba8.png", 2, 1, 8, 6, rgba, 8), false);
     check_encoded(write_png("rgba16.png", 2, 1, 16, 6, deep, 16), false);
     check_encoded(write_png("grey-alpha.png", 2, 1, 8, 4, grey_alpha, 4), true);
+    if (!knows_format("tif"))
+        return;
     check_encoded(write_tga("bgra.tga", 2, 2, 1, 4, bgra), false);
     check_encoded(write_tga("grey-alpha.tga", 3, 2, 1, 2, grey_alpha), true);
     for (int extra = 1; extra <= 2; extra++) { /* what is times alpha in the file stays so */
@@ -222,7 +224,8 @@ static void test_webp(void **state) {
     struct bitmap texture;
     float expected[6];
     put(&file, lossless, sizeof lossless);
-    check_encoded(write_bytes("lossless.webp", &file), false);
+    if (knows_format("webp"))
+        check_encoded(write_bytes("lossless.webp", &file), false);
     check_ok("texture", bitmap_decode(&texture, lossless, sizeof lossless));
     assert_memory_equal(texture.rgba, rgba, sizeof rgba);
     bitmap_free(&texture);
@@ -230,7 +233,8 @@ static void test_webp(void **state) {
     put(&file, lossy, sizeof lossy);
     for (int i = 0; i < 6; i++)
         expected[i] = srgb_decode((float)of_lossy[i / 3 * 4 + i % 3] / 255);
-    check_stored(write_bytes("lossy.webp", &file), expected);
+    if (knows_format("webp"))
+        check_stored(write_bytes("lossy.webp", &file), expected);
     check_ok("texture", bitmap_decode(&texture, lossy, sizeof lossy));
     assert_memory_equal(texture.rgba, of_lossy, sizeof of_lossy);
     bitmap_free(&texture);
@@ -285,7 +289,7 @@ static void test_palette(void **state) {
 static void test_written(void **state) {
     (void)state;
     static const char *const names[] = {"own.exr", "own.tif"};
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < (knows_format("tif") ? 2 : 1); i++) {
         struct image image, again;
         image_init(&image, 2, 1, "R G B A");
         memcpy(image.pixels, (const float[8]){1, .5F, .25F, .5F, 8, 4, 2, 0}, 8 * sizeof(float));
@@ -338,6 +342,7 @@ static void test_orientation_table(void **state) {
 
 static void test_tiff_orientation(void **state) {
     (void)state;
+    need_all_formats();
     for (int o = 1; o <= 8; o++) {
         unsigned char samples[WIDE * HIGH];
         int width = o >= 5 ? HIGH : WIDE, height = o >= 5 ? WIDE : HIGH;
@@ -364,6 +369,7 @@ static const char *write_hdr(const char *name, const char *order, int orientatio
 
 static void test_hdr_orders(void **state) {
     (void)state;
+    need_all_formats();
     static const struct {
         const char *order;
         int orientation; /* in which TIFF would say the same */
@@ -378,6 +384,7 @@ static void test_hdr_orders(void **state) {
 /* A sky of 2x1 texels, mirrored in the file. */
 static void test_sky(void **state) {
     (void)state;
+    need_all_formats();
     static const char *const orders[] = {"-Y 1 +X 2\n", "+Y 1 -X 2\n", "+X 2 +Y 1\n",
                                          "-X 2 -Y 1\n"};
     for (int i = 0; i < 4; i++) {
@@ -400,6 +407,7 @@ static void test_sky(void **state) {
 /* The case of the list: the sky of either file lights the plane with 1. */
 static void test_case(void **state) {
     (void)state;
+    need_all_formats();
     char command[2000], output[4096];
     if (!shared_path())
         return;

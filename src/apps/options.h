@@ -12,6 +12,7 @@
 
 #include "base/option.h"
 #include "gl/context/context.h"
+#include "gl/screen.h"
 #include "renderer/renderer.h"
 
 _Static_assert(sizeof(enum context_kind) == sizeof(int), "OPTION_CHOICE writes an int");
@@ -22,6 +23,12 @@ struct technique_values {
 };
 
 /* clang-format off */
+/* How full-screen passes run: the member is an int. */
+#define SCREEN_OPTION(type, member)                                                                \
+    {"screen-passes", 0, OPTION_CHOICE, offsetof(type, member), .choices = screen_way_names,       \
+     .help = "full-screen passes run as fragment shaders or as compute shaders; auto times both.\n" \
+             "The picture is the same"}
+
 /* Where OpenGL comes from: the member is a struct context_desc. */
 #define CONTEXT_OPTIONS(type, member)                                                              \
     {"context", 0, OPTION_CHOICE, offsetof(type, member.kind), .choices = context_kind_names,      \
@@ -30,6 +37,7 @@ struct technique_values {
      .value_name = "N|cuda:N|hardware",                                                            \
      .help = "EGL device by its number (manylight info lists them) or CUDA's; hardware refuses\n"   \
              "software [the first that works]"},                                                   \
+    SCREEN_OPTION(type, member.screen),                                                            \
     {"gl-debug", 0, OPTION_FLAG, offsetof(type, member.debug),                                     \
      .help = "a debug context: OpenGL's messages go to stderr"}
 

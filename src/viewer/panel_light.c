@@ -106,6 +106,15 @@ static bool draw_size(struct viewer *viewer, struct emitter *light) {
     return changed;
 }
 
+/* A sun's light has no end. */
+static bool draw_range(struct viewer *viewer, struct emitter *light) {
+    struct ui_row row = {.name = "range, m",
+                         .help = "where its light ends (glTF: range); 0: it has no end",
+                         .least = "none"};
+    return light->type != EMITTER_DIRECTIONAL &&
+           ui_float(&row, &light->range, 0, 10 * viewer->document.geometry.radius);
+}
+
 /* Half angles, of which the first stays the smaller one. */
 static bool draw_cone(struct emitter *light) {
     float inner = glm_deg(acosf(light->cos_inner)), outer = glm_deg(acosf(light->cos_outer));
@@ -154,6 +163,7 @@ static void draw_light(struct viewer *viewer) {
     changed |= draw_color(viewer, light);
     changed |= draw_power(viewer, light);
     changed |= draw_size(viewer, light);
+    changed |= draw_range(viewer, light);
     if (light->type == EMITTER_SPOT)
         changed |= draw_cone(light);
     if (changed)
