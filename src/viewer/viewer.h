@@ -447,11 +447,11 @@ void kept_free(struct viewer *viewer);
 
 /* --- viewer/tracing.c --- */
 
-/* Traces the truth of the view as it is, in place of the one before; viewer_follow_truth takes what
- * has been traced, each turn; viewer_forget_truth ends the comparison with it. */
+/* Traces the reference of the view as it is, in place of the one before; viewer_follow_reference takes what
+ * has been traced, each turn; viewer_forget_reference ends the comparison with it. */
 void viewer_trace(struct viewer *viewer);
-void viewer_follow_truth(struct viewer *viewer);
-void viewer_forget_truth(struct viewer *viewer);
+void viewer_follow_reference(struct viewer *viewer);
+void viewer_forget_reference(struct viewer *viewer);
 bool viewer_is_tracing(const struct viewer *viewer);
 
 /* Relative RMSE of an indirect layer against what was traced, whose noise is taken off. False: there
@@ -466,7 +466,7 @@ bool viewer_compared_error(const struct viewer *viewer, double *error);
 /* That noise over the mean of the layer that is shown; 0: none is known. */
 double viewer_reference_noise(const struct viewer *viewer);
 
-/* Measures presets and techniques on the view, and traces its truth where there is none;
+/* Measures presets and techniques on the view, and traces its reference where there is none;
  * viewer_take_dot makes the picture as one of them. */
 void viewer_chart(struct viewer *viewer);
 bool viewer_is_charting(const struct viewer *viewer);
