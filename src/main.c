@@ -21,6 +21,7 @@ static const struct subcommand {
     {"compare", "error metrics between two pictures", app_compare},
     {"info", "what renders here, and what a scene holds", app_info},
     {"render", "pictures offscreen", app_render},
+    {"tune", "measures what the choices of --max-error and --budget cost here", app_tune},
 #ifndef MANYLIGHT_PORTABLE
     {"view", "a scene in a window", app_view},
     {"reference", "path-traced ground truth of a scene", app_reference},
