@@ -1,4 +1,4 @@
-# manylight: make demo | test | test-all | asan | tsan | fuzz | coverage | mutants | lint | analyze | bench | chart | accuracy | methods | parsimony | direct | convergence | stability | portable | deps | install | uninstall | clean
+# manylight: make demo | test | test-all | asan | tsan | fuzz | coverage | mutants | lint | analyze | bench | chart | accuracy | methods | parsimony | direct | convergence | stability | bundle | deps | install | uninstall | clean
 #
 # A plain `make` only builds ./manylight. `make demo` and `make test` first install what is missing.
 
@@ -22,17 +22,27 @@ say = @$(if $(V),:,printf '  %-4s %s\n')
 
 # --- what it is made of ---------------------------------------------------------------------------
 
+# Pictures go through OpenImageIO, or, by PICTURES=small, through libraries that know fewer formats and need few others.
+# VIEWER= leaves the viewer's window out. `make bundle` sets both.
+PICTURES ?= openimageio
+VIEWER ?= yes
+WITHOUT_WINDOW := $(addprefix src/viewer/,session.c pace.c relevance.c window/events.c)
+LEFT_OUT := $(if $(filter small,$(PICTURES)),src/base/file/image_%.cpp,src/base/file/small/%) \
+    $(if $(VIEWER),,src/apps/view.c $(filter-out $(WITHOUT_WINDOW),$(shell find src/viewer -name '*.c*')))
+
 # Floors are folders of src/, rooms folders of theirs, to any depth; src/main.c is no floor's. Shaders
 # that belong to one technique or direct method lie in its folder, all others in glsl/.
-SOURCES := $(sort $(shell find src -mindepth 2 -name '*.c'))
-BRIDGES := $(sort $(shell find src -mindepth 2 -name '*.cpp'))
+SOURCES := $(filter-out $(LEFT_OUT),$(sort $(shell find src -mindepth 2 -name '*.c')))
+BRIDGES := $(filter-out $(LEFT_OUT),$(sort $(shell find src -mindepth 2 -name '*.cpp')))
 SHADERS := $(sort $(shell find glsl -type f -name '[!.]*') \
     $(shell find src -name '*.vert' -o -name '*.geom' -o -name '*.frag' -o -name '*.comp' -o -name '*.glsl'))
-TESTS := $(patsubst test/%.c,$(BUILD)/test/%,$(sort $(wildcard test/test_*.c)))
+TESTS_OF_VIEWER := $(shell grep -l '"view_stage.h"\|"desktop.h"' test/test_*.c)
+TESTS := $(patsubst test/%.c,$(BUILD)/test/%,$(filter-out $(if $(VIEWER),,$(TESTS_OF_VIEWER)),$(sort $(wildcard test/test_*.c))))
 SCENE_TOOL_SOURCES := $(sort $(shell find scenes -name '*.c'))
 SCENE_TOOL := $(BUILD)/scenes/make_scenes
 SCENE_NAMES := atrium cornell-box three-lights cornell-animal sphere metaballs moving-spot door creatures character table gloss materials roughness plant courtyard
 SKY_NAMES := day overcast
+SCENE_FOLDER := scenes
 SCENES := $(BUILD)/scenes/made
 
 # Debian's packages; OpenGL itself (libEGL, libOSMesa) is opened at run time.
@@ -40,16 +50,17 @@ PACKAGES := gcc g++ make pkg-config git libegl-dev libegl1 libgl-dev libgl1-mesa
     libglfw3-dev libtinygltf-dev libstb-dev nlohmann-json3-dev libdraco-dev libmeshoptimizer-dev libopenimageio-dev libcglm-dev \
     libembree-dev libimgui-dev fonts-dejavu-core libcmocka-dev libx11-dev gnuplot-nox xvfb xdotool
 
-PKG := OpenImageIO cglm imgui glfw3
+PKG := cglm $(if $(filter small,$(PICTURES)),OpenEXR,OpenImageIO) $(if $(VIEWER),imgui glfw3)
 INCLUDES := -Isrc -Iglsl -I$(BUILD)/include
 WARNINGS := -Wall -Wextra $(WERROR)
 # Parts of struct settings are written by their own types, and the whole is copied: by C's rules of aliasing a compiler may
 # turn the two around, as GCC did where a preset kept the exposure.
-C_FLAGS = -std=c11 -fno-strict-aliasing -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(CFLAGS)
+C_FLAGS = -std=c11 -fno-strict-aliasing -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(if $(VIEWER),,-DMANYLIGHT_NO_VIEWER) $(CFLAGS)
 CXX_FLAGS = -std=c++17 $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
 # System headers: their warnings are not ours.
 PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) 2>/dev/null))
-LIBS := $(shell pkg-config --libs $(PKG) 2>/dev/null) -lembree3 -ldraco -lmeshoptimizer -lstdc++ -ldl -lpthread -lm
+PICTURE_LIBS := -lOpenEXRCore -lpng16 -ljpeg -lwebp
+LIBS := $(if $(filter small,$(PICTURES)),$(PICTURE_LIBS),$(shell pkg-config --libs $(PKG) 2>/dev/null)) -lembree3 -ldraco -lmeshoptimizer -lstdc++ -ldl -lpthread -lm
 
 EMBEDDED := $(BUILD)/glsl_embedded.o $(BUILD)/chart_embedded.o
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(EMBEDDED)
@@ -57,7 +68,7 @@ GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
-.PHONY: all demo test test-all tests asan tsan fuzz fuzzers coverage mutants lint analyze bench chart accuracy methods parsimony direct convergence stability portable deps install uninstall clean FORCE
+.PHONY: all demo test test-all tests asan tsan fuzz fuzzers coverage mutants lint analyze bench chart accuracy methods parsimony direct convergence stability bundle bundle-parts deps install uninstall clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -139,9 +150,10 @@ $(BUILD)/%_embedded.o: $(BUILD)/%_embedded.c
 
 # Every build runs its own tool on the one folder: the tool leaves scenes that would not change alone.
 # A scene that went missing is made again.
-$(SCENES): $(SCENE_TOOL) $(if $(filter-out $(wildcard scenes/*.glb scenes/*.hdr scenes/failures),$(SCENE_NAMES:%=scenes/%.glb) $(SKY_NAMES:%=scenes/%.hdr) scenes/failures),FORCE)
-	@mkdir -p scenes/failures
-	$(SCENE_TOOL) scenes
+SCENE_FILES := $(addprefix $(SCENE_FOLDER)/,$(SCENE_NAMES:%=%.glb) $(SKY_NAMES:%=%.hdr) failures)
+$(SCENES): $(SCENE_TOOL) $(if $(filter-out $(wildcard $(SCENE_FILES)),$(SCENE_FILES)),FORCE)
+	@mkdir -p $(SCENE_FOLDER)/failures
+	$(SCENE_TOOL) $(SCENE_FOLDER)
 	@touch $@
 
 $(BUILD)/scenes/%.o: INCLUDES += -Iscenes
@@ -153,16 +165,24 @@ $(SCENE_TOOL): $(SCENE_TOOL_SOURCES:%.c=$(BUILD)/%.o) $(LIBRARY)
 # --- tests ----------------------------------------------------------------------------------------
 
 # What test programs share: the files of test/ that are no programs.
-TEST_SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out test/test_%.c,$(sort $(wildcard test/*.c))))
+TEST_SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out test/test_%.c $(if $(VIEWER),,test/desktop.c test/view_stage.c),$(sort $(wildcard test/*.c))))
+# A hundred programs share one library in the bundle.
+TEST_LIBRARY := $(LIBRARY)
 
-$(BUILD)/test/%: $(BUILD)/test/%.o $(TEST_SUPPORT) $(LIBRARY)
+$(BUILD)/test/%: $(BUILD)/test/%.o $(TEST_SUPPORT) $(TEST_LIBRARY)
 	$(say) LINK $@
-	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(LIBRARY) $(LIBS) -lcmocka -lX11
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(TEST_LIBRARY) $(LIBS) -lcmocka $(if $(VIEWER),-lX11)
 
 # What is fed to the fuzzers and kept, read again.
 FUZZ_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/driver.c,$(sort $(wildcard test/fuzz/*.c))))
 $(BUILD)/test/test_seeds: $(FUZZ_OBJECTS)
 $(BUILD)/test/fuzz/%.o $(BUILD)/test/test_seeds.o: INCLUDES += -Itest
+
+# The sources of all programs, as drivers get them, for another compiler of GLSL to read.
+SHADER_DUMP := $(BUILD)/test/shaders/dump
+$(SHADER_DUMP): $(patsubst %.c,$(BUILD)/%.o,$(wildcard test/shaders/*.c)) $(LIBRARY)
+	$(say) LINK $@
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
 # What makes calls of the program fail, for test_faults.
 FAULTS := $(BUILD)/test/faults.so
@@ -366,27 +386,27 @@ stability: all
 	    $(FAILURES_OPTIONS))
 	$(call DONE_ROWS,$(addprefix $(BENCH_RESULTS)/,temporal.csv temporal-creatures.csv temporal-truth.csv failures.csv))
 
-# --- portable -------------------------------------------------------------------------------------
+# --- bundle ---------------------------------------------------------------------------------------
 
-# Bench, render, compare and info in one file that needs libc and, when it runs, an EGL or OSMesa to
-# open: for a bare GPU server. Built here, carried there.
-PORTABLE := $(BUILD)/portable
-PORTABLE_SOURCES := $(filter-out src/reference/% src/viewer/% src/apps/view.c src/apps/reference.c \
-    src/scene/gltf/unpack_meshopt.c, \
-    $(SOURCES)) $(wildcard portable/*.c) src/main.c
-PORTABLE_BRIDGES := $(filter-out src/base/file/image_%.cpp src/scene/gltf/unpack_draco.cpp \
-    src/viewer/%,$(BRIDGES))
-PORTABLE_NEEDS := 'linux-vdso|libc\.so|libm\.so|libdl\.so|libpthread\.so|ld-linux'
+# A folder, and an archive of it, that runs on a bare Linux machine with a driver of OpenGL: program, test programs, scenes
+# and libraries, without the viewer (bundle/README). It is built apart, in BUNDLE_BUILD.
+BUNDLE_PACKAGES := $(filter-out libopenimageio-dev libglfw3-dev libimgui-dev libx11-dev gnuplot-nox xvfb xdotool,$(PACKAGES)) \
+    libopenexr-dev libpng-dev libjpeg-dev libwebp-dev patchelf
+BUNDLE := build/bundle
+BUNDLE_BUILD := build/bundle-parts
 
-portable:
-	@$(MAKE) --no-print-directory $(PORTABLE)/manylight BUILD=$(PORTABLE) PKG=cglm \
-	    CFLAGS="$(CFLAGS) -DMANYLIGHT_PORTABLE"
-	@! ldd $(PORTABLE)/manylight | grep -vE $(PORTABLE_NEEDS)
+bundle:
+	@test/install-packages $(BUNDLE_PACKAGES)
+	@$(MAKE) --no-print-directory bundle-parts PICTURES=small VIEWER= BUILD=$(BUNDLE_BUILD) \
+	    BINARY=$(BUNDLE_BUILD)/manylight SCENE_FOLDER=$(BUNDLE_BUILD)/scenes/all \
+	    TEST_LIBRARY=$(BUNDLE_BUILD)/libmanylight.so CFLAGS="$(CFLAGS) -fPIC -fno-semantic-interposition"
+	@bundle/pack $(BUNDLE_BUILD) $(BUNDLE)
 
-$(BUILD)/manylight: $(PORTABLE_SOURCES:%.c=$(BUILD)/%.o) $(PORTABLE_BRIDGES:%.cpp=$(BUILD)/%.o) \
-    $(EMBEDDED)
+bundle-parts: $(BINARY) $(SCENES) $(TESTS) $(GUESTS)/manylight
+
+$(BUILD)/libmanylight.so: $(LIBRARY)
 	$(say) LINK $@
-	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -static-libstdc++ -static-libgcc -o $@ $^ -ldl -lpthread -lm
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(@F) -o $@ -Wl,--whole-archive $< -Wl,--no-whole-archive $(LIBS)
 
 # --- set-up ---------------------------------------------------------------------------------------
 
@@ -401,8 +421,7 @@ test: deps
 	@$(MAKE) --no-print-directory tests
 
 SANITIZE := -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined
-# Not build/asan/manylight: that name is the portable build's. Without the interception, whose list of
-# threads' memory is wrong now and then, the search for leaks itself crashes.
+# Without the interception, whose list of threads' memory is wrong now and then, the search for leaks itself crashes.
 asan: deps
 	@ASAN_OPTIONS=intercept_tls_get_addr=0 \
 	    LSAN_OPTIONS=suppressions=$(CURDIR)/test/leaks-of-others:print_suppressions=0 \
@@ -480,8 +499,15 @@ mutants: all $(patsubst %,$(BUILD)/test/test_%,metrics heat_map options cluster 
 	@test/mutate $(BUILD) $(MUTANTS) "test_cluster test_passes test_cluster_lights" src/passes/lights/cluster.c \
 	    $(wildcard glsl/lights/cluster_* glsl/lights/val_distance.glsl glsl/lights/val_seed.glsl)
 
-lint:
+lint: $(BUILD)/shaders.checked
+	@test/install-packages clang-format
 	@test/lint
+
+$(BUILD)/shaders.checked: $(SHADER_DUMP) $(SHADERS) test/shaders/check | $(SCENES)
+	@test/install-packages glslang-tools
+	$(say) LINT shaders
+	$(Q)test/shaders/check $(SHADER_DUMP) $(SHADERS)
+	@touch $@
 
 analyze: all
 	@test/install-packages cppcheck clang-tidy

@@ -70,7 +70,7 @@ extern const struct bench_mode bench_times, bench_sweep, bench_scaling, bench_bu
     bench_passes, bench_quality, bench_temporal, bench_failures, bench_direct, bench_chart;
 
 /* The options of modes that use OpenGL. */
-#define BENCH_CONTEXT " csv restart context device gl-debug"
+#define BENCH_CONTEXT " csv restart context device screen-passes gl-debug"
 
 /* paper and fast. */
 extern const char *const bench_variants[];
