@@ -219,7 +219,7 @@ static void test_outputs_refused(void **state) {
         {"% render @/quad.glb -o - --format exr -q " QUICK " >/dev/full",
          "cannot write standard output: No space left on device", 1},
         /* More than a pipe holds, and the reader ends. */
-        {"% render @/quad.glb -o - --format exr -q " QUICK
+        {"% render @/quad.glb -o - --format pfm -q " QUICK
          " --size 200x200 | head -c 10 >/dev/null",
          "manylight render: frame 0: cannot write standard output: Broken pipe\n", 1},
         {"script -qec \"% render @/quad.glb -o - --format png\" /dev/null", "it is a terminal", 1},
