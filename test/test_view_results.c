@@ -376,7 +376,7 @@ static void test_words(void **state) {
     for (const struct preset *p = technique_default->presets; p->name; p++) {
         char title[PRESET_TITLE_SIZE], help[PRESET_HELP_SIZE];
         preset_title(p, title);
-        preset_explain(p, help);
+        preset_explain(p, NULL, help);
         printf("    %-8s %s\n", title, help);
         assert_non_null(strstr(help, "On the command line: --"));
     }
