@@ -5,7 +5,9 @@
 #include "direct/skylight.h"
 #include "viewer/preset.h"
 #include "viewer/relevance.h"
+#include "viewer/setting_label.h"
 
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -42,9 +44,13 @@ bool panel_draw_setting(const struct setting *setting, struct settings *settings
                         const char *help) {
     struct settings defaults;
     const struct option *option = setting->option;
+    char label[SETTING_LABEL_SIZE], whole[SETTING_NAME_SIZE], explained[1024];
     renderer_settings_init(&defaults);
-    struct ui_row row = {.name = name ? name : option->name,
-                         .help = help ? help : option->help,
+    setting_label(setting, label);
+    setting_name(setting, whole);
+    snprintf(explained, sizeof explained, "%s\n(--set %s)", help ? help : option->help, whole);
+    struct ui_row row = {.name = name ? name : label,
+                         .help = explained,
                          .scope = setting->part->owner,
                          .differs = !setting_equal(setting, settings, &defaults)};
     char *values = settings_edit(settings, setting->part), text[64];
@@ -142,7 +148,9 @@ static bool has_text(const char *text, const char *part) {
 }
 
 static bool is_wanted(const struct setting *setting, const char *filter) {
-    return *filter == '\0' || has_text(setting->option->name, filter) ||
+    char label[SETTING_LABEL_SIZE];
+    setting_label(setting, label);
+    return *filter == '\0' || has_text(label, filter) || has_text(setting->option->name, filter) ||
            has_text(setting->option->help, filter) || has_text(setting->part->title, filter);
 }
 

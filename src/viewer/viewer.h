@@ -444,11 +444,11 @@ void kept_free(struct viewer *viewer);
 
 /* --- viewer/tracing.c --- */
 
-/* Traces the truth of the view as it is, in place of the one before; viewer_follow_truth takes what
- * has been traced, each turn; viewer_forget_truth ends the comparison with it. */
+/* Traces the reference of the view as it is, in place of the one before; viewer_follow_reference takes what
+ * has been traced, each turn; viewer_forget_reference ends the comparison with it. */
 void viewer_trace(struct viewer *viewer);
-void viewer_follow_truth(struct viewer *viewer);
-void viewer_forget_truth(struct viewer *viewer);
+void viewer_follow_reference(struct viewer *viewer);
+void viewer_forget_reference(struct viewer *viewer);
 bool viewer_is_tracing(const struct viewer *viewer);
 
 /* Relative RMSE of an indirect layer against what was traced, without its noise. False: there is none of its size. */
@@ -462,7 +462,7 @@ bool viewer_compared_error(const struct viewer *viewer, double *error);
 /* That noise over the mean of the layer that is shown; 0: none is known. */
 double viewer_reference_noise(const struct viewer *viewer);
 
-/* Measures presets and techniques on the view, and traces its truth where there is none;
+/* Measures presets and techniques on the view, and traces its reference where there is none;
  * viewer_take_dot makes the picture as one of them. */
 void viewer_chart(struct viewer *viewer);
 bool viewer_is_charting(const struct viewer *viewer);
@@ -488,28 +488,6 @@ void viewer_take_screenshot(struct viewer *viewer);
 int views_free(const struct viewer *viewer);
 void views_keep(struct viewer *viewer, int i);
 void views_go(struct viewer *viewer, int i);
-
-/* --- viewer/recorder.c --- */
-
-/* Whether ffmpeg is there. */
-bool recorder_has_video(void);
-
-/* Asks for range and folder: the whole clip, and the working folder, at first. viewer/panel_record.c. */
-void recorder_ask(struct viewer *viewer, enum record_kind kind);
-void recorder_draw_request(struct viewer *viewer);
-
-/* Records what was asked for, from its first frame. */
-void recorder_start(struct viewer *viewer);
-
-/* "12 of 250, 8 minutes left". */
-void recorder_tell(const struct viewer *viewer, char *text, size_t size);
-
-/* Ends what there is; nothing where none is recorded. */
-void recorder_stop(struct viewer *viewer);
-
-/* Before a frame is rendered, and after. */
-void recorder_pose(struct viewer *viewer);
-void recorder_write(struct viewer *viewer);
 
 /* --- viewer/timeline.c --- */
 
