@@ -319,6 +319,27 @@ static void test_others(void **state) {
     assert_int_equal(access(csv, F_OK), 0);
 }
 
+/* Screen passes run as they did, whichever way is faster now. */
+static void test_screen_passes(void **state) {
+    (void)state;
+    static const char *const ways[] = {"fragment", "compute"};
+    char csv[512];
+    for (int i = 0; i < 2; i++) {
+        make_part("way", csv);
+        char *part = part_of(csv), *text = file_read_text(part);
+        bool is_first = strstr(text, "\n# screen passes fragment\n");
+        char *from = mem_printf("# screen passes %s\n", ways[is_first ? 0 : 1]);
+        char *to = mem_printf("# screen passes %s\n", ways[i]);
+        change(csv, from, to);
+        assert_int_equal(run(&modes[0], csv, ""), 0);
+        check_says("broken off");
+        free(from);
+        free(to);
+        free(text);
+        free(part);
+    }
+}
+
 /* What is not whole rows, not a journal, or in use. */
 static void test_bad_files(void **state) {
     (void)state;
@@ -395,10 +416,10 @@ int main(void) {
     signal(SIGINT, SIG_DFL);
     signal(SIGTERM, SIG_DFL);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_journal), cmocka_unit_test(test_modes),
-        cmocka_unit_test(test_signals), cmocka_unit_test(test_not_measured_again),
-        cmocka_unit_test(test_others),  cmocka_unit_test(test_bad_files),
-        cmocka_unit_test(test_failing),
+        cmocka_unit_test(test_journal),       cmocka_unit_test(test_modes),
+        cmocka_unit_test(test_signals),       cmocka_unit_test(test_not_measured_again),
+        cmocka_unit_test(test_others),        cmocka_unit_test(test_bad_files),
+        cmocka_unit_test(test_screen_passes), cmocka_unit_test(test_failing),
     };
     return cmocka_run_group_tests_name("resume", tests, NULL, NULL);
 }

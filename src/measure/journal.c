@@ -1,6 +1,7 @@
 #include "measure/journal.h"
 
 #include "base/error.h"
+#include "base/file/file.h"
 #include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/memory.h"
@@ -9,6 +10,7 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static const char first_line[] =
     "# rows of a run of manylight bench that is not finished; the same command goes on from here\n";
@@ -194,6 +196,17 @@ static bool begin(struct journal *journal, const struct journal_desc *desc) {
 }
 
 /* --- */
+
+char *journal_value(const char *path, const char *name) {
+    char *part = mem_printf("%s.part", path), *line = mem_printf("\n# %s ", name);
+    char *text = access(part, R_OK) == 0 && !file_is_stream(part) ? file_read_text(part) : NULL;
+    const char *at = text ? strstr(text, line) : NULL, *value = at ? at + strlen(line) : NULL;
+    char *found = value ? mem_printf("%.*s", (int)strcspn(value, "\n"), value) : NULL;
+    free(text);
+    free(line);
+    free(part);
+    return found;
+}
 
 struct journal *journal_open(const struct journal_desc *desc) {
     struct journal *journal = mem_alloc(1, sizeof *journal);

@@ -22,6 +22,10 @@ struct journal_desc {
 /* With a context. NULL: an error: the file belongs to another run or to none, or cannot be written. */
 struct journal *journal_open(const struct journal_desc *desc);
 
+/* What a run that was broken off says of itself by that name, of the file beside that path; the caller frees it. NULL: there is no
+ * such file or line. */
+char *journal_value(const char *path, const char *name);
+
 /* Accepts NULL. */
 void journal_close(struct journal *journal);
 

@@ -97,6 +97,8 @@ static void add_option(struct text *text, const struct option *option, const voi
     add_line(text, option->name, value);
 }
 
+static const char screen_passes[] = "screen passes";
+
 /* All that makes a run another one; the caller frees the text. */
 static char *identity_of(const struct bench *bench, const struct option *options) {
     struct machine_cell cells[MACHINE_CELLS + 1];
@@ -112,8 +114,17 @@ static char *identity_of(const struct bench *bench, const struct option *options
         add_line(&text, cells[i].name, cells[i].value);
     machine_cells_free(cells);
     add_line(&text, "sources", MANYLIGHT_SOURCES);
-    add_line(&text, "screen passes", screen_way_names[screen_way()]);
+    add_line(&text, screen_passes, screen_way_names[screen_way()]);
     return text.data;
+}
+
+/* Which way is faster may be told otherwise the next time: a run goes on in its own. */
+static void keep_screen_way(const char *csv) {
+    char *name = journal_value(csv, screen_passes);
+    for (int way = 0; name && screen_way_names[way]; way++)
+        if (strcmp(screen_way_names[way], name) == 0)
+            screen_set_way((enum screen_way)way);
+    free(name);
 }
 
 /* Where --csv is a file. A device or a pipe takes all rows at the end. */
@@ -121,6 +132,8 @@ static bool open_journal(struct bench *bench, const struct option *options) {
     const char *csv = bench->values.csv;
     if (!csv || file_is_stream(csv))
         return true;
+    if (!bench->values.restart)
+        keep_screen_way(csv);
     char *identity = identity_of(bench, options);
     bench->results.journal = journal_open(
         &(struct journal_desc){csv, bench->mode->name, identity, bench->values.restart});
