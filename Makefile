@@ -178,6 +178,12 @@ FUZZ_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/driver.c,$(sort $(wil
 $(BUILD)/test/test_seeds: $(FUZZ_OBJECTS)
 $(BUILD)/test/fuzz/%.o $(BUILD)/test/test_seeds.o: INCLUDES += -Itest
 
+# The sources of all programs, as drivers get them, for another compiler of GLSL to read.
+SHADER_DUMP := $(BUILD)/test/shaders/dump
+$(SHADER_DUMP): $(patsubst %.c,$(BUILD)/%.o,$(wildcard test/shaders/*.c)) $(LIBRARY)
+	$(say) LINK $@
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+
 # What makes calls of the program fail, for test_faults.
 FAULTS := $(BUILD)/test/faults.so
 $(BUILD)/test/test_faults: | $(FAULTS)
@@ -227,7 +233,7 @@ NOISE_OF_LARGE := --noise .06
 
 # Speed against accuracy: a grid of the method, the denoised tracer, and what else it competes with. Of the two Cornell boxes
 # ours. Large scenes take seconds a frame, and a map per VPL takes most: fewer rounds do.
-CHART_RUN = ./manylight bench sweep --reference path --cache $(REFERENCE_CACHE) --size 400x400
+CHART_RUN = sweep --reference path --cache $(REFERENCE_CACHE) --size 400x400
 CHART_SMALL := $(filter-out ../%/cornell-box.glb,$(SMALL_SCENES)) $(NOISE_OF_SMALL) --frames 3
 CHART_LARGE := $(LARGE_SCENES) $(NOISE_OF_LARGE)
 CHART_GRID := --variant paper --variant fast --vary M=2,8,30,120 --tracer
@@ -236,32 +242,43 @@ SWEEP := $(BENCH_RESULTS)/sweep.csv
 
 bench: all
 	@mkdir -p $(BENCH_RESULTS)
-	./manylight bench times $(BENCH_SCENES) --csv $(BENCH_RESULTS)/times.csv $(BENCH_OPTIONS)
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/times.csv,times $(BENCH_SCENES) $(BENCH_OPTIONS))
+	$(call DONE_ROWS,$(BENCH_RESULTS)/times.csv)
+
+# Runs bench with --csv FILE: FILE, arguments. A driver that was broken off leaves out the runs that were done, by the same
+# program and command, and goes on within the others (bench's FILE.part).
+BENCH_ROWS = @if [ $(1) -nt $(BINARY) ] && [ "$$(cat $(1).command 2>/dev/null)" = '$(strip $(2))' ]; then \
+    echo '$(1) is there'; \
+    else set -x; ./manylight bench $(2) --csv $(1) && echo '$(strip $(2))' > $(1).command; fi
+
+# The driver is done: it measures anew the next time.
+DONE_ROWS = @rm -f $(addsuffix .command,$(1))
 
 # FILE: made of all runs' rows, FILE.1 and so on, with one heading.
-JOIN_ROWS = @awk 'FNR > 1 || NR == 1' $(1).[1-9] > $(1) && rm $(1).[1-9]
+JOIN_ROWS = @awk 'FNR > 1 || NR == 1' $(1).[1-9] > $(1) && rm $(1).[1-9] $(1).[1-9].command
 
-# Measured anew each time.
+# Measured anew each time, but for what a driver that was broken off has.
 chart: all
 	@mkdir -p $(BENCH_RESULTS)
-	$(CHART_RUN) $(CHART_SMALL) $(CHART_GRID) $(BENCH_OPTIONS) --csv $(SWEEP).1
-	$(CHART_RUN) $(CHART_SMALL) $(CHART_RIVALS) $(BENCH_OPTIONS) --csv $(SWEEP).2
-	$(CHART_RUN) $(CHART_LARGE) --frames 2 $(CHART_GRID) $(BENCH_OPTIONS) --csv $(SWEEP).3
-	$(CHART_RUN) $(CHART_LARGE) --frames 1 $(CHART_RIVALS) $(BENCH_OPTIONS) --csv $(SWEEP).4
+	$(call BENCH_ROWS,$(SWEEP).1,$(CHART_RUN) $(CHART_SMALL) $(CHART_GRID) $(BENCH_OPTIONS))
+	$(call BENCH_ROWS,$(SWEEP).2,$(CHART_RUN) $(CHART_SMALL) $(CHART_RIVALS) $(BENCH_OPTIONS))
+	$(call BENCH_ROWS,$(SWEEP).3,$(CHART_RUN) $(CHART_LARGE) --frames 2 $(CHART_GRID) $(BENCH_OPTIONS))
+	$(call BENCH_ROWS,$(SWEEP).4,$(CHART_RUN) $(CHART_LARGE) --frames 1 $(CHART_RIVALS) $(BENCH_OPTIONS))
 	$(call JOIN_ROWS,$(SWEEP))
 	./manylight bench chart $(SWEEP) -o $(BENCH_PLOTS)
 
 # Where the error of a frame comes from, and how it falls with M, K, N and the size of maps.
 BUDGET_SIZE := 400x400
-BUDGET_RUN = ./manylight bench budget --tracer --size $(BUDGET_SIZE) --cache $(REFERENCE_CACHE)
+BUDGET_RUN = budget --tracer --size $(BUDGET_SIZE) --cache $(REFERENCE_CACHE)
 CURVES_SIZE := 200x200
 
 accuracy: all
 	@mkdir -p $(BENCH_RESULTS)
-	$(BUDGET_RUN) $(SMALL_SCENES) $(NOISE_OF_SMALL) --csv $(BENCH_RESULTS)/budget.csv
-	$(BUDGET_RUN) $(LARGE_SCENES) $(NOISE_OF_LARGE) --csv $(BENCH_RESULTS)/budget-large.csv
-	./manylight bench curves $(filter-out %/atrium.glb,$(OWN_SCENES)) --size $(CURVES_SIZE) \
-	    $(NOISE_OF_SMALL) --cache $(REFERENCE_CACHE) --csv $(BENCH_RESULTS)/curves.csv
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/budget.csv,$(BUDGET_RUN) $(SMALL_SCENES) $(NOISE_OF_SMALL))
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/budget-large.csv,$(BUDGET_RUN) $(LARGE_SCENES) $(NOISE_OF_LARGE))
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/curves.csv,curves $(filter-out %/atrium.glb,$(OWN_SCENES)) --size $(CURVES_SIZE) \
+	    $(NOISE_OF_SMALL) --cache $(REFERENCE_CACHE))
+	$(call DONE_ROWS,$(addprefix $(BENCH_RESULTS)/,budget.csv budget-large.csv curves.csv))
 	./manylight bench chart $(BENCH_RESULTS)/curves.csv -o $(BENCH_PLOTS)
 
 # All techniques, error against time. Those of one count of VPLs take turns: a run each. The public rooms are matt and lit
@@ -270,7 +287,7 @@ METHODS := $(addprefix --variant ,fine clustered traced visibility=traced:techni
     cluster-lights lightcuts imperfect-shadow-maps unshadowed)
 METHODS_OF_256 := --vary N=256 --variant instant-radiosity --tracer
 METHODS_OF_1024 := --vary N=1024 --variant row-column
-METHODS_RUN = ./manylight bench sweep --reference path --cache $(REFERENCE_CACHE) --size 200x200 --frames 1 $(METHODS)
+METHODS_RUN = sweep --reference path --cache $(REFERENCE_CACHE) --size 200x200 --frames 1 $(METHODS)
 METHODS_SMALL := $(SMALL_SCENES) --noise .01
 METHODS_LARGE := $(LARGE_SCENES) $(wildcard ../shared/scenes/sponza.glb) --noise .05
 METHODS_ROOMS := $(wildcard ../shared/scenes/public/*.glb)
@@ -279,17 +296,17 @@ METHODS_ROWS := $(BENCH_RESULTS)/methods.csv
 
 methods: all
 	@mkdir -p $(BENCH_RESULTS)
-	$(METHODS_RUN) $(METHODS_SMALL) $(METHODS_OF_256) --csv $(METHODS_ROWS).1
-	$(METHODS_RUN) $(METHODS_SMALL) $(METHODS_OF_1024) --variant instant-radiosity --csv $(METHODS_ROWS).2
-	$(METHODS_RUN) $(METHODS_LARGE) $(METHODS_OF_256) --csv $(METHODS_ROWS).3
-	$(METHODS_RUN) $(METHODS_LARGE) $(METHODS_OF_1024) --csv $(METHODS_ROWS).4
-	$(if $(strip $(METHODS_ROOMS)),$(METHODS_RUN) $(METHODS_ROOMS) $(METHODS_OF_256) --csv $(METHODS_ROWS).5)
-	$(if $(strip $(METHODS_ROOMS)),$(METHODS_RUN) $(METHODS_ROOMS) $(METHODS_OF_1024) --csv $(METHODS_ROWS).6)
+	$(call BENCH_ROWS,$(METHODS_ROWS).1,$(METHODS_RUN) $(METHODS_SMALL) $(METHODS_OF_256))
+	$(call BENCH_ROWS,$(METHODS_ROWS).2,$(METHODS_RUN) $(METHODS_SMALL) $(METHODS_OF_1024) --variant instant-radiosity)
+	$(call BENCH_ROWS,$(METHODS_ROWS).3,$(METHODS_RUN) $(METHODS_LARGE) $(METHODS_OF_256))
+	$(call BENCH_ROWS,$(METHODS_ROWS).4,$(METHODS_RUN) $(METHODS_LARGE) $(METHODS_OF_1024))
+	$(if $(strip $(METHODS_ROOMS)),$(call BENCH_ROWS,$(METHODS_ROWS).5,$(METHODS_RUN) $(METHODS_ROOMS) $(METHODS_OF_256)))
+	$(if $(strip $(METHODS_ROOMS)),$(call BENCH_ROWS,$(METHODS_ROWS).6,$(METHODS_RUN) $(METHODS_ROOMS) $(METHODS_OF_1024)))
 	$(call JOIN_ROWS,$(METHODS_ROWS))
 	./manylight bench chart $(METHODS_ROWS) -o $(BENCH_PLOTS)/methods
 
 # What --max-error chooses against fixed settings, and what it tells of them and of closer views: a file a scene, and those that are
-# there are left, so that it goes on where it was broken off. Then all rows, charts, what was chosen, and ladders that know
+# there and of this program are left, so that it goes on where it was broken off. Then all rows, charts, what was chosen, and ladders that know
 # nothing of a scene. Half an hour of CPU time, most of it in halls and rooms. Sheets of materials are left out: truths of what shines
 # are dear.
 PARSIMONY := $(BENCH_RESULTS)/parsimony
@@ -312,11 +329,11 @@ $(PARSIMONY)/closer/%.csv: PARSIMONY_OPTIONS := --size 200x200 --noise .03 --pas
 
 PARSIMONY_RUN = @mkdir -p $(@D); set -x; ./manylight bench quality $(1) $(PARSIMONY_OPTIONS) --cache $(REFERENCE_CACHE) --csv $@
 
-$(PARSIMONY)/scenes/%.csv: | all
+$(PARSIMONY)/scenes/%.csv: $(BINARY) | all
 	$(call PARSIMONY_RUN,scenes/$*.glb)
-$(PARSIMONY)/shared/%.csv: | all
+$(PARSIMONY)/shared/%.csv: $(BINARY) | all
 	$(call PARSIMONY_RUN,../shared/$*.glb)
-$(PARSIMONY)/closer/%.csv: | all
+$(PARSIMONY)/closer/%.csv: $(BINARY) | all
 	$(call PARSIMONY_RUN,scenes/$*.glb)
 
 # Two boxes have one name: their faces tell them apart.
@@ -331,18 +348,20 @@ parsimony: $(PARSIMONY_FILES)
 # What is seen of lamps, by each method of direct light, and the tables of soft shadows.
 direct: all
 	@mkdir -p $(BENCH_RESULTS)
-	./manylight bench direct --cache $(REFERENCE_CACHE) --csv $(BENCH_RESULTS)/direct.csv $(BENCH_OPTIONS)
-	./manylight bench direct scenes/table.glb --size 400x400 --cache $(REFERENCE_CACHE) --tables --variant vssm:direct=vssm \
-	    --csv $(BENCH_RESULTS)/direct-tables.csv
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/direct.csv,direct --cache $(REFERENCE_CACHE) $(BENCH_OPTIONS))
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/direct-tables.csv,direct scenes/table.glb --size 400x400 --cache $(REFERENCE_CACHE) \
+	    --tables --variant vssm:direct=vssm)
+	$(call DONE_ROWS,$(addprefix $(BENCH_RESULTS)/,direct.csv direct-tables.csv))
 	./manylight bench chart $(BENCH_RESULTS)/direct.csv -o $(BENCH_PLOTS)
 
 # How the mean of passes converges: minutes of the boxes, a quarter of an hour of CPU time for each large scene.
-CONVERGENCE_RUN = ./manylight bench passes --size 200x200 --cache $(REFERENCE_CACHE) $(BENCH_OPTIONS)
+CONVERGENCE_RUN = passes --size 200x200 --cache $(REFERENCE_CACHE) $(BENCH_OPTIONS)
 
 convergence: all
 	@mkdir -p $(BENCH_RESULTS)
-	$(CONVERGENCE_RUN) scenes/cornell-box.glb scenes/metaballs.glb --noise .005 --csv $(BENCH_RESULTS)/passes.csv
-	$(CONVERGENCE_RUN) $(LARGE_SCENES) --noise .03 --csv $(BENCH_RESULTS)/passes-large.csv
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/passes.csv,$(CONVERGENCE_RUN) scenes/cornell-box.glb scenes/metaballs.glb --noise .005)
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/passes-large.csv,$(CONVERGENCE_RUN) $(LARGE_SCENES) --noise .03)
+	$(call DONE_ROWS,$(addprefix $(BENCH_RESULTS)/,passes.csv passes-large.csv))
 	./manylight bench chart $(BENCH_RESULTS)/passes.csv $(BENCH_RESULTS)/passes-large.csv -o $(BENCH_PLOTS)
 
 # --- stability ------------------------------------------------------------------------------------
@@ -358,14 +377,14 @@ THREE_VARIANTS := --variant instant-radiosity --variant paper --variant fast
 
 stability: all
 	@mkdir -p $(BENCH_RESULTS)
-	./manylight bench temporal $(MOVING_SCENES) --csv $(BENCH_RESULTS)/temporal.csv $(STABILITY_OPTIONS)
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/temporal.csv,temporal $(MOVING_SCENES) $(STABILITY_OPTIONS))
 	./manylight bench chart $(BENCH_RESULTS)/temporal.csv -o $(BENCH_PLOTS)
-	./manylight bench temporal scenes/creatures.glb --csv $(BENCH_RESULTS)/temporal-creatures.csv \
-	    $(CREATURES_OPTIONS) $(THREE_VARIANTS)
-	./manylight bench temporal $(MOVING_SCENES) --csv $(BENCH_RESULTS)/temporal-truth.csv \
-	    $(TRUTH_OPTIONS) $(THREE_VARIANTS)
-	./manylight bench failures --csv $(BENCH_RESULTS)/failures.csv --cache $(REFERENCE_CACHE) \
-	    -o $(BENCH_RESULTS)/failures $(FAILURES_OPTIONS)
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/temporal-creatures.csv,temporal scenes/creatures.glb $(CREATURES_OPTIONS) \
+	    $(THREE_VARIANTS))
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/temporal-truth.csv,temporal $(MOVING_SCENES) $(TRUTH_OPTIONS) $(THREE_VARIANTS))
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/failures.csv,failures --cache $(REFERENCE_CACHE) -o $(BENCH_RESULTS)/failures \
+	    $(FAILURES_OPTIONS))
+	$(call DONE_ROWS,$(addprefix $(BENCH_RESULTS)/,temporal.csv temporal-creatures.csv temporal-truth.csv failures.csv))
 
 # --- bundle ---------------------------------------------------------------------------------------
 
@@ -411,7 +430,7 @@ asan: deps
 
 # What has threads of its own: the path tracer, the metrics, the loader, and the viewer, which loads, compiles, traces
 # and measures in the background.
-TSAN_TESTS := $(patsubst %,build/tsan/test/test_%,reference denoise sky metrics gltf view_compiling view_truth)
+TSAN_TESTS := $(patsubst %,build/tsan/test/test_%,reference denoise sky metrics gltf view_compiling view_reference)
 tsan: deps
 	@TSAN_OPTIONS="suppressions=$(CURDIR)/test/races-of-others exitcode=66" \
 	    $(MAKE) --no-print-directory tests BUILD=build/tsan BINARY=build/tsan/manylight-tsan TESTS="$(TSAN_TESTS)" \
@@ -480,8 +499,15 @@ mutants: all $(patsubst %,$(BUILD)/test/test_%,metrics heat_map options cluster 
 	@test/mutate $(BUILD) $(MUTANTS) "test_cluster test_passes test_cluster_lights" src/passes/lights/cluster.c \
 	    $(wildcard glsl/lights/cluster_* glsl/lights/val_distance.glsl glsl/lights/val_seed.glsl)
 
-lint:
+lint: $(BUILD)/shaders.checked
+	@test/install-packages clang-format
 	@test/lint
+
+$(BUILD)/shaders.checked: $(SHADER_DUMP) $(SHADERS) test/shaders/check | $(SCENES)
+	@test/install-packages glslang-tools
+	$(say) LINT shaders
+	$(Q)test/shaders/check $(SHADER_DUMP) $(SHADERS)
+	@touch $@
 
 analyze: all
 	@test/install-packages cppcheck clang-tidy

@@ -110,3 +110,9 @@ const char *binary_path(void) {
 const char *shared_path(void) {
     return access("../shared/scenes/cornell-box.glb", R_OK) == 0 ? "../shared" : NULL;
 }
+
+const char *shared_case(const char *file) {
+    static char path[512];
+    snprintf(path, sizeof path, "../shared/cases/%s", file);
+    return access(path, R_OK) == 0 ? path : NULL;
+}

@@ -44,4 +44,7 @@ const char *binary_path(void);
 /* ../shared when it is there, else NULL: such tests are skipped. */
 const char *shared_path(void);
 
+/* A file of ../shared/cases when it is there, else NULL. Static buffer. */
+const char *shared_case(const char *file);
+
 #endif

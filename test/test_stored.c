@@ -245,6 +245,46 @@ static void test_webp(void **state) {
     }
 }
 
+/* OpenImageIO gives colours of a map of 16 bits in 8, cut: those that 8 bits hold exactly, others up to 1/255
+ * less. */
+static void test_palette(void **state) {
+    (void)state;
+    enum { WIDTH = 6, ENTRIES = 16 };
+    static const unsigned map[WIDTH][3] = {
+        {29 * 257, 100 * 257, 65535}, {7533, 65534, 1},     {0, 256, 257}, {513, 514, 515},
+        {0x1D00, 0x8000, 0xFF00},     {32767, 32768, 32769}};
+    const unsigned map_at = 16, tags_at = map_at + 6 * ENTRIES;
+    struct bytes file = {.size = 0};
+    struct image image;
+    put(&file, "II*\0", 4);
+    put_number(&file, tags_at, 4, false);
+    for (unsigned i = 0; i < WIDTH; i += 2) /* two pixels of 4 bits a byte */
+        put_number(&file, i << 4 | (i + 1), 1, false);
+    file.size = map_at;
+    for (int i = 0; i < 3 * ENTRIES; i++)
+        put_number(&file, i % ENTRIES < WIDTH ? map[i % ENTRIES][i / ENTRIES] : 0, 2, false);
+    put_number(&file, 9, 2, false);
+    put_tag(&file, 256, WIDTH);
+    put_tag(&file, 257, 1);
+    put_tag(&file, 258, 4);
+    put_tag(&file, 259, 1);
+    put_tag(&file, 262, 3);
+    put_tag(&file, 273, 8);
+    put_tag(&file, 278, 1);
+    put_tag(&file, 279, WIDTH / 2);
+    put_tags(&file, 320, 3 * ENTRIES, 0, (int)map_at);
+    put_number(&file, 0, 4, false);
+    check_ok("palette", image_read(&image, write_bytes("palette.tif", &file)));
+    assert_true(image.width == WIDTH && image.channel_count == 3);
+    for (int x = 0; x < WIDTH; x++)
+        for (int c = 0; c < 3; c++) {
+            double value = (double)image_at(&image, x, 0)[c], exact = map[x][c] / 65535.;
+            check_near("colour in 8 bits", value, map[x][c] / 257 / 255., 1e-6);
+            assert_true(value <= exact + 1e-6 && value > exact - 1 / 255.);
+        }
+    image_free(&image);
+}
+
 /* Ours keep every value where the format has room for it, alpha 0 or not. */
 static void test_written(void **state) {
     (void)state;
@@ -382,6 +422,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_alpha),
         cmocka_unit_test(test_webp),
+        cmocka_unit_test(test_palette),
         cmocka_unit_test(test_written),
         cmocka_unit_test(test_orientation_table),
         cmocka_unit_test(test_tiff_orientation),

@@ -44,7 +44,7 @@ tree_node load(int node) {
 
 // The narrowest cone that holds both: its axis lies between theirs.
 void merge_cones(inout tree_extent a, tree_extent b) {
-    float apart = acos(clamp(dot(a.axis, b.axis), -1.0, 1.0));
+    float apart = atan(length(cross(a.axis, b.axis)), dot(a.axis, b.axis));
     float half_a = acos(a.cosine), half_b = acos(b.cosine), half_angle = 0.5 * (apart + half_a + half_b);
     if (apart + half_b <= half_a)
         return;

@@ -27,10 +27,14 @@ float val_distance(float weight_position, vpl v, int k) {
     return dot(apart, apart) + params.weight_normal * (1.0 - dot(v.normal, mean)) +
            params.weight_flux * dot(hues_apart, hues_apart);
 #else
-    float angle = acos(clamp(dot(v.normal, mean), -1.0, 1.0));
+    // acos of a float near 1 is right to 4e-4 alone.
+    float angle = atan(max(length(cross(v.normal, mean)), 1e-20), dot(v.normal, mean));
     return weight_position * distance(v.position, center) + params.weight_normal * angle;
 #endif
 }
+
+// Distances that differ by less are equal: how a driver rounds shall choose no VAL.
+const float EQUAL = 1e-5;
 
 // The VAL with the least distance; the first of equals.
 int nearest_val(vpl v) {
@@ -38,7 +42,7 @@ int nearest_val(vpl v) {
     float least = 1e30, weight_position = position_weight();
     for (int k = 0; k < params.val_count; k++) {
         float d = val_distance(weight_position, v, k);
-        if (d < least) {
+        if (d < least * (1.0 - EQUAL)) {
             least = d;
             nearest = k;
         }

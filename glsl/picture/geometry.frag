@@ -33,17 +33,15 @@ layout(location = TARGET_GBUFFER_GLOSS) out vec4 gloss_code; // lib/gloss.glsl
 #endif
 #endif
 
+// Textures and derivatives come before any fragment is dropped: of a neighbour that is gone they are undefined.
 void main() {
     vec4 color = base_color();
+    bool kept = color.a >= material.alpha_cutoff;
 #ifndef DEPTH_ONLY
     vec3 normal = normalize(surface_normal);
 #ifdef HAS_GLOSS
     normal = mapped_normal(normal);
 #endif
-#endif
-    if (color.a < material.alpha_cutoff)
-        discard;
-#ifndef DEPTH_ONLY
     if (!gl_FrontFacing) {
         if (material.double_sided)
             normal = -normal;
@@ -51,7 +49,7 @@ void main() {
 #ifdef LIGHT_VIEW
             color.rgb = vec3(0.0);
 #else
-            discard;
+            kept = false;
 #endif
     }
 #ifdef FACETS
@@ -85,4 +83,6 @@ void main() {
     albedo_root = vec4(sqrt(clamp(color.rgb, 0.0, 1.0)), 1.0);
 #endif
 #endif
+    if (!kept)
+        discard;
 }

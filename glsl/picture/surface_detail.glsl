@@ -10,19 +10,21 @@ in vec3 surface_position;
 // The normal as the material's map turns it. The map's frame is the triangle's: X along u, Y against v, both laid
 // onto the normal's plane.
 vec3 mapped_normal(vec3 normal) {
+    if (!material.normal_textured)
+        return normal;
+    vec3 turned = texture(normal_texture, normal_uv).xyz * 2.0 - 1.0;
+    turned.xy *= material.normal_scale;
     vec3 right = dFdx(surface_position), up = dFdy(surface_position);
     vec2 uv_right = dFdx(normal_uv), uv_up = dFdy(normal_uv);
     float turn = uv_right.x * uv_up.y - uv_up.x * uv_right.y < 0.0 ? -1.0 : 1.0;
     vec3 along_u = turn * (right * uv_up.y - up * uv_right.y);
     vec3 along_v = turn * (up * uv_right.x - right * uv_up.x);
     vec3 tangent = along_u - normal * dot(normal, along_u);
-    if (!material.normal_textured || dot(tangent, tangent) == 0.0)
+    if (dot(tangent, tangent) == 0.0)
         return normal;
     tangent = normalize(tangent);
     vec3 bitangent = cross(normal, tangent);
     bitangent *= dot(bitangent, along_v) > 0.0 ? -1.0 : 1.0;
-    vec3 turned = texture(normal_texture, normal_uv).xyz * 2.0 - 1.0;
-    turned.xy *= material.normal_scale;
     return normalize(turned.x * tangent + turned.y * bitangent + turned.z * normal);
 }
 

@@ -13,16 +13,16 @@ float filter_lod(float width) {
 }
 
 float lit(int map, receiver r, float extent) {
-    float d = r.distance / r.unit, light = extent_in_units(r, extent);
+    float d = r.distance / r.unit, radius = extent_in_units(r, extent);
     series_range range = series_range_at(map);
     float b = series_receiver(range, d, lookup.shift);
     // The first filter: the light's own solid angle seen from the receiver.
-    float initial = light_angle(r, light, d);
+    float initial = light_angle(r, radius, d);
     float blocker = blocker_argument(basis_area(r.uv, filter_lod(angle_width(r, initial))), map, b);
     if (blocker < 0.0)
         return 1.0;
     float z_average = clamp(series_depth(range, blocker), 1e-3 * d, d);
-    float alpha = atan(penumbra_angle(light, d, z_average));
+    float alpha = atan(penumbra_angle(radius, d, z_average));
     b = series_receiver(range, d * (1.0 - min(TILT * alpha * receiver_slope(r), 0.5)), lookup.shift);
     float blocked = blocked_fraction(basis_area(r.uv, filter_lod(angle_width(r, alpha))), map, b);
     // Ringing suppression by shift and scale [Dong 2011, Fig. 5.2].

@@ -31,17 +31,21 @@ float alpha_at(vec4 way) {
 layout(location = TARGET_RESULT) out vec2 normal_code;
 #endif
 
+// Corners lie nearer than the caster: fragments behind others need no shading.
+layout(depth_greater) out float gl_FragDepth;
+
+// Textures and derivatives come before any fragment is dropped: of a neighbour that is gone they are undefined.
 void main() {
     vec4 way = paraboloid_way(gl_FragCoord.xy * params.texel - 1.0);
     float r = caster_steps(way) * way.w;
+    bool kept = r > range.x;
 #ifdef MASKED
-    if (alpha_at(way) < material.alpha_cutoff)
-        discard;
+    kept = alpha_at(way) >= material.alpha_cutoff && kept;
 #endif
-    if (!(r > range.x))
-        discard;
-    gl_FragDepth = (r + params.set_back) * range.y;
 #if PLANES
     normal_code = octahedral_encode(normalize(caster_normal()));
 #endif
+    gl_FragDepth = (r + params.set_back) * range.y;
+    if (!kept)
+        discard;
 }

@@ -36,3 +36,6 @@ vec3 paraboloid_direction(vec2 p) {
 float paraboloid_above(vec3 q) {
     return q.z - PARABOLOID_LOWEST * length(q);
 }
+
+// The rasteriser has depths that are less than a fragment's own by more than rounding, so that it may test them first.
+#define LEAST_ROUNDING 1e-3

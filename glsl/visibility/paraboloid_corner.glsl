@@ -25,7 +25,9 @@ void paraboloid_corner(map_view v, int layer, vec3 q) {
     // a corner there is drawn, the farther from its true place an edge to it enters the map.
     vec3 direction = q / max(r, 1e-20);
     direction.z = max(direction.z, -0.25);
-    gl_Position = vec4(paraboloid_project(direction), r / v.z_far, 1.0);
+    // No point of the triangle is nearer than this corner by more than its longest edge, nor is what is interpolated.
+    float least = max(r * (1.0 - LEAST_ROUNDING) - params.long_edge, 0.0);
+    gl_Position = vec4(paraboloid_project(direction), least / v.z_far, 1.0);
     gl_Layer = layer;
     local = q;
     range = vec2(v.near, 1.0 / v.z_far);

@@ -28,6 +28,7 @@ struct caster {
     vec3 plane;
     vec4 limits[3];
     vec3 uv_slopes[2];
+    float least; // depth of the triangle's plane where it is nearest
 };
 
 // Neighbours overlap by so much, radians: no crack opens between them, or to what is drawn straight.
@@ -109,7 +110,7 @@ void hull_add_edge(vec3 from, vec3 to, vec3 edge, bool arc) {
 }
 
 void emit(vec2 p, caster of) {
-    gl_Position = vec4(p, 0.0, 1.0);
+    gl_Position = vec4(p, of.least, 1.0);
     gl_Layer = map[0];
     range = of.range;
     plane = of.plane;
@@ -141,6 +142,7 @@ void main() {
     caster drawn;
     drawn.range = vec2(v.near, 1.0 / v.z_far);
     drawn.plane = normal / volume;
+    drawn.least = min(abs(volume) / length(normal) * (1.0 - LEAST_ROUNDING) * drawn.range.y, 1.0);
     drawn.uv_slopes[0] = drawn.uv_slopes[1] = vec3(0.0);
     for (int i = 0; i < 3; i++) {
         vec3 a = corner[i], b = corner[(i + 1) % 3], edge = cross(a, b) / volume;

@@ -79,6 +79,7 @@
     X(PFNGLPROGRAMBINARYPROC, ProgramBinary)                                                       \
     /* Uniforms of a named program. */                                                             \
     X(PFNGLPROGRAMUNIFORM1IPROC, ProgramUniform1i)                                                 \
+    X(PFNGLPROGRAMUNIFORM2IPROC, ProgramUniform2i)                                                 \
     X(PFNGLPROGRAMUNIFORM4IPROC, ProgramUniform4i)                                                 \
     X(PFNGLPROGRAMUNIFORM4FPROC, ProgramUniform4f)                                                 \
     X(PFNGLPROGRAMUNIFORM1FPROC, ProgramUniform1f)                                                 \
@@ -133,8 +134,10 @@ struct gl_api {
     /* Made with the context: core profile draws nothing without a vertex array, nor, without a
      * window, without a framebuffer, even where no attribute is read and nothing is rasterised. */
     GLuint empty_vertex_array, empty_framebuffer;
-    struct program_cache *programs; /* gl/program.c */
-    struct program_store *store;    /* the same; NULL = none */
+    struct program_cache *programs;        /* gl/program.c */
+    struct framebuffer_list *framebuffers; /* gl/framebuffer.c */
+    struct screen_rows *screen_rows;       /* gl/screen_rows.c */
+    struct program_store *store;           /* the same; NULL = none */
     bool fills_store;
     bool software; /* it renders on the CPU: llvmpipe, softpipe, swrast */
 };

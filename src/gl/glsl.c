@@ -114,7 +114,8 @@ static bool write_file(struct writer *writer, const char *name) {
     if (!text)
         return false;
     writer->open[number] = true;
-    text_print(&writer->text, "#ifndef INCLUDED_%d\n#define INCLUDED_%d\n", number, number);
+    text_print(&writer->text, "#ifndef INCLUDED_%d // %s\n#define INCLUDED_%d\n", number, name,
+               number);
     tell_place(writer, number, 1);
     bool ok = write_lines(writer, number, text);
     text_print(&writer->text, "#endif\n");

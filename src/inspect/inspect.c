@@ -16,8 +16,7 @@ enum { SHEET_GAP = 6 }; /* pixels of a monitor of scale 1 */
 bool inspect_init(struct inspect *inspect) {
     *inspect = (struct inspect){0};
     if (program_init(&inspect->program,
-                     &(struct program_desc){.vertex = "fullscreen.vert",
-                                            .fragment = "inspect/inspect.frag"}) &&
+                     &(struct program_desc){.screen = {"inspect/inspect.frag"}}) &&
         buffer_init(&inspect->params, "inspect parameters", sizeof(struct inspect_params), NULL) &&
         marks_init(&inspect->marks))
         return true;

@@ -9,6 +9,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -40,7 +41,7 @@ bool output_file_is_stdout(const char *path) {
 
 bool output_file_is_not(const char *path, const char *input) {
     struct stat output, other;
-    if (output_file_is_stdout(path) || strcmp(input, "-") == 0)
+    if (output_file_is_stdout(path) || output_file_is_stdout(input))
         return true;
     bool same = stat(path, &output) == 0 && stat(input, &other) == 0 && S_ISREG(output.st_mode) &&
                 output.st_dev == other.st_dev && output.st_ino == other.st_ino;
@@ -75,14 +76,15 @@ bool output_file_check(const char *path, const char *const *inputs, int count) {
 
 /* --- bytes ------------------------------------------------------------------------------------ */
 
-static bool write_all(int file, const char *bytes, size_t size) {
+bool output_file_put(int file, const void *bytes, size_t size) {
+    const char *rest = bytes;
     while (size > 0) {
-        ssize_t written = write(file, bytes, size);
+        ssize_t written = write(file, rest, size);
         if (written < 0 && errno == EINTR)
             continue;
         if (written <= 0)
             return false;
-        bytes += written;
+        rest += written;
         size -= (size_t)written;
     }
     return true;
@@ -173,7 +175,7 @@ static bool keep_mode(int file, const char *path) {
 }
 
 static bool part_fill(const struct part *part, const char *path, const void *bytes, size_t size) {
-    return write_all(part->file, bytes, size) && sync_all(part->file) &&
+    return output_file_put(part->file, bytes, size) && sync_all(part->file) &&
            holds(part->file, bytes, size) && keep_mode(part->file, path);
 }
 
@@ -228,7 +230,7 @@ static bool write_regular(const char *path, const void *bytes, size_t size) {
 static bool write_to_reader(int file, const void *bytes, size_t size) {
     struct sigaction ignored = {.sa_handler = SIG_IGN}, before;
     sigaction(SIGPIPE, &ignored, &before);
-    bool ok = write_all(file, bytes, size);
+    bool ok = output_file_put(file, bytes, size);
     int reason = errno;
     sigaction(SIGPIPE, &before, NULL);
     errno = reason;
@@ -284,6 +286,83 @@ bool output_file_take(const char *part, const char *path) {
     }
     return ok;
 }
+
+/* --- journals --------------------------------------------------------------------------------- */
+
+/* File systems without locks do without. A file without a name is one that its last user has removed meanwhile. */
+static bool lock(int file, const char *path) {
+    struct stat status;
+    bool mine = flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+    if (fstat(file, &status) != 0)
+        return fail(path);
+    if (!S_ISREG(status.st_mode))
+        return error_set("cannot write %s: it is no regular file", path);
+    return (mine && status.st_nlink > 0) ||
+           error_set("cannot write %s: another process is writing it", path);
+}
+
+static bool read_journal(struct output_journal *journal) {
+    struct stat status;
+    if (fstat(journal->file, &status) != 0)
+        return false;
+    size_t size = (size_t)status.st_size;
+    journal->text = mem_alloc(size + 1, 1);
+    for (ssize_t got; journal->size < size; journal->size += (size_t)got) {
+        got = pread(journal->file, journal->text + journal->size, size - journal->size,
+                    (off_t)journal->size);
+        if (got <= 0)
+            return false;
+    }
+    journal->text[size] = '\0';
+    return true;
+}
+
+bool output_journal_open(struct output_journal *journal, const char *path) {
+    int file = open(path, O_RDWR | O_CREAT | O_APPEND | O_NONBLOCK | O_CLOEXEC, 0666);
+    *journal = (struct output_journal){.file = file};
+    if (file < 0)
+        return fail(path);
+    journal->path = mem_strdup(path);
+    if (lock(file, path) && (read_journal(journal) || fail(path)))
+        return true;
+    output_journal_close(journal);
+    return false;
+}
+
+bool output_journal_cut(struct output_journal *journal, size_t size) {
+    if (ftruncate(journal->file, (off_t)size) != 0 || !sync_all(journal->file))
+        return fail(journal->path);
+    journal->size = size;
+    return true;
+}
+
+bool output_journal_append(struct output_journal *journal, const void *bytes, size_t size) {
+    size_t before = journal->size;
+    if (output_file_put(journal->file, bytes, size) && sync_all(journal->file)) {
+        journal->size += size;
+        return true;
+    }
+    fail(journal->path);
+    if (ftruncate(journal->file, (off_t)before) != 0)
+        error_set("%s, and its end is not whole", error_get());
+    return false;
+}
+
+void output_journal_close(struct output_journal *journal) {
+    if (journal->path)
+        close(journal->file);
+    free(journal->path);
+    free(journal->text);
+    *journal = (struct output_journal){0};
+}
+
+bool output_journal_remove(struct output_journal *journal) {
+    bool ok = !journal->path || unlink(journal->path) == 0 || fail(journal->path);
+    output_journal_close(journal);
+    return ok;
+}
+
+/* --- text ------------------------------------------------------------------------------------- */
 
 void output_text_init(struct output_text *text) {
     *text = (struct output_text){0};

@@ -7,7 +7,10 @@
 #include "gl/api.h"
 #include "gl/context/needs.h"
 #include "gl/context/platform.h"
+#include "gl/framebuffer.h"
 #include "gl/program.h"
+#include "gl/screen.h"
+#include "gl/screen_rows.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -61,6 +64,13 @@ static void make_empty_objects(struct gl_api *api) {
     api->NamedFramebufferParameteri(api->empty_framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, 1);
 }
 
+static struct screen_rows *create_rows(const struct gl_api *api) {
+    GLuint buffer;
+    api->CreateBuffers(1, &buffer);
+    api->NamedBufferStorage(buffer, screen_rows_bytes, NULL, GL_DYNAMIC_STORAGE_BIT);
+    return screen_rows_create(buffer);
+}
+
 /* Fills in what needs the context to be current, and makes `gl` its table. */
 static bool load(struct context *context, void *(*getproc)(const char *name), bool debug) {
     if (!gl_api_load(&context->api, getproc) || !gl_needs_met(&context->api))
@@ -68,6 +78,8 @@ static bool load(struct context *context, void *(*getproc)(const char *name), bo
     make_empty_objects(&context->api);
     context->api.Disable(GL_DITHER); /* drivers warn of it where targets hold integers */
     context->api.programs = program_cache_create();
+    context->api.framebuffers = framebuffer_list_create();
+    context->api.screen_rows = create_rows(&context->api);
     context->api.software = is_software((const char *)context->api.GetString(GL_RENDERER));
     /* A software rasteriser frees tens of MiB of triangles at the end of what it draws, and asks for them again. */
     if (context->api.software)
@@ -220,6 +232,8 @@ struct context *context_create(const struct context_desc *desc) {
     struct wish wish;
     struct names reasons = {0};
     struct context *before = current;
+    if (desc->screen != SCREEN_AUTO)
+        screen_set_way(desc->screen);
     if (!parse_wish(&wish, desc->device))
         return NULL;
     list_candidates(&list, desc->kind, &reasons);
@@ -275,6 +289,8 @@ void context_free(struct context *context) {
     if (context->native.platform)
         context->native.platform->destroy(&context->native);
     program_cache_free(context->api.programs);
+    framebuffer_list_free(context->api.framebuffers);
+    screen_rows_free(context->api.screen_rows);
     free(context);
 }
 

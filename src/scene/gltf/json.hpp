@@ -17,6 +17,9 @@ size_t list_size(const json &root, const char *pointer);
 /* The value as a user would find it in the file, shortened. */
 std::string quote(const json &value);
 
+/* "mesh 3 'name'" of an element that may be anything. */
+std::string label_of(const char *noun, size_t index, const json &element);
+
 /* extension.cpp: refuses a version or a required extension that is not read. */
 bool check_asset(Loader &loader, json &root);
 
@@ -24,7 +27,8 @@ bool check_asset(Loader &loader, json &root);
  * indices and types are right afterwards. */
 bool check_schema(Loader &loader, json &root);
 
-/* mended.cpp: numbers of nodes, lights and materials that are off by rounding. */
+/* mended.cpp: numbers of nodes, lights and materials that are off by rounding, and depths of cameras that
+ * are none. */
 bool mend_numbers(Loader &loader, json &root);
 
 /* buffers.cpp: takes the bytes of buffers and the pictures out of the JSON, with those of the BIN

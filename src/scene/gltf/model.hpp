@@ -70,6 +70,9 @@ const size_t max_elements = size_t(1) << 27;
 const uint64_t least_memory = uint64_t(2) << 30;
 const uint64_t memory_of_file = 64; /* times its size */
 
+/* What lies farther, metres, no camera sees; a zfar beyond it is none. */
+const double camera_depth_most = 1e9;
+
 /* A defect that was mended: the first object that has it, and how many have. */
 struct Mended {
     std::string what, first;
@@ -123,6 +126,9 @@ void remember_uri(Loader &loader, const std::string &uri);
 bool check_extensions(Loader &loader);
 void lack(Loader &loader, const std::string &what);
 void tell_lacks(const Loader &loader);
+
+/* How far a number may be off by rounding. */
+const double rounding = 1e-5;
 
 /* mended.cpp: remembers that an object has a defect which is mended; under --strict an error
  * instead. Later each defect is told in one note, with the first object and the number of others. */

@@ -1,0 +1,196 @@
+/* dump FOLDER SCENE ...: the sources of all shaders, for another compiler to read: every setting of every technique and
+ * direct method by turns, on a driver that draws nothing; in scenes after the first settings that are no numbers. */
+#include "null_driver.h"
+
+#include "base/error.h"
+#include "base/log.h"
+#include "direct/direct.h"
+#include "gl/context/context.h"
+#include "gl/pass.h"
+#include "inspect/aov.h"
+#include "inspect/inspect.h"
+#include "inspect/probe.h"
+#include "inspect/screen.h"
+#include "measure/stage.h"
+#include "scene/material.h"
+#include "viewer/reference.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIZE = 16 };
+
+static void check(bool ok, const char *what) {
+    if (ok)
+        return;
+    fprintf(stderr, "dump: %s: %s\n", what, error_get());
+    exit(EXIT_FAILURE);
+}
+
+/* --- what looks into a frame --- */
+
+static void inspect_all(struct renderer *renderer) {
+    struct inspect inspect;
+    struct output_list outputs;
+    renderer_outputs(renderer, &outputs);
+    check(inspect_init(&inspect), "inspect");
+    for (int i = 0; i < outputs.count; i++)
+        check(inspect_draw(&inspect, renderer,
+                           &(struct inspect_choice){.output = outputs.items[i].name,
+                                                    .layer = -1,
+                                                    .chosen = -1,
+                                                    .width = 4 * SIZE,
+                                                    .height = 4 * SIZE,
+                                                    .scale = 1}),
+              outputs.items[i].name);
+    inspect_free(&inspect);
+    struct image layers;
+    image_init(&layers, SIZE, SIZE, "R G B");
+    check(aov_append(renderer, inspect_find(renderer, OUTPUT_VALS) ? "val" : NULL, &layers), "AOV");
+    image_free(&layers);
+    struct probe probe = {0};
+    struct pick pick;
+    check(probe_pick(&probe, renderer, .5f, .5f, &pick), "probe");
+    probe_free(&probe);
+}
+
+static void show_window(void) {
+    struct screen screen;
+    check(screen_init(&screen), "screen");
+    screen_free(&screen);
+    struct reference reference = {0};
+    struct image picture;
+    image_init(&picture, SIZE, SIZE, "R G B");
+    check(reference_take(&reference, &picture), "reference");
+    reference_free(&reference);
+}
+
+/* --- what a renderer is made of --- */
+
+/* Settings that go together or not at all are refused: they have no shaders. */
+static bool make(struct renderer *renderer, const struct renderer_desc *desc) {
+    if (!technique_check(desc->technique, &desc->settings) || !renderer_follow(renderer, desc))
+        return false;
+    renderer_render(renderer);
+    if (desc->progressive) {
+        renderer_add_pass(renderer, 0);
+        renderer_add_pass(renderer, 1);
+    }
+    return true;
+}
+
+static void make_and_inspect(struct renderer *renderer, const struct renderer_desc *desc) {
+    check(make(renderer, desc), desc->technique->name);
+    inspect_all(renderer);
+}
+
+/* Those of a choice; of numbers one or two that are not the default. */
+static int values_of(const struct setting *setting, bool numbers, char values[16][16]) {
+    const struct option *option = setting->option;
+    int count = 0;
+    if (option->type == OPTION_CHOICE)
+        for (; count < 16 && option->choices[count]; count++)
+            snprintf(values[count], 16, "%s", option->choices[count]);
+    else if (option->type == OPTION_FLAG)
+        snprintf(values[count++], 16, "%s", option->default_value != 0 ? "off" : "on");
+    else if (numbers) {
+        if (option->default_value != option->minimum)
+            snprintf(values[count++], 16, "%g", option->minimum);
+        if (option->default_value == option->minimum || option->type == OPTION_INT)
+            snprintf(values[count++], 16, "%g", fmin(option->maximum, fmax(1, 4 * option->minimum)));
+    }
+    return count;
+}
+
+static bool is_of(const struct settings_part *part, const struct settings_part *const *parts) {
+    while (*parts && *parts != part)
+        parts++;
+    return *parts != NULL;
+}
+
+/* One setting after another away from where the base has it. */
+static void turn(struct renderer *renderer, const struct renderer_desc *base,
+                 const struct settings_part *const *parts, bool numbers) {
+    for (struct setting setting = {0}; settings_next(&base->settings, &setting);) {
+        char values[16][16];
+        int count = is_of(setting.part, parts) ? values_of(&setting, numbers, values) : 0;
+        for (int i = 0; i < count; i++) {
+            struct renderer_desc desc = *base;
+            if (setting_parse(&setting, &desc.settings, values[i]))
+                make(renderer, &desc);
+        }
+    }
+}
+
+static void make_technique(struct renderer *renderer, const struct technique *technique,
+                           bool numbers) {
+    struct renderer_desc desc = renderer->desc;
+    renderer_settings_init(&desc.settings);
+    desc.direct = NULL;
+    desc.progressive = false;
+    desc.technique = technique;
+    make_and_inspect(renderer, &desc);
+    turn(renderer, &desc, technique->parts, numbers);
+    desc.progressive = true;
+    make(renderer, &desc);
+    for (const struct preset *p = technique->presets; p && p->name; p++) {
+        struct renderer_desc preset = desc;
+        preset.progressive = false;
+        renderer_settings_init(&preset.settings);
+        check(settings_assign(&preset.settings, p->settings), p->name);
+        turn(renderer, &preset, technique->parts, numbers);
+        make_and_inspect(renderer, &preset);
+    }
+}
+
+static void make_direct(struct renderer *renderer, const struct direct_method *direct,
+                        bool numbers) {
+    static const struct settings_part *const parts[] = {&picture_part, &sky_part, &start_part,
+                                                        &material_part, NULL};
+    struct renderer_desc desc = renderer->desc;
+    renderer_settings_init(&desc.settings);
+    desc.progressive = false;
+    desc.technique = technique_find("unshadowed");
+    desc.direct = direct;
+    turn(renderer, &desc, direct->parts, numbers);
+    turn(renderer, &desc, parts, numbers);
+    desc.progressive = true;
+    make(renderer, &desc);
+}
+
+static void make_scene(const char *path, bool numbers) {
+    struct stage stage;
+    check(stage_init(&stage, &(struct stage_desc){.path = path}), path);
+    struct renderer renderer;
+    struct renderer_desc desc = {.width = SIZE,
+                                 .height = SIZE,
+                                 .scene = &stage.scene,
+                                 .geometry = &stage.geometry,
+                                 .emitters = stage.emitters,
+                                 .camera = stage.camera};
+    renderer_settings_init(&desc.settings);
+    check(renderer_init(&renderer, &desc), path);
+    for (const struct technique *const *t = techniques; *t; t++)
+        make_technique(&renderer, *t, numbers);
+    for (const struct direct_method *const *d = direct_methods; *d; d++)
+        make_direct(&renderer, *d, numbers);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+int main(int argc, char **argv) {
+    if (argc < 3)
+        return 2;
+    null_driver_keep(argv[1]);
+    log_set_level(LOG_QUIET);
+    struct context *context = context_adopt(null_driver_getproc, false);
+    check(context != NULL, "context");
+    for (int i = 2; i < argc; i++)
+        make_scene(argv[i], i == 2);
+    show_window();
+    context_free(context);
+    printf("%d shaders\n", null_driver_count());
+    return 0;
+}
