@@ -405,6 +405,7 @@ bundle:
 	@bundle/pack $(BUNDLE_BUILD) $(BUNDLE)
 
 bundle-parts: $(BINARY) $(SCENES) $(TESTS) $(GUESTS)/manylight
+	@printf '%s\n' $(TESTS) > $(BUILD)/tests.list
 
 $(BUILD)/libmanylight.so: $(LIBRARY)
 	$(say) LINK $@
