@@ -26,7 +26,8 @@ say = @$(if $(V),:,printf '  %-4s %s\n')
 # VIEWER= leaves the viewer's window out. `make bundle` sets both.
 PICTURES ?= openimageio
 VIEWER ?= yes
-WITHOUT_WINDOW := $(addprefix src/viewer/,session.c pace.c relevance.c window/events.c)
+# Of the viewer's files, the one that tests of files and fuzzers use.
+WITHOUT_WINDOW := src/viewer/session.c
 LEFT_OUT := $(if $(filter small,$(PICTURES)),src/base/file/image_%.cpp,src/base/file/small/%) \
     $(if $(VIEWER),,src/apps/view.c $(filter-out $(WITHOUT_WINDOW),$(shell find src/viewer -name '*.c*')))
 
@@ -36,7 +37,8 @@ SOURCES := $(filter-out $(LEFT_OUT),$(sort $(shell find src -mindepth 2 -name '*
 BRIDGES := $(filter-out $(LEFT_OUT),$(sort $(shell find src -mindepth 2 -name '*.cpp')))
 SHADERS := $(sort $(shell find glsl -type f -name '[!.]*') \
     $(shell find src -name '*.vert' -o -name '*.geom' -o -name '*.frag' -o -name '*.comp' -o -name '*.glsl'))
-TESTS_OF_VIEWER := $(shell grep -l '"view_stage.h"\|"desktop.h"' test/test_*.c)
+TESTS_OF_VIEWER := $(wildcard test/test_view*.c) \
+    $(filter-out test/test_output_file.c,$(shell grep -l '"view_[a-z]*.h"\|"desktop.h"\|"viewer/' test/test_*.c))
 TESTS := $(patsubst test/%.c,$(BUILD)/test/%,$(filter-out $(if $(VIEWER),,$(TESTS_OF_VIEWER)),$(sort $(wildcard test/test_*.c))))
 SCENE_TOOL_SOURCES := $(sort $(shell find scenes -name '*.c'))
 SCENE_TOOL := $(BUILD)/scenes/make_scenes
@@ -165,7 +167,7 @@ $(SCENE_TOOL): $(SCENE_TOOL_SOURCES:%.c=$(BUILD)/%.o) $(LIBRARY)
 # --- tests ----------------------------------------------------------------------------------------
 
 # What test programs share: the files of test/ that are no programs.
-TEST_SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out test/test_%.c $(if $(VIEWER),,test/desktop.c test/view_stage.c),$(sort $(wildcard test/*.c))))
+TEST_SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out test/test_%.c $(if $(VIEWER),,test/desktop.c $(wildcard test/view_*.c)),$(sort $(wildcard test/*.c))))
 # A hundred programs share one library in the bundle.
 TEST_LIBRARY := $(LIBRARY)
 
@@ -403,6 +405,7 @@ bundle:
 	@bundle/pack $(BUNDLE_BUILD) $(BUNDLE)
 
 bundle-parts: $(BINARY) $(SCENES) $(TESTS) $(GUESTS)/manylight
+	@printf '%s\n' $(TESTS) > $(BUILD)/tests.list
 
 $(BUILD)/libmanylight.so: $(LIBRARY)
 	$(say) LINK $@

@@ -12,8 +12,11 @@
 
 static char output[1 << 16];
 
+/* In a subshell, all of whose commands' output is read. */
 static void expect_status(int status, const char *command) {
-    int actual = run_command(command, output, sizeof output);
+    char line[2048];
+    snprintf(line, sizeof line, "(%s)", command);
+    int actual = run_command(line, output, sizeof output);
     printf("    %s -> %d\n", command, actual);
     if (actual != status)
         fail_msg("status %d, expected %d: %s", actual, status, output);

@@ -276,6 +276,8 @@ static void to_percent(const unsigned char *bytes, size_t size, char *to) {
 /* The picture in the URI, after what stands before its bytes. */
 static void check_data(const char *head, const char *extension,
                        void (*encode)(const unsigned char *, size_t, char *)) {
+    if (!knows_format(extension))
+        return; /* made here by writing one */
     static char uri[1 << 13];
     char name[64];
     struct file_bytes bytes;
