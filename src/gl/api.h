@@ -27,6 +27,7 @@
     X(PFNGLTEXTUREPARAMETERIPROC, TextureParameteri)                                               \
     X(PFNGLGENERATETEXTUREMIPMAPPROC, GenerateTextureMipmap)                                       \
     X(PFNGLBINDTEXTUREUNITPROC, BindTextureUnit)                                                   \
+    X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                                       \
     X(PFNGLGETTEXTUREIMAGEPROC, GetTextureImage)                                                   \
     X(PFNGLGETMULTISAMPLEFVPROC, GetMultisamplefv)                                                 \
     X(PFNGLGETTEXTURESUBIMAGEPROC, GetTextureSubImage)                                             \
@@ -78,6 +79,9 @@
     X(PFNGLGETPROGRAMBINARYPROC, GetProgramBinary)                                                 \
     X(PFNGLPROGRAMBINARYPROC, ProgramBinary)                                                       \
     /* Uniforms of a named program. */                                                             \
+    X(PFNGLGETACTIVEUNIFORMPROC, GetActiveUniform)                                                 \
+    X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                             \
+    X(PFNGLGETUNIFORMIVPROC, GetUniformiv)                                                         \
     X(PFNGLPROGRAMUNIFORM1IPROC, ProgramUniform1i)                                                 \
     X(PFNGLPROGRAMUNIFORM4IPROC, ProgramUniform4i)                                                 \
     X(PFNGLPROGRAMUNIFORM4FPROC, ProgramUniform4f)                                                 \
@@ -115,6 +119,7 @@
     /* Debugging. */                                                                               \
     X(PFNGLDEBUGMESSAGECALLBACKPROC, DebugMessageCallback)                                         \
     X(PFNGLDEBUGMESSAGECONTROLPROC, DebugMessageControl)                                           \
+    X(PFNGLDEBUGMESSAGEINSERTPROC, DebugMessageInsert)                                             \
     X(PFNGLPUSHDEBUGGROUPPROC, PushDebugGroup)                                                     \
     X(PFNGLPOPDEBUGGROUPPROC, PopDebugGroup)                                                       \
     X(PFNGLOBJECTLABELPROC, ObjectLabel)                                                           \
@@ -136,6 +141,13 @@ struct gl_api {
     struct program_cache *programs; /* gl/program.c */
     struct program_store *store;    /* the same; NULL = none */
     bool fills_store;
+    struct gl_watched { /* gl/context/samplers.c: the driver's own, in debug contexts */
+        PFNGLDRAWARRAYSPROC DrawArrays;
+        PFNGLDRAWARRAYSINSTANCEDPROC DrawArraysInstanced;
+        PFNGLDRAWELEMENTSINSTANCEDPROC DrawElementsInstanced;
+        PFNGLDISPATCHCOMPUTEPROC DispatchCompute;
+        int *faults;
+    } watched;
     bool software; /* it renders on the CPU: llvmpipe, softpipe, swrast */
 };
 

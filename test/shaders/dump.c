@@ -99,7 +99,8 @@ static int values_of(const struct setting *setting, bool numbers, char values[16
         if (option->default_value != option->minimum)
             snprintf(values[count++], 16, "%g", option->minimum);
         if (option->default_value == option->minimum || option->type == OPTION_INT)
-            snprintf(values[count++], 16, "%g", fmin(option->maximum, fmax(1, 4 * option->minimum)));
+            snprintf(values[count++], 16, "%g",
+                     fmin(option->maximum, fmax(1, 4 * option->minimum)));
     }
     return count;
 }
