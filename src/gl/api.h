@@ -12,6 +12,7 @@
 #include <GL/glcorearb.h>
 
 #include <stdbool.h>
+#include <stddef.h>
 
 /* X(type, name without gl), OpenGL 4.5 core only. */
 #define GL_FUNCTIONS(X)                                                                            \
@@ -148,6 +149,7 @@ struct gl_api {
         PFNGLDISPATCHCOMPUTEPROC DispatchCompute;
         int *faults;
     } watched;
+    size_t memory; /* of the GPU, bytes; 0 = it does not tell */
     bool software; /* it renders on the CPU: llvmpipe, softpipe, swrast */
 };
 

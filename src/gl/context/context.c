@@ -73,12 +73,22 @@ static void make_empty_objects(struct gl_api *api) {
     api->NamedFramebufferParameteri(api->empty_framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, 1);
 }
 
+/* Some drivers promise more, and fail when it is drawn to. 0: it is not told. */
+static size_t memory_of(const struct gl_api *api) {
+    enum { TOTAL_MEMORY = 0x9048 }; /* KiB */
+    GLint total = 0;
+    if (gl_has_extension(api, "GL_NVX_gpu_memory_info"))
+        api->GetIntegerv(TOTAL_MEMORY, &total);
+    return total > 0 ? (size_t)total << 10 : 0;
+}
+
 /* Fills in what needs the context to be current, and makes `gl` its table. */
 static bool load(struct context *context, void *(*getproc)(const char *name), bool debug) {
     if (!gl_api_load(&context->api, getproc) || !gl_needs_met(&context->api))
         return false;
     make_empty_objects(&context->api);
     context->api.Disable(GL_DITHER); /* drivers warn of it where targets hold integers */
+    context->api.memory = memory_of(&context->api);
     context->api.programs = program_cache_create();
     context->api.software = is_software((const char *)context->api.GetString(GL_RENDERER));
     /* A software rasteriser frees tens of MiB of triangles at the end of what it draws, and asks for them again. */
