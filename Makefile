@@ -1,4 +1,4 @@
-# manylight: make demo | test | test-all | asan | tsan | fuzz | coverage | mutants | lint | analyze | bench | chart | accuracy | methods | parsimony | direct | convergence | stability | portable | deps | install | uninstall | clean
+# manylight: make demo | test | test-all | asan | tsan | fuzz | coverage | mutants | lint | analyze | bench | chart | accuracy | methods | parsimony | direct | convergence | stability | bundle | deps | install | uninstall | clean
 #
 # A plain `make` only builds ./manylight. `make demo` and `make test` first install what is missing.
 
@@ -22,17 +22,27 @@ say = @$(if $(V),:,printf '  %-4s %s\n')
 
 # --- what it is made of ---------------------------------------------------------------------------
 
+# Pictures go through OpenImageIO, or, by PICTURES=small, through libraries that know fewer formats and need few others.
+# VIEWER= leaves the viewer's window out. `make bundle` sets both.
+PICTURES ?= openimageio
+VIEWER ?= yes
+WITHOUT_WINDOW := $(addprefix src/viewer/,session.c pace.c relevance.c window/events.c)
+LEFT_OUT := $(if $(filter small,$(PICTURES)),src/base/file/image_%.cpp,src/base/file/small/%) \
+    $(if $(VIEWER),,src/apps/view.c $(filter-out $(WITHOUT_WINDOW),$(shell find src/viewer -name '*.c*')))
+
 # Floors are folders of src/, rooms folders of theirs, to any depth; src/main.c is no floor's. Shaders
 # that belong to one technique or direct method lie in its folder, all others in glsl/.
-SOURCES := $(sort $(shell find src -mindepth 2 -name '*.c'))
-BRIDGES := $(sort $(shell find src -mindepth 2 -name '*.cpp'))
+SOURCES := $(filter-out $(LEFT_OUT),$(sort $(shell find src -mindepth 2 -name '*.c')))
+BRIDGES := $(filter-out $(LEFT_OUT),$(sort $(shell find src -mindepth 2 -name '*.cpp')))
 SHADERS := $(sort $(shell find glsl -type f -name '[!.]*') \
     $(shell find src -name '*.vert' -o -name '*.geom' -o -name '*.frag' -o -name '*.comp' -o -name '*.glsl'))
-TESTS := $(patsubst test/%.c,$(BUILD)/test/%,$(sort $(wildcard test/test_*.c)))
+TESTS_OF_VIEWER := $(shell grep -l '"view_stage.h"\|"desktop.h"' test/test_*.c)
+TESTS := $(patsubst test/%.c,$(BUILD)/test/%,$(filter-out $(if $(VIEWER),,$(TESTS_OF_VIEWER)),$(sort $(wildcard test/test_*.c))))
 SCENE_TOOL_SOURCES := $(sort $(shell find scenes -name '*.c'))
 SCENE_TOOL := $(BUILD)/scenes/make_scenes
 SCENE_NAMES := atrium cornell-box three-lights cornell-animal sphere metaballs moving-spot door creatures character table gloss materials roughness plant courtyard
 SKY_NAMES := day overcast
+SCENE_FOLDER := scenes
 SCENES := $(BUILD)/scenes/made
 
 # Debian's packages; OpenGL itself (libEGL, libOSMesa) is opened at run time.
@@ -40,16 +50,17 @@ PACKAGES := gcc g++ make pkg-config git libegl-dev libegl1 libgl-dev libgl1-mesa
     libglfw3-dev libtinygltf-dev libstb-dev nlohmann-json3-dev libdraco-dev libmeshoptimizer-dev libopenimageio-dev libcglm-dev \
     libembree-dev libimgui-dev fonts-dejavu-core libcmocka-dev libx11-dev gnuplot-nox xvfb xdotool
 
-PKG := OpenImageIO cglm imgui glfw3
+PKG := cglm $(if $(filter small,$(PICTURES)),OpenEXR,OpenImageIO) $(if $(VIEWER),imgui glfw3)
 INCLUDES := -Isrc -Iglsl -I$(BUILD)/include
 WARNINGS := -Wall -Wextra $(WERROR)
 # Parts of struct settings are written by their own types, and the whole is copied: by C's rules of aliasing a compiler may
 # turn the two around, as GCC did where a preset kept the exposure.
-C_FLAGS = -std=c11 -fno-strict-aliasing -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(CFLAGS)
+C_FLAGS = -std=c11 -fno-strict-aliasing -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(if $(VIEWER),,-DMANYLIGHT_NO_VIEWER) $(CFLAGS)
 CXX_FLAGS = -std=c++17 $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
 # System headers: their warnings are not ours.
 PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) 2>/dev/null))
-LIBS := $(shell pkg-config --libs $(PKG) 2>/dev/null) -lembree3 -ldraco -lmeshoptimizer -lstdc++ -ldl -lpthread -lm
+PICTURE_LIBS := -lOpenEXRCore -lpng16 -ljpeg -lwebp
+LIBS := $(if $(filter small,$(PICTURES)),$(PICTURE_LIBS),$(shell pkg-config --libs $(PKG) 2>/dev/null)) -lembree3 -ldraco -lmeshoptimizer -lstdc++ -ldl -lpthread -lm
 
 EMBEDDED := $(BUILD)/glsl_embedded.o $(BUILD)/chart_embedded.o
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(EMBEDDED)
@@ -57,7 +68,7 @@ GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
-.PHONY: all demo test test-all tests asan tsan fuzz fuzzers coverage mutants lint analyze bench chart accuracy methods parsimony direct convergence stability portable deps install uninstall clean FORCE
+.PHONY: all demo test test-all tests asan tsan fuzz fuzzers coverage mutants lint analyze bench chart accuracy methods parsimony direct convergence stability bundle bundle-parts deps install uninstall clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -139,9 +150,10 @@ $(BUILD)/%_embedded.o: $(BUILD)/%_embedded.c
 
 # Every build runs its own tool on the one folder: the tool leaves scenes that would not change alone.
 # A scene that went missing is made again.
-$(SCENES): $(SCENE_TOOL) $(if $(filter-out $(wildcard scenes/*.glb scenes/*.hdr scenes/failures),$(SCENE_NAMES:%=scenes/%.glb) $(SKY_NAMES:%=scenes/%.hdr) scenes/failures),FORCE)
-	@mkdir -p scenes/failures
-	$(SCENE_TOOL) scenes
+SCENE_FILES := $(addprefix $(SCENE_FOLDER)/,$(SCENE_NAMES:%=%.glb) $(SKY_NAMES:%=%.hdr) failures)
+$(SCENES): $(SCENE_TOOL) $(if $(filter-out $(wildcard $(SCENE_FILES)),$(SCENE_FILES)),FORCE)
+	@mkdir -p $(SCENE_FOLDER)/failures
+	$(SCENE_TOOL) $(SCENE_FOLDER)
 	@touch $@
 
 $(BUILD)/scenes/%.o: INCLUDES += -Iscenes
@@ -153,11 +165,13 @@ $(SCENE_TOOL): $(SCENE_TOOL_SOURCES:%.c=$(BUILD)/%.o) $(LIBRARY)
 # --- tests ----------------------------------------------------------------------------------------
 
 # What test programs share: the files of test/ that are no programs.
-TEST_SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out test/test_%.c,$(sort $(wildcard test/*.c))))
+TEST_SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out test/test_%.c $(if $(VIEWER),,test/desktop.c test/view_stage.c),$(sort $(wildcard test/*.c))))
+# A hundred programs share one library in the bundle.
+TEST_LIBRARY := $(LIBRARY)
 
-$(BUILD)/test/%: $(BUILD)/test/%.o $(TEST_SUPPORT) $(LIBRARY)
+$(BUILD)/test/%: $(BUILD)/test/%.o $(TEST_SUPPORT) $(TEST_LIBRARY)
 	$(say) LINK $@
-	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(LIBRARY) $(LIBS) -lcmocka -lX11
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(TEST_LIBRARY) $(LIBS) -lcmocka $(if $(VIEWER),-lX11)
 
 # What is fed to the fuzzers and kept, read again.
 FUZZ_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/driver.c,$(sort $(wildcard test/fuzz/*.c))))
@@ -219,7 +233,7 @@ NOISE_OF_LARGE := --noise .06
 
 # Speed against accuracy: a grid of the method, the denoised tracer, and what else it competes with. Of the two Cornell boxes
 # ours. Large scenes take seconds a frame, and a map per VPL takes most: fewer rounds do.
-CHART_RUN = ./manylight bench sweep --reference path --cache $(REFERENCE_CACHE) --size 400x400
+CHART_RUN = sweep --reference path --cache $(REFERENCE_CACHE) --size 400x400
 CHART_SMALL := $(filter-out ../%/cornell-box.glb,$(SMALL_SCENES)) $(NOISE_OF_SMALL) --frames 3
 CHART_LARGE := $(LARGE_SCENES) $(NOISE_OF_LARGE)
 CHART_GRID := --variant paper --variant fast --vary M=2,8,30,120 --tracer
@@ -228,32 +242,43 @@ SWEEP := $(BENCH_RESULTS)/sweep.csv
 
 bench: all
 	@mkdir -p $(BENCH_RESULTS)
-	./manylight bench times $(BENCH_SCENES) --csv $(BENCH_RESULTS)/times.csv $(BENCH_OPTIONS)
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/times.csv,times $(BENCH_SCENES) $(BENCH_OPTIONS))
+	$(call DONE_ROWS,$(BENCH_RESULTS)/times.csv)
+
+# Runs bench with --csv FILE: FILE, arguments. A driver that was broken off leaves out the runs that were done, by the same
+# program and command, and goes on within the others (bench's FILE.part).
+BENCH_ROWS = @if [ $(1) -nt $(BINARY) ] && [ "$$(cat $(1).command 2>/dev/null)" = '$(strip $(2))' ]; then \
+    echo '$(1) is there'; \
+    else set -x; ./manylight bench $(2) --csv $(1) && echo '$(strip $(2))' > $(1).command; fi
+
+# The driver is done: it measures anew the next time.
+DONE_ROWS = @rm -f $(addsuffix .command,$(1))
 
 # FILE: made of all runs' rows, FILE.1 and so on, with one heading.
-JOIN_ROWS = @awk 'FNR > 1 || NR == 1' $(1).[1-9] > $(1) && rm $(1).[1-9]
+JOIN_ROWS = @awk 'FNR > 1 || NR == 1' $(1).[1-9] > $(1) && rm $(1).[1-9] $(1).[1-9].command
 
-# Measured anew each time.
+# Measured anew each time, but for what a driver that was broken off has.
 chart: all
 	@mkdir -p $(BENCH_RESULTS)
-	$(CHART_RUN) $(CHART_SMALL) $(CHART_GRID) $(BENCH_OPTIONS) --csv $(SWEEP).1
-	$(CHART_RUN) $(CHART_SMALL) $(CHART_RIVALS) $(BENCH_OPTIONS) --csv $(SWEEP).2
-	$(CHART_RUN) $(CHART_LARGE) --frames 2 $(CHART_GRID) $(BENCH_OPTIONS) --csv $(SWEEP).3
-	$(CHART_RUN) $(CHART_LARGE) --frames 1 $(CHART_RIVALS) $(BENCH_OPTIONS) --csv $(SWEEP).4
+	$(call BENCH_ROWS,$(SWEEP).1,$(CHART_RUN) $(CHART_SMALL) $(CHART_GRID) $(BENCH_OPTIONS))
+	$(call BENCH_ROWS,$(SWEEP).2,$(CHART_RUN) $(CHART_SMALL) $(CHART_RIVALS) $(BENCH_OPTIONS))
+	$(call BENCH_ROWS,$(SWEEP).3,$(CHART_RUN) $(CHART_LARGE) --frames 2 $(CHART_GRID) $(BENCH_OPTIONS))
+	$(call BENCH_ROWS,$(SWEEP).4,$(CHART_RUN) $(CHART_LARGE) --frames 1 $(CHART_RIVALS) $(BENCH_OPTIONS))
 	$(call JOIN_ROWS,$(SWEEP))
 	./manylight bench chart $(SWEEP) -o $(BENCH_PLOTS)
 
 # Where the error of a frame comes from, and how it falls with M, K, N and the size of maps.
 BUDGET_SIZE := 400x400
-BUDGET_RUN = ./manylight bench budget --tracer --size $(BUDGET_SIZE) --cache $(REFERENCE_CACHE)
+BUDGET_RUN = budget --tracer --size $(BUDGET_SIZE) --cache $(REFERENCE_CACHE)
 CURVES_SIZE := 200x200
 
 accuracy: all
 	@mkdir -p $(BENCH_RESULTS)
-	$(BUDGET_RUN) $(SMALL_SCENES) $(NOISE_OF_SMALL) --csv $(BENCH_RESULTS)/budget.csv
-	$(BUDGET_RUN) $(LARGE_SCENES) $(NOISE_OF_LARGE) --csv $(BENCH_RESULTS)/budget-large.csv
-	./manylight bench curves $(filter-out %/atrium.glb,$(OWN_SCENES)) --size $(CURVES_SIZE) \
-	    $(NOISE_OF_SMALL) --cache $(REFERENCE_CACHE) --csv $(BENCH_RESULTS)/curves.csv
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/budget.csv,$(BUDGET_RUN) $(SMALL_SCENES) $(NOISE_OF_SMALL))
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/budget-large.csv,$(BUDGET_RUN) $(LARGE_SCENES) $(NOISE_OF_LARGE))
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/curves.csv,curves $(filter-out %/atrium.glb,$(OWN_SCENES)) --size $(CURVES_SIZE) \
+	    $(NOISE_OF_SMALL) --cache $(REFERENCE_CACHE))
+	$(call DONE_ROWS,$(addprefix $(BENCH_RESULTS)/,budget.csv budget-large.csv curves.csv))
 	./manylight bench chart $(BENCH_RESULTS)/curves.csv -o $(BENCH_PLOTS)
 
 # All techniques, error against time. Those of one count of VPLs take turns: a run each. The public rooms are matt and lit
@@ -262,7 +287,7 @@ METHODS := $(addprefix --variant ,fine clustered traced visibility=traced:techni
     cluster-lights lightcuts imperfect-shadow-maps unshadowed)
 METHODS_OF_256 := --vary N=256 --variant instant-radiosity --tracer
 METHODS_OF_1024 := --vary N=1024 --variant row-column
-METHODS_RUN = ./manylight bench sweep --reference path --cache $(REFERENCE_CACHE) --size 200x200 --frames 1 $(METHODS)
+METHODS_RUN = sweep --reference path --cache $(REFERENCE_CACHE) --size 200x200 --frames 1 $(METHODS)
 METHODS_SMALL := $(SMALL_SCENES) --noise .01
 METHODS_LARGE := $(LARGE_SCENES) $(wildcard ../shared/scenes/sponza.glb) --noise .05
 METHODS_ROOMS := $(wildcard ../shared/scenes/public/*.glb)
@@ -271,17 +296,17 @@ METHODS_ROWS := $(BENCH_RESULTS)/methods.csv
 
 methods: all
 	@mkdir -p $(BENCH_RESULTS)
-	$(METHODS_RUN) $(METHODS_SMALL) $(METHODS_OF_256) --csv $(METHODS_ROWS).1
-	$(METHODS_RUN) $(METHODS_SMALL) $(METHODS_OF_1024) --variant instant-radiosity --csv $(METHODS_ROWS).2
-	$(METHODS_RUN) $(METHODS_LARGE) $(METHODS_OF_256) --csv $(METHODS_ROWS).3
-	$(METHODS_RUN) $(METHODS_LARGE) $(METHODS_OF_1024) --csv $(METHODS_ROWS).4
-	$(if $(strip $(METHODS_ROOMS)),$(METHODS_RUN) $(METHODS_ROOMS) $(METHODS_OF_256) --csv $(METHODS_ROWS).5)
-	$(if $(strip $(METHODS_ROOMS)),$(METHODS_RUN) $(METHODS_ROOMS) $(METHODS_OF_1024) --csv $(METHODS_ROWS).6)
+	$(call BENCH_ROWS,$(METHODS_ROWS).1,$(METHODS_RUN) $(METHODS_SMALL) $(METHODS_OF_256))
+	$(call BENCH_ROWS,$(METHODS_ROWS).2,$(METHODS_RUN) $(METHODS_SMALL) $(METHODS_OF_1024) --variant instant-radiosity)
+	$(call BENCH_ROWS,$(METHODS_ROWS).3,$(METHODS_RUN) $(METHODS_LARGE) $(METHODS_OF_256))
+	$(call BENCH_ROWS,$(METHODS_ROWS).4,$(METHODS_RUN) $(METHODS_LARGE) $(METHODS_OF_1024))
+	$(if $(strip $(METHODS_ROOMS)),$(call BENCH_ROWS,$(METHODS_ROWS).5,$(METHODS_RUN) $(METHODS_ROOMS) $(METHODS_OF_256)))
+	$(if $(strip $(METHODS_ROOMS)),$(call BENCH_ROWS,$(METHODS_ROWS).6,$(METHODS_RUN) $(METHODS_ROOMS) $(METHODS_OF_1024)))
 	$(call JOIN_ROWS,$(METHODS_ROWS))
 	./manylight bench chart $(METHODS_ROWS) -o $(BENCH_PLOTS)/methods
 
 # What --max-error chooses against fixed settings, and what it tells of them and of closer views: a file a scene, and those that are
-# there are left, so that it goes on where it was broken off. Then all rows, charts, what was chosen, and ladders that know
+# there and of this program are left, so that it goes on where it was broken off. Then all rows, charts, what was chosen, and ladders that know
 # nothing of a scene. Half an hour of CPU time, most of it in halls and rooms. Sheets of materials are left out: truths of what shines
 # are dear.
 PARSIMONY := $(BENCH_RESULTS)/parsimony
@@ -304,11 +329,11 @@ $(PARSIMONY)/closer/%.csv: PARSIMONY_OPTIONS := --size 200x200 --noise .03 --pas
 
 PARSIMONY_RUN = @mkdir -p $(@D); set -x; ./manylight bench quality $(1) $(PARSIMONY_OPTIONS) --cache $(REFERENCE_CACHE) --csv $@
 
-$(PARSIMONY)/scenes/%.csv: | all
+$(PARSIMONY)/scenes/%.csv: $(BINARY) | all
 	$(call PARSIMONY_RUN,scenes/$*.glb)
-$(PARSIMONY)/shared/%.csv: | all
+$(PARSIMONY)/shared/%.csv: $(BINARY) | all
 	$(call PARSIMONY_RUN,../shared/$*.glb)
-$(PARSIMONY)/closer/%.csv: | all
+$(PARSIMONY)/closer/%.csv: $(BINARY) | all
 	$(call PARSIMONY_RUN,scenes/$*.glb)
 
 # Two boxes have one name: their faces tell them apart.
@@ -323,18 +348,20 @@ parsimony: $(PARSIMONY_FILES)
 # What is seen of lamps, by each method of direct light, and the tables of soft shadows.
 direct: all
 	@mkdir -p $(BENCH_RESULTS)
-	./manylight bench direct --cache $(REFERENCE_CACHE) --csv $(BENCH_RESULTS)/direct.csv $(BENCH_OPTIONS)
-	./manylight bench direct scenes/table.glb --size 400x400 --cache $(REFERENCE_CACHE) --tables --variant vssm:direct=vssm \
-	    --csv $(BENCH_RESULTS)/direct-tables.csv
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/direct.csv,direct --cache $(REFERENCE_CACHE) $(BENCH_OPTIONS))
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/direct-tables.csv,direct scenes/table.glb --size 400x400 --cache $(REFERENCE_CACHE) \
+	    --tables --variant vssm:direct=vssm)
+	$(call DONE_ROWS,$(addprefix $(BENCH_RESULTS)/,direct.csv direct-tables.csv))
 	./manylight bench chart $(BENCH_RESULTS)/direct.csv -o $(BENCH_PLOTS)
 
 # How the mean of passes converges: minutes of the boxes, a quarter of an hour of CPU time for each large scene.
-CONVERGENCE_RUN = ./manylight bench passes --size 200x200 --cache $(REFERENCE_CACHE) $(BENCH_OPTIONS)
+CONVERGENCE_RUN = passes --size 200x200 --cache $(REFERENCE_CACHE) $(BENCH_OPTIONS)
 
 convergence: all
 	@mkdir -p $(BENCH_RESULTS)
-	$(CONVERGENCE_RUN) scenes/cornell-box.glb scenes/metaballs.glb --noise .005 --csv $(BENCH_RESULTS)/passes.csv
-	$(CONVERGENCE_RUN) $(LARGE_SCENES) --noise .03 --csv $(BENCH_RESULTS)/passes-large.csv
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/passes.csv,$(CONVERGENCE_RUN) scenes/cornell-box.glb scenes/metaballs.glb --noise .005)
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/passes-large.csv,$(CONVERGENCE_RUN) $(LARGE_SCENES) --noise .03)
+	$(call DONE_ROWS,$(addprefix $(BENCH_RESULTS)/,passes.csv passes-large.csv))
 	./manylight bench chart $(BENCH_RESULTS)/passes.csv $(BENCH_RESULTS)/passes-large.csv -o $(BENCH_PLOTS)
 
 # --- stability ------------------------------------------------------------------------------------
@@ -350,36 +377,36 @@ THREE_VARIANTS := --variant instant-radiosity --variant paper --variant fast
 
 stability: all
 	@mkdir -p $(BENCH_RESULTS)
-	./manylight bench temporal $(MOVING_SCENES) --csv $(BENCH_RESULTS)/temporal.csv $(STABILITY_OPTIONS)
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/temporal.csv,temporal $(MOVING_SCENES) $(STABILITY_OPTIONS))
 	./manylight bench chart $(BENCH_RESULTS)/temporal.csv -o $(BENCH_PLOTS)
-	./manylight bench temporal scenes/creatures.glb --csv $(BENCH_RESULTS)/temporal-creatures.csv \
-	    $(CREATURES_OPTIONS) $(THREE_VARIANTS)
-	./manylight bench temporal $(MOVING_SCENES) --csv $(BENCH_RESULTS)/temporal-truth.csv \
-	    $(TRUTH_OPTIONS) $(THREE_VARIANTS)
-	./manylight bench failures --csv $(BENCH_RESULTS)/failures.csv --cache $(REFERENCE_CACHE) \
-	    -o $(BENCH_RESULTS)/failures $(FAILURES_OPTIONS)
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/temporal-creatures.csv,temporal scenes/creatures.glb $(CREATURES_OPTIONS) \
+	    $(THREE_VARIANTS))
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/temporal-truth.csv,temporal $(MOVING_SCENES) $(TRUTH_OPTIONS) $(THREE_VARIANTS))
+	$(call BENCH_ROWS,$(BENCH_RESULTS)/failures.csv,failures --cache $(REFERENCE_CACHE) -o $(BENCH_RESULTS)/failures \
+	    $(FAILURES_OPTIONS))
+	$(call DONE_ROWS,$(addprefix $(BENCH_RESULTS)/,temporal.csv temporal-creatures.csv temporal-truth.csv failures.csv))
 
-# --- portable -------------------------------------------------------------------------------------
+# --- bundle ---------------------------------------------------------------------------------------
 
-# Bench, render, compare and info in one file that needs libc and, when it runs, an EGL or OSMesa to
-# open: for a bare GPU server. Built here, carried there.
-PORTABLE := $(BUILD)/portable
-PORTABLE_SOURCES := $(filter-out src/reference/% src/viewer/% src/apps/view.c src/apps/reference.c \
-    src/scene/gltf/unpack_meshopt.c, \
-    $(SOURCES)) $(wildcard portable/*.c) src/main.c
-PORTABLE_BRIDGES := $(filter-out src/base/file/image_%.cpp src/scene/gltf/unpack_draco.cpp \
-    src/viewer/%,$(BRIDGES))
-PORTABLE_NEEDS := 'linux-vdso|libc\.so|libm\.so|libdl\.so|libpthread\.so|ld-linux'
+# A folder, and an archive of it, that runs on a bare Linux machine with a driver of OpenGL: program, test programs, scenes
+# and libraries, without the viewer (bundle/README). It is built apart, in BUNDLE_BUILD.
+BUNDLE_PACKAGES := $(filter-out libopenimageio-dev libglfw3-dev libimgui-dev libx11-dev gnuplot-nox xvfb xdotool,$(PACKAGES)) \
+    libopenexr-dev libpng-dev libjpeg-dev libwebp-dev patchelf
+BUNDLE := build/bundle
+BUNDLE_BUILD := build/bundle-parts
 
-portable:
-	@$(MAKE) --no-print-directory $(PORTABLE)/manylight BUILD=$(PORTABLE) PKG=cglm \
-	    CFLAGS="$(CFLAGS) -DMANYLIGHT_PORTABLE"
-	@! ldd $(PORTABLE)/manylight | grep -vE $(PORTABLE_NEEDS)
+bundle:
+	@test/install-packages $(BUNDLE_PACKAGES)
+	@$(MAKE) --no-print-directory bundle-parts PICTURES=small VIEWER= BUILD=$(BUNDLE_BUILD) \
+	    BINARY=$(BUNDLE_BUILD)/manylight SCENE_FOLDER=$(BUNDLE_BUILD)/scenes/all \
+	    TEST_LIBRARY=$(BUNDLE_BUILD)/libmanylight.so CFLAGS="$(CFLAGS) -fPIC -fno-semantic-interposition"
+	@bundle/pack $(BUNDLE_BUILD) $(BUNDLE)
 
-$(BUILD)/manylight: $(PORTABLE_SOURCES:%.c=$(BUILD)/%.o) $(PORTABLE_BRIDGES:%.cpp=$(BUILD)/%.o) \
-    $(EMBEDDED)
+bundle-parts: $(BINARY) $(SCENES) $(TESTS) $(GUESTS)/manylight
+
+$(BUILD)/libmanylight.so: $(LIBRARY)
 	$(say) LINK $@
-	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -static-libstdc++ -static-libgcc -o $@ $^ -ldl -lpthread -lm
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(@F) -o $@ -Wl,--whole-archive $< -Wl,--no-whole-archive $(LIBS)
 
 # --- set-up ---------------------------------------------------------------------------------------
 
@@ -394,8 +421,7 @@ test: deps
 	@$(MAKE) --no-print-directory tests
 
 SANITIZE := -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined
-# Not build/asan/manylight: that name is the portable build's. Without the interception, whose list of
-# threads' memory is wrong now and then, the search for leaks itself crashes.
+# Without the interception, whose list of threads' memory is wrong now and then, the search for leaks itself crashes.
 asan: deps
 	@ASAN_OPTIONS=intercept_tls_get_addr=0 \
 	    LSAN_OPTIONS=suppressions=$(CURDIR)/test/leaks-of-others:print_suppressions=0 \

@@ -12,6 +12,17 @@
 #include <string.h>
 #include <unistd.h>
 
+#ifdef MANYLIGHT_NO_VIEWER
+static int refuse_view(int argc, char **argv) {
+    (void)argc, (void)argv;
+    fprintf(stderr, "manylight: view: this build has no viewer; render writes pictures\n");
+    return 1;
+}
+#define VIEW refuse_view
+#else
+#define VIEW app_view
+#endif
+
 static const struct subcommand {
     const char *name, *help;
     int (*run)(int argc, char **argv);
@@ -21,10 +32,8 @@ static const struct subcommand {
     {"compare", "error metrics between two pictures", app_compare},
     {"info", "what renders here, and what a scene holds", app_info},
     {"render", "pictures offscreen", app_render},
-#ifndef MANYLIGHT_PORTABLE
-    {"view", "a scene in a window", app_view},
+    {"view", "a scene in a window", VIEW},
     {"reference", "path-traced ground truth of a scene", app_reference},
-#endif
     {NULL, NULL, NULL},
 };
 

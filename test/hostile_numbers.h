@@ -158,7 +158,7 @@ static const struct hostile hostile_numbers[] = {
      "note: image 0: its name is empty",
      {.materials = TEXTURED, .more = PICTURE("")}},
     {"picture of another root",
-     "image 0: '\\a' leads out of the folder ",
+     "note: image 0: '\\a' leads out of the folder ",
      {.materials = TEXTURED, .more = PICTURE("\\\\a")}},
     {"picture beside a dot",
      "note: image 0: cannot open build",

@@ -18,6 +18,11 @@
     "[{\"name\": \"quad\", \"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1},"  \
     " " primitive "]}]"
 #define MATRIX_OF(m41, m44) NODE("\"matrix\": [1,0,0," m41 ", 0,1,0,0, 0,0,1,0, 0,0,0," m44 "]")
+#define CAMERA(type, fields)                                                                       \
+    "\"cameras\": [{\"name\": \"eye\", \"type\": \"" type "\", \"" type "\": {" fields "}}],"
+#define FLAT "\"xmag\": 1, \"ymag\": 1"
+#define ZNEAR "a camera's znear that is missing or no distance is taken as 0: "
+#define ZFAR "a camera's zfar that is missing or not beyond its znear is ignored: "
 #define FRACTIONS "numbers written as fractions are taken as whole: "
 #define SHARES "numbers that are not from 0 to 1 are clamped: material 0: "
 #define LAST_ROW "a last row of a matrix that is almost 0 0 0 1 is that: node 0 'one': matrix"
@@ -92,6 +97,43 @@ static const struct mended mended[] = {
     {"version as a number",
      "a version that is not \"2.0\" is taken for that: asset: 2.0",
      {.asset = "{\"version\": 2.0}"}},
+
+    {"camera that ends before it begins",
+     ZFAR "camera 0 'eye': zfar",
+     {.more = CAMERA("perspective", "\"yfov\": 1, \"znear\": 5, \"zfar\": 2")}},
+    {"camera that ends where it begins",
+     ZFAR "camera 0 'eye': zfar",
+     {.more = CAMERA("perspective", "\"yfov\": 1, \"znear\": 5, \"zfar\": 5")}},
+    {"camera that ends at 0",
+     ZFAR "camera 0 'eye': zfar",
+     {.more = CAMERA("perspective", "\"yfov\": 1, \"znear\": 5, \"zfar\": 0")}},
+    {"camera that ends behind itself",
+     ZFAR "camera 0 'eye': zfar",
+     {.more = CAMERA("perspective", "\"yfov\": 1, \"znear\": 5, \"zfar\": -9")}},
+    {"camera that begins at 0",
+     ZNEAR "camera 0 'eye': znear",
+     {.more = CAMERA("perspective", "\"yfov\": 1, \"znear\": 0, \"zfar\": 9")}},
+    {"camera that begins behind itself",
+     ZNEAR "camera 0 'eye': znear",
+     {.more = CAMERA("perspective", "\"yfov\": 1, \"znear\": -1")}},
+    {"camera without znear",
+     ZNEAR "camera 0 'eye': znear",
+     {.more = CAMERA("perspective", "\"yfov\": 1")}},
+    {"camera that begins too far away",
+     ZNEAR "camera 0 'eye': znear",
+     {.more = CAMERA("perspective", "\"yfov\": 1, \"znear\": 1e300")}},
+    {"orthographic, ends before it begins",
+     ZFAR "camera 0 'eye': zfar",
+     {.more = CAMERA("orthographic", FLAT ", \"znear\": 5, \"zfar\": 2")}},
+    {"orthographic, begins and ends at 0",
+     ZFAR "camera 0 'eye': zfar",
+     {.more = CAMERA("orthographic", FLAT ", \"znear\": 0, \"zfar\": 0")}},
+    {"orthographic without zfar",
+     ZFAR "camera 0 'eye': zfar",
+     {.more = CAMERA("orthographic", FLAT ", \"znear\": 0")}},
+    {"orthographic, begins behind itself",
+     ZNEAR "camera 0 'eye': znear",
+     {.more = CAMERA("orthographic", FLAT ", \"znear\": -9, \"zfar\": 9")}},
 
     {"stride 0 of both",
      "byteStride 0 is read as packed: buffer view 0 (and 1 more)",
@@ -178,6 +220,13 @@ static const struct mended mended[] = {
 
 /* Files that glTF-Validator finds valid, or warns of, and that hold a triangle. */
 static const struct mended valid[] = {
+    {"camera without end", "", {.more = CAMERA("perspective", "\"yfov\": 1, \"znear\": 0.1")}},
+    {"camera that ends far away",
+     "",
+     {.more = CAMERA("perspective", "\"yfov\": 1, \"znear\": 0.1, \"zfar\": 1e300")}},
+    {"orthographic, begins at 0",
+     "",
+     {.more = CAMERA("orthographic", FLAT ", \"znear\": 0, \"zfar\": 9")}},
     {"nothing else", "", {0}},
     {"unused objects",
      "",

@@ -2,6 +2,7 @@
 #include "support.h"
 
 #include "base/error.h"
+#include "base/file/image_file.h"
 
 #include <errno.h>
 #include <math.h>
@@ -73,6 +74,34 @@ void in_scratch(char *to, size_t size, const char *text) {
     *to = '\0';
 }
 
+bool knows_format(const char *extension) {
+    char name[32];
+    snprintf(name, sizeof name, "a.%s", extension);
+    return image_name_tells_format(name);
+}
+
+void need_all_formats(void) {
+    if (knows_format("tif"))
+        return;
+    printf("    skipped: this build knows few picture formats\n");
+    skip();
+}
+
+void need_command(const char *command) {
+    char output[256];
+    if (run_command(command, output, sizeof output) == 0)
+        return;
+    printf("    skipped: '%s' does not run here\n", command);
+    skip();
+}
+
+void need_file(const char *path) {
+    if (access(path, F_OK) == 0)
+        return;
+    printf("    skipped: %s is not here\n", path);
+    skip();
+}
+
 const char *binary_path(void) {
     const char *binary = getenv("MANYLIGHT_BINARY");
     return binary ? binary : "./manylight";
@@ -80,4 +109,10 @@ const char *binary_path(void) {
 
 const char *shared_path(void) {
     return access("../shared/scenes/cornell-box.glb", R_OK) == 0 ? "../shared" : NULL;
+}
+
+const char *shared_case(const char *file) {
+    static char path[512];
+    snprintf(path, sizeof path, "../shared/cases/%s", file);
+    return access(path, R_OK) == 0 ? path : NULL;
 }

@@ -28,10 +28,23 @@ const char *scratch(const char *file_name);
 /* Copies text, with the test's own folder for each @. */
 void in_scratch(char *to, size_t size, const char *text);
 
+/* Whether this build writes pictures of that extension, and reads all that OpenImageIO does: `make bundle` builds with
+ * smaller libraries, which know few formats. */
+bool knows_format(const char *extension);
+
+/* Skips the test, with the reason, where this build has the smaller libraries; where a command fails; where a file or a
+ * folder is not there. */
+void need_all_formats(void);
+void need_command(const char *command);
+void need_file(const char *path);
+
 /* The manylight binary under test. */
 const char *binary_path(void);
 
 /* ../shared when it is there, else NULL: such tests are skipped. */
 const char *shared_path(void);
+
+/* A file of ../shared/cases when it is there, else NULL. Static buffer. */
+const char *shared_case(const char *file);
 
 #endif

@@ -438,6 +438,28 @@ static void show_in_log(void) {
     show_progress(false);
 }
 
+static void show_work(void) {
+    struct progress progress = {.shown = true, .rewritten = true};
+    progress_show_work(&progress, 0, "begins");
+    log_warning("between");
+    progress_show_work(&progress, .25, "goes on");
+    log_show_line(NULL);
+    log_show_line(NULL);
+}
+
+/* What is told meanwhile stands on a line of its own, which the next line follows. */
+static void test_line_is_cleared(void **state) {
+    (void)state;
+    char *text = stderr_of(show_work);
+    const char *expected = "\rbegins\033[K\r\033[Kmanylight: warning: between\n\r  25 %";
+    if (strncmp(text, expected, strlen(expected)) != 0)
+        fail_msg("%s", text);
+    const char *end = strstr(text, "goes on");
+    assert_non_null(end);
+    assert_string_equal(end, "goes on\033[K\r\033[K");
+    free(text);
+}
+
 /* One line of those that are there to tell, which a terminal clears and a log keeps. */
 static void test_progress(void **state) {
     (void)state;
@@ -515,6 +537,7 @@ int main(void) {
         cmocka_unit_test(test_extremes),
         cmocka_unit_test(test_log),
         cmocka_unit_test(test_progress),
+        cmocka_unit_test(test_line_is_cleared),
         cmocka_unit_test(test_json),
         cmocka_unit_test(test_folders),
         cmocka_unit_test(test_error_prefix),

@@ -3,7 +3,6 @@
 #include "gltf_parts.h"
 
 #include "base/error.h"
-#include "base/file/file.h"
 #include "base/log.h"
 #include "scene/animation.h"
 #include "scene/clips.h"
@@ -169,13 +168,10 @@ static void test_commands(void **state) {
 
 static void test_case(void **state) {
     (void)state;
-    char path[512];
+    const char *path = shared_case("two-clips/two.gltf");
     struct scene scene;
     struct geometry geometry;
-    if (!shared_path())
-        return;
-    snprintf(path, sizeof path, "%s/cases/two-clips/two.gltf", shared_path());
-    if (!file_can_be_read(path))
+    if (!path)
         return;
     check_ok("open", scene_open(&scene, &geometry, path, NULL));
     check_playing(&scene, "0,1");

@@ -1,44 +1,18 @@
 /* Models with faint lamps get the light that models without any get; lamps that make a picture are left alone.
  * Little scenes of cubes and emissive squares. */
 #define _XOPEN_SOURCE 700
-#include "gltf_parts.h"
+#include "cube_parts.h"
 
-#include "base/file/file.h"
 #include "base/log.h"
 #include "scene/emitter.h"
 #include "scene/open.h"
+#include "scene/placing.h"
 
 #include <stdlib.h>
 
-/* A cube of 2 m, whose triangles face outwards (mesh 0) or inwards (mesh 1). */
-struct cubes {
-    float corners[8][3];
-    uint8_t outwards[36], inwards[36];
-};
-
-static struct cubes make_cubes(void) {
-    static const uint8_t faces[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1},
-                                        {4, 6, 7, 5}, {0, 1, 3, 2}, {2, 3, 7, 6}};
-    struct cubes cubes = {0};
-    for (int i = 0; i < 8; i++)
-        for (int c = 0; c < 3; c++)
-            cubes.corners[i][c] = i >> c & 1 ? 1 : -1;
-    for (int f = 0; f < 6; f++)
-        for (int k = 0; k < 6; k++) {
-            uint8_t corner = faces[f][k < 3 ? k : k == 3 ? 0 : k - 2];
-            cubes.inwards[f * 6 + k] = corner;
-            cubes.outwards[f * 6 + 5 - k] = corner;
-        }
-    return cubes;
-}
-
+/* Mesh 0 is the cube, whose triangles face outwards, mesh 1 the same inwards. */
 #define ACCESSORS                                                                                  \
-    "[{\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126, \"count\": 8,"              \
-    " \"type\": \"VEC3\"},"                                                                        \
-    " {\"bufferView\": 0, \"byteOffset\": 160, \"componentType\": 5121, \"count\": 36,"            \
-    " \"type\": \"SCALAR\"},"                                                                      \
-    " {\"bufferView\": 0, \"byteOffset\": 196, \"componentType\": 5121, \"count\": 36,"            \
-    " \"type\": \"SCALAR\"},"                                                                      \
+    "[" CUBE_ACCESSORS ","                                                                         \
     " {\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"             \
     " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"              \
     " \"type\": \"SCALAR\"}]"
@@ -92,7 +66,7 @@ static const struct row {
 };
 
 static const char *write_row(const struct row *row) {
-    struct cubes cubes = make_cubes();
+    struct cube_bytes cube = make_cube();
     char materials[512], nodes[1024], more[256];
     snprintf(
         materials, sizeof materials,
@@ -109,8 +83,8 @@ static const char *write_row(const struct row *row) {
                                                        .meshes = MESHES,
                                                        .nodes = nodes,
                                                        .more = more,
-                                                       .extra = &cubes,
-                                                       .extra_size = sizeof cubes});
+                                                       .extra = &cube,
+                                                       .extra_size = sizeof cube});
 }
 
 /* How many lights there are that the file does not have. */
@@ -168,6 +142,62 @@ static void test_notes(void **state) {
     assert_non_null(strstr(output, "--set exposure="));
 }
 
+/* Nothing is added where the user names the lights, and the note tells the truth. */
+static void test_named_lights(void **state) {
+    (void)state;
+    static const struct {
+        const char *light;
+        int added, shining; /* lights */
+    } texts[] = {
+        {NULL, 2, 3},
+        {"emitters", 0, 1},
+        {"0", 0, 1},
+        {"0 size=1,1", 0, 1},
+        {"size=1,1", 2, 3},
+        {"+point position=0,3,0", 0, 1},
+        {"0; +point", 0, 2},
+        {"framed spot", 2, 1},
+        {"0,1", 2, 2},
+        {"", 2, 3},
+        {"+point; intensity=1,1,1", 2, 4},
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        struct scene scene;
+        struct geometry geometry;
+        struct emitters emitters = {0};
+        const struct scene_open_desc desc = {.light = texts[i].light};
+        const char *name = texts[i].light ? texts[i].light : "no text";
+        check_ok(name, scene_open(&scene, &geometry, write_row(&rows[0]), &desc));
+        check_near(name, count_added(&scene), texts[i].added, 0);
+        check_ok(name, emitters_from_text(&emitters, &scene, texts[i].light, 0));
+        check_near("lights that shine", emitters.count, texts[i].shining, 0);
+        emitters_free(&emitters);
+        geometry_free(&geometry);
+        scene_free(&scene);
+    }
+}
+
+static void test_notes_of_named_lights(void **state) {
+    (void)state;
+    static const struct row without = {"a box alone", CUBE, "0", "1", NULL, true};
+    static const struct {
+        const struct row *row;
+        const char *light;
+        bool is_added;
+    } cases[] = {{&rows[0], "emitters", false},
+                 {&rows[0], "framed spot", true},
+                 {&without, "+point position=0,3,3", false},
+                 {&without, "framed spot", true}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char command[1024], output[8192];
+        snprintf(command, sizeof command, "%s reference %s -o %s --size 16x16 --spp 1 --light '%s'",
+                 binary_path(), write_row(cases[i].row), scratch("named.exr"), cases[i].light);
+        assert_int_equal(run_command(command, output, sizeof output), 0);
+        bool is_noted = strstr(output, "so a spot from above") != NULL;
+        check_near(cases[i].light, is_noted, cases[i].is_added, 0);
+    }
+}
+
 /* A black emission map with one bright texel of 8 x 8, as a helmet's lights are: most of the model is dark. */
 static void test_emission_map(void **state) {
     (void)state;
@@ -212,13 +242,10 @@ static void test_emission_map(void **state) {
 /* The case of the public reports. */
 static void test_case(void **state) {
     (void)state;
-    char path[512];
+    const char *path = shared_case("faint-emission/led.gltf");
     struct scene scene;
     struct geometry geometry;
-    if (!shared_path())
-        return;
-    snprintf(path, sizeof path, "%s/cases/faint-emission/led.gltf", shared_path());
-    if (!file_can_be_read(path))
+    if (!path)
         return;
     check_ok("open", scene_open(&scene, &geometry, path, NULL));
     check_near("lights added", count_added(&scene), 2, 0);
@@ -229,8 +256,12 @@ static void test_case(void **state) {
 int main(void) {
     log_set_level(LOG_QUIET);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lamps), cmocka_unit_test(test_far_and_large),
-        cmocka_unit_test(test_notes), cmocka_unit_test(test_emission_map),
+        cmocka_unit_test(test_lamps),
+        cmocka_unit_test(test_far_and_large),
+        cmocka_unit_test(test_notes),
+        cmocka_unit_test(test_named_lights),
+        cmocka_unit_test(test_notes_of_named_lights),
+        cmocka_unit_test(test_emission_map),
         cmocka_unit_test(test_case),
     };
     return cmocka_run_group_tests_name("darkness", tests, NULL, NULL);

@@ -3,6 +3,7 @@
 
 #include "base/deal.h"
 #include "base/error.h"
+#include "scene/node.h"
 #include "scene/placing.h"
 
 #include <cglm/cglm.h>
@@ -150,6 +151,44 @@ static void test_texts(void **state) {
     check_picked(&scene, "+point position=1,2,3 size=.5,0; blue; +directional",
                  "1; +point position=1,2,3 size=0.5,0; +directional");
     check_picked(&scene, "+area type=spot", "+spot");
+    scene_free(&scene);
+}
+
+static void rename_node(struct scene *scene, enum node_kind kind, int n, const char *name) {
+    snprintf(scene->nodes[node_carrying(scene, kind, n)].name, SCENE_NAME_SIZE, "%s", name);
+}
+
+/* Names with what parts lists: alone by the whole name, else by number. */
+static void test_names_with_signs(void **state) {
+    (void)state;
+    static const char *const names[] = {"Sun, warm", "key; w=1,2,3", "a=b"};
+    struct scene scene;
+    struct camera camera;
+    int n;
+    check_ok("scene", scene_load(&scene, "scenes/three-lights.glb"));
+    for (int i = 0; i < 3; i++) {
+        char number[2] = {(char)('0' + i), 0};
+        rename_node(&scene, NODE_LIGHT, i, names[i]);
+        check_picked(&scene, names[i], number);
+    }
+    check_picked(&scene, "0,2", "0,2");
+    check_picked(&scene, "1 size=1,0", "1 size=1,0");
+    for (int i = 0; i < 3; i++) {
+        rename_node(&scene, NODE_CAMERA, 0, names[i]);
+        n = -1;
+        check_ok(names[i], camera_from_text(&camera, &scene, names[i], 0, &n));
+        assert_int_equal(n, 0);
+    }
+    rename_node(&scene, NODE_CAMERA, 0, "");
+    rename_node(&scene, NODE_LIGHT, 2, "");
+    snprintf(scene.lights[2].name, SCENE_NAME_SIZE, "of the light");
+    snprintf(scene.cameras[0].name, SCENE_NAME_SIZE, "of the camera");
+    struct emitters emitters = {0};
+    assert_false(emitters_from_text(&emitters, &scene, "none", 0));
+    assert_string_equal(error_get(),
+                        "no light 'none' (there is: 0=Sun, warm 1=key; w=1,2,3 2=of the light)");
+    assert_false(camera_from_text(&camera, &scene, "none", 0, NULL));
+    assert_string_equal(error_get(), "no camera 'none' (there is: 0=of the camera)");
     scene_free(&scene);
 }
 
@@ -476,12 +515,19 @@ static void test_direct_noise(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_meet),          cmocka_unit_test(test_deal_counts),
-        cmocka_unit_test(test_deal_runs),     cmocka_unit_test(test_texts),
-        cmocka_unit_test(test_camera_text),   cmocka_unit_test(test_text_refusals),
-        cmocka_unit_test(test_emitters_text), cmocka_unit_test(test_flux),
-        cmocka_unit_test(test_sum),           cmocka_unit_test(test_split),
-        cmocka_unit_test(test_dark_lights),   cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_meet),
+        cmocka_unit_test(test_deal_counts),
+        cmocka_unit_test(test_deal_runs),
+        cmocka_unit_test(test_texts),
+        cmocka_unit_test(test_names_with_signs),
+        cmocka_unit_test(test_camera_text),
+        cmocka_unit_test(test_text_refusals),
+        cmocka_unit_test(test_emitters_text),
+        cmocka_unit_test(test_flux),
+        cmocka_unit_test(test_sum),
+        cmocka_unit_test(test_split),
+        cmocka_unit_test(test_dark_lights),
+        cmocka_unit_test(test_sizes),
         cmocka_unit_test(test_direct_noise),
     };
     return cmocka_run_group_tests_name("emitters", tests, NULL, NULL);

@@ -1,6 +1,6 @@
 /* Camera and lights for files that bring none: little scenes of boxes, and what is seen of them. */
 #define _XOPEN_SOURCE 700
-#include "gltf_parts.h"
+#include "cube_parts.h"
 #include "render_support.h"
 
 #include "base/file/image_file.h"
@@ -10,11 +10,9 @@
 
 enum { PICTURE = 160 };
 
-/* A cube of 2 m, whose triangles face outwards (mesh 0) or inwards (mesh 1), and the two keys of a
- * walk. */
-struct cubes {
-    float corners[8][3];
-    uint8_t outwards[36], inwards[36];
+/* Mesh 0 is the cube, whose triangles face outwards, mesh 1 the same inwards; and the two keys of a walk. */
+struct cube_and_walk {
+    struct cube_bytes cube;
     float times[2], places[2][3];
 };
 
@@ -26,36 +24,16 @@ struct cubes {
 #define HOLLOW(x, y, z, sx, sy, sz)                                                                \
     "{\"mesh\": 1, \"translation\": [" #x "," #y "," #z "], \"scale\": [" #sx "," #sy "," #sz "]}"
 
-static struct cubes make_cubes(void) {
-    static const uint8_t faces[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1},
-                                        {4, 6, 7, 5}, {0, 1, 3, 2}, {2, 3, 7, 6}};
-    struct cubes cubes = {.times = {0, 4}, .places = {{-4, 0, 0}, {4, 0, 0}}};
-    for (int i = 0; i < 8; i++)
-        for (int c = 0; c < 3; c++)
-            cubes.corners[i][c] = i >> c & 1 ? 1 : -1;
-    for (int f = 0; f < 6; f++)
-        for (int k = 0; k < 6; k++) {
-            uint8_t corner = faces[f][k < 3 ? k : k == 3 ? 0 : k - 2];
-            cubes.inwards[f * 6 + k] = corner;
-            cubes.outwards[f * 6 + 5 - k] = corner;
-        }
-    return cubes;
-}
-
 static void open_cubes(struct stage *stage, const char *name, const char *nodes, const char *more) {
-    struct cubes cubes = make_cubes();
+    struct cube_and_walk bytes = {
+        .cube = make_cube(), .times = {0, 4}, .places = {{-4, 0, 0}, {4, 0, 0}}};
     open_stage(
         stage,
         write_parts(
             name,
             &(struct gltf_parts){
                 .accessors =
-                    "[{\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126, \"count\":"
-                    " 8, \"type\": \"VEC3\"},"
-                    " {\"bufferView\": 0, \"byteOffset\": 160, \"componentType\": 5121, \"count\":"
-                    " 36, \"type\": \"SCALAR\"},"
-                    " {\"bufferView\": 0, \"byteOffset\": 196, \"componentType\": 5121, \"count\":"
-                    " 36, \"type\": \"SCALAR\"},"
+                    "[" CUBE_ACCESSORS ","
                     " {\"bufferView\": 0, \"byteOffset\": 232, \"componentType\": 5126, \"count\":"
                     " 2, \"type\": \"SCALAR\"},"
                     " {\"bufferView\": 0, \"byteOffset\": 240, \"componentType\": 5126, \"count\":"
@@ -65,8 +43,8 @@ static void open_cubes(struct stage *stage, const char *name, const char *nodes,
                 .meshes = "[" CUBE("1") "," CUBE("2") "]",
                 .nodes = nodes,
                 .more = more,
-                .extra = &cubes,
-                .extra_size = sizeof cubes}));
+                .extra = &bytes,
+                .extra_size = sizeof bytes}));
 }
 
 /* The picture, kept for the eye too. What is covered is neither black nor burnt out. */

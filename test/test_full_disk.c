@@ -146,6 +146,8 @@ static void test_writers(void **state) {
         "--cache @/cache --csv @/sweep.csv",
         ">/dev/null");
     for (size_t i = 0; i < sizeof writers / sizeof *writers; i++) {
+        if (!knows_format("jpg") && (strstr(writers[i], ".jpg") || strstr(writers[i], ".tga")))
+            continue;
         make_folder();
         int status = run("", writers[i], ">/dev/null");
         if (strstr(output, "cannot run gnuplot") || strstr(output, "no context"))
@@ -162,21 +164,29 @@ static void test_writers(void **state) {
 
 /* Every format onto a disk of four pages that another file has filled. */
 static void check_real_disk(const char *before) {
-    char command[2048];
+    static const char *const formats[] = {"exr", "tif", "pfm", "hdr", "png", "jpg", "webp",
+                                          "bmp", "tga", "gif", "jp2", "ppm", "dpx"};
+    char command[2048], known[128] = "";
+    int count = 0;
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
+        if (knows_format(formats[i])) {
+            strcat(strcat(known, " "), formats[i]);
+            count++;
+        }
     snprintf(command, sizeof command,
              "unshare -rm sh -c 'mount -t tmpfs -o size=16k none %s || "
              "exit 1; "
              "head -c 1M /dev/zero >%s/other; %s "
-             "for e in exr tif pfm hdr png jpg webp bmp tga gif jp2 ppm dpx; do "
+             "for e in %s; do "
              "%s compare %s %s -o %s/heat.$e >/dev/null; echo $?; done; ls -A %s'",
-             folder, folder, before, binary_path(), scratch("a.exr"), scratch("b.exr"), folder,
-             folder);
+             folder, folder, before, known, binary_path(), scratch("a.exr"), scratch("b.exr"),
+             folder, folder);
     assert_int_equal(run_command(command, output, sizeof output), 0);
     printf("%s", output);
     int refused = 0;
     for (const char *at = output; (at = strstr(at, ": No space left on device\n1\n")); at++)
         refused++;
-    assert_int_equal(refused, 13);
+    assert_int_equal(refused, count);
     assert_null(strstr(output, "\n0\n"));
     assert_non_null(strstr(output, "\n1\nother\n"));
 }

@@ -1,13 +1,18 @@
 /* manylight info. */
-#include "support.h"
+#include "gltf_parts.h"
+
+#include "base/file/image_file.h"
 
 #include <stdio.h>
 #include <string.h>
 
 static char output[8192];
 
+#define EYE(more)                                                                                  \
+    "{\"type\": \"perspective\", \"perspective\": {\"yfov\": 1, \"znear\": 1" more "}}"
+
 static int info(const char *arguments) {
-    char command[512];
+    char command[1024];
     snprintf(command, sizeof command, "%s info %s", binary_path(), arguments);
     return run_command(command, output, sizeof output);
 }
@@ -48,6 +53,85 @@ static void test_point_light(void **state) {
     check_says("point (3.142, 3.142, 3.142) W/sr at (0, 0, 0)\n");
 }
 
+/* Names are those of nodes, as in messages; of what a node without a name carries. */
+static void test_names(void **state) {
+    (void)state;
+    char arguments[1024];
+    const char *path = write_parts(
+        "names.glb",
+        &(struct gltf_parts){
+            .nodes = "[{\"mesh\": 0}, {\"name\": \"Eye node\", \"camera\": 0}, {\"camera\": 0},"
+                     " {\"name\": \"Lamp node\", \"extensions\": {\"KHR_lights_punctual\":"
+                     " {\"light\": 0}}}, {\"extensions\": {\"KHR_lights_punctual\":"
+                     " {\"light\": 0}}}]",
+            .more = "\"cameras\": [{\"name\": \"Eye data\", \"type\": \"perspective\","
+                    " \"perspective\": {\"yfov\": 1, \"znear\": 1}}], \"extensions\":"
+                    " {\"KHR_lights_punctual\": {\"lights\": [{\"name\": \"Lamp data\","
+                    " \"type\": \"point\"}]}},"});
+    assert_int_equal(info(path), 0);
+    check_says("  0  Eye node             perspective");
+    check_says("  1  Eye data             perspective");
+    check_says("  0  Lamp node            point");
+    check_says("  1  Lamp data            point");
+    snprintf(arguments, sizeof arguments, "%s reference %s -o %s --camera none", binary_path(),
+             path, scratch("none.exr"));
+    assert_int_equal(run_command(arguments, output, sizeof output), 1);
+    check_says("(there is: 0=Eye node 1=Eye data)");
+    snprintf(arguments, sizeof arguments, "%s reference %s -o %s --light none", binary_path(), path,
+             scratch("none.exr"));
+    assert_int_equal(run_command(arguments, output, sizeof output), 1);
+    check_says("(there is: 0=Lamp node 1=Lamp data)");
+}
+
+/* Without --size a picture has the aspect ratio of its camera. */
+static void test_aspect(void **state) {
+    (void)state;
+    static const struct {
+        const char *camera, *size, *says;
+    } rows[] = {
+        {"--camera 0", "800x800", "57.3 degrees high, at"},
+        {"--camera 1", "800x50", "57.3 degrees high, aspect ratio 16, at"},
+        {"--camera 2", "80x800", "57.3 degrees high, aspect ratio 0.1, at"},
+        {"--camera 3", "800x100", "2 m high, aspect ratio 8, at"},
+        {"--camera '1 eye=0,0,3'", "800x50", ""},
+        {"--camera 1 --size 16x8", "16x8", ""},
+    };
+    char path[512];
+    snprintf(
+        path, sizeof path, "%s",
+        write_parts(
+            "aspect.glb",
+            &(struct gltf_parts){
+                .nodes = "[{\"mesh\": 0}, {\"camera\": 0}, {\"camera\": 1}, {\"camera\": 2},"
+                         " {\"camera\": 3}, {\"camera\": 4}, {\"camera\": 5}]",
+                .more = "\"cameras\": [" EYE("") "," EYE(", \"aspectRatio\": 16") "," EYE(
+                    ", \"aspectRatio\": 0.1") ",{\"type\": \"orthographic\","
+                                              " \"orthographic\": {\"xmag\": -8, \"ymag\": 1, "
+                                              "\"znear\": 0, \"zfar\": 9}}," EYE(", "
+                                                                                 "\"aspectRatio\": "
+                                                                                 "0") "," EYE(
+                                                  ", \"aspectRatio\": "
+                                                  "1e9") "],"}));
+    assert_int_equal(info(path), 0);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        check_says(rows[i].says);
+    check_says("  4                       perspective, 57.3 degrees high, at");
+    check_says("  5                       perspective, 57.3 degrees high, at");
+    for (size_t i = 0; i < 2 * sizeof rows / sizeof *rows; i++) {
+        char command[1024], size[32];
+        int pixels[2];
+        snprintf(command, sizeof command, "%s %s %s -q -o %s %s", binary_path(),
+                 i % 2 ? "reference --spp 1" : "render --set vpls=16,vals=2,interleave=1", path,
+                 scratch("aspect.exr"), rows[i / 2].camera);
+        if (run_command(command, output, sizeof output) != 0)
+            fail_msg("%s: %s", command, output);
+        check_ok("aspect.exr", image_size(scratch("aspect.exr"), pixels));
+        snprintf(size, sizeof size, "%dx%d", pixels[0], pixels[1]);
+        printf("    %-9s %-24s %s\n", i % 2 ? "reference" : "render", rows[i / 2].camera, size);
+        assert_string_equal(size, rows[i / 2].size);
+    }
+}
+
 static void test_refusals(void **state) {
     (void)state;
     assert_int_equal(info("no-such-scene.glb"), 1);
@@ -62,10 +146,9 @@ static void test_refusals(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_gl),
-        cmocka_unit_test(test_scene),
-        cmocka_unit_test(test_point_light),
-        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_gl),          cmocka_unit_test(test_scene),
+        cmocka_unit_test(test_point_light), cmocka_unit_test(test_names),
+        cmocka_unit_test(test_aspect),      cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests_name("info", tests, NULL, NULL);
 }

@@ -69,6 +69,7 @@ static void check_part(const struct image *layer, const struct exr_part *part) {
 
 static void test_windows(void **state) {
     (void)state;
+    need_all_formats();
     static const struct {
         struct exr_part part;
         const char *note;
@@ -102,6 +103,7 @@ static void test_windows(void **state) {
 /* rmse of what is 1 in a quarter of the picture, and else black, is the root of 3 of 4. */
 static void test_compared_windows(void **state) {
     (void)state;
+    need_all_formats();
     struct image whole;
     const struct exr_part part = {0, "B G R", {3, 2, 3, 2}, {0, 0, 6, 4}, 1};
     const char *test = exr_write("part.exr", &part, 1), *reference = scratch("whole.pfm");
@@ -128,6 +130,7 @@ static void test_compared_windows(void **state) {
 /* Little files that claim much: refused at once. */
 static void test_hostile_windows(void **state) {
     (void)state;
+    need_all_formats();
     static const int displays[][4] = {{0, 0, 2000000000, 2000000000},
                                       {0, 0, 2147483647, 1},
                                       {-2147483647, -2147483647, 2147483647, 2147483647},
@@ -263,6 +266,7 @@ static void test_many_names(void **state) {
 
 static void test_parts(void **state) {
     (void)state;
+    need_all_formats();
     static const struct exr_part parts[3] = {
         {"depth", "Z", {0, 0, 6, 4}, {0, 0, 6, 4}, 1},
         {"N", "B G R", {0, 0, 6, 4}, {0, 0, 6, 4}, 2},
@@ -298,6 +302,7 @@ static void test_parts(void **state) {
 /* A name for each file; JSON tells both. */
 static void test_two_names(void **state) {
     (void)state;
+    need_all_formats();
     static const struct exr_part one = {0, "L.x.B L.x.G L.x.R", {0, 0, 6, 4}, {0, 0, 6, 4}, 1},
                                  two = {0, "B G R Z", {0, 0, 6, 4}, {0, 0, 6, 4}, 1.5f};
     char arguments[1200], paths[1100];

@@ -76,6 +76,9 @@ static void test_refusals(void **state) {
     write_scenes();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char command[1024], arguments[512];
+        bool other = strstr(cases[i].arguments, ".ppm") || strstr(cases[i].arguments, "texture");
+        if (other && !knows_format("tga"))
+            continue;
         in_scratch(arguments, sizeof arguments, cases[i].arguments);
         snprintf(command, sizeof command, "ulimit -v %s; exec %s %s", cases[i].limit, binary_path(),
                  arguments);

@@ -58,24 +58,64 @@ static void check_shown(const char *uri) {
     assert_true(good);
 }
 
-static void check_outside(const char *uri) {
+static const char *absolute(const char *name) {
+    static char path[4096];
+    char real[4096];
+    assert_non_null(realpath(scratch(""), real));
+    snprintf(path, sizeof path, "%.2000s/%s", real, name);
+    return path;
+}
+
+/* The folder, below the test's, that --root is told to be; NULL = all of the machine, which is not told. */
+static void check_hint(const char *text, const char *folder) {
+    char hint[5000] = "(--root DIR names another)", real[4096];
+    if (folder && realpath(scratch(folder), real))
+        snprintf(hint, sizeof hint, "(--root %s allows it)", real);
+    assert_non_null(strstr(text, "leads out of the folder "));
+    if (!strstr(text, hint))
+        fail_msg("'%s' is not in: %s", hint, text);
+}
+
+static void check_outside(const char *uri, const char *folder) {
     struct scene scene;
     assert_false(scene_load(&scene, write_textured(uri)));
     printf("    %s\n", error_get());
-    assert_non_null(strstr(error_get(), "leads out of the folder "));
-    assert_non_null(strstr(error_get(), "(--root DIR names another)"));
+    check_hint(error_get(), folder);
+}
+
+static char notes[4096];
+
+static void hear(void *context, bool is_warning, const char *message) {
+    (void)context, (void)is_warning;
+    size_t used = strlen(notes);
+    snprintf(notes + used, sizeof notes - used, "%s\n", message);
+}
+
+/* A name of another machine: the file is not opened, whether it is there or not. */
+static void check_elsewhere(const char *uri, const char *hint) {
+    struct scene scene;
+    *notes = '\0';
+    log_set_listener(hear, NULL);
+    check_ok(uri, scene_load(&scene, write_textured(uri)));
+    log_set_listener(NULL, NULL);
+    const unsigned char *rgba = scene.textures[scene.materials[0].base_color_texture].bitmap.rgba;
+    bool is_magenta = rgba[0] == 255 && rgba[1] == 0 && rgba[2] == 255;
+    int files = scene.file_count;
+    scene_free(&scene);
+    printf("    %-40s %s", uri, notes);
+    assert_true(is_magenta);
+    assert_int_equal(files, 0);
+    assert_non_null(strstr(notes, "colours by a magenta checker: image 0: "));
+    if (!strstr(notes, hint))
+        fail_msg("'%s' is not in: %s", hint, notes);
+    check_ok("strict", read_rules_set(true, read_rules_root()));
+    assert_false(scene_load(&scene, write_textured(uri)));
+    check_ok("not strict", read_rules_set(false, read_rules_root()));
 }
 
 static void link_to(const char *target, const char *name) {
     unlink(scratch(name));
     assert_int_equal(symlink(target, scratch(name)), 0);
-}
-
-static const char *absolute(const char *name) {
-    static char path[4096], real[4096];
-    assert_non_null(realpath(scratch(""), real));
-    snprintf(path, sizeof path, "%.2000s/%s", real, name);
-    return path;
 }
 
 static void make_folders(void) {
@@ -111,16 +151,65 @@ static void test_paths(void **state) {
     check_shown(uri);
     snprintf(uri, sizeof uri, "file://%s", absolute("textures/x.png"));
     check_shown(uri);
-    check_outside("../../outside-of-named-files.png");
-    check_outside("../../no-such-file.png");
-    check_outside("a/../../../outside-of-named-files.png");
-    check_outside("..\\\\..\\\\outside-of-named-files.png");
-    check_outside("out.png");
-    check_outside("slash/etc/passwd");
-    check_outside("/etc/passwd");
-    check_outside("/no/such/file.png");
-    check_outside("file:///etc/passwd");
-    check_outside("file:/etc/passwd");
+    check_outside("../../outside-of-named-files.png", "..");
+    check_outside("../../no-such-file.png", "..");
+    check_outside("a/../../../outside-of-named-files.png", "..");
+    check_outside("..\\\\..\\\\outside-of-named-files.png", "..");
+    check_outside("out.png", "..");
+    check_outside("slash/etc/passwd", NULL);
+}
+
+static void test_other_machines(void **state) {
+    (void)state;
+    char uri[8192], hint[8192], real[4096];
+    const char nowhere[] = "(--root DIR names another)";
+    make_folders();
+    check_elsewhere("/etc/passwd", nowhere);
+    check_elsewhere("/no/such/file.png", nowhere);
+    check_elsewhere("file:///etc/passwd", nowhere);
+    check_elsewhere("file:/etc/passwd", nowhere);
+    check_elsewhere("file:///C:/Users/x/tex.png", nowhere);
+    check_elsewhere("C:\\\\Users\\\\x\\\\tex.png", "tex.png: No such file");
+    check_elsewhere("C:/Users/x/tex.png", "tex.png: No such file");
+    check_elsewhere("\\\\\\\\server\\\\x\\\\tex.png", nowhere);
+    check_elsewhere("http://example.org/tex.png", "is a URL, which is not fetched");
+    check_elsewhere("https://example.org/a/tex.png?x=1", "is a URL, which is not fetched");
+    static const char *const names[] = {"outside-of-named-files.png", "no-such-file.png"};
+    assert_non_null(realpath(scratch(".."), real));
+    snprintf(hint, sizeof hint, "(--root %s allows it)", real);
+    for (int i = 0; i < 2; i++) {
+        snprintf(uri, sizeof uri, "%s/%s", absolute(".."), names[i]);
+        check_elsewhere(uri, hint);
+    }
+    check_elsewhere(absolute("textures/none.png"), "No such file");
+}
+
+/* A cache of a model hub: all files are links into a store two levels up. */
+static void test_hub(void **state) {
+    (void)state;
+    static const char *const folders[] = {"hub", "hub/blobs", "hub/snapshots",
+                                          "hub/snapshots/0a1b"};
+    struct scene scene;
+    char root[4096];
+    for (int i = 0; i < 4; i++)
+        mkdir(scratch(folders[i]), 0777);
+    write_colour(scratch("hub/tex.png"));
+    rename(scratch("hub/tex.png"), scratch("hub/blobs/77"));
+    const char *path = write_textured("tex.png");
+    rename(path, scratch("hub/blobs/88"));
+    link_to("../../blobs/77", "hub/snapshots/0a1b/tex.png");
+    link_to("../../blobs/88", "hub/snapshots/0a1b/scene.glb");
+    path = scratch("hub/snapshots/0a1b/scene.glb");
+    assert_false(scene_load(&scene, path));
+    printf("    %s\n", error_get());
+    check_hint(error_get(), "hub");
+    snprintf(root, sizeof root, "%s", absolute("hub"));
+    check_ok("hub", read_rules_set(true, root));
+    check_ok("links", scene_load(&scene, path));
+    check_ok("its own", read_rules_set(false, NULL));
+    bool good = has_colour(&scene);
+    scene_free(&scene);
+    assert_true(good);
 }
 
 static void test_root(void **state) {
@@ -129,21 +218,21 @@ static void test_root(void **state) {
     make_folders();
     check_ok("narrow", read_rules_set(false, scratch("model")));
     check_shown("a/y.png");
-    check_outside("../textures/x.png");
-    check_outside("link.png");
+    check_outside("../textures/x.png", "");
+    check_outside("link.png", "");
     snprintf(root, sizeof root, "%s", absolute(".."));
     check_ok("wide", read_rules_set(false, root));
     check_shown("../../outside-of-named-files.png");
     check_shown("out.png");
     check_shown("../textures/x.png");
-    check_outside("slash/etc/passwd");
+    check_outside("slash/etc/passwd", NULL);
     check_ok("all", read_rules_set(false, "/"));
     check_shown("out.png");
     assert_false(read_rules_set(false, scratch("no-such-folder")));
     assert_false(read_rules_set(false, scratch("textures/x.png")));
     assert_non_null(strstr(error_get(), "not a folder"));
     check_ok("its own", read_rules_set(false, NULL));
-    check_outside("out.png");
+    check_outside("out.png", "..");
 }
 
 /* What is no file is not waited for. */
@@ -318,7 +407,7 @@ static void test_options(void **state) {
     make_folders();
     snprintf(arguments, sizeof arguments, "info --root %s", scratch("model"));
     assert_int_equal(run(arguments, write_textured("../textures/x.png")), 1);
-    check_says("--root DIR names another");
+    check_says(" allows it)");
     assert_int_equal(run("compare --strict a.exr", "b.exr"), 2);
 }
 
@@ -355,7 +444,8 @@ static void test_empty_scenes(void **state) {
 int main(void) {
     log_set_level(LOG_QUIET);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_paths),   cmocka_unit_test(test_root),
+        cmocka_unit_test(test_paths),   cmocka_unit_test(test_other_machines),
+        cmocka_unit_test(test_hub),     cmocka_unit_test(test_root),
         cmocka_unit_test(test_devices), cmocka_unit_test(test_data),
         cmocka_unit_test(test_buffers), cmocka_unit_test(test_pointers),
         cmocka_unit_test(test_options), cmocka_unit_test(test_empty_scenes),

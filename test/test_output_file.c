@@ -121,7 +121,8 @@ static void test_full_disk(void **state) {
     (void)state;
     const char *folder = fresh_folder("full");
     for (int i = 0; i < EXTENSIONS; i++)
-        check_full(folder, extensions[i]);
+        if (knows_format(extensions[i]))
+            check_full(folder, extensions[i]);
 }
 
 /* A file of other programs, or of a disk that lost its end. */
@@ -152,7 +153,8 @@ static void test_cut_files(void **state) {
     (void)state;
     const char *folder = fresh_folder("cut");
     for (int i = 0; i < EXTENSIONS; i++)
-        check_cut(folder, extensions[i]);
+        if (knows_format(extensions[i]))
+            check_cut(folder, extensions[i]);
 }
 
 /* Formats that OpenImageIO writes somewhere else, without a word, or not at all. */

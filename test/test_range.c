@@ -195,10 +195,11 @@ static void test_camera(void **state) {
         const char *range;
         double middle, corner, direct;
     } rows[] = {
-        {"\"znear\": 0.1, \"zfar\": 100", 2, 5, 1}, {"\"znear\": 0.1, \"zfar\": 0", 2, 5, 1},
-        {"\"znear\": 4, \"zfar\": 100", 5, 5, 0},   {"\"znear\": 2.5, \"zfar\": 5.5", 5, 5, 0},
-        {"\"znear\": 0.1, \"zfar\": 4", 2, 0, 1},   {"\"znear\": 3, \"zfar\": 4", 2, 5, 1},
-        {"\"znear\": 100, \"zfar\": 1000", 2, 5, 1}};
+        {"\"znear\": 0.1, \"zfar\": 100", 2, 5, 1},  {"\"znear\": 0.1, \"zfar\": 0", 2, 5, 1},
+        {"\"znear\": 4, \"zfar\": 100", 5, 5, 0},    {"\"znear\": 2.5, \"zfar\": 5.5", 5, 5, 0},
+        {"\"znear\": 0.1, \"zfar\": 4", 2, 0, 1},    {"\"znear\": 3, \"zfar\": 4", 2, 5, 1},
+        {"\"znear\": 100, \"zfar\": 1000", 2, 5, 1}, {"\"znear\": 4, \"zfar\": 3", 5, 5, 0},
+        {"\"znear\": -9, \"zfar\": 4", 2, 0, 1}};
     static const char *const kinds[] = {"perspective", "orthographic"};
     for (int k = 0; k < 2; k++)
         for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {

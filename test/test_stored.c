@@ -183,6 +183,8 @@ static void test_alpha(void **state) {
     check_encoded(write_png("rgba8.png", 2, 1, 8, 6, rgba, 8), false);
     check_encoded(write_png("rgba16.png", 2, 1, 16, 6, deep, 16), false);
     check_encoded(write_png("grey-alpha.png", 2, 1, 8, 4, grey_alpha, 4), true);
+    if (!knows_format("tif"))
+        return;
     check_encoded(write_tga("bgra.tga", 2, 2, 1, 4, bgra), false);
     check_encoded(write_tga("grey-alpha.tga", 3, 2, 1, 2, grey_alpha), true);
     for (int extra = 1; extra <= 2; extra++) { /* what is times alpha in the file stays so */
@@ -222,7 +224,8 @@ static void test_webp(void **state) {
     struct bitmap texture;
     float expected[6];
     put(&file, lossless, sizeof lossless);
-    check_encoded(write_bytes("lossless.webp", &file), false);
+    if (knows_format("webp"))
+        check_encoded(write_bytes("lossless.webp", &file), false);
     check_ok("texture", bitmap_decode(&texture, lossless, sizeof lossless));
     assert_memory_equal(texture.rgba, rgba, sizeof rgba);
     bitmap_free(&texture);
@@ -230,7 +233,8 @@ static void test_webp(void **state) {
     put(&file, lossy, sizeof lossy);
     for (int i = 0; i < 6; i++)
         expected[i] = srgb_decode((float)of_lossy[i / 3 * 4 + i % 3] / 255);
-    check_stored(write_bytes("lossy.webp", &file), expected);
+    if (knows_format("webp"))
+        check_stored(write_bytes("lossy.webp", &file), expected);
     check_ok("texture", bitmap_decode(&texture, lossy, sizeof lossy));
     assert_memory_equal(texture.rgba, of_lossy, sizeof of_lossy);
     bitmap_free(&texture);
@@ -241,11 +245,51 @@ static void test_webp(void **state) {
     }
 }
 
+/* OpenImageIO gives colours of a map of 16 bits in 8, cut: those that 8 bits hold exactly, others up to 1/255
+ * less. */
+static void test_palette(void **state) {
+    (void)state;
+    enum { WIDTH = 6, ENTRIES = 16 };
+    static const unsigned map[WIDTH][3] = {
+        {29 * 257, 100 * 257, 65535}, {7533, 65534, 1},     {0, 256, 257}, {513, 514, 515},
+        {0x1D00, 0x8000, 0xFF00},     {32767, 32768, 32769}};
+    const unsigned map_at = 16, tags_at = map_at + 6 * ENTRIES;
+    struct bytes file = {.size = 0};
+    struct image image;
+    put(&file, "II*\0", 4);
+    put_number(&file, tags_at, 4, false);
+    for (unsigned i = 0; i < WIDTH; i += 2) /* two pixels of 4 bits a byte */
+        put_number(&file, i << 4 | (i + 1), 1, false);
+    file.size = map_at;
+    for (int i = 0; i < 3 * ENTRIES; i++)
+        put_number(&file, i % ENTRIES < WIDTH ? map[i % ENTRIES][i / ENTRIES] : 0, 2, false);
+    put_number(&file, 9, 2, false);
+    put_tag(&file, 256, WIDTH);
+    put_tag(&file, 257, 1);
+    put_tag(&file, 258, 4);
+    put_tag(&file, 259, 1);
+    put_tag(&file, 262, 3);
+    put_tag(&file, 273, 8);
+    put_tag(&file, 278, 1);
+    put_tag(&file, 279, WIDTH / 2);
+    put_tags(&file, 320, 3 * ENTRIES, 0, (int)map_at);
+    put_number(&file, 0, 4, false);
+    check_ok("palette", image_read(&image, write_bytes("palette.tif", &file)));
+    assert_true(image.width == WIDTH && image.channel_count == 3);
+    for (int x = 0; x < WIDTH; x++)
+        for (int c = 0; c < 3; c++) {
+            double value = (double)image_at(&image, x, 0)[c], exact = map[x][c] / 65535.;
+            check_near("colour in 8 bits", value, map[x][c] / 257 / 255., 1e-6);
+            assert_true(value <= exact + 1e-6 && value > exact - 1 / 255.);
+        }
+    image_free(&image);
+}
+
 /* Ours keep every value where the format has room for it, alpha 0 or not. */
 static void test_written(void **state) {
     (void)state;
     static const char *const names[] = {"own.exr", "own.tif"};
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < (knows_format("tif") ? 2 : 1); i++) {
         struct image image, again;
         image_init(&image, 2, 1, "R G B A");
         memcpy(image.pixels, (const float[8]){1, .5F, .25F, .5F, 8, 4, 2, 0}, 8 * sizeof(float));
@@ -298,6 +342,7 @@ static void test_orientation_table(void **state) {
 
 static void test_tiff_orientation(void **state) {
     (void)state;
+    need_all_formats();
     for (int o = 1; o <= 8; o++) {
         unsigned char samples[WIDE * HIGH];
         int width = o >= 5 ? HIGH : WIDE, height = o >= 5 ? WIDE : HIGH;
@@ -324,6 +369,7 @@ static const char *write_hdr(const char *name, const char *order, int orientatio
 
 static void test_hdr_orders(void **state) {
     (void)state;
+    need_all_formats();
     static const struct {
         const char *order;
         int orientation; /* in which TIFF would say the same */
@@ -338,6 +384,7 @@ static void test_hdr_orders(void **state) {
 /* A sky of 2x1 texels, mirrored in the file. */
 static void test_sky(void **state) {
     (void)state;
+    need_all_formats();
     static const char *const orders[] = {"-Y 1 +X 2\n", "+Y 1 -X 2\n", "+X 2 +Y 1\n",
                                          "-X 2 -Y 1\n"};
     for (int i = 0; i < 4; i++) {
@@ -360,6 +407,7 @@ static void test_sky(void **state) {
 /* The case of the list: the sky of either file lights the plane with 1. */
 static void test_case(void **state) {
     (void)state;
+    need_all_formats();
     char command[2000], output[4096];
     if (!shared_path())
         return;
@@ -374,6 +422,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_alpha),
         cmocka_unit_test(test_webp),
+        cmocka_unit_test(test_palette),
         cmocka_unit_test(test_written),
         cmocka_unit_test(test_orientation_table),
         cmocka_unit_test(test_tiff_orientation),

@@ -156,10 +156,14 @@ static void test_names_inside_scenes(void **state) {
 
 static void test_picture_to_stdout(void **state) {
     (void)state;
-    expect(0, "% render @/quad.glb -o @/one.png -o @/one.exr -o @/one.webp -q " QUICK);
+    expect(0, "% render @/quad.glb -o @/one.png -o @/one.exr -q " QUICK);
     static const char *const formats[] = {"png", "exr", "webp"};
+    if (knows_format("webp"))
+        expect(0, "% render @/quad.glb -o @/one.webp -q " QUICK);
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
         char line[1024];
+        if (!knows_format(formats[i]))
+            continue;
         snprintf(line, sizeof line,
                  "%% render @/quad.glb -o - --format %s --stats " QUICK
                  " 2>@/said | cmp - @/one.%s",

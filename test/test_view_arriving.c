@@ -1,31 +1,15 @@
 /* A scene that arrives: a coarse picture of it comes before its shaders, the step is told, and it can be stopped. */
 #define _XOPEN_SOURCE 700
-#include "view_stage.h"
+#include "view_inside.h"
 
-#include "viewer/viewer.h"
+#include "base/error.h"
 
+#include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
 
-static struct viewer viewer;
-
-static void turn(void) {
-    check_ok("turn", viewer_turn(&viewer));
-    pause_ms(2);
-}
-
 static void begin(void) {
-    struct viewer_desc desc = {.width = 100, .height = 90, .debug = true};
-    static const char cheap[] =
-        "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=128 interleave=4";
-    if (!stage.server)
-        skip();
-    renderer_settings_init(&desc.settings);
-    check_ok(cheap, settings_assign(&desc.settings, cheap));
-    desc.auto_exposure = true;
-    check_ok("viewer", viewer_begin(&viewer, &desc));
-    keep_driver();
-    turn();
+    begin_viewer(&(struct viewer_desc){.width = 100, .height = 90, .auto_exposure = true});
 }
 
 /* As long as the scene waits for its shaders. */
@@ -124,6 +108,93 @@ static void test_stop_sky(void **state) {
     assert_null(viewer.document.scene.environment);
 }
 
+/* The coarse picture is of the command line's time and clips: the light and the triangles are where they are then. */
+static void test_coarse_picture_of_time(void **state) {
+    (void)state;
+    const double time = 1.5;
+    struct scene scene;
+    struct geometry geometry;
+    struct emitter light;
+    if (!viewer.has_scene)
+        skip();
+    viewer.desc.time = (float)time;
+    viewer.desc.clip = "0";
+    viewer_open(&viewer, "scenes/moving-spot.glb");
+    wait_for_arrival();
+    check_ok("scene", scene_load(&scene, "scenes/moving-spot.glb"));
+    check_ok("geometry", geometry_init(&geometry, &scene, 0));
+    emitter_place(&light, &scene, 0, 0);
+    float first = light.direction[2];
+    emitter_place(&light, &scene, 0, time);
+    float got = viewer.preview.desc.emitters.items[0].direction[2];
+    printf("    the light shines to z %g, at first %g, expected %g\n", (double)got, (double)first,
+           (double)light.direction[2]);
+    assert_true(got == light.direction[2] && got != first);
+    geometry_free(&geometry);
+    scene_free(&scene);
+    turn_until(!viewer_is_opening(&viewer));
+    rest();
+    assert_true(viewer.placed.time == time);
+    viewer.desc.time = (float)time;
+    viewer_open(&viewer, "scenes/metaballs.glb");
+    wait_for_arrival();
+    check_ok("scene", scene_load(&scene, "scenes/metaballs.glb"));
+    check_ok("geometry", geometry_init(&geometry, &scene, 0));
+    const struct geometry *coarse = &viewer.arriving.geometry;
+    size_t size = sizeof *geometry.position * geometry.vertex_count;
+    check_ok("pose", geometry_pose(&geometry, &scene, time));
+    assert_int_equal(coarse->vertex_count, geometry.vertex_count);
+    assert_memory_equal(coarse->position, geometry.position, size);
+    geometry_pose(&geometry, &scene, 0);
+    assert_true(coarse->vertex_count != geometry.vertex_count ||
+                memcmp(coarse->position, geometry.position, size) != 0);
+    geometry_free(&geometry);
+    scene_free(&scene);
+    turn_until(!viewer_is_opening(&viewer));
+    rest();
+}
+
+static atomic_bool may_end;
+
+/* The background thread waits here for the coarse picture. */
+static bool refuse(void **state, const struct direct_desc *desc) {
+    (void)state, (void)desc;
+    for (int i = 0; i < 60000 && !atomic_load(&may_end); i++)
+        pause_ms(2);
+    return error_set("no memory for these shadows");
+}
+
+/* A scene that was read and that no renderer can be made for: the window tells why, shows what was there before and
+ * no coarse picture, and the command line's options were that scene's. */
+static void test_fails_after_reading(void **state) {
+    (void)state;
+    if (!viewer.has_scene)
+        skip();
+    struct direct_method refused = *direct_find("hard");
+    refused.init = refuse;
+    viewer.wish.direct = &refused;
+    viewer.desc.light = "0";
+    viewer.desc.time = 1;
+    viewer.opening.is_told = true;
+    viewer_open(&viewer, "scenes/moving-spot.glb");
+    wait_for_arrival();
+    turn_until(viewer.preview.has_texture);
+    atomic_store(&may_end, true);
+    turn_until(!viewer_is_opening(&viewer));
+    printf("    after it has failed: coarse picture %d, told %d, at %g s\n",
+           viewer.preview.has_texture, viewer.opening.is_told, (double)viewer.desc.time);
+    assert_true(is_message_told("no memory for these shadows", UI_ERROR));
+    assert_true(viewer.has_scene);
+    assert_non_null(strstr(viewer.document.scene.path, "metaballs"));
+    assert_false(viewer.preview.has_texture);
+    assert_false(viewer.opening.is_told);
+    assert_null(viewer.desc.light);
+    assert_true(viewer.desc.time == 0);
+    viewer.wish.direct = NULL;
+    viewer_touch(&viewer);
+    rest();
+}
+
 /* The window ends while a scene arrives. */
 static void test_end(void **state) {
     (void)state;
@@ -139,6 +210,8 @@ int main(void) {
         cmocka_unit_test(test_coarse_picture),
         cmocka_unit_test(test_stop),
         cmocka_unit_test(test_stop_sky),
+        cmocka_unit_test(test_coarse_picture_of_time),
+        cmocka_unit_test(test_fails_after_reading),
         cmocka_unit_test(test_end),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);

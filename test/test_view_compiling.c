@@ -1,19 +1,10 @@
 /* Shaders are compiled in the background: the window takes turns meanwhile and shows what it has shown, or, where
  * the camera moves, goes on with the shaders that it has. */
 #define _XOPEN_SOURCE 700
-#include "view_stage.h"
-
-#include "viewer/viewer.h"
+#include "view_inside.h"
 
 #include <stdio.h>
 #include <string.h>
-
-static struct viewer viewer;
-
-static void turn(void) {
-    check_ok("turn", viewer_turn(&viewer));
-    pause_ms(2);
-}
 
 /* While shaders are compiled. */
 struct waiting {
@@ -52,16 +43,7 @@ static void choose(const char *technique) {
 
 static void test_compiling(void **state) {
     (void)state;
-    if (!stage.server)
-        skip();
-    struct viewer_desc desc = {.width = 100, .height = 90, .debug = true};
-    static const char cheap[] =
-        "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=128 interleave=4";
-    renderer_settings_init(&desc.settings);
-    check_ok(cheap, settings_assign(&desc.settings, cheap));
-    check_ok("viewer", viewer_begin(&viewer, &desc));
-    keep_driver();
-    turn();
+    begin_viewer(&(struct viewer_desc){.width = 100, .height = 90});
     viewer_open(&viewer, "scenes/cornell-box.glb");
     struct waiting first = wait_for_shaders("the first picture", false);
     choose("unshadowed");
@@ -80,8 +62,7 @@ static void test_compiling(void **state) {
     assert_int_equal(still.frames, 0);
     assert_true(moving.frames > 0 || moving.turns < 4);
     assert_int_equal(back.turns, 0);
-    assert_int_equal(context_message_count(viewer.host.context), 0);
-    viewer_end(&viewer);
+    finish_viewer();
 }
 
 int main(void) {

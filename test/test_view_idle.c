@@ -8,23 +8,6 @@
 
 #define BOX "scenes/cornell-box.glb"
 
-/* Seconds of all cores that the viewer has used so far. */
-static double used_seconds(void) {
-    char path[64], line[1024];
-    unsigned long user = 0, system = 0;
-    snprintf(path, sizeof path, "/proc/%d/stat", (int)stage.viewer);
-    FILE *file = fopen(path, "r");
-    assert_non_null(file);
-    assert_non_null(fgets(line, sizeof line, file));
-    fclose(file);
-    const char *after = strrchr(line, ')');
-    assert_non_null(after);
-    assert_int_equal(
-        sscanf(after + 2, "%*c %*d %*d %*d %*d %*d %*u %*u %*u %*u %*u %lu %lu", &user, &system),
-        2);
-    return (double)(user + system) / (double)sysconf(_SC_CLK_TCK);
-}
-
 static void check_idle(const char *what) {
     const double seconds = 5;
     double before = used_seconds();

@@ -91,14 +91,6 @@ static void test_options_win(void **state) {
     assert_int_equal(count_states(), 1);
 }
 
-/* Seconds of all cores that the viewer has used so far. */
-static double used_seconds(void) {
-    char command[200], output[64];
-    snprintf(command, sizeof command, "awk '{print $14 + $15}' /proc/%d/stat", (int)stage.viewer);
-    assert_int_equal(run_command(command, output, sizeof output), 0);
-    return atof(output) / (double)sysconf(_SC_CLK_TCK);
-}
-
 /* Measured at rest, and then with a caret: a twentieth of a core for some 100 thousand pixels. */
 static void test_caret(void **state) {
     (void)state;

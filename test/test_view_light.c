@@ -87,23 +87,14 @@ static void test_size(void **state) {
     emitters_free(&after);
 }
 
-/* Ctrl and a click let a number be typed where there is a slider. */
-static void enter(const char *row, const char *number) {
-    int x, y;
-    find_place(row, &x, &y);
-    xdo("mousemove %d %d keydown ctrl click 1 keyup ctrl type --delay 1 %s", x, y, number);
-    xdo("key Return");
-    sync_viewer();
-}
-
 /* The chosen light's watts, and its colour, of which the green is what lies in the row's middle: its power stays. */
 static void test_power_and_color(void **state) {
     (void)state;
     char text[600];
     need_viewer();
     press("Light");
-    enter("power, W", "7.5");
-    enter("colour", "0");
+    type_into("power, W", "7.5");
+    type_into("colour", "0");
     press("Light");
     struct emitters lights = saved_lights(text, sizeof text);
     const struct emitter *light = &lights.items[1];
@@ -145,8 +136,8 @@ static void test_cone(void **state) {
     press("type");
     press("spot");
     sync_viewer();
-    enter("outer angle, \xc2\xb0", "40");
-    enter("inner angle, \xc2\xb0", "30");
+    type_into("outer angle, \xc2\xb0", "40");
+    type_into("inner angle, \xc2\xb0", "30");
     press("Light");
     struct emitters lights = saved_lights(text, sizeof text);
     const struct emitter *light = &lights.items[1];
@@ -155,6 +146,37 @@ static void test_cone(void **state) {
     printf("    %.6g to %.6g degrees\n", inner * 180 / M_PI, outer * 180 / M_PI);
     assert_true(fabs(inner * 6 / M_PI - 1) < 1e-4 && fabs(outer * 4.5 / M_PI - 1) < 1e-4);
     check_picture("a spot of another cone", text);
+    emitters_free(&lights);
+}
+
+/* Where the chosen light's light ends; undone, and there again. */
+static void test_range(void **state) {
+    (void)state;
+    char text[600], ranged[600];
+    need_viewer();
+    press("Light");
+    type_into("range, m", "4");
+    press("Light");
+    struct emitters lights = saved_lights(ranged, sizeof ranged);
+    printf("    the light ends after %g m\n", (double)lights.items[1].range);
+    assert_true(lights.items[1].range == 4);
+    assert_non_null(strstr(ranged, "range=4"));
+    check_picture("a light that ends", ranged);
+    emitters_free(&lights);
+    xdo("key ctrl+z");
+    lights = saved_lights(text, sizeof text);
+    assert_true(lights.items[1].range == 0);
+    check_picture("taken back", text);
+    emitters_free(&lights);
+    xdo("key ctrl+y");
+    check_picture("and again", ranged);
+    press("Light");
+    press("light"); /* the scene's is chosen */
+    press("2  added");
+    type_into("range, m", "0");
+    press("Light");
+    lights = saved_lights(text, sizeof text);
+    assert_true(lights.items[1].range == 0);
     emitters_free(&lights);
 }
 
@@ -181,6 +203,7 @@ int main(void) {
         cmocka_unit_test(test_power_and_color),
         cmocka_unit_test(test_type),
         cmocka_unit_test(test_cone),
+        cmocka_unit_test(test_range),
         cmocka_unit_test(test_remove),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);

@@ -15,30 +15,9 @@
 #define BOX "scenes/cornell-box.glb"
 #define SPHERE "scenes/sphere.glb"
 
-static unsigned long viewer_window(void) {
-    char output[256];
-    assert_int_equal(run_command("xdotool search --name manylight", output, sizeof output), 0);
-    return strtoul(output, NULL, 10);
-}
-
-static void drop(const char *path) {
-    char full[700];
-    snprintf(full, sizeof full, "%s%s%s", *path == '/' ? "" : stage.here, *path == '/' ? "" : "/",
-             path);
-    assert_true(desktop_drop(viewer_window(), full));
-}
-
-/* A file of the scratch folder. */
-static const char *scratch_path(const char *name) {
-    static char path[700];
-    snprintf(path, sizeof path, "%s/%s", stage.folder, name);
-    return path;
-}
-
 static void copy(const char *from, const char *name) {
     assert_int_equal(
-        shell("mkdir -p %s/sub && cp %s/%s %s", stage.folder, stage.here, from, scratch_path(name)),
-        0);
+        shell("mkdir -p %s/sub && cp %s/%s %s", stage.folder, stage.here, from, in_stage(name)), 0);
 }
 
 static bool log_has(const char *text) {
@@ -97,7 +76,7 @@ static void test_dialog_keys(void **state) {
                      0);
     xdo("key ctrl+o");
     assert_true(is_on_screen("cornell-box.glb"));
-    xdo("type --delay 20 %s", scratch_path("sub/one.glb"));
+    xdo("type --delay 20 %s", in_stage("sub/one.glb"));
     xdo("key Return");
     wait_for_scene("one.glb");
     xdo("key ctrl+o");
@@ -138,8 +117,8 @@ static void test_dialog_keys(void **state) {
 static void test_broken_keeps_scene(void **state) {
     (void)state;
     need_viewer();
-    assert_int_equal(shell("printf 'glTF and then nothing' > %s", scratch_path("broken.glb")), 0);
-    drop(scratch_path("broken.glb"));
+    write_in_stage("broken.glb", "glTF and then nothing");
+    drop(in_stage("broken.glb"));
     assert_true(log_has("broken.glb"));
     wait_for_scene("one.glb");
     check_same("the scene before", SPHERE);
@@ -163,7 +142,7 @@ static void test_start_page(void **state) {
     assert_int_equal(shell(": search; cd %s && %s view nosuch.glb --frames 1 >script.log 2>&1",
                            stage.folder, stage.binary),
                      1);
-    assert_int_equal(shell("test $(grep -c nosuch.glb %s) = 1", scratch_path("script.log")), 0);
+    assert_int_equal(shell("test $(grep -c nosuch.glb %s) = 1", in_stage("script.log")), 0);
 }
 
 /* --- a sky ------------------------------------------------------------------------------------ */
@@ -179,17 +158,6 @@ static void test_sky_dropped(void **state) {
     check_same("and taken back", "scenes/three-lights.glb");
     xdo("key ctrl+y");
     check_same("and again", "scenes/three-lights.glb " SKY);
-}
-
-static void type_into(const char *row, const char *text) {
-    int x, y;
-    find_place(row, &x, &y);
-    xdo("mousemove %d %d keydown ctrl click 1 keyup ctrl", x, y);
-    sync_viewer();
-    xdo("key ctrl+a type --delay 5 %s", text);
-    xdo("key Return");
-    rest_mouse();
-    sync_viewer();
 }
 
 static void test_sky_turned(void **state) {
@@ -229,12 +197,8 @@ static const char *write_unlit(void) {
         "{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12}],\"buffers\":[{\"byteLength\":60,"
         "\"uri\":\"data:application/octet-stream;base64,AACAvwAAAAAAAIC/AACAPwAAAAAAAIC/"
         "AACAvwAAAAAAAIA/AACAPwAAAAAAAIA/AAACAAEAAQACAAMA\"}]}";
-    const char *path = scratch_path("unlit.gltf");
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    fclose(file);
-    return path;
+    write_in_stage("unlit.gltf", text);
+    return in_stage("unlit.gltf");
 }
 
 static void empty_sky_field(void) {
@@ -293,7 +257,7 @@ static void test_sky_of_moving_scene(void **state) {
 /* A grey picture of that size. */
 static const char *write_picture(const char *name, const char *channels, int width, int height) {
     struct image image;
-    const char *path = scratch_path(name);
+    const char *path = in_stage(name);
     image_init(&image, width, height, channels);
     for (int i = 0; i < width * height * image.channel_count; i++)
         image.pixels[i] = .5F;

@@ -1,63 +1,29 @@
 /* What stays and what is asked for, in the window's own process: a reference past other sizes, its file, one error
  * of one definition, a part of a clip; and words of presets and the first exposure, which need no window. */
 #define _XOPEN_SOURCE 700
-#include "view_stage.h"
+#include "view_inside.h"
 
-#include "base/clock.h"
+#include "base/error.h"
 #include "base/file/image_file.h"
 #include "renderer/settings.h"
 #include "viewer/develop.h"
+#include "viewer/free_number.h"
 #include "viewer/preset.h"
-#include "viewer/viewer.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#define SETTINGS "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=128 interleave=4"
-
-static struct viewer viewer;
 static int told_passes; /* --passes */
-
-static void turn(void) {
-    check_ok("turn", viewer_turn(&viewer));
-    pause_ms(2);
-}
-
-enum { PATIENCE = 120000 };
-
-#define turn_until(condition)                                                                      \
-    for (double start = clock_ms(); !(condition); turn())                                          \
-    assert_true(clock_ms() - start < PATIENCE)
-
-static void rest(void) {
-    for (int i = 0; i < 3; i++)
-        turn();
-    turn_until(!viewer.shown.moving && !viewer.shown.dirty && !viewer.shown.coarse &&
-               !viewer.shown.awaits);
-    turn();
-}
 
 static void begin(const char *scene) {
     char path[640];
-    struct viewer_desc desc = {
-        .scene = path, .width = 96, .height = 96, .passes = told_passes, .debug = true};
-    if (!stage.server)
-        skip();
     snprintf(path, sizeof path, "%s/%s", stage.here, scene);
-    renderer_settings_init(&desc.settings);
-    check_ok("settings", settings_assign(&desc.settings, SETTINGS));
-    check_ok("viewer", viewer_begin(&viewer, &desc));
-    keep_driver();
-    turn_until(viewer.has_scene && viewer.shown.frame_count > 0);
-    rest();
-}
-
-static void end(void) {
-    assert_int_equal(context_message_count(viewer.host.context), 0);
-    viewer_end(&viewer);
+    begin_viewer(
+        &(struct viewer_desc){.scene = path, .width = 96, .height = 96, .passes = told_passes});
 }
 
 /* The window gets another size, and is filled: minutes of tracing stay. */
@@ -116,6 +82,69 @@ static double last_lasts(void) {
     return count > 0 ? recent[count - 1].lasts : 0;
 }
 
+static enum name_state state_of(void *user, int number) {
+    return number <= *(int *)user ? NAME_IS_TAKEN : NAME_IS_FREE;
+}
+
+static enum name_state refuse_name(void *user, int number) {
+    (void)user, (void)number;
+    error_set("refused");
+    return NAME_IS_REFUSED;
+}
+
+/* Numbers have as many digits as they need. */
+static void test_free_number(void **state) {
+    (void)state;
+    int taken[] = {0, 9999, FREE_NUMBER_MOST};
+    assert_int_equal(free_number(state_of, &taken[0]), 1);
+    assert_int_equal(free_number(state_of, &taken[1]), 10000);
+    assert_int_equal(free_number(state_of, &taken[2]), 0);
+    printf("    %s\n", error_get());
+    assert_non_null(strstr(error_get(), "999999"));
+    assert_int_equal(free_number(refuse_name, NULL), 0);
+    assert_string_equal(error_get(), "refused");
+}
+
+/* Names of 1 to 9999 in the working folder. */
+static void take_names(const char *format) {
+    for (int i = 1; i < 10000; i++) {
+        char name[64];
+        snprintf(name, sizeof name, format, i);
+        FILE *file = fopen(name, "w");
+        assert_non_null(file);
+        fclose(file);
+    }
+}
+
+static long size_of(const char *name) {
+    struct stat info;
+    return stat(name, &info) == 0 ? (long)info.st_size : -1;
+}
+
+/* The ten thousandth picture overwrites none. */
+static void test_no_picture_is_overwritten(void **state) {
+    (void)state;
+    char here[512];
+    if (!stage.server)
+        skip();
+    assert_non_null(getcwd(here, sizeof here));
+    assert_int_equal(shell("mkdir -p %s/full", stage.folder), 0);
+    assert_int_equal(chdir(in_stage("full")), 0);
+    take_names("manylight-%04d.exr");
+    take_names("manylight-reference-%04d.exr");
+    viewer_take_screenshot(&viewer);
+    viewer_save_reference(&viewer);
+    long sizes[] = {size_of("manylight-9999.exr"), size_of("manylight-reference-9999.exr"),
+                    size_of("manylight-10000.png"), size_of("manylight-10000.exr"),
+                    size_of("manylight-reference-10000.exr")};
+    assert_int_equal(chdir(here), 0);
+    printf("    bytes: 9999: %ld and %ld, 10000: %ld, %ld and %ld\n", sizes[0], sizes[1], sizes[2],
+           sizes[3], sizes[4]);
+    assert_true(sizes[0] == 0 && sizes[1] == 0);
+    assert_true(sizes[2] > 0 && sizes[3] > 0 && sizes[4] > 0);
+    assert_int_equal(shell("rm -r %s", in_stage("full")), 0);
+}
+
 static void test_reference_is_saved(void **state) {
     (void)state;
     struct image saved = {0};
@@ -143,7 +172,38 @@ static void test_reference_is_saved(void **state) {
     assert_int_equal(wrong, 0);
     image_free(&saved);
     truth_pause(&viewer.tracing.truth, false);
-    end();
+    finish_viewer();
+}
+
+static bool refuse(void **state, const struct direct_desc *desc) {
+    (void)state, (void)desc;
+    return error_set("no memory for these shadows");
+}
+
+/* A method of direct light that cannot be made is told, and the wish goes back to the one before. */
+static void test_refused_direct(void **state) {
+    (void)state;
+    begin("scenes/cornell-box.glb");
+    struct direct_method refused = *direct_find("hard");
+    refused.init = refuse;
+    static const char *const before[] = {NULL, "pcss"};
+    for (int i = 0; i < 2; i++) {
+        const struct direct_method *method = before[i] ? direct_find(before[i]) : NULL;
+        viewer.wish.direct = method;
+        viewer_touch(&viewer);
+        rest();
+        messages_forget_errors(&viewer.host.messages);
+        viewer.wish.direct = &refused;
+        viewer_touch(&viewer);
+        rest();
+        printf("    after a refused method: %s, drawn with %s\n",
+               viewer.wish.direct ? viewer.wish.direct->name : "by the lights",
+               viewer.shown.renderer.desc.direct->name);
+        assert_true(is_message_told("no memory for these shadows", UI_ERROR));
+        assert_ptr_equal(viewer.wish.direct, method);
+        assert_ptr_equal(viewer.shown.renderer.desc.direct, direct_find(method ? "pcss" : "hard"));
+    }
+    finish_viewer();
 }
 
 /* --- time ------------------------------------------------------------------------------------- */
@@ -202,7 +262,7 @@ static void test_record_range(void **state) {
     set_folder(request, "nowhere");
     recorder_start(&viewer);
     assert_false(viewer.recorder.on);
-    end();
+    finish_viewer();
 }
 
 /* --- how scenes were left ---------------------------------------------------------------------- */
@@ -213,15 +273,6 @@ static void open_scene(const char *scene) {
     viewer_open(&viewer, path);
     turn_until(!viewer_is_opening(&viewer) && strcmp(viewer.document.scene.path, path) == 0);
     turn();
-}
-
-static bool is_told(const char *text, enum ui_tone tone) {
-    struct message recent[MESSAGES_SHOWN];
-    int count = messages_recent(&viewer.host.messages, recent);
-    for (int i = 0; i < count; i++)
-        if (recent[i].tone == tone && strstr(recent[i].text, text))
-            return true;
-    return false;
 }
 
 /* Settings go from scene to scene, but afresh a scene has none of them; nor has it the others' files. */
@@ -250,7 +301,7 @@ static void test_second_scene(void **state) {
     assert_int_equal(viewer.wish.passes, 0);
     assert_false(viewer.placed.camera_moved);
     rest();
-    end();
+    finish_viewer();
 }
 
 static void test_settings_name_no_clip(void **state) {
@@ -262,8 +313,8 @@ static void test_settings_name_no_clip(void **state) {
     assert_int_equal(viewer.document.scene.clip_count, 0);
     check_ok("clip 0 of none", viewer_load_session(&viewer, path));
     assert_int_equal(viewer.wish.passes, 3);
-    assert_false(is_told("", UI_ERROR));
-    end();
+    assert_false(is_message_told("", UI_ERROR));
+    finish_viewer();
 }
 
 /* All but the sky is as it was left, and its file keeps the sky. */
@@ -277,7 +328,7 @@ static void test_sky_is_gone(void **state) {
     turn_until(viewer.document.scene.environment);
     check_ok("camera", viewer_place_camera(&viewer, "eye=0,1,5 forward=0,0,-1"));
     rest();
-    end();
+    finish_viewer();
     assert_int_equal(shell("rm %s", sky), 0);
     for (int i = 0; i < 2; i++) {
         begin("scenes/sphere.glb");
@@ -285,9 +336,9 @@ static void test_sky_is_gone(void **state) {
                viewer.kept.was_restored, viewer.kept.is_incomplete, viewer.placed.camera_moved,
                viewer.placed.emitters.count);
         assert_true(viewer.kept.was_restored && viewer.kept.is_incomplete);
-        assert_true(is_told("gone.hdr", UI_WARNING));
+        assert_true(is_message_told("gone.hdr", UI_WARNING));
         assert_true(viewer.placed.camera_moved && viewer.placed.emitters.count > 0);
-        end();
+        finish_viewer();
     }
     assert_int_equal(
         shell("grep -q 'environment = .*gone.hdr' %s/manylight/scenes/*.settings", stage.folder),
@@ -304,7 +355,7 @@ static void test_options_mean_first_scene(void **state) {
     assert_false(viewer.kept.on || viewer.kept.was_restored);
     open_scene("scenes/gloss.glb");
     assert_true(viewer.kept.on);
-    end();
+    finish_viewer();
     told_passes = 0;
 }
 
@@ -358,7 +409,10 @@ int main(void) {
         cmocka_unit_test(test_exposure),
         cmocka_unit_test(test_reference_is_kept),
         cmocka_unit_test(test_one_error),
+        cmocka_unit_test(test_free_number),
+        cmocka_unit_test(test_no_picture_is_overwritten),
         cmocka_unit_test(test_reference_is_saved),
+        cmocka_unit_test(test_refused_direct),
         cmocka_unit_test(test_timeline),
         cmocka_unit_test(test_record_range),
         cmocka_unit_test(test_second_scene),

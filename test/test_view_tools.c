@@ -14,28 +14,6 @@
 #define MOVING "scenes/metaballs.glb"
 #define BOX "scenes/cornell-box.glb"
 
-static unsigned long viewer_window(void) {
-    char output[256];
-    assert_int_equal(run_command("xdotool search --name manylight", output, sizeof output), 0);
-    return strtoul(output, NULL, 10);
-}
-
-static void drop(const char *path) {
-    char full[600];
-    snprintf(full, sizeof full, "%s%s%s", *path == '/' ? "" : stage.here, *path == '/' ? "" : "/",
-             path);
-    assert_true(desktop_drop(viewer_window(), full));
-}
-
-static void write_file(const char *name, const char *text) {
-    char path[700];
-    snprintf(path, sizeof path, "%s/%s", stage.folder, name);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    fclose(file);
-}
-
 /* Two pictures of the same view apart. */
 static void check_apart(const char *what, const char *one, const char *other) {
     struct bitmap a = offscreen(one), b = offscreen(other);
@@ -78,14 +56,14 @@ static void test_layers(void **state) {
 static void test_load(void **state) {
     (void)state;
     need_viewer();
-    write_file("manylight.settings", "layer = indirect\ntime = 2.25\ntechnique = unshadowed\n"
-                                     "light = 0 position=0.5,3,0.5\nvpls = 64\nvals = 4\n"
-                                     "map-size = 32\nrsm-size = 64\nshadow-size = 256\n"
-                                     "interleave = 4\nexposure = 1\n");
+    write_in_stage("manylight.settings", "layer = indirect\ntime = 2.25\ntechnique = unshadowed\n"
+                                         "light = 0 position=0.5,3,0.5\nvpls = 64\nvals = 4\n"
+                                         "map-size = 32\nrsm-size = 64\nshadow-size = 256\n"
+                                         "interleave = 4\nexposure = 1\n");
     press_in_settings("Load");
     check_same("loaded settings", MOVING " --layer indirect --time 2.25 --technique unshadowed "
                                          "--light '0 position=0.5,3,0.5' --set exposure=1");
-    write_file("manylight.settings", "vpls = many\n");
+    write_in_stage("manylight.settings", "vpls = many\n");
     press_in_settings("Load");
     check_same("after a bad line", MOVING " --layer indirect --time 2.25 --technique unshadowed "
                                           "--light '0 position=0.5,3,0.5' --set exposure=1");
@@ -98,10 +76,8 @@ static void test_drop(void **state) {
     wait_for_scene("sphere.glb");
     check_same("a scene that was dropped",
                "scenes/sphere.glb --layer indirect --technique unshadowed --set exposure=1");
-    write_file("broken.glb", "glTF and then nothing");
-    char path[700];
-    snprintf(path, sizeof path, "%s/broken.glb", stage.folder);
-    drop(path);
+    write_in_stage("broken.glb", "glTF and then nothing");
+    drop(in_stage("broken.glb"));
     check_same("after a broken one",
                "scenes/sphere.glb --layer indirect --technique unshadowed --set exposure=1");
 }

@@ -1,62 +1,20 @@
 /* The truth traced in the window, and the chart of speed against accuracy: what they tell is what
  * the path tracer and the renderer tell by themselves. */
-#include "view_stage.h"
+#include "view_inside.h"
 
 #include "render_support.h"
 
-#include "base/clock.h"
 #include "measure/picture.h"
 #include "metrics/layer.h"
-#include "viewer/viewer.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #define SCENE "scenes/cornell-box.glb"
-#define SETTINGS "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=128 interleave=4"
-
-static struct viewer viewer;
-
-static void turn(void) {
-    check_ok("turn", viewer_turn(&viewer));
-    pause_ms(2);
-}
-
-#ifdef __SANITIZE_THREAD__ /* some ten times as slow */
-enum { PATIENCE = 1200000 };
-#else
-enum { PATIENCE = 120000 };
-#endif
-
-/* Turns until it holds, for at most two minutes. */
-#define turn_until(condition)                                                                      \
-    for (double start = clock_ms(); !(condition); turn())                                          \
-    assert_true(clock_ms() - start < PATIENCE)
-
-static void rest(void) {
-    for (int i = 0; i < 3; i++)
-        turn();
-    turn_until(!viewer.shown.moving && !viewer.shown.dirty && !viewer.shown.coarse &&
-               !viewer.shown.awaits);
-    turn();
-}
 
 static void begin(void) {
-    struct viewer_desc desc = {.scene = SCENE, .width = 96, .height = 96, .debug = true};
-    if (!stage.server)
-        skip();
-    renderer_settings_init(&desc.settings);
-    check_ok("settings", settings_assign(&desc.settings, SETTINGS));
-    check_ok("viewer", viewer_begin(&viewer, &desc));
-    keep_driver();
-    turn_until(viewer.has_scene && viewer.shown.frame_count > 0);
-    rest();
-}
-
-static void end(void) {
-    assert_int_equal(context_message_count(viewer.host.context), 0);
-    viewer_end(&viewer);
+    begin_viewer(&(struct viewer_desc){.scene = SCENE, .width = 96, .height = 96});
 }
 
 /* Against many samples of another seed. */
@@ -226,7 +184,7 @@ static void test_end(void **state) {
     viewer_chart(&viewer);
     for (int i = 0; i < 4; i++)
         turn();
-    end();
+    finish_viewer();
 }
 
 int main(void) {

@@ -207,6 +207,17 @@ void click(int x, int y) {
     xdo("mousemove %d %d click 1", x, y);
 }
 
+void type_into(const char *row, const char *text) {
+    int x, y;
+    find_place(row, &x, &y);
+    xdo("mousemove %d %d keydown ctrl click 1 keyup ctrl", x, y);
+    sync_viewer();
+    xdo("key ctrl+a type --delay 5 %s", text);
+    xdo("key Return");
+    rest_mouse();
+    sync_viewer();
+}
+
 void press_in_settings(const char *button) {
     if (!is_on_screen(button))
         press("Settings");
@@ -385,6 +396,43 @@ void open_by_panel(const char *path) {
     xdo("type --delay 1 %s/%s", stage.here, path);
     xdo("key Return");
     rest_mouse();
+}
+
+void drop(const char *path) {
+    char full[700], window[256];
+    snprintf(full, sizeof full, "%s%s%s", *path == '/' ? "" : stage.here, *path == '/' ? "" : "/",
+             path);
+    assert_int_equal(run_command("xdotool search --name manylight", window, sizeof window), 0);
+    assert_true(desktop_drop(strtoul(window, NULL, 10), full));
+}
+
+const char *in_stage(const char *name) {
+    static char path[700];
+    snprintf(path, sizeof path, "%s/%s", stage.folder, name);
+    return path;
+}
+
+void write_in_stage(const char *name, const char *text) {
+    FILE *file = fopen(in_stage(name), "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+}
+
+double used_seconds(void) {
+    char path[64], line[1024];
+    unsigned long user = 0, system = 0;
+    snprintf(path, sizeof path, "/proc/%d/stat", (int)stage.viewer);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    assert_non_null(fgets(line, sizeof line, file));
+    fclose(file);
+    const char *after = strrchr(line, ')');
+    assert_non_null(after);
+    assert_int_equal(
+        sscanf(after + 2, "%*c %*d %*d %*d %*d %*d %*u %*u %*u %*u %*u %lu %lu", &user, &system),
+        2);
+    return (double)(user + system) / (double)sysconf(_SC_CLK_TCK);
 }
 
 int open_view_stage(void **state) {

@@ -61,14 +61,29 @@ void sync_viewer(void);
 #define xdo(...) assert_int_equal(shell("xdotool " __VA_ARGS__), 0)
 void click(int x, int y);
 
+/* Drops a file onto the window: a path of the scratch folder's, or one of the tree. */
+void drop(const char *path);
+
+/* A path below the scratch folder. Static buffer. */
+const char *in_stage(const char *name);
+
+/* Writes a file of the scratch folder. */
+void write_in_stage(const char *name, const char *text);
+
 /* Types a path into the panel's open field. */
 void open_by_panel(const char *path);
+
+/* Seconds of all cores that the viewer has used so far. */
+double used_seconds(void);
 
 /* --- the panel --- */
 
 /* The middle of a row's widget, a button or a heading, by its name; waits for it. */
 void find_place(const char *name, int *x, int *y);
 bool is_on_screen(const char *name);
+
+/* Types a value into a row that has a slider, by Ctrl and a click. */
+void type_into(const char *row, const char *text);
 void press(const char *name);
 
 /* Moves the mouse away from all widgets. */

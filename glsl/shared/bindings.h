@@ -17,15 +17,18 @@
 #define BLOCK_SKY 10
 #define BLOCK_LIGHT_RECTANGLES 11
 
-/* Storages and images, which shaders write. GL promises 8 each to compute shaders. */
+/* Storages and images, which shaders write. GL promises 8 each to compute shaders. A screen pass that is dispatched
+ * stores to its targets from IMAGE_SCREEN_TARGETS on, at most five, and may have the images before (gl/screen.h); only
+ * other compute shaders have those after. */
 #define STORAGE_LIST_COUNTS 0
 #define STORAGE_SERIES_RANGES 1
 #define STORAGE_TREE_KEYS 2
 #define IMAGE_LISTED_PIXELS 0
-#define IMAGE_SUMS 2
-#define IMAGE_DEPTH_BOUNDS 3
-#define IMAGE_FURTHER_TEXELS 4
-#define IMAGE_FURTHER_POINTS 5
+#define IMAGE_FURTHER_TEXELS 1
+#define IMAGE_FURTHER_POINTS 2
+#define IMAGE_SCREEN_TARGETS 3
+#define IMAGE_SUMS 4
+#define IMAGE_DEPTH_BOUNDS 5
 #define IMAGE_TREE_NODES 6
 #define IMAGE_CUTS 7
 
@@ -175,6 +178,9 @@
 #define LOCATION_TREE_STEP 9
 #define LOCATION_NEAR_SHIFT 10
 #define LOCATION_CAMERA_RANGE 11
-#define LOCATION_PICKS 12 /* LIGHTS_MAX of them (shared/light.h) */
+#define LOCATION_SCREEN_AREA 12 /* of screen passes that are dispatched */
+#define LOCATION_SCREEN_WHERE_MARKED 13
+#define LOCATION_SCREEN_ADDS 14
+#define LOCATION_PICKS 15 /* LIGHTS_MAX of them (shared/light.h) */
 
 #endif

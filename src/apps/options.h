@@ -12,6 +12,7 @@
 
 #include "base/option.h"
 #include "gl/context/context.h"
+#include "gl/screen.h"
 #include "renderer/renderer.h"
 
 _Static_assert(sizeof(enum context_kind) == sizeof(int), "OPTION_CHOICE writes an int");
@@ -22,6 +23,12 @@ struct technique_values {
 };
 
 /* clang-format off */
+/* How full-screen passes run: the member is an int. */
+#define SCREEN_OPTION(type, member)                                                                \
+    {"screen-passes", 0, OPTION_CHOICE, offsetof(type, member), .choices = screen_way_names,       \
+     .help = "full-screen passes run as fragment shaders or as compute shaders; auto times both.\n" \
+             "The picture is the same"}
+
 /* Where OpenGL comes from: the member is a struct context_desc. */
 #define CONTEXT_OPTIONS(type, member)                                                              \
     {"context", 0, OPTION_CHOICE, offsetof(type, member.kind), .choices = context_kind_names,      \
@@ -30,8 +37,14 @@ struct technique_values {
      .value_name = "N|cuda:N|hardware",                                                            \
      .help = "EGL device by its number (manylight info lists them) or CUDA's; hardware refuses\n"   \
              "software [the first that works]"},                                                   \
+    SCREEN_OPTION(type, member.screen),                                                            \
     {"gl-debug", 0, OPTION_FLAG, offsetof(type, member.debug),                                     \
      .help = "a debug context: OpenGL's messages go to stderr"}
+
+/* Of a size that may be 0. */
+#define SIZE_HELP                                                                                  \
+    "of the picture, pixels [800x800; of a camera with an aspect ratio 800 along the\n"            \
+    "longer side]; the vertical field of view is the camera's at any size"
 
 /* What of a scene is shown: the member has camera, light, environment, clip and time, as a struct
  * stage_desc. */
@@ -41,6 +54,7 @@ struct technique_values {
     {"light", 0, OPTION_TEXT, offsetof(type, member.light), .value_name = "NAME|N,...",            \
      .help = "lights of the scene that shine [all], or changed: \"lamp,2\",\n"                     \
              "\"0 position=0,2,0 intensity=9,9,9; 1\"; emitters: all area lights; sky;\n"              \
+             "a name that has , ; or = stands alone, or by its number in manylight info;\n"             \
              "a new one: \"+area size=1,1 position=0,2,0 direction=0,-1,0 intensity=9,9,9\""},                  \
     {"environment", 0, OPTION_TEXT, offsetof(type, member.environment.path), .value_name = "FILE", \
      .help = "a sky in place of the scene's own: a panorama, .hdr or .exr, in W/(sr m2)"},         \

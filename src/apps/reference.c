@@ -44,8 +44,7 @@ static const struct option options[] = {
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE.exr",
      .help = "the picture to write"},
     FORMAT_OPTION(struct values, format),
-    {"size", 0, OPTION_SIZE, offsetof(struct values, tracer.width), 800, 1, 16384,
-     .help = "of the picture, pixels"},
+    {"size", 0, OPTION_SIZE, offsetof(struct values, tracer.width), 0, 1, 16384, .help = SIZE_HELP},
     {"technique", 0, OPTION_CHOICE, offsetof(struct values, technique),
      .choices = reference_techniques,
      .help = "path tracing; or the one-bounce sum over the VPLs that the GPU makes, with\n"
@@ -215,6 +214,21 @@ static bool parse_settings(const struct values *values, struct measure_desc *des
            measure_check(desc) && check_compensation(values, desc);
 }
 
+/* Where the options tell none. */
+static void choose_size(struct values *values, struct measure_desc *desc,
+                        const struct stage *stage) {
+    int size[2];
+    stage_default_size(stage, size);
+    if (values->tracer.width == 0) {
+        values->tracer.width = size[0];
+        values->tracer.height = size[1];
+    }
+    if (desc->width == 0) {
+        desc->width = size[0];
+        desc->height = size[1];
+    }
+}
+
 int app_reference(int argc, char **argv) {
     struct values values = {0};
     struct measure_desc desc;
@@ -227,6 +241,7 @@ int app_reference(int argc, char **argv) {
         return arguments_misuse(argv[0]);
     if (!output_file_check(values.output, NULL, 0) || !stage_init(&stage, &values.stage))
         return arguments_fail(argv[0]);
+    choose_size(&values, &desc, &stage);
     bool ok = (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &image)
                                                   : trace_vpls(&values, &stage, &desc, &image)) &&
               image_write(&image, values.output);

@@ -49,8 +49,7 @@ static const struct option options[] = {
     {"output", 'o', OPTION_LIST, offsetof(struct values, outputs), .value_name = "FILE",
      .help = "picture to write; the extension picks the format; repeatable"},
     FORMAT_OPTION(struct values, format),
-    {"size", 0, OPTION_SIZE, offsetof(struct values, size), 800, 1, 16384,
-     .help = "of the picture, pixels"},
+    {"size", 0, OPTION_SIZE, offsetof(struct values, size), 0, 1, 16384, .help = SIZE_HELP},
     {"quality", 0, OPTION_CHOICE, offsetof(struct values, quality), QUALITY_NORMAL,
      .choices = quality_names,
      .help = "of the picture: settings and passes by one word; --set and --passes win"},
@@ -392,6 +391,10 @@ static bool render_scene(struct values *values, const struct frames *frames,
     desc->scene = &stage.scene;
     desc->geometry = &stage.geometry;
     desc->camera = stage.camera;
+    if (values->size[0] == 0)
+        stage_default_size(&stage, values->size);
+    desc->width = values->size[0];
+    desc->height = values->size[1];
     start = clock_ms();
     context = context_create(&values->context);
     phase_add(PHASE_CONTEXT, start);
@@ -426,8 +429,6 @@ static bool resolve(struct values *values, const struct frames *frames,
     values->passes_given = values->passes > 0;
     if (values->passes == 0 && values->max_error == 0)
         values->passes = choice.passes;
-    desc->width = values->size[0];
-    desc->height = values->size[1];
     desc->progressive = has_mean(values);
     desc->timed = values->stats || values->budget > 0;
     values->in_time.texts = &named->settings;

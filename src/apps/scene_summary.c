@@ -107,7 +107,7 @@ static void print_light(const struct scene *scene, int n) {
     emitter_place(&light, scene, n, 0);
     const struct node *node = &scene->nodes[node_carrying(scene, NODE_LIGHT, n)];
     const struct scene_light *source = &scene->lights[node->light];
-    printf("  %d  %-20s %s", n, *node->name ? node->name : source->name,
+    printf("  %d  %-20s %s", n, node_name_carrying(scene, NODE_LIGHT, n),
            emitter_type_names[light.type]);
     print_vector(" ", light.intensity);
     printf(light.type == EMITTER_DIRECTIONAL ? " W/m2" : " W/sr");
@@ -129,13 +129,16 @@ static void print_light(const struct scene *scene, int n) {
 static void print_camera(const struct scene *scene, int n) {
     struct camera camera;
     camera_place(&camera, scene, n, 0);
-    int node = node_carrying(scene, NODE_CAMERA, n);
-    printf("  %d  %-20s %s, ", n, scene->cameras[scene->nodes[node].camera].name,
+    printf("  %d  %-20s %s, ", n, node_name_carrying(scene, NODE_CAMERA, n),
            camera.orthographic ? "orthographic" : "perspective");
     if (camera.orthographic)
         printf("%.4g m high", 2 * (double)camera.y_extent);
     else
         printf("%.4g degrees high", degrees(camera.fov_y));
+    const struct scene_camera *source =
+        &scene->cameras[scene->nodes[node_carrying(scene, NODE_CAMERA, n)].camera];
+    if (source->aspect > 0)
+        printf(", aspect ratio %.4g", (double)source->aspect);
     print_vector(", at ", camera.eye);
     print_vector(" towards ", camera.forward);
     if (camera.far > 0)

@@ -57,6 +57,7 @@ static const struct option options[] = {
      .help =
          "read the shaders from this folder, a glsl/ with src/ beside it, not from the binary; F5\n"
          "reads them again"},
+    SCREEN_OPTION(struct values, viewer.screen),
     {"gl-debug", 0, OPTION_FLAG, offsetof(struct values, viewer.debug),
      .help = "a debug context: OpenGL's messages go to stderr"},
     {NULL},

@@ -7,6 +7,7 @@ static enum log_level current_level = LOG_NORMAL;
 static _Thread_local bool is_silent;
 static log_listener *listening;
 static void *listening_context;
+static _Atomic bool has_line;
 
 void log_set_level(enum log_level level) {
     current_level = level;
@@ -25,7 +26,16 @@ void log_set_listener(log_listener *listener, void *context) {
     listening_context = context;
 }
 
+void log_show_line(const char *line) {
+    if (line)
+        fprintf(stderr, "\r%s\033[K", line);
+    else if (has_line)
+        fprintf(stderr, "\r\033[K");
+    has_line = line;
+}
+
 static void print(const char *label, const char *format, va_list args) {
+    log_show_line(NULL);
     fprintf(stderr, "manylight: %s", label);
     vfprintf(stderr, format, args);
     fputc('\n', stderr);

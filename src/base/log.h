@@ -17,6 +17,10 @@ void log_tell_of_thread(bool tells);
 typedef void log_listener(void *context, bool is_warning, const char *message);
 void log_set_listener(log_listener *listener, void *context);
 
+/* The last line of stderr, a terminal, is written over by the next one: whatever is told clears it first. NULL clears
+ * it. Call log_show_line(NULL) before stdout is written to as well. */
+void log_show_line(const char *line);
+
 void log_detail(const char *format, ...) __attribute__((format(printf, 1, 2))); /* verbose only */
 void log_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void log_warning(const char *format, ...) __attribute__((format(printf, 1, 2)));

@@ -283,7 +283,8 @@ static void describe_range(const struct option *o, char *text, size_t size) {
         snprintf(text, size, " [%g; %g to %g]", o->default_value, o->minimum, o->maximum);
         break;
     case OPTION_SIZE:
-        snprintf(text, size, " [%gx%g]", o->default_value, o->default_value);
+        if (o->default_value != 0)
+            snprintf(text, size, " [%gx%g]", o->default_value, o->default_value);
         break;
     case OPTION_CHOICE:
         used = (size_t)snprintf(text, size, " [%s", o->choices[(int)o->default_value]);

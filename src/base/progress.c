@@ -23,16 +23,26 @@ void progress_show(struct progress *progress, double done, const char *note) {
         return;
     progress->last = time;
     int left = (int)(elapsed * (1 - done) / done + 0.5);
-    if (progress->rewritten)
-        fprintf(stderr, "\r%4.0f %%  %d:%02d left  %s\033[K", 100 * done, left / 60, left % 60,
-                note);
-    else
+    char line[256];
+    if (progress->rewritten) {
+        snprintf(line, sizeof line, "%4.0f %%  %d:%02d left  %s", 100 * done, left / 60, left % 60,
+                 note);
+        log_show_line(line);
+    } else {
         log_note("%.0f %%, %d:%02d left%s%s", 100 * done, left / 60, left % 60, *note ? ", " : "",
                  note);
+    }
+}
+
+void progress_show_work(struct progress *progress, double done, const char *note) {
+    if (done > 0)
+        progress_show(progress, done, note);
+    else if (progress->shown && progress->rewritten)
+        log_show_line(note);
 }
 
 double progress_end(struct progress *progress) {
     if (progress->shown && progress->rewritten)
-        fprintf(stderr, "\r\033[K");
+        log_show_line(NULL);
     return clock_ms() / 1e3 - progress->start;
 }

@@ -16,6 +16,9 @@ void progress_start(struct progress *progress);
 /* done in [0, 1], and what else to say. */
 void progress_show(struct progress *progress, double done, const char *note);
 
+/* The same; on a terminal it also tells the note of work of which nothing is done yet. */
+void progress_show_work(struct progress *progress, double done, const char *note);
+
 /* Clears the line. Returns the seconds since the start. */
 double progress_end(struct progress *progress);
 

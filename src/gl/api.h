@@ -139,8 +139,9 @@ struct gl_api {
     /* Made with the context: core profile draws nothing without a vertex array, nor, without a
      * window, without a framebuffer, even where no attribute is read and nothing is rasterised. */
     GLuint empty_vertex_array, empty_framebuffer;
-    struct program_cache *programs; /* gl/program.c */
-    struct program_store *store;    /* the same; NULL = none */
+    struct program_cache *programs;        /* gl/program.c */
+    struct framebuffer_list *framebuffers; /* gl/framebuffer.c */
+    struct program_store *store;           /* the same; NULL = none */
     bool fills_store;
     struct gl_watched { /* gl/context/samplers.c: the driver's own, in debug contexts */
         PFNGLDRAWARRAYSPROC DrawArrays;

@@ -17,6 +17,22 @@ struct framebuffer_desc {
 bool framebuffer_init(GLuint *framebuffer, const struct framebuffer_desc *desc);
 void framebuffer_free(GLuint *framebuffer);
 
+/* What it attaches: for passes that store to its textures in place of drawing (gl/screen.h). */
+struct framebuffer_targets {
+    struct framebuffer_target {
+        GLuint texture; /* 0 = none */
+        GLenum kind, format;
+    } colors[FRAMEBUFFER_COLORS_MAX];
+    GLuint depth;
+};
+
+/* Valid until the next framebuffer is made. */
+const struct framebuffer_targets *framebuffer_targets(GLuint framebuffer);
+
+/* For contexts: what they know of their framebuffers. Accepts NULL. */
+struct framebuffer_list *framebuffer_list_create(void);
+void framebuffer_list_free(struct framebuffer_list *list);
+
 /* Fills one of the colours, of floats or of integers, or the depth. 0 is the window's. Lifts what the present pass keeps from
  * being written: a pass that keeps colours begins after. */
 void framebuffer_clear_color(GLuint framebuffer, int target, const float rgba[4]);

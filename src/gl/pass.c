@@ -1,5 +1,7 @@
 #include "gl/pass.h"
 
+#include "gl/screen.h"
+
 #include <assert.h>
 
 enum { CLIP_DISTANCES_MAX = 4 };
@@ -83,9 +85,12 @@ static void bind_all(const struct pass_state *state) {
 
 void pass_set_state(const struct pass_state *state) {
     gl.UseProgram(state->program);
-    bind_target(state);
-    set_fragments(state);
-    set_primitives(state);
+    screen_begin(state);
+    if (!screen_dispatches()) {
+        bind_target(state);
+        set_fragments(state);
+        set_primitives(state);
+    }
     bind_all(state);
     if (state->barriers)
         gl.MemoryBarrier(state->barriers);
@@ -129,11 +134,17 @@ void pass_bind_block(const struct pass_block *block) {
 }
 
 void pass_viewport(int x, int y, int width, int height) {
-    gl.Viewport(x, y, width, height);
+    if (screen_dispatches())
+        screen_viewport(x, y, width, height);
+    else
+        gl.Viewport(x, y, width, height);
 }
 
 void pass_draw_fullscreen(int instances) {
-    pass_draw(GL_TRIANGLES, 3, instances);
+    if (screen_dispatches())
+        screen_dispatch(instances);
+    else
+        pass_draw(GL_TRIANGLES, 3, instances);
 }
 
 void pass_draw(GLenum primitive, int count, int instances) {

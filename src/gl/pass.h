@@ -92,7 +92,7 @@ void pass_bind_texture(GLuint unit, GLuint texture);
 void pass_bind_block(const struct pass_block *block);
 void pass_viewport(int x, int y, int width, int height);
 
-/* One triangle that covers the viewport, `instances` times. */
+/* All pixels of the viewport, `instances` times: one triangle, or a dispatch (gl/screen.h). */
 void pass_draw_fullscreen(int instances);
 
 /* Vertices 0 .. count of each instance, as GL_POINTS or GL_TRIANGLES. */

@@ -6,6 +6,8 @@
 #include "base/phases.h"
 #include "base/text.h"
 #include "gl/glsl.h"
+#include "gl/screen.h"
+#include "gl/screen_glsl.h"
 
 #include <assert.h>
 #include <pthread.h>
@@ -19,6 +21,7 @@ enum { STAGES = 4, KEPT_MAX = 64, STORED_MAX = 256 };
 struct sources {
     struct glsl_source stages[STAGES];
     const char *files[STAGES];
+    struct screen_desc dispatched; /* of a screen pass that is a compute shader */
 };
 
 static const GLenum stage_types[STAGES] = {GL_VERTEX_SHADER, GL_GEOMETRY_SHADER, GL_FRAGMENT_SHADER,
@@ -29,16 +32,39 @@ static void free_sources(struct sources *sources) {
         glsl_free(&sources->stages[i]);
 }
 
-static bool load_sources(struct sources *sources, const struct program_desc *desc) {
-    *sources =
-        (struct sources){.files = {desc->vertex, desc->geometry, desc->fragment, desc->compute}};
+static bool load_stages(struct sources *sources, const char *defines) {
     for (int i = 0; i < STAGES; i++)
-        if (sources->files[i] &&
-            !glsl_load(&sources->stages[i], sources->files[i], desc->defines)) {
+        if (sources->files[i] && !glsl_load(&sources->stages[i], sources->files[i], defines)) {
             free_sources(sources);
             return false;
         }
     return true;
+}
+
+/* Each text has the body's own lines, so that a message about either names them. */
+static bool load_screen(struct sources *sources, const struct program_desc *desc) {
+    const struct screen_desc *screen = &desc->screen;
+    if (screen_way() == SCREEN_FRAGMENT) {
+        const char *vertex = screen->layers ? "layers.vert" : "fullscreen.vert";
+        *sources = (struct sources){.files = {vertex, NULL, screen->body}};
+        return load_stages(sources, desc->defines);
+    }
+    *sources = (struct sources){.files = {NULL, NULL, NULL, screen->body}, .dispatched = *screen};
+    if (!load_stages(sources, desc->defines))
+        return false;
+    struct glsl_source *stage = &sources->stages[STAGES - 1];
+    char *text = screen_glsl(stage->text, screen);
+    free(stage->text);
+    stage->text = text;
+    return true;
+}
+
+static bool load_sources(struct sources *sources, const struct program_desc *desc) {
+    if (desc->screen.body)
+        return load_screen(sources, desc);
+    *sources =
+        (struct sources){.files = {desc->vertex, desc->geometry, desc->fragment, desc->compute}};
+    return load_stages(sources, desc->defines);
 }
 
 /* --- compiling --- */
@@ -213,6 +239,7 @@ struct program_cache {
     struct cached {
         char *key;
         GLuint program;
+        struct screen_desc dispatched;
         int uses;
         unsigned long last_use; /* in order of use */
     } * entries;
@@ -290,10 +317,34 @@ bool program_init(GLuint *program, const struct program_desc *desc) {
         free(key);
     if (cached) {
         cached->uses++;
+        cached->dispatched = sources.dispatched;
         *program = cached->program;
     }
     free_sources(&sources);
     return cached != NULL;
+}
+
+const struct screen_desc *program_dispatched(GLuint program) {
+    const struct program_cache *programs = gl.programs;
+    for (int i = 0; i < programs->count; i++)
+        if (programs->entries[i].program == program)
+            return programs->entries[i].dispatched.body ? &programs->entries[i].dispatched : NULL;
+    return NULL;
+}
+
+/* Keys are the texts. */
+void program_visit(void (*visit)(const char *text, bool compute, void *user), void *user) {
+    for (int i = 0; i < gl.programs->count; i++) {
+        char *key = mem_strdup(gl.programs->entries[i].key), *stage = key;
+        for (int k = 0; k < STAGES; k++) {
+            char *end = strchr(stage, '\f');
+            *end = '\0';
+            if (*stage)
+                visit(stage, stage_types[k] == GL_COMPUTE_SHADER, user);
+            stage = end + 1;
+        }
+        free(key);
+    }
 }
 
 int program_use_count(void) {

@@ -13,15 +13,31 @@
 
 #include <stdbool.h>
 
+/* A body that runs for each pixel (gl/screen.h). */
+struct screen_desc {
+    const char *body; /* file name; NULL = no screen pass */
+    bool
+        layers; /* it has `flat in int instance`: instance i of the draw has layer first_layer + i of its targets */
+    bool masked;  /* its passes test depth */
+    bool blended; /* its passes may add to targets, which are GL_RGBA32F */
+};
+
 /* File names below glsl/; NULL = no such stage. */
 struct program_desc {
     const char *vertex, *geometry, *fragment, *compute;
-    const char *defines; /* "NAME VALUE;NAME VALUE", for all stages */
+    struct screen_desc screen; /* in place of stages */
+    const char *defines;       /* "NAME VALUE;NAME VALUE", for all stages */
 };
 
 /* Compiles and links. Error: names file and line, with the driver's message. */
 bool program_init(GLuint *program, const struct program_desc *desc);
 void program_free(GLuint *program);
+
+/* What it runs for each pixel, if that is by a dispatch; else NULL. */
+const struct screen_desc *program_dispatched(GLuint program);
+
+/* The full texts of all stages of the current context's programs, each after the other: for checks. */
+void program_visit(void (*visit)(const char *text, bool compute, void *user), void *user);
 
 /* How many programs of the current context nobody has freed. */
 int program_use_count(void);

@@ -23,8 +23,7 @@ static bool make_blank(struct texture *texture, GLenum target) {
 bool inspect_init(struct inspect *inspect) {
     *inspect = (struct inspect){0};
     if (program_init(&inspect->program,
-                     &(struct program_desc){.vertex = "fullscreen.vert",
-                                            .fragment = "inspect/inspect.frag"}) &&
+                     &(struct program_desc){.screen = {"inspect/inspect.frag"}}) &&
         buffer_init(&inspect->params, "inspect parameters", sizeof(struct inspect_params), NULL) &&
         make_blank(&inspect->no_plane, GL_TEXTURE_2D) &&
         make_blank(&inspect->no_layers, GL_TEXTURE_2D_ARRAY) &&

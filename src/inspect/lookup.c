@@ -14,9 +14,8 @@ bool lookup_fit(struct lookup *lookup, const char *fragment, const struct visibi
     }
     lookup_free(lookup);
     lookup->defines = defines;
-    if (program_init(&lookup->program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                              .fragment = fragment,
-                                                              .defines = defines}) &&
+    if (program_init(&lookup->program,
+                     &(struct program_desc){.screen = {fragment}, .defines = defines}) &&
         buffer_init(&lookup->params, "inspected visibility parameters",
                     sizeof(struct lookup_params), NULL))
         return true;

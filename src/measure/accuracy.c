@@ -1,6 +1,5 @@
 #include "measure/accuracy.h"
 
-#include "base/log.h"
 #include "measure/errors.h"
 #include "measure/picture.h"
 #include "measure/variants.h"
@@ -85,6 +84,9 @@ struct run {
     const struct measure_desc *desc;
     const struct truth_desc *truth;
     struct image standards[STANDARDS]; /* those made so far */
+    /* The picture before, which is drawn again where it was resumed. NULL: there is none. */
+    const struct step *before_step;
+    struct measure_desc before;
 };
 
 static bool trace_centers(const struct run *run, const struct measure_desc *desc,
@@ -93,12 +95,20 @@ static bool trace_centers(const struct run *run, const struct measure_desc *desc
                      desc, image);
 }
 
+static bool draw(const struct run *run, const struct step *step, const struct measure_desc *desc,
+                 struct image *image) {
+    return !step->settings ? trace_centers(run, desc, image)
+           : step->traced  ? picture_trace(desc, NULL, NULL, NULL, image)
+                           : picture_render(desc, image);
+}
+
 /* Makes a standard where it is not there yet. */
 static bool need(struct run *run, int standard) {
     struct image *image = &run->standards[standard];
     struct measure_desc exact = *run->desc;
     return image->pixels ||
-           (standard == TRUTH ? truth_get(run->truth, run->desc, image)
+           (standard == BEFORE  ? draw(run, run->before_step, &run->before, image)
+            : standard == TRUTH ? truth_get(run->truth, run->desc, image)
             : standard == CENTERS
                 ? trace_centers(run, run->desc, image)
                 : measure_assign(&exact, HARD) && picture_trace(&exact, NULL, NULL, NULL, image));
@@ -107,7 +117,7 @@ static bool need(struct run *run, int standard) {
 static bool add_errors(struct run *run, unsigned against, const struct image *picture) {
     bool ok = true;
     for (int i = 0; ok && i < STANDARDS; i++) {
-        int standard = i == BEFORE && !run->standards[BEFORE].pixels ? TRUTH : i;
+        int standard = i == BEFORE && !run->before_step ? TRUTH : i;
         if (against >> i & 1)
             ok = need(run, standard) &&
                  errors_add(run->results, picture, &run->standards[standard], standard_names[i]);
@@ -118,26 +128,39 @@ static bool add_errors(struct run *run, unsigned against, const struct image *pi
 static bool measure_picture(struct run *run, const struct step *step,
                             const struct measure_desc *desc) {
     struct image picture = {0};
-    log_note("%s: %s %s", desc->stage->name, desc->variant, desc->point);
-    bool ok = !step->settings ? trace_centers(run, desc, &picture)
-              : step->traced  ? picture_trace(desc, NULL, NULL, NULL, &picture)
-                              : picture_render(desc, &picture);
-    if (ok) {
-        results_begin(run->results, desc);
-        ok = add_errors(run, step->against, &picture);
+    bool resumed;
+    if (!results_resume(run->results, desc, &resumed))
+        return false;
+    bool ok = true;
+    if (!resumed) {
+        results_tell_work(run->results, desc, 0);
+        ok = draw(run, step, desc, &picture);
+        if (ok) {
+            results_begin(run->results, desc);
+            ok = add_errors(run, step->against, &picture) && results_commit(run->results);
+        }
     }
     image_free(&run->standards[BEFORE]);
     run->standards[BEFORE] = picture;
+    run->before_step = step;
+    run->before = *desc;
     return ok;
 }
 
-static bool measure_step(struct run *run, const struct step *step) {
-    struct measure_desc desc = *run->desc;
-    struct measure_list points = {0};
+/* The list is to be freed. */
+static bool list_points(const struct measure_desc *all, const struct step *step,
+                        struct measure_list *points) {
+    struct measure_desc desc = *all;
+    *points = (struct measure_list){0};
     snprintf(desc.variant, sizeof desc.variant, "%s", step->name);
     bool ok = measure_assign(&desc, step->settings);
-    measure_list_add(&points, &desc);
-    ok = ok && (!step->values || measure_vary(&points, step->values));
+    measure_list_add(points, &desc);
+    return ok && (!step->values || measure_vary(points, step->values));
+}
+
+static bool measure_step(struct run *run, const struct step *step) {
+    struct measure_list points;
+    bool ok = list_points(run->desc, step, &points);
     for (int i = 0; ok && i < points.count; i++)
         ok = measure_picture(run, step, &points.items[i]);
     free(points.items);
@@ -155,18 +178,39 @@ static bool measure_steps(struct run *run, const struct step *steps) {
 
 bool budget_measure(struct results *results, const struct measure_desc *desc,
                     const struct truth_desc *truth) {
-    struct run run = {results, desc, truth, {{0}}};
+    struct run run = {.results = results, .desc = desc, .truth = truth};
     struct measure_desc exact = *desc;
-    if (!need(&run, TRUTH))
-        return false;
+    bool resumed;
     snprintf(exact.variant, sizeof exact.variant, "the truth");
-    results_begin(results, &exact);
-    results_add(results, "noise", "", "%", 100 * truth_noise(&run.standards[TRUTH]));
+    if (!results_resume(results, &exact, &resumed))
+        return false;
+    if (!resumed) {
+        if (!need(&run, TRUTH))
+            return false;
+        results_begin(results, &exact);
+        results_add(results, "noise", "", "%", 100 * truth_noise(&run.standards[TRUTH]));
+        if (!results_commit(results))
+            return false;
+    }
     return measure_steps(&run, budget);
+}
+
+int budget_subjects(void) {
+    return sizeof budget / sizeof *budget; /* its end stands for the truth */
+}
+
+int curves_subjects(const struct measure_desc *desc) {
+    int count = 0;
+    for (const struct step *step = curves; step->name; step++) {
+        struct measure_list points;
+        count += list_points(desc, step, &points) ? points.count : 0;
+        free(points.items);
+    }
+    return count;
 }
 
 bool curves_measure(struct results *results, const struct measure_desc *desc,
                     const struct truth_desc *truth) {
-    struct run run = {results, desc, truth, {{0}}};
+    struct run run = {.results = results, .desc = desc, .truth = truth};
     return measure_steps(&run, curves);
 }

@@ -16,12 +16,14 @@
  * against the step before, the last one before antialiasing also against pixel centres; and the
  * truth's "noise" with the first. desc: size and settings that all share. Error: of the truth or a
  * picture. */
+int budget_subjects(void); /* how many they are */
 bool budget_measure(struct results *results, const struct measure_desc *desc,
                     const struct truth_desc *truth);
 
 /* Errors along one setting at a time, as in the paper's Fig. 10: M, K and the size of maps against
  * ray-traced visibility from the same VPLs, N against the truth through pixel centres. Adds a
  * subject for each value of each curve: the curve's name is the variant, "vals=8" the point. */
+int curves_subjects(const struct measure_desc *desc); /* how many they are */
 bool curves_measure(struct results *results, const struct measure_desc *desc,
                     const struct truth_desc *truth);
 

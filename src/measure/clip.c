@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/memory.h"
-#include "base/progress.h"
 #include "gl/memory.h"
 #include "inspect/lights.h"
 #include "scene/animation.h"
@@ -100,12 +99,21 @@ static void measure_travel(const struct track *track, double frame[FIGURES]) {
         frame[VAL_TRAVEL] = mean_travel(*now->centers, *before->centers, now->val_count, 4, 3);
 }
 
-/* What the process and OpenGL hold. */
-static void add_memory(struct run *run, const char *when) {
+/* When memory is looked at. */
+enum { EARLY, LATE, LOOKS };
+
+static struct measure_desc memory_desc(const struct run *run, int look) {
+    static const char *const looks[LOOKS] = {"after a tenth of the clip", "at its end"};
     struct measure_desc desc = run->clip->reference;
-    double resident = mem_resident();
     snprintf(desc.variant, sizeof desc.variant, "memory");
-    snprintf(desc.point, sizeof desc.point, "%s", when);
+    snprintf(desc.point, sizeof desc.point, "%s", looks[look]);
+    return desc;
+}
+
+/* What the process and OpenGL hold. */
+static void add_memory(struct run *run, int look) {
+    struct measure_desc desc = memory_desc(run, look);
+    double resident = mem_resident();
     results_begin(run->results, &desc);
     results_add(run->results, "gl-objects", "", "", gpu_memory_object_count());
     results_add(run->results, "gpu-memory", "", "MiB", (double)gpu_memory_total() / (1 << 20));
@@ -165,22 +173,31 @@ static double time_of(const struct clip_desc *clip, int frame) {
     return scene_duration(&clip->stage->scene) * frame / clip->frames;
 }
 
+static struct measure_desc frame_desc(const struct run *run, const struct measure_desc *of,
+                                      int frame) {
+    struct measure_desc desc = *of;
+    snprintf(desc.point, sizeof desc.point, "time=%.6g", time_of(run->clip, frame));
+    return desc;
+}
+
+int clip_subjects(const struct clip_desc *clip) {
+    return LOOKS + clip->subjects->count * (clip->frames + 1);
+}
+
 static bool run_frames(struct run *run) {
     const struct clip_desc *clip = run->clip;
-    struct progress progress;
     int of_r[3];
     bool ok = true;
-    progress_start(&progress);
     for (int i = 0; ok && i < clip->frames; i++) {
         ok = stage_pose(clip->stage, time_of(clip, i)) && make_reference(run, of_r);
         for (int t = 0; ok && t < clip->subjects->count; t++)
             ok = track_frame(&run->tracks[t], &run->reference, of_r, i);
         if (i == clip->frames / 10)
-            add_memory(run, "after a tenth of the clip");
-        progress_show(&progress, (i + 1.) / clip->frames, clip->stage->name);
+            add_memory(run, EARLY);
+        struct measure_desc at = frame_desc(run, &clip->reference, i);
+        results_tell_work(run->results, &at, (i + 1.) / clip->frames * clip_subjects(clip));
     }
-    progress_end(&progress);
-    add_memory(run, "at its end");
+    add_memory(run, LATE);
     return ok;
 }
 
@@ -193,8 +210,7 @@ static bool has(const struct track *track, int figure) {
 
 static void add_frames(struct run *run, const struct track *track) {
     for (int i = 0; i < run->clip->frames; i++) {
-        struct measure_desc desc = *track->desc;
-        snprintf(desc.point, sizeof desc.point, "time=%.6g", time_of(run->clip, i));
+        struct measure_desc desc = frame_desc(run, track->desc, i);
         results_begin(run->results, &desc);
         track->frames[i][FLICKER] /= run->mean_r;
         for (int k = 0; k < FIGURES; k++)
@@ -227,14 +243,40 @@ static void add_track(struct run *run, const struct track *track) {
         results_add(run->results, "travel", "", "m/m", sums[VAL_TRAVEL] / sums[VPL_TRAVEL]);
 }
 
+static bool resume_one(struct run *run, const struct measure_desc desc, bool *resumed) {
+    return results_resume(run->results, &desc, resumed);
+}
+
+/* All, in the order in which they are added, or none. */
+static bool resume(struct run *run, bool *resumed) {
+    const struct measure_list *subjects = run->clip->subjects;
+    bool ok = true;
+    *resumed = true;
+    for (int i = 0; ok && *resumed && i < LOOKS; i++)
+        ok = resume_one(run, memory_desc(run, i), resumed);
+    for (int t = 0; ok && *resumed && t < subjects->count; t++) {
+        const struct measure_desc *desc = &subjects->items[t];
+        for (int i = 0; ok && *resumed && i < run->clip->frames; i++)
+            ok = resume_one(run, frame_desc(run, desc, i), resumed);
+        ok = ok && (!*resumed || resume_one(run, *desc, resumed));
+    }
+    return ok;
+}
+
+static bool check(const struct clip_desc *clip) {
+    return (clip->frames >= 2 || error_set("flicker needs two frames")) &&
+           (scene_duration(&clip->stage->scene) > 0 ||
+            error_set("%s: nothing moves", clip->stage->name));
+}
+
 bool clip_measure(struct results *results, const struct clip_desc *clip) {
-    if (clip->frames < 2)
-        return error_set("flicker needs two frames");
-    if (scene_duration(&clip->stage->scene) <= 0)
-        return error_set("%s: nothing moves", clip->stage->name);
-    struct run run = {.clip = clip,
-                      .results = results,
-                      .tracks = mem_alloc((size_t)clip->subjects->count, sizeof *run.tracks)};
+    struct run run = {.clip = clip, .results = results};
+    bool resumed;
+    if (!check(clip) || !resume(&run, &resumed))
+        return false;
+    if (resumed)
+        return true;
+    run.tracks = mem_alloc((size_t)clip->subjects->count, sizeof *run.tracks);
     bool ok = is_traced(clip) || track_start(&run.reference, &clip->reference, clip->frames);
     for (int t = 0; ok && t < clip->subjects->count; t++)
         ok = track_start(&run.tracks[t], &clip->subjects->items[t], clip->frames);
@@ -248,5 +290,5 @@ bool clip_measure(struct results *results, const struct clip_desc *clip) {
     }
     track_free(&run.reference);
     free(run.tracks);
-    return ok;
+    return ok && results_commit(results);
 }

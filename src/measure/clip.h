@@ -31,6 +31,7 @@ struct clip_desc {
  *     gl-objects, gpu-memory, resident-memory and most-resident (MiB)
  * What a technique without VPLs or VALs has not is left out. Error: nothing moves; of a renderer or
  * the tracer. */
+int clip_subjects(const struct clip_desc *clip); /* how many they are */
 bool clip_measure(struct results *results, const struct clip_desc *clip);
 
 #endif

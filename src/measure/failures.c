@@ -111,8 +111,10 @@ static bool measure(struct results *results, struct run *run, int column) {
     struct bound bound;
     struct image picture = {0};
     int messages = context_message_count(run->desc->context);
-    if (!prepare(run, failure_columns[column], &subject, &bound) || !get_truth(run, &subject) ||
-        !picture_render(&subject, &picture))
+    if (!prepare(run, failure_columns[column], &subject, &bound))
+        return false;
+    results_tell_work(results, &subject, column);
+    if (!get_truth(run, &subject) || !picture_render(&subject, &picture))
         return false;
     messages = context_message_count(run->desc->context) - messages;
     int non_finite = count_non_finite(&picture);
@@ -135,16 +137,37 @@ static bool draw(const struct run *run) {
     return ok;
 }
 
+/* All columns, or none. */
+static bool resume(struct results *results, const struct run *run, bool *resumed) {
+    struct bound bound;
+    bool ok = true;
+    *resumed = true;
+    for (int i = 0; ok && *resumed && i < FAILURE_COLUMNS; i++) {
+        struct measure_desc subject;
+        ok = prepare(run, failure_columns[i], &subject, &bound) &&
+             results_resume(results, &subject, resumed);
+    }
+    return ok;
+}
+
+static bool measure_all(struct results *results, struct run *run) {
+    bool ok = true;
+    for (int i = 0; ok && i < FAILURE_COLUMNS; i++)
+        ok = measure(results, run, i) ||
+             error_prefix("%.*s", (int)strcspn(failure_columns[i], ":"), failure_columns[i]);
+    return ok && draw(run) && results_commit(results);
+}
+
 bool failure_measure(struct results *results, const struct failure_row *row,
                      const struct failure_desc *desc) {
     struct run run = {.row = row, .desc = desc};
     char *scene = folder_find_own(row->scene);
-    bool ok = stage_init(&run.stage, &(struct stage_desc){.path = scene, .camera = row->camera});
+    bool resumed,
+        ok = stage_init(&run.stage, &(struct stage_desc){.path = scene, .camera = row->camera});
     free(scene);
-    for (int i = 0; ok && i < FAILURE_COLUMNS; i++)
-        ok = measure(results, &run, i) ||
-             error_prefix("%.*s", (int)strcspn(failure_columns[i], ":"), failure_columns[i]);
-    ok = ok && draw(&run);
+    if (ok)
+        results_set_stage(results, &run.stage);
+    ok = ok && resume(results, &run, &resumed) && (resumed || measure_all(results, &run));
     for (int i = 0; i < FAILURE_COLUMNS; i++)
         image_free(&run.tests[i]);
     image_free(&run.truth);

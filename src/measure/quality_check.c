@@ -1,7 +1,6 @@
 #include "measure/quality_check.h"
 
 #include "base/clock.h"
-#include "base/log.h"
 #include "base/memory.h"
 #include "measure/estimate.h"
 #include "measure/truth.h"
@@ -53,6 +52,7 @@ struct tried {
     struct quality_choice choice;
     const struct technique *technique;
     struct image picture; /* of the ladder's */
+    bool resumed;         /* with its times */
     double error, ms, cpu;
 };
 
@@ -120,7 +120,7 @@ static bool try_frame(struct check *check, struct tried *tried) {
     if (!start(check, tried, measure_start, &renderer))
         return false;
     renderer_render(&renderer); /* compiles */
-    if (!check->desc->told)
+    if (!check->desc->told && !tried->resumed)
         time_frames(&renderer, tried);
     bool ok = renderer_read_layers(&renderer, &tried->picture) && measure_error(check, tried);
     renderer_free(&renderer);
@@ -146,8 +146,8 @@ static bool try_means(struct check *check, struct tried *tried, int count) {
             renderer_add_pass(&renderer, done++);
         gl.Finish();
         ms += clock_ms(), cpu += clock_cpu_ms();
-        tried[i].ms = ms;
-        tried[i].cpu = cpu;
+        tried[i].ms = tried[i].resumed ? tried[i].ms : ms;
+        tried[i].cpu = tried[i].resumed ? tried[i].cpu : cpu;
         ok = renderer_read_layers(&renderer, &tried[i].picture) && measure_error(check, &tried[i]);
     }
     renderer_free(&renderer);
@@ -173,30 +173,11 @@ static void list_choices(struct check *check) {
         add_choice(check, &others[i]);
 }
 
-static bool try_all(struct check *check) {
-    bool ok = true;
-    for (int i = 0; ok && i < check->count; i++) {
-        struct tried *tried = &check->tried[i];
-        int means = check->ladder - i;
-        if (i < check->ladder && tried->choice.passes > 1) {
-            ok = try_means(check, tried, means);
-            i += means - 1;
-        } else {
-            ok = try_frame(check, tried);
-            log_note("%s: %s %s errs %.1f %%", check->desc->measure->stage->name,
-                     tried->technique->name, tried->choice.settings, 100 * tried->error);
-        }
-        if (i >= check->ladder)
-            image_free(&tried->picture);
-    }
-    return ok;
-}
-
 /* --- telling --- */
 
 /* point NULL: as the choice is described. */
-static void begin(struct check *check, const struct tried *tried, const char *variant,
-                  const char *point) {
+static struct measure_desc describe(const struct check *check, const struct tried *tried,
+                                    const char *variant, const char *point) {
     struct measure_desc measure = *check->desc->measure;
     char *what = quality_describe(&tried->choice);
     measure.technique = tried->technique;
@@ -204,13 +185,18 @@ static void begin(struct check *check, const struct tried *tried, const char *va
                      &measure.settings);
     snprintf(measure.variant, sizeof measure.variant, "%s", variant);
     snprintf(measure.point, sizeof measure.point, "%s", point ? point : what);
-    results_begin(check->results, &measure);
+    free(what);
+    return measure;
+}
+
+static void begin(struct check *check, const struct tried *tried,
+                  const struct measure_desc *measure) {
+    results_begin(check->results, measure);
     results_add(check->results, "error", truth_names[TRUTH_PATH], "%", 100 * tried->error);
     if (!check->desc->told) {
         results_add(check->results, "clock", "", "ms", tried->ms);
         results_add(check->results, "cpu", "", "ms", tried->cpu);
     }
-    free(what);
 }
 
 /* The fastest that errs no more. */
@@ -238,49 +224,119 @@ static bool tell_of_picture(void *user, const struct quality_choice *choice, dou
     return !tried || estimate_picture_error(&check->estimate, &tried->picture, check->asked, error);
 }
 
+static bool add_asked(struct check *check, double error, const struct quality_found *found,
+                      const struct measure_desc *measure) {
+    const struct tried *chosen = find(check, &found->choice);
+    begin(check, chosen, measure);
+    results_add(check->results, "told", "", "%", 100 * found->error);
+    results_add(check->results, "of-asked", "", "1", chosen->error / error);
+    results_add(check->results, "of-fastest", "", "1", chosen->cpu / fastest(check, chosen->error));
+    return results_commit(check->results);
+}
+
+/* Told in any case: the estimate learns from each picture, for those that follow. */
 static bool ask(struct check *check, double error) {
     struct quality_found found;
     char point[32];
+    bool resumed;
     check->asked = error;
     if (!quality_climb(error, check->desc->most_passes, tell_of_picture, check, &found))
         return false;
-    const struct tried *chosen = find(check, &found.choice);
     snprintf(point, sizeof point, "error=%g%%", 100 * error);
-    begin(check, chosen, "automatic", point);
-    results_add(check->results, "told", "", "%", 100 * found.error);
-    results_add(check->results, "of-asked", "", "1", chosen->error / error);
-    results_add(check->results, "of-fastest", "", "1", chosen->cpu / fastest(check, chosen->error));
-    return true;
+    struct measure_desc measure = describe(check, find(check, &found.choice), "automatic", point);
+    if (!results_resume(check->results, &measure, &resumed) || resumed)
+        return resumed;
+    return add_asked(check, error, &found, &measure);
 }
 
-/* As if any were good enough. */
-static bool tell_of_ladder(struct check *check, int i) {
+static struct measure_desc describe_tried(const struct check *check, int i) {
     const char *camera = check->desc->measure->stage->camera_text;
+    const char *rung = check->desc->told && camera ? camera : "ladder";
+    return describe(check, &check->tried[i], i < check->ladder ? rung : "fixed", NULL);
+}
+
+/* The ladder's as if any were good enough. */
+static bool add_tried(struct check *check, int i) {
+    struct measure_desc measure = describe_tried(check, i);
+    struct tried *tried = &check->tried[i];
     double told;
-    if (!estimate_picture_error(&check->estimate, &check->tried[i].picture, INFINITY, &told))
+    if (i < check->ladder &&
+        !estimate_picture_error(&check->estimate, &tried->picture, INFINITY, &told))
         return false;
-    begin(check, &check->tried[i], check->desc->told && camera ? camera : "ladder", NULL);
-    results_add(check->results, "told", "", "%", 100 * told);
+    if (tried->resumed)
+        return true;
+    begin(check, tried, &measure);
+    if (i < check->ladder)
+        results_add(check->results, "told", "", "%", 100 * told);
+    return results_commit(check->results);
+}
+
+/* --- all --- */
+
+/* Choices that were timed before. The ladder's are drawn again, for what is asked of their pictures. */
+static bool resume(struct check *check) {
+    bool resumed = true;
+    for (int i = 0; resumed && i < check->count; i++) {
+        struct measure_desc measure = describe_tried(check, i);
+        struct tried *tried = &check->tried[i];
+        int subject = check->results->subject_count;
+        if (!results_resume(check->results, &measure, &resumed))
+            return false;
+        tried->resumed = resumed;
+        if (resumed) {
+            tried->ms = results_value(check->results, subject, "clock", NULL);
+            tried->cpu = results_value(check->results, subject, "cpu", NULL);
+            tried->error = results_value(check->results, subject, "error", NULL) / 100;
+        }
+    }
     return true;
 }
 
-static bool tell(struct check *check) {
-    bool ok = estimate_init(&check->estimate, check->desc->measure);
-    for (int i = 0; ok && i < check->ladder; i++)
-        ok = tell_of_ladder(check, i);
-    for (int i = check->ladder; i < check->count; i++)
-        begin(check, &check->tried[i], "fixed", NULL);
+/* How many choices are drawn at once: means of the ladder are one. */
+static int count_at(const struct check *check, int i) {
+    bool is_mean = i < check->ladder && check->tried[i].choice.passes > 1;
+    return is_mean ? check->ladder - i : 1;
+}
+
+static bool try_at(struct check *check, int i, int count) {
+    struct tried *tried = &check->tried[i];
+    struct measure_desc measure = describe_tried(check, i);
+    if (i >= check->ladder && tried->resumed)
+        return true;
+    results_tell_work(check->results, &measure, 0);
+    bool ok = count > 1 || tried->choice.passes > 1 ? try_means(check, tried, count)
+                                                    : try_frame(check, tried);
+    for (int k = i; ok && k < i + count; k++)
+        ok = add_tried(check, k);
+    if (i >= check->ladder)
+        image_free(&tried->picture);
+    return ok;
+}
+
+static bool try_all(struct check *check) {
+    bool ok = true;
+    for (int i = 0, count; ok && i < check->count; i += count) {
+        count = count_at(check, i);
+        ok = try_at(check, i, count);
+    }
     for (int i = 0; ok && !check->desc->told && i < ASKED; i++)
         ok = ask(check, asked[i]);
     return ok;
+}
+
+int quality_check_subjects(const struct quality_check_desc *desc) {
+    struct check check = {.desc = desc};
+    list_choices(&check);
+    return check.count + (desc->told ? 0 : ASKED);
 }
 
 bool quality_check(struct results *results, const struct quality_check_desc *desc) {
     struct check check = {
         .desc = desc, .results = results, .noise = truth_noise_covered(desc->truth)};
     list_choices(&check);
-    bool ok = layer_extract_covered(&check.truth, desc->truth, "indirect", desc->truth) &&
-              try_all(&check) && tell(&check);
+    bool ok = resume(&check) &&
+              layer_extract_covered(&check.truth, desc->truth, "indirect", desc->truth) &&
+              estimate_init(&check.estimate, desc->measure) && try_all(&check);
     for (int i = 0; i < check.count; i++)
         image_free(&check.tried[i].picture);
     estimate_free(&check.estimate);

@@ -21,6 +21,7 @@ struct quality_check_desc {
  * of it, "of-asked", its error over the one asked for, and "of-fastest", its CPU time over that of the fastest that errs
  * no more. Where only what is told is wanted, the variant is the camera, if one is named. Error: of a renderer or the
  * tracer. */
+int quality_check_subjects(const struct quality_check_desc *desc); /* how many they are */
 bool quality_check(struct results *results, const struct quality_check_desc *desc);
 
 #endif

@@ -1,11 +1,8 @@
 #include "measure/results.h"
 
-#include "base/file/output_file.h"
 #include "base/memory.h"
-#include "base/parallel.h"
-#include "base/text.h"
-
-#include "version.h"
+#include "measure/journal.h"
+#include "scene/hash.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -19,14 +16,29 @@ void results_free(struct results *results) {
     *results = (struct results){0};
 }
 
-void results_begin(struct results *results, const struct measure_desc *desc) {
+void results_set_date(char date[16]) {
+    time_t now = time(NULL);
+    strftime(date, 16, "%Y-%m-%d", gmtime(&now));
+}
+
+static struct subject subject_of(const struct measure_desc *desc) {
+    struct subject subject = {.desc = *desc,
+                              .faces = geometry_triangle_count(&desc->stage->geometry)};
+    memcpy(subject.scene, desc->stage->name, sizeof subject.scene);
+    subject.desc.stage = NULL;
+    results_set_date(subject.date);
+    return subject;
+}
+
+static void begin(struct results *results, const struct subject *subject) {
     size_t count = (size_t)results->subject_count++;
     results->subjects = mem_resize(results->subjects, count + 1, sizeof *results->subjects);
-    struct subject *subject = &results->subjects[count];
-    *subject =
-        (struct subject){.desc = *desc, .faces = geometry_triangle_count(&desc->stage->geometry)};
-    memcpy(subject->scene, desc->stage->name, sizeof subject->scene);
-    subject->desc.stage = NULL;
+    results->subjects[count] = *subject;
+}
+
+void results_begin(struct results *results, const struct measure_desc *desc) {
+    struct subject subject = subject_of(desc);
+    begin(results, &subject);
 }
 
 void results_add_summary(struct results *results, const char *what, const char *against,
@@ -44,6 +56,59 @@ void results_add(struct results *results, const char *what, const char *against,
     results_add_summary(results, what, against, unit,
                         &(struct summary){value, value, value, value, value, 1});
 }
+
+/* --- runs that are taken up --------------------------------------------------------------------- */
+
+void results_set_stage(struct results *results, const struct stage *stage) {
+    if (results->journal)
+        results->scene =
+            scene_hash(&stage->scene, &stage->geometry, &stage->camera, &stage->emitters);
+}
+
+static void tell(const struct results *results, bool resumed) {
+    if (results->listener)
+        results->listener(results->user, resumed);
+}
+
+bool results_resume(struct results *results, const struct measure_desc *desc, bool *resumed) {
+    int rows;
+    *resumed = false;
+    if (!results->journal)
+        return true;
+    struct subject subject = subject_of(desc);
+    const struct result *first = journal_next(results->journal, &subject, results->scene, &rows);
+    if (!first)
+        return rows == 0;
+    begin(results, &subject);
+    for (int i = 0; i < rows; i++)
+        results_add_summary(results, first[i].what, first[i].against, first[i].unit,
+                            &first[i].figure);
+    results->committed = results->subject_count;
+    *resumed = true;
+    tell(results, true);
+    return true;
+}
+
+bool results_commit(struct results *results) {
+    int first = results->committed;
+    results->committed = results->subject_count;
+    if (results->journal && !journal_append(results->journal, results, first, results->scene))
+        return false;
+    tell(results, false);
+    return true;
+}
+
+int results_resumable(const struct results *results) {
+    return results->journal ? journal_left(results->journal) : 0;
+}
+
+void results_tell_work(const struct results *results, const struct measure_desc *desc,
+                       double subjects) {
+    if (results->work_listener)
+        results->work_listener(results->user, desc, subjects);
+}
+
+/* --- looking up ------------------------------------------------------------------------------- */
 
 const struct result *results_find(const struct results *results, int subject, const char *what,
                                   const char *against) {
@@ -96,119 +161,19 @@ static void print_value(const struct result *row) {
         printf(" %10s", "-");
 }
 
-void results_print(const struct results *results, int first, const struct table *table) {
-    const struct subject *last = NULL;
+int results_print(const struct results *results, int first, const struct table *table, int last) {
     for (int i = first; i < results->subject_count; i++) {
         const struct subject *subject = &results->subjects[i];
         const struct result *line[COLUMNS_MAX];
         if (!find_line(results, i, table, line))
             continue;
-        if (!last || !subject_is_beside(last, subject))
+        if (last < 0 || !subject_is_beside(&results->subjects[last], subject))
             print_heading(subject, table);
-        last = subject;
+        last = i;
         printf("  %-24s %-24s", subject->desc.variant, subject->desc.point);
         for (int k = 0; table->columns[k].heading; k++)
             print_value(line[k]);
         printf("\n");
     }
-}
-
-/* --- the file --------------------------------------------------------------------------------- */
-
-static void add_cell(struct text *line, const char *cell) {
-    bool quoted = strpbrk(cell, ",\"\n");
-    text_print(line, quoted ? ",\"" : ",");
-    for (const char *c = cell; *c; c++)
-        text_print(line, *c == '"' ? "\"\"" : "%c", *c);
-    text_print(line, quoted ? "\"" : "");
-}
-
-static void add_cpu(struct text *line) {
-    char info[256];
-    const char *model = "unknown";
-    FILE *file = fopen("/proc/cpuinfo", "r");
-    while (file && fgets(info, sizeof info, file))
-        if (strncmp(info, "model name", 10) == 0 && strchr(info, ':')) {
-            info[strcspn(info, "\n")] = '\0';
-            model = strchr(info, ':') + 2;
-            break;
-        }
-    add_cell(line, model);
-    if (file)
-        fclose(file);
-}
-
-static const char machine_heading[] =
-    ",gl_vendor,gl_renderer,gl_version,software,cpu,cores,commit,date";
-
-/* The cells below that heading; the caller frees them. */
-static char *machine_cells(void) {
-    struct text cells = {0};
-    char date[16];
-    time_t now = time(NULL);
-    add_cell(&cells, (const char *)gl.GetString(GL_VENDOR));
-    add_cell(&cells, (const char *)gl.GetString(GL_RENDERER));
-    add_cell(&cells, (const char *)gl.GetString(GL_VERSION));
-    add_cell(&cells, gl.software ? "yes" : "no");
-    add_cpu(&cells);
-    strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
-    text_print(&cells, ",%d,%s,%s", parallel_core_count(), MANYLIGHT_COMMIT, date);
-    return cells.data;
-}
-
-void results_print_machine(void) {
-    char *cells = machine_cells();
-    printf("%s\n%s%s\n", machine_heading + 1, cells + 1,
-           gl.software ? " (passes timed with glFinish)" : "");
-    free(cells);
-}
-
-static void add_subject(struct text *line, const struct subject *subject) {
-    const struct measure_desc *desc = &subject->desc;
-    char *settings = measure_settings(desc);
-    add_cell(line, subject->scene);
-    text_print(line, ",%u,%d,%d", subject->faces, desc->width, desc->height);
-    add_cell(line, desc->technique ? desc->technique->name : "");
-    add_cell(line, desc->variant);
-    add_cell(line, desc->point);
-    add_cell(line, settings);
-    free(settings);
-}
-
-/* Empty where there is nothing to share by. */
-static void add_share(struct text *line, double value, double by) {
-    text_print(line, value > 0 && by > 0 ? ",%.4g" : ",", value / by);
-}
-
-static void add_row(struct text *out, const struct results *results, const struct result *row) {
-    const struct subject *subject = &results->subjects[row->subject];
-    const struct summary *f = &row->figure;
-    double nanoseconds = strcmp(row->unit, "ms") == 0 ? 1e6 * f->value : 0;
-    add_subject(out, subject);
-    add_cell(out, row->what);
-    add_cell(out, row->against);
-    add_cell(out, row->unit);
-    text_print(out, ",%.6g,%.6g,%.6g,%.6g,%.6g,%d", f->value, f->p5, f->p95, f->minimum, f->maximum,
-               f->count);
-    add_share(out, results_value(results, row->subject, "clock", NULL), 1);
-    add_share(out, nanoseconds, measure_pixels(&subject->desc));
-    add_share(out, nanoseconds, measure_pixel_vpls(&subject->desc));
-}
-
-bool results_write(const struct results *results, const char *mode, const char *path) {
-    char *machine = machine_cells();
-    struct text out = {0};
-    text_print(&out,
-               "mode,scene,faces,width,height,technique,variant,point,settings,what,against,unit,"
-               "value,p5,p95,min,max,count,frame_ms,ns_per_pixel,ns_per_pixel_vpl%s\n",
-               machine_heading);
-    for (int i = 0; i < results->row_count; i++) {
-        text_print(&out, "%s", mode);
-        add_row(&out, results, &results->rows[i]);
-        text_print(&out, "%s\n", machine);
-    }
-    bool ok = output_file_write(path, out.data, out.length);
-    free(out.data);
-    free(machine);
-    return ok;
+    return last;
 }

@@ -1,14 +1,4 @@
-/* What was measured, as long rows: one for each figure of each subject.
- *
- * The CSV file has one shape whatever was measured, and every row tells subject and machine, so
- * that rows of many runs may be put together:
- *
- *     mode, scene, faces, width, height, technique, variant, point, settings    the subject
- *     what, against, unit, value, p5, p95, min, max, count                      the figure
- *     frame_ms                     the time of the subject's frame by the clock, where it was taken
- *     ns_per_pixel, ns_per_pixel_vpl                                            of times
- *     gl_vendor, gl_renderer, gl_version, software, cpu, cores, commit, date    the machine
- */
+/* What was measured, as long rows: one for each figure of each subject. */
 #ifndef MEASURE_RESULTS_H
 #define MEASURE_RESULTS_H
 
@@ -27,6 +17,7 @@ struct subject {
     struct measure_desc desc; /* the stage is not there any more */
     char scene[SCENE_NAME_SIZE];
     unsigned faces;
+    char date[16]; /* of the measurement */
 };
 
 /* Whether both are of one scene, in one size. */
@@ -37,9 +28,19 @@ struct results {
     struct subject *subjects;
     struct result *rows;
     int subject_count, row_count;
+    struct journal *journal; /* measure/journal.h; must live on; NULL = rows are in memory alone */
+    uint64_t scene;          /* results_set_stage's */
+    int committed;           /* subjects */
+    /* Hear of what was committed or resumed, and of the work at hand. NULL: nobody. */
+    void (*listener)(void *user, bool resumed);
+    void (*work_listener)(void *user, const struct measure_desc *desc, double subjects);
+    void *user;
 };
 
 void results_free(struct results *results);
+
+/* YYYY-MM-DD of now. */
+void results_set_date(char date[16]);
 
 /* What is added from now on is of this subject. */
 void results_begin(struct results *results, const struct measure_desc *desc);
@@ -47,6 +48,34 @@ void results_add(struct results *results, const char *what, const char *against,
                  double value);
 void results_add_summary(struct results *results, const char *what, const char *against,
                          const char *unit, const struct summary *figure);
+
+/* --- runs that are taken up ---
+ *
+ *     if (!results_resume(results, desc, &resumed) || resumed)
+ *         return ...;                       an error; or the subject and its rows are there
+ *     results_begin(results, desc);
+ *     ... results_add ...
+ *     return results_commit(results);       they are on disk
+ *
+ * Subjects must come in the same order in each run of the same settings.
+ */
+
+/* What is measured from now on is of this scene, as it is posed. */
+void results_set_stage(struct results *results, const struct stage *stage);
+
+/* Takes the subject's rows from the journal, where it has them. Error: it has another subject's there. */
+bool results_resume(struct results *results, const struct measure_desc *desc, bool *resumed);
+
+/* All that was begun after the last call goes to the journal as one block: it is resumed whole or not at all. Error: of
+ * the file. */
+bool results_commit(struct results *results);
+
+/* How many subjects the journal still has. */
+int results_resumable(const struct results *results);
+
+/* The subject is at work, of which and of whose neighbours so many are measured. */
+void results_tell_work(const struct results *results, const struct measure_desc *desc,
+                       double subjects);
 
 /* The first row of the subject and that name; against NULL = whatever. NULL: there is none. */
 const struct result *results_find(const struct results *results, int subject, const char *what,
@@ -67,13 +96,8 @@ struct table {
 };
 
 /* On stdout: a line for each subject from the first on that has any of the columns, below a heading
- * for each scene and size. */
-void results_print(const struct results *results, int first, const struct table *table);
-
-/* On stdout: the cells that tell the machine, of the current context. */
-void results_print_machine(void);
-
-/* Error: of the file. */
-bool results_write(const struct results *results, const char *mode, const char *path);
+ * for each scene and size but that of the subject `last`, which was printed before; -1 = none was. Returns the one that
+ * was printed last. */
+int results_print(const struct results *results, int first, const struct table *table, int last);
 
 #endif

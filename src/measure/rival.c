@@ -1,7 +1,6 @@
 #include "measure/rival.h"
 
 #include "base/clock.h"
-#include "base/log.h"
 #include "measure/errors.h"
 #include "measure/picture.h"
 #include "scene/material.h"
@@ -9,9 +8,8 @@
 #include <stdio.h>
 
 /* Samples a pixel: from the fewest there are to where a technique's second is far behind. */
-static const int sample_counts[] = {1, 2, 4, 8, 16};
-
-enum { COUNTS = sizeof sample_counts / sizeof *sample_counts };
+enum { COUNTS = RIVAL_SUBJECTS };
+static const int sample_counts[COUNTS] = {1, 2, 4, 8, 16};
 
 static bool trace(struct results *results, struct measure_desc *desc, int bounces, int samples,
                   const struct truth_desc *truth, const char *against,
@@ -26,7 +24,10 @@ static bool trace(struct results *results, struct measure_desc *desc, int bounce
                                       .centers = truth->kind == TRUTH_CENTERS,
                                       .denoise = true};
     snprintf(desc->point, sizeof desc->point, "spp=%d", samples);
-    log_note("%s: %s %s", desc->stage->name, desc->variant, desc->point);
+    bool resumed;
+    if (!results_resume(results, desc, &resumed) || resumed)
+        return resumed;
+    results_tell_work(results, desc, 0);
     double clock = clock_ms(), cpu = clock_cpu_ms();
     if (!picture_trace_paths(desc->stage, &tracer, &image, NULL))
         return false;
@@ -35,7 +36,7 @@ static bool trace(struct results *results, struct measure_desc *desc, int bounce
     results_add(results, "cpu", "", "ms", clock_cpu_ms() - cpu);
     bool ok = errors_add(results, &image, reference, against);
     image_free(&image);
-    return ok;
+    return ok && results_commit(results);
 }
 
 bool rival_measure(struct results *results, const struct measure_desc *desc,

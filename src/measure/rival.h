@@ -10,6 +10,7 @@
 /* Adds a subject without technique, "denoised tracer", in the desc's size for each of a few counts of
  * samples, whose point is "spp=4": "clock" and "cpu", from building the tree to the denoised picture,
  * and errors against the truth, which results call `against`. Error: of the tracer or the truth. */
+enum { RIVAL_SUBJECTS = 5 };
 bool rival_measure(struct results *results, const struct measure_desc *desc,
                    const struct truth_desc *truth, const char *against);
 

@@ -20,7 +20,8 @@ static bool place(struct stage *stage, double time) {
 bool stage_init(struct stage *stage, const struct stage_desc *desc) {
     *stage = (struct stage){.camera_text = desc->camera, .light_text = desc->light};
     name_after(stage, desc->path);
-    const struct scene_open_desc open = {.clip = desc->clip, .environment = desc->environment};
+    const struct scene_open_desc open = {
+        .light = desc->light, .clip = desc->clip, .environment = desc->environment};
     if (scene_open(&stage->scene, &stage->geometry, desc->path, &open) &&
         stage_pose(stage, (double)desc->time))
         return true;
@@ -30,6 +31,13 @@ bool stage_init(struct stage *stage, const struct stage_desc *desc) {
 
 bool stage_pose(struct stage *stage, double time) {
     return geometry_pose(&stage->geometry, &stage->scene, time) && place(stage, time);
+}
+
+void stage_default_size(const struct stage *stage, int size[2]) {
+    struct camera camera;
+    int n = 0;
+    camera_from_text(&camera, &stage->scene, stage->camera_text, 0, &n);
+    camera_default_size(&stage->scene, n, size);
 }
 
 bool stage_show(const struct stage *stage, struct renderer *renderer) {

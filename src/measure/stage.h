@@ -34,6 +34,9 @@ bool stage_init(struct stage *stage, const struct stage_desc *desc);
 bool stage_pose(struct stage *stage, double time);
 void stage_free(struct stage *stage);
 
+/* The size of a picture of its camera where none is asked for: camera_default_size. */
+void stage_default_size(const struct stage *stage, int size[2]);
+
 /* Whether the renderer, which is of this stage, now shows it as it is posed. Error: the renderer
  * must then be freed. */
 bool stage_show(const struct stage *stage, struct renderer *renderer);

@@ -14,6 +14,9 @@
 /* Of the difference between timers and clock, over the clock: above it something is wrong. */
 static const double clock_tolerance = .2;
 
+/* What the rounds of a group may take before it takes in no further subject. */
+static const double group_ms = 20e3;
+
 /* A subject at work. */
 struct run {
     const struct measure_desc *desc;
@@ -57,14 +60,17 @@ static void clock_frames(struct renderer *renderer, int frames, float *clock, fl
 }
 
 /* Frames between two looks at the clock: more on a GPU, where one would be too short. */
+static int burst(void) {
+    return gl.software ? 1 : 8;
+}
+
 static void take_sample(struct run *run, int at) {
     struct timers *timers = &run->renderer.timers;
-    int burst = gl.software ? 1 : 8;
     renderer_render(&run->renderer);
     timers_flush(timers);
     for (int i = 0; i < timers->count; i++)
         row_of(run, i)[at] = (float)timers->results[i].ms;
-    clock_frames(&run->renderer, burst, &row_of(run, CLOCK)[at], &row_of(run, CPU)[at]);
+    clock_frames(&run->renderer, burst(), &row_of(run, CLOCK)[at], &row_of(run, CPU)[at]);
 }
 
 /* Timers that tell another story than the clock are not to be believed: drivers lie. */
@@ -109,39 +115,85 @@ static bool add_errors(struct results *results, struct run *run, const struct tr
     return ok;
 }
 
-static bool measure_group(struct results *results, int first, struct run *runs,
-                          const struct measure_desc *descs, int count,
-                          const struct timing_desc *timing) {
+/* Subjects that take turns. */
+struct group {
+    struct results *results;
+    struct run runs[TIMING_GROUP];
+    int count, frames, warm_up;
+};
+
+/* Adds what its rounds will take, by its last frame. */
+static bool join(struct group *group, const struct measure_desc *desc, double *ms) {
+    struct run *run = &group->runs[group->count++];
+    double start = 0;
+    results_tell_work(group->results, desc, 0);
+    if (!run_start(run, desc, group->frames))
+        return false;
+    for (int frame = 0; frame < group->warm_up; frame++) {
+        start = clock_ms();
+        renderer_render(&run->renderer);
+        gl.Finish();
+    }
+    *ms += (clock_ms() - start) * (1 + burst()) * group->frames;
+    return true;
+}
+
+/* What is slow has few beside it, as the rows of all come at the end of the rounds: who ends a run loses no more. */
+static bool gather(struct group *group, const struct measure_desc *descs, int count) {
+    double ms = 0;
     bool ok = true;
-    int frames = timing->frames ? timing->frames : gl.software ? 5 : 100;
-    int warm_up = timing->warm_up ? timing->warm_up : gl.software ? 1 : 10;
-    for (int i = 0; i < count; i++) {
-        if (!run_start(&runs[i], &descs[i], frames))
-            return false;
-        for (int frame = 0; frame < warm_up; frame++)
-            renderer_render(&runs[i].renderer);
-    }
-    for (int round = 0; round < frames; round++)
-        for (int i = 0; i < count; i++)
-            take_sample(&runs[i], round);
-    for (int i = 0; ok && i < count; i++) {
-        add_times(results, &runs[i], first);
-        ok = add_errors(results, &runs[i], &timing->truth);
-    }
+    while (ok && group->count < count && group->count < TIMING_GROUP &&
+           (group->count < TIMING_GROUP_LEAST || ms < group_ms))
+        ok = join(group, &descs[group->count], &ms);
     return ok;
+}
+
+static void take_rounds(struct group *group) {
+    for (int round = 0; round < group->frames; round++)
+        for (int i = 0; i < group->count; i++) {
+            double rounds = round + (double)i / group->count;
+            results_tell_work(group->results, group->runs[i].desc,
+                              rounds / group->frames * group->count);
+            take_sample(&group->runs[i], round);
+        }
+}
+
+/* Returns how many subjects were measured; 0: an error. */
+static int measure_group(struct results *results, int first, const struct measure_desc *descs,
+                         int count, const struct timing_desc *timing) {
+    struct group group = {
+        .results = results,
+        .frames = timing->frames ? timing->frames
+                  : gl.software  ? 5
+                                 : 100,
+        .warm_up = timing->warm_up ? timing->warm_up
+                   : gl.software   ? 1
+                                   : 10,
+    };
+    bool ok = gather(&group, descs, count);
+    if (ok)
+        take_rounds(&group);
+    for (int i = 0; i < group.count; i++) {
+        if (ok) {
+            add_times(results, &group.runs[i], first);
+            ok = add_errors(results, &group.runs[i], &timing->truth) && results_commit(results);
+        }
+        run_free(&group.runs[i]);
+    }
+    return ok ? group.count : 0;
 }
 
 bool timing_measure(struct results *results, const struct measure_list *subjects,
                     const struct timing_desc *timing) {
     int base = results->subject_count;
-    bool ok = true;
-    for (int first = 0; ok && first < subjects->count; first += TIMING_GROUP) {
-        int left = subjects->count - first, group = left < TIMING_GROUP ? left : TIMING_GROUP;
-        struct run *runs = mem_alloc((size_t)group, sizeof *runs);
-        ok = measure_group(results, base, runs, &subjects->items[first], group, timing);
-        for (int i = 0; i < group; i++)
-            run_free(&runs[i]);
-        free(runs);
+    bool resumed;
+    for (int i = 0, count = 1; i < subjects->count; i += count) {
+        const struct measure_desc *desc = &subjects->items[i];
+        if (!results_resume(results, desc, &resumed))
+            return false;
+        count = resumed ? 1 : measure_group(results, base, desc, subjects->count - i, timing);
+        if (count == 0)
+            return false;
     }
-    return ok;
+    return true;
 }

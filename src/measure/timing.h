@@ -12,10 +12,11 @@ struct timing_desc {
     struct truth_desc truth; /* for errors of the last frame, too; zeroed = none */
 };
 
-/* Measures subjects of one stage, up to TIMING_GROUP with a renderer each at the same time. Adds
+/* Measures subjects of one stage, up to TIMING_GROUP with a renderer each at the same time, fewer where frames are slow.
+ * Commits each when its group is done. Adds
  * the medians of all passes ("frame", "frame/gather" ...), "clock" and "cpu" (a frame without
  * timers; of all cores together), "gpu-memory", errors (against TRUTH_SEEN shares_add's), and rival_add_ratios's. Error: of a renderer or of the truth. */
-enum { TIMING_GROUP = 8 };
+enum { TIMING_GROUP = 8, TIMING_GROUP_LEAST = 2 };
 bool timing_measure(struct results *results, const struct measure_list *subjects,
                     const struct timing_desc *timing);
 

@@ -6,6 +6,7 @@
 #include "base/file/image_file.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "base/progress.h"
 #include "measure/picture.h"
 #include "measure/variants.h"
 #include "scene/hash.h"
@@ -66,19 +67,40 @@ char *truth_path(const struct truth_desc *truth, const struct measure_desc *desc
 
 /* --- how it is made --------------------------------------------------------------------------- */
 
+static struct path_tracer_desc tracer_of(const struct truth_desc *truth,
+                                         const struct measure_desc *desc) {
+    bool seen = truth->kind == TRUTH_SEEN;
+    return (struct path_tracer_desc){.width = desc->width,
+                                     .height = desc->height,
+                                     .bounces = seen ? 0 : measure_bounces(desc),
+                                     .noise = truth->noise,
+                                     .materials = materials_of(desc),
+                                     .centers = seen || truth->kind == TRUTH_CENTERS,
+                                     .seen = seen};
+}
+
 bool truth_trace(const struct truth_desc *truth, const struct measure_desc *desc,
                  struct image *image) {
-    bool seen = truth->kind == TRUTH_SEEN;
-    return picture_trace_paths(
-        desc->stage,
-        &(struct path_tracer_desc){.width = desc->width,
-                                   .height = desc->height,
-                                   .bounces = seen ? 0 : measure_bounces(desc),
-                                   .noise = truth->noise,
-                                   .materials = materials_of(desc),
-                                   .centers = seen || truth->kind == TRUTH_CENTERS,
-                                   .seen = seen},
-        image, NULL);
+    struct path_tracer_desc tracer = tracer_of(truth, desc);
+    return picture_trace_paths(desc->stage, &tracer, image, NULL);
+}
+
+static bool show(void *user, const struct path_tracer_progress *progress) {
+    progress_show(user, progress->done, "reference");
+    return true;
+}
+
+/* The same, with a line of progress. */
+static bool trace_file(const struct truth_desc *truth, const struct measure_desc *desc,
+                       struct image *image) {
+    struct progress progress;
+    struct path_tracer_desc tracer = tracer_of(truth, desc);
+    tracer.progress = show;
+    tracer.user = &progress;
+    progress_start(&progress);
+    bool ok = picture_trace_paths(desc->stage, &tracer, image, NULL);
+    progress_end(&progress);
+    return ok;
 }
 
 static bool render_all_vpls(const struct measure_desc *desc, struct image *image) {
@@ -96,7 +118,7 @@ static bool make_file(const struct truth_desc *truth, const struct measure_desc 
     log_note("making reference %s", path);
     bool ok = folder_make_for(path) &&
               (truth->kind == TRUTH_VPLS ? render_all_vpls(desc, &image)
-                                         : truth_trace(truth, desc, &image)) &&
+                                         : trace_file(truth, desc, &image)) &&
               image_write(&image, path);
     image_free(&image);
     return ok;

@@ -1,5 +1,5 @@
-/* Small text in a picture: a font of 5 by 7 dots, for scales and titles. Drawn here, since the
- * portable build writes heat maps too and has no library that renders text. */
+/* Small text in a picture: a font of 5 by 7 dots, for scales and titles. It is drawn here, because the bundle
+ * writes heat maps and has no library that renders text. */
 #ifndef METRICS_LABEL_H
 #define METRICS_LABEL_H
 

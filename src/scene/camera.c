@@ -3,6 +3,7 @@
 #include "scene/node.h"
 
 #include <cglm/cglm.h>
+#include <math.h>
 #include <string.h>
 
 int camera_node_count(const struct scene *scene) {
@@ -34,6 +35,15 @@ void camera_place(struct camera *camera, const struct scene *scene, int n, doubl
                               .far = source->far};
     memcpy(camera->eye, &world[12], sizeof camera->eye);
     node_frame(world, camera->right, camera->up, camera->forward);
+}
+
+void camera_default_size(const struct scene *scene, int n, int size[2]) {
+    const float side = 800;
+    int node = node_carrying(scene, NODE_CAMERA, n);
+    float aspect = scene->cameras[scene->nodes[node].camera].aspect;
+    aspect = aspect > 0 ? aspect : 1;
+    size[0] = (int)lroundf(side * fminf(aspect, 1));
+    size[1] = (int)lroundf(side / fmaxf(aspect, 1));
 }
 
 void camera_look(struct camera *camera, const float eye[3], const float forward[3],

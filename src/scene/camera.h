@@ -22,6 +22,10 @@ void camera_place(struct camera *camera, const struct scene *scene, int n, doubl
 void camera_look(struct camera *camera, const float eye[3], const float forward[3],
                  const float up[3]);
 
+/* The size of a picture of the scene's n-th camera where none is asked for: 800 pixels along the longer side, in
+ * the camera's aspect ratio; square where it tells none. */
+void camera_default_size(const struct scene *scene, int n, int size[2]);
+
 bool cameras_same(const struct camera *a, const struct camera *b);
 
 int camera_find(const struct scene *scene, const char *text);

@@ -63,11 +63,11 @@ bool framing_made_light(const struct scene *scene, int n) {
     return strcmp(name, spot_name) == 0 || strcmp(name, fill_name) == 0;
 }
 
-void framing_add(struct framing *framing, struct scene *scene) {
+void framing_add(struct framing *framing, struct scene *scene, bool wants_light) {
     *framing = (struct framing){-1, -1, -1};
     if (!node_count_carrying(scene, NODE_CAMERA))
         framing->camera = add_camera(scene);
-    if (node_count_carrying(scene, NODE_LIGHT) || scene->environment)
+    if (!wants_light || node_count_carrying(scene, NODE_LIGHT) || scene->environment)
         return;
     add_lights(framing, scene);
     log_note("%s: no light, so a spot from above, and a dim one", scene->path);
@@ -77,7 +77,7 @@ void framing_add_lights(struct framing *framing, struct scene *scene) {
     add_lights(framing, scene);
     log_note(
         "%s: its own lights leave the picture dark, so a spot from above is added, and a dim one; "
-        "--light picks lights",
+        "--light emitters adds none",
         scene->path);
 }
 

@@ -9,9 +9,9 @@ struct framing {
     int camera, light, fill;
 };
 
-/* Adds nodes for a camera, and for a spot and a dim light beside it, where the scene has none, and
- * notes it on stderr. The lights hang on a camera that the file brings. */
-void framing_add(struct framing *framing, struct scene *scene);
+/* Adds nodes for a camera, and for a spot and a dim light beside it where wants_light, where the scene
+ * has none, and notes it on stderr. The lights hang on a camera that the file brings. */
+void framing_add(struct framing *framing, struct scene *scene, bool wants_light);
 
 /* Adds the lights to a scene that has some, which leave it dark (scene/darkness.h), and notes it. Once more
  * framing_place follows. */

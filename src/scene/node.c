@@ -124,6 +124,16 @@ static const char *carried_name(const struct scene *scene, enum node_kind kind, 
     return "";
 }
 
+/* As lists and messages call it. */
+static const char *shown_name(const struct scene *scene, enum node_kind kind, int node) {
+    const char *name = scene->nodes[node].name;
+    return *name ? name : carried_name(scene, kind, node);
+}
+
+const char *node_name_carrying(const struct scene *scene, enum node_kind kind, int n) {
+    return shown_name(scene, kind, node_carrying(scene, kind, n));
+}
+
 static bool matches(const struct scene *scene, enum node_kind kind, int node, int n,
                     const char *text) {
     char *end;
@@ -142,7 +152,7 @@ int node_find_carrying(const struct scene *scene, enum node_kind kind, const cha
             continue;
         if (*text && matches(scene, kind, node, n, text))
             return n;
-        const char *name = scene->nodes[node].name;
+        const char *name = shown_name(scene, kind, node);
         size_t used = strlen(list);
         if (n < MOST_LISTED)
             snprintf(list + used, sizeof list - used, " %d%s%s", n, *name ? "=" : "", name);

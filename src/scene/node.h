@@ -13,6 +13,9 @@ int node_count_carrying(const struct scene *scene, enum node_kind kind);
 /* The n-th node that carries one, in node order. Asserts that there is one. */
 int node_carrying(const struct scene *scene, enum node_kind kind, int n);
 
+/* The name of the n-th such node, or where it has none that of what it carries. Asserts that there is one. */
+const char *node_name_carrying(const struct scene *scene, enum node_kind kind, int n);
+
 /* The n of the node whose own name, or that of the light or camera on it, is the text, or n itself
  * in digits; -1 and an error that lists the names when there is none such. */
 int node_find_carrying(const struct scene *scene, enum node_kind kind, const char *text);

@@ -5,6 +5,7 @@
 #include "scene/clips.h"
 #include "scene/darkness.h"
 #include "scene/framing.h"
+#include "scene/placing.h"
 #include "scene/recentre.h"
 
 static bool lay_out_anew(struct scene *scene, struct geometry *geometry) {
@@ -12,15 +13,16 @@ static bool lay_out_anew(struct scene *scene, struct geometry *geometry) {
     return geometry_init(geometry, scene, 0);
 }
 
-static bool lay_out(struct scene *scene, struct geometry *geometry) {
+static bool lay_out(struct scene *scene, struct geometry *geometry, const char *light) {
     struct framing framing;
-    framing_add(&framing, scene);
+    bool is_lit = emitters_text_is_complete(scene, light);
+    framing_add(&framing, scene, !is_lit);
     if (!geometry_init(geometry, scene, 0) ||
         (scene_recentre(scene, geometry) && !lay_out_anew(scene, geometry)))
         return false;
     framing_place(&framing, scene, geometry);
     scene_check_ranges(scene, geometry);
-    if (scene_is_dark(scene, geometry)) { /* geometry knows how many nodes there are */
+    if (!is_lit && scene_is_dark(scene, geometry)) { /* geometry knows how many nodes there are */
         framing_add_lights(&framing, scene);
         if (!lay_out_anew(scene, geometry))
             return false;
@@ -49,7 +51,7 @@ bool scene_open(struct scene *scene, struct geometry *geometry, const char *path
     *geometry = (struct geometry){0};
     if (scene_load(scene, path) && change(scene, desc)) {
         bool is_empty = desc && desc->may_be_empty && !has_triangles(scene);
-        if (is_empty || lay_out(scene, geometry))
+        if (is_empty || lay_out(scene, geometry, desc ? desc->light : NULL))
             return true;
     }
     scene_free(scene);

@@ -171,8 +171,9 @@ static void append_words(const struct word *words, const void *values, const voi
 static bool change_camera(struct camera *camera, const struct scene *scene, char *text, double time,
                           int *n) {
     struct camera changes = {.up = {0, 1, 0}};
-    unsigned given;
-    if (!parse_words(camera_words, &changes, text, &given))
+    unsigned given = 0;
+    bool is_name = strchr(text, '=') && camera_find(scene, text) >= 0;
+    if (!is_name && !parse_words(camera_words, &changes, text, &given))
         return error_prefix("camera");
     int found = *text ? camera_find(scene, text) : 0;
     if (found < 0)
@@ -259,6 +260,7 @@ struct picked {
     struct emitters emitters; /* the scene's, then those that were added */
     int scene_count;
     bool *shines; /* of the scene's; the last is the sky */
+    bool by_name; /* each part of the text names its lights */
 };
 
 /* One that the scene does not have; name is its type. */
@@ -284,6 +286,7 @@ static bool pick_emitters(struct picked *picked, const struct scene *scene, char
         return false;
     if (*part == '+')
         return add_emitter(picked, part + 1, &changes, given);
+    picked->by_name &= *part != '\0';
     bool *marked = mem_alloc((size_t)count + 1, sizeof *marked);
     bool ok = mark_emitters(scene, part, marked, count);
     for (int n = 0; ok && n <= count; n++) {
@@ -296,6 +299,9 @@ static bool pick_emitters(struct picked *picked, const struct scene *scene, char
 }
 
 static bool pick_all_parts(struct picked *picked, const struct scene *scene, const char *text) {
+    int whole = text && strpbrk(text, ",;=") ? emitter_find(scene, text) : -1;
+    if (whole >= 0)
+        return picked->shines[whole] = true;
     char *copy = mem_strdup(text ? text : ""), *next = NULL;
     char *part = strtok_r(copy, ";", &next);
     bool ok = pick_emitters(picked, scene, part ? part : copy);
@@ -317,12 +323,25 @@ static void keep_picked(struct picked *picked) {
         all->sky = NULL;
 }
 
+static bool pick(struct picked *picked, const struct scene *scene, const char *text, double time) {
+    *picked = (struct picked){.emitters = emitters_place(scene, time), .by_name = true};
+    picked->scene_count = picked->emitters.count;
+    picked->shines = mem_alloc((size_t)picked->scene_count + 1, sizeof *picked->shines);
+    return pick_all_parts(picked, scene, text);
+}
+
+bool emitters_text_is_complete(const struct scene *scene, const char *text) {
+    struct picked picked;
+    bool complete = pick(&picked, scene, text, 0) && picked.by_name;
+    emitters_free(&picked.emitters);
+    free(picked.shines);
+    return complete;
+}
+
 bool emitters_from_text(struct emitters *emitters, const struct scene *scene, const char *text,
                         double time) {
-    struct picked picked = {.emitters = emitters_place(scene, time)};
-    picked.scene_count = picked.emitters.count;
-    picked.shines = mem_alloc((size_t)picked.scene_count + 1, sizeof *picked.shines);
-    bool ok = pick_all_parts(&picked, scene, text);
+    struct picked picked;
+    bool ok = pick(&picked, scene, text, time);
     keep_picked(&picked);
     free(picked.shines);
     if (ok && picked.emitters.count == 0 && !picked.emitters.sky)

@@ -11,8 +11,9 @@
  * direction and of up; with it all are taken as they are, so that a text that was written here gives
  * the very same camera again.
  *
- * Commas part the names of lights, semicolons lights with changes from others; a light whose name
- * has either goes by its number. Changes without a name are of all lights. "emitters" stands for all
+ * Commas part the names of lights, semicolons lights with changes from others. A light whose name
+ * has either, or "=", goes by its number in lists and with changes; alone the whole text may be its
+ * name, as a camera's may. Changes without a name are of all lights. "emitters" stands for all
  * area lights, "sky" for the environment, which has no changes, where there are any. "+area" and the
  * other types add a light that the file does not have (emitter_new).
  */
@@ -33,6 +34,10 @@ bool camera_from_text(struct camera *camera, const struct scene *scene, const ch
  * zeroed or not. Error: as above; emitters stay as they are. */
 bool emitters_from_text(struct emitters *emitters, const struct scene *scene, const char *text,
                         double time);
+
+/* Whether the text names the lights that shine, by lights that the scene has or that are added: no further light
+ * of the scene would shine. False for NULL and for changes of all lights. */
+bool emitters_text_is_complete(const struct scene *scene, const char *text);
 
 /* The number alone where the camera is just the scene's n-th. */
 void camera_to_text(const struct camera *camera, const struct scene *scene, int n, double time,

@@ -132,6 +132,7 @@ struct scene_camera {
     float fov_y;     /* perspective: radians */
     float y_extent;  /* orthographic: half the height, metres */
     float near, far; /* znear and zfar, metres; far 0 = no end */
+    float aspect;    /* width over height, from a sixteenth to 16; 0 = it tells none */
 };
 
 struct node {

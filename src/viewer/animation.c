@@ -36,7 +36,8 @@ static void pose(struct viewer *viewer) {
 }
 
 /* In single precision, as a command line tells it. */
-static double in_range(const struct viewer *viewer, double time, double duration) {
+double viewer_time_in(const struct viewer *viewer, const struct scene *scene, double time) {
+    double duration = scene_duration(scene);
     if (!viewer->wish.play.loops || duration <= 0)
         return (double)(float)fmin(fmax(time, 0), duration);
     double rest = fmod(time, duration);
@@ -44,7 +45,7 @@ static double in_range(const struct viewer *viewer, double time, double duration
 }
 
 void viewer_go_to(struct viewer *viewer, double time) {
-    viewer->placed.time = in_range(viewer, time, scene_duration(&viewer->document.scene));
+    viewer->placed.time = viewer_time_in(viewer, &viewer->document.scene, time);
 }
 
 void viewer_toggle_play(struct viewer *viewer) {

@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/memory.h"
-#include "scene/open.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,16 +16,14 @@ void document_free(struct document *document) {
 static void *load(void *context) {
     struct loader *loader = context;
     struct document *document = &loader->document;
-    const struct scene_open_desc desc = {.environment = loader->environment};
-    bool ok = scene_open(&document->scene, &document->geometry, loader->path, &desc);
+    bool ok = scene_open(&document->scene, &document->geometry, loader->path, &loader->desc);
     if (!ok)
         snprintf(loader->message, sizeof loader->message, "%s", error_get());
     atomic_store(&loader->state, ok ? LOADER_DONE : LOADER_FAILED);
     return NULL;
 }
 
-void loader_start(struct loader *loader, const char *path,
-                  const struct environment_desc *environment) {
+void loader_start(struct loader *loader, const char *path, const struct scene_open_desc *desc) {
     if (atomic_load(&loader->state) != LOADER_IDLE) {
         free(loader->next);
         loader->next = mem_strdup(path);
@@ -35,7 +32,7 @@ void loader_start(struct loader *loader, const char *path,
     free(loader->path);
     loader->is_abandoned = false;
     loader->path = mem_strdup(path);
-    loader->environment = environment ? *environment : (struct environment_desc){0};
+    loader->desc = desc ? *desc : (struct scene_open_desc){0};
     atomic_store(&loader->state, LOADER_BUSY);
     if (pthread_create(&loader->thread, NULL, load, loader) != 0) {
         log_warning("%s: no thread can be started to load it", path);

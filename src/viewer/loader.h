@@ -2,8 +2,7 @@
 #ifndef VIEWER_LOADER_H
 #define VIEWER_LOADER_H
 
-#include "scene/environment.h"
-#include "scene/mesh/geometry.h"
+#include "scene/open.h"
 
 #include <pthread.h>
 #include <stdatomic.h>
@@ -23,17 +22,16 @@ struct loader {
     pthread_t thread;
     atomic_int state; /* enum loader_state */
     char *path;
-    struct environment_desc environment;
+    struct scene_open_desc desc;
     char *next;        /* asked for meanwhile */
     bool is_abandoned; /* what is being loaded is not wanted any more */
     struct document document;
     char message[512];
 };
 
-/* While another one is being loaded, this one is next; of several the last. environment, unless NULL:
- * whose path must live on. */
-void loader_start(struct loader *loader, const char *path,
-                  const struct environment_desc *environment);
+/* While another one is being loaded, this one is next; of several the last. desc, unless NULL: how it is opened;
+ * its texts must live on. */
+void loader_start(struct loader *loader, const char *path, const struct scene_open_desc *desc);
 
 /* LOADER_DONE: *document is the caller's. LOADER_FAILED: error_get tells. Both are told once. */
 enum loader_state loader_poll(struct loader *loader, struct document *document);

@@ -14,7 +14,9 @@
 void viewer_open(struct viewer *viewer, const char *path) {
     char *whole = path_of_user(path);
     messages_forget_errors(&viewer->host.messages);
-    loader_start(&viewer->loader, whole, &viewer->desc.environment);
+    const struct scene_open_desc desc = {.light = viewer->desc.light,
+                                         .environment = viewer->desc.environment};
+    loader_start(&viewer->loader, whole, &desc);
     viewer->opening.since = window_time();
     free(whole);
 }
@@ -168,9 +170,27 @@ static void leave_arriving(struct viewer *viewer) {
     viewer->is_arriving = false;
 }
 
-/* As the command line places camera and lights, at time 0. */
+/* The command line's clips and time. A clip that is not understood is told when the scene takes its place. */
+static bool pose_as_told(struct viewer *viewer, double *time) {
+    struct document *arriving = &viewer->arriving;
+    const struct viewer_desc *desc = &viewer->desc;
+    if (desc->clip)
+        clips_select(&arriving->scene, desc->clip);
+    *time = viewer_time_in(viewer, &arriving->scene, (double)desc->time);
+    return (*time == 0 && !desc->clip) ||
+           geometry_pose(&arriving->geometry, &arriving->scene, *time);
+}
+
+/* Casters are those of time 0. */
+static void pose_back(struct document *document, const struct viewer_desc *told) {
+    if (told->time != 0 || told->clip)
+        geometry_pose(&document->geometry, &document->scene, 0);
+}
+
+/* As the command line places camera and lights. */
 static void start_preview(struct viewer *viewer) {
     const struct document *arriving = &viewer->arriving;
+    double time;
     const struct picture_settings *picture = settings_of(&viewer->wish.settings, &picture_part);
     struct preview_desc desc = {
         .scene = &arriving->scene,
@@ -179,11 +199,11 @@ static void start_preview(struct viewer *viewer) {
         .auto_exposure = viewer->desc.auto_exposure,
         .wake = window_wake,
     };
-    if (viewer_is_scripted(viewer) ||
-        !emitters_from_text(&desc.emitters, &arriving->scene, viewer->desc.light, 0))
+    if (viewer_is_scripted(viewer) || !pose_as_told(viewer, &time) ||
+        !emitters_from_text(&desc.emitters, &arriving->scene, viewer->desc.light, time))
         return;
-    if (!camera_from_text(&desc.camera, &arriving->scene, viewer->desc.camera, 0, NULL))
-        camera_place(&desc.camera, &arriving->scene, 0, 0);
+    if (!camera_from_text(&desc.camera, &arriving->scene, viewer->desc.camera, time, NULL))
+        camera_place(&desc.camera, &arriving->scene, 0, time);
     viewer_full_size(viewer, &desc.width, &desc.height);
     preview_start(&viewer->preview, &desc);
     emitters_free(&desc.emitters);
@@ -280,6 +300,7 @@ bool viewer_poll_loader(struct viewer *viewer) {
     log_detail("its shaders are there after %.2f s", window_time());
     preview_stop(&viewer->preview);
     document = viewer->arriving;
+    pose_back(&document, &viewer->desc);
     viewer->arriving = (struct document){0};
     viewer->is_arriving = false;
     if (show_document(viewer, &document))

@@ -22,11 +22,9 @@ static void draw_choice(struct viewer *viewer) {
     int count = placed->emitters.count < LIGHTS_MAX ? placed->emitters.count : LIGHTS_MAX;
     for (int i = 0; i < count; i++) {
         const struct emitter *light = &placed->emitters.items[i];
-        int node = light->number < 0 ? -1 : node_carrying(scene, NODE_LIGHT, light->number);
-        const char *name = node < 0                   ? "added"
-                           : *scene->nodes[node].name ? scene->nodes[node].name
-                                                      : "without a name";
-        snprintf(texts[i], NAME_SIZE, "%d  %s", i + 1, name);
+        const char *name =
+            light->number < 0 ? "added" : node_name_carrying(scene, NODE_LIGHT, light->number);
+        snprintf(texts[i], NAME_SIZE, "%d  %s", i + 1, *name ? name : "without a name");
         names[i] = texts[i];
     }
     bool moved = placed->lights_moved >> placed->chosen_light & 1;
@@ -108,6 +106,15 @@ static bool draw_size(struct viewer *viewer, struct emitter *light) {
     return changed;
 }
 
+/* A sun's light has no end. */
+static bool draw_range(struct viewer *viewer, struct emitter *light) {
+    struct ui_row row = {.name = "range, m",
+                         .help = "where its light ends (glTF: range); 0: it has no end",
+                         .least = "none"};
+    return light->type != EMITTER_DIRECTIONAL &&
+           ui_float(&row, &light->range, 0, 10 * viewer->document.geometry.radius);
+}
+
 /* Half angles, of which the first stays the smaller one. */
 static bool draw_cone(struct emitter *light) {
     float inner = glm_deg(acosf(light->cos_inner)), outer = glm_deg(acosf(light->cos_outer));
@@ -156,6 +163,7 @@ static void draw_light(struct viewer *viewer) {
     changed |= draw_color(viewer, light);
     changed |= draw_power(viewer, light);
     changed |= draw_size(viewer, light);
+    changed |= draw_range(viewer, light);
     if (light->type == EMITTER_SPOT)
         changed |= draw_cone(light);
     if (changed)

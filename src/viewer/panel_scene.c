@@ -19,7 +19,7 @@ static bool draw_node_choice(const struct ui_row *row, const struct scene *scene
     int count = node_count_carrying(scene, kind);
     count = count < NAMES_MAX ? count : NAMES_MAX;
     for (int i = 0; i < count; i++) {
-        const char *name = scene->nodes[node_carrying(scene, kind, i)].name;
+        const char *name = node_name_carrying(scene, kind, i);
         names[i] = *name ? name : "without a name";
     }
     enum ui_result result = ui_choice(row, chosen, names, count);

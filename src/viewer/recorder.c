@@ -9,6 +9,7 @@
 #include "base/memory.h"
 #include "base/shell.h"
 #include "scene/animation.h"
+#include "viewer/free_number.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -34,21 +35,21 @@ static bool take_name(const struct recorder *recorder) {
 }
 
 /* A video has its name when it is whole. */
-static bool choose_name(struct recorder *recorder) {
+static enum name_state take_number(void *user, int number) {
+    struct recorder *recorder = user;
     const char *ending = recorder->kind == RECORD_VIDEO ? ".mp4" : "";
-    for (int i = 1; i < 10000; i++) {
-        snprintf(recorder->name, sizeof recorder->name, "%s/manylight-clip-%04d%s",
-                 recorder->folder, i, ending);
-        snprintf(recorder->part, sizeof recorder->part, "%s/.manylight-clip-%04d%s",
-                 recorder->folder, i, ending);
-        if (access(recorder->name, F_OK) == 0)
-            continue;
-        if (take_name(recorder))
-            return true;
-        if (errno != EEXIST)
-            return error_set("cannot make %s: %s", recorder->name, strerror(errno));
-    }
-    return error_set("too many clips are here");
+    snprintf(recorder->name, sizeof recorder->name, "%s/manylight-clip-%04d%s", recorder->folder,
+             number, ending);
+    snprintf(recorder->part, sizeof recorder->part, "%s/.manylight-clip-%04d%s", recorder->folder,
+             number, ending);
+    if (access(recorder->name, F_OK) == 0)
+        return NAME_IS_TAKEN;
+    if (take_name(recorder))
+        return NAME_IS_FREE;
+    if (errno == EEXIST)
+        return NAME_IS_TAKEN;
+    error_set("cannot make %s: %s", recorder->name, strerror(errno));
+    return NAME_IS_REFUSED;
 }
 
 /* The video's sides are even, as most players want them. */
@@ -80,7 +81,7 @@ void recorder_start(struct viewer *viewer) {
     *recorder = (struct recorder){.kind = request->kind,
                                   .first = (int)lround((double)request->from * TIMELINE_FPS)};
     set_folder(recorder, request->folder);
-    if (!choose_name(recorder)) {
+    if (!free_number(take_number, recorder)) {
         *recorder = (struct recorder){0};
         viewer_tell_error(viewer);
         return;

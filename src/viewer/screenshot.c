@@ -4,6 +4,7 @@
 
 #include "base/file/image_file.h"
 #include "base/memory.h"
+#include "viewer/free_number.h"
 #include "viewer/window/ui.h"
 
 #include <stdio.h>
@@ -72,14 +73,28 @@ bool viewer_write_picture(struct viewer *viewer, const char *path) {
     return ok;
 }
 
-void viewer_save_reference(struct viewer *viewer) {
-    char name[64];
-    for (int i = 1; i < 10000; i++) {
-        snprintf(name, sizeof name, "manylight-reference-%04d.exr", i);
-        if (access(name, F_OK) != 0)
-            break;
+/* Files that share a number. */
+struct numbered {
+    const char *stem, *endings[2]; /* the second ending: NULL where there is one file */
+    char paths[2][64];
+};
+
+static enum name_state state_of(void *user, int number) {
+    struct numbered *files = user;
+    bool taken = false;
+    for (int i = 0; i < 2 && files->endings[i]; i++) {
+        snprintf(files->paths[i], sizeof files->paths[i], "%s-%04d%s", files->stem, number,
+                 files->endings[i]);
+        taken |= access(files->paths[i], F_OK) == 0;
     }
-    if (!image_write(&viewer->shown.compare.reference.picture, name)) {
+    return taken ? NAME_IS_TAKEN : NAME_IS_FREE;
+}
+
+void viewer_save_reference(struct viewer *viewer) {
+    struct numbered files = {.stem = "manylight-reference", .endings = {".exr"}};
+    const char *name = files.paths[0];
+    if (!free_number(state_of, &files) ||
+        !image_write(&viewer->shown.compare.reference.picture, name)) {
         viewer_tell_error(viewer);
         return;
     }
@@ -92,7 +107,8 @@ void viewer_save_reference(struct viewer *viewer) {
 void viewer_take_screenshot(struct viewer *viewer) {
     if (!viewer->has_scene)
         return;
-    char png[64], exr[64];
+    struct numbered files = {.stem = "manylight", .endings = {".png", ".exr"}};
+    const char *png = files.paths[0], *exr = files.paths[1];
     viewer->shown.moving = false; /* in the full size, whatever is on its way */
     viewer->shown.pace.last_motion = 0;
     viewer->shown.busy = ""; /* at once, without a sign before it */
@@ -103,14 +119,9 @@ void viewer_take_screenshot(struct viewer *viewer) {
         viewer_close_scene(viewer);
         return;
     }
-    for (int i = 1; i < 10000; i++) {
-        snprintf(png, sizeof png, "manylight-%04d.png", i);
-        snprintf(exr, sizeof exr, "manylight-%04d.exr", i);
-        if (access(png, F_OK) != 0 && access(exr, F_OK) != 0)
-            break;
-    }
     char *folder = realpath(".", NULL);
-    if (viewer_write_picture(viewer, png) && viewer_write_picture(viewer, exr))
+    if (free_number(state_of, &files) && viewer_write_picture(viewer, png) &&
+        viewer_write_picture(viewer, exr))
         messages_add_result(&viewer->host.messages, "written to %s: %s, and %s with all layers",
                             folder ? folder : ".", png, exr);
     else

@@ -4,6 +4,7 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "gl/glsl.h"
+#include "gl/screen.h"
 #include "viewer/window/ui.h"
 
 #include <math.h>
@@ -258,6 +259,7 @@ static bool open_window(struct viewer *viewer) {
         return false;
     if (desc->full_screen)
         window_toggle_full_screen(viewer->host.window);
+    screen_set_way((enum screen_way)desc->screen);
     viewer->host.context = context_adopt(window_getproc, desc->debug);
     viewer->host.input = window_poll(viewer->host.window, 0, false);
     compiling_init(&viewer->compiling, viewer->host.context, window_wake);

@@ -50,6 +50,7 @@ struct viewer_desc {
     int layer;             /* to show: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
     const char *reference; /* a picture to compare with; NULL = none */
     const char *glsl;      /* folder of shaders; NULL = embedded */
+    int screen;            /* an enum screen_way (gl/screen.h) */
     bool debug;
     int frames; /* render so many and end; 0 = until closed */
     int passes; /* whose mean a picture at rest becomes; 0 = PASSES_AT_REST, but 1, which is none, on software OpenGL, where a
@@ -301,6 +302,9 @@ void viewer_animate(struct viewer *viewer, double seconds);
 
 /* To that time of the animation, seconds: around where it loops, else as far as it goes. */
 void viewer_go_to(struct viewer *viewer, double time);
+
+/* Where that is in a scene's animation. */
+double viewer_time_in(const struct viewer *viewer, const struct scene *scene, double time);
 
 /* Plays or pauses; begins anew where it had come to its end. */
 void viewer_toggle_play(struct viewer *viewer);

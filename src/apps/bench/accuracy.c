@@ -8,6 +8,7 @@
 
 static bool measure_budget(struct bench *bench, const struct measure_list *subjects) {
     struct truth_desc truth = bench_truth(bench, TRUTH_PATH);
+    bench_expect(bench, budget_subjects() + (bench->values.tracer ? RIVAL_SUBJECTS : 0));
     return budget_measure(&bench->results, subjects->items, &truth) &&
            (!bench->values.tracer ||
             rival_measure(&bench->results, subjects->items, &truth, AGAINST_TRUTH));
@@ -15,6 +16,7 @@ static bool measure_budget(struct bench *bench, const struct measure_list *subje
 
 static bool measure_curves(struct bench *bench, const struct measure_list *subjects) {
     struct truth_desc truth = bench_truth(bench, TRUTH_CENTERS);
+    bench_expect(bench, curves_subjects(subjects->items));
     return curves_measure(&bench->results, subjects->items, &truth);
 }
 

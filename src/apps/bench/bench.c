@@ -2,6 +2,7 @@
 #include "apps/bench/bench.h"
 
 #include "apps/apps.h"
+#include "apps/bench/run.h"
 #include "base/error.h"
 #include "base/file/folder.h"
 #include "base/file/output_file.h"
@@ -66,24 +67,6 @@ bool bench_time(struct bench *bench, const struct measure_list *subjects, enum t
                                                 bench_truth(bench, kind)});
 }
 
-static bool measure_scene(struct bench *bench, const struct bench_mode *mode, const char *path) {
-    struct stage stage;
-    struct measure_list subjects;
-    int first = bench->results.subject_count;
-    struct stage_desc desc = bench->values.stage;
-    desc.path = path;
-    if (!stage_init(&stage, &desc))
-        return false;
-    bench->stage = &stage;
-    log_note("%s", stage.name);
-    bool ok = bench_list(bench, mode->variants, NULL, &subjects) && mode->measure(bench, &subjects);
-    for (const struct table *table = mode->tables; ok && table->title; table++)
-        results_print(&bench->results, first, table);
-    free(subjects.items);
-    stage_free(&stage);
-    return ok;
-}
-
 /* --- the command line ------------------------------------------------------------------------- */
 
 #define VALUE(member) offsetof(struct bench_values, member)
@@ -134,7 +117,13 @@ static const struct option options[] = {
          "a reference to measure against, of the scene in this size, in place of one of the cache"},
     {"output", 'o', OPTION_TEXT, VALUE(output), .value_name = "DIR", .help = "where pictures go"},
     {"csv", 0, OPTION_TEXT, VALUE(csv), .value_name = "FILE",
-     .help = "write all figures, a row each"},
+     .help = "write all figures, a row each. Until all are there they are in FILE.part, each as "
+             "soon as it\n"
+             "is measured: the same command goes on from there after a run that was ended"},
+    {"restart", 0, OPTION_FLAG, VALUE(restart),
+     .help =
+         "drop the rows of FILE.part. Without it a run of other settings, of another machine or\n"
+         "another commit refuses to go on there"},
     CONTEXT_OPTIONS(struct bench_values, context),
 };
 
@@ -177,31 +166,6 @@ static bool check(struct bench *bench, const struct bench_mode *mode) {
                               : bench->argument_count || pick_scenes(bench, mode->scenes));
 }
 
-/* All rows so far: who stops a long run keeps those of the scenes before. */
-static bool write_rows(const struct bench *bench, const struct bench_mode *mode) {
-    return !bench->values.csv || !bench->results.row_count ||
-           results_write(&bench->results, mode->name, bench->values.csv);
-}
-
-static bool run(struct bench *bench, const struct bench_mode *mode) {
-    const char *csv = bench->values.csv; /* what would be told after hours of measuring only */
-    if (csv && output_file_is_stdout(csv))
-        return error_set("--csv -: standard output has the tables; name a file");
-    if (csv && !output_file_check(csv, bench->arguments, bench->argument_count))
-        return false;
-    struct context_desc desc = bench->values.context;
-    desc.debug = desc.debug || mode == &bench_failures; /* it counts messages */
-    bool ok = !has_option(mode, "context") || (bench->context = context_create(&desc));
-    if (bench->context)
-        results_print_machine();
-    for (int i = 0; ok && mode->measure && i < bench->argument_count; i++)
-        ok = measure_scene(bench, mode, bench->arguments[i]) && write_rows(bench, mode);
-    ok = ok && (!mode->finish || mode->finish(bench));
-    ok = write_rows(bench, mode) && ok; /* what there is, if it failed half-way */
-    context_free(bench->context);
-    return ok;
-}
-
 static void print_variants(FILE *out, const void *values) {
     (void)values;
     variants_print(out);
@@ -230,7 +194,7 @@ static int run_mode(const struct bench_mode *mode, int argc, char **argv) {
         if (!check(&bench, mode))
             status = arguments_misuse(name);
         else
-            status = run(&bench, mode) ? STATUS_OK : arguments_fail(name);
+            status = bench_run(&bench, mode, table) ? STATUS_OK : arguments_fail(name);
     }
     results_free(&bench.results);
     for (int i = 0; i < BENCH_OWN_MAX; i++)

@@ -4,6 +4,7 @@
 
 #include "apps/arguments.h"
 #include "apps/options.h"
+#include "base/progress.h"
 #include "measure/results.h"
 #include "measure/truth.h"
 #include "measure/variants.h"
@@ -16,21 +17,34 @@ struct bench_values {
     const char *csv, *cache, *output, *truth;
     int size[2], frames, warm_up, passes, reference;
     float noise;
-    bool tracer, tables, told;
+    bool tracer, tables, told, restart;
     struct stage_desc stage; /* without a path */
 };
 
 enum { BENCH_OWN_MAX = 8 };
 
+/* How far a run is. */
+struct bench_work {
+    struct progress progress;
+    int part;       /* of the arguments */
+    int first;      /* its first subject */
+    int expected;   /* its subjects; 0 = nobody knows yet */
+    double resumed; /* the share of all work that was there */
+    int printed;    /* subjects that the first table has had */
+    int last;       /* that results_print printed last */
+};
+
 /* A run of a mode. */
 struct bench {
+    const struct bench_mode *mode;
     struct bench_values values;
     const char **arguments; /* scenes, or what the mode takes instead */
     int argument_count;
     char *own_scenes[BENCH_OWN_MAX]; /* those of the arguments that nobody gave */
     struct context *context;         /* current; NULL where the mode needs none */
     struct stage *stage;             /* the present scene; NULL while arguments are tried */
-    struct results results;          /* written to --csv at the end */
+    struct results results;          /* go to the journal, and to --csv at the end */
+    struct bench_work work;
 };
 
 enum { BENCH_TABLES_MAX = 3 };
@@ -46,15 +60,17 @@ struct bench_mode {
     bool (*check)(struct bench *bench); /* arguments that are no scenes; NULL where they are */
     /* Each scene, with a subject for each variant at each point of --vary. */
     bool (*measure)(struct bench *bench, const struct measure_list *subjects);
-    struct table tables[BENCH_TABLES_MAX + 1]; /* printed after each scene, up to one of no title */
+    /* Up to one of no title: a line of the first as soon as it is measured, the others after each scene. */
+    struct table tables[BENCH_TABLES_MAX + 1];
     bool (*finish)(struct bench *bench); /* after the last scene; NULL = nothing is left to do */
+    bool (*judge)(struct bench *bench);  /* after --csv is written; NULL = nothing can be wrong */
 };
 
 extern const struct bench_mode bench_times, bench_sweep, bench_scaling, bench_budget, bench_curves,
     bench_passes, bench_quality, bench_temporal, bench_failures, bench_direct, bench_chart;
 
 /* The options of modes that use OpenGL. */
-#define BENCH_CONTEXT " csv context device gl-debug"
+#define BENCH_CONTEXT " csv restart context device screen-passes gl-debug"
 
 /* paper and fast. */
 extern const char *const bench_variants[];
@@ -70,6 +86,10 @@ bool bench_prepare(const struct bench *bench, const char *variant, struct measur
  * more, unless that is NULL. Error: of a variant or a setting; the list is to be freed. */
 bool bench_list(const struct bench *bench, const char *const *variants, const char *axis,
                 struct measure_list *list);
+
+/* For progress: a scene or what the mode takes instead begins; and how many subjects it has. */
+void bench_begin_part(struct bench *bench, int part);
+void bench_expect(struct bench *bench, int subjects);
 
 /* As the options say; errors against a truth of that kind. */
 struct truth_desc bench_truth(const struct bench *bench, enum truth_kind kind);

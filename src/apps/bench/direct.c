@@ -60,7 +60,9 @@ static bool list_methods(const struct bench *bench, const struct measure_list *a
 
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
     struct measure_list list = {0};
-    bool ok = list_methods(bench, subjects, &list) && bench_time(bench, &list, TRUTH_SEEN);
+    bool ok = list_methods(bench, subjects, &list);
+    bench_expect(bench, list.count + (bench->values.tables ? DIRECT_TABLES_SUBJECTS : 0));
+    ok = ok && bench_time(bench, &list, TRUTH_SEEN);
     free(list.items);
     return ok && (!bench->values.tables || direct_tables(bench));
 }

@@ -11,6 +11,7 @@
 
 /* Tables 5.1, 7.1 and 7.2 of the thesis [Dong 2011], as ratios and shares beside its own: of the present scene's
  * first light, which must be a lamp. Error: there is none, or of a renderer. */
+enum { DIRECT_TABLES_SUBJECTS = 21 };
 bool direct_tables(struct bench *bench);
 
 #endif

@@ -92,6 +92,8 @@ static bool time_lights(struct bench *bench) {
 
 enum { STEPS = 5, SHARES = 3 };
 
+_Static_assert(DIRECT_TABLES_SUBJECTS == FILTERS * COUNTS * SIZES + SHARES, "all are expected");
+
 static const int share_sizes[SHARES] = {512, 1024, 2048};
 
 /* Plant, 141,000 faces, GeForce GTX 285, 1024 x 768, ms; and our passes of the same step. */

@@ -2,6 +2,7 @@
 #include "apps/bench/bench.h"
 
 #include "base/error.h"
+#include "base/log.h"
 #include "measure/failures.h"
 
 static const struct table table = {"per cent",
@@ -33,16 +34,23 @@ static bool finish(struct bench *bench) {
                                 .truth = bench_truth(bench, TRUTH_CENTERS),
                                 .context = bench->context,
                                 .pictures = bench->values.output};
-    int broken = 0;
     for (int i = 0; i < bench->argument_count; i++) {
         int first = results->subject_count;
+        bench_begin_part(bench, i);
+        bench_expect(bench, FAILURE_COLUMNS);
         if (!failure_measure(results, failure_row_find(bench->arguments[i]), &desc))
             return false;
-        results_print(results, first, &table);
+        log_show_line(NULL);
+        results_print(results, first, &table, -1);
         fflush(stdout);
-        for (int k = first; k < results->subject_count; k++)
-            broken += results_value(results, k, "holds", NULL) == 0;
     }
+    return true;
+}
+
+static bool judge(struct bench *bench) {
+    int broken = 0;
+    for (int i = 0; i < bench->results.subject_count; i++)
+        broken += results_value(&bench->results, i, "holds", NULL) == 0;
     return !broken || error_set("%d results are not what is promised", broken);
 }
 
@@ -56,4 +64,5 @@ const struct bench_mode bench_failures = {
     .options = "size set noise cache output" BENCH_CONTEXT,
     .check = check,
     .finish = finish,
+    .judge = judge,
 };

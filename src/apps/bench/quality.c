@@ -12,9 +12,10 @@ static bool check(struct bench *bench, const struct measure_desc *measure) {
     bool ok = values->truth ? image_read(&truth, values->truth) : truth_get(&desc, measure, &truth);
     if (!ok)
         return false;
-    ok = quality_check(&bench->results, &(struct quality_check_desc){
-                                            measure, values->settings.items, values->settings.count,
-                                            &truth, values->passes, values->told});
+    struct quality_check_desc checked = {measure, values->settings.items, values->settings.count,
+                                         &truth,  values->passes,         values->told};
+    bench_expect(bench, quality_check_subjects(&checked) + (values->tracer ? RIVAL_SUBJECTS : 0));
+    ok = quality_check(&bench->results, &checked);
     image_free(&truth);
     return ok;
 }

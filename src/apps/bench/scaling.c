@@ -51,8 +51,9 @@ static bool measure_axis(struct bench *bench, const struct axis *axis) {
 }
 
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
-    (void)subjects;
+    int variants = subjects->count;
     bool ok = true;
+    bench_expect(bench, AXES * SIZES * variants);
     for (int i = 0; ok && i < AXES; i++)
         ok = measure_axis(bench, &axes[i]);
     return ok;

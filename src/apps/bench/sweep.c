@@ -7,6 +7,7 @@
 
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
     enum truth_kind kind = (enum truth_kind)bench->values.reference;
+    bench_expect(bench, subjects->count + (bench->values.tracer ? RIVAL_SUBJECTS : 0));
     if (!bench->values.tracer)
         return bench_time(bench, subjects, kind);
     if (kind == TRUTH_SEEN)

@@ -23,6 +23,7 @@ static bool measure(struct bench *bench, const struct measure_list *subjects) {
         .frames = bench->values.frames ? bench->values.frames : 50,
         .truth = bench_truth(bench, (enum truth_kind)bench->values.reference),
     };
+    bench_expect(bench, clip_subjects(&clip));
     return bench_prepare(bench, truth_vpls, &clip.reference) &&
            clip_measure(&bench->results, &clip);
 }

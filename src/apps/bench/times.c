@@ -50,7 +50,7 @@ static void print_rates(const struct results *results, int first) {
             snprintf(title, sizeof title, "Table 1, frame rates (paper: %.1f fps)",
                      paper_rates[i].fps);
     table.title = title;
-    results_print(results, first, &table);
+    results_print(results, first, &table, -1);
 }
 
 /* Of a pass directly below the frame: which step of the paper's it belongs to; STEPS: to none, -1:
@@ -109,6 +109,7 @@ static void print_times(const struct results *results, int subject) {
 
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
     int first = bench->results.subject_count;
+    bench_expect(bench, subjects->count);
     if (!bench_time(bench, subjects, TRUTH_NONE))
         return false;
     print_rates(&bench->results, first);

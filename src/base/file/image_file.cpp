@@ -210,9 +210,9 @@ extern "C" bool image_write(const struct image *image, const char *path) try {
     spec.channelnames.clear();
     for (int i = 0; i < image->channel_count; i++)
         spec.channelnames.push_back(image->names[i]);
+    spec.attribute("DateTime", ""); /* else it is now, and no two files are alike */
     if (strcmp(format->name, "openexr") == 0) {
         spec.attribute("compression", "zip");
-        spec.attribute("DateTime", ""); /* else it is now, and no two files are alike */
         bool half = is_half(image);
         for (const std::string &name : spec.channelnames)
             spec.channelformats.push_back(half && is_colour(name) ? TypeDesc::HALF

@@ -1,4 +1,7 @@
-/* Picture files through OpenImageIO. */
+/* Picture files, by one of two bridges that the Makefile chooses (PICTURES): through OpenImageIO, as all is told here, or
+ * through smaller libraries for `make bundle` (base/file/small/). The latter read and write EXR, PNG, PFM and HDR, read
+ * textures in PNG, JPEG and WebP, and refuse all else: other formats, and windows, parts and orientations other than
+ * those that this program writes. */
 #ifndef BASE_FILE_IMAGE_FILE_H
 #define BASE_FILE_IMAGE_FILE_H
 

@@ -288,17 +288,26 @@ void orient(struct image *image, int orientation) {
     *image = upright;
 }
 
+/* OpenImageIO converts 64 MB of lines at once, or 256 where that is more, from a copy with all
+ * channels of the part. */
+uint64_t conversion_bytes(const ImageSpec &spec) {
+    const uint64_t line = spec.scanline_bytes(true);
+    return std::max<uint64_t>(uint64_t(1) << 26, 256 * line) + std::min(spec.height, 256) * line;
+}
+
 /* The picture and, where windows are cut or turned, a copy of as much. */
 bool check_memory(const Source &source, const std::vector<Run> &runs, const image_window &display) {
-    uint64_t bytes = 0, copy = 0, pixels = uint64_t(display.width) * display.height;
+    uint64_t bytes = 0, copy = 0, conversion = 0;
+    const uint64_t pixels = uint64_t(display.width) * display.height;
     for (const Run &run : runs) {
+        conversion = std::max(conversion, conversion_bytes(run.part->spec));
         const uint64_t pixel = (run.end - run.begin) * sizeof(float);
         bytes += pixels * pixel;
         if (!is_inside(data_window(run.part->spec), display))
             copy = std::max<uint64_t>(copy, run.part->spec.image_pixels() * pixel);
     }
     copy = source.orientation == 1 ? copy : std::max(copy, bytes);
-    return mem_check(bytes + copy) ||
+    return mem_check(bytes + copy + conversion) ||
            error_prefix("%s: a picture of %dx%d with %d channels", source.path, display.width,
                         display.height, runs.back().at + runs.back().end - runs.back().begin);
 }

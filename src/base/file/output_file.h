@@ -1,4 +1,4 @@
-/* Files that are written whole or not at all: the only way to write one.
+/* Files that are written whole or not at all, and journals that grow: the only ways to write one.
  *
  * The content is made in memory. Its bytes go into a file without a name (or with a name of its own
  * beside the target, where the file system knows no other), are synced and read back, and only then
@@ -32,6 +32,29 @@ bool output_file_write(const char *path, const void *bytes, size_t size);
 
 /* What another program has written beside it is synced and takes the name; where it cannot, it is removed. */
 bool output_file_take(const char *part, const char *path);
+
+/* A file that grows by blocks, for long work that may end at any time. One process has it open. A crash may leave a
+ * part of the last block, which the reader drops. Zeroed: none. */
+struct output_journal {
+    char *path;
+    char *text; /* what was there when it was opened, with a zero behind it */
+    size_t size;
+    int file;
+};
+
+/* Makes the file where it is missing. Error: names the path and the reason; it is no regular file, or another process
+ * has it open. */
+bool output_journal_open(struct output_journal *journal, const char *path);
+
+/* Drops all that follows so many bytes. */
+bool output_journal_cut(struct output_journal *journal, size_t size);
+
+/* The block is on disk when it returns; where it fails, none of it is. Error: names the path. */
+bool output_journal_append(struct output_journal *journal, const void *bytes, size_t size);
+
+/* Accepts a zeroed one. */
+void output_journal_close(struct output_journal *journal);
+bool output_journal_remove(struct output_journal *journal); /* closes it, too */
 
 /* Text that is printed to a stream in memory, on its way to a file. free accepts a zeroed one. */
 struct output_text {

@@ -8,7 +8,9 @@
 #include "gl/context/needs.h"
 #include "gl/context/platform.h"
 #include "gl/context/samplers.h"
+#include "gl/framebuffer.h"
 #include "gl/program.h"
+#include "gl/screen.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -90,6 +92,7 @@ static bool load(struct context *context, void *(*getproc)(const char *name), bo
     context->api.Disable(GL_DITHER); /* drivers warn of it where targets hold integers */
     context->api.memory = memory_of(&context->api);
     context->api.programs = program_cache_create();
+    context->api.framebuffers = framebuffer_list_create();
     context->api.software = is_software((const char *)context->api.GetString(GL_RENDERER));
     /* A software rasteriser frees tens of MiB of triangles at the end of what it draws, and asks for them again. */
     if (context->api.software)
@@ -244,6 +247,8 @@ struct context *context_create(const struct context_desc *desc) {
     struct wish wish;
     struct names reasons = {0};
     struct context *before = current;
+    if (desc->screen != SCREEN_AUTO)
+        screen_set_way(desc->screen);
     if (!parse_wish(&wish, desc->device))
         return NULL;
     list_candidates(&list, desc->kind, &reasons);
@@ -299,6 +304,7 @@ void context_free(struct context *context) {
     if (context->native.platform)
         context->native.platform->destroy(&context->native);
     program_cache_free(context->api.programs);
+    framebuffer_list_free(context->api.framebuffers);
     free(context);
 }
 

@@ -24,6 +24,7 @@ struct context_desc {
      * NULL = all in order. */
     const char *device;
     bool debug; /* a debug context: GL's messages are logged and counted */
+    int screen; /* how screen passes run, of the whole process: an enum screen_way (gl/screen.h); 0 = as chosen */
 };
 
 /* Whether a text is such a device. Error: says how devices are named. */

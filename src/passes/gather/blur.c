@@ -7,10 +7,9 @@
 
 #include <math.h>
 
-static bool init_program(GLuint *program, bool pack, bool of_plain) {
+static bool init_program(GLuint *program, bool pack, bool of_plain, bool masked) {
     const struct program_desc desc = {
-        .vertex = "fullscreen.vert",
-        .fragment = "gather/blur.frag",
+        .screen = {"gather/blur.frag", .masked = masked},
         .defines = pack       ? of_plain ? "PACK 1;OF_PLAIN 1" : "PACK 1;OF_PLAIN 0"
                    : of_plain ? "PACK 0;OF_PLAIN 1"
                               : "PACK 0;OF_PLAIN 0",
@@ -21,8 +20,8 @@ static bool init_program(GLuint *program, bool pack, bool of_plain) {
 /* The target's own framebuffer has no depth to test. */
 static bool init_axis(struct blur_axis *axis, bool pack, const struct irradiance *target,
                       const struct texture *plain) {
-    return init_program(&axis->program, pack, false) &&
-           (!plain || init_program(&axis->plain_program, pack, true)) &&
+    return init_program(&axis->program, pack, false, plain) &&
+           (!plain || init_program(&axis->plain_program, pack, true, plain)) &&
            framebuffer_init(&axis->framebuffer,
                             &(struct framebuffer_desc){.label = target->texture.desc.label,
                                                        .colors = {&target->texture},
@@ -40,8 +39,7 @@ static bool init_axes(struct blur_pass *pass) {
 static bool init_pack(struct blur_pass *pass) {
     return program_init(&pass->pack_program,
                         &(struct program_desc){
-                            .vertex = "fullscreen.vert",
-                            .fragment = "gather/blur_pack.frag",
+                            .screen = {"gather/blur_pack.frag"},
                             .defines = pass->desc.gloss    ? "DETAIL 0;GLOSS 1"
                                        : pass->desc.detail ? "DETAIL 1;GLOSS 0"
                                                            : "DETAIL 0;GLOSS 0",

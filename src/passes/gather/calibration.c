@@ -23,10 +23,9 @@ static int cell_tests(const struct calibration_desc *desc) {
 static bool init_test_program(struct calibration_pass *pass) {
     char *lookup = visibility_defines(&pass->desc.visibility);
     char *defines = mem_printf("%s;CLAMP %d", lookup, pass->desc.clamp);
-    bool ok = program_init(&pass->test_program,
-                           &(struct program_desc){.vertex = "fullscreen.vert",
-                                                  .fragment = "gather/calibration_test.frag",
-                                                  .defines = defines});
+    bool ok = program_init(
+        &pass->test_program,
+        &(struct program_desc){.screen = {"gather/calibration_test.frag"}, .defines = defines});
     free(lookup);
     free(defines);
     return ok;
@@ -34,15 +33,14 @@ static bool init_test_program(struct calibration_pass *pass) {
 
 static bool init_programs(struct calibration_pass *pass) {
     return init_test_program(pass) &&
-           program_init(&pass->sum_program,
-                        &(struct program_desc){.vertex = "layers.vert",
-                                               .fragment = "gather/calibration_sum.frag"}) &&
+           program_init(
+               &pass->sum_program,
+               &(struct program_desc){.screen = {"gather/calibration_sum.frag", .layers = true}}) &&
            program_init(&pass->mean_program,
-                        &(struct program_desc){.vertex = "fullscreen.vert",
-                                               .fragment = "gather/calibration_mean.frag"}) &&
+                        &(struct program_desc){.screen = {"gather/calibration_mean.frag"}}) &&
            program_init(&pass->gain_program,
-                        &(struct program_desc){.vertex = "layers.vert",
-                                               .fragment = "gather/calibration_gain.frag"}) &&
+                        &(struct program_desc){
+                            .screen = {"gather/calibration_gain.frag", .layers = true}}) &&
            program_init(&pass->block_program,
                         &(struct program_desc){.vertex = "layers.vert",
                                                .fragment = "gather/calibrate_blocks.frag"});

@@ -32,8 +32,7 @@ bool detail_pass_init(struct detail_pass *pass, const struct detail_desc *desc) 
     pass->has_plain = desc->plain;
     if (program_init(&pass->program,
                      &(struct program_desc){
-                         .vertex = "fullscreen.vert",
-                         .fragment = "gather/detail.frag",
+                         .screen = {"gather/detail.frag", .masked = desc->plain},
                          .defines = desc->block ? "SHARE_VISIBILITY 1" : "SHARE_VISIBILITY 0",
                      }) &&
         init_lists(&pass->lists, desc) &&

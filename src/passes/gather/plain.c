@@ -10,16 +10,14 @@
 
 #include <math.h>
 
-static bool init_program(GLuint *program, const char *fragment, const char *defines) {
-    return program_init(program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                        .fragment = fragment,
-                                                        .defines = defines});
-}
-
 static bool init_programs(struct plain_pass *pass) {
-    return init_program(&pass->around_program, "gather/plain_around.frag", "ERODE 0") &&
-           init_program(&pass->erode_program, "gather/plain_around.frag", "ERODE 1") &&
-           init_program(&pass->program, "gather/plain.frag", NULL);
+    struct program_desc around = {.screen = {"gather/plain_around.frag"}, .defines = "ERODE 0"};
+    struct program_desc erode = around;
+    erode.defines = "ERODE 1";
+    return program_init(&pass->around_program, &around) &&
+           program_init(&pass->erode_program, &erode) &&
+           program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
+                                                               .fragment = "gather/plain.frag"});
 }
 
 static bool init_blocks(struct plain_pass *pass) {

@@ -27,8 +27,7 @@ static bool init_programs(struct bounce_pass *pass) {
                  {&pass->seen_program, "lights/bounce_seen.frag"},
                  {&pass->kept_program, "lights/bounce_kept.frag"}};
     for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
-        if (!program_init(drawn[i].program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                                   .fragment = drawn[i].fragment}))
+        if (!program_init(drawn[i].program, &(struct program_desc){.screen = {drawn[i].fragment}}))
             return false;
     return program_init(&pass->vpl_program,
                         &(struct program_desc){.vertex = "lights/bounce_vpl.vert"});

@@ -42,12 +42,10 @@ static bool init_programs(struct cluster_pass *pass) {
         GLuint *program;
         struct program_desc desc;
     } rows[] = {
-        {&pass->seed_program,
-         {.vertex = "fullscreen.vert", .fragment = "lights/cluster_seed.frag"}},
+        {&pass->seed_program, {.screen = {"lights/cluster_seed.frag"}}},
         {&pass->scatter_program,
          {.vertex = "lights/cluster_scatter.vert", .fragment = "lights/cluster_scatter.frag"}},
-        {&pass->divide_program,
-         {.vertex = "fullscreen.vert", .fragment = "lights/cluster_divide.frag"}},
+        {&pass->divide_program, {.screen = {"lights/cluster_divide.frag"}}},
         {&pass->map_program, {.vertex = "lights/cluster_map.vert"}},
         /* Of views: */
         {&pass->extent_program,

@@ -15,8 +15,7 @@ static bool init_programs(struct importance_pass *pass) {
     return program_init(&pass->value_program, &value) &&
            program_init(&pass->number_program, &number) &&
            program_init(&pass->seed_program,
-                        &(struct program_desc){.vertex = "fullscreen.vert",
-                                               .fragment = "lights/importance_seed.frag"});
+                        &(struct program_desc){.screen = {"lights/importance_seed.frag"}});
 }
 
 static bool init_target(struct texture *texture, GLuint *framebuffer,

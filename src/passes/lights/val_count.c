@@ -12,8 +12,7 @@ static bool init_programs(struct val_count_pass *pass) {
                                                .fragment = "lights/val_count.frag",
                                                .defines = "METRIC 0;SEEDED 0"}) &&
            program_init(&pass->seed_program,
-                        &(struct program_desc){.vertex = "fullscreen.vert",
-                                               .fragment = "lights/val_count_seed.frag"});
+                        &(struct program_desc){.screen = {"lights/val_count_seed.frag"}});
 }
 
 static bool init_row(struct texture *texture, const char *label, GLenum format, int width) {

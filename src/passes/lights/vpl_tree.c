@@ -16,7 +16,7 @@ static bool init_programs(struct vpl_tree_pass *pass) {
         {&pass->sort_program, {.compute = "lights/tree_sort.comp"}},
         {&pass->leaves_program, {.compute = "lights/tree_nodes.comp", .defines = "LEAVES"}},
         {&pass->nodes_program, {.compute = "lights/tree_nodes.comp"}},
-        {&pass->picks_program, {.vertex = "layers.vert", .fragment = "lights/tree_picks.frag"}},
+        {&pass->picks_program, {.screen = {"lights/tree_picks.frag", .layers = true}}},
     };
     bool ok = true;
     for (size_t i = 0; ok && i < sizeof rows / sizeof *rows; i++)

@@ -18,15 +18,13 @@ static bool init_programs(struct antialias_pass *pass) {
                                                .fragment = "picture/samples.frag",
                                                .defines = "MASKED"}) &&
            program_init(&pass->even_program,
-                        &(struct program_desc){.vertex = "fullscreen.vert",
-                                               .fragment = "picture/even.frag"}) &&
+                        &(struct program_desc){.screen = {"picture/even.frag"}}) &&
            program_init(&pass->edge_program,
                         &(struct program_desc){.vertex = "picture/edges.vert",
                                                .fragment = "picture/edges.frag",
                                                .defines = samples}) &&
            program_init(&pass->pick_program,
-                        &(struct program_desc){.vertex = "fullscreen.vert",
-                                               .fragment = "picture/antialias.frag",
+                        &(struct program_desc){.screen = {"picture/antialias.frag", .masked = true},
                                                .defines = samples});
 }
 

@@ -28,17 +28,22 @@ static bool init_programs(struct composite_pass *pass) {
              has & HAS_RADIANCE ? "HAS_RADIANCE;" : "", has & HAS_MEDIUM ? "HAS_MEDIUM;" : "",
              pass->desc.has_sky ? "HAS_SKY;" : "", pass->desc.has_emission ? "HAS_EMISSION;" : "",
              pass->desc.has_gloss ? "HAS_GLOSS;" : "");
-    struct program_desc desc = {
-        .vertex = "fullscreen.vert", .fragment = "picture/composite.frag", .defines = defines};
-    if (!program_init(&pass->display_program, &desc))
-        return false;
     snprintf(centers, sizeof centers, "%sCENTERS", defines);
-    desc.defines = centers;
-    if (!program_init(&pass->centers_program, &desc))
-        return false;
-    desc.defines = defines;
-    desc.fragment = "picture/layer.frag";
-    return program_init(&pass->layer_program, &desc);
+    return program_init(&pass->display_program,
+                        &(struct program_desc){
+                            .screen = {"picture/composite.frag", .masked = true},
+                            .defines = defines,
+                        }) &&
+           program_init(&pass->centers_program,
+                        &(struct program_desc){
+                            .vertex = "fullscreen.vert",
+                            .fragment = "picture/composite.frag",
+                            .defines = centers,
+                        }) &&
+           program_init(&pass->layer_program, &(struct program_desc){
+                                                  .screen = {"picture/layer.frag", .blended = true},
+                                                  .defines = defines,
+                                              });
 }
 
 bool composite_pass_init(struct composite_pass *pass, const struct composite_desc *desc) {
@@ -136,14 +141,14 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
     if (pass->desc.has_gloss)
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->direct_specular->id);
     add_contribution(&state, &inputs->contribution);
-    pass_begin(frame->timers, &state);
+    timer_begin(frame->timers, state.name);
     if (program == pass->display_program) {
         draw_centers(pass, state);
         state.depth = PASS_DEPTH_EQUAL;
-        pass_set_state(&state);
     }
+    pass_set_state(&state);
     pass_draw_fullscreen(1);
-    pass_end(frame->timers);
+    timer_end(frame->timers);
 }
 
 void composite_pass_render(const struct composite_pass *pass, const struct frame *frame,

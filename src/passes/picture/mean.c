@@ -22,6 +22,7 @@ static bool init_sums(struct mean_pass *pass) {
 
 bool mean_pass_init(struct mean_pass *pass, const struct mean_desc *desc) {
     *pass = (struct mean_pass){.desc = *desc, .layers = desc->gloss ? LAYERS : LAYERS_PLAIN};
+    /* Drawn: in compute shaders llvmpipe 22.3 reads zeros by an index of sums[] that varies. */
     struct program_desc program = {.vertex = "fullscreen.vert",
                                    .fragment = "picture/mean.frag",
                                    .defines = desc->gloss ? "HAS_GLOSS" : NULL};

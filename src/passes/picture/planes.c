@@ -7,8 +7,7 @@
 bool planes_pass_init(struct planes_pass *pass, int width, int height) {
     struct block_planes *planes = &pass->planes;
     *pass = (struct planes_pass){0};
-    if (program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                            .fragment = "picture/planes.frag"}) &&
+    if (program_init(&pass->program, &(struct program_desc){.screen = {"picture/planes.frag"}}) &&
         block_texture_init(&planes->planes, "planes of blocks", GL_RGBA32F, width, height) &&
         block_texture_init(&planes->normals, "normals of blocks", GL_RGBA16, width, height) &&
         framebuffer_init(

@@ -32,9 +32,9 @@ static void free_target(struct direct_light_target *target) {
 static bool init_program(GLuint *program, const struct direct_light_desc *desc, int projection) {
     char *defines = mem_printf("%s%sPROJECTION %d", desc->defines, desc->gloss ? "HAS_GLOSS;" : "",
                                desc->own_maps ? PROJECTION_LIGHT_MAP : projection);
-    bool ok = program_init(program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                           .fragment = desc->fragment,
-                                                           .defines = defines});
+    bool ok =
+        program_init(program, &(struct program_desc){.screen = {desc->fragment, .blended = true},
+                                                     .defines = defines});
     free(defines);
     return ok;
 }

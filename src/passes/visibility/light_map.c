@@ -9,9 +9,9 @@
 static bool init_program(struct light_map_pass *pass) {
     char *defines = mem_printf("MAP_SIZE %d", pass->maps.size);
     bool ok =
-        program_init(&pass->program, &(struct program_desc){.vertex = "layers.vert",
-                                                            .fragment = "visibility/light_map.frag",
-                                                            .defines = defines});
+        program_init(&pass->program,
+                     &(struct program_desc){.screen = {"visibility/light_map.frag", .layers = true},
+                                            .defines = defines});
     free(defines);
     return ok;
 }

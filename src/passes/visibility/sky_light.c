@@ -24,15 +24,14 @@ static bool init_programs(struct sky_light_pass *pass) {
     char *defines = mem_printf("%s;WAYS %d", maps, pass->desc.ways);
     char *light_defines = mem_printf("%s%s", defines, pass->desc.gloss ? ";HAS_GLOSS" : "");
     bool ok = program_init(&pass->share_program,
-                           &(struct program_desc){.vertex = "layers.vert",
-                                                  .fragment = "visibility/sky_shares.frag"}) &&
-              program_init(&pass->block_program,
-                           &(struct program_desc){.vertex = "layers.vert",
-                                                  .fragment = "visibility/sky_blocks.frag",
-                                                  .defines = defines}) &&
+                           &(struct program_desc){
+                               .screen = {"visibility/sky_shares.frag", .layers = true}}) &&
+              program_init(
+                  &pass->block_program,
+                  &(struct program_desc){.screen = {"visibility/sky_blocks.frag", .layers = true},
+                                         .defines = defines}) &&
               program_init(&pass->light_program,
-                           &(struct program_desc){.vertex = "fullscreen.vert",
-                                                  .fragment = "visibility/sky_light.frag",
+                           &(struct program_desc){.screen = {"visibility/sky_light.frag"},
                                                   .defines = light_defines});
     free(maps);
     free(defines);

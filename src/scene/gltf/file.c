@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/shell.h"
 #include "scene/read_rules.h"
 
 #include <errno.h>
@@ -58,25 +59,50 @@ static char *find_root(const char *folder) {
     return root;
 }
 
-/* The file where the name leads, if that is below the root. Whether a file lies outside is not
- * told. */
-static enum file_lack resolve(const char *folder, const char *root, const char *name, char **real) {
+/* The deepest folder that holds both. */
+static char *common_folder(const char *folder, const char *path) {
+    char *common = mem_strdup(folder);
+    while (!is_below(common, path)) {
+        char *slash = strrchr(common, '/');
+        slash[slash == common] = '\0';
+    }
+    return common;
+}
+
+/* Where the name leads: the file without links, if that is below the root. place: the file, or the place
+ * outside; NULL where a file is missing. The place outside is that of the name as text, so that none can tell
+ * whether a file is there; it is that of links where the text stays in the root. */
+static enum file_lack resolve(const char *folder, const char *root, const char *name,
+                              char **place) {
     char *as_text = join_as_text(folder, name), *path = mem_printf("%s/%s", folder, name);
-    *real = realpath(*name == '/' ? name : path, NULL);
-    if (!*real)
-        *real = realpath(as_text, NULL);
-    enum file_lack lack = FILE_FOUND;
-    if (!is_below(root, *real ? *real : as_text))
+    *place = realpath(*name == '/' ? name : path, NULL);
+    if (!*place)
+        *place = realpath(as_text, NULL);
+    enum file_lack lack = *place ? FILE_FOUND : FILE_MISSING;
+    if (!is_below(root, *place ? *place : as_text)) {
         lack = FILE_OUTSIDE;
-    else if (!*real)
-        lack = FILE_MISSING;
-    if (lack != FILE_FOUND) {
-        free(*real);
-        *real = NULL;
+        if (!is_below(root, as_text)) {
+            free(*place);
+            *place = mem_strdup(as_text);
+        }
     }
     free(as_text);
     free(path);
     return lack;
+}
+
+/* The error names the root that would allow it, but not all of the machine. */
+static void refuse_outside(const char *folder, const char *root, const char *place,
+                           const char *name) {
+    char text[80], *common = common_folder(folder, place), *word = shell_quote(common);
+    if (strcmp(common, "/") == 0)
+        error_set("'%s' leads out of the folder %s (--root DIR names another)", shown(text, name),
+                  root);
+    else
+        error_set("'%s' leads out of the folder %s (--root %s allows it)", shown(text, name), root,
+                  word);
+    free(word);
+    free(common);
 }
 
 /* The name as a path: without "file://"; the caller frees it. NULL: another URL, or nothing. */
@@ -116,27 +142,38 @@ static void slashes_for_backslashes(char *path) {
             *path = '/';
 }
 
+/* The same of a name with backslashes, as they are or as slashes. */
+static enum file_lack resolve_either(const char *folder, const char *root, char *path,
+                                     char **place) {
+    enum file_lack lack = resolve(folder, root, path, place);
+    if (lack == FILE_FOUND || !strchr(path, '\\'))
+        return lack;
+    free(*place);
+    slashes_for_backslashes(path);
+    return resolve(folder, root, path, place);
+}
+
 char *file_find_named(const char *folder, const char *name, enum file_lack *lack) {
-    char text[80], *path = path_of(folder, name), *found = NULL;
+    char text[80], *path = path_of(folder, name), *place = NULL;
     *lack = FILE_MISSING;
     if (!path)
         return NULL;
     char *base = realpath(*folder ? folder : ".", NULL), *root = find_root(base ? base : "/");
-    *lack = base ? resolve(base, root, path, &found) : FILE_MISSING;
-    if (*lack != FILE_FOUND && strchr(path, '\\')) {
-        slashes_for_backslashes(path);
-        *lack = base ? resolve(base, root, path, &found) : FILE_MISSING;
-    }
+    if (base)
+        *lack = resolve_either(base, root, path, &place);
     if (*lack == FILE_MISSING)
         error_set("cannot open %s%s: %s", *path == '/' ? "" : folder, shown(text, path),
                   strerror(ENOENT));
-    else if (*lack == FILE_OUTSIDE)
-        error_set("'%s' leads out of the folder %s (--root DIR names another)", shown(text, name),
-                  root);
+    else if (*lack == FILE_OUTSIDE) {
+        refuse_outside(base, root, place, name);
+        free(place);
+        place = NULL;
+        *lack = *path == '/' ? FILE_MISSING : FILE_OUTSIDE;
+    }
     free(path);
     free(base);
     free(root);
-    return found;
+    return place;
 }
 
 bool file_read_named(struct file_bytes *bytes, const char *folder, const char *name, char **path,
@@ -161,46 +198,73 @@ bool glb_is(const struct file_bytes *bytes) {
     return bytes->size >= 4 && memcmp(bytes->data, "glTF", 4) == 0;
 }
 
-/* A chunk at an offset, of which at least type and size are there. */
-static bool check_chunk(int chunk, uint32_t type, size_t size, size_t left) {
-    enum { JSON = 0x4E4F534A };
-    if (size > left && chunk <= 1)
-        return error_set("chunk %d: %zu bytes, but only %zu are left", chunk, size, left);
-    if ((chunk == 0) != (type == JSON))
+enum { GLB_JSON = 0x4E4F534A, GLB_BIN = 0x004E4942 };
+
+/* The lengths that a file tells of itself, and its own. */
+struct glb_sizes {
+    size_t told, file;
+};
+
+static void tell_header(char text[80], const struct glb_sizes *sizes) {
+    snprintf(text, 80, "the header says %zu bytes, there are %zu", sizes->told, sizes->file);
+}
+
+static void tell_chunk(char text[80], int chunk, size_t size, size_t left) {
+    snprintf(text, 80, "chunk %d: %zu bytes, but only %zu are left", chunk, size, left);
+}
+
+/* Errors of the first chunk, and of a second one of its kind. */
+static bool check_chunk(int chunk, uint32_t type, size_t size, size_t left,
+                        const struct glb_sizes *sizes) {
+    char text[80];
+    if ((chunk == 0) != (type == GLB_JSON))
         return error_set("chunk %d: type 0x%08X is %s", chunk, type,
                          chunk == 0 ? "not JSON" : "JSON, which comes first alone");
-    return true;
+    if (chunk > 0 || size <= left)
+        return true;
+    if (sizes->told > sizes->file)
+        tell_header(text, sizes);
+    else
+        tell_chunk(text, chunk, size, left);
+    return error_set("truncated: %s", text);
 }
 
 /* glTF 2.0, 4.4: a header of 12 bytes, then chunks of length, type and data: JSON, then BIN, then
- * any others, which are ignored. */
+ * any others, which are ignored. The chunks tell where the file ends: past the length in the header
+ * only BIN counts. */
 bool glb_check(const struct file_bytes *bytes, struct glb_chunks *chunks) {
-    enum { BIN = 0x004E4942 };
     if (bytes->size < 20)
         return error_set("truncated: %zu bytes are no GLB file", bytes->size);
     if (word_at(bytes, 4) != 2)
         return error_set("glTF version %u; 2.0 is read", word_at(bytes, 4));
-    size_t end = word_at(bytes, 8), at = 12;
-    if (end > bytes->size || end < 20)
-        return error_set("%s: the header says %zu bytes, there are %zu",
-                         end > bytes->size ? "truncated" : "wrong length", end, bytes->size);
+    const struct glb_sizes sizes = {word_at(bytes, 8), bytes->size};
+    size_t at = 12;
     *chunks = (struct glb_chunks){.json = (const char *)bytes->data + 20};
-    for (int chunk = 0; end - at >= 8; chunk++) {
-        size_t size = word_at(bytes, at);
+    for (int chunk = 0; bytes->size - at >= 8; chunk++) {
+        size_t size = word_at(bytes, at), left = bytes->size - at - 8;
         uint32_t type = word_at(bytes, at + 4);
-        if (!check_chunk(chunk, type, size, end - at - 8))
+        bool is_bin = type == GLB_BIN && !chunks->bin;
+        if (chunk > 0 && !is_bin && (at >= sizes.told || size > left))
+            break; /* padding, which the header may count, or bytes behind */
+        if (!check_chunk(chunk, type, size, left, &sizes))
             return false;
-        if (size > end - at - 8)
-            break; /* padding behind JSON and BIN, which the header counts */
         chunks->is_uneven |= size % 4 != 0;
-        if (chunk == 0) {
+        if (size > left) {
+            tell_chunk(chunks->length, chunk, size, left);
+            chunks->is_cut = true;
+            size = left;
+        }
+        if (chunk == 0)
             chunks->json_size = size;
-        } else if (type == BIN && !chunks->bin) {
+        else if (is_bin) {
             chunks->bin = (const char *)bytes->data + at + 8;
             chunks->bin_size = size;
         }
         at += 8 + size;
     }
     chunks->tail = bytes->size - at;
+    if (sizes.told > bytes->size || sizes.told < at)
+        tell_header(chunks->length, &sizes);
+    chunks->is_cut |= sizes.told > bytes->size;
     return true;
 }

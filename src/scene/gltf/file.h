@@ -17,7 +17,7 @@ extern const char file_no_folder[];
  * ends in a slash. The name may be absolute, lead upward and go through links; backslashes are slashes
  * where there is no such file otherwise. The file lies below the root: that of scene/read_rules.h, or
  * the parent of the folder, or the folder itself where the parent is "/". NULL and an error: lack tells
- * which. */
+ * which. An absolute name that leads out of the root counts as missing: it is of another machine. */
 char *file_find_named(const char *folder, const char *name, enum file_lack *lack);
 
 /* Reads it, and gives its path, NULL where that fails. A file that cannot be read counts as missing. */
@@ -32,6 +32,8 @@ struct glb_chunks {
     size_t json_size, bin_size; /* bin_size = 0: there is no BIN chunk */
     size_t tail;                /* bytes after the last chunk, which are ignored */
     bool is_uneven;             /* a chunk's size is no multiple of 4 */
+    char length[80];            /* which length in the file is wrong, in words; "" = none */
+    bool is_cut;                /* it is the file that is too short */
 };
 
 /* Checks the container of a .glb, header and chunks, and finds JSON and BIN. */

@@ -24,7 +24,8 @@ bool check_asset(Loader &loader, json &root);
  * indices and types are right afterwards. */
 bool check_schema(Loader &loader, json &root);
 
-/* mended.cpp: numbers of nodes, lights and materials that are off by rounding. */
+/* mended.cpp: numbers of nodes, lights and materials that are off by rounding, and depths of cameras that
+ * are none. */
 bool mend_numbers(Loader &loader, json &root);
 
 /* buffers.cpp: takes the bytes of buffers and the pictures out of the JSON, with those of the BIN

@@ -105,14 +105,21 @@ bool load_area_light(const tinygltf::Value &from, struct scene_light &to) {
                      double(rectangle ? to.size[1] : to.size[0]));
 }
 
-/* A range that holds nothing cuts nothing. */
+/* Numbers that mended.cpp lets pass. */
 void load_range(double near, double far, struct scene_camera &to) {
-    to.near = near > 0 && near <= size_max ? float(near) : 0;
-    to.far = far > near && far <= size_max ? float(far) : 0;
+    to.near = float(near);
+    to.far = far <= camera_depth_most ? float(far) : 0;
+}
+
+/* One that no picture has is none. */
+float aspect_of(double width, double height) {
+    double aspect = width / height;
+    return aspect >= 1. / 16 && aspect <= 16 ? float(aspect) : 0;
 }
 
 bool load_perspective(const tinygltf::PerspectiveCamera &from, struct scene_camera &to) {
     to.fov_y = float(from.yfov);
+    to.aspect = aspect_of(from.aspectRatio, 1);
     load_range(from.znear, from.zfar, to);
     return (to.fov_y > 0 && to.fov_y < 2 * half_pi) || error_set("yfov: %g radians", to.fov_y);
 }
@@ -120,6 +127,7 @@ bool load_perspective(const tinygltf::PerspectiveCamera &from, struct scene_came
 bool load_orthographic(const tinygltf::OrthographicCamera &from, struct scene_camera &to) {
     to.orthographic = true;
     to.y_extent = float(std::fabs(from.ymag));
+    to.aspect = aspect_of(std::fabs(from.xmag), std::fabs(from.ymag));
     load_range(from.znear, from.zfar, to);
     return (to.y_extent > 0 && std::isfinite(to.y_extent)) ||
            error_set("ymag: %g m", double(to.y_extent));

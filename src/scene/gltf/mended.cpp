@@ -119,10 +119,41 @@ bool mend_materials(Loader &loader, json &root) {
     return true;
 }
 
+/* The depths that a camera sees; tinygltf wants both numbers of an orthographic one. */
+bool mend_depths(Loader &loader, json &depths, bool is_orthographic, const std::string &object) {
+    double near = depths.value("znear", -1.), far = depths.value("zfar", HUGE_VAL);
+    bool is_near_good = is_orthographic ? near >= 0 : near > 0;
+    if (!is_near_good || near > camera_depth_most) {
+        depths["znear"] = near = 0;
+        if (!mend(loader, "a camera's znear that is missing or no distance is taken as 0",
+                  object + ": znear"))
+            return false;
+    }
+    if (!depths.contains("zfar") && !is_orthographic)
+        return true;
+    if (depths.contains("zfar") && far > near)
+        return true;
+    depths["zfar"] = 0;
+    return mend(loader, "a camera's zfar that is missing or not beyond its znear is ignored",
+                object + ": zfar");
+}
+
+bool mend_cameras(Loader &loader, json &root) {
+    for (size_t i = 0; i < list_size(root, "/cameras"); i++) {
+        json &camera = root["cameras"][i];
+        bool is_orthographic = camera["type"] == "orthographic";
+        if (!mend_depths(loader, camera[is_orthographic ? "orthographic" : "perspective"],
+                         is_orthographic, label_of("camera", i, camera)))
+            return false;
+    }
+    return true;
+}
+
 } // namespace
 
 bool mend_numbers(Loader &loader, json &root) {
-    return mend_nodes(loader, root) && mend_lights(loader, root) && mend_materials(loader, root);
+    return mend_nodes(loader, root) && mend_lights(loader, root) && mend_materials(loader, root) &&
+           mend_cameras(loader, root);
 }
 
 } // namespace gltf

@@ -70,6 +70,9 @@ const size_t max_elements = size_t(1) << 27;
 const uint64_t least_memory = uint64_t(2) << 30;
 const uint64_t memory_of_file = 64; /* times its size */
 
+/* What lies farther, metres, no camera sees; a zfar beyond it is none. */
+const double camera_depth_most = 1e9;
+
 /* A defect that was mended: the first object that has it, and how many have. */
 struct Mended {
     std::string what, first;

@@ -113,7 +113,8 @@ bool check_kind(const struct file_bytes &bytes) {
 }
 
 bool mend_container(Loader &loader, const struct glb_chunks &chunks) {
-    return (chunks.tail == 0 || mend(loader, "bytes after the last chunk of a GLB are ignored",
+    return (!*chunks.length || mend(loader, "wrong lengths in a GLB are ignored", chunks.length)) &&
+           (chunks.tail == 0 || mend(loader, "bytes after the last chunk of a GLB are ignored",
                                      std::to_string(chunks.tail) + " bytes")) &&
            (!chunks.is_uneven ||
             mend(loader, "chunks of a GLB that are no multiple of 4 are read as they are", "GLB"));
@@ -128,10 +129,12 @@ bool parse_bytes(Loader &loader, const struct file_bytes &bytes) {
     if (binary ? !glb_check(&bytes, &chunks) || !mend_container(loader, chunks)
                : !check_kind(bytes))
         return false;
-    return parse_json(chunks.json, chunks.json_size, root) && check_asset(loader, root) &&
-           check_schema(loader, root) && mend_numbers(loader, root) &&
-           take_buffers(loader, root, chunks.bin, chunks.bin_size) && take_pictures(loader, root) &&
-           parse_model(loader, root);
+    if (!parse_json(chunks.json, chunks.json_size, root) || !check_asset(loader, root) ||
+        !check_schema(loader, root) || !mend_numbers(loader, root))
+        return false;
+    if (!take_buffers(loader, root, chunks.bin, chunks.bin_size))
+        return chunks.is_cut ? error_prefix("truncated: %s", chunks.length) : false;
+    return take_pictures(loader, root) && parse_model(loader, root);
 }
 
 } // namespace

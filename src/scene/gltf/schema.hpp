@@ -107,7 +107,7 @@ const Field buffer_view[] = {
 
 const Field perspective[] = {
     {"yfov", Required, Kind::Number},
-    {"znear", Required, Kind::Number},
+    {"znear", Optional, Kind::Number},
     {"zfar", Optional, Kind::Number},
     end,
 };
@@ -115,8 +115,8 @@ const Field perspective[] = {
 const Field orthographic[] = {
     {"xmag", Required, Kind::Number},
     {"ymag", Required, Kind::Number},
-    {"znear", Required, Kind::Number},
-    {"zfar", Required, Kind::Number},
+    {"znear", Optional, Kind::Number},
+    {"zfar", Optional, Kind::Number},
     end,
 };
 

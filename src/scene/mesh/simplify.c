@@ -1,6 +1,7 @@
 #include "scene/mesh/simplify.h"
 
 #include "base/memory.h"
+#include "base/parallel.h"
 #include "scene/mesh/weld.h"
 
 #include <cglm/cglm.h>
@@ -382,38 +383,48 @@ void simplify_mesh(const struct simplify_mesh *mesh, const struct simplify_desc 
 
 /* --- geometry --------------------------------------------------------------------------------- */
 
+struct parts {
+    const struct geometry *geometry;
+    const struct simplify_desc *desc;
+    struct weld weld;
+    uint32_t *moved_to;
+};
+
 /* With vertices counted from the part's first, and welded. */
-static void simplify_part(const struct geometry *geometry, const struct geometry_part *part,
-                          const struct simplify_desc *desc, const struct weld *weld,
-                          uint32_t *moved_to) {
+static void simplify_part(const struct parts *parts, const struct geometry_part *part) {
     uint32_t base = part->first_vertex, count = part->vertex_count;
+    const uint32_t *first = parts->weld.first;
+    const uint32_t *corner = parts->geometry->indices + part->first_index;
     uint32_t *indices = mem_alloc(part->index_count, sizeof *indices);
     uint32_t *moved = mem_alloc(count, sizeof *moved);
     for (uint32_t k = 0; k < part->index_count; k++)
-        indices[k] = weld->first[geometry->indices[part->first_index + k]] - base;
-    struct simplify_mesh mesh = {geometry->position + base, indices, weld->shared + base, count,
-                                 part->index_count};
+        indices[k] = first[corner[k]] - base;
+    struct simplify_mesh mesh = {parts->geometry->position + base, indices,
+                                 parts->weld.shared + base, count, part->index_count};
     float diagonal = glm_vec3_distance((float *)part->bounds_min, (float *)part->bounds_max);
-    struct simplify_desc own = *desc;
-    own.error = fminf(desc->error, part_fraction * diagonal);
+    struct simplify_desc own = *parts->desc;
+    own.error = fminf(own.error, part_fraction * diagonal);
     simplify_mesh(&mesh, &own, moved);
     for (uint32_t v = 0; v < count; v++)
-        moved_to[base + v] = base + moved[weld->first[base + v] - base];
+        parts->moved_to[base + v] = base + moved[first[base + v] - base];
     free(indices);
     free(moved);
+}
+
+static void simplify_numbered_part(void *context, size_t number) {
+    const struct parts *parts = context;
+    const struct geometry_part *part = &parts->geometry->parts[number];
+    if (part->rigid && part->first_index < parts->geometry->opaque_index_count)
+        simplify_part(parts, part);
 }
 
 uint32_t *simplify_geometry(const struct geometry *geometry, const struct simplify_desc *desc) {
     uint32_t *moved_to = mem_alloc(geometry->vertex_count, sizeof *moved_to);
     for (uint32_t v = 0; v < geometry->vertex_count; v++)
         moved_to[v] = v;
-    struct weld weld;
-    weld_init(&weld, geometry);
-    for (int p = 0; p < geometry->part_count; p++) {
-        const struct geometry_part *part = &geometry->parts[p];
-        if (part->rigid && part->first_index < geometry->opaque_index_count)
-            simplify_part(geometry, part, desc, &weld, moved_to);
-    }
-    weld_free(&weld);
+    struct parts parts = {.geometry = geometry, .desc = desc, .moved_to = moved_to};
+    weld_init(&parts.weld, geometry);
+    parallel_for((size_t)geometry->part_count, 0, simplify_numbered_part, &parts);
+    weld_free(&parts.weld);
     return moved_to;
 }

@@ -6,10 +6,16 @@
 
 #define FOLDER "techniques/imperfect-shadow-maps/"
 
-static bool init_program(GLuint *program, const char *fragment, const char *defines) {
-    return program_init(
-        program,
-        &(struct program_desc){.vertex = "layers.vert", .fragment = fragment, .defines = defines});
+/* A map's depth can only be drawn. */
+static bool init_programs(struct fill_pass *pass) {
+    const struct screen_desc pull = {FOLDER "pull.frag", .layers = true},
+                             push = {FOLDER "push.frag", .layers = true};
+    return program_init(&pass->pull_program, &(struct program_desc){.screen = pull}) &&
+           program_init(&pass->push_program,
+                        &(struct program_desc){.screen = push, .defines = "TO_MAP 0"}) &&
+           program_init(&pass->map_program, &(struct program_desc){.vertex = "layers.vert",
+                                                                   .fragment = push.body,
+                                                                   .defines = "TO_MAP 1"});
 }
 
 /* Of level l + 1. */
@@ -42,9 +48,7 @@ static bool init_levels(struct fill_pass *pass) {
 bool fill_pass_init(struct fill_pass *pass, int size, int count) {
     *pass = (struct fill_pass){0};
     if (depth_maps_init(&pass->maps, &(struct depth_maps_desc){"filled", size, count, false}) &&
-        init_program(&pass->pull_program, FOLDER "pull.frag", NULL) &&
-        init_program(&pass->push_program, FOLDER "push.frag", "TO_MAP 0") &&
-        init_program(&pass->map_program, FOLDER "push.frag", "TO_MAP 1") && init_levels(pass) &&
+        init_programs(pass) && init_levels(pass) &&
         buffer_init(&pass->params, "fill parameters", sizeof(struct fill_params), NULL))
         return true;
     fill_pass_free(pass);

@@ -13,8 +13,7 @@ static bool init_program(GLuint *program, const struct rows_desc *desc, enum gat
     char *lookup = visibility_defines(&desc->visibility);
     char *defines = mem_printf("%s;CLAMP %d", lookup, clamp);
     bool ok =
-        program_init(program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                     .fragment = "techniques/row-column/rows.frag",
+        program_init(program, &(struct program_desc){.screen = {"techniques/row-column/rows.frag"},
                                                      .defines = defines});
     free(lookup);
     free(defines);

@@ -1,0 +1,56 @@
+/* Screen passes: a shader's body that runs once for each pixel of a pass's targets.
+ *
+ * A pass names the body as struct program_desc's `screen`, and draws by pass_draw_fullscreen. The body is a
+ * fragment shader. It runs in one of two ways, and the pass need not know which:
+ *
+ *     fragment    one triangle covers the viewport (glsl/fullscreen.vert, glsl/layers.vert)
+ *     compute     the same text as a compute shader, dispatched in groups of 8x8 pixels
+ *
+ * gl/screen_glsl.c turns the text into a compute shader:
+ *
+ *     layout(location = L) out T name;    a variable, and an image at IMAGE_SCREEN_TARGETS + L that gets its value
+ *     gl_FragCoord                        a variable
+ *     flat in int instance;               the layer, from the dispatch's z
+ *     layout(early_fragment_tests) in;    nothing: the mask is looked up first
+ *     void main()                         void screen_body(), which the dispatch's own main calls
+ *
+ * A body therefore has its outputs, inputs and main each on a line of this form. It discards nothing, sets no
+ * depth, and takes no derivatives. It may use `#ifdef SCREEN_COMPUTE`.
+ *
+ * The framebuffer of a pass tells the textures (gl/framebuffer.h); a depth test against its depth texture by
+ * PASS_DEPTH_EQUAL or PASS_DEPTH_UNEQUAL is a look at that texture's texel; PASS_BLEND_ADD is a load and a sum.
+ * No other depth test, blending or colour mask is possible.
+ *
+ * Barriers: a dispatch waits for all that earlier commands read and write, and all later commands see its targets,
+ * however they read or write them. Most passes read what the pass before has written, so that finer barriers would
+ * gain little.
+ */
+#ifndef GL_SCREEN_H
+#define GL_SCREEN_H
+
+#include "gl/pass.h"
+
+enum screen_way {
+    SCREEN_AUTO, /* the faster one: timed when the process makes its first screen pass */
+    SCREEN_FRAGMENT,
+    SCREEN_COMPUTE,
+};
+
+/* For option tables: "auto", "fragment", "compute", NULL. */
+extern const char *const screen_way_names[];
+
+/* A setting of the process, for programs made from now on. */
+void screen_set_way(enum screen_way way);
+
+/* How screen passes run that the current context makes: never SCREEN_AUTO. */
+enum screen_way screen_way(void);
+
+/* For gl/pass.c. The pass that the state begins is a dispatch, if its program is one. */
+void screen_begin(const struct pass_state *state);
+
+/* Whether it is; the other two are for it alone. */
+bool screen_dispatches(void);
+void screen_viewport(int x, int y, int width, int height);
+void screen_dispatch(int layers);
+
+#endif

@@ -1,0 +1,245 @@
+/* Screen passes (gl/screen.h): drawn and dispatched they have the same bits, and what is dispatched is GLSL for
+ * strict compilers, too. */
+#include "render_support.h"
+
+#include "base/file/output_file.h"
+#include "gl/context/context.h"
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "gl/screen.h"
+#include "gl/screen_glsl.h"
+#include "scene/hash.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- programs ---------------------------------------------------------------------------------- */
+
+/* Full texts of dispatched screen passes, as a strict compiler takes them. */
+static struct {
+    uint64_t seen[256];
+    int count, refused;
+    bool available;
+} validated;
+
+/* OpenGL 4.5 promises more texture units than the validator grants. */
+static void open_validator(void) {
+    char command[1024], output[4096];
+    snprintf(command, sizeof command,
+             "glslangValidator -c | sed 's/\\(CombinedTextureImageUnits\\) .*/\\1 96/' > %s; "
+             "glslangValidator --version",
+             scratch("screen.conf"));
+    validated.available = run_command(command, output, sizeof output) == 0;
+}
+
+static bool is_new(const char *text) {
+    uint64_t hash = 0;
+    hash_bytes(&hash, text, strlen(text));
+    for (int i = 0; i < validated.count; i++)
+        if (validated.seen[i] == hash)
+            return false;
+    assert_true(validated.count < (int)(sizeof validated.seen / sizeof *validated.seen));
+    validated.seen[validated.count++] = hash;
+    return true;
+}
+
+static void validate(const char *text, bool compute, void *user) {
+    char command[1024], output[4096], path[512];
+    (void)user;
+    if (!validated.available || !compute || !strstr(text, "#define SCREEN_COMPUTE\n") ||
+        !is_new(text))
+        return;
+    snprintf(path, sizeof path, "%s", scratch("screen.comp"));
+    check_ok(path, output_file_write(path, text, strlen(text)));
+    snprintf(command, sizeof command, "glslangValidator %s %s", scratch("screen.conf"), path);
+    if (run_command(command, output, sizeof output) == 0)
+        return;
+    validated.refused++;
+    printf("%s\n", output);
+}
+
+/* --- pictures ---------------------------------------------------------------------------------- */
+
+static const struct picture {
+    const char *scene, *technique, *settings;
+    int width, height;
+} pictures[] = {
+    {"cornell-animal", NULL, "samples=12", 97, 64},
+    {"cornell-box", NULL, "samples=1 lights.bounces=3", 64, 97},
+    {"cornell-box", NULL, "path=traced vpls=64 samples=8", 64, 32},
+    {"cornell-box", NULL, "path=paper", 97, 64},
+    {"cornell-box", NULL, "gather.detail=0 blur.separable=off samples=8", 97, 64},
+    {"three-lights", NULL, "samples=8", 97, 64},
+    {"courtyard", NULL, "samples=8", 97, 64},
+    {"gloss", NULL, "samples=8", 97, 64},
+    {"atrium", NULL, "samples=8", 203, 157},
+    {"table", "unshadowed", "samples=8", 97, 64},
+    {"table", "instant-radiosity", "vpls=64", 97, 64},
+    {"table", "imperfect-shadow-maps", "vpls=64", 97, 64},
+    {"table", "lightcuts", "vpls=256", 97, 64},
+    {"table", "row-column", "vpls=256", 97, 64},
+    {"table", "cluster-lights", "vpls=256", 97, 64},
+};
+
+/* All layers, and what a display shows. */
+static struct image render(const struct renderer_desc *desc, enum screen_way way,
+                           struct bitmap *display) {
+    struct renderer renderer;
+    struct image layers;
+    screen_set_way(way);
+    open_renderer(&renderer, desc);
+    texture_read_bitmap(&renderer.composite.display, display);
+    check_ok("layers", renderer_read_layers(&renderer, &layers));
+    renderer_free(&renderer);
+    screen_set_way(SCREEN_AUTO);
+    return layers;
+}
+
+static int differing(const void *a, const void *b, size_t size) {
+    int count = 0;
+    for (size_t i = 0; i < size; i++)
+        count += ((const char *)a)[i] != ((const char *)b)[i];
+    return count;
+}
+
+static void check_picture(const struct picture *picture) {
+    struct stage stage;
+    char path[128];
+    snprintf(path, sizeof path, "scenes/%s.glb", picture->scene);
+    open_stage(&stage, path);
+    struct renderer_desc desc =
+        desc_of(&stage, picture->technique, picture->settings, picture->width, picture->height);
+    struct bitmap shown[2];
+    struct image drawn = render(&desc, SCREEN_FRAGMENT, &shown[0]);
+    struct image dispatched = render(&desc, SCREEN_COMPUTE, &shown[1]);
+    program_visit(validate, NULL);
+    size_t pixels = (size_t)picture->width * (size_t)picture->height;
+    int count = differing(drawn.pixels, dispatched.pixels,
+                          pixels * (size_t)drawn.channel_count * sizeof(float)),
+        of_display = differing(shown[0].rgba, shown[1].rgba, pixels * 4);
+    printf("    %-14s %-22s %-44s %dx%d: %d bytes of %d channels differ, %d of the display's\n",
+           picture->scene, picture->technique ? picture->technique : "", picture->settings,
+           picture->width, picture->height, count, drawn.channel_count, of_display);
+    /* Other drivers may compile the two to other sums. */
+    if (gl.software)
+        assert_true(same_pixels(&drawn, &dispatched) && of_display == 0);
+    image_free(&drawn);
+    image_free(&dispatched);
+    bitmap_free(&shown[0]);
+    bitmap_free(&shown[1]);
+    stage_free(&stage);
+}
+
+static void test_pictures(void **state) {
+    (void)state;
+    open_validator();
+    for (size_t i = 0; i < sizeof pictures / sizeof *pictures; i++)
+        check_picture(&pictures[i]);
+}
+
+/* Of the pictures' programs. */
+static void test_valid(void **state) {
+    (void)state;
+    if (!validated.available) {
+        printf("    glslangValidator is not here\n");
+        skip();
+    }
+    printf("    %d screen passes as compute shaders, %d refused\n", validated.count,
+           validated.refused);
+    assert_true(validated.count > 40);
+    assert_int_equal(validated.refused, 0);
+}
+
+/* --- one pass ---------------------------------------------------------------------------------- */
+
+enum { WIDTH = 21, HEIGHT = 13, LAYERS_DRAWN = 3 };
+
+static void read_texels(const struct texture *texture, float *texels) {
+    gl.GetTextureImage(texture->id, 0, GL_RGBA, GL_FLOAT,
+                       WIDTH * HEIGHT * LAYERS_DRAWN * 4 * (GLsizei)sizeof *texels, texels);
+}
+
+/* The probe's body over a part of a target that is clear. */
+static void draw_part(enum screen_way way, float *texels) {
+    struct texture target;
+    struct pass_state state = {
+        .name = "part", .x = 3, .y = 2, .width = WIDTH - 5, .height = HEIGHT - 4};
+    const float clear[4] = {9, 8, 7, 6};
+    screen_set_way(way);
+    check_ok(
+        "target",
+        texture_init(&target, &(struct texture_desc){.label = "part",
+                                                     .format = GL_RGBA32F,
+                                                     .width = WIDTH,
+                                                     .height = HEIGHT}) &&
+            framebuffer_init(&state.framebuffer,
+                             &(struct framebuffer_desc){.label = "part", .colors = {&target}}) &&
+            program_init(&state.program,
+                         &(struct program_desc){.screen = {.body = "screen_probe.frag"}}));
+    assert_int_equal(program_dispatched(state.program) != NULL, way == SCREEN_COMPUTE);
+    framebuffer_clear_color(state.framebuffer, 0, clear);
+    pass_set_state(&state);
+    pass_draw_fullscreen(1);
+    read_texels(&target, texels);
+    program_free(&state.program);
+    framebuffer_free(&state.framebuffer);
+    texture_free(&target);
+    screen_set_way(SCREEN_AUTO);
+}
+
+/* A dispatch keeps to the viewport as a triangle does. */
+static void test_viewport(void **state) {
+    (void)state;
+    static float drawn[WIDTH * HEIGHT * LAYERS_DRAWN * 4], dispatched[sizeof drawn / sizeof *drawn];
+    int outside = 0;
+    draw_part(SCREEN_FRAGMENT, drawn);
+    draw_part(SCREEN_COMPUTE, dispatched);
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        outside += dispatched[4 * i] == 9 && dispatched[4 * i + 3] == 6;
+    printf("    %d texels of %d are clear, %d bytes differ\n", outside, WIDTH * HEIGHT,
+           differing(drawn, dispatched, sizeof drawn));
+    assert_int_equal(outside, WIDTH * HEIGHT - (WIDTH - 5) * (HEIGHT - 4));
+    if (gl.software)
+        assert_memory_equal(drawn, dispatched, sizeof drawn);
+}
+
+/* Messages name the body's file and line, whatever is written before. */
+static void test_places(void **state) {
+    (void)state;
+    static const char text[] = "#version 450 core\n"
+                               "#ifndef INCLUDED_0\n#define INCLUDED_0\n"
+                               "#line 1\n"
+                               "layout(location = 0) out vec2 value;\n"
+                               "void main() {\n"
+                               "    value = gl_FragCoord.xy;\n"
+                               "}\n"
+                               "#endif\n";
+    char *compute = screen_glsl(text, &(struct screen_desc){.body = "place"});
+    const char *resumed = strstr(compute, "#line 2\nvoid screen_body() {\n"
+                                          "    value = screen_coord.xy;\n");
+    printf("%s", compute);
+    assert_non_null(resumed);
+    assert_null(strstr(compute, "gl_FragCoord"));
+    free(compute);
+}
+
+/* The choice is the process's, and is made once. */
+static void test_auto(void **state) {
+    (void)state;
+    screen_set_way(SCREEN_AUTO);
+    enum screen_way way = screen_way();
+    printf("    auto: %s\n", screen_way_names[way]);
+    assert_true(way == SCREEN_FRAGMENT || way == SCREEN_COMPUTE);
+    assert_int_equal(screen_way(), way);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_places),   cmocka_unit_test(test_auto),
+        cmocka_unit_test(test_viewport), cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_valid),
+    };
+    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
+}

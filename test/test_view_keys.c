@@ -1,0 +1,85 @@
+/* Keys by real input events, in the window's own process: a key that is held, and what Esc closes first. */
+#define _XOPEN_SOURCE 700
+#include "view_inside.h"
+
+#include <stdio.h>
+
+static void begin(const char *scene) {
+    begin_viewer(&(struct viewer_desc){.scene = scene, .width = 96, .height = 96});
+    xdo("mousemove 40 40");
+    rest();
+}
+
+/* How often the window is drawn within so many seconds. */
+static int count_draws(double seconds) {
+    double last = viewer.host.last_drawn, start = clock_ms();
+    int draws = 0;
+    for (; clock_ms() - start < 1000 * seconds; last = viewer.host.last_drawn) {
+        turn();
+        draws += viewer.host.last_drawn != last;
+    }
+    return draws;
+}
+
+/* The window falls asleep 1.5 s after the last event, but not while a key comes again and again: a field's key
+ * would stop. This key types nothing, as text would wake the window, too. */
+static void test_held_key(void **state) {
+    (void)state;
+    begin("scenes/cornell-box.glb");
+    turn_until(window_time() > viewer.host.newest_message + 9); /* messages go */
+    count_draws(3);
+    int idle = count_draws(1);
+    xdo("keydown Right");
+    count_draws(3);
+    int held = count_draws(1);
+    xdo("keyup Right");
+    count_draws(3);
+    int released = count_draws(1);
+    printf("    draws a second: %d at rest, %d while a key is held, %d afterwards\n", idle, held,
+           released);
+    assert_int_equal(idle, 0);
+    assert_true(held >= 5);
+    assert_int_equal(released, 0);
+    finish_viewer();
+}
+
+static void record_all(void) {
+    recorder_ask(&viewer, RECORD_PICTURES);
+    int length = snprintf(viewer.record.folder, sizeof viewer.record.folder, "%s", stage.folder);
+    assert_true(length > 0 && (size_t)length < sizeof viewer.record.folder);
+    viewer.record.is_open = false;
+    recorder_start(&viewer);
+    assert_true(viewer.recorder.on);
+}
+
+/* Esc closes the list of files first, then ends the recording, and only then asks whether to quit. */
+static void test_escape_while_recording(void **state) {
+    (void)state;
+    begin("scenes/moving-spot.glb");
+    record_all();
+    xdo("key ctrl+o");
+    turn_until(viewer.start.dialog.is_open);
+    xdo("key Escape");
+    turn_until(!viewer.start.dialog.is_open);
+    turn();
+    printf("    the list is closed: recording %d, frame %d of %d\n", viewer.recorder.on,
+           viewer.recorder.frame, viewer.recorder.count);
+    assert_true(viewer.recorder.on);
+    xdo("key Escape");
+    turn_until(!viewer.recorder.on);
+    assert_true(is_message_told("manylight-clip-0001", UI_NORMAL));
+    assert_false(is_message_told("Esc once more quits", UI_NORMAL));
+    assert_false(viewer.done);
+    xdo("key Escape");
+    turn_until(is_message_told("Esc once more quits", UI_NORMAL));
+    assert_false(viewer.done);
+    finish_viewer();
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_held_key),
+        cmocka_unit_test(test_escape_while_recording),
+    };
+    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
+}
