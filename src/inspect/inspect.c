@@ -14,10 +14,9 @@
 enum { SHEET_GAP = 6 }; /* pixels of a monitor of scale 1 */
 
 static bool make_blank(struct texture *texture, GLenum target) {
-    return texture_init(texture, &(struct texture_desc){.label = "nothing to inspect",
-                                                        .target = target,
-                                                        .format = GL_R8,
-                                                        .width = 1});
+    return texture_init(
+        texture, &(struct texture_desc){
+                     .label = "nothing to inspect", .target = target, .format = GL_R8, .width = 1});
 }
 
 bool inspect_init(struct inspect *inspect) {
@@ -26,8 +25,7 @@ bool inspect_init(struct inspect *inspect) {
                      &(struct program_desc){.screen = {"inspect/inspect.frag"}}) &&
         buffer_init(&inspect->params, "inspect parameters", sizeof(struct inspect_params), NULL) &&
         make_blank(&inspect->no_plane, GL_TEXTURE_2D) &&
-        make_blank(&inspect->no_layers, GL_TEXTURE_2D_ARRAY) &&
-        marks_init(&inspect->marks))
+        make_blank(&inspect->no_layers, GL_TEXTURE_2D_ARRAY) && marks_init(&inspect->marks))
         return true;
     inspect_free(inspect);
     return false;
