@@ -430,7 +430,7 @@ asan: deps
 
 # What has threads of its own: the path tracer, the metrics, the loader, and the viewer, which loads, compiles, traces
 # and measures in the background.
-TSAN_TESTS := $(patsubst %,build/tsan/test/test_%,reference denoise sky metrics gltf view_compiling view_truth)
+TSAN_TESTS := $(patsubst %,build/tsan/test/test_%,reference denoise sky metrics gltf view_compiling view_reference)
 tsan: deps
 	@TSAN_OPTIONS="suppressions=$(CURDIR)/test/races-of-others exitcode=66" \
 	    $(MAKE) --no-print-directory tests BUILD=build/tsan BINARY=build/tsan/manylight-tsan TESTS="$(TSAN_TESTS)" \

@@ -32,6 +32,7 @@ static const struct subcommand {
     {"compare", "error metrics between two pictures", app_compare},
     {"info", "what renders here, and what a scene holds", app_info},
     {"render", "pictures offscreen", app_render},
+    {"tune", "measures what the choices of --max-error and --budget cost here", app_tune},
     {"view", "a scene in a window", VIEW},
     {"reference", "path-traced ground truth of a scene", app_reference},
     {NULL, NULL, NULL},

@@ -1,5 +1,6 @@
 /* What `make bundle` has packed: libraries of its own, few enough bytes, and a check that answers. Skipped where it was not
  * built. */
+#define _POSIX_C_SOURCE 200809L
 #include "support.h"
 
 #include <stdio.h>

@@ -97,21 +97,20 @@ static void test_aspect(void **state) {
         {"--camera 1 --size 16x8", "16x8", ""},
     };
     char path[512];
-    snprintf(
-        path, sizeof path, "%s",
-        write_parts(
-            "aspect.glb",
-            &(struct gltf_parts){
-                .nodes = "[{\"mesh\": 0}, {\"camera\": 0}, {\"camera\": 1}, {\"camera\": 2},"
-                         " {\"camera\": 3}, {\"camera\": 4}, {\"camera\": 5}]",
-                .more = "\"cameras\": [" EYE("") "," EYE(", \"aspectRatio\": 16") "," EYE(
-                    ", \"aspectRatio\": 0.1") ",{\"type\": \"orthographic\","
-                                              " \"orthographic\": {\"xmag\": -8, \"ymag\": 1, "
-                                              "\"znear\": 0, \"zfar\": 9}}," EYE(", "
-                                                                                 "\"aspectRatio\": "
-                                                                                 "0") "," EYE(
-                                                  ", \"aspectRatio\": "
-                                                  "1e9") "],"}));
+    snprintf(path, sizeof path, "%s",
+             write_parts(
+                 "aspect.glb",
+                 &(struct gltf_parts){
+                     .nodes = "[{\"mesh\": 0}, {\"camera\": 0}, {\"camera\": 1}, {\"camera\": 2},"
+                              " {\"camera\": 3}, {\"camera\": 4}, {\"camera\": 5}]",
+                     .more = "\"cameras\": [" EYE("") "," EYE(", \"aspectRatio\": 16") "," EYE(
+                         ", \"aspectRatio\": 0.1") ",{\"type\": \"orthographic\","
+                                                   " \"orthographic\": {\"xmag\": -8, \"ymag\": 1, "
+                                                   "\"znear\": 0, \"zfar\": 9}}," EYE(
+                                                       ", "
+                                                       "\"aspectRatio\": "
+                                                       "0") "," EYE(", \"aspectRatio\": "
+                                                                    "1e9") "],"}));
     assert_int_equal(info(path), 0);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         check_says(rows[i].says);

@@ -1,4 +1,5 @@
 /* How good a picture has to be: errors told from some of its pixels, and what is chosen by them. */
+#define _POSIX_C_SOURCE 200809L
 #include "render_support.h"
 
 #include "base/error.h"
@@ -24,6 +25,7 @@ struct box {
 
 static int open_box(void **state) {
     static struct box box;
+    setenv("XDG_CACHE_HOME", scratch("cache"), 1); /* not the user's own costs */
     box.context = open_context(CONTEXT_AUTO);
     open_stage(&box.stage, "scenes/cornell-box.glb");
     box.measure = measure_default(&box.stage, SIDE / 2, SIDE / 2);
@@ -175,7 +177,7 @@ static void test_slivers(void **state) {
 static struct quality_found find(const struct box *box, const char *text, double error,
                                  int most_passes) {
     struct quality_found found;
-    struct quality_desc desc = {&box->measure, &text, 1, error, most_passes, false};
+    struct quality_desc desc = {&box->measure, &text, 1, error, most_passes, false, NULL};
     check_ok("find", quality_find(&desc, &found));
     char *what = quality_describe(&found.choice);
     printf("    %g %% asked for: %s, %.2f %%\n", 100 * error, what, 100 * found.error);
@@ -216,8 +218,8 @@ static void test_climb(void **state) {
         {"none can be made", .1, {INFINITY}, {INFINITY, INFINITY, INFINITY}, 0, 3, 0, 1, false},
     };
     struct quality_choice choices[QUALITY_CHOICES_MAX];
-    int frames = quality_ladder(choices, 1);
-    assert_int_equal(quality_ladder(choices, 16), frames + 3);
+    int frames = quality_ladder(choices, 1, NULL);
+    assert_int_equal(quality_ladder(choices, 16, NULL), frames + 3);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct made_up made_up = {.asked = 0};
         struct quality_found found;
@@ -226,7 +228,7 @@ static void test_climb(void **state) {
             made_up.errors[k] = cases[i].frames[last];
         }
         memcpy(&made_up.errors[frames], cases[i].passes, sizeof cases[i].passes);
-        assert_true(quality_climb(cases[i].asked, 16, tell_made_up, &made_up, &found));
+        assert_true(quality_climb(cases[i].asked, 16, NULL, tell_made_up, &made_up, &found));
         printf("    %s: %d told, %d passes of '%s'\n", cases[i].name, made_up.asked,
                found.choice.passes, found.choice.settings);
         assert_int_equal(made_up.asked, (cases[i].told_frames ? cases[i].told_frames : frames) +
@@ -242,7 +244,7 @@ static void test_climb(void **state) {
 static void test_rungs(void **state) {
     (void)state;
     struct quality_choice choices[QUALITY_CHOICES_MAX];
-    int count = quality_ladder(choices, QUALITY_MOST_PASSES);
+    int count = quality_ladder(choices, QUALITY_MOST_PASSES, NULL);
     check_at_most("rungs", count, QUALITY_CHOICES_MAX);
     for (int i = 0; i < count; i++) {
         struct settings settings;
@@ -274,8 +276,8 @@ static void test_techniques(void **state) {
     struct measure_desc measure = measure_default(&stage, SIDE, SIDE);
     for (int any = 0; any < 2; any++) {
         struct quality_found found;
-        check_ok("find",
-                 quality_find(&(struct quality_desc){&measure, NULL, 0, .16, 1, any}, &found));
+        check_ok("find", quality_find(&(struct quality_desc){&measure, NULL, 0, .16, 1, any, NULL},
+                                      &found));
         char *what = quality_describe(&found.choice);
         printf("    %s: %s, %.1f %%\n", any ? "any" : "the default alone", what, 100 * found.error);
         free(what);

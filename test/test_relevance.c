@@ -3,6 +3,7 @@
 #include "render_support.h"
 
 #include "viewer/relevance.h"
+#include "viewer/setting_label.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -144,6 +145,35 @@ static void test_shown(void **state) {
     }
 }
 
+/* Rows under Advanced have plain names, no two alike under one heading. */
+static void check_labels(const struct settings *settings) {
+    char before[64][SETTING_LABEL_SIZE];
+    const struct settings_part *part = NULL;
+    int count = 0, all = 0;
+    for (struct setting setting = {0}; settings_next(settings, &setting); all++) {
+        char name[SETTING_NAME_SIZE];
+        setting_name(&setting, name);
+        count = setting.part == part ? count : 0;
+        part = setting.part;
+        assert_true(count < 64);
+        if (!setting_label(&setting, before[count]))
+            fail_msg("%s has no label in viewer/setting_label.c", name);
+        assert_true(strlen(before[count]) <= 17);
+        for (int i = 0; i < count; i++)
+            assert_string_not_equal(before[i], before[count]);
+        count++;
+    }
+    printf("    %d settings have labels\n", all);
+    assert_true(all > 90);
+}
+
+static void test_labels(void **state) {
+    (void)state;
+    struct settings settings;
+    renderer_settings_init(&settings);
+    check_labels(&settings);
+}
+
 static int open_all(void **state) {
     int status = open_group_context(state);
     open_stage(&stage, "scenes/cornell-animal.glb");
@@ -156,6 +186,7 @@ static int close_all(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_hidden), cmocka_unit_test(test_shown)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_labels), cmocka_unit_test(test_hidden),
+                                       cmocka_unit_test(test_shown)};
     return cmocka_run_group_tests(tests, open_all, close_all);
 }

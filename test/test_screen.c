@@ -9,8 +9,10 @@
 #include "gl/program.h"
 #include "gl/screen.h"
 #include "gl/screen_glsl.h"
+#include "gl/screen_rows.h"
 #include "scene/hash.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -225,21 +227,60 @@ static void test_places(void **state) {
     free(compute);
 }
 
-/* The choice is the process's, and is made once. */
+/* The choice is the process's, and is made once; timing leaves it alone. */
 static void test_auto(void **state) {
     (void)state;
+    struct screen_times times;
     screen_set_way(SCREEN_AUTO);
+    check_ok("times", screen_time_ways(&times));
     enum screen_way way = screen_way();
-    printf("    auto: %s\n", screen_way_names[way]);
-    assert_true(way == SCREEN_FRAGMENT || way == SCREEN_COMPUTE);
+    printf("    drawn %.2f ms, dispatched %.2f ms; auto: %s\n", times.drawn, times.dispatched,
+           screen_way_names[way]);
+    assert_true(times.drawn < HUGE_VAL && times.dispatched < HUGE_VAL);
+    assert_true(way == SCREEN_FRAGMENT || (way == SCREEN_COMPUTE && !gl.software));
     assert_int_equal(screen_way(), way);
+}
+
+/* --- rows -------------------------------------------------------------------------------------- */
+
+static struct dispatched { int width, height, first, count; } dispatches[8];
+static int dispatch_count;
+
+static void note_dispatch(int width, int height, int first, int count, int stride) {
+    (void)stride;
+    dispatches[dispatch_count++] = (struct dispatched){width, height, first, count};
+}
+
+/* Rectangles that overlap are of later rounds, unless they are different parts. */
+static void test_rounds(void **state) {
+    (void)state;
+    static const struct {
+        struct screen_rectangle rectangle;
+        int part;
+    } added[] = {
+        {{0, 0, 10, 4}, 0}, {{10, 0, 10, 6}, 0}, {{0, 0, 10, 4}, 1}, /* round 0 */
+        {{5, 3, 10, 4}, 0},                                          /* 1: over both */
+        {{0, 0, 12, 4}, 1},                                          /* 1: over its own part's */
+        {{14, 6, 2, 2}, 0},                                          /* 2: over the one of 1 */
+    };
+    static const struct dispatched expected[] = {{10, 6, 0, 3}, {12, 4, 3, 2}, {2, 2, 5, 1}};
+    for (size_t i = 0; i < sizeof added / sizeof *added; i++)
+        screen_rows_add(&added[i].rectangle, added[i].part);
+    dispatch_count = 0;
+    screen_rows_flush(note_dispatch);
+    for (int i = 0; i < dispatch_count; i++)
+        printf("    round %d: %d rows from %d on, at most %dx%d\n", i, dispatches[i].count,
+               dispatches[i].first, dispatches[i].width, dispatches[i].height);
+    assert_int_equal(dispatch_count, 3);
+    assert_memory_equal(dispatches, expected, sizeof expected);
+    assert_true(screen_rows_empty());
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_places),   cmocka_unit_test(test_auto),
-        cmocka_unit_test(test_viewport), cmocka_unit_test(test_pictures),
-        cmocka_unit_test(test_valid),
+        cmocka_unit_test(test_rounds),   cmocka_unit_test(test_viewport),
+        cmocka_unit_test(test_pictures), cmocka_unit_test(test_valid),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -30,6 +30,11 @@ static void expect(int status, const char *line) {
         fail_msg("exit status %d, expected %d: %s", actual, status, output);
 }
 
+/* Whether script can make a terminal. */
+static bool has_terminals(void) {
+    return run_command("script -qec true /dev/null", output, sizeof output) == 0;
+}
+
 static void expect_text(const char *text) {
     if (!strstr(output, text))
         fail_msg("'%s' is not in: %s", text, output);
@@ -129,8 +134,10 @@ static void test_pipes_refused(void **state) {
     expect_text("manylight info: -: truncated");
     expect(1, "echo x | % compare - @/quad.glb");
     expect_text("manylight compare: -: ");
-    expect(1, "script -qec \"% info -\" /dev/null");
-    expect_text("standard input is a terminal");
+    if (has_terminals()) {
+        expect(1, "script -qec \"% info -\" /dev/null");
+        expect_text("standard input is a terminal");
+    }
 #ifndef __SANITIZE_ADDRESS__ /* which reserves more */
     expect(1, "head -c 1G /dev/zero 2>/dev/null | % info - --max-memory .3");
     expect_text("manylight info: cannot read -: it has more than ");
@@ -212,12 +219,14 @@ static void test_outputs_refused(void **state) {
         {"% render @/quad.glb -o - --format exr -q " QUICK " >/dev/full",
          "cannot write standard output: No space left on device", 1},
         /* More than a pipe holds, and the reader ends. */
-        {"% render @/quad.glb -o - --format tif -q " QUICK
+        {"% render @/quad.glb -o - --format pfm -q " QUICK
          " --size 200x200 | head -c 10 >/dev/null",
          "manylight render: frame 0: cannot write standard output: Broken pipe\n", 1},
         {"script -qec \"% render @/quad.glb -o - --format png\" /dev/null", "it is a terminal", 1},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        if (strncmp(cases[i].line, "script", 6) == 0 && !has_terminals())
+            continue;
         expect(cases[i].status, cases[i].line);
         expect_text(cases[i].message);
     }

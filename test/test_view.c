@@ -135,8 +135,8 @@ static void test_presets(void **state) {
     xdo("key Return");
     check_same("a number typed", DRAFT "--set vpls=100");
     press("Advanced");
-    assert_true(is_on_screen("rsm-size"));
-    assert_false(is_on_screen("terms")); /* of another visibility */
+    assert_true(is_on_screen("light map texels"));
+    assert_false(is_on_screen("Fourier terms")); /* of another visibility */
     end_viewer();
 }
 

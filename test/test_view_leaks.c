@@ -184,7 +184,7 @@ static void trace(int round) {
         pause_ms(1), turn(1);
     assert_true(viewer.tracing.samples > 0);
     if (round % 2)
-        viewer_forget_truth(&viewer);
+        viewer_forget_reference(&viewer);
 }
 
 static void chart(int round) {
@@ -201,7 +201,7 @@ static void go_back(void) {
     viewer.wish.technique = technique_default;
     viewer.wish.settings = viewer.desc.settings;
     viewer.shown.compare.mode = COMPARE_OFF;
-    viewer_forget_truth(&viewer);
+    viewer_forget_reference(&viewer);
     viewer.look = (struct look){0};
     viewer.shown.choice.output = "normal"; /* whatever output was shown, one canvas is there */
     viewer.shown.recompose = true;
@@ -301,7 +301,7 @@ static void test_kept(void **state) {
     check_kept("frames of an animation", play, 40);
     check_kept("scales of widgets", change_scale, 2);
     check_kept("minimised and back", minimise, 2);
-    check_kept("truths traced", trace, 2);
+    check_kept("references traced", trace, 2);
     check_kept("charts", chart, 3);
     check_kept("lights", change_lights, 8);
     check_kept("looking closely", look_closely, 6);

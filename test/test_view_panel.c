@@ -150,11 +150,11 @@ static void test_filter(void **state) {
     press("Advanced");
     press("find");
     sync_viewer();
-    assert_false(is_on_screen("radius"));
+    assert_false(is_on_screen("blur radius"));
     xdo("type --delay 1 BLUR");
     sync_viewer();
-    assert_true(is_on_screen("radius"));
-    assert_false(is_on_screen("paths"));
+    assert_true(is_on_screen("blur radius"));
+    assert_false(is_on_screen("paths of bounces"));
     xdo("key Return"); /* lets the field go */
     rest_mouse();
     end_viewer();

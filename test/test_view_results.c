@@ -58,7 +58,7 @@ static void test_one_error(void **state) {
     double error, with_noise;
     if (!stage.server)
         skip();
-    truth_pause(&viewer.tracing.truth, true);
+    reference_tracer_pause(&viewer.tracing.tracer, true);
     viewer.shown.layer = LAYER_INDIRECT;
     viewer.shown.compare.measured = false;
     viewer.shown.recompose = true;
@@ -171,7 +171,7 @@ static void test_reference_is_saved(void **state) {
     printf("    %d layers, %d values wrong\n", saved.channel_count, wrong);
     assert_int_equal(wrong, 0);
     image_free(&saved);
-    truth_pause(&viewer.tracing.truth, false);
+    reference_tracer_pause(&viewer.tracing.tracer, false);
     finish_viewer();
 }
 
@@ -376,7 +376,7 @@ static void test_words(void **state) {
     for (const struct preset *p = technique_default->presets; p->name; p++) {
         char title[PRESET_TITLE_SIZE], help[PRESET_HELP_SIZE];
         preset_title(p, title);
-        preset_explain(p, help);
+        preset_explain(p, NULL, help);
         printf("    %-8s %s\n", title, help);
         assert_non_null(strstr(help, "On the command line: --"));
     }

@@ -1,5 +1,5 @@
 /* The first time, with mouse and keys: start without arguments, click a scene, hold it against the
- * truth, find the cheapest setting below 5 % error, save a command line; in at most ten clicks.
+ * reference, find the cheapest setting below 5 % error, save a command line; in at most ten clicks.
  *
  *     build/test/test_view_walk [SHEET.jpg]     writes what was on screen after each step, too
  */
@@ -70,7 +70,7 @@ static void test_start(void **state) {
     keep();
 }
 
-static void test_truth(void **state) {
+static void test_reference(void **state) {
     (void)state;
     need_viewer();
     click_on("Chart speed and accuracy");
@@ -153,7 +153,7 @@ static int close_walk(void **state) {
 int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_start),
-        cmocka_unit_test(test_truth),
+        cmocka_unit_test(test_reference),
         cmocka_unit_test(test_cheapest),
         cmocka_unit_test(test_save),
     };

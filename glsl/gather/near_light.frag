@@ -6,7 +6,8 @@
 #include "shared/near_field.h"
 #include "shared/vpl.h"
 
-flat in int view_index;
+layout(location = LOCATION_FIRST_VIEW) uniform int first_view; // of this kind
+flat in int instance;
 
 layout(location = TARGET_RESULT) out uvec4 packed_light;
 
@@ -17,7 +18,7 @@ float ndc_measure(view v, float cosine) {
 
 void main() {
     packed_light = uvec4(0u);
-    light_view v = light_view_at(view_index);
+    light_view v = light_view_at(first_view + instance);
     light l = light_at(v.light);
     ivec2 texel = ivec2(gl_FragCoord.xy);
     surface s = rsm_surface(v, texel);

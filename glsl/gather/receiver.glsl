@@ -11,6 +11,18 @@ layout(binding = UNIT_FURTHER_POINTS) uniform usampler2D further_points;
 
 flat in ivec3 listed; // where this tile has the list, row by row: begin, end; which list it is
 
+#ifdef SCREEN_COMPUTE
+#include "gather/listed.glsl"
+
+// The rows that gather/listed.vert covers.
+void list_begin(ivec2 place) {
+    listed = listed_of(place);
+    ivec2 rows = listed_rows(listed);
+    screen_area.yw = ivec2(screen_area.y + rows.x, rows.y - rows.x);
+}
+#define SCREEN_BEGIN list_begin(slot.zw)
+#endif
+
 // False outside the list.
 bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
     ivec2 texel = ivec2(gl_FragCoord.xy), within = texel - place * pattern.tile;

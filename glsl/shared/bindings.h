@@ -23,6 +23,7 @@
 #define STORAGE_LIST_COUNTS 0
 #define STORAGE_SERIES_RANGES 1
 #define STORAGE_TREE_KEYS 2
+#define STORAGE_SCREEN_ROWS 3 /* of screen passes that are dispatched */
 #define IMAGE_LISTED_PIXELS 0
 #define IMAGE_FURTHER_TEXELS 1
 #define IMAGE_FURTHER_POINTS 2
@@ -181,6 +182,7 @@
 #define LOCATION_SCREEN_AREA 12 /* of screen passes that are dispatched */
 #define LOCATION_SCREEN_WHERE_MARKED 13
 #define LOCATION_SCREEN_ADDS 14
-#define LOCATION_PICKS 15 /* LIGHTS_MAX of them (shared/light.h) */
+#define LOCATION_SCREEN_ROW 15
+#define LOCATION_PICKS 16 /* LIGHTS_MAX of them (shared/light.h) */
 
 #endif

@@ -68,6 +68,7 @@ static bool print_gl(const struct values *values) {
     printf("renderer  %s\n", (const char *)gl.GetString(GL_RENDERER));
     printf("version   %s\n", (const char *)gl.GetString(GL_VERSION));
     printf("GLSL      %s\n", (const char *)gl.GetString(GL_SHADING_LANGUAGE_VERSION));
+    printf("screen    passes by %s shaders\n", screen_way_names[screen_way()]);
     printf("limits\n");
     print_limits();
     context_free(context);

@@ -2,6 +2,7 @@
 #include "apps/limited.h"
 
 #include "base/error.h"
+#include "base/file/output_file.h"
 #include "base/memory.h"
 #include "base/text.h"
 
@@ -26,16 +27,6 @@ struct relay {
     bool told_error; /* a line of ours that is an error, not a note, a warning or a detail */
 };
 
-static void write_all(const char *bytes, size_t size) {
-    while (size > 0) {
-        ssize_t written = write(STDERR_FILENO, bytes, size);
-        if (written < 0 && errno != EINTR)
-            return;
-        bytes += written > 0 ? written : 0;
-        size -= written > 0 ? (size_t)written : 0;
-    }
-}
-
 static bool begins(const struct text *text, const char *with) {
     return text->length >= strlen(with) && memcmp(text->data, with, strlen(with)) == 0;
 }
@@ -52,7 +43,7 @@ static void pass_line(struct relay *relay) {
     struct text *line = &relay->line;
     if (begins(line, "manylight")) {
         relay->told_error |= is_error(relay, line);
-        write_all(line->data, line->length);
+        output_file_put(STDERR_FILENO, line->data, line->length);
     } else if (relay->held.length + line->length < HELD_MOST) {
         text_append(&relay->held, line->data, line->length);
     }
@@ -130,7 +121,7 @@ static _Noreturn void be_parent(const char *subcommand, double gib, int from) {
             subcommand, gib);
         code = 1; /* some libraries end the process by other numbers */
     } else if (relay.held.length) {
-        write_all(relay.held.data, relay.held.length);
+        output_file_put(STDERR_FILENO, relay.held.data, relay.held.length);
     }
     free(relay.line.data);
     free(relay.held.data);

@@ -2,14 +2,13 @@
 
 #include "base/error.h"
 #include "base/file/image_file.h"
-
-#include <string.h>
+#include "base/file/output_file.h"
 
 /* How many of the paths are "-". */
 static int count_standard(const char *const *paths, int count) {
     int standard = 0;
     for (int i = 0; i < count; i++)
-        standard += paths[i] && strcmp(paths[i], "-") == 0;
+        standard += paths[i] && output_file_is_stdout(paths[i]);
     return standard;
 }
 

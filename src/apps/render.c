@@ -40,7 +40,8 @@ struct values {
     int quality, passes, first_pass;
     bool passes_given; /* by --passes, and not by a quality */
     float max_error, budget, fps;
-    bool skip_existing, stats;
+    bool skip_existing, stats, shipped_costs;
+    struct costs costs;     /* of this machine, where something is chosen by them */
     struct in_time in_time; /* where budget */
     char *choice;           /* which quality was chosen, and why */
 };
@@ -56,14 +57,18 @@ static const struct option options[] = {
     {"max-error", 0, OPTION_FLOAT, offsetof(struct values, max_error), 0, 0, 1, .value_name = "X%",
      .help =
          "the cheapest quality or number of passes that errs no more: relative RMSE of indirect\n"
-         "light, told from some 9,000 pixels that are path-traced first, at --time; 0 = by\n"
-         "--quality"},
+         "light, told from some 9,000 pixels that are path-traced first, at --time; cheapest by\n"
+         "the costs of manylight tune, or those that the program comes with; 0 = by --quality"},
     {"budget", 0, OPTION_FLOAT, offsetof(struct values, budget), 0, 0, 1e6, .value_name = "Xms",
      .unit = "ms",
      .help =
          "what a frame may take, milliseconds of this machine: settings that are not given are\n"
          "chosen anew for each frame by how long those before it took, the first by trying.\n"
          "Frames then depend on the machine and on the frames before them; 0 = they do not"},
+    {"shipped-costs", 0, OPTION_FLAG, offsetof(struct values, shipped_costs),
+     .help =
+         "choose for --max-error and --budget by the costs that the program comes with, not by\n"
+         "those that manylight tune has measured here: for frames split between machines"},
     TECHNIQUE_OPTIONS(struct values, technique),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, layer), .choices = shown_layer_names,
      .help = "light that PNG, JPEG and the like show; EXR has all layers"},
@@ -359,7 +364,8 @@ static bool find_quality(struct values *values, struct renderer_desc *desc, stru
                                   texts->count,
                                   (double)values->max_error,
                                   one_pass ? 1 : QUALITY_MOST_PASSES,
-                                  !one_pass && !values->technique.technique};
+                                  !one_pass && !values->technique.technique,
+                                  &values->costs};
     if (!stage_pose(stage, (double)values->stage.time) || !quality_find(&wanted, &found))
         return false;
     char *what = quality_describe(&found.choice);
@@ -374,6 +380,17 @@ static bool find_quality(struct values *values, struct renderer_desc *desc, stru
     return quality_settings(&found.choice, desc->technique, texts->items, texts->count,
                             &desc->settings) &&
            stage_pose(stage, 0);
+}
+
+/* Software OpenGL is what the program's own figures are of. */
+static void load_costs(struct values *values) {
+    bool chooses = values->max_error > 0 || values->budget > 0;
+    if (chooses && !values->shipped_costs) {
+        costs_load(&values->costs);
+        if (values->costs.count == 0 && !gl.software)
+            log_note("costs are those of software OpenGL; manylight tune measures this machine's");
+    }
+    time_budget_init(&values->in_time.budget, (double)values->budget, &values->costs);
 }
 
 /* Files are checked before long work, of a sequence by its first frame. The stage begins at time 0,
@@ -398,6 +415,8 @@ static bool render_scene(struct values *values, const struct frames *frames,
     start = clock_ms();
     context = context_create(&values->context);
     phase_add(PHASE_CONTEXT, start);
+    if (context)
+        load_costs(values);
     bool ok = context && (values->max_error == 0 || find_quality(values, desc, &stage));
     desc->emitters = stage.emitters; /* which posing makes anew */
     ok = ok && render(values, frames, desc, &stage);
@@ -432,7 +451,6 @@ static bool resolve(struct values *values, const struct frames *frames,
     desc->progressive = has_mean(values);
     desc->timed = values->stats || values->budget > 0;
     values->in_time.texts = &named->settings;
-    time_budget_init(&values->in_time.budget, (double)values->budget);
     return check_outputs(values, frames->count) &&
            background_parse(&desc->background, values->background) &&
            background_check(&desc->background, values->outputs.items, values->outputs.count) &&
@@ -460,6 +478,7 @@ int app_render(int argc, char **argv) {
     bool ok = render_scene(&values, &frames, &desc);
     frames_free(&frames);
     free(values.choice);
+    costs_free(&values.costs);
     if (ok)
         return STATUS_OK;
     status = arguments_fail(argv[0]);

@@ -84,6 +84,7 @@
     X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                             \
     X(PFNGLGETUNIFORMIVPROC, GetUniformiv)                                                         \
     X(PFNGLPROGRAMUNIFORM1IPROC, ProgramUniform1i)                                                 \
+    X(PFNGLPROGRAMUNIFORM2IPROC, ProgramUniform2i)                                                 \
     X(PFNGLPROGRAMUNIFORM4IPROC, ProgramUniform4i)                                                 \
     X(PFNGLPROGRAMUNIFORM4FPROC, ProgramUniform4f)                                                 \
     X(PFNGLPROGRAMUNIFORM1FPROC, ProgramUniform1f)                                                 \
@@ -141,6 +142,7 @@ struct gl_api {
     GLuint empty_vertex_array, empty_framebuffer;
     struct program_cache *programs;        /* gl/program.c */
     struct framebuffer_list *framebuffers; /* gl/framebuffer.c */
+    struct screen_rows *screen_rows;       /* gl/screen_rows.c */
     struct program_store *store;           /* the same; NULL = none */
     bool fills_store;
     struct gl_watched { /* gl/context/samplers.c: the driver's own, in debug contexts */

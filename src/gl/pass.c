@@ -83,8 +83,11 @@ static void bind_all(const struct pass_state *state) {
         bind_image(&state->images[i]);
 }
 
+static _Thread_local GLuint current_program;
+
 void pass_set_state(const struct pass_state *state) {
     gl.UseProgram(state->program);
+    current_program = state->program;
     screen_begin(state);
     if (!screen_dispatches()) {
         bind_target(state);
@@ -102,6 +105,7 @@ void pass_begin(struct timers *timers, const struct pass_state *state) {
 }
 
 void pass_end(struct timers *timers) {
+    screen_end();
     timer_end(timers);
 }
 
@@ -140,11 +144,45 @@ void pass_viewport(int x, int y, int width, int height) {
         gl.Viewport(x, y, width, height);
 }
 
+void pass_set_int(GLint location, int value) {
+    if (!screen_takes(location, &value, sizeof value, 1))
+        gl.ProgramUniform1i(current_program, location, value);
+}
+
+void pass_set_ints(GLint location, int x, int y, int z, int w) {
+    const int values[4] = {x, y, z, w};
+    if (!screen_takes(location, values, sizeof values, 1))
+        gl.ProgramUniform4i(current_program, location, x, y, z, w);
+}
+
+void pass_set_float(GLint location, float value) {
+    if (!screen_takes(location, &value, sizeof value, 1))
+        gl.ProgramUniform1f(current_program, location, value);
+}
+
+void pass_set_floats(GLint location, float x, float y, float z, float w) {
+    const float values[4] = {x, y, z, w};
+    if (!screen_takes(location, values, sizeof values, 1))
+        gl.ProgramUniform4f(current_program, location, x, y, z, w);
+}
+
+void pass_set_pairs(GLint location, int count, const float *pairs) {
+    if (!screen_takes(location, pairs, 2 * sizeof *pairs, count))
+        gl.ProgramUniform2fv(current_program, location, count, pairs);
+}
+
 void pass_draw_fullscreen(int instances) {
     if (screen_dispatches())
-        screen_dispatch(instances);
+        screen_draw_layers(instances);
     else
         pass_draw(GL_TRIANGLES, 3, instances);
+}
+
+void pass_draw_part(int part, int vertices) {
+    if (screen_dispatches())
+        screen_draw_part(part);
+    else
+        pass_draw(GL_TRIANGLES, vertices, 1);
 }
 
 void pass_draw(GLenum primitive, int count, int instances) {

@@ -92,8 +92,19 @@ void pass_bind_texture(GLuint unit, GLuint texture);
 void pass_bind_block(const struct pass_block *block);
 void pass_viewport(int x, int y, int width, int height);
 
+/* Uniforms of the pass's program. */
+void pass_set_int(GLint location, int value);
+void pass_set_ints(GLint location, int x, int y, int z, int w);
+void pass_set_float(GLint location, float value);
+void pass_set_floats(GLint location, float x, float y, float z, float w);
+void pass_set_pairs(GLint location, int count, const float *pairs);
+
 /* All pixels of the viewport, `instances` times: one triangle, or a dispatch (gl/screen.h). */
 void pass_draw_fullscreen(int instances);
+
+/* Those pixels of the viewport that the program's own vertex stage covers by so many vertices of triangles, or that
+ * the body finds by SCREEN_BEGIN. Parts of different numbers share no pixel. */
+void pass_draw_part(int part, int vertices);
 
 /* Vertices 0 .. count of each instance, as GL_POINTS or GL_TRIANGLES. */
 void pass_draw(GLenum primitive, int count, int instances);

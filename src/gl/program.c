@@ -46,7 +46,8 @@ static bool load_screen(struct sources *sources, const struct program_desc *desc
     const struct screen_desc *screen = &desc->screen;
     if (screen_way() == SCREEN_FRAGMENT) {
         const char *vertex = screen->layers ? "layers.vert" : "fullscreen.vert";
-        *sources = (struct sources){.files = {vertex, NULL, screen->body}};
+        *sources =
+            (struct sources){.files = {desc->vertex ? desc->vertex : vertex, NULL, screen->body}};
         return load_stages(sources, desc->defines);
     }
     *sources = (struct sources){.files = {NULL, NULL, NULL, screen->body}, .dispatched = *screen};

@@ -16,17 +16,18 @@
 /* A body that runs for each pixel (gl/screen.h). */
 struct screen_desc {
     const char *body; /* file name; NULL = no screen pass */
-    bool
-        layers; /* it has `flat in int instance`: instance i of the draw has layer first_layer + i of its targets */
-    bool masked;  /* its passes test depth */
-    bool blended; /* its passes may add to targets, which are GL_RGBA32F */
+    bool layers;      /* instance i of a draw has layer first_layer + i of the targets */
+    bool masked;      /* its passes test depth */
+    bool blended;     /* its passes may add to targets, which are GL_RGBA32F */
+    bool tiled;       /* its passes draw rectangles, each with uniforms of its own */
 };
 
 /* File names below glsl/; NULL = no such stage. */
 struct program_desc {
     const char *vertex, *geometry, *fragment, *compute;
-    struct screen_desc screen; /* in place of stages */
-    const char *defines;       /* "NAME VALUE;NAME VALUE", for all stages */
+    struct screen_desc
+        screen;          /* in place of stages, but for a vertex stage of its own if it is drawn */
+    const char *defines; /* "NAME VALUE;NAME VALUE", for all stages */
 };
 
 /* Compiles and links. Error: names file and line, with the driver's message. */

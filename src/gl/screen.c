@@ -3,6 +3,7 @@
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 #include "gl/screen_glsl.h"
+#include "gl/screen_rows.h"
 
 #include <assert.h>
 
@@ -10,7 +11,8 @@
  * that. */
 static _Thread_local struct {
     GLuint program;
-    int x, y, width, height;
+    bool tiled;
+    struct screen_rectangle area;
 } pass;
 
 bool screen_dispatches(void) {
@@ -18,10 +20,7 @@ bool screen_dispatches(void) {
 }
 
 void screen_viewport(int x, int y, int width, int height) {
-    pass.x = x;
-    pass.y = y;
-    pass.width = width;
-    pass.height = height;
+    pass.area = (struct screen_rectangle){x, y, width, height};
 }
 
 /* --- what the dispatch writes, and where ------------------------------------------------------ */
@@ -49,7 +48,9 @@ static void set_mask(const struct pass_state *state, const struct framebuffer_ta
 
 void screen_begin(const struct pass_state *state) {
     const struct screen_desc *desc = program_dispatched(state->program);
+    assert(screen_rows_empty());
     pass.program = desc ? state->program : 0;
+    pass.tiled = desc && desc->tiled;
     if (!desc)
         return;
     const struct framebuffer_targets *targets = framebuffer_targets(state->framebuffer);
@@ -75,10 +76,41 @@ static int groups(int pixels) {
 }
 
 /* Stores wait for what is read and drawn before by the barrier of images. */
-void screen_dispatch(int layers) {
-    gl.ProgramUniform4i(pass.program, LOCATION_SCREEN_AREA, pass.x, pass.y, pass.width,
-                        pass.height);
+static void dispatch(int width, int height, int count) {
     gl.MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    pass_dispatch(groups(pass.width), groups(pass.height), layers);
+    pass_dispatch(groups(width), groups(height), count);
     gl.MemoryBarrier(later);
+}
+
+static void dispatch_rows(int width, int height, int first, int count, int stride) {
+    gl.ProgramUniform2i(pass.program, LOCATION_SCREEN_ROW, first, stride);
+    dispatch(width, height, count);
+}
+
+void screen_end(void) {
+    screen_rows_flush(dispatch_rows);
+}
+
+void screen_draw_part(int part) {
+    assert(pass.tiled);
+    if (screen_rows_full())
+        screen_end();
+    screen_rows_add(&pass.area, part);
+}
+
+void screen_draw_layers(int layers) {
+    const struct screen_rectangle *area = &pass.area;
+    if (pass.tiled) {
+        screen_draw_part(0);
+        return;
+    }
+    gl.ProgramUniform4i(pass.program, LOCATION_SCREEN_AREA, area->x, area->y, area->width,
+                        area->height);
+    dispatch(area->width, area->height, layers);
+}
+
+bool screen_takes(GLint location, const void *values, size_t size, int count) {
+    if (pass.tiled)
+        screen_rows_set(location, values, size, count);
+    return pass.tiled;
 }

@@ -21,6 +21,11 @@
  * PASS_DEPTH_EQUAL or PASS_DEPTH_UNEQUAL is a look at that texture's texel; PASS_BLEND_ADD is a load and a sum.
  * No other depth test, blending or colour mask is possible.
  *
+ * A `tiled` pass draws many rectangles, each with its own uniforms, which pass_set_int and the like set. Its body
+ * declares them as `layout(location = L) uniform T name;`. Dispatched, they are variables, and the rectangles are rows
+ * of one dispatch (gl/screen_rows.h), which pass_end submits: until then nothing else may change. A body that defines
+ * SCREEN_BEGIN has it run before each pixel, to narrow screen_area (x, y, width, height) or to set further variables.
+ *
  * Barriers: a dispatch waits for all that earlier commands read and write, and all later commands see its targets,
  * however they read or write them. Most passes read what the pass before has written, so that finer barriers would
  * gain little.
@@ -31,7 +36,7 @@
 #include "gl/pass.h"
 
 enum screen_way {
-    SCREEN_AUTO, /* the faster one: timed when the process makes its first screen pass */
+    SCREEN_AUTO, /* the faster one: on a GPU timed when the process makes its first screen pass, else fragment */
     SCREEN_FRAGMENT,
     SCREEN_COMPUTE,
 };
@@ -45,12 +50,24 @@ void screen_set_way(enum screen_way way);
 /* How screen passes run that the current context makes: never SCREEN_AUTO. */
 enum screen_way screen_way(void);
 
+/* Of one pass, milliseconds; infinite where it does not run. Error: no memory for a picture. */
+struct screen_times {
+    double drawn, dispatched;
+};
+
+bool screen_time_ways(struct screen_times *times);
+
 /* For gl/pass.c. The pass that the state begins is a dispatch, if its program is one. */
 void screen_begin(const struct pass_state *state);
 
-/* Whether it is; the other two are for it alone. */
+/* Whether it is; those below are for it alone. */
 bool screen_dispatches(void);
 void screen_viewport(int x, int y, int width, int height);
-void screen_dispatch(int layers);
+void screen_draw_layers(int layers);
+void screen_draw_part(int part);
+void screen_end(void);
+
+/* Whether the pass is tiled: then it takes a uniform's value, of count elements of size bytes, for its next draws. */
+bool screen_takes(GLint location, const void *values, size_t size, int count);
 
 #endif

@@ -13,19 +13,32 @@ struct rewriting {
     const struct screen_desc *desc;
     int line;    /* the number that the next line of the fragment shader has for the driver */
     int targets; /* declared so far */
+    int values;  /* uniforms that are a row's, so far */
 };
 
 /* What a body counts on, before its first line. */
 static const char header[] =
     "#define SCREEN_COMPUTE\n"
     "vec4 screen_coord = vec4(0.0);\n"
-    "layout(location = %d) uniform ivec4 screen_area; // x, y, width, height\n"
     "vec4 screen_texel(float value) { return vec4(value, 0.0, 0.0, 1.0); }\n"
     "vec4 screen_texel(vec2 value) { return vec4(value, 0.0, 1.0); }\n"
     "vec4 screen_texel(vec4 value) { return value; }\n"
     "uvec4 screen_texel(uint value) { return uvec4(value, 0u, 0u, 1u); }\n"
     "uvec4 screen_texel(uvec2 value) { return uvec4(value, 0u, 1u); }\n"
     "uvec4 screen_texel(uvec4 value) { return value; }\n";
+
+static const char area_header[] =
+    "layout(location = %d) uniform ivec4 screen_area; // x, y, width, height\n";
+
+static const char row_header[] =
+    "layout(std430, binding = %d) readonly buffer screen_row_data { uvec4 screen_rows[]; };\n"
+    "layout(location = %d) uniform ivec2 screen_row; // the dispatch's first, and texels of each\n"
+    "ivec4 screen_area = ivec4(0);\n"
+    "void screen_take(uvec4 row, out int value) { value = int(row.x); }\n"
+    "void screen_take(uvec4 row, out float value) { value = uintBitsToFloat(row.x); }\n"
+    "void screen_take(uvec4 row, out vec2 value) { value = uintBitsToFloat(row.xy); }\n"
+    "void screen_take(uvec4 row, out ivec4 value) { value = ivec4(row); }\n"
+    "void screen_take(uvec4 row, out vec4 value) { value = uintBitsToFloat(row); }\n";
 
 static const char mask_header[] = "layout(binding = %d) uniform sampler2D screen_mask;\n"
                                   "layout(location = %d) uniform bool screen_where_marked;\n";
@@ -35,7 +48,11 @@ static const char blend_header[] = "layout(location = %d) uniform bool screen_ad
 static const char layer_header[] = "layout(location = %d) uniform int first_layer;\n";
 
 static void write_header(struct rewriting *to) {
-    text_print(&to->text, header, LOCATION_SCREEN_AREA);
+    text_print(&to->text, "%s", header);
+    if (to->desc->tiled)
+        text_print(&to->text, row_header, STORAGE_SCREEN_ROWS, LOCATION_SCREEN_ROW);
+    else
+        text_print(&to->text, area_header, LOCATION_SCREEN_AREA);
     if (to->desc->masked)
         text_print(&to->text, mask_header, SCREEN_MASK_UNIT, LOCATION_SCREEN_WHERE_MARKED);
     if (to->desc->blended)
@@ -81,11 +98,35 @@ static void write_target(struct rewriting *to, const char *location, const char 
     resume(to);
 }
 
+/* A variable in place of a uniform, and a function that takes it from a row: one value, or an array. */
+static void write_value(struct rewriting *to, const char *location, const char *type,
+                        const char *name) {
+    int number = to->values++, length = (int)strcspn(name, "[");
+    const char *size = name + length;
+    text_print(&to->text, "%s %s", type, name);
+    if (!*size)
+        text_print(&to->text, " = %s(0)", type);
+    text_print(&to->text, ";\n#define SCREEN_VALUE_%d\nvoid screen_take_%d(int row) {\n", number,
+               number);
+    if (*size)
+        text_print(&to->text,
+                   "    for (int i = 0; i < %.*s; i++)\n"
+                   "        screen_take(screen_rows[row + 1 + %s + i], %.*s[i]);\n}\n",
+                   (int)strcspn(size + 1, "]"), size + 1, location, length, name);
+    else
+        text_print(&to->text, "    screen_take(screen_rows[row + 1 + %s], %s);\n}\n", location,
+                   name);
+    resume(to);
+}
+
 /* Whether the line declares what a compute shader has not; it is then written in another form. */
 static bool write_declaration(struct rewriting *to, const char *line) {
     char location[64], type[16], name[64];
     if (sscanf(line, "layout(location = %63[^)]) out %15s %63[^;];", location, type, name) == 3)
         write_target(to, location, type, name);
+    else if (to->desc->tiled && sscanf(line, "layout(location = %63[^)]) uniform %15s %63[^;];",
+                                       location, type, name) == 3)
+        write_value(to, location, type, name);
     else if (sscanf(line, "flat in %15s %63[^;];", type, name) == 2)
         text_print(&to->text, "%s %s = %s(0);\n", type, name, type);
     else if (strncmp(line, "layout(early_fragment_tests) in;", 32) == 0)
@@ -110,17 +151,27 @@ static void write_line(struct rewriting *to, const char *line, size_t length) {
 
 /* --- the end ---------------------------------------------------------------------------------- */
 
+static void take_row(struct rewriting *to) {
+    text_print(&to->text, "    int row = (screen_row.x + int(gl_WorkGroupID.z)) * screen_row.y;\n"
+                          "    screen_area = ivec4(screen_rows[row]);\n");
+    for (int i = 0; i < to->values; i++)
+        text_print(&to->text, "#ifdef SCREEN_VALUE_%d\n    screen_take_%d(row);\n#endif\n", i, i);
+    text_print(&to->text, "#ifdef SCREEN_BEGIN\n    SCREEN_BEGIN;\n#endif\n");
+}
+
 static void write_main(struct rewriting *to) {
     bool layers = to->desc->layers;
     text_print(&to->text,
                "layout(local_size_x = %d, local_size_y = %d) in;\n"
-               "void main() {\n"
-               "    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);\n"
-               "    if (any(greaterThanEqual(pixel, screen_area.zw)))\n"
-               "        return;\n"
-               "    pixel += screen_area.xy;\n"
-               "    screen_coord = vec4(vec2(pixel) + 0.5, 0.0, 1.0);\n",
+               "void main() {\n",
                SCREEN_GROUP, SCREEN_GROUP);
+    if (to->desc->tiled)
+        take_row(to);
+    text_print(&to->text, "    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);\n"
+                          "    if (any(greaterThanEqual(pixel, screen_area.zw)))\n"
+                          "        return;\n"
+                          "    pixel += screen_area.xy;\n"
+                          "    screen_coord = vec4(vec2(pixel) + 0.5, 0.0, 1.0);\n");
     if (to->desc->masked)
         text_print(&to->text, "    if ((texelFetch(screen_mask, pixel, 0).r == 0.0) != "
                               "screen_where_marked)\n"

@@ -21,7 +21,7 @@ void screen_set_way(enum screen_way way) {
  * fewer barriers is better. */
 static const double least_gain = .9;
 
-enum { PROBE_SIZE = 256, PROBE_TRIES = 5 };
+enum { PROBE_SIZE = 512, PROBE_TRIES = 5 };
 
 /* The first try may compile. Timer queries of software OpenGL leave out what it defers. */
 static double time_pass(const struct pass_state *state) {
@@ -52,23 +52,34 @@ static double time_way(enum screen_way way, GLuint framebuffer) {
     return time;
 }
 
-static enum screen_way faster_way(void) {
+bool screen_time_ways(struct screen_times *times) {
     struct texture target = {0};
     GLuint framebuffer = 0;
-    enum screen_way way = SCREEN_FRAGMENT;
-    if (texture_init(&target, &(struct texture_desc){.label = "screen probe",
-                                                     .format = GL_RGBA32F,
-                                                     .width = PROBE_SIZE,
-                                                     .height = PROBE_SIZE}) &&
-        framebuffer_init(&framebuffer, &(struct framebuffer_desc){.label = "screen probe",
-                                                                  .colors = {&target}})) {
-        double drawn = time_way(SCREEN_FRAGMENT, framebuffer);
-        double dispatched = time_way(SCREEN_COMPUTE, framebuffer);
-        way = dispatched < least_gain * drawn ? SCREEN_COMPUTE : SCREEN_FRAGMENT;
+    int before = atomic_load(&chosen);
+    *times = (struct screen_times){HUGE_VAL, HUGE_VAL};
+    bool ok = texture_init(&target, &(struct texture_desc){.label = "screen probe",
+                                                           .format = GL_RGBA32F,
+                                                           .width = PROBE_SIZE,
+                                                           .height = PROBE_SIZE}) &&
+              framebuffer_init(&framebuffer, &(struct framebuffer_desc){.label = "screen probe",
+                                                                        .colors = {&target}});
+    if (ok) {
+        times->drawn = time_way(SCREEN_FRAGMENT, framebuffer);
+        times->dispatched = time_way(SCREEN_COMPUTE, framebuffer);
     }
     framebuffer_free(&framebuffer);
     texture_free(&target);
-    return way;
+    atomic_store(&chosen, before);
+    return ok;
+}
+
+/* A CPU has no part that only one of both uses: there the rasteriser is the faster one, and its compiler is what timing
+ * would cost. */
+static enum screen_way faster_way(void) {
+    struct screen_times times;
+    if (gl.software || !screen_time_ways(&times))
+        return SCREEN_FRAGMENT;
+    return times.dispatched < least_gain * times.drawn ? SCREEN_COMPUTE : SCREEN_FRAGMENT;
 }
 
 enum screen_way screen_way(void) {

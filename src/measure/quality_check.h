@@ -14,7 +14,7 @@ struct quality_check_desc {
     bool told; /* only the ladder: each choice drawn once, and no times */
 };
 
-/* Draws each choice of the quality ladder, and fixed settings and techniques beside it: a subject each, of variant
+/* Draws each choice of the quality ladder, in the order in which the program comes, and fixed settings and techniques beside it: a subject each, of variant
  * "ladder" or "fixed", with its "error" (relative RMSE of the indirect layer as far as pixels are covered, the truth's noise taken off),
  * "clock" and "cpu", and of the ladder the error that is told, "told". Then, of variant "automatic", one for each
  * error that may be asked for ("error=8%"), with what the ladder's choice has; besides "told", the error that was told

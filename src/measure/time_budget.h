@@ -7,9 +7,10 @@
 #ifndef MEASURE_TIME_BUDGET_H
 #define MEASURE_TIME_BUDGET_H
 
+#include "measure/costs.h"
 #include "renderer/settings.h"
 
-enum { TIME_BUDGET_LEVELS = 73, TIME_BUDGET_SAMPLES = 3 };
+enum { TIME_BUDGET_LEVELS = 73, TIME_BUDGET_SAMPLES = 3, TIME_BUDGET_ROWS = 8 };
 
 struct time_budget {
     double target;                       /* ms */
@@ -18,7 +19,10 @@ struct time_budget {
     int count;                           /* of them, ever */
     int before;                          /* the level before; -1: there was none */
     double before_ms;
-    double growth; /* of time, a level: natural logarithm */
+    double growth; /* of time, a level: natural logarithm; with costs over theirs */
+    /* Where they are known: how dear levels are, as measured elsewhere: logarithms, over that of the first. */
+    bool has_costs;
+    double costs[TIME_BUDGET_LEVELS];
     bool settled; /* a level holds, or none is found: from now on times are believed less readily */
     int moves;    /* from level to level, before that */
     double first_ms; /* of this level, as it was when it had been drawn so often */
@@ -27,7 +31,8 @@ struct time_budget {
     int too_slow, patience, wait;
 };
 
-void time_budget_init(struct time_budget *budget, double target);
+/* Costs that have all rows of settings say how far the first steps go; NULL: all levels grow alike. */
+void time_budget_init(struct time_budget *budget, double target, const struct costs *costs);
 
 /* After a frame of the level, which took so long. Whether the level is another one now. */
 bool time_budget_add(struct time_budget *budget, double ms);
@@ -37,5 +42,8 @@ bool time_budget_holds(const struct time_budget *budget);
 
 /* The level's settings, as renderer_settings_assign has them; the caller frees the text. */
 char *time_budget_settings(int level);
+
+/* Of the rows of settings between which levels lie, TIME_BUDGET_ROWS. */
+int time_budget_level_of_row(int row);
 
 #endif

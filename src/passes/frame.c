@@ -284,11 +284,9 @@ int light_picks_deal(const struct light_picks *picks, const struct frame *frame,
     return picked;
 }
 
-void light_picks_set(const struct light_picks *picks, int slot, int first, int count,
-                     GLuint program) {
-    gl.ProgramUniform1i(program, LOCATION_PICK_COUNT, count);
-    gl.ProgramUniform2fv(program, LOCATION_PICKS, count,
-                         picks->items[slot * picks->stride + first]);
+void light_picks_set(const struct light_picks *picks, int slot, int first, int count) {
+    pass_set_int(LOCATION_PICK_COUNT, count);
+    pass_set_pairs(LOCATION_PICKS, count, picks->items[slot * picks->stride + first]);
 }
 
 void pixel_lists_size(int size[2], int interleave) {
@@ -307,8 +305,7 @@ void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, 
     pass_add_block(state, BLOCK_LIST_COUNTS, &lists->counts);
 }
 
-void pixel_lists_draw(const struct pixel_lists *lists, int list, GLuint program) {
-    gl.ProgramUniform4i(program, LOCATION_TILE, lists->tile_width, lists->tile_height,
-                        lists->interleave, list);
-    pass_draw(GL_TRIANGLES, 6, 1);
+void pixel_lists_draw(const struct pixel_lists *lists, int list) {
+    pass_set_ints(LOCATION_TILE, lists->tile_width, lists->tile_height, lists->interleave, list);
+    pass_draw_part(list, 6);
 }

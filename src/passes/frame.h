@@ -275,8 +275,7 @@ void light_picks_free(struct light_picks *picks);
 int light_picks_deal(const struct light_picks *picks, const struct frame *frame, int slots);
 
 /* Sets so many of the slot's, from the first on, at LOCATION_PICK_COUNT and LOCATION_PICKS. */
-void light_picks_set(const struct light_picks *picks, int slot, int first, int count,
-                     GLuint program);
+void light_picks_set(const struct light_picks *picks, int slot, int first, int count);
 
 /* From a picture's size to that of the tiles of its lists, all of them: along its shorter side twice as large, as
  * textures have a limit. */
@@ -285,7 +284,7 @@ void pixel_lists_size(int size[2], int interleave);
 /* What a pass over such RECEIVERS_ binds, for gather/receiver.glsl; lists are not read for all. And the draw
  * of one place's list of a kind, after LOCATION_SLOT is set. */
 void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, int receivers);
-void pixel_lists_draw(const struct pixel_lists *lists, int list, GLuint program);
+void pixel_lists_draw(const struct pixel_lists *lists, int list);
 
 /* For shaders. */
 struct interleaving irradiance_pattern(const struct irradiance *irradiance);

@@ -30,7 +30,7 @@ static void set_title(struct viewer *viewer) {
 void viewer_close_scene(struct viewer *viewer) {
     recorder_stop(viewer);
     viewer->record.is_open = false;
-    viewer_forget_truth(viewer);
+    viewer_forget_reference(viewer);
     compare_forget(&viewer->shown.compare);
     compiling_wait(&viewer->compiling);
     renderer_free(&viewer->shown.renderer);
@@ -143,7 +143,7 @@ static bool show_document(struct viewer *viewer, struct document *document) {
         return false;
     }
     compare_forget(&viewer->shown.compare);
-    viewer_forget_truth(viewer);
+    viewer_forget_reference(viewer);
     viewer_forget_sky(viewer);
     bool replaces = viewer->has_scene;
     if (replaces)

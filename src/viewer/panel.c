@@ -155,7 +155,7 @@ void panel_draw(struct viewer *viewer) {
         bool open;
         void (*draw)(struct viewer *viewer);
     } sections[] = {
-        {"Quality", true, panel_draw_technique},  {"Reference", true, panel_draw_truth},
+        {"Quality", true, panel_draw_technique},  {"Reference", true, panel_draw_reference},
         {"Picture", true, draw_picture},          {"Compare", false, panel_draw_compare},
         {"Light", false, panel_draw_light},       {"Camera", false, panel_draw_camera},
         {"Look closely", false, panel_draw_look}, {"Surface", false, draw_surface},

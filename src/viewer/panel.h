@@ -11,7 +11,7 @@ bool panel_draw_setting(const struct setting *setting, struct settings *settings
                         const char *help);
 
 void panel_draw_technique(struct viewer *viewer);
-void panel_draw_truth(struct viewer *viewer);
+void panel_draw_reference(struct viewer *viewer);
 void panel_draw_compare(struct viewer *viewer);
 void panel_draw_session(struct viewer *viewer);
 

@@ -5,7 +5,9 @@
 #include "direct/skylight.h"
 #include "viewer/preset.h"
 #include "viewer/relevance.h"
+#include "viewer/setting_label.h"
 
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -42,9 +44,13 @@ bool panel_draw_setting(const struct setting *setting, struct settings *settings
                         const char *help) {
     struct settings defaults;
     const struct option *option = setting->option;
+    char label[SETTING_LABEL_SIZE], whole[SETTING_NAME_SIZE], explained[1024];
     renderer_settings_init(&defaults);
-    struct ui_row row = {.name = name ? name : option->name,
-                         .help = help ? help : option->help,
+    setting_label(setting, label);
+    setting_name(setting, whole);
+    snprintf(explained, sizeof explained, "%s\n(--set %s)", help ? help : option->help, whole);
+    struct ui_row row = {.name = name ? name : label,
+                         .help = explained,
                          .scope = setting->part->owner,
                          .differs = !setting_equal(setting, settings, &defaults)};
     char *values = settings_edit(settings, setting->part), text[64];
@@ -58,8 +64,10 @@ bool panel_draw_setting(const struct setting *setting, struct settings *settings
 
 /* --- presets --- */
 
-/* Each sets all there is to set. */
-static bool draw_presets(const struct technique *technique, struct settings *settings) {
+/* Each sets all there is to set. Costs are of the default technique. */
+static bool draw_presets(const struct technique *technique, const struct costs *costs,
+                         struct settings *settings) {
+    const struct costs *own = technique == technique_default ? costs : NULL;
     char titles[PRESETS_MAX][PRESET_TITLE_SIZE], texts[PRESETS_MAX][PRESET_HELP_SIZE];
     const char *names[PRESETS_MAX], *helps[PRESETS_MAX];
     const struct preset *presets = technique->presets;
@@ -67,7 +75,7 @@ static bool draw_presets(const struct technique *technique, struct settings *set
     for (; presets && count < PRESETS_MAX && presets[count].name; count++) {
         struct settings with = preset_settings(&presets[count], settings);
         preset_title(&presets[count], titles[count]);
-        preset_explain(&presets[count], texts[count]);
+        preset_explain(&presets[count], own, texts[count]);
         names[count] = titles[count];
         helps[count] = texts[count];
         if (renderer_settings_same(&with, settings, technique->parts))
@@ -140,7 +148,9 @@ static bool has_text(const char *text, const char *part) {
 }
 
 static bool is_wanted(const struct setting *setting, const char *filter) {
-    return *filter == '\0' || has_text(setting->option->name, filter) ||
+    char label[SETTING_LABEL_SIZE];
+    setting_label(setting, label);
+    return *filter == '\0' || has_text(label, filter) || has_text(setting->option->name, filter) ||
            has_text(setting->option->help, filter) || has_text(setting->part->title, filter);
 }
 
@@ -271,7 +281,7 @@ void panel_draw_technique(struct viewer *viewer) {
         viewer->panel.edits_right = side == 1;
     const struct technique **technique = side ? &compare->technique : &viewer->wish.technique;
     struct settings *settings = side ? &compare->settings : &viewer->wish.settings;
-    bool changed = draw_presets(*technique, settings);
+    bool changed = draw_presets(*technique, &viewer->host.costs, settings);
     ui_space();
     changed |= draw_technique_choice(technique);
     changed |= draw_plain(*technique, viewer->shown.renderer.desc.direct, settings);

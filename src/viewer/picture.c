@@ -503,7 +503,7 @@ void viewer_reload_shaders(struct viewer *viewer) {
 bool viewer_load_reference(struct viewer *viewer, const char *path) {
     struct shown *shown = &viewer->shown;
     struct compare *compare = &shown->compare;
-    viewer_forget_truth(viewer);
+    viewer_forget_reference(viewer);
     if (!reference_load(&compare->reference, path)) {
         viewer_tell_error(viewer);
         return false;

@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+struct viewer;
+
 enum record_kind { RECORD_PICTURES, RECORD_VIDEO };
 
 struct recorder {
@@ -28,5 +30,25 @@ struct record_request {
     float from, to; /* seconds of the clip */
     char folder[512];
 };
+
+/* Whether ffmpeg is there. */
+bool recorder_has_video(void);
+
+/* Asks for range and folder: the whole clip, and the working folder, at first. viewer/panel_record.c. */
+void recorder_ask(struct viewer *viewer, enum record_kind kind);
+void recorder_draw_request(struct viewer *viewer);
+
+/* Records what was asked for, from its first frame. */
+void recorder_start(struct viewer *viewer);
+
+/* "12 of 250, 8 minutes left". */
+void recorder_tell(const struct viewer *viewer, char *text, size_t size);
+
+/* Ends what there is; nothing where none is recorded. */
+void recorder_stop(struct viewer *viewer);
+
+/* Before a frame is rendered, and after. */
+void recorder_pose(struct viewer *viewer);
+void recorder_write(struct viewer *viewer);
 
 #endif

@@ -13,10 +13,11 @@ static const double noise_wanted = .01;
 
 void viewer_trace(struct viewer *viewer) {
     struct tracing *tracing = &viewer->tracing;
-    viewer_forget_truth(viewer);
+    viewer_forget_reference(viewer);
     struct session session = viewer_session(viewer);
-    const struct truth_view view = {&session, session_bounces(&session), noise_wanted, window_wake};
-    if (truth_start(&tracing->truth, &view)) {
+    const struct traced_view view = {&session, session_bounces(&session), noise_wanted,
+                                     window_wake};
+    if (reference_tracer_start(&tracing->tracer, &view)) {
         tracing->view = session_copy(&session);
         tracing->of_view = true;
         /* Errors need pictures of one size, whatever becomes of the window. */
@@ -28,10 +29,10 @@ void viewer_trace(struct viewer *viewer) {
     session_free(&session);
 }
 
-void viewer_forget_truth(struct viewer *viewer) {
+void viewer_forget_reference(struct viewer *viewer) {
     struct tracing *tracing = &viewer->tracing;
     struct compare *compare = &viewer->shown.compare;
-    truth_stop(&tracing->truth);
+    reference_tracer_stop(&tracing->tracer);
     if (tracing->view.lights) {
         reference_free(&compare->reference);
         if (compare->mode == COMPARE_REFERENCE)
@@ -47,7 +48,7 @@ void viewer_forget_truth(struct viewer *viewer) {
 }
 
 bool viewer_is_tracing(const struct viewer *viewer) {
-    return atomic_load(&viewer->tracing.truth.state) == TRUTH_TRACING;
+    return atomic_load(&viewer->tracing.tracer.state) == TRACER_TRACING;
 }
 
 static double mean_of(const struct image *picture, const char *name) {
@@ -97,13 +98,13 @@ bool viewer_compared_error(const struct viewer *viewer, double *error) {
 }
 
 /* The first of a view opens the wipe, unless the picture has got another size. */
-static void show_picture(struct viewer *viewer, struct truth_picture *newest) {
+static void show_picture(struct viewer *viewer, struct traced_picture *newest) {
     struct tracing *tracing = &viewer->tracing;
     struct compare *compare = &viewer->shown.compare;
     tell_noise(tracing, &newest->image, newest->noise);
     if (!reference_take(&compare->reference, &newest->image)) {
         viewer_tell_error(viewer);
-        viewer_forget_truth(viewer);
+        viewer_forget_reference(viewer);
         return;
     }
     if (tracing->samples == 0 && viewer->shown.fixed_width > 0)
@@ -116,20 +117,20 @@ static void show_picture(struct viewer *viewer, struct truth_picture *newest) {
 bool viewer_indirect_error(const struct viewer *viewer, const struct image *indirect,
                            double *error) {
     const struct tracing *tracing = &viewer->tracing;
-    struct image truth;
+    struct image reference;
     if (tracing->samples == 0 ||
-        !layer_extract(&truth, &viewer->shown.compare.reference.picture, "indirect"))
+        !layer_extract(&reference, &viewer->shown.compare.reference.picture, "indirect"))
         return false;
-    const struct comparison comparison = {.test = indirect, .reference = &truth};
-    bool same_size = truth.width == indirect->width && truth.height == indirect->height;
+    const struct comparison comparison = {.test = indirect, .reference = &reference};
+    bool same_size = reference.width == indirect->width && reference.height == indirect->height;
     if (same_size)
         *error = without_noise(metric_measure(metric_find("relative-rmse"), &comparison, NULL),
                                tracing->noise);
-    image_free(&truth);
+    image_free(&reference);
     return same_size;
 }
 
-/* Of a picture at rest, when it or the truth is new. */
+/* Of a picture at rest, when it or the reference is new. */
 static void measure(struct viewer *viewer) {
     struct tracing *tracing = &viewer->tracing;
     struct shown *shown = &viewer->shown;
@@ -160,7 +161,7 @@ static void follow_view(struct viewer *viewer) {
         return;
     tracing->error_frame = -1;
     if (!tracing->of_view && viewer_is_tracing(viewer))
-        truth_stop(&tracing->truth);
+        reference_tracer_stop(&tracing->tracer);
 }
 
 /* --- the chart --- */
@@ -201,21 +202,21 @@ static void tell_errors(struct viewer *viewer) {
 }
 
 /* A dot a turn: it takes its time, and the panel says so first. Times are taken while nothing is
- * traced, once there is a truth at all. */
+ * traced, once there is a reference at all. */
 static void follow_chart(struct viewer *viewer) {
     struct tracing *tracing = &viewer->tracing;
     struct chart *chart = &tracing->chart;
     if (tracing->samples == 0 || !tracing->of_view || viewer->shown.moving)
         return;
     if (viewer_is_charting(viewer) && chart->is_announced) {
-        truth_pause(&tracing->truth, true);
+        reference_tracer_pause(&tracing->tracer, true);
         struct renderer_desc desc = viewer->shown.renderer.desc;
         desc.width = tracing->view.width; /* whatever has become of the window */
         desc.height = tracing->view.height;
         if (!chart_measure_next(chart, &desc))
             viewer_tell_error(viewer);
         tracing->chart_samples = 0;
-        truth_pause(&tracing->truth, viewer_is_charting(viewer));
+        reference_tracer_pause(&tracing->tracer, viewer_is_charting(viewer));
         viewer->shown.recompose = true;
     } else {
         chart->is_announced = viewer_is_charting(viewer);
@@ -223,11 +224,11 @@ static void follow_chart(struct viewer *viewer) {
     tell_errors(viewer);
 }
 
-void viewer_follow_truth(struct viewer *viewer) {
+void viewer_follow_reference(struct viewer *viewer) {
     struct tracing *tracing = &viewer->tracing;
-    struct truth_picture newest;
+    struct traced_picture newest;
     follow_view(viewer);
-    if (truth_poll(&tracing->truth, &newest) == TRUTH_FAILED)
+    if (reference_tracer_poll(&tracing->tracer, &newest) == TRACER_FAILED)
         viewer_tell_error(viewer);
     if (newest.image.pixels)
         show_picture(viewer, &newest);

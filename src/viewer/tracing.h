@@ -1,12 +1,12 @@
-/* The truth of the view, as the viewer has it: traced in the background, compared as it comes. */
+/* The reference of the view, as the viewer has it: traced in the background, compared as it comes. */
 #ifndef VIEWER_TRACING_H
 #define VIEWER_TRACING_H
 
 #include "viewer/chart.h"
-#include "viewer/truth.h"
+#include "viewer/reference_tracer.h"
 
 struct tracing {
-    struct truth truth;
+    struct reference_tracer tracer;
     struct session view; /* that the reference was traced of; without lights: none was */
     bool of_view;        /* and it is the present one */
     int samples;         /* of the reference, a pixel; 0: none yet */

@@ -145,12 +145,13 @@ static bool has_news(struct viewer *viewer) {
     int count = messages_recent(&host->messages, recent);
     double newest = count > 0 ? recent[count - 1].time : 0;
     int loader = atomic_load(&viewer->loader.state);
-    bool news =
-        loader == LOADER_DONE || loader == LOADER_FAILED || count != host->message_count ||
-        preview_has_news(&viewer->preview) ||
-        (viewer->is_arriving && viewer->opening.is_announced) || newest != host->newest_message ||
-        compiling_has_news(&viewer->compiling) || truth_has_news(&viewer->tracing.truth) ||
-        measuring_has_news(&viewer->shown.compare.measuring) || start_has_news(&viewer->start);
+    bool news = loader == LOADER_DONE || loader == LOADER_FAILED || count != host->message_count ||
+                preview_has_news(&viewer->preview) ||
+                (viewer->is_arriving && viewer->opening.is_announced) ||
+                newest != host->newest_message || compiling_has_news(&viewer->compiling) ||
+                reference_tracer_has_news(&viewer->tracing.tracer) ||
+                measuring_has_news(&viewer->shown.compare.measuring) ||
+                start_has_news(&viewer->start);
     host->message_count = count;
     host->newest_message = newest;
     return news;
@@ -205,7 +206,7 @@ static void update(struct viewer *viewer) {
     }
     recorder_write(viewer);
     viewer_follow_exposure(viewer);
-    viewer_follow_truth(viewer);
+    viewer_follow_reference(viewer);
 }
 
 bool viewer_turn(struct viewer *viewer) {
@@ -263,13 +264,15 @@ static bool open_window(struct viewer *viewer) {
     viewer->host.context = context_adopt(window_getproc, desc->debug);
     viewer->host.input = window_poll(viewer->host.window, 0, false);
     compiling_init(&viewer->compiling, viewer->host.context, window_wake);
+    if (viewer->host.context)
+        costs_load(&viewer->host.costs);
     return viewer->host.context &&
            ui_init(window_native(viewer->host.window), viewer->host.input->scale) &&
            screen_init(&viewer->host.screen) && inspect_init(&viewer->shown.inspect);
 }
 
 static void close_window(struct viewer *viewer) {
-    viewer_forget_truth(viewer);
+    viewer_forget_reference(viewer);
     gallery_free(&viewer->start.gallery);
     preview_free(&viewer->preview);
     compiling_free(&viewer->compiling);
@@ -288,6 +291,7 @@ static void close_window(struct viewer *viewer) {
         probe_free(&viewer->shown.probe);
         ui_free();
     }
+    costs_free(&viewer->host.costs);
     context_free(viewer->host.context);
     window_free(viewer->host.window);
 }

@@ -68,6 +68,7 @@ struct host {
     struct window *window;
     struct context *context;
     const struct input *input; /* of this turn */
+    struct costs costs;        /* of this machine */
     struct messages messages;
     int message_count; /* that are shown */
     double newest_message;
@@ -216,8 +217,7 @@ struct viewer {
     bool done;                                      /* close the window */
 };
 
-/* Runs until the window is closed, or until desc->frames. Error: no window, or, where frames are
- * counted, a scene or file that fails. */
+/* Runs until the window is closed, or for desc->frames. Error: no window, or where frames are counted a file that fails. */
 bool viewer_run(const struct viewer_desc *desc);
 
 /* The same step by step. viewer_begin: error: no window; nothing is left open. */
@@ -314,8 +314,7 @@ void viewer_toggle_play(struct viewer *viewer);
 /* Whether there is a light: there may be the sky alone. */
 bool viewer_has_light(const struct viewer *viewer);
 
-/* The light that is chosen, to be changed: then viewer_touch_light. viewer_reset_light puts it back
- * to what the scene has. */
+/* The light that is chosen, to be changed: then viewer_touch_light. viewer_reset_light takes the scene's own. */
 struct emitter *viewer_light(const struct viewer *viewer);
 void viewer_touch_light(struct viewer *viewer);
 void viewer_reset_light(struct viewer *viewer);
@@ -341,8 +340,7 @@ void viewer_remove_light(struct viewer *viewer);
 
 void viewer_open(struct viewer *viewer, const char *path);
 
-/* Takes a scene that has been loaded, when its shaders have been compiled. False: it cannot be shown, and the one
- * before stays. */
+/* Takes a scene that has been loaded, when its shaders are compiled. False: it cannot be shown; the one before stays. */
 bool viewer_poll_loader(struct viewer *viewer);
 
 /* Whether one is being read, or has been and is not shown yet, or a sky. */
@@ -420,8 +418,7 @@ void viewer_undo(struct viewer *viewer, int by);
 
 /* --- viewer/exposure.c --- */
 
-/* For a scene that has been opened: it is exposed by itself where that is wanted, when its first frame
- * is there. */
+/* For a scene that has been opened: it is exposed by itself where that is wanted, with its first frame. */
 void viewer_begin_exposure(struct viewer *viewer);
 void viewer_follow_exposure(struct viewer *viewer);
 
@@ -447,15 +444,14 @@ void kept_free(struct viewer *viewer);
 
 /* --- viewer/tracing.c --- */
 
-/* Traces the truth of the view as it is, in place of the one before; viewer_follow_truth takes what
- * has been traced, each turn; viewer_forget_truth ends the comparison with it. */
+/* Traces the reference of the view as it is, in place of the one before; viewer_follow_reference takes what
+ * has been traced, each turn; viewer_forget_reference ends the comparison with it. */
 void viewer_trace(struct viewer *viewer);
-void viewer_follow_truth(struct viewer *viewer);
-void viewer_forget_truth(struct viewer *viewer);
+void viewer_follow_reference(struct viewer *viewer);
+void viewer_forget_reference(struct viewer *viewer);
 bool viewer_is_tracing(const struct viewer *viewer);
 
-/* Relative RMSE of an indirect layer against what was traced, whose noise is taken off. False: there
- * is none of its size. */
+/* Relative RMSE of an indirect layer against what was traced, without its noise. False: there is none of its size. */
 bool viewer_indirect_error(const struct viewer *viewer, const struct image *indirect,
                            double *error);
 
@@ -466,7 +462,7 @@ bool viewer_compared_error(const struct viewer *viewer, double *error);
 /* That noise over the mean of the layer that is shown; 0: none is known. */
 double viewer_reference_noise(const struct viewer *viewer);
 
-/* Measures presets and techniques on the view, and traces its truth where there is none;
+/* Measures presets and techniques on the view, and traces its reference where there is none;
  * viewer_take_dot makes the picture as one of them. */
 void viewer_chart(struct viewer *viewer);
 bool viewer_is_charting(const struct viewer *viewer);
@@ -492,28 +488,6 @@ void viewer_take_screenshot(struct viewer *viewer);
 int views_free(const struct viewer *viewer);
 void views_keep(struct viewer *viewer, int i);
 void views_go(struct viewer *viewer, int i);
-
-/* --- viewer/recorder.c --- */
-
-/* Whether ffmpeg is there. */
-bool recorder_has_video(void);
-
-/* Asks for range and folder: the whole clip, and the working folder, at first. viewer/panel_record.c. */
-void recorder_ask(struct viewer *viewer, enum record_kind kind);
-void recorder_draw_request(struct viewer *viewer);
-
-/* Records what was asked for, from its first frame. */
-void recorder_start(struct viewer *viewer);
-
-/* "12 of 250, 8 minutes left". */
-void recorder_tell(const struct viewer *viewer, char *text, size_t size);
-
-/* Ends what there is; nothing where none is recorded. */
-void recorder_stop(struct viewer *viewer);
-
-/* Before a frame is rendered, and after. */
-void recorder_pose(struct viewer *viewer);
-void recorder_write(struct viewer *viewer);
 
 /* --- viewer/timeline.c --- */
 

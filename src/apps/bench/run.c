@@ -5,6 +5,7 @@
 #include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/text.h"
+#include "gl/screen.h"
 #include "measure/journal.h"
 #include "measure/result_rows.h"
 
@@ -111,6 +112,7 @@ static char *identity_of(const struct bench *bench, const struct option *options
         add_line(&text, cells[i].name, cells[i].value);
     machine_cells_free(cells);
     add_line(&text, "sources", MANYLIGHT_SOURCES);
+    add_line(&text, "screen passes", screen_way_names[screen_way()]);
     return text.data;
 }
 

@@ -41,7 +41,7 @@ bool output_file_is_stdout(const char *path) {
 
 bool output_file_is_not(const char *path, const char *input) {
     struct stat output, other;
-    if (output_file_is_stdout(path) || strcmp(input, "-") == 0)
+    if (output_file_is_stdout(path) || output_file_is_stdout(input))
         return true;
     bool same = stat(path, &output) == 0 && stat(input, &other) == 0 && S_ISREG(output.st_mode) &&
                 output.st_dev == other.st_dev && output.st_ino == other.st_ino;
@@ -76,14 +76,15 @@ bool output_file_check(const char *path, const char *const *inputs, int count) {
 
 /* --- bytes ------------------------------------------------------------------------------------ */
 
-static bool write_all(int file, const char *bytes, size_t size) {
+bool output_file_put(int file, const void *bytes, size_t size) {
+    const char *rest = bytes;
     while (size > 0) {
-        ssize_t written = write(file, bytes, size);
+        ssize_t written = write(file, rest, size);
         if (written < 0 && errno == EINTR)
             continue;
         if (written <= 0)
             return false;
-        bytes += written;
+        rest += written;
         size -= (size_t)written;
     }
     return true;
@@ -174,7 +175,7 @@ static bool keep_mode(int file, const char *path) {
 }
 
 static bool part_fill(const struct part *part, const char *path, const void *bytes, size_t size) {
-    return write_all(part->file, bytes, size) && sync_all(part->file) &&
+    return output_file_put(part->file, bytes, size) && sync_all(part->file) &&
            holds(part->file, bytes, size) && keep_mode(part->file, path);
 }
 
@@ -229,7 +230,7 @@ static bool write_regular(const char *path, const void *bytes, size_t size) {
 static bool write_to_reader(int file, const void *bytes, size_t size) {
     struct sigaction ignored = {.sa_handler = SIG_IGN}, before;
     sigaction(SIGPIPE, &ignored, &before);
-    bool ok = write_all(file, bytes, size);
+    bool ok = output_file_put(file, bytes, size);
     int reason = errno;
     sigaction(SIGPIPE, &before, NULL);
     errno = reason;
@@ -337,7 +338,7 @@ bool output_journal_cut(struct output_journal *journal, size_t size) {
 
 bool output_journal_append(struct output_journal *journal, const void *bytes, size_t size) {
     size_t before = journal->size;
-    if (write_all(journal->file, bytes, size) && sync_all(journal->file)) {
+    if (output_file_put(journal->file, bytes, size) && sync_all(journal->file)) {
         journal->size += size;
         return true;
     }

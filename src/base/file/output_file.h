@@ -30,6 +30,9 @@ bool output_file_is_not(const char *path, const char *input);
 /* Replaces what is there. A device or a pipe is written to as it is. Error: names the path. */
 bool output_file_write(const char *path, const void *bytes, size_t size);
 
+/* Writes all bytes to a file that is open. False: errno tells why. */
+bool output_file_put(int file, const void *bytes, size_t size);
+
 /* What another program has written beside it is synced and takes the name; where it cannot, it is removed. */
 bool output_file_take(const char *part, const char *path);
 

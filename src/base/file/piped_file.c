@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/file/image_file.h"
+#include "base/file/output_file.h"
 #include "base/memory.h"
 #include "base/text.h"
 
@@ -15,8 +16,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+/* Both are called "-". */
 static bool is_standard_input(const char *path) {
-    return strcmp(path, "-") == 0;
+    return output_file_is_stdout(path);
 }
 
 bool piped_file_is(const char *path) {
@@ -28,19 +30,6 @@ bool piped_file_is(const char *path) {
 
 static bool fail(const char *path) {
     return error_set("cannot read %s: %s", path, strerror(errno));
-}
-
-static bool keep(int kept, const char *bytes, size_t size) {
-    while (size > 0) {
-        ssize_t written = write(kept, bytes, size);
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written < 0)
-            return false;
-        bytes += written;
-        size -= (size_t)written;
-    }
-    return true;
 }
 
 /* A pipe may have no end. What is read of it lies in memory twice, here and where it is used. */
@@ -60,7 +49,7 @@ static bool copy(int kept, int pipe, const char *path) {
         if (size > most)
             return error_set("cannot read %s: it has more than %.0f MiB", path,
                              (double)most / (1 << 20));
-        if (!keep(kept, chunk, (size_t)got))
+        if (!output_file_put(kept, chunk, (size_t)got))
             return fail(path);
     }
 }

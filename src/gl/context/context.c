@@ -11,6 +11,7 @@
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 #include "gl/screen.h"
+#include "gl/screen_rows.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -84,6 +85,13 @@ static size_t memory_of(const struct gl_api *api) {
     return total > 0 ? (size_t)total << 10 : 0;
 }
 
+static struct screen_rows *create_rows(const struct gl_api *api) {
+    GLuint buffer;
+    api->CreateBuffers(1, &buffer);
+    api->NamedBufferStorage(buffer, screen_rows_bytes, NULL, GL_DYNAMIC_STORAGE_BIT);
+    return screen_rows_create(buffer);
+}
+
 /* Fills in what needs the context to be current, and makes `gl` its table. */
 static bool load(struct context *context, void *(*getproc)(const char *name), bool debug) {
     if (!gl_api_load(&context->api, getproc) || !gl_needs_met(&context->api))
@@ -93,6 +101,7 @@ static bool load(struct context *context, void *(*getproc)(const char *name), bo
     context->api.memory = memory_of(&context->api);
     context->api.programs = program_cache_create();
     context->api.framebuffers = framebuffer_list_create();
+    context->api.screen_rows = create_rows(&context->api);
     context->api.software = is_software((const char *)context->api.GetString(GL_RENDERER));
     /* A software rasteriser frees tens of MiB of triangles at the end of what it draws, and asks for them again. */
     if (context->api.software)
@@ -305,6 +314,7 @@ void context_free(struct context *context) {
         context->native.platform->destroy(&context->native);
     program_cache_free(context->api.programs);
     framebuffer_list_free(context->api.framebuffers);
+    screen_rows_free(context->api.screen_rows);
     free(context);
 }
 

@@ -21,12 +21,12 @@ static bool init_program(GLuint *program, const struct gather_desc *desc, enum g
                    "SPECULAR %d;CUTS %d",
                    lookup, clamp, desc->map_per_vpl, desc->share, desc->receivers,
                    desc->together > 0, specular, desc->cuts);
-    bool ok =
-        program_init(program, &(struct program_desc){.vertex = desc->receivers == RECEIVERS_LISTED
-                                                                   ? "gather/listed.vert"
-                                                                   : "fullscreen.vert",
-                                                     .fragment = "gather/gather.frag",
-                                                     .defines = defines});
+    bool ok = program_init(
+        program, &(struct program_desc){
+                     .vertex = desc->receivers == RECEIVERS_LISTED ? "gather/listed.vert" : NULL,
+                     .screen = {"gather/gather.frag", .blended = true, .tiled = true},
+                     .defines = defines,
+                 });
     free(lookup);
     free(defines);
     return ok;
@@ -107,7 +107,7 @@ static void draw_tile(const struct gather_pass *pass, const struct gather_inputs
     pass_viewport(slot % n * target->tile_width, slot / n * target->tile_height, target->tile_width,
                   target->tile_height);
     if (pass->desc.receivers == RECEIVERS_LISTED)
-        pixel_lists_draw(inputs->lists, list, program_for(pass, inputs));
+        pixel_lists_draw(inputs->lists, list);
     else
         pass_draw_fullscreen(1);
 }
@@ -131,12 +131,11 @@ static void draw_slot(const struct gather_pass *pass, const struct gather_inputs
         first = inputs->first;
     if (last > range_last)
         last = range_last;
-    GLuint program = program_for(pass, inputs);
-    gl.ProgramUniform1f(program, LOCATION_SLOT_WEIGHT, weight);
-    gl.ProgramUniform1i(program, LOCATION_FIRST_MAP, -inputs->first);
+    pass_set_float(LOCATION_SLOT_WEIGHT, weight);
+    pass_set_int(LOCATION_FIRST_MAP, -inputs->first);
     for (int most = vpls_of_draw(pass), count; first < last; first += count) {
         count = last - first < most ? last - first : most;
-        gl.ProgramUniform4i(program, LOCATION_SLOT, first, count, slot % n, slot / n);
+        pass_set_ints(LOCATION_SLOT, first, count, slot % n, slot / n);
         draw_tile(pass, inputs, slot, list);
     }
 }
@@ -145,11 +144,9 @@ static void draw_slot(const struct gather_pass *pass, const struct gather_inputs
 static void draw_cuts(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
                       int list, int side) {
     int n = pass->desc.interleave, sets = inputs->cuts->tree->sets;
-    GLuint program = program_for(pass, inputs);
-    gl.ProgramUniform1f(program, LOCATION_SLOT_WEIGHT, 1 / (float)side);
+    pass_set_float(LOCATION_SLOT_WEIGHT, 1 / (float)side);
     for (int i = 0; i < side; i++) {
-        gl.ProgramUniform4i(program, LOCATION_SLOT, (slot / side * side + i) % sets, 0, slot % n,
-                            slot / n);
+        pass_set_ints(LOCATION_SLOT, (slot / side * side + i) % sets, 0, slot % n, slot / n);
         draw_tile(pass, inputs, slot, list);
     }
 }

@@ -19,11 +19,11 @@ static bool init_program(struct gloss_rays_pass *pass) {
     char *defines =
         mem_printf("%s;LIGHTS %d;MAP_KINDS %d;RECEIVERS %d;VAL_COUNT %d", lookup, room, kinds,
                    RECEIVERS_ALL, pass->desc.has_maps ? pass->desc.visibility.map_count : 0);
-    bool ok = program_init(&pass->program, &(struct program_desc){
-                                               .vertex = "fullscreen.vert",
-                                               .fragment = "gather/gloss_rays.frag",
-                                               .defines = defines,
-                                           });
+    bool ok = program_init(&pass->program,
+                           &(struct program_desc){
+                               .screen = {"gather/gloss_rays.frag", .blended = true, .tiled = true},
+                               .defines = defines,
+                           });
     free(lookup);
     free(defines);
     return ok;
@@ -100,8 +100,8 @@ void gloss_rays_pass_render(const struct gloss_rays_pass *pass, const struct fra
     for (int slot = 0; slot < n * n; slot++) {
         pass_viewport(slot % n * radiance->tile_width, slot / n * radiance->tile_height,
                       radiance->tile_width, radiance->tile_height);
-        gl.ProgramUniform4i(pass->program, LOCATION_SLOT, 0, 0, slot % n, slot / n);
-        light_picks_set(&pass->picks, slot, 0, picked, pass->program);
+        pass_set_ints(LOCATION_SLOT, 0, 0, slot % n, slot / n);
+        light_picks_set(&pass->picks, slot, 0, picked);
         pass_draw_fullscreen(1);
     }
     pass_end(frame->timers);

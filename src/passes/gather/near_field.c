@@ -41,21 +41,21 @@ static bool init_programs(struct near_field_pass *pass) {
                    pass->desc.listed ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
     char *listed = mem_printf("OCCLUSION %d;RECEIVERS %d;%s", pass->desc.occlusion,
                               RECEIVERS_LISTED, of_light);
-    bool ok =
-        program_init(&pass->light_program,
-                     &(struct program_desc){
-                         .vertex = "gather/near_light.vert",
-                         .fragment = "gather/near_light.frag",
-                         .defines = of_light,
-                     }) &&
-        program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                            .fragment = "gather/near_field.frag",
-                                                            .defines = defines}) &&
-        (!pass->desc.listed ||
-         program_init(&pass->listed_program,
-                      &(struct program_desc){.vertex = "gather/listed.vert",
-                                             .fragment = "gather/near_field.frag",
-                                             .defines = listed}));
+    bool ok = program_init(&pass->light_program,
+                           &(struct program_desc){
+                               .screen = {"gather/near_light.frag", .layers = true},
+                               .defines = of_light,
+                           }) &&
+              program_init(&pass->program,
+                           &(struct program_desc){
+                               .screen = {"gather/near_field.frag", .blended = true, .tiled = true},
+                               .defines = defines}) &&
+              (!pass->desc.listed ||
+               program_init(&pass->listed_program,
+                            &(struct program_desc){.vertex = "gather/listed.vert",
+                                                   .screen = {"gather/near_field.frag",
+                                                              .blended = true, .tiled = true},
+                                                   .defines = listed}));
     free(of_light);
     free(defines);
     free(listed);
@@ -156,40 +156,39 @@ static int lights_of_draw(const struct near_field_pass *pass, const struct near_
     return pass->desc.occlusion == NEAR_BY_RAYS ? RAYS_MAX / rays : draw->picked;
 }
 
-static void set_samples(GLuint program, int x, int y, int samples, int pass) {
+static void set_samples(int x, int y, int samples, int pass) {
     struct spiral_shift shift = spiral_shift(x, y, pass);
     double turn = 2 * acos(-1) * shift.turn;
-    gl.ProgramUniform4i(program, LOCATION_SLOT, 0, samples, x, y);
-    gl.ProgramUniform4f(program, LOCATION_NEAR_SHIFT, (float)cos(turn), (float)sin(turn),
-                        shift.along, 1 / (float)samples);
+    pass_set_ints(LOCATION_SLOT, 0, samples, x, y);
+    pass_set_floats(LOCATION_NEAR_SHIFT, (float)cos(turn), (float)sin(turn), shift.along,
+                    1 / (float)samples);
 }
 
-static void draw_tile(const struct near_field_pass *pass, GLuint program,
-                      const struct near_field_inputs *inputs, struct near_draw draw) {
+static void draw_tile(const struct near_field_pass *pass, const struct near_field_inputs *inputs,
+                      struct near_draw draw) {
     int slot = draw.slot;
     const struct irradiance *irradiance = inputs->irradiance;
     int n = irradiance->interleave;
     pass_viewport(slot % n * irradiance->tile_width, slot / n * irradiance->tile_height,
                   irradiance->tile_width, irradiance->tile_height);
-    set_samples(program, slot % n, slot / n, draw.samples, draw.pass);
+    set_samples(slot % n, slot / n, draw.samples, draw.pass);
     int together = lights_of_draw(pass, &draw);
     for (int light = 0; light < draw.picked; light += together) {
         int rest = draw.picked - light;
-        light_picks_set(&pass->picks, draw.picks, light, rest < together ? rest : together,
-                        program);
+        light_picks_set(&pass->picks, draw.picks, light, rest < together ? rest : together);
         if (inputs->of_lists)
-            pixel_lists_draw(inputs->lists, draw.list, program);
+            pixel_lists_draw(inputs->lists, draw.list);
         else
             pass_draw_fullscreen(1);
     }
 }
 
-static void draw_all(const struct near_field_pass *pass, const struct frame *frame, GLuint program,
+static void draw_all(const struct near_field_pass *pass, const struct frame *frame,
                      const struct near_field_inputs *inputs) {
     int n = inputs->irradiance->interleave, slots = n * n;
     int picked = light_picks_deal(&pass->picks, frame, slots);
     for (int slot = 0; slot < slots; slot++)
-        draw_tile(pass, program, inputs,
+        draw_tile(pass, inputs,
                   (struct near_draw){.slot = slot,
                                      .picks = slot,
                                      .picked = picked,
@@ -200,7 +199,7 @@ static void draw_all(const struct near_field_pass *pass, const struct frame *fra
 /* What is on a list has few neighbours that are like it, and shows the lights that it takes itself: it takes all of a group,
  * and as many samples of them together as of those that it would be dealt. */
 static void draw_lists(const struct near_field_pass *pass, const struct frame *frame,
-                       GLuint program, const struct near_field_inputs *inputs) {
+                       const struct near_field_inputs *inputs) {
     int n = inputs->irradiance->interleave, slots = n * n;
     int dealt = light_picks_deal(&pass->picks, frame, slots);
     int picked = light_picks_deal(&pass->picks, frame, 1);
@@ -209,7 +208,7 @@ static void draw_lists(const struct near_field_pass *pass, const struct frame *f
         int all = samples_of_listed(&pass->desc, n, side);
         int samples = picked > dealt ? reduced(all, all * dealt / picked, light_least) : all;
         for (int slot = 0; side > 0 && slot < slots; slot++)
-            draw_tile(pass, program, inputs,
+            draw_tile(pass, inputs,
                       (struct near_draw){.slot = slot,
                                          .list = list,
                                          .picked = picked,
@@ -249,8 +248,8 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
     write_params(pass, frame, irradiance_pattern(irradiance));
     pass_begin(frame->timers, &state);
     if (inputs->of_lists)
-        draw_lists(pass, frame, state.program, inputs);
+        draw_lists(pass, frame, inputs);
     else
-        draw_all(pass, frame, state.program, inputs);
+        draw_all(pass, frame, inputs);
     pass_end(frame->timers);
 }

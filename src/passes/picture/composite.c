@@ -31,15 +31,16 @@ static bool init_programs(struct composite_pass *pass) {
     snprintf(centers, sizeof centers, "%sCENTERS", defines);
     return program_init(&pass->display_program,
                         &(struct program_desc){
-                            .screen = {"picture/composite.frag", .masked = true},
+                            .screen = {"picture/composite.frag"},
                             .defines = defines,
                         }) &&
-           program_init(&pass->centers_program,
-                        &(struct program_desc){
-                            .vertex = "fullscreen.vert",
-                            .fragment = "picture/composite.frag",
-                            .defines = centers,
-                        }) &&
+           (program_dispatched(pass->display_program) ||
+            program_init(&pass->centers_program,
+                         &(struct program_desc){
+                             .vertex = "fullscreen.vert",
+                             .fragment = "picture/composite.frag",
+                             .defines = centers,
+                         })) &&
            program_init(&pass->layer_program, &(struct program_desc){
                                                   .screen = {"picture/layer.frag", .blended = true},
                                                   .defines = defines,
@@ -93,7 +94,8 @@ static void add_contribution(struct pass_state *state, const struct contribution
     }
 }
 
-/* What all pixels' centres see, and at depth 0 those that samples see more of. */
+/* What all pixels' centres see, and at depth 0 those that samples see more of: for a rasteriser in software, which
+ * executes both sides of a branch. A dispatch has all in one. */
 static void draw_centers(const struct composite_pass *pass, struct pass_state state) {
     state.program = pass->centers_program;
     state.depth = PASS_DEPTH_LESS;
@@ -142,7 +144,7 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->direct_specular->id);
     add_contribution(&state, &inputs->contribution);
     timer_begin(frame->timers, state.name);
-    if (program == pass->display_program) {
+    if (program == pass->display_program && !program_dispatched(program)) {
         draw_centers(pass, state);
         state.depth = PASS_DEPTH_EQUAL;
     }

@@ -31,11 +31,10 @@ bool load_joint_numbers(Loader &loader, int index, struct primitive &to) {
 
 /* A weight just below 0 is 0. */
 bool mend_weights(Loader &loader, const std::string &object, struct primitive &primitive) {
-    const float rounding = 1e-5F;
     int mended = 0;
     for (int i = 0; i < primitive.vertex_count; i++)
         for (float &weight : primitive.weights[i]) {
-            bool is_off = weight < 0 && weight >= -rounding;
+            bool is_off = weight < 0 && double(weight) >= -rounding;
             weight = is_off ? 0 : weight;
             mended += is_off;
         }

@@ -17,6 +17,9 @@ size_t list_size(const json &root, const char *pointer);
 /* The value as a user would find it in the file, shortened. */
 std::string quote(const json &value);
 
+/* "mesh 3 'name'" of an element that may be anything. */
+std::string label_of(const char *noun, size_t index, const json &element);
+
 /* extension.cpp: refuses a version or a required extension that is not read. */
 bool check_asset(Loader &loader, json &root);
 

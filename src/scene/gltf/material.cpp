@@ -116,11 +116,6 @@ bool load_textures(Loader &loader, const tinygltf::Material &from, struct materi
     return true;
 }
 
-bool load_share(double from, float &to, const char *what) {
-    to = float(from);
-    return (from >= 0 && from <= 1) || error_set("%s: %g is not from 0 to 1", what, from);
-}
-
 /* emissiveFactor x KHR_materials_emissive_strength. */
 bool load_emission(const tinygltf::Material &from, struct material &to) {
     auto found = from.extensions.find("KHR_materials_emissive_strength");
@@ -181,20 +176,19 @@ bool find_mean(Loader &loader, const tinygltf::TextureInfo &info, TextureMean &m
 }
 
 /* KHR_materials_pbrSpecularGlossiness: the specular colour is the reflectance, whether of metals or not. */
-bool load_specular_color(const tinygltf::Value &from, struct material &to) {
+void load_specular_color(const tinygltf::Value &from, struct material &to) {
+    float *f0 = to.specular_f0;
     for (int c = 0; c < 3; c++)
-        if (!load_share(number_of(from, "specularFactor", c, 1), to.specular_f0[c],
-                        "KHR_materials_pbrSpecularGlossiness: specularFactor"))
-            return false;
-    const float *f0 = to.specular_f0;
+        f0[c] = float(number_of(from, "specularFactor", c, 1));
     to.specular_f90 = reflectance_grazing(std::max({f0[0], f0[1], f0[2]}));
-    return true;
 }
 
 /* Of what is no metal: KHR_materials_ior and KHR_materials_specular. */
 bool load_reflectance(Loader &loader, const tinygltf::Material &from, struct material &to) {
-    if (const tinygltf::Value *old = specular_glossiness(from))
-        return load_specular_color(*old, to);
+    if (const tinygltf::Value *old = specular_glossiness(from)) {
+        load_specular_color(*old, to);
+        return true;
+    }
     auto ior = from.extensions.find("KHR_materials_ior");
     auto found = from.extensions.find("KHR_materials_specular");
     const tinygltf::Value specular =
@@ -214,7 +208,8 @@ bool load_reflectance(Loader &loader, const tinygltf::Material &from, struct mat
             return error_set("KHR_materials_specular: specularColorFactor: %g is negative", color);
         to.specular_f0[c] = float(std::min(straight * color, 1.) * factor);
     }
-    return load_share(factor, to.specular_f90, "KHR_materials_specular: specularFactor");
+    to.specular_f90 = float(factor);
+    return true;
 }
 
 /* What is not seen of it. */
@@ -237,8 +232,8 @@ bool load_material(Loader &loader, const tinygltf::Material &from, struct materi
     tell_material(loader, from);
     return copy_numbers({blends ? .5 : from.alphaCutoff}, &to.alpha_cutoff, "alphaCutoff") &&
            copy_numbers(pbr.baseColorFactor, to.base_color, "baseColorFactor") &&
-           load_share(pbr.metallicFactor, to.metalness, "metallicFactor") &&
-           load_share(pbr.roughnessFactor, to.roughness, "roughnessFactor") &&
+           copy_numbers({pbr.metallicFactor}, &to.metalness, "metallicFactor") &&
+           copy_numbers({pbr.roughnessFactor}, &to.roughness, "roughnessFactor") &&
            copy_numbers({from.normalTexture.scale}, &to.normal_scale, "normalTexture: scale") &&
            load_reflectance(loader, from, to) && load_emission(from, to) &&
            load_textures(loader, from, to, mappings);

@@ -31,14 +31,6 @@ void tell_mended(const Loader &loader) {
 
 namespace {
 
-/* How far a number may be off by rounding. */
-const double rounding = 1e-5;
-
-std::string label_of(const char *noun, size_t index, const json &element) {
-    bool named = element.contains("name") && element["name"].is_string();
-    return label(noun, index, named ? element["name"].get<std::string>() : "");
-}
-
 bool mend_rotation(Loader &loader, json &node, const std::string &object) {
     double length = 0;
     for (const json &number : node["rotation"])

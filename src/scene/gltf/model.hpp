@@ -127,6 +127,9 @@ bool check_extensions(Loader &loader);
 void lack(Loader &loader, const std::string &what);
 void tell_lacks(const Loader &loader);
 
+/* How far a number may be off by rounding. */
+const double rounding = 1e-5;
+
 /* mended.cpp: remembers that an object has a defect which is mended; under --strict an error
  * instead. Later each defect is told in one note, with the first object and the number of others. */
 bool mend(Loader &loader, const std::string &what, const std::string &object);

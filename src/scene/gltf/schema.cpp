@@ -26,6 +26,11 @@ std::string quote(const json &value) {
     return text.size() > 40 ? text.substr(0, 40) + "..." : text;
 }
 
+std::string label_of(const char *noun, size_t index, const json &element) {
+    bool named = element.is_object() && element.contains("name") && element["name"].is_string();
+    return label(noun, index, named ? element["name"].get<std::string>() : "");
+}
+
 namespace {
 
 /* An element of a list that is being checked. */
@@ -41,21 +46,13 @@ struct Check {
     std::vector<Place> places; /* the list's element, its list's element and so on, from outside */
 };
 
-/* How far a number may be off by rounding. */
-const double rounding = 1e-5;
-
 bool check_fields(Check &check, json &object, const Field *fields);
-
-std::string name_of(const json &element) {
-    bool named = element.is_object() && element.contains("name") && element["name"].is_string();
-    return named ? element["name"].get<std::string>() : "";
-}
 
 /* A field of the element that is being checked has a defect. */
 bool mend_field(Check &check, const char *what, const Field &field) {
     std::string object;
     for (const Place &place : check.places)
-        object += label(place.noun, place.index, name_of(*place.element)) + ": ";
+        object += label_of(place.noun, place.index, *place.element) + ": ";
     return mend(check.loader, what, object + field.name);
 }
 
@@ -101,7 +98,7 @@ bool check_elements(Check &check, json &list, const Field &field) {
         check.places.push_back({field.of, i, &element});
         if (!element.is_object() ? !error_set("%s is not an object", quote(element).c_str())
                                  : !check_fields(check, element, field.fields))
-            return error_prefix("%s", label(field.of, i, name_of(element)).c_str());
+            return error_prefix("%s", label_of(field.of, i, element).c_str());
         check.places.pop_back();
     }
     return true;
@@ -330,7 +327,7 @@ bool check_animations(Check &check, json &root) {
     for (size_t i = 0; i < found->size(); i++) {
         json &animation = (*found)[i];
         check.places.assign(1, {"animation", i, &animation});
-        if (!check_animation(check, animation, label("animation", i, name_of(animation))))
+        if (!check_animation(check, animation, label_of("animation", i, animation)))
             return false;
     }
     return true;

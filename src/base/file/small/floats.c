@@ -48,7 +48,7 @@ bool pfm_read(struct image *image, const unsigned char *bytes, size_t size) {
         !next_line(&cursor, order, sizeof order) || strcmp(kind, "PF") != 0 ||
         sscanf(shape, "%d %d", &width, &height) != 2 || strtod(order, NULL) >= 0)
         return error_set("not a little-endian PFM in colour, which this build reads alone");
-    if (!check_picture_size(width, height))
+    if (!check_picture_size(width, height) || !image_fits(width, height, 3))
         return false;
     size_t row = 3 * sizeof(float) * (size_t)width;
     if (left_of(&cursor) < row * (size_t)height)

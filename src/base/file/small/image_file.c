@@ -248,14 +248,17 @@ bool bitmap_write_alpha(const struct bitmap *bitmap, const char *path) {
 
 static bool read_texture(struct raster *raster, const unsigned char *bytes, size_t size,
                          bool size_only) {
+    bool ok;
     *raster = (struct raster){0};
     if (size > 4 && memcmp(bytes, formats[PNG].magic, 4) == 0)
-        return png_read(raster, bytes, size, size_only);
-    if (size > 3 && memcmp(bytes, "\xFF\xD8\xFF", 3) == 0)
-        return jpeg_read(raster, bytes, size, size_only);
-    if (size > 12 && memcmp(bytes, "RIFF", 4) == 0 && memcmp(bytes + 8, "WEBP", 4) == 0)
-        return webp_read(raster, bytes, size, size_only);
-    return error_set("not a picture of a known format");
+        ok = png_read(raster, bytes, size, size_only);
+    else if (size > 3 && memcmp(bytes, "\xFF\xD8\xFF", 3) == 0)
+        ok = jpeg_read(raster, bytes, size, size_only);
+    else if (size > 12 && memcmp(bytes, "RIFF", 4) == 0 && memcmp(bytes + 8, "WEBP", 4) == 0)
+        ok = webp_read(raster, bytes, size, size_only);
+    else
+        return error_set("not a picture of a known format");
+    return ok || error_prefix("picture");
 }
 
 bool bitmap_measure(const void *bytes, size_t size, uint64_t *memory) {

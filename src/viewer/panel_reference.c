@@ -245,10 +245,10 @@ static void draw_state(const struct viewer *viewer) {
                 "%.1f %%", 100 * tracing->error);
 }
 
-void panel_draw_truth(struct viewer *viewer) {
+void panel_draw_reference(struct viewer *viewer) {
     if (viewer_is_tracing(viewer)) {
         if (ui_wide_button("Stop tracing", "what has been traced stays"))
-            truth_stop(&viewer->tracing.truth);
+            reference_tracer_stop(&viewer->tracing.tracer);
     } else if (ui_wide_button(
                    "Trace a reference of this view",
                    "by the path tracer, in the background: it is shown right of the wipe "

@@ -1,4 +1,4 @@
-/* The truth traced in the window, and the chart of speed against accuracy: what they tell is what
+/* The reference traced in the window, and the chart of speed against accuracy: what they tell is what
  * the path tracer and the renderer tell by themselves. */
 #include "view_inside.h"
 
@@ -34,21 +34,23 @@ static void test_trace(void **state) {
     printf("    after %d samples, which tell %.3f of noise\n", viewer.tracing.samples,
            viewer.tracing.noise);
     assert_int_equal(viewer.shown.compare.mode, COMPARE_REFERENCE);
-    check_at_most("of the truth of many samples", apart, 2 * viewer.tracing.noise);
+    check_at_most("of the reference of many samples", apart, 2 * viewer.tracing.noise);
     assert_true(viewer.shown.right);
     image_free(&other);
     stage_free(&scene);
 }
 
 /* Root of the mean square over the mean, of all pixels. */
-static double error_by_hand(const struct image *test, const struct image *truth) {
+static double error_by_hand(const struct image *test, const struct image *reference) {
     int a[3], b[3];
     double squares = 0, sum = 0;
     size_t pixels = (size_t)test->width * (size_t)test->height;
-    assert_true(image_find_layer(test, "indirect", a) && image_find_layer(truth, "indirect", b));
+    assert_true(image_find_layer(test, "indirect", a) &&
+                image_find_layer(reference, "indirect", b));
     for (size_t i = 0; i < pixels; i++)
         for (int c = 0; c < 3; c++) {
-            double t = (double)truth->pixels[i * (size_t)truth->channel_count + (size_t)b[c]];
+            double t =
+                (double)reference->pixels[i * (size_t)reference->channel_count + (size_t)b[c]];
             double v = (double)test->pixels[i * (size_t)test->channel_count + (size_t)a[c]];
             squares += (v - t) * (v - t);
             sum += t;
@@ -62,7 +64,7 @@ static void test_error(void **state) {
     if (!stage.server)
         skip();
     turn_until(!viewer_is_tracing(&viewer) || viewer.tracing.samples >= 32);
-    truth_pause(&viewer.tracing.truth, true);
+    reference_tracer_pause(&viewer.tracing.tracer, true);
     rest();
     struct image frame = {0};
     check_ok("layers", renderer_read_layers(&viewer.shown.renderer, &frame));
@@ -72,7 +74,7 @@ static void test_error(void **state) {
     check_near("error of indirect light", viewer.tracing.error,
                sqrt(with_noise * with_noise - noise * noise), .002);
     image_free(&frame);
-    truth_pause(&viewer.tracing.truth, false);
+    reference_tracer_pause(&viewer.tracing.tracer, false);
 }
 
 /* Measured while the window goes on; its value stays when another map is drawn, and comes back with the picture. */
@@ -83,7 +85,7 @@ static void test_flip(void **state) {
     const int flip = (int)(metric_find("ldr-flip") - metrics);
     if (!stage.server)
         skip();
-    truth_pause(&viewer.tracing.truth, true);
+    reference_tracer_pause(&viewer.tracing.tracer, true);
     rest();
     compare->flip = true;
     compare->measured = false;
@@ -110,7 +112,7 @@ static void test_flip(void **state) {
     turn_until(compare->is_known[flip]);
     assert_true(compare->values[flip] == by_hand);
     compare->flip = false;
-    truth_pause(&viewer.tracing.truth, false);
+    reference_tracer_pause(&viewer.tracing.tracer, false);
     image_free(&frame);
     image_free(&shown);
 }
@@ -179,7 +181,7 @@ static void test_end(void **state) {
     (void)state;
     if (!stage.server)
         skip();
-    viewer_forget_truth(&viewer);
+    viewer_forget_reference(&viewer);
     rest();
     viewer_chart(&viewer);
     for (int i = 0; i < 4; i++)

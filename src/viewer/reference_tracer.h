@@ -1,7 +1,7 @@
-/* Traces the truth of a view in the background: the path tracer on spare threads, with a scene of its
+/* Traces the reference of a view in the background: the path tracer on spare threads, with a scene of its
  * own, so that the viewer may go on to another. */
-#ifndef VIEWER_TRUTH_H
-#define VIEWER_TRUTH_H
+#ifndef VIEWER_REFERENCE_TRACER_H
+#define VIEWER_REFERENCE_TRACER_H
 
 #include "base/image.h"
 #include "viewer/session.h"
@@ -9,19 +9,19 @@
 #include <pthread.h>
 #include <stdatomic.h>
 
-enum truth_state { TRUTH_NONE, TRUTH_TRACING, TRUTH_DONE, TRUTH_FAILED };
+enum reference_tracer_state { TRACER_NONE, TRACER_TRACING, TRACER_DONE, TRACER_FAILED };
 
 /* So far. */
-struct truth_picture {
+struct traced_picture {
     struct image image;
     int samples;  /* a pixel */
     double noise; /* standard error of the indirect layer, RMS over mean */
 };
 
 /* Zeroed: nothing is traced. */
-struct truth {
+struct reference_tracer {
     pthread_t thread;
-    atomic_int state; /* enum truth_state */
+    atomic_int state; /* enum reference_tracer_state */
     atomic_bool cancelled;
     char *scene, *camera, *lights, *environment; /* the view */
     float turn, strength, time;
@@ -33,12 +33,12 @@ struct truth {
     pthread_mutex_t lock; /* of all that follows */
     pthread_cond_t resumed;
     bool paused;
-    struct truth_picture newest; /* that nobody has taken yet, or none */
+    struct traced_picture newest; /* that nobody has taken yet, or none */
     char message[512];
 };
 
 /* What to trace: a view, in the session's size. */
-struct truth_view {
+struct traced_view {
     const struct session *session;
     int bounces;
     double noise;
@@ -46,19 +46,20 @@ struct truth_view {
 };
 
 /* In place of what is traced. Error: no thread. */
-bool truth_start(struct truth *truth, const struct truth_view *view);
+bool reference_tracer_start(struct reference_tracer *tracer, const struct traced_view *view);
 
 /* Ends what is traced, and waits for that: some milliseconds. Accepts a zeroed one. */
-void truth_stop(struct truth *truth);
+void reference_tracer_stop(struct reference_tracer *tracer);
 
-/* Whether truth_poll has something to tell. */
-bool truth_has_news(struct truth *truth);
+/* Whether reference_tracer_poll has something to tell. */
+bool reference_tracer_has_news(struct reference_tracer *tracer);
 
 /* While times are taken nothing is to be traced but the rows that are begun. */
-void truth_pause(struct truth *truth, bool paused);
+void reference_tracer_pause(struct reference_tracer *tracer, bool paused);
 
 /* The newest picture is then the caller's; without pixels: there is none since the last call.
- * TRUTH_DONE and TRUTH_FAILED are told once; of the latter error_get tells. */
-enum truth_state truth_poll(struct truth *truth, struct truth_picture *newest);
+ * TRACER_DONE and TRACER_FAILED are told once; of the latter error_get tells. */
+enum reference_tracer_state reference_tracer_poll(struct reference_tracer *tracer,
+                                                  struct traced_picture *newest);
 
 #endif
