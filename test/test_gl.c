@@ -83,6 +83,62 @@ static void check_messages(const struct context_desc *desc) {
     gl.PushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, "a notification does not count");
     gl.PopDebugGroup();
     assert_int_equal(context_message_count(context), 2);
+    static const struct {
+        GLenum type;
+        GLuint id;
+        int counts;
+    } told[] = {{GL_DEBUG_TYPE_PERFORMANCE, 7, 0},
+                {GL_DEBUG_TYPE_OTHER, 131218, 0},
+                {GL_DEBUG_TYPE_OTHER, 131186, 0},
+                {GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR, 8, 1}};
+    for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
+        int before = context_message_count(context);
+        gl.DebugMessageInsert(GL_DEBUG_SOURCE_APPLICATION, told[i].type, told[i].id,
+                              GL_DEBUG_SEVERITY_MEDIUM, -1, "as a driver would say");
+        printf("    message %u counts %d\n", told[i].id, context_message_count(context) - before);
+        assert_int_equal(context_message_count(context) - before, told[i].counts);
+    }
+    context_free(context);
+}
+
+static GLuint make_reader(void) {
+    static const char *const text =
+        "#version 450\n"
+        "layout(local_size_x = 1) in;\n"
+        "layout(binding = 3) uniform sampler2D read;\n"
+        "layout(rgba8, binding = 0) writeonly uniform image2D written;\n"
+        "void main() {\n"
+        "    imageStore(written, ivec2(0), texture(read, vec2(.5)));\n"
+        "}\n";
+    GLuint program = gl.CreateProgram(), shader = gl.CreateShader(GL_COMPUTE_SHADER);
+    GLint linked = 0;
+    gl.ShaderSource(shader, 1, &text, NULL);
+    gl.CompileShader(shader);
+    gl.AttachShader(program, shader);
+    gl.LinkProgram(program);
+    gl.DeleteShader(shader);
+    gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
+    assert_true(linked);
+    return program;
+}
+
+/* What a sampler without a texture reads is each driver's choice: a draw or dispatch with one counts as a fault. */
+static void test_samplers(void **state) {
+    (void)state;
+    struct context *context = open_context(&(struct context_desc){.debug = true});
+    GLuint program = make_reader(), read = make_texel(orange), written = make_texel(teal);
+    gl.UseProgram(program);
+    gl.BindImageTexture(0, written, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
+    gl.DispatchCompute(1, 1, 1);
+    assert_int_equal(context_message_count(context), 1);
+    gl.BindTextureUnit(3, read);
+    gl.DispatchCompute(1, 1, 1);
+    gl.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    check_texel(written, orange);
+    assert_int_equal(context_message_count(context), 1);
+    gl.DeleteProgram(program);
+    gl.DeleteTextures(1, &read);
+    gl.DeleteTextures(1, &written);
     context_free(context);
 }
 
@@ -284,6 +340,7 @@ int main(void) {
         cmocka_unit_test(test_egl),
         cmocka_unit_test(test_osmesa),
         cmocka_unit_test(test_messages),
+        cmocka_unit_test(test_samplers),
         cmocka_unit_test(test_messages_osmesa),
         cmocka_unit_test(test_alternation),
         cmocka_unit_test(test_alternation_with_osmesa),

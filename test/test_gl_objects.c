@@ -279,6 +279,19 @@ static void test_out_of_memory(void **state) {
     expect_error("texture 'vast': out of GPU memory ");
     expect_error(what);
     texture_free(&texture);
+
+    /* A driver may promise memory that it has not, and fail later: more than the GPU's is refused. */
+    struct buffer buffer;
+    gl.memory = 1 << 20;
+    desc.width = desc.height = 256;
+    desc.layers = 1;
+    check_ok("texture of the memory's size", texture_init(&texture, &desc));
+    texture_free(&texture);
+    desc.layers = 2;
+    assert_false(texture_init(&texture, &desc));
+    expect_error("texture 'vast': out of GPU memory (256x256x2, 2.0 MiB)");
+    assert_false(buffer_init(&buffer, "long", (1 << 20) + 1, NULL));
+    expect_error("buffer 'long': out of GPU memory (1.0 MiB)");
     context_free(context);
     context_make_current(*state);
 }
@@ -417,8 +430,9 @@ static void test_buffers(void **state) {
 
 /* --- timers ----------------------------------------------------------------------------------- */
 
-/* Something that takes time on any driver. */
+/* Something that takes time on any driver: what was asked before is done when it begins, as a GPU would not. */
 static void work(void) {
+    gl.Finish();
     struct timespec nap = {.tv_nsec = 2000000};
     nanosleep(&nap, NULL);
 }

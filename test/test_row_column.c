@@ -297,14 +297,24 @@ static void test_against_plain(void **state) {
         render_stage(&stage, "instant-radiosity", "vpls=256 interleave=1 map-size=64", 48);
     struct image plain =
         render_stage(&stage, "instant-radiosity", "vpls=40 interleave=1 map-size=64", 48);
-    struct image chosen =
-        render_stage(&stage, name, "vpls=256 interleave=1 map-size=64 rows=64 columns=40", 48);
-    double error = relative_rmse(&chosen, &truth, "indirect");
+    /* Sums that a driver rounds otherwise make another choice, and one has a third more error than another: it is told of
+     * the mean of several. */
+    enum { CHOICES = 6 };
+    double error = 0;
+    for (int i = 0; i < CHOICES; i++) {
+        char settings[120];
+        snprintf(settings, sizeof settings,
+                 "vpls=256 interleave=1 map-size=64 rows=64 columns=40 choice=%d", i);
+        struct image chosen = render_stage(&stage, name, settings, 48);
+        double own = relative_rmse(&chosen, &truth, "indirect");
+        printf("  choice %d: %.4f\n", i, own);
+        error += own / CHOICES;
+        image_free(&chosen);
+    }
     printf("  40 plain VPLs %.4f, chosen %.4f\n", relative_rmse(&plain, &truth, "indirect"), error);
     check_at_most("40 columns of 256 VPLs", error, .15);
     image_free(&truth);
     image_free(&plain);
-    image_free(&chosen);
     stage_free(&stage);
 }
 

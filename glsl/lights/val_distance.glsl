@@ -41,7 +41,7 @@ int nearest_val(vpl v) {
     int nearest = 0;
     float least = 1e30, weight_position = position_weight();
     for (int k = 0; k < params.val_count; k++) {
-        float d = val_distance(weight_position, v, k);
+        float d = max(val_distance(weight_position, v, k), 0.0); // cosines round above 1
         if (d < least * (1.0 - EQUAL)) {
             least = d;
             nearest = k;

@@ -12,6 +12,7 @@
 #include <GL/glcorearb.h>
 
 #include <stdbool.h>
+#include <stddef.h>
 
 /* X(type, name without gl), OpenGL 4.5 core only. */
 #define GL_FUNCTIONS(X)                                                                            \
@@ -27,6 +28,7 @@
     X(PFNGLTEXTUREPARAMETERIPROC, TextureParameteri)                                               \
     X(PFNGLGENERATETEXTUREMIPMAPPROC, GenerateTextureMipmap)                                       \
     X(PFNGLBINDTEXTUREUNITPROC, BindTextureUnit)                                                   \
+    X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                                       \
     X(PFNGLGETTEXTUREIMAGEPROC, GetTextureImage)                                                   \
     X(PFNGLGETMULTISAMPLEFVPROC, GetMultisamplefv)                                                 \
     X(PFNGLGETTEXTURESUBIMAGEPROC, GetTextureSubImage)                                             \
@@ -78,6 +80,9 @@
     X(PFNGLGETPROGRAMBINARYPROC, GetProgramBinary)                                                 \
     X(PFNGLPROGRAMBINARYPROC, ProgramBinary)                                                       \
     /* Uniforms of a named program. */                                                             \
+    X(PFNGLGETACTIVEUNIFORMPROC, GetActiveUniform)                                                 \
+    X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                             \
+    X(PFNGLGETUNIFORMIVPROC, GetUniformiv)                                                         \
     X(PFNGLPROGRAMUNIFORM1IPROC, ProgramUniform1i)                                                 \
     X(PFNGLPROGRAMUNIFORM2IPROC, ProgramUniform2i)                                                 \
     X(PFNGLPROGRAMUNIFORM4IPROC, ProgramUniform4i)                                                 \
@@ -116,6 +121,7 @@
     /* Debugging. */                                                                               \
     X(PFNGLDEBUGMESSAGECALLBACKPROC, DebugMessageCallback)                                         \
     X(PFNGLDEBUGMESSAGECONTROLPROC, DebugMessageControl)                                           \
+    X(PFNGLDEBUGMESSAGEINSERTPROC, DebugMessageInsert)                                             \
     X(PFNGLPUSHDEBUGGROUPPROC, PushDebugGroup)                                                     \
     X(PFNGLPOPDEBUGGROUPPROC, PopDebugGroup)                                                       \
     X(PFNGLOBJECTLABELPROC, ObjectLabel)                                                           \
@@ -139,6 +145,14 @@ struct gl_api {
     struct screen_rows *screen_rows;       /* gl/screen_rows.c */
     struct program_store *store;           /* the same; NULL = none */
     bool fills_store;
+    struct gl_watched { /* gl/context/samplers.c: the driver's own, in debug contexts */
+        PFNGLDRAWARRAYSPROC DrawArrays;
+        PFNGLDRAWARRAYSINSTANCEDPROC DrawArraysInstanced;
+        PFNGLDRAWELEMENTSINSTANCEDPROC DrawElementsInstanced;
+        PFNGLDISPATCHCOMPUTEPROC DispatchCompute;
+        int *faults;
+    } watched;
+    size_t memory; /* of the GPU, bytes; 0 = it does not tell */
     bool software; /* it renders on the CPU: llvmpipe, softpipe, swrast */
 };
 

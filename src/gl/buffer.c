@@ -9,9 +9,11 @@ bool buffer_init(struct buffer *buffer, const char *label, size_t size, const vo
     while (gl.GetError() != GL_NO_ERROR) /* what follows must be this buffer's own error */
         ;
     size_t stored = size ? size : 16;
-    gl.NamedBufferStorage(buffer->id, (GLsizeiptr)stored, size ? data : NULL,
-                          GL_DYNAMIC_STORAGE_BIT);
-    if (gl.GetError() != GL_NO_ERROR) {
+    bool fits = !gl.memory || stored <= gl.memory;
+    if (fits)
+        gl.NamedBufferStorage(buffer->id, (GLsizeiptr)stored, size ? data : NULL,
+                              GL_DYNAMIC_STORAGE_BIT);
+    if (!fits || gl.GetError() != GL_NO_ERROR) {
         buffer_free(buffer);
         return error_set("buffer '%s': out of GPU memory (%.1f MiB)", label,
                          (double)stored / (1 << 20));

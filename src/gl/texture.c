@@ -118,9 +118,11 @@ bool texture_init(struct texture *texture, const struct texture_desc *desc) {
     gl.CreateTextures(resolved.target, 1, &texture->id);
     while (gl.GetError() != GL_NO_ERROR) /* what follows must be this texture's own error */
         ;
-    allocate(texture->id, &resolved);
     size_t bytes = storage_bytes(&resolved);
-    if (gl.GetError() != GL_NO_ERROR) {
+    bool fits = !gl.memory || bytes <= gl.memory;
+    if (fits)
+        allocate(texture->id, &resolved);
+    if (!fits || gl.GetError() != GL_NO_ERROR) {
         texture_free(texture);
         return error_set("texture '%s': out of GPU memory (%dx%dx%d, %.1f MiB)", desc->label,
                          resolved.width, resolved.height, resolved.depth * resolved.layers,

@@ -13,12 +13,19 @@
 
 enum { SHEET_GAP = 6 }; /* pixels of a monitor of scale 1 */
 
+static bool make_blank(struct texture *texture, GLenum target) {
+    return texture_init(
+        texture, &(struct texture_desc){
+                     .label = "nothing to inspect", .target = target, .format = GL_R8, .width = 1});
+}
+
 bool inspect_init(struct inspect *inspect) {
     *inspect = (struct inspect){0};
     if (program_init(&inspect->program,
                      &(struct program_desc){.screen = {"inspect/inspect.frag"}}) &&
         buffer_init(&inspect->params, "inspect parameters", sizeof(struct inspect_params), NULL) &&
-        marks_init(&inspect->marks))
+        make_blank(&inspect->no_plane, GL_TEXTURE_2D) &&
+        make_blank(&inspect->no_layers, GL_TEXTURE_2D_ARRAY) && marks_init(&inspect->marks))
         return true;
     inspect_free(inspect);
     return false;
@@ -33,6 +40,8 @@ void inspect_free(struct inspect *inspect) {
     program_free(&inspect->program);
     lookup_free(&inspect->visibility);
     buffer_free(&inspect->params);
+    texture_free(&inspect->no_plane);
+    texture_free(&inspect->no_layers);
     free_canvas(inspect);
     marks_free(&inspect->marks);
 }
@@ -158,8 +167,9 @@ static void draw_texture(const struct inspect *inspect, const struct frame *fram
         .framebuffer = inspect->framebuffer,
         .width = inspect->canvas.desc.width,
         .height = inspect->canvas.desc.height,
-        .textures = {{plane ? UNIT_INSPECTED_PLANE : UNIT_INSPECTED_LAYERS, source->id},
-                     {UNIT_GBUFFER_DEPTH, depth ? depth->id : 0}},
+        .textures = {{UNIT_INSPECTED_PLANE, plane ? source->id : inspect->no_plane.id},
+                     {UNIT_INSPECTED_LAYERS, plane ? inspect->no_layers.id : source->id},
+                     {UNIT_GBUFFER_DEPTH, depth ? depth->id : inspect->no_layers.id}},
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_LIGHTS, frame->lights},
                    {BLOCK_PASS, &inspect->params}},

@@ -11,6 +11,7 @@ struct inspect {
     GLuint program;
     struct lookup visibility;
     struct buffer params;
+    struct texture no_plane, no_layers; /* a sampler that nothing is read by has one of them */
     struct texture canvas;
     GLuint framebuffer;
     struct marks marks;

@@ -1,12 +1,12 @@
 /* dump FOLDER SCENE ...: the sources of all shaders, for another compiler to read: every setting of every technique and
- * direct method by turns, screen passes drawn and dispatched, on a driver that draws nothing; in scenes after the first settings that are no numbers. */
+ * direct method by turns, screen passes drawn and dispatched, on a driver that draws nothing. In the first scene numbers
+ * as well, and by turns from presets, too. */
 #include "null_driver.h"
 
 #include "base/error.h"
 #include "base/log.h"
 #include "direct/direct.h"
 #include "gl/context/context.h"
-#include "gl/pass.h"
 #include "gl/screen.h"
 #include "inspect/aov.h"
 #include "inspect/inspect.h"
@@ -88,7 +88,7 @@ static void make_and_inspect(struct renderer *renderer, const struct renderer_de
 }
 
 /* Those of a choice; of numbers one or two that are not the default. */
-static int values_of(const struct setting *setting, bool numbers, char values[16][16]) {
+static int values_of(const struct setting *setting, bool thorough, char values[16][16]) {
     const struct option *option = setting->option;
     int count = 0;
     if (option->type == OPTION_CHOICE)
@@ -96,7 +96,7 @@ static int values_of(const struct setting *setting, bool numbers, char values[16
             snprintf(values[count], 16, "%s", option->choices[count]);
     else if (option->type == OPTION_FLAG)
         snprintf(values[count++], 16, "%s", option->default_value != 0 ? "off" : "on");
-    else if (numbers) {
+    else if (thorough) {
         if (option->default_value != option->minimum)
             snprintf(values[count++], 16, "%g", option->minimum);
         if (option->default_value == option->minimum || option->type == OPTION_INT)
@@ -114,10 +114,10 @@ static bool is_of(const struct settings_part *part, const struct settings_part *
 
 /* One setting after another away from where the base has it. */
 static void turn(struct renderer *renderer, const struct renderer_desc *base,
-                 const struct settings_part *const *parts, bool numbers) {
+                 const struct settings_part *const *parts, bool thorough) {
     for (struct setting setting = {0}; settings_next(&base->settings, &setting);) {
         char values[16][16];
-        int count = is_of(setting.part, parts) ? values_of(&setting, numbers, values) : 0;
+        int count = is_of(setting.part, parts) ? values_of(&setting, thorough, values) : 0;
         for (int i = 0; i < count; i++) {
             struct renderer_desc desc = *base;
             if (setting_parse(&setting, &desc.settings, values[i]))
@@ -127,14 +127,14 @@ static void turn(struct renderer *renderer, const struct renderer_desc *base,
 }
 
 static void make_technique(struct renderer *renderer, const struct technique *technique,
-                           bool numbers) {
+                           bool thorough) {
     struct renderer_desc desc = renderer->desc;
     renderer_settings_init(&desc.settings);
     desc.direct = NULL;
     desc.progressive = false;
     desc.technique = technique;
     make_and_inspect(renderer, &desc);
-    turn(renderer, &desc, technique->parts, numbers);
+    turn(renderer, &desc, technique->parts, thorough);
     desc.progressive = true;
     make(renderer, &desc);
     for (const struct preset *p = technique->presets; p && p->name; p++) {
@@ -142,13 +142,14 @@ static void make_technique(struct renderer *renderer, const struct technique *te
         preset.progressive = false;
         renderer_settings_init(&preset.settings);
         check(settings_assign(&preset.settings, p->settings), p->name);
-        turn(renderer, &preset, technique->parts, numbers);
+        if (thorough)
+            turn(renderer, &preset, technique->parts, true);
         make_and_inspect(renderer, &preset);
     }
 }
 
 static void make_direct(struct renderer *renderer, const struct direct_method *direct,
-                        bool numbers) {
+                        bool thorough) {
     static const struct settings_part *const parts[] = {&picture_part, &sky_part, &start_part,
                                                         &material_part, NULL};
     struct renderer_desc desc = renderer->desc;
@@ -156,13 +157,13 @@ static void make_direct(struct renderer *renderer, const struct direct_method *d
     desc.progressive = false;
     desc.technique = technique_find("unshadowed");
     desc.direct = direct;
-    turn(renderer, &desc, direct->parts, numbers);
-    turn(renderer, &desc, parts, numbers);
+    turn(renderer, &desc, direct->parts, thorough);
+    turn(renderer, &desc, parts, thorough);
     desc.progressive = true;
     make(renderer, &desc);
 }
 
-static void make_scene(const char *path, bool numbers) {
+static void make_scene(const char *path, bool thorough) {
     struct stage stage;
     check(stage_init(&stage, &(struct stage_desc){.path = path}), path);
     struct renderer renderer;
@@ -175,9 +176,9 @@ static void make_scene(const char *path, bool numbers) {
     renderer_settings_init(&desc.settings);
     check(renderer_init(&renderer, &desc), path);
     for (const struct technique *const *t = techniques; *t; t++)
-        make_technique(&renderer, *t, numbers);
+        make_technique(&renderer, *t, thorough);
     for (const struct direct_method *const *d = direct_methods; *d; d++)
-        make_direct(&renderer, *d, numbers);
+        make_direct(&renderer, *d, thorough);
     renderer_free(&renderer);
     stage_free(&stage);
 }
@@ -191,13 +192,13 @@ int main(int argc, char **argv) {
     check(context != NULL, "context");
     struct screen_times times;
     check(screen_time_ways(&times), "screen probe");
-    screen_set_way(SCREEN_FRAGMENT);
-    for (int i = 2; i < argc; i++)
+    for (int i = 2; i < argc; i++) {
+        screen_set_way(SCREEN_FRAGMENT);
         make_scene(argv[i], i == 2);
-    show_window();
-    screen_set_way(SCREEN_COMPUTE); /* the same texts: choices show all that the way changes */
-    for (int i = 3; i < argc; i++)
+        screen_set_way(SCREEN_COMPUTE);
         make_scene(argv[i], false);
+    }
+    show_window();
     context_free(context);
     printf("%d shaders\n", null_driver_count());
     return 0;

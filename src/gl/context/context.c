@@ -7,6 +7,7 @@
 #include "gl/api.h"
 #include "gl/context/needs.h"
 #include "gl/context/platform.h"
+#include "gl/context/samplers.h"
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 #include "gl/screen.h"
@@ -31,11 +32,22 @@ static _Thread_local struct context *current;
 
 /* --- debug messages --- */
 
+/* What costs time and is no fault. NVIDIA's numbers: a shader is recompiled for a state; a buffer that is read back moves
+ * to the host. */
+static bool is_note(GLenum type, GLuint id) {
+    return type == GL_DEBUG_TYPE_PERFORMANCE || id == 131218 || id == 131186;
+}
+
 static void APIENTRY on_message(GLenum source, GLenum type, GLuint id, GLenum severity,
                                 GLsizei length, const GLchar *message, const void *user) {
-    (void)source, (void)type, (void)id, (void)severity, (void)length;
+    (void)source, (void)severity, (void)length;
+    int end = (int)strcspn(message, "\n");
+    if (is_note(type, id)) {
+        log_detail("OpenGL: %.*s", end, message);
+        return;
+    }
     ((struct context *)user)->message_count++;
-    log_warning("OpenGL: %.*s", (int)strcspn(message, "\n"), message);
+    log_warning("OpenGL: %.*s", end, message);
 }
 
 static void listen(struct context *context) {
@@ -64,6 +76,15 @@ static void make_empty_objects(struct gl_api *api) {
     api->NamedFramebufferParameteri(api->empty_framebuffer, GL_FRAMEBUFFER_DEFAULT_HEIGHT, 1);
 }
 
+/* Some drivers promise more, and fail when it is drawn to. 0: it is not told. */
+static size_t memory_of(const struct gl_api *api) {
+    enum { TOTAL_MEMORY = 0x9048 }; /* KiB */
+    GLint total = 0;
+    if (gl_has_extension(api, "GL_NVX_gpu_memory_info"))
+        api->GetIntegerv(TOTAL_MEMORY, &total);
+    return total > 0 ? (size_t)total << 10 : 0;
+}
+
 static struct screen_rows *create_rows(const struct gl_api *api) {
     GLuint buffer;
     api->CreateBuffers(1, &buffer);
@@ -77,6 +98,7 @@ static bool load(struct context *context, void *(*getproc)(const char *name), bo
         return false;
     make_empty_objects(&context->api);
     context->api.Disable(GL_DITHER); /* drivers warn of it where targets hold integers */
+    context->api.memory = memory_of(&context->api);
     context->api.programs = program_cache_create();
     context->api.framebuffers = framebuffer_list_create();
     context->api.screen_rows = create_rows(&context->api);
@@ -84,6 +106,8 @@ static bool load(struct context *context, void *(*getproc)(const char *name), bo
     /* A software rasteriser frees tens of MiB of triangles at the end of what it draws, and asks for them again. */
     if (context->api.software)
         mem_keep_freed();
+    if (debug)
+        samplers_watch(&context->api, &context->message_count);
     gl = context->api;
     current = context;
     if (debug)

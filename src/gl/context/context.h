@@ -23,7 +23,7 @@ struct context_desc {
     /* The only device to be tried: "2" by EGL's number, "cuda:2" by CUDA's, "hardware" = the first that is no software.
      * NULL = all in order. */
     const char *device;
-    bool debug; /* a debug context: every GL message is logged and counted */
+    bool debug; /* a debug context: GL's messages are logged and counted */
     int screen; /* how screen passes run, of the whole process: an enum screen_way (gl/screen.h); 0 = as chosen */
 };
 
@@ -60,7 +60,8 @@ bool context_check(void);
  * "window". */
 const char *context_description(const struct context *context);
 
-/* GL debug messages of severity above notification since the context was made. */
+/* Faults since the context was made: GL debug messages of severity above notification but those of performance, and draws
+ * with a sampler that has no texture. */
 int context_message_count(const struct context *context);
 
 /* All ways to a context that there are, one per line in the order tried, into text; then why

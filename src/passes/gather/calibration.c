@@ -129,8 +129,9 @@ static void test(const struct calibration_pass *pass, const struct frame *frame,
                      {UNIT_VPLS, vpls->texels}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
-    if (blocks)
-        pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, blocks->texture.id);
+    /* Without blocks nothing is read there: any texture of layers. */
+    pass_add_texture(&state, UNIT_BLOCK_VISIBILITY,
+                     blocks ? blocks->texture.id : gbuffer->depth.id);
     visibility_add(&state, &pass->desc.visibility, &pass->lookup_params, inputs);
     pass_set_state(&state);
     pass_draw_fullscreen(1);

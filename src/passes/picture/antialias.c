@@ -73,7 +73,8 @@ static bool init_picks(struct antialias_pass *pass) {
                                                      .colors = {&pass->picks},
                                                      .depth = &pass->edges}))
         return false;
-    framebuffer_clear_integers(pass->pick_framebuffer, TARGET_RESULT, itself);
+    /* No program is in use that could draw integers: a driver warns of a framebuffer that is cleared then. */
+    gl.ClearTexImage(pass->picks.id, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, itself);
     return true;
 }
 

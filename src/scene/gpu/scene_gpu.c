@@ -97,6 +97,16 @@ static bool upload_texture(struct texture *texture, const struct scene_texture *
     return true;
 }
 
+/* Samplers of textures that a material has not must have some. */
+static bool make_blank(struct scene_gpu *gpu) {
+    static const unsigned char white[4] = {255, 255, 255, 255};
+    if (!texture_init(&gpu->blank, &(struct texture_desc){
+                                       .label = "no texture", .format = GL_RGBA8, .width = 1}))
+        return false;
+    gl.TextureSubImage2D(gpu->blank.id, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, white);
+    return true;
+}
+
 static bool upload_textures(struct scene_gpu *gpu, const struct scene *scene) {
     gpu->textures = mem_alloc((size_t)scene->texture_count, sizeof *gpu->textures);
     gpu->texture_count = scene->texture_count;
@@ -181,7 +191,7 @@ static void free_geometry(struct scene_gpu *gpu) {
 bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
                     const struct geometry *geometry) {
     *gpu = (struct scene_gpu){.scene = scene};
-    if (init_geometry(gpu, geometry) && upload_materials(gpu, scene) &&
+    if (init_geometry(gpu, geometry) && upload_materials(gpu, scene) && make_blank(gpu) &&
         upload_textures(gpu, scene) && upload_sky(gpu, scene->environment) &&
         (materials_are_plain(scene) || lobes_init(&gpu->lobes)))
         return true;
@@ -196,6 +206,7 @@ void scene_gpu_free(struct scene_gpu *gpu) {
         texture_free(&gpu->textures[i]);
     free(gpu->textures);
     free(gpu->glow);
+    texture_free(&gpu->blank);
     texture_free(&gpu->sky);
     texture_free(&gpu->lobes);
     free(gpu->normal_room);
@@ -307,8 +318,9 @@ void scene_gpu_bind_material(const struct scene_gpu *gpu, int material) {
         .size = sizeof(struct material_block),
     });
     for (size_t i = 0; i < sizeof textures / sizeof *textures; i++)
-        if (textures[i].texture >= 0)
-            pass_bind_texture(textures[i].unit, gpu->textures[textures[i].texture].id);
+        pass_bind_texture(textures[i].unit, textures[i].texture >= 0
+                                                ? gpu->textures[textures[i].texture].id
+                                                : gpu->blank.id);
 }
 
 static void draw_batch(const struct scene_gpu *gpu, const struct geometry_batch *batch,

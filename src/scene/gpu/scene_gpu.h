@@ -14,6 +14,7 @@ struct scene_gpu {
     struct texture *textures;
     int texture_count;
     float (*glow)[3];          /* of each material: what its block has */
+    struct texture blank;      /* for what a material has not */
     struct texture lobes;      /* scene/gpu/lobes.h, where materials are not all plain */
     struct texture sky;        /* RGB32F, the texels of the scene's environment; or none */
     GLuint shaded_vertices;    /* vertex array of all but the last two */
@@ -51,7 +52,7 @@ void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided,
                           const struct draw_views *views);
 void scene_gpu_draw_opaque(const struct scene_gpu *gpu, const struct draw_views *views);
 
-/* Binds BLOCK_MATERIAL and the textures that it has: UNIT_BASE_COLOR, UNIT_EMISSION,
+/* Binds BLOCK_MATERIAL and its textures, or a blank one: UNIT_BASE_COLOR, UNIT_EMISSION,
  * UNIT_METAL_ROUGHNESS, UNIT_NORMAL_MAP. */
 void scene_gpu_bind_material(const struct scene_gpu *gpu, int material);
 
