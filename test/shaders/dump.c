@@ -189,6 +189,7 @@ int main(int argc, char **argv) {
     log_set_level(LOG_QUIET);
     struct context *context = context_adopt(null_driver_getproc, false);
     check(context != NULL, "context");
+    screen_way(); /* times both */
     for (int i = 2; i < argc; i++) {
         screen_set_way(SCREEN_FRAGMENT);
         make_scene(argv[i], i == 2);
