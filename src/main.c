@@ -1,10 +1,11 @@
 /* Picks the subcommand. */
 #define _POSIX_C_SOURCE 200809L
 #include "apps/apps.h"
+#include "base/error.h"
+#include "base/file/output_file.h"
 
 #include "version.h"
 
-#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdbool.h>
@@ -53,7 +54,7 @@ static void guard_streams(void) {
         if (fcntl(stream, F_GETFD) < 0)
             open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);
     signal(SIGXFSZ, SIG_IGN);
-    /* Of a write that fails when the stream is closed it is known why, of one in between no more. */
+    /* Of a write that fails when the stream is flushed it is known why, of one in between no more. */
     static char page[1 << 16];
     if (!isatty(STDOUT_FILENO))
         setvbuf(stdout, page, _IOFBF, sizeof page);
@@ -61,13 +62,9 @@ static void guard_streams(void) {
 
 /* Results that stdout did not take were not told. */
 static int close_stdout(int status) {
-    bool lost = ferror(stdout);
-    errno = 0;
-    lost = fclose(stdout) != 0 || lost;
-    if (!lost || status != 0)
+    if (output_file_close_stdout() || status != 0)
         return status;
-    fprintf(stderr, "manylight: cannot write standard output%s%s\n", errno ? ": " : "",
-            errno ? strerror(errno) : "");
+    fprintf(stderr, "manylight: %s\n", error_get());
     return 1;
 }
 

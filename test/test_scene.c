@@ -205,7 +205,7 @@ static void test_lights(void **state) {
     assert_int_equal(emitter_find(&scene, "lamp"), 1);
     assert_int_equal(emitter_find(&scene, "2"), 2);
     assert_int_equal(emitter_find(&scene, "3"), -1);
-    assert_string_equal(error_get(), "no light '3' (there is: 0=sun 1 2)");
+    assert_string_equal(error_get(), "no light '3' (there is: 0=sun 1=lamp 2)");
     assert_int_equal(emitter_find(&scene, ""), -1);
     unload(&scene, &geometry);
 }

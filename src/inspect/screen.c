@@ -67,7 +67,8 @@ void screen_draw(const struct screen *screen, int window_height, const struct re
     one.right = beside ? NULL : pictures->right;
     draw(screen, bottom, target, &one);
     framebuffer_clear_color(0, TARGET_RESULT, around);
-    pass_draw_fullscreen(1);
+    if (pictures->left->id)
+        pass_draw_fullscreen(1);
     if (!beside)
         return;
     struct rectangle second = *target;

@@ -180,6 +180,15 @@ static bool is_ours(const struct journal *journal) {
     return strncmp(text, first_line, length < known ? length : known) == 0;
 }
 
+/* Where it cannot be, no empty file is left. */
+static bool write_header(struct journal *journal, const char *header, size_t length) {
+    if (output_journal_cut(&journal->file, 0) &&
+        output_journal_append(&journal->file, header, length))
+        return true;
+    unlink(journal->file.path);
+    return false;
+}
+
 static bool begin(struct journal *journal, const struct journal_desc *desc) {
     char *header = header_of(desc);
     size_t length = strlen(header);
@@ -187,8 +196,7 @@ static bool begin(struct journal *journal, const struct journal_desc *desc) {
     if (!is_ours(journal))
         ok = error_set("%s is there, and is not of manylight bench", journal->file.path);
     else if (desc->restart || !has_rows(journal))
-        ok = output_journal_cut(&journal->file, 0) &&
-             output_journal_append(&journal->file, header, length);
+        ok = write_header(journal, header, length);
     else
         ok = same ? read_blocks(journal, length) : refuse(journal, header);
     free(header);

@@ -2,6 +2,7 @@
 #include "apps/bench/bench.h"
 
 #include "base/error.h"
+#include "base/file/output_file.h"
 #include "base/log.h"
 #include "measure/failures.h"
 
@@ -42,7 +43,7 @@ static bool finish(struct bench *bench) {
             return false;
         log_show_line(NULL);
         results_print(results, first, &table, -1);
-        fflush(stdout);
+        output_file_flush_stdout();
     }
     return true;
 }

@@ -61,7 +61,7 @@ static void hear(void *user, bool resumed) {
     if (table->title) {
         log_show_line(NULL);
         work->last = results_print(&bench->results, work->printed, table, work->last);
-        fflush(stdout);
+        output_file_flush_stdout();
     }
     work->printed = bench->results.subject_count;
 }
@@ -180,7 +180,7 @@ static bool measure_scene(struct bench *bench, int part) {
     log_show_line(NULL);
     for (const struct table *table = mode->tables; ok && table->title && table[1].title; table++)
         results_print(&bench->results, first, table + 1, -1);
-    fflush(stdout);
+    output_file_flush_stdout();
     free(subjects.items);
     stage_free(&stage);
     return ok;

@@ -243,6 +243,21 @@ static bool write_stdout(const void *bytes, size_t size) {
            fail("standard output");
 }
 
+static int flush_reason; /* 0: all was flushed */
+
+void output_file_flush_stdout(void) {
+    if (fflush(stdout) != 0 && !flush_reason)
+        flush_reason = errno;
+}
+
+bool output_file_close_stdout(void) {
+    bool lost = ferror(stdout);
+    errno = 0;
+    lost = fclose(stdout) != 0 || lost;
+    errno = flush_reason ? flush_reason : errno;
+    return !lost || (errno ? fail("standard output") : error_set("cannot write standard output"));
+}
+
 static bool write_special(const char *path, const void *bytes, size_t size) {
     int file = open(path, O_WRONLY | O_CLOEXEC);
     if (file < 0)

@@ -59,6 +59,12 @@ bool output_journal_append(struct output_journal *journal, const void *bytes, si
 void output_journal_close(struct output_journal *journal);
 bool output_journal_remove(struct output_journal *journal); /* closes it, too */
 
+/* Shows what was printed to stdout so far. Where it cannot be, output_file_close_stdout tells why. */
+void output_file_flush_stdout(void);
+
+/* Error: something that was printed to stdout is lost. */
+bool output_file_close_stdout(void);
+
 /* Text that is printed to a stream in memory, on its way to a file. free accepts a zeroed one. */
 struct output_text {
     FILE *stream;

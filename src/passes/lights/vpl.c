@@ -37,7 +37,11 @@ bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc) {
     size_t size = (size_t)desc->count * sizeof *pass->points;
     pass->points = mem_alloc((size_t)desc->count, sizeof *pass->points);
     if (!init_programs(pass) || !buffer_init(&pass->samples, "Halton points", size, NULL) ||
-        !buffer_init(&pass->shares, "shares of VPLs", sizeof(struct vpl_share_block), NULL)) {
+        !buffer_init(&pass->shares, "shares of VPLs", sizeof(struct vpl_share_block), NULL) ||
+        !texture_init(&pass->no_maps, &(struct texture_desc){.label = "no maps",
+                                                             .target = GL_TEXTURE_2D_ARRAY,
+                                                             .format = GL_R8,
+                                                             .width = 1})) {
         vpl_pass_free(pass);
         return false;
     }
@@ -54,6 +58,7 @@ void vpl_pass_free(struct vpl_pass *pass) {
     vertex_array_free(&pass->vertices);
     buffer_free(&pass->samples);
     buffer_free(&pass->shares);
+    texture_free(&pass->no_maps);
     free(pass->points);
     *pass = (struct vpl_pass){0};
 }
@@ -142,6 +147,16 @@ void vpl_pass_sum_up(const struct vpl_pass *pass, const struct vpl_buffer *vpls)
     pass_draw(GL_POINTS, vpls->count, 1);
 }
 
+/* A sampler must have a texture, even if no light is there to look it up. */
+static void add_maps(const struct vpl_pass *pass, struct pass_state *state,
+                     const struct gbuffer rsm[LIGHT_MAP_KINDS]) {
+    const struct gbuffer none = {
+        .depth = pass->no_maps, .normal = pass->no_maps, .albedo = pass->no_maps};
+    const struct gbuffer blank[LIGHT_MAP_KINDS] = {none, none};
+    bool lit = rsm[LIGHT_MAP_SINGLE].layers || rsm[LIGHT_MAP_FACE].layers;
+    rsm_add(state, lit ? rsm : blank);
+}
+
 void vpl_pass_render(struct vpl_pass *pass, const struct frame *frame,
                      const struct gbuffer rsm[LIGHT_MAP_KINDS], const struct vpl_buffer *vpls) {
     follow_fluxes(pass, frame);
@@ -152,7 +167,7 @@ void vpl_pass_render(struct vpl_pass *pass, const struct frame *frame,
         .vertex_array = pass->vertices,
         .blocks = {{BLOCK_LIGHTS, frame->lights}, {BLOCK_VPL_SHARES, &pass->shares}},
     };
-    rsm_add(&state, rsm);
+    add_maps(pass, &state, rsm);
     pass_begin(frame->timers, &state);
     pass_feedback(vpls->buffer.id, 0, pass->desc.count);
     vpl_pass_sum_up(pass, vpls);

@@ -33,6 +33,7 @@ struct vpl_pass {
     double fluxes[LIGHTS_MAX];     /* of them */
     int counts[LIGHTS_MAX];        /* n of each */
     struct buffer samples, shares; /* the points; struct vpl_share_block, for BLOCK_VPL_SHARES */
+    struct texture no_maps;        /* a frame without light has no reflective shadow maps */
 };
 
 bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc);
