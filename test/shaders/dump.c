@@ -126,10 +126,16 @@ static void turn(struct renderer *renderer, const struct renderer_desc *base,
     }
 }
 
+/* As every technique has them: few VPLs, for imperfect shadow maps deal points out to each. */
+static void init_settings(struct settings *settings) {
+    renderer_settings_init(settings);
+    check(settings_assign(settings, "vpls=64"), "vpls");
+}
+
 static void make_technique(struct renderer *renderer, const struct technique *technique,
                            bool thorough) {
     struct renderer_desc desc = renderer->desc;
-    renderer_settings_init(&desc.settings);
+    init_settings(&desc.settings);
     desc.direct = NULL;
     desc.progressive = false;
     desc.technique = technique;
@@ -140,7 +146,7 @@ static void make_technique(struct renderer *renderer, const struct technique *te
     for (const struct preset *p = technique->presets; p && p->name; p++) {
         struct renderer_desc preset = desc;
         preset.progressive = false;
-        renderer_settings_init(&preset.settings);
+        init_settings(&preset.settings);
         check(settings_assign(&preset.settings, p->settings), p->name);
         if (thorough)
             turn(renderer, &preset, technique->parts, true);
@@ -153,7 +159,7 @@ static void make_direct(struct renderer *renderer, const struct direct_method *d
     static const struct settings_part *const parts[] = {&picture_part, &sky_part, &start_part,
                                                         &material_part, NULL};
     struct renderer_desc desc = renderer->desc;
-    renderer_settings_init(&desc.settings);
+    init_settings(&desc.settings);
     desc.progressive = false;
     desc.technique = technique_find("unshadowed");
     desc.direct = direct;
@@ -173,7 +179,7 @@ static void make_scene(const char *path, bool thorough) {
                                  .geometry = &stage.geometry,
                                  .emitters = stage.emitters,
                                  .camera = stage.camera};
-    renderer_settings_init(&desc.settings);
+    init_settings(&desc.settings);
     check(renderer_init(&renderer, &desc), path);
     for (const struct technique *const *t = techniques; *t; t++)
         make_technique(&renderer, *t, thorough);

@@ -78,14 +78,20 @@ void composite_pass_free(struct composite_pass *pass) {
     *pass = (struct composite_pass){0};
 }
 
+/* A refining pass may have no further points. Its picks ask for none, but samplers must have a texture. */
+static void add_further_points(struct pass_state *state, const struct frame *frame,
+                               const struct contribution *contribution) {
+    const struct irradiance *further = contribution->further_irradiance;
+    const struct texture *texels = contribution->further_texels;
+    further = further ? further : contribution->irradiance;
+    texels = texels ? texels : frame->picks;
+    pass_add_texture(state, UNIT_FURTHER_IRRADIANCE, further->texture.id);
+    pass_add_texture(state, UNIT_FURTHER_TEXELS, texels->id);
+}
+
 static void add_contribution(struct pass_state *state, const struct contribution *contribution) {
     if (contribution->irradiance)
         pass_add_texture(state, UNIT_IRRADIANCE, contribution->irradiance->texture.id);
-    if (contribution->further_irradiance) {
-        pass_add_texture(state, UNIT_FURTHER_IRRADIANCE,
-                         contribution->further_irradiance->texture.id);
-        pass_add_texture(state, UNIT_FURTHER_TEXELS, contribution->further_texels->id);
-    }
     if (contribution->radiance)
         pass_add_texture(state, UNIT_RADIANCE, contribution->radiance->id);
     if (contribution->in_scatter) {
@@ -143,6 +149,8 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
     if (pass->desc.has_gloss)
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->direct_specular->id);
     add_contribution(&state, &inputs->contribution);
+    if (pass->desc.contributes & HAS_FURTHER_POINTS)
+        add_further_points(&state, frame, &inputs->contribution);
     timer_begin(frame->timers, state.name);
     if (program == pass->display_program && !program_dispatched(program)) {
         draw_centers(pass, state);
