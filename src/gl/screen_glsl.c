@@ -1,10 +1,13 @@
+#define _DEFAULT_SOURCE
 #include "gl/screen_glsl.h"
 
+#include "base/memory.h"
 #include "base/text.h"
 
 #include <assert.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* A text in the making. */
@@ -138,15 +141,13 @@ static bool write_declaration(struct rewriting *to, const char *line) {
     return true;
 }
 
-static void write_line(struct rewriting *to, const char *line, size_t length) {
+static void write_line(struct rewriting *to, const char *line) {
     static const char coord[] = "gl_FragCoord";
-    const char *end = line + length, *found;
-    while ((found = strstr(line, coord)) && found < end) {
+    for (const char *found; (found = strstr(line, coord)); line = found + sizeof coord - 1) {
         text_append(&to->text, line, (size_t)(found - line));
         text_print(&to->text, "screen_coord");
-        line = found + sizeof coord - 1;
     }
-    text_append(&to->text, line, (size_t)(end - line));
+    text_print(&to->text, "%s\n", line);
 }
 
 /* --- the end ---------------------------------------------------------------------------------- */
@@ -185,13 +186,13 @@ static void write_main(struct rewriting *to) {
     text_print(&to->text, "}\n");
 }
 
-/* The version and the defines stay first: the header follows them. */
+/* The version and the defines stay first: the header follows them. Lines are cut apart, for what reads a line measures
+ * all text up to a zero. */
 char *screen_glsl(const char *text, const struct screen_desc *desc) {
     struct rewriting to = {.desc = desc};
     bool begun = false;
-    for (const char *line = text, *end; *line; line = end) {
-        end = line + strcspn(line, "\n");
-        end += *end == '\n';
+    char *lines = mem_strdup(text), *rest = lines;
+    for (char *line; (line = strsep(&rest, "\n"));) {
         if (!begun && strncmp(line, "#ifndef", 7) == 0) {
             begun = true;
             write_header(&to);
@@ -199,9 +200,10 @@ char *screen_glsl(const char *text, const struct screen_desc *desc) {
         if (sscanf(line, "#line %d", &to.line) == 1)
             to.line--;
         if (!write_declaration(&to, line))
-            write_line(&to, line, (size_t)(end - line));
+            write_line(&to, line);
         to.line++;
     }
+    free(lines);
     assert(begun);
     write_main(&to);
     return to.text.data;
