@@ -297,8 +297,7 @@ static void test_against_plain(void **state) {
         render_stage(&stage, "instant-radiosity", "vpls=256 interleave=1 map-size=64", 48);
     struct image plain =
         render_stage(&stage, "instant-radiosity", "vpls=40 interleave=1 map-size=64", 48);
-    /* Sums that a driver rounds otherwise make another choice, and one has a third more error than another: it is told of
-     * the mean of several. */
+    /* A driver that rounds sums otherwise makes another choice: the bound is of the mean of several. */
     enum { CHOICES = 6 };
     double error = 0;
     for (int i = 0; i < CHOICES; i++) {
