@@ -43,43 +43,9 @@ static void test_held_key(void **state) {
     finish_viewer();
 }
 
-static void record_all(void) {
-    recorder_ask(&viewer, RECORD_PICTURES);
-    int length = snprintf(viewer.record.folder, sizeof viewer.record.folder, "%s", stage.folder);
-    assert_true(length > 0 && (size_t)length < sizeof viewer.record.folder);
-    viewer.record.is_open = false;
-    recorder_start(&viewer);
-    assert_true(viewer.recorder.on);
-}
-
-/* Esc closes the list of files first, then ends the recording, and only then asks whether to quit. */
-static void test_escape_while_recording(void **state) {
-    (void)state;
-    begin("scenes/moving-spot.glb");
-    record_all();
-    xdo("key ctrl+o");
-    turn_until(viewer.start.dialog.is_open);
-    xdo("key Escape");
-    turn_until(!viewer.start.dialog.is_open);
-    turn();
-    printf("    the list is closed: recording %d, frame %d of %d\n", viewer.recorder.on,
-           viewer.recorder.frame, viewer.recorder.count);
-    assert_true(viewer.recorder.on);
-    xdo("key Escape");
-    turn_until(!viewer.recorder.on);
-    assert_true(is_message_told("manylight-clip-0001", UI_NORMAL));
-    assert_false(is_message_told("Esc once more quits", UI_NORMAL));
-    assert_false(viewer.done);
-    xdo("key Escape");
-    turn_until(is_message_told("Esc once more quits", UI_NORMAL));
-    assert_false(viewer.done);
-    finish_viewer();
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_held_key),
-        cmocka_unit_test(test_escape_while_recording),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }
