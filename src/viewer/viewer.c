@@ -129,7 +129,8 @@ static void draw(struct viewer *viewer) {
 static bool is_busy(const struct viewer *viewer) {
     return viewer->shown.dirty || viewer->shown.recompose || viewer->shown.moving ||
            viewer->shown.coarse || viewer->wish.play.on || viewer->recorder.on ||
-           viewer_is_scripted(viewer) || viewer_is_refining(viewer) || viewer_is_charting(viewer);
+           viewer_is_scripted(viewer) || viewer_is_refining(viewer) || viewer_is_charting(viewer) ||
+           ui_is_opening_field();
 }
 
 /* Seconds are told while a scene is opened. */
@@ -329,6 +330,7 @@ bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc) {
                  .settings = desc->settings,
                  .passes = desc->passes,
                  .play = {.loops = true, .speed = 1}},
+        .hand = {.last_escape = -INFINITY}, /* the first Esc of all quits nothing */
         .shown = {.layer = desc->layer,
                   .choice = {.layer = -1, .chosen = -1},
                   .compare = {.split = .5F, .technique = technique_baseline}},
