@@ -55,6 +55,16 @@ void image_init_named(struct image *image, int width, int height, const char *co
     grow_pixels(image, 0);
 }
 
+struct image image_copy(const struct image *image) {
+    struct image copy;
+    image_init_named(&copy, image->width, image->height, (const char *const *)image->names,
+                     image->channel_count);
+    memcpy(copy.pixels, image->pixels,
+           sizeof *image->pixels * (size_t)image->width * (size_t)image->height *
+               (size_t)image->channel_count);
+    return copy;
+}
+
 void image_add_channels(struct image *image, const char *channel_names) {
     int old_count = image->channel_count;
     add_names(image, channel_names);

@@ -44,6 +44,9 @@ void image_init(struct image *image, int width, int height, const char *channel_
 void image_init_named(struct image *image, int width, int height, const char *const *names,
                       int count);
 
+/* Of the same size, channels and pixels. */
+struct image image_copy(const struct image *image);
+
 /* More channels, of zeros, after those that are there. */
 void image_add_channels(struct image *image, const char *channel_names);
 

@@ -10,16 +10,6 @@ bool measuring_is_slow(int metric) {
     return !metrics[metric].pixel_error;
 }
 
-static struct image copy_of(const struct image *image) {
-    struct image copy = {0};
-    image_init_named(&copy, image->width, image->height, (const char *const *)image->names,
-                     image->channel_count);
-    memcpy(copy.pixels, image->pixels,
-           sizeof *image->pixels * (size_t)image->width * (size_t)image->height *
-               (size_t)image->channel_count);
-    return copy;
-}
-
 static void *run(void *context) {
     struct measuring *measuring = context;
     const struct comparison comparison = {
@@ -47,8 +37,8 @@ bool measuring_start(struct measuring *measuring, const struct comparison *compa
                      void (*wake)(void)) {
     const struct image *reference = comparison->reference;
     measuring_stop(measuring);
-    measuring->test = copy_of(comparison->test);
-    measuring->reference = copy_of(reference);
+    measuring->test = image_copy(comparison->test);
+    measuring->reference = image_copy(reference);
     measuring->map_of = map_of;
     if (map_of >= 0)
         measuring->map =

@@ -22,16 +22,6 @@ static bool go_on(void *user, const struct path_tracer_progress *progress) {
     return !atomic_load(&tracer->cancelled);
 }
 
-static struct image copy_of(const struct image *image) {
-    struct image copy = {0};
-    image_init_named(&copy, image->width, image->height, (const char *const *)image->names,
-                     image->channel_count);
-    memcpy(copy.pixels, image->pixels,
-           sizeof *image->pixels * (size_t)image->width * (size_t)image->height *
-               (size_t)image->channel_count);
-    return copy;
-}
-
 /* The picture is the tracer's from now on. */
 static void put(struct reference_tracer *tracer, struct image *picture,
                 const struct path_tracer_progress *reached) {
@@ -44,7 +34,7 @@ static void put(struct reference_tracer *tracer, struct image *picture,
 
 static void show(void *user, const struct image *image,
                  const struct path_tracer_progress *reached) {
-    struct image copy = copy_of(image);
+    struct image copy = image_copy(image);
     put(user, &copy, reached);
 }
 
