@@ -1,25 +1,24 @@
 /* Screen passes: a shader's body that runs once for each pixel of a pass's targets.
  *
  * A pass names the body as struct program_desc's `screen`, and draws by pass_draw_fullscreen. The body is a
- * fragment shader. It runs in one of two ways, and the pass need not know which:
+ * fragment shader. It runs in one of two ways, and the pass need not know which.
  *
- *     fragment    one triangle covers the viewport (glsl/fullscreen.vert, glsl/layers.vert)
- *     compute     the same text as a compute shader, dispatched in groups of 8x8 pixels
+ *     fragment    one triangle covers the viewport (glsl/fullscreen.vert, glsl/layers.vert).
+ *     compute     the same text as a compute shader, dispatched in groups of 8x8 pixels.
  *
- * gl/screen_glsl.c turns the text into a compute shader:
+ * gl/screen_glsl.c turns the text into a compute shader.
  *
- *     layout(location = L) out T name;    a variable, and an image at IMAGE_SCREEN_TARGETS + L that gets its value
- *     gl_FragCoord                        a variable
- *     flat in int instance;               the layer, from the dispatch's z
- *     layout(early_fragment_tests) in;    nothing: the mask is looked up first
- *     void main()                         void screen_body(), which the dispatch's own main calls
+ *     layout(location = L) out T name;    a variable, and an image at IMAGE_SCREEN_TARGETS + L that gets its value.
+ *     gl_FragCoord                        a variable.
+ *     flat in int instance;               the layer, from the dispatch's z.
+ *     layout(early_fragment_tests) in;    nothing: the mask is looked up first.
+ *     void main()                         void screen_body(), which the dispatch's own main calls.
  *
  * A body therefore has its outputs, inputs and main each on a line of this form. It discards nothing, sets no
  * depth, and takes no derivatives. It may use `#ifdef SCREEN_COMPUTE`.
  *
- * The framebuffer of a pass tells the textures (gl/framebuffer.h); a depth test against its depth texture by
- * PASS_DEPTH_EQUAL or PASS_DEPTH_UNEQUAL is a look at that texture's texel; PASS_BLEND_ADD is a load and a sum.
- * No other depth test, blending or colour mask is possible.
+ * The framebuffer of a pass tells the textures (gl/framebuffer.h). PASS_DEPTH_EQUAL and PASS_DEPTH_UNEQUAL look at the
+ * texel of its depth texture; PASS_BLEND_ADD loads and adds. No other depth test, blending or colour mask is possible.
  *
  * A `tiled` pass draws many rectangles, each with its own uniforms, which pass_set_int and the like set. Its body
  * declares them as `layout(location = L) uniform T name;`. Dispatched, they are variables, and the rectangles are rows
