@@ -9,12 +9,6 @@
 #define CLUSTER_METRIC_LENGTHS 0
 #define CLUSTER_METRIC_SQUARES 1
 
-/* Of how many VALs are needed (passes/lights/val_count.h): clusters of the probe, how much more angles count than in
- * the criterion where they are small, and what they come to at most. */
-#define VAL_PROBES 16
-#define VAL_FOLDS 8.0
-#define VAL_FOLDED_MOST 0.15
-
 /* In place of a VPL's number: the cluster stays empty. Below -1, for which the usual VPL stands. */
 #define VAL_SEED_NOWHERE (-2.0)
 
@@ -25,10 +19,9 @@ struct cluster_params {
     vec3 bounds_min; /* metres */
     float near_clip; /* over the spread of VPLs */
     vec3 bounds_max;
-    BOOL reseed; /* empty clusters begin again */
+    BOOL reseed;       /* empty clusters begin again */
     float weight_flux; /* of squares: w_Phi */
-    float distortion;  /* where VALs are counted: mean distance of a VPL to its VAL that is asked for */
-    float unused0, unused1;
+    float unused0, unused1, unused2;
 };
 PASS_BLOCK(cluster_params, 64)
 

@@ -14,13 +14,11 @@
 /* What users might set instead. */
 static const struct quality_choice others[] = {
     QUALITY_FRAME("gather.detail=0"),
-    QUALITY_FRAME("gather.detail=0 clustered.distortion=.085"),
     QUALITY_FRAME("gather.detail=0 clustered.vals=16"),
     QUALITY_FRAME("clustered.vals=4"),
     QUALITY_FRAME("clustered.vals=8"),
     QUALITY_FRAME("clustered.vals=16"),
     QUALITY_FRAME("clustered.vals=60"),
-    QUALITY_FRAME("clustered.distortion=.085"),
     QUALITY_FRAME("gather.interleave=4"),
     QUALITY_FRAME("lights.vpls=2048"),
     QUALITY_FRAME("picture.samples=16"),

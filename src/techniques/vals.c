@@ -27,11 +27,6 @@ static const struct option table[] = {
     {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024, .help = "virtual area lights (clusters), M"},
     {"bounce-vals", 0, OPTION_INT, ROW(bounce_vals), 60, 1, 1024,
      .help = "and of those of further bounces (lights.bounces)"},
-    {"distortion", 0, OPTION_FLOAT, ROW(distortion), 0, 0, 1,
-     .help =
-         "so many of the VALs are used as bring the mean distance of VPLs to their VAL down to\n"
-         "this, by the weights below, angles eightfold: few where flat walls shine, more where\n"
-         "folds do; .085 is the boxes' with eight; 0 = all are used"},
     {"iterations", 0, OPTION_INT, ROW(iterations), 5, 1, 64, .help = "k-means iterations"},
     {"start", 0, OPTION_CHOICE, ROW(start), 0, .choices = start_names,
      .help = "where k-means begins: the same seeds each frame, the last frame's centres, or those "
@@ -82,7 +77,6 @@ static void free_set(struct val_set *set) {
 /* What the first bounce's set and that of further ones differ in. */
 struct set_desc {
     int vpl_count, val_count;
-    const struct texture *seeds;
     enum gather_clamp clamp;
     bool follow, by_importance;
 };
@@ -98,7 +92,6 @@ static bool init_cluster(struct val_set *set, const struct settings *settings,
                                  .vpl_count = of->vpl_count,
                                  .val_count = set->visibility.map_count,
                                  .start = (enum cluster_start)own->start,
-                                 .seeds = of->seeds,
                                  .weights = of->by_importance ? &set->weight.weights : NULL,
                                  .iterations = own->iterations,
                                  .weight_position = own->weight_position,
@@ -206,24 +199,6 @@ static bool init_set(struct val_set *set, const struct technique_desc *desc,
            init_calibration(set, desc, of);
 }
 
-/* Those of the probe are the clustering's, but begin where the VALs do. */
-static bool init_count(struct vals *vals, const struct vals_settings *own, int vpl_count) {
-    vals->counts = own->distortion > 0;
-    return !vals->counts ||
-           (val_count_pass_init(&vals->count,
-                                &(struct val_count_desc){.most = own->vals,
-                                                         .distortion = own->distortion,
-                                                         .weight_position = own->weight_position,
-                                                         .weight_normal = own->weight_normal}) &&
-            cluster_pass_init(&vals->probe,
-                              &(struct cluster_desc){.vpl_count = vpl_count,
-                                                     .val_count = VAL_PROBES,
-                                                     .seeds = &vals->count.probe_seeds,
-                                                     .iterations = own->iterations,
-                                                     .weight_position = own->weight_position,
-                                                     .weight_normal = own->weight_normal}));
-}
-
 static struct visibility_inputs maps_of(const struct val_set *set) {
     return (struct visibility_inputs){
         .views = &set->cluster.views,
@@ -258,7 +233,6 @@ bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow
     struct set_desc first = {
         .vpl_count = lights->vpls,
         .val_count = own->vals,
-        .seeds = own->distortion > 0 ? &vals->count.seeds : NULL,
         .clamp = (enum gather_clamp)gather->clamp,
         .follow = follow,
         .by_importance = vals->by_importance,
@@ -266,9 +240,8 @@ bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow
     struct set_desc further = first;
     further.vpl_count = lights->paths;
     further.val_count = own->bounce_vals;
-    further.seeds = NULL;
     further.clamp = GATHER_CLAMP_PATCH;
-    if (!init_count(vals, own, lights->vpls) || !init_set(&vals->first, desc, &first) ||
+    if (!init_set(&vals->first, desc, &first) ||
         (lights->bounces > 1 && !init_set(&vals->further, desc, &further)))
         return false;
     vals->output = (struct val_output){
@@ -281,8 +254,6 @@ bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow
 }
 
 void vals_free(struct vals *vals) {
-    cluster_pass_free(&vals->probe);
-    val_count_pass_free(&vals->count);
     free_set(&vals->first);
     free_set(&vals->further);
 }
@@ -322,11 +293,6 @@ static void render_set(struct val_set *set, const struct frame *frame,
 
 void vals_render(struct vals *vals, struct many_lights *lights, const struct frame *frame,
                  const struct gbuffer *gbuffer) {
-    if (vals->counts) {
-        cluster_pass_render(&vals->probe, frame, &lights->vpls);
-        val_count_pass_render(&vals->count, frame, &lights->vpls,
-                              cluster_pass_centers(&vals->probe));
-    }
     render_set(&vals->first, frame, gbuffer, &lights->vpls);
     if (lights->bounces > 1)
         render_set(&vals->further, frame, gbuffer, &lights->bounce.vpls);

@@ -5,7 +5,6 @@
 
 #include "passes/gather/calibration.h"
 #include "passes/lights/cluster.h"
-#include "passes/lights/val_count.h"
 #include "passes/lights/vpl_weight.h"
 #include "passes/visibility/basis.h"
 #include "passes/visibility/block_visibility.h"
@@ -15,7 +14,6 @@
 struct vals_settings {
     int vals; /* M */
     int bounce_vals;
-    float distortion; /* that so few VALs may leave as are needed for it; 0 = all are used */
     int iterations;
     int start;                            /* enum cluster_start */
     float weight_position, weight_normal; /* w_x, w_alpha */
@@ -45,10 +43,7 @@ struct val_set {
 };
 
 struct vals {
-    bool by_importance; /* what the camera sees changes them */
-    bool counts;        /* how many of the first are needed: */
-    struct cluster_pass probe;
-    struct val_count_pass count;
+    bool by_importance;            /* what the camera sees changes them */
     struct val_set first, further; /* of the first bounce; of further ones, where there are any */
     struct val_output output;      /* of the first */
 };

@@ -14,7 +14,6 @@ static const struct row {
     {"lights.facets", "flat triangles"},
     {"clustered.vals", "shadow groups"},
     {"clustered.bounce-vals", "groups of bounces"},
-    {"clustered.distortion", "group spread"},
     {"clustered.iterations", "grouping steps"},
     {"clustered.start", "grouping begins"},
     {"clustered.weight-position", "weight of place"},
