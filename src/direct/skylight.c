@@ -4,14 +4,15 @@
 
 #define ROW(name) offsetof(struct skylight_settings, name)
 
-static const char *const fit_names[] = {"rectangles", "median-cut", "even", NULL};
+static const char *const fit_names[] = {"rectangles", "even", NULL};
 
 static const struct option table[] = {
     {"lights", 0, OPTION_INT, ROW(lights), 120, SKY_LIGHTS_MIN, SKY_LIGHTS_MAX,
      .help = "area lights that stand for an environment, at most"},
     {"fit", 0, OPTION_CHOICE, ROW(fit), SKY_FIT_EVEN, .choices = fit_names,
-     .help = "how they are found: rectangles that grow from the brightest texel, median cut, or\n"
-             "parts that are as even as may be"},
+     .help =
+         "how they are found: rectangles that grow from the brightest texel, or parts that are\n"
+         "as even as may be"},
     {"sky-size", 0, OPTION_INT, ROW(map_size), 256, 16, 4096,
      .help = "shadow map of such a light, texels a side"},
     {"sun-maps", 0, OPTION_INT, ROW(sun_maps), 4, 1, 8,

@@ -294,18 +294,8 @@ static double spread_of(const struct cube *cube, const struct area *area) {
     return (moved + least_share * energy) * angle * (wide / high + high / wide) / 2;
 }
 
-/* How bad a cut in two is. */
-static double cost_of_halves(const struct cube *cube, const struct area parts[2]) {
-    return fabs(energy_of(cube, &parts[0]) - energy_of(cube, &parts[1]));
-}
-
-static double cost_of_parts(const struct cube *cube, const struct area parts[2]) {
-    return spread_of(cube, &parts[0]) + spread_of(cube, &parts[1]);
-}
-
-/* The best of all cuts across one side. */
+/* The best of all cuts across one side; its cost. */
 static double cut_across(const struct cube *cube, const struct area *area, bool across,
-                         double (*cost)(const struct cube *, const struct area[2]),
                          struct area best[2]) {
     int first = across ? area->x : area->y, end = across ? area->x_end : area->y_end;
     double least = INFINITY;
@@ -313,36 +303,24 @@ static double cut_across(const struct cube *cube, const struct area *area, bool 
         struct area parts[2] = {*area, *area};
         *(across ? &parts[0].x_end : &parts[0].y_end) = at;
         *(across ? &parts[1].x : &parts[1].y) = at;
-        double value = cost(cube, parts);
-        if (value < least) {
-            least = value;
+        double cost = spread_of(cube, &parts[0]) + spread_of(cube, &parts[1]);
+        if (cost < least) {
+            least = cost;
             memcpy(best, parts, sizeof parts);
         }
     }
     return least;
 }
 
-static void cut_in_halves(const struct cube *cube, const struct area *area, struct area parts[2]) {
-    bool across = area->x_end - area->x >= area->y_end - area->y;
-    cut_across(cube, area, across, cost_of_halves, parts);
-}
-
-static void cut_in_even_parts(const struct cube *cube, const struct area *area,
-                              struct area parts[2]) {
+static void cut_in_two(const struct cube *cube, const struct area *area, struct area parts[2]) {
     struct area upright[2];
-    double across = cut_across(cube, area, true, cost_of_parts, parts);
-    if (cut_across(cube, area, false, cost_of_parts, upright) < across)
+    double across = cut_across(cube, area, true, parts);
+    if (cut_across(cube, area, false, upright) < across)
         memcpy(parts, upright, sizeof upright);
 }
 
-/* How faces are cut: that which costs most next. */
-static const struct cutting {
-    double (*cost)(const struct cube *, const struct area *);
-    void (*cut)(const struct cube *, const struct area *, struct area parts[2]);
-} median_cut = {energy_of, cut_in_halves}, even_cut = {spread_of, cut_in_even_parts};
-
-static int cut_faces(const struct cube *cube, const struct cutting *cutting, struct area *areas,
-                     int count) {
+/* The area that costs most is cut next. */
+static int cut_faces(const struct cube *cube, struct area *areas, int count) {
     int found = 6;
     for (int face = 0; face < 6; face++)
         areas[face] = (struct area){face, 0, 0, N, N};
@@ -350,12 +328,12 @@ static int cut_faces(const struct cube *cube, const struct cutting *cutting, str
         struct area *most = NULL, parts[2];
         for (int i = 0; i < found; i++) {
             bool single = areas[i].x_end - areas[i].x == 1 && areas[i].y_end - areas[i].y == 1;
-            if (!single && (!most || cutting->cost(cube, &areas[i]) > cutting->cost(cube, most)))
+            if (!single && (!most || spread_of(cube, &areas[i]) > spread_of(cube, most)))
                 most = &areas[i];
         }
         if (!most)
             break;
-        cutting->cut(cube, most, parts);
+        cut_in_two(cube, most, parts);
         *most = parts[0];
         areas[found] = parts[1];
     }
@@ -404,9 +382,8 @@ int environment_fit(struct sky_light *lights, const struct environment *environm
     struct area areas[SKY_LIGHTS_MAX];
     draw_map(cube, environment);
     sum_up(cube);
-    int found = fit == SKY_FIT_RECTANGLES
-                    ? fit_rectangles(cube, areas, count)
-                    : cut_faces(cube, fit == SKY_FIT_EVEN ? &even_cut : &median_cut, areas, count);
+    int found = fit == SKY_FIT_RECTANGLES ? fit_rectangles(cube, areas, count)
+                                          : cut_faces(cube, areas, count);
     int kept = 0;
     for (int i = 0; i < found; i++) {
         lights[kept] = light_of(cube, &areas[i]);

@@ -3,9 +3,8 @@
  * The map is drawn onto the six faces of a cube. There the brightest texel that no light has yet grows into
  * a rectangle, as long as what a side would add is more than a share of what the rectangle has; again,
  * until each texel has its light. In an even sky a side thus stops at 1 / share texels; which share makes
- * so many lights is found by bisection. Or median cut [Debevec 2005]: the rectangle of most energy falls
- * into halves of equal energy, across its longer side. Or even parts: what is least even over the widest angle
- * falls in two where that leaves least of it, so that neither a sun nor a horizon takes most of the lights.
+ * so many lights is found by bisection. Or even parts: the area with the largest cost (spread_of) is cut in two where
+ * that leaves the least cost, so that neither a sun nor a horizon takes most of the lights.
  *
  * Unlike in the thesis rectangles do not overlap, and where a side could grow that which adds most goes
  * first. Edges of faces are great circles, so that the lights part the sphere: their energy is the map's,
@@ -23,7 +22,7 @@ struct sky_light {
     float solid_angle;
 };
 
-enum sky_fit { SKY_FIT_RECTANGLES, SKY_FIT_MEDIAN_CUT, SKY_FIT_EVEN };
+enum sky_fit { SKY_FIT_RECTANGLES, SKY_FIT_EVEN };
 
 enum { SKY_FACE_SIZE = 64, SKY_LIGHTS_MIN = 6 };
 

@@ -23,7 +23,6 @@ static const struct series of_lamps[] = {
 /* A sky's lights are the same whichever method the lamps have. */
 static const struct series of_skies[] = {
     {"even parts:" DIRECT_ALONE, "sky.lights=15,30,60,120"},
-    {"median cut:fit=median-cut," DIRECT_ALONE, "sky.lights=30,60"},
     {"rectangles:fit=rectangles," DIRECT_ALONE, "sky.lights=30,60"},
     {"ways:" DIRECT_ALONE, "sky-ways=3,16"},
     {"maps:" DIRECT_ALONE, "sky-size=512,1024"},
