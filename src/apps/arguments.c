@@ -12,21 +12,26 @@
 
 static const struct option common_options[] = {
     {"help", 'h', OPTION_FLAG, offsetof(struct common_values, help), .help = "print this and exit"},
+    {"help-all", 0, OPTION_FLAG, offsetof(struct common_values, help_all),
+     .help = "print all options and settings, and exit"},
     {"quiet", 'q', OPTION_FLAG, offsetof(struct common_values, quiet),
      .help = "no notes, no progress"},
     {"verbose", 'v', OPTION_FLAG, offsetof(struct common_values, verbose), .help = "more notes"},
     {"max-memory", 0, OPTION_FLOAT, offsetof(struct common_values, max_memory), 0, 0, 1e6,
      .value_name = "GIB",
      .help = "the most memory it may take, with the OpenGL driver, which needs about half a GiB;\n"
-             "0 = what is free, but for a scene 2 GiB and 64 times the size of its files"},
+             "0 = what is free, but for a scene 2 GiB and 64 times the size of its files",
+     .rare = true},
     {NULL},
 };
 
 static const struct option scene_options[] = {
     {"strict", 0, OPTION_FLAG, offsetof(struct common_values, strict),
-     .help = "refuse files with defects that are mended or replaced with a note else"},
+     .help = "refuse files with defects that are mended or replaced with a note else",
+     .rare = true},
     {"root", 0, OPTION_TEXT, offsetof(struct common_values, root), .value_name = "DIR",
-     .help = "folder below which all files of a scene lie [the parent of the scene's folder]"},
+     .help = "folder below which all files of a scene lie [the parent of the scene's folder]",
+     .rare = true},
     {NULL},
 };
 
@@ -59,20 +64,24 @@ static struct option *join_tables(const struct arguments *arguments) {
     return table;
 }
 
-/* --help wins over any mistake beside it: who asks for help may have made one. */
-static bool asks_for_help(int argc, char **argv) {
-    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++)
-        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0)
-            return true;
-    return false;
+/* Help wins over any mistake beside it: who asks for it may have made one. */
+static bool asks_for_help(int argc, char **argv, struct common_values *common) {
+    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
+        common->help_all |= strcmp(argv[i], "--help-all") == 0;
+        common->help |= strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0;
+    }
+    return common->help || common->help_all;
 }
 
 static void print_help(const struct arguments *arguments, const struct option *table,
                        const char *name, const void *values) {
+    bool all = ((const struct common_values *)values)->help_all;
     printf("usage: manylight %s %s\n\n%s\n\n", name, arguments->synopsis, arguments->summary);
-    options_print_help(stdout, table, "--");
+    int left_out = options_print_help(stdout, table, "--", all);
     if (arguments->print_more)
         arguments->print_more(stdout, values);
+    if (left_out > 0)
+        printf("\nmanylight %s --help-all lists all options and settings.\n", name);
 }
 
 static bool apply(int argc, char **argv, const struct arguments *arguments,
@@ -94,7 +103,7 @@ bool arguments_parse(const struct arguments *arguments, void *values, int argc, 
     struct option *table = join_tables(arguments);
     options_set_defaults(table, values);
     bool go_on = false;
-    if (asks_for_help(argc, argv)) {
+    if (asks_for_help(argc, argv, values)) {
         options_parse_arguments(table, values, argc, argv, positional, arguments->max_positional,
                                 positional_count);
         print_help(arguments, table, argv[0], values);

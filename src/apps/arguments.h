@@ -25,7 +25,7 @@ enum status { STATUS_OK, STATUS_FAILED, STATUS_USAGE };
 
 /* The first member of each subcommand's struct of values. */
 struct common_values {
-    bool help, quiet, verbose;
+    bool help, help_all, quiet, verbose;
     float max_memory; /* GiB; 0 = no limit of its own */
     bool strict;      /* this and root: of scene/read_rules.h */
     const char *root;
@@ -37,7 +37,7 @@ struct arguments {
     const struct option *options; /* its own rows, without the common ones */
     int min_positional, max_positional;
     bool opens_scenes; /* has --strict and --root, too */
-    /* The end of --help, which may depend on what else was asked; NULL = nothing. */
+    /* The end of --help and --help-all, which may depend on other options; NULL = nothing. */
     void (*print_more)(FILE *out, const void *values);
 };
 

@@ -14,7 +14,7 @@ bool technique_values_resolve(const struct technique_values *values,
            technique_check(*technique, settings);
 }
 
-void technique_values_print_help(FILE *out, const struct technique_values *values) {
+void technique_values_print_help(FILE *out, const struct technique_values *values, bool all) {
     const struct technique *named = technique_find(values->technique);
     fprintf(out, "\ntechniques:\n");
     for (const struct technique *const *t = techniques; *t; t++)
@@ -23,7 +23,7 @@ void technique_values_print_help(FILE *out, const struct technique_values *value
     fprintf(out, "\ndirect light [default: hard, or pcss where a light has a size]:\n");
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         fprintf(out, "  %-26s %s\n", (*d)->name, (*d)->help);
-    renderer_settings_print_help(out, named ? named : technique_default);
+    renderer_settings_print_help(out, named ? named : technique_default, all);
 }
 
 bool technique_values_name(const struct technique_values *values, const struct settings_part *part,

@@ -27,19 +27,21 @@ struct technique_values {
 #define SCREEN_OPTION(type, member)                                                                \
     {"screen-passes", 0, OPTION_CHOICE, offsetof(type, member), .choices = screen_way_names,       \
      .help = "full-screen passes run as fragment shaders or as compute shaders; auto times both.\n" \
-             "The picture is the same"}
+             "The picture is the same",                                                            \
+     .rare = true}
 
 /* Where OpenGL comes from: the member is a struct context_desc. */
 #define CONTEXT_OPTIONS(type, member)                                                              \
     {"context", 0, OPTION_CHOICE, offsetof(type, member.kind), .choices = context_kind_names,      \
-     .help = "where OpenGL comes from"},                                                           \
+     .help = "where OpenGL comes from", .rare = true},                                                           \
     {"device", 0, OPTION_TEXT, offsetof(type, member.device), .check = context_check_device,       \
      .value_name = "N|cuda:N|hardware",                                                            \
      .help = "EGL device by its number (manylight info lists them) or CUDA's; hardware refuses\n"   \
-             "software [the first that works]"},                                                   \
+             "software [the first that works]",                                                    \
+     .rare = true},                                                   \
     SCREEN_OPTION(type, member.screen),                                                            \
     {"gl-debug", 0, OPTION_FLAG, offsetof(type, member.debug),                                     \
-     .help = "a debug context: OpenGL's messages go to stderr"}
+     .help = "a debug context: OpenGL's messages go to stderr", .rare = true}
 
 /* Of a size that may be 0. */
 #define SIZE_HELP                                                                                  \
@@ -59,9 +61,9 @@ struct technique_values {
     {"environment", 0, OPTION_TEXT, offsetof(type, member.environment.path), .value_name = "FILE", \
      .help = "a sky in place of the scene's own: a panorama, .hdr or .exr, in W/(sr m2)"},         \
     {"environment-turn", 0, OPTION_FLOAT, offsetof(type, member.environment.turn), 0, -360, 360,   \
-     .help = "of it about +Y, degrees: from +Z towards +X"},                                       \
+     .help = "of it about +Y, degrees: from +Z towards +X", .rare = true},                                       \
     {"environment-strength", 0, OPTION_FLOAT, offsetof(type, member.environment.strength), 1,      \
-     1e-9, 1e9, .help = "factor of its radiance"},                                                 \
+     1e-9, 1e9, .help = "factor of its radiance", .rare = true},                                                 \
     {"clip", 0, OPTION_TEXT, offsetof(type, member.clip), .value_name = "NAME|N,...",              \
      .help = "animations of the scene that play [all; of those that move the same thing the\n"     \
              "first]"},                                                                            \
@@ -71,9 +73,9 @@ struct technique_values {
 /* How a picture is made: the member is a struct technique_values. */
 #define TECHNIQUE_OPTIONS(type, member)                                                            \
     {"technique", 0, OPTION_TEXT, offsetof(type, member.technique), .value_name = "NAME",          \
-     .help = "how indirect light is made; --help lists them"},                                     \
+     .help = "how indirect light is made, of the list below"},                                     \
     {"direct", 0, OPTION_TEXT, offsetof(type, member.direct), .value_name = "NAME",                \
-     .help = "how direct light is made; --help lists them"},                                       \
+     .help = "how direct light is made, of the list below"},                                       \
     {"set", 0, OPTION_LIST, offsetof(type, member.settings), .value_name = "KEY=VALUE",            \
      .help = "a setting of the list below; repeatable"}
 /* clang-format on */
@@ -87,7 +89,7 @@ bool technique_values_resolve(const struct technique_values *values,
 bool technique_values_name(const struct technique_values *values, const struct settings_part *part,
                            const char *name);
 
-/* The end of --help: techniques, direct methods, and the settings of those that are named. */
-void technique_values_print_help(FILE *out, const struct technique_values *values);
+/* The end of --help: techniques, direct methods, and the settings of the named technique: the main ones, or all. */
+void technique_values_print_help(FILE *out, const struct technique_values *values, bool all);
 
 #endif

@@ -68,7 +68,8 @@ static const struct option options[] = {
     {"shipped-costs", 0, OPTION_FLAG, offsetof(struct values, shipped_costs),
      .help =
          "choose for --max-error and --budget by the costs that the program comes with, not by\n"
-         "those that manylight tune has measured here: for frames split between machines"},
+         "those that manylight tune has measured here: for frames split between machines",
+     .rare = true},
     TECHNIQUE_OPTIONS(struct values, technique),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, layer), .choices = shown_layer_names,
      .help = "light that PNG, JPEG and the like show; EXR has all layers"},
@@ -77,18 +78,20 @@ static const struct option options[] = {
          "seen behind all surfaces in place of black or the sky, which still lights them. none:\n"
          "alpha tells what surfaces cover (PNG, TGA). A colour, blended at edges as light:\n"
          "#rrggbb, or r,g,b from 0 to 1, the display's light. EXR and TIFF hold no colour, and no\n"
-         "sky then; their A tells the coverage"},
+         "sky then; their A tells the coverage",
+     .rare = true},
     {"aov", 0, OPTION_TEXT, offsetof(struct values, aov), .value_name = "NAME[,NAME ...]",
      .help =
          "more layers in EXR, outputs of the technique, such as gathered (before the blur), val\n"
          "(the strongest VAL's colour), visibility (the share of the VALs' light that arrives),\n"
-         "vpl (flux of VPLs)"},
+         "vpl (flux of VPLs)",
+     .rare = true},
     STAGE_OPTIONS(struct values, stage),
     {"frames", 0, OPTION_TEXT, offsetof(struct values, frames), .value_name = "A..B|A,B,C",
      .help = "a sequence, whose frame 0 is at --time; #### in the output's name becomes the\n"
              "frame's number"},
     {"fps", 0, OPTION_FLOAT, offsetof(struct values, fps), 25, .001, 1e6,
-     .help = "frames per second"},
+     .help = "frames per second", .rare = true},
     {"passes", 0, OPTION_INT, offsetof(struct values, passes), 0, 0, 1000000,
      .help =
          "the mean of so many passes, each with lights and places in the pixels of its own: it\n"
@@ -96,19 +99,22 @@ static const struct option options[] = {
          "wins; 0 = by --quality: 64 of final, else 1"},
     {"first-pass", 0, OPTION_INT, offsetof(struct values, first_pass), 0, 0, 1000000,
      .help = "the number of the first of them: passes split between processes, as EXR, and put\n"
-             "together by manylight average, make the same mean"},
+             "together by manylight average, make the same mean",
+     .rare = true},
     {"skip-existing", 0, OPTION_FLAG, offsetof(struct values, skip_existing),
      .help = "leave out frames whose outputs are all there and whole: each is opened, decoded to\n"
-             "its last pixel and ends as its format does"},
+             "its last pixel and ends as its format does",
+     .rare = true},
     {"stats", 0, OPTION_FLAG, offsetof(struct values, stats),
      .help = "print faces, lights, memory and time per pass"},
     {"glsl", 0, OPTION_TEXT, offsetof(struct values, glsl), .value_name = "DIR",
-     .help = "read the shaders from this folder, a glsl/ with src/ beside it, not from the binary"},
+     .help = "read the shaders from this folder, a glsl/ with src/ beside it, not from the binary",
+     .rare = true},
     CONTEXT_OPTIONS(struct values, context),
     {NULL},
 };
 
-static void print_more(FILE *out, const void *values) {
+static void print_sequences(FILE *out) {
     fprintf(
         out,
         "\na sequence, split between processes by GNU parallel or by a job array of Slurm:\n"
@@ -116,7 +122,13 @@ static void print_more(FILE *out, const void *values) {
         "      --frames {}..$(({} + 24))'\n"
         "  sbatch --array=0-9 --wrap 'i=$((SLURM_ARRAY_TASK_ID * 25)); manylight render S.glb \\\n"
         "      -o out.####.exr --skip-existing --frames $i..$((i + 24))'\n");
-    technique_values_print_help(out, &((const struct values *)values)->technique);
+}
+
+static void print_more(FILE *out, const void *values) {
+    const struct values *own = values;
+    if (own->common.help_all)
+        print_sequences(out);
+    technique_values_print_help(out, &own->technique, own->common.help_all);
 }
 
 static const struct arguments arguments = {

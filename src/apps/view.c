@@ -64,7 +64,8 @@ static const struct option options[] = {
 };
 
 static void print_techniques(FILE *out, const void *values) {
-    technique_values_print_help(out, &((const struct values *)values)->technique);
+    const struct values *own = values;
+    technique_values_print_help(out, &own->technique, own->common.help_all);
 }
 
 static const struct arguments arguments = {

@@ -325,7 +325,12 @@ void option_print_help(FILE *out, const struct option *o, const char *prefix) {
     fprintf(out, "%s\n", range);
 }
 
-void options_print_help(FILE *out, const struct option *table, const char *prefix) {
+int options_print_help(FILE *out, const struct option *table, const char *prefix, bool all) {
+    int left_out = 0;
     for (const struct option *o = table; o->name; o++)
-        option_print_help(out, o, prefix);
+        if (all || !o->rare)
+            option_print_help(out, o, prefix);
+        else
+            left_out++;
+    return left_out;
 }

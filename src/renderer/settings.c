@@ -136,15 +136,14 @@ static void print_direct_parts(FILE *out) {
         }
 }
 
-void renderer_settings_print_help(FILE *out, const struct technique *technique) {
-    fprintf(out,
-            "\nsettings of %s, for --set; the last name does where it is the only one, and a dash\n"
-            "for the dot (--technique NAME --help: those of another technique):\n",
-            technique->name);
+static void print_presets(FILE *out, const struct technique *technique) {
     if (technique->presets && technique->presets->name)
         fprintf(out, "\n  presets, by either word, set before all else:\n");
     for (const struct preset *p = technique->presets; p && p->name; p++)
         fprintf(out, "  path=%-8s %-12s %s\n", p->name, p->word ? p->word : "", p->help);
+}
+
+static void print_all(FILE *out, const struct technique *technique) {
     for (const struct settings_part *const *part = technique->parts; *part; part++)
         settings_print_help(out, *part, technique->unused);
     print_direct_parts(out);
@@ -152,4 +151,45 @@ void renderer_settings_print_help(FILE *out, const struct technique *technique) 
     settings_print_help(out, &start_part, NULL);
     settings_print_help(out, &material_part, NULL);
     settings_print_help(out, &picture_part, NULL);
+}
+
+static bool technique_has(const struct technique *technique, const struct setting *setting) {
+    const struct settings_part *const *part = technique->parts;
+    while (*part && *part != setting->part)
+        part++;
+    return *part && !setting_is_among(setting, technique->unused);
+}
+
+static bool is_picture(const struct setting *setting) {
+    return setting->part == &picture_part || setting->part == &material_part;
+}
+
+/* What most pictures are made with. */
+static void print_main(FILE *out, const struct technique *technique) {
+    static const char *const names[] = {
+        "lights.vpls",      "lights.bounces",    "clustered.vals",   "clustered.visibility",
+        "map.size",         "gather.interleave", "gather.detail",    "surface.materials",
+        "picture.exposure", "picture.samples",   "picture.tone-map",
+    };
+    struct settings settings;
+    renderer_settings_init(&settings);
+    fprintf(out, "\n  the main settings:\n");
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        struct setting setting;
+        char prefix[SETTING_NAME_SIZE];
+        if (!settings_find(&settings, names[i], &setting) ||
+            (!technique_has(technique, &setting) && !is_picture(&setting)))
+            continue;
+        snprintf(prefix, sizeof prefix, "%s.", setting.part->owner);
+        option_print_help(out, setting.option, prefix);
+    }
+}
+
+void renderer_settings_print_help(FILE *out, const struct technique *technique, bool all) {
+    fprintf(out,
+            "\nsettings of %s, for --set; the last name does where it is the only one, and a dash\n"
+            "for the dot (--technique NAME --help: those of another technique):\n",
+            technique->name);
+    print_presets(out, technique);
+    (all ? print_all : print_main)(out, technique);
 }

@@ -40,7 +40,7 @@ bool renderer_settings_same(const struct settings *a, const struct settings *b,
 void renderer_settings_roughen(struct settings *settings);
 void renderer_settings_copy_but_samples(struct settings *to, const struct settings *from);
 
-/* For --help: the technique's settings and presets, the direct methods' and the picture's. */
-void renderer_settings_print_help(FILE *out, const struct technique *technique);
+/* For --help: the technique's presets, and its main settings, or all of its own, the direct methods' and the picture's. */
+void renderer_settings_print_help(FILE *out, const struct technique *technique, bool all);
 
 #endif
