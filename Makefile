@@ -70,7 +70,7 @@ GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
-.PHONY: all demo test test-all tests asan tsan fuzz fuzzers coverage mutants lint analyze bench chart accuracy methods parsimony direct convergence stability bundle bundle-parts deps install uninstall clean FORCE
+.PHONY: all demo test test-all tests asan tsan fuzz fuzzers coverage mutants lint analyze bench chart accuracy methods fronts parsimony direct convergence stability bundle bundle-parts deps install uninstall clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -285,7 +285,7 @@ accuracy: all
 
 # All techniques, error against time. Those of one count of VPLs take turns: a run each. The public rooms are matt and lit
 # by their spot. Brute force is dear: rows and columns of 1024 VPLs alone, a map for each of 1024 in boxes alone.
-METHODS := $(addprefix --variant ,fine clustered traced visibility=traced:technique=clustered,clustered.visibility=traced \
+METHODS := $(addprefix --variant ,high clustered traced visibility=traced:technique=clustered,clustered.visibility=traced \
     cluster-lights lightcuts imperfect-shadow-maps unshadowed)
 METHODS_OF_256 := --vary N=256 --variant instant-radiosity --tracer
 METHODS_OF_1024 := --vary N=1024 --variant row-column
@@ -306,6 +306,30 @@ methods: all
 	$(if $(strip $(METHODS_ROOMS)),$(call BENCH_ROWS,$(METHODS_ROWS).6,$(METHODS_RUN) $(METHODS_ROOMS) $(METHODS_OF_1024)))
 	$(call JOIN_ROWS,$(METHODS_ROWS))
 	./manylight bench chart $(METHODS_ROWS) -o $(BENCH_PLOTS)/methods
+
+# The two frames of clustered, by maps and by rays, with few and many VPLs, and with and without adaptive pixels; then the
+# default without one of its parts at a time, beside the denoised tracer.
+FRONTS_GRID := --vary N=128,256,512,1024 --variant maps:technique=clustered,path=fast --variant rays:technique=clustered,path=traced \
+    --variant maps-even:technique=clustered,gather.detail=0 --variant rays-even:technique=clustered,path=traced,gather.detail=0
+FRONTS_WITHOUT := --vary N=1024 $(addprefix --variant ,maps:technique=clustered,path=fast \
+    no-correction:technique=clustered,clustered.ray-tests=0 no-arcs:technique=clustered,caster.long=0 \
+    no-edge-samples:technique=clustered,gather.further-points=off no-blocks:technique=clustered,clustered.visibility-block=0 \
+    cluster-lights) --tracer
+FRONTS_RUN = sweep --reference path --cache $(REFERENCE_CACHE) --size 400x400
+FRONTS_ROOMS := $(wildcard ../shared/scenes/public/*.glb)
+FRONTS_ROOMS += $(if $(FRONTS_ROOMS),--noise .05 --light spot --set materials=diffuse --frames 2)
+FRONTS_ROWS := $(BENCH_RESULTS)/fronts.csv
+
+fronts: all
+	@mkdir -p $(BENCH_RESULTS)
+	$(call BENCH_ROWS,$(FRONTS_ROWS).1,$(FRONTS_RUN) $(filter-out ../%/cornell-box.glb,$(SMALL_SCENES)) $(NOISE_OF_SMALL) --frames 5 $(FRONTS_GRID))
+	$(call BENCH_ROWS,$(FRONTS_ROWS).2,$(FRONTS_RUN) $(filter-out ../%/cornell-box.glb,$(SMALL_SCENES)) $(NOISE_OF_SMALL) --frames 5 $(FRONTS_WITHOUT))
+	$(call BENCH_ROWS,$(FRONTS_ROWS).3,$(FRONTS_RUN) $(LARGE_SCENES) $(NOISE_OF_LARGE) --frames 2 $(FRONTS_GRID))
+	$(call BENCH_ROWS,$(FRONTS_ROWS).4,$(FRONTS_RUN) $(LARGE_SCENES) $(NOISE_OF_LARGE) --frames 2 $(FRONTS_WITHOUT))
+	$(if $(strip $(FRONTS_ROOMS)),$(call BENCH_ROWS,$(FRONTS_ROWS).5,$(FRONTS_RUN) $(FRONTS_ROOMS) $(FRONTS_GRID)))
+	$(if $(strip $(FRONTS_ROOMS)),$(call BENCH_ROWS,$(FRONTS_ROWS).6,$(FRONTS_RUN) $(FRONTS_ROOMS) $(FRONTS_WITHOUT)))
+	$(call JOIN_ROWS,$(FRONTS_ROWS))
+	./manylight bench chart $(FRONTS_ROWS) -o $(BENCH_PLOTS)/fronts
 
 # What --max-error chooses against fixed settings, and what it tells of them and of closer views: a file a scene, and those that are
 # there and of this program are left, so that it goes on where it was broken off. Then all rows, charts, what was chosen, and ladders that know

@@ -66,7 +66,7 @@ static void test_usage_errors(void **state) {
         {"a.glb -o b.png --set vals=many", "vals"},
         {"a.glb -o b.png --set nothing=1", "nothing"},
         {"a.glb -o b.png --set path=slow", "path: 'slow' is not one of clustered's: draft, fast, "
-                                           "normal, fine, high, traced, rays, paper"},
+                                           "normal, high, traced, rays, paper"},
         {"a.glb -o b.png --direct soft",
          "no direct light is called 'soft' (there is hard, pcss, samples, vssm, msm, cssm)"},
         {"a.glb -o b.png --set vpls=63 --set interleave=8", "interleave=8 needs at least 64 VPLs"},

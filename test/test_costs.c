@@ -266,8 +266,8 @@ static void test_presets(void **state) {
     costs_add(&costs, "technique=clustered path=traced", 34);
     static const char *const says[][2] = {
         {"draft", "x0.25 the time of Normal on this machine, and 1.4 to 2.7 times its error."},
-        {"fine", "x1.4 the time of Normal, and a tenth less error."},
-        {"traced", "x3.4 the time of Normal on this machine, and a fifth"},
+        {"high", "x1.5 to x2.5 the time of Normal, and up to a quarter less error."},
+        {"traced", "x3.4 the time of Normal on this machine, and up to a third"},
         {"fast", "For most scenes: the defaults."},
     };
     for (const struct preset *p = technique_default->presets; p->name; p++) {

@@ -292,14 +292,14 @@ static void test_techniques(void **state) {
 static void test_given(void **state) {
     struct box *box = *state;
     struct settings settings;
-    const char *vals = "vals=5", *path = "path=fine";
+    const char *vals = "vals=5", *path = "path=traced";
     struct quality_choice draft = quality_named(QUALITY_DRAFT);
     check_ok("settings", quality_settings(&draft, technique_default, &vals, 1, &settings));
     assert_int_equal((int)settings_number(&settings, "vals"), 5);
     assert_int_equal((int)settings_number(&settings, "vpls"), 512);
     check_ok("settings", quality_settings(&draft, technique_default, &path, 1, &settings));
     assert_int_equal((int)settings_number(&settings, "vpls"), 1024);
-    assert_string_equal(find(box, "path=fine vals=4 map.size=64 vpls=256", .5, 1).choice.settings,
+    assert_string_equal(find(box, "path=fast vals=4 map.size=64 vpls=256", .5, 1).choice.settings,
                         "");
     assert_false(quality_settings(&draft, technique_find("unshadowed"), &vals, 1, &settings));
     printf("    %s\n", error_get());

@@ -243,7 +243,7 @@ static void test_program(void **state) {
             "chosen by --budget 0.001ms: level 0 of 72");
     run_box(2, "--frames 0 --budget 16s", "budget: '16s' is not a number from 0 to 1e+06");
     run_box(2, "--frames 0 --budget 16 --quality draft", "--budget excludes --quality");
-    run_box(2, "--frames 0 --budget 16 --set vals=3,path=fine", "--budget excludes path=");
+    run_box(2, "--frames 0 --budget 16 --set vals=3,path=traced", "--budget excludes path=");
 }
 
 int main(void) {

@@ -39,7 +39,7 @@ struct quality_choice quality_named(enum quality quality) {
     static const struct quality_choice qualities[] = {
         [QUALITY_DRAFT] = QUALITY_FRAME("path=draft"),
         [QUALITY_NORMAL] = QUALITY_FRAME(""),
-        [QUALITY_HIGH] = QUALITY_FRAME("path=fine"),
+        [QUALITY_HIGH] = QUALITY_FRAME("path=high"),
         [QUALITY_FINAL] = {"", 64, NULL},
     };
     return qualities[quality];

@@ -28,7 +28,7 @@ struct quality_choice {
 
 struct quality_choice quality_named(enum quality quality);
 
-/* "path=fine", "64 passes", "cluster-lights picture.samples=16"; the caller frees it. */
+/* "path=high", "64 passes", "cluster-lights picture.samples=16"; the caller frees it. */
 char *quality_describe(const struct quality_choice *choice);
 
 /* Where a ladder ends that nothing else ends. */

@@ -22,7 +22,7 @@ static const struct quality_choice others[] = {
     QUALITY_FRAME("gather.interleave=4"),
     QUALITY_FRAME("lights.vpls=2048"),
     QUALITY_FRAME("picture.samples=16"),
-    QUALITY_FRAME("path=fine"),
+    QUALITY_FRAME("path=high"),
     QUALITY_FRAME("gather.interleave=4 gather.detail=2 clustered.vals=60"),
     QUALITY_FRAME(
         "gather.interleave=2 gather.detail=1 clustered.vals=120 map.size=512 picture.samples=16"),

@@ -16,7 +16,7 @@ void preset_title(const struct preset *preset, char title[PRESET_TITLE_SIZE]) {
         title[0] = (char)(title[0] - 'a' + 'A');
 }
 
-/* Of clustered, in two boxes, two halls and a staircase: bench/PARSIMONY.md, "What the settings buy". */
+/* Of clustered: bench/METHODS.md, "Maps or rays". */
 static const struct price {
     const char *word, *use;
     const char *time, *error; /* against normal's; NULL: they are normal's */
@@ -24,9 +24,10 @@ static const struct price {
     {"draft", "For slow machines and first looks", "x0.5 the time of Normal",
      "1.4 to 2.7 times its error"},
     {"normal", "For most scenes: the defaults", NULL, NULL},
-    {"high", "For scenes of many small things", "x1.4 the time of Normal", "a tenth less error"},
-    {"rays", "The truest frame: shadows by rays through the triangles",
-     "x1 to x3 the time of Normal, most in large halls", "a fifth to a third less error"},
+    {"high", "Shadows by rays through the triangles, for halls and rooms",
+     "x1.5 to x2.5 the time of Normal", "up to a quarter less error"},
+    {"rays", "The truest frame: High with all VPLs", "x2 to x4 the time of Normal",
+     "up to a third less error"},
 };
 
 static const struct price *price_of(const char *word) {

@@ -74,18 +74,19 @@ static const struct settings_part *const parts[] = {&lights_part, &vals_part,   
                                                     &lookup_part, &caster_part, &gather_part,
                                                     &blur_part,   NULL};
 
+/* In place of maps; and more VPLs where detail is. */
+#define BY_RAYS                                                                                    \
+    "clustered.visibility=traced clustered.visibility-block=0 gather.detail=2 "                    \
+    "gather.detail-times=1"
+
 static const struct preset presets[] = {
     {"draft", "for slow machines: fewer lights and maps, no care for detail",
      "lights.vpls=512 clustered.vals=12 map.size=128 gather.detail=0 gather.near-samples=256",
      NULL},
     MANY_LIGHTS_FAST,
-    {"fine", "for scenes of many small things: more maps, and lights where detail is",
-     "clustered.vals=60 clustered.bounce-vals=120 gather.detail=2 gather.detail-times=1", "high"},
-    {"traced",
-     "the truest frame: rays through the triangles in place of maps, lights where detail is",
-     "clustered.visibility=traced clustered.visibility-block=0 gather.detail=2 "
-     "gather.detail-times=1",
-     "rays"},
+    {"high", "rays through the scene's triangles in place of maps, more VPLs where detail is",
+     BY_RAYS " lights.vpls=512", NULL},
+    {"traced", "the truest frame: the same with all VPLs", BY_RAYS, "rays"},
     {"paper", "as published: convolution soft shadow maps at each pixel and VPL",
      "clustered.visibility=cssm clustered.visibility-block=0 "
      "clustered.importance=none " MANY_LIGHTS_AS_PUBLISHED,
