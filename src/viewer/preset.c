@@ -16,7 +16,7 @@ void preset_title(const struct preset *preset, char title[PRESET_TITLE_SIZE]) {
         title[0] = (char)(title[0] - 'a' + 'A');
 }
 
-/* Of clustered, in two boxes, two halls and a staircase: bench/PARSIMONY.md, "What the settings buy". */
+/* Of clustered, in two boxes, two halls and a staircase: bench/PARSIMONY.md. */
 static const struct price {
     const char *word, *use;
     const char *time, *error; /* against normal's; NULL: they are normal's */
