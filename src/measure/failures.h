@@ -1,5 +1,5 @@
 /* The failure suite: known ways in which many-light methods break, each a small scene or a setting,
- * drawn in several ways and held against rays. bench/STABILITY.md says why each breaks and what
+ * drawn in several ways and held against rays. docs/notes/failures.md says why each breaks and what
  * does better.
  *
  * What is promised of each technique lies in its folder, src/techniques/NAME/bounds.csv: at most so

@@ -64,7 +64,7 @@ static float growth_of(int width, int height) {
 }
 
 /* What is seen of a thing errs as little where more pixels show it: those of large pictures take fewer lights, ask for
- * fewer of them, and take half of the near samples, which are what they err by least (bench/TRIED.md). */
+ * fewer of them, and take half of the near samples, which are what they err by least (docs/notes/blur-and-adaptive-pixels.md). */
 static float share_of_large(int width, int height) {
     float growth = growth_of(width, height);
     return 1 / (growth * growth);

@@ -16,7 +16,7 @@ void preset_title(const struct preset *preset, char title[PRESET_TITLE_SIZE]) {
         title[0] = (char)(title[0] - 'a' + 'A');
 }
 
-/* Of clustered: bench/METHODS.md, "Maps or rays". */
+/* Of clustered: bench/FRONTS.md. */
 static const struct price {
     const char *word, *use;
     const char *time, *error; /* against normal's; NULL: they are normal's */
