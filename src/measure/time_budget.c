@@ -7,7 +7,8 @@
 
 /* --- levels --- */
 
-/* Between two rows, numbers go from one to the other by ratio; grades are the lower row's. */
+/* Between two rows, numbers go from one to the other by ratio; grades are the lower row's. First come frames by maps,
+ * then frames by rays, where they are on the front (bench/FRONTS.md). */
 static const struct row {
     int level;
     struct {
@@ -16,16 +17,19 @@ static const struct row {
     struct {
         int interleave, detail, detail_times, samples;
         double detail_share;
+        bool by_rays;
     } grades;
 } rows[TIME_BUDGET_ROWS] = {
-    {0, {64, 2, 16, 64, 21, 128}, {8, 0, 1, 1, .5}},
-    {16, {256, 6, 64, 128, 11, 256}, {8, 0, 1, 4, .5}},
-    {26, {512, 12, 128, 256, 7, 384}, {8, 0, 1, 8, .5}}, /* draft */
-    {36, {768, 20, 192, 512, 7, 512}, {8, 4, 1, 8, .5}},
-    {44, {1024, 30, 256, 1024, 7, 512}, {8, 4, 4, 12, 1}}, /* the defaults */
-    {52, {1024, 60, 256, 1024, 7, 512}, {8, 2, 1, 12, 1}},
-    {60, {1024, 80, 320, 1024, 7, 512}, {4, 1, 1, 16, 1}},
-    {TIME_BUDGET_LEVELS - 1, {1024, 120, 512, 1024, 7, 512}, {2, 1, 1, 16, 1}},
+    {0, {64, 2, 16, 64, 21, 128}, {8, 0, 1, 1, .5, false}},
+    {16, {256, 6, 64, 128, 11, 256}, {8, 0, 1, 4, .5, false}},
+    {26, {512, 12, 128, 256, 7, 384}, {8, 0, 1, 8, .5, false}}, /* draft */
+    {36, {768, 20, 192, 512, 7, 512}, {8, 4, 1, 8, .5, false}},
+    {44, {1024, 30, 256, 1024, 7, 512}, {8, 4, 4, 12, 1, false}}, /* the defaults */
+    {47, {1024, 40, 256, 1024, 7, 512}, {8, 4, 4, 12, 1, false}},
+    {48, {256, 40, 256, 1024, 7, 512}, {8, 2, 1, 12, 1, true}},
+    {54, {512, 40, 256, 1024, 7, 512}, {8, 2, 1, 12, 1, true}}, /* high */
+    {62, {1024, 40, 256, 1024, 7, 512}, {8, 2, 1, 16, 1, true}},
+    {TIME_BUDGET_LEVELS - 1, {1024, 40, 256, 1024, 7, 512}, {2, 1, 1, 16, 1, true}},
 };
 
 /* The last row that begins at the level or before, but the very last. */
@@ -48,18 +52,19 @@ char *time_budget_settings(int level) {
     const struct row *a = row_of(level), *b = a + 1;
     double share = (double)(level - a->level) / (b->level - a->level);
     const struct row *grade = level >= b->level ? b : a;
+    int block = between(a->numbers.block, b->numbers.block, share);
     return mem_printf(
         "lights.vpls=%d lights.rsm-size=%d clustered.vals=%d map.size=%d gather.near-samples=%d "
-        "clustered.visibility-block=%d gather.interleave=%d gather.detail=%d "
-        "gather.detail-times=%d picture.samples=%d gather.detail-share=%g",
+        "clustered.visibility=%s clustered.visibility-block=%d gather.interleave=%d "
+        "gather.detail=%d gather.detail-times=%d picture.samples=%d gather.detail-share=%g",
         between(a->numbers.vpls, b->numbers.vpls, share),
         between(a->numbers.rsm, b->numbers.rsm, share),
         between(a->numbers.vals, b->numbers.vals, share),
         between(a->numbers.map, b->numbers.map, share),
         between(a->numbers.near_samples, b->numbers.near_samples, share),
-        between(a->numbers.block, b->numbers.block, share), grade->grades.interleave,
-        grade->grades.detail, grade->grades.detail_times, grade->grades.samples,
-        grade->grades.detail_share);
+        grade->grades.by_rays ? "traced" : "ray", grade->grades.by_rays ? 0 : block,
+        grade->grades.interleave, grade->grades.detail, grade->grades.detail_times,
+        grade->grades.samples, grade->grades.detail_share);
 }
 
 /* --- the choice of one --- */

@@ -1,7 +1,7 @@
 /* Settings that take the time there is: from how long frames took, those of the next.
  *
  * Between fewest and most lie levels, each a few percent dearer than the one before: interpolations between rows
- * of settings that are on the front of error against time (bench/PARSIMONY.md). Frames are drawn at one of
+ * of settings that are on the front of error against time (bench/PARSIMONY.md, bench/FRONTS.md). Frames are drawn at one of
  * them, and their times choose the next: the machine decides, not the scene alone.
  */
 #ifndef MEASURE_TIME_BUDGET_H
@@ -10,7 +10,7 @@
 #include "measure/costs.h"
 #include "renderer/settings.h"
 
-enum { TIME_BUDGET_LEVELS = 73, TIME_BUDGET_SAMPLES = 3, TIME_BUDGET_ROWS = 8 };
+enum { TIME_BUDGET_LEVELS = 73, TIME_BUDGET_SAMPLES = 3, TIME_BUDGET_ROWS = 10 };
 
 struct time_budget {
     double target;                       /* ms */
