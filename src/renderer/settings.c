@@ -164,7 +164,7 @@ static bool is_picture(const struct setting *setting) {
     return setting->part == &picture_part || setting->part == &material_part;
 }
 
-/* What most pictures are made with. */
+/* Those most often set; and all that another technique than the default calls its own. */
 static void print_main(FILE *out, const struct technique *technique) {
     static const char *const names[] = {
         "lights.vpls",      "lights.bounces",    "clustered.vals",   "clustered.visibility",
@@ -183,6 +183,9 @@ static void print_main(FILE *out, const struct technique *technique) {
         snprintf(prefix, sizeof prefix, "%s.", setting.part->owner);
         option_print_help(out, setting.option, prefix);
     }
+    for (const struct settings_part *const *part = technique->parts; *part; part++)
+        if (technique != technique_default && strcmp((*part)->owner, technique->name) == 0)
+            settings_print_help(out, *part, technique->unused);
 }
 
 void renderer_settings_print_help(FILE *out, const struct technique *technique, bool all) {
