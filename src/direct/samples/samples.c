@@ -17,11 +17,11 @@ struct samples_settings {
 static const struct option table[] = {
     {"points", 0, OPTION_INT, offsetof(struct samples_settings, points), 64, 1, 4096,
      .help = "light samples per light, one shadow map each; raise against steps in\n"
-"penumbrae"},
+             "penumbrae"},
     {NULL},
 };
 
-static const struct settings_part own_part = {"samples", "direct light by points of lights", table,
+static const struct settings_part own_part = {"samples", "direct light by light samples", table,
                                               sizeof(struct samples_settings)};
 
 struct samples {
