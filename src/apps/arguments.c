@@ -28,12 +28,10 @@ static const struct option common_options[] = {
 
 static const struct option scene_options[] = {
     {"strict", 0, OPTION_FLAG, offsetof(struct common_values, strict),
-     .help = "refuse files with defects; without it defects are repaired or replaced, with a\n"
-             "note",
+     .help = "refuse files with defects; without it defects are repaired or replaced, with a note",
      .rare = true},
     {"root", 0, OPTION_TEXT, offsetof(struct common_values, root), .value_name = "DIR",
-     .help = "folder that must contain all files of a scene [parent of the scene's\n"
-             "folder]",
+     .help = "folder that must contain all files of a scene [parent of the scene's folder]",
      .rare = true},
     {NULL},
 };

@@ -33,8 +33,7 @@ static const struct option options[] = {
     {"metric", 'm', OPTION_LIST, offsetof(struct values, metrics), .value_name = "NAME",
      .help = "metric to measure, or \"all\"; repeatable [see below]"},
     {"max", 0, OPTION_LIST, offsetof(struct values, bounds), .value_name = "METRIC=VALUE",
-     .help = "limit of a metric's absolute value, 10% is .1; exit status 1 above it;\n"
-             "repeatable"},
+     .help = "limit of a metric's absolute value, 10% is .1; exit status 1 above it; repeatable"},
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE",
      .help = "picture of the error: false colours (PNG ...) or values (EXR ...)"},
     FORMAT_OPTION(struct values, format),

@@ -47,16 +47,16 @@ static const struct option options[] = {
     {"size", 0, OPTION_SIZE, offsetof(struct values, tracer.width), 0, 1, 16384, .help = SIZE_HELP},
     {"technique", 0, OPTION_CHOICE, offsetof(struct values, technique),
      .choices = reference_techniques,
-     .help = "path tracing, or the one-bounce sum over the VPLs of render with\n"
-             "ray-traced visibility: over all VPLs, or over cuts through a tree of\n"
-             "VPLs"},
+     .help = "path tracing, or the one-bounce sum over the VPLs of\n"
+             "render with ray-traced visibility: over all VPLs, or\n"
+             "over cuts through a tree of VPLs"},
     {"tolerance", 0, OPTION_FLOAT, offsetof(struct values, tolerance), .02, 0, 1,
      .value_name = "X%",
-     .help = "error bound of a tree node, as a fraction of a pixel's sum; 0: all VPLs; with\n"
-             "--technique lightcuts"},
+     .help = "error bound of a tree node, as a fraction of a\n"
+             "pixel's sum; 0: all VPLs; with --technique lightcuts"},
     {"compensation", 0, OPTION_INT, offsetof(struct values, compensation), 0, 0, 1e6,
-     .help = "rays per pixel that add the light cut off by the bound, exact on average; 0:\n"
-             "none; with vpl-raytraced or lightcuts and --set clamp=value"},
+     .help = "rays per pixel that add the light cut off by the bound, exact on average;\n"
+             "0: none; with vpl-raytraced or lightcuts and --set clamp=value"},
     {"set", 0, OPTION_LIST, offsetof(struct values, settings), .value_name = "KEY=VALUE",
      .help = "setting of the VPLs, for example vpls, seed or clamp (manylight render --help);\n"
              "repeatable"},
@@ -65,29 +65,27 @@ static const struct option options[] = {
     {"spp", 0, OPTION_INT, offsetof(struct values, tracer.samples), 0, 0, 1e6,
      .help = "samples per pixel; 0: by --noise"},
     {"paths", 0, OPTION_INT, offsetof(struct values, tracer.paths), 0, 0, 1024,
-     .help = "paths of indirect light per sample; 0: 1 below 16 samples per pixel, else\n"
-             "4"},
+     .help = "paths of indirect light per sample; 0: 1\n"
+             "below 16 samples per pixel, else 4"},
     {"noise", 0, OPTION_FLOAT, offsetof(struct values, noise), 0, 0, 1, .value_name = "X%",
      .help =
          "limit of the standard error over the mean, for indirect light, direct light of lights\n"
          "with a size, and specular light (over the mean of all light); 0: 1%"},
     {"centers", 0, OPTION_FLAG, offsetof(struct values, tracer.centers),
-     .help = "samples at pixel centres only, as a rasteriser has them: no\n"
-             "antialiasing"},
+     .help = "samples at pixel centres only, as a rasteriser has them: no antialiasing"},
     {"background", 0, OPTION_TEXT, offsetof(struct values, background), .value_name = "none",
-     .help = "none: hides the environment behind surfaces; it still lights them, and A is\n"
-             "coverage"},
+     .help =
+         "none: hides the environment behind surfaces; it still lights them, and A is coverage"},
     {"seen", 0, OPTION_FLAG, offsetof(struct values, tracer.seen),
-     .help = "adds the layers unshadowed (direct light without occluders) and visibility\n"
-             "(visible fraction of the lights), and their standard errors: means over the\n"
-             "colours"},
+     .help = "adds the layers unshadowed (direct light without occluders) and visibility (visible\n"
+             "fraction of the lights), and their standard errors: means over the colours"},
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
-     .help = "filters indirect light along surfaces by its noise, for few samples;\n"
-             "standard_error is that of the unfiltered light"},
+     .help = "filters indirect light along surfaces by its noise, for few\n"
+             "samples; standard_error is that of the unfiltered light"},
     {"materials", 0, OPTION_CHOICE, offsetof(struct values, tracer.materials),
      .choices = materials_names,
-     .help = "materials of surfaces: metals, roughness and normal maps, or diffuse in their\n"
-             "base colour"},
+     .help = "materials of surfaces: metals, roughness and\n"
+             "normal maps, or diffuse in their base colour"},
     {"seed", 0, OPTION_INT, offsetof(struct values, tracer.seed), 0, 0, 2147483647,
      .help = "seed of the random numbers; another seed has other noise"},
     STAGE_OPTIONS(struct values, stage),

@@ -53,58 +53,56 @@ static const struct option options[] = {
     {"size", 0, OPTION_SIZE, offsetof(struct values, size), 0, 1, 16384, .help = SIZE_HELP},
     {"quality", 0, OPTION_CHOICE, offsetof(struct values, quality), QUALITY_NORMAL,
      .choices = quality_names,
-     .help = "choice of settings and passes by name; --set and --passes override\n"
-             "it"},
+     .help = "choice of settings and passes by name;\n"
+             "--set and --passes override it"},
     {"max-error", 0, OPTION_FLOAT, offsetof(struct values, max_error), 0, 0, 1, .value_name = "X%",
-     .help = "limit of the relative RMSE of indirect light; path-traces about 9000 pixels at\n"
-             "--time, then uses the cheapest setting within the limit, by costs of manylight\n"
-             "tune or shipped costs; 0: off"},
+     .help = "limit of the relative RMSE of indirect light; path-traces about\n"
+             "9000 pixels at --time, then uses the cheapest setting within\n"
+             "the limit, by costs of manylight tune or shipped costs; 0: off"},
     {"budget", 0, OPTION_FLOAT, offsetof(struct values, budget), 0, 0, 1e6, .value_name = "Xms",
      .unit = "ms",
      .help =
          "time per frame, ms: adapts settings not given by --set, from the times of the frames\n"
          "before; frames then depend on the machine and on each other; 0: off"},
     {"shipped-costs", 0, OPTION_FLAG, offsetof(struct values, shipped_costs),
-     .help = "use the costs that come with the program for --max-error and --budget, not the\n"
-             "table of manylight tune, if several machines share frames",
+     .help = "use the costs that come with the program for --max-error and --budget,\n"
+             "not the table of manylight tune, if several machines share frames",
      .rare = true},
     TECHNIQUE_OPTIONS(struct values, technique),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, layer), .choices = shown_layer_names,
-     .help = "light that PNG, JPEG and similar formats show; EXR has all layers"},
+     .help = "light that PNG, JPEG and similar formats\n"
+             "show; EXR has all layers"},
     {"background", 0, OPTION_TEXT, offsetof(struct values, background), .value_name = "none|COLOUR",
-     .help =
-         "background in place of black or the environment, which still lights the scene: \"none\"\n"
-         "makes PNG and TGA transparent; a display colour, #rrggbb or r,g,b from 0 to 1, fills\n"
-         "them; EXR and TIFF then have surfaces alone, with coverage in A",
+     .help = "background in place of black or the environment, which still lights the scene:\n"
+             "\"none\" makes PNG and TGA transparent; a display colour, #rrggbb or r,g,b from\n"
+             "0 to 1, fills them; EXR and TIFF then have surfaces alone, with coverage in A",
      .rare = true},
     {"aov", 0, OPTION_TEXT, offsetof(struct values, aov), .value_name = "NAME[,NAME ...]",
-     .help = "more layers of an EXR: outputs of the technique, for example gathered (before\n"
-             "the blur), val (colour of the strongest VAL), visibility (fraction of the VALs'\n"
-             "light that arrives), vpl (flux of VPLs)",
+     .help = "more layers of an EXR: outputs of the technique, for example gathered\n"
+             "(before the blur), val (colour of the strongest VAL), visibility\n"
+             "(fraction of the VALs' light that arrives), vpl (flux of VPLs)",
      .rare = true},
     STAGE_OPTIONS(struct values, stage),
     {"frames", 0, OPTION_TEXT, offsetof(struct values, frames), .value_name = "A..B|A,B,C",
-     .help = "frames of a sequence; frame 0 is at --time; #### in the output's name becomes\n"
-             "the number of the frame"},
+     .help = "frames of a sequence; frame 0 is at --time; #### in\n"
+             "the output's name becomes the number of the frame"},
     {"fps", 0, OPTION_FLOAT, offsetof(struct values, fps), 25, .001, 1e6,
      .help = "frames per second of a sequence", .rare = true},
     {"passes", 0, OPTION_INT, offsetof(struct values, passes), 0, 0, 1000000,
-     .help = "number of passes, each with its own VPLs and pixel positions; the picture is\n"
-             "their mean and converges; passes after the first have own settings, which --set\n"
-             "overrides; 0: by --quality, 64 for final, else 1"},
+     .help = "number of passes, each with its own VPLs and pixel positions; the\n"
+             "picture is their mean and converges; passes after the first have own\n"
+             "settings, which --set overrides; 0: by --quality, 64 for final, else 1"},
     {"first-pass", 0, OPTION_INT, offsetof(struct values, first_pass), 0, 0, 1000000,
-     .help = "number of the first pass, for passes shared by processes; manylight average\n"
-             "joins their EXR files to the same mean",
+     .help = "number of the first pass, for passes shared by processes;\n"
+             "manylight average joins their EXR files to the same mean",
      .rare = true},
     {"skip-existing", 0, OPTION_FLAG, offsetof(struct values, skip_existing),
-     .help = "leave out frames whose files exist and are whole: each is decoded to its last\n"
-             "pixel",
+     .help = "leave out frames whose files exist and are whole: each is decoded to its last pixel",
      .rare = true},
     {"stats", 0, OPTION_FLAG, offsetof(struct values, stats),
      .help = "print faces, lights, memory and time per pass"},
     {"glsl", 0, OPTION_TEXT, offsetof(struct values, glsl), .value_name = "DIR",
-     .help = "folder of shaders, a glsl/ with src/ beside it, in place of the built-in\n"
-             "shaders",
+     .help = "folder of shaders, a glsl/ with src/ beside it, in place of the built-in shaders",
      .rare = true},
     CONTEXT_OPTIONS(struct values, context),
     {NULL},

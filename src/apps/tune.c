@@ -31,8 +31,8 @@ static const struct option options[] = {
     {"size", 0, OPTION_SIZE, offsetof(struct values, size), 400, 1, 16384,
      .help = "size of the frames, pixels"},
     {"frames", 0, OPTION_INT, offsetof(struct values, frames), 3, 1, 1000,
-     .help = "number of frames per choice after one warm-up frame; the fastest\n"
-             "counts"},
+     .help = "number of frames per choice after one\n"
+             "warm-up frame; the fastest counts"},
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE",
      .help = "file of the table [one per machine in $XDG_CACHE_HOME/manylight]"},
     CONTEXT_OPTIONS(struct values, context),

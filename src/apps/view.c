@@ -24,8 +24,8 @@ static const struct option options[] = {
      .help = "size of the picture, pixels"},
     {"budget", 0, OPTION_FLOAT, offsetof(struct values, viewer.budget), 0, 0, 1e6,
      .value_name = "Xms", .unit = "ms",
-     .help = "time per frame, ms: adapts settings not given by --set, from the times of the\n"
-             "frames before; 0: off"},
+     .help = "time per frame, ms: adapts settings not given by\n"
+             "--set, from the times of the frames before; 0: off"},
     TECHNIQUE_OPTIONS(struct values, technique),
     STAGE_OPTIONS(struct values, viewer),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, viewer.layer), .choices = shown_layer_names,
@@ -42,8 +42,8 @@ static const struct option options[] = {
      .help = "file for the picture after --frames (or the first frame), before exit"},
     FORMAT_OPTION(struct values, format),
     {"settings", 0, OPTION_TEXT, offsetof(struct values, viewer.session), .value_name = "FILE",
-     .help = "file of settings, camera and lights saved by the panel; replaces --set,\n"
-             "--camera, --light"},
+     .help = "file of settings, camera and lights saved by\n"
+             "the panel; replaces --set, --camera, --light"},
     {"scale", 0, OPTION_FLOAT, offsetof(struct values, viewer.scale), 0, 0, 4,
      .help = "scale of text and widgets; 0: the monitor's"},
     {"full-screen", 0, OPTION_FLAG, offsetof(struct values, viewer.full_screen),
@@ -51,12 +51,11 @@ static const struct option options[] = {
     {"no-panel", 0, OPTION_FLAG, offsetof(struct values, viewer.no_panel),
      .help = "show only the picture; F2 brings the panel"},
     {"places", 0, OPTION_TEXT, offsetof(struct values, viewer.places), .value_name = "FILE",
-     .help =
-         "file that gets the rectangle of each widget as \"x y width height name\", for scripts;\n"
-         "its last line counts the F9 presses after which everything was drawn"},
+     .help = "file that gets the rectangle of each widget as \"x y width height name\", for\n"
+             "scripts; its last line counts the F9 presses after which everything was drawn"},
     {"glsl", 0, OPTION_TEXT, offsetof(struct values, viewer.glsl), .value_name = "DIR",
-     .help = "folder of shaders, a glsl/ with src/ beside it, in place of the built-in\n"
-             "shaders; F5 reads them again"},
+     .help = "folder of shaders, a glsl/ with src/ beside it, in\n"
+             "place of the built-in shaders; F5 reads them again"},
     SCREEN_OPTION(struct values, viewer.screen),
     {"gl-debug", 0, OPTION_FLAG, offsetof(struct values, viewer.debug),
      .help = "debug context, which prints messages of OpenGL to standard error"},

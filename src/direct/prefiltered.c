@@ -11,14 +11,14 @@ struct prefilter_settings {
 
 static const struct option table[] = {
     {"texels", 0, OPTION_INT, offsetof(struct prefilter_settings, size), 1024, 16, 4096,
-     .help = "texels along each side of a light's own map; a point light has 6 maps, a light\n"
-             "of a half space 1, whose middle half covers 90 degrees; reduced for more than 24\n"
-             "maps"},
+     .help = "texels along each side of a light's own map; a point\n"
+             "light has 6 maps, a light of a half space 1, whose middle\n"
+             "half covers 90 degrees; reduced for more than 24 maps"},
     {"depth-bias", 0, OPTION_FLOAT, offsetof(struct prefilter_settings, bias), 2e-3, 0, .5,
      .help = "receiver offset towards the light, as a fraction of its distance"},
     {"contact", 0, OPTION_FLOAT, offsetof(struct prefilter_settings, contact), .01, 0, 1,
-     .help = "distance of a caster below which texels are compared one by one, as a fraction\n"
-             "of the receiver's distance from the light"},
+     .help = "distance between caster and receiver below which texels are compared\n"
+             "one by one, as a fraction of the receiver's distance from the light"},
     {NULL},
 };
 
@@ -32,11 +32,11 @@ struct window_settings {
 
 static const struct option window_table[] = {
     {"search-parts", 0, OPTION_INT, offsetof(struct window_settings, search_parts), 0, 0, 16,
-     .help = "cells along each side of the blocker search window; 0: by method, 5 for vssm, 3\n"
-             "for msm"},
+     .help = "cells along each side of the blocker search\n"
+             "window; 0: by method, 5 for vssm, 3 for msm"},
     {"shadow-parts", 0, OPTION_INT, offsetof(struct window_settings, shadow_parts), 0, 0, 16,
-     .help = "cells along each side of the penumbra window; 0: by method, 8 for vssm, 3 for\n"
-             "msm"},
+     .help = "cells along each side of the penumbra\n"
+             "window; 0: by method, 8 for vssm, 3 for msm"},
     {NULL},
 };
 

@@ -8,28 +8,27 @@ static const char *const fit_names[] = {"rectangles", "even", NULL};
 
 static const struct option table[] = {
     {"lights", 0, OPTION_INT, ROW(lights), 120, SKY_LIGHTS_MIN, SKY_LIGHTS_MAX,
-     .help = "largest number of area lights that approximate an environment map; fewer:\n"
-"faster"},
+     .help = "largest number of area lights that\n"
+             "approximate an environment map; fewer: faster"},
     {"fit", 0, OPTION_CHOICE, ROW(fit), SKY_FIT_EVEN, .choices = fit_names,
-     .help =
-         "fit of the area lights: rectangles grown from the brightest texel, or cells of\n"
-"nearly even radiance"},
+     .help = "fit of the area lights: rectangles grown from the\n"
+             "brightest texel, or cells of nearly even radiance"},
     {"sky-size", 0, OPTION_INT, ROW(map_size), 256, 16, 4096,
      .help = "texels along each side of the shadow map of an environment light"},
     {"sun-maps", 0, OPTION_INT, ROW(sun_maps), 4, 1, 8,
-     .help = "shadow maps along each side of a sun, which is an environment light below .01 sr\n"
-"with at least 1/40 of the light; raise against steps along its shadows"},
+     .help = "shadow maps across a sun, n of n x n; a sun is an environment light below .01 sr\n"
+             "with at least 1/40 of the light; raise against steps along its shadows"},
     {"sky-block", 0, OPTION_INT, ROW(block), 7, 1, 64,
      .help = "pixels along each side of a block that shares its visibility"},
     {"sky-ways", 0, OPTION_INT, ROW(ways), 3, 1, 256,
      .help = "shadow rays per lookup of an environment light; at least 16 for a sun"},
     {"sky-bias", 0, OPTION_FLOAT, ROW(bias), .1, 0, 100,
-     .help = "height above the receiver's plane up to which nothing casts a shadow, in map\n"
-"texels"},
+     .help = "height above the receiver's plane up to\n"
+             "which nothing casts a shadow, in map texels"},
     {"disagree", 0, OPTION_FLOAT, ROW(disagree), .02, 0, 2,
-     .help = "difference between blocks, as a fraction of the environment's light, above\n"
-"which pixels between them use own lookups; above 60 lights divided by lights /\n"
-"60"},
+     .help = "difference between blocks, as a fraction of the\n"
+             "environment's light, above which pixels between them use\n"
+             "their own lookups; above 60 lights divided by lights / 60"},
     {NULL},
 };
 

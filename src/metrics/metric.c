@@ -82,8 +82,7 @@ const struct metric metrics[METRIC_COUNT] = {
      .pixel_error = signed_error,
      .finish = relative},
     {.name = "gradient",
-     .help = "root of the mean of |grad (v - r)|^2, over the mean of r; measures\n"
-             "banding",
+     .help = "root of the mean of |grad (v - r)|^2, over the mean of r; measures banding",
      .usual_for = METRIC_HDR | METRIC_LDR,
      .pixel_error = squared_gradient_error,
      .finish = relative_root},
@@ -103,8 +102,7 @@ const struct metric metrics[METRIC_COUNT] = {
      .error_map = box_error_16,
      .finish = relative_root},
     {.name = "psnr",
-     .help = "peak signal-to-noise ratio of the sRGB-encoded values, dB; higher is\n"
-             "better",
+     .help = "peak signal-to-noise ratio of the sRGB-encoded values, dB; higher is better",
      .usual_for = METRIC_HDR | METRIC_LDR,
      .higher_is_better = true,
      .pixel_error = squared_display_error,

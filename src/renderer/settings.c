@@ -17,12 +17,12 @@ static const struct option table[] = {
     {"exposure", 0, OPTION_FLOAT, offsetof(struct picture_settings, exposure), 0, -EXPOSURE_MOST,
      EXPOSURE_MOST, .help = "exposure of the picture, EV; 1 more doubles the brightness"},
     {"samples", 0, OPTION_INT, offsetof(struct picture_settings, samples), 12, 1, 16,
-     .help = "samples per pixel for antialiasing of edges, rounded up to a multiple of 4; 1:\n"
-             "the pixel centre alone"},
+     .help = "samples per pixel for antialiasing of edges, rounded\n"
+             "up to a multiple of 4; 1: the pixel centre alone"},
     {"tone-map", 0, OPTION_CHOICE, offsetof(struct picture_settings, tone_map), TONE_MAP_CLAMP,
      .choices = tone_map_names,
-     .help = "tone curve of bright light in PNG, JPEG and on the screen: cut off, or\n"
-             "filmic"},
+     .help = "tone curve of bright light in PNG, JPEG\n"
+             "and on the screen: cut off, or filmic"},
     {NULL},
 };
 
@@ -31,15 +31,15 @@ const struct settings_part picture_part = {"picture", "picture", table,
 
 static const struct option start_table[] = {
     {"places", 0, OPTION_INT, offsetof(struct start_settings, places), 4, 1, LIGHTS_MAX,
-     .help = "number of light samples of all wide lights together, from which their reflected\n"
-             "light starts"},
+     .help = "number of light samples of all wide lights\n"
+             "together, from which their reflected light starts"},
     {"wide", 0, OPTION_FLOAT, offsetof(struct start_settings, wide), .3, 0, 100,
-     .help = "width from which a light has several light samples, over the scene's radius; for\n"
-             "a sun in radians"},
+     .help = "width from which a light has several light samples,\n"
+             "over the scene's radius; for a sun in radians"},
     {"directions", 0, OPTION_INT, offsetof(struct start_settings, directions), 12, SKY_LIGHTS_MIN,
      LIGHTS_MAX,
-     .help = "largest number of directions from which an environment's reflected light starts;\n"
-             "raise, with lights.vpls, where it comes through windows"},
+     .help = "largest number of directions from which an environment's reflected\n"
+             "light starts; raise, with lights.vpls, where it comes through windows"},
     {NULL},
 };
 

@@ -74,44 +74,41 @@ bool bench_time(struct bench *bench, const struct measure_list *subjects, enum t
 /* Of all modes. */
 static const struct option options[] = {
     {"vary", 0, OPTION_LIST, VALUE(axes), .value_name = "KEY=A,B..C",
-     .help = "setting, technique or size to vary; vals=2..128: powers of two; N, M, K: vpls,\n"
-             "vals, terms; repeatable, for a grid"},
+     .help = "setting, technique or size to vary; vals=2..128: powers of\n"
+             "two; N, M, K: vpls, vals, terms; repeatable, for a grid"},
     {"size", 's', OPTION_SIZE, VALUE(size), 800, 1, 16384, .help = "size of the picture, pixels"},
     {"variant", 0, OPTION_LIST, VALUE(variants),
      .help = "variant to measure, listed below; repeatable"},
     {"set", 0, OPTION_LIST, VALUE(settings), .value_name = "KEY=VALUE",
      .help = "setting of all variants (manylight render --help); repeatable"},
     {"frames", 0, OPTION_INT, VALUE(frames), 0, 0, 100000,
-     .help = "number of measured frames; 0: 5 on software OpenGL, else 100; for a clip\n"
-             "50"},
+     .help = "number of measured frames; 0: 5 on\n"
+             "software OpenGL, else 100; for a clip 50"},
     {"warm-up", 0, OPTION_INT, VALUE(warm_up), 0, 0, 100000,
-     .help = "number of frames before the measured ones; 0: 1 on software OpenGL, else\n"
-             "10"},
+     .help = "number of frames before the measured\n"
+             "ones; 0: 1 on software OpenGL, else 10"},
     {"passes", 0, OPTION_INT, VALUE(passes), 256, 1, 65536,
      .help = "largest number of passes; also measures each power of two below"},
     {"reference", 0, OPTION_CHOICE, VALUE(reference), .choices = truth_names,
      .help = "reference with as many bounces: path-traced, path-traced at pixel centres\n"
-             "(centers), all VPLs with a map each (vpls; the default for a clip), or the\n"
-             "visible fraction of direct light (seen)"},
+             "(centers), all VPLs with a map each (vpls; the default for a clip), or\n"
+             "the visible fraction of direct light (seen)"},
     {"tracer", 0, OPTION_FLAG, VALUE(tracer),
-     .help = "also measure the denoised path tracer with 1 to 16 samples per pixel, by default\n"
-             "against --reference path; sweep on software OpenGL: its CPU time at each variant's\n"
-             "error (\"< curve\": below that of 1 sample, \"> curve\": above that of 16)"},
-    {"tables", 0, OPTION_FLAG, VALUE(tables),
      .help =
-         "also print, for a lamp: the cost of one more light with MIP maps and with summed area\n"
-         "tables; time of each step of a frame with soft shadows, in percent"},
+         "also measure the denoised path tracer with 1 to 16 samples per pixel, by default\n"
+         "against --reference path; sweep on software OpenGL: its CPU time at each\n"
+         "variant's error (\"< curve\": below that of 1 sample, \"> curve\": above that of 16)"},
+    {"tables", 0, OPTION_FLAG, VALUE(tables),
+     .help = "also print, for a lamp: the cost of one more light with MIP maps and with\n"
+             "summed area tables; time of each step of a frame with soft shadows, in percent"},
     {"told", 0, OPTION_FLAG, VALUE(told),
-     .help = "only estimate the error of each choice: no times, no fixed settings for\n"
-             "comparison"},
+     .help = "only estimate the error of each choice: no times, no fixed settings for comparison"},
     {"camera", 0, OPTION_TEXT, VALUE(stage.camera), .value_name = "NAME|N",
-     .help = "camera by name or number [the first], with changes: \"0 eye=0,1,3\n"
-             "forward=0,0,-1\""},
+     .help = "camera by name or number [the first], with changes: \"0 eye=0,1,3 forward=0,0,-1\""},
     {"light", 0, OPTION_TEXT, VALUE(stage.light), .value_name = "NAME|N,...",
      .help = "lights that shine [all]: \"emitters\", \"sky\", \"lamp,2\""},
     {"environment", 0, OPTION_TEXT, VALUE(stage.environment.path), .value_name = "FILE",
-     .help = "environment map in place of the scene's: panorama, .hdr or .exr, in W/(sr\n"
-             "m2)"},
+     .help = "environment map in place of the scene's: panorama, .hdr or .exr, in W/(sr m2)"},
     {"noise", 0, OPTION_FLOAT, VALUE(noise), .01, 1e-4, 1, .value_name = "X%",
      .help = "noise of a path-traced reference: standard error over mean"},
     {"cache", 0, OPTION_TEXT, VALUE(cache), .value_name = "DIR",
@@ -120,11 +117,11 @@ static const struct option options[] = {
      .help = "file of a reference for the scene in this size, in place of the cache"},
     {"output", 'o', OPTION_TEXT, VALUE(output), .value_name = "DIR", .help = "folder for pictures"},
     {"csv", 0, OPTION_TEXT, VALUE(csv), .value_name = "FILE",
-     .help = "file for all results, one row each; unfinished runs keep rows in FILE.part, and\n"
-             "the same command continues from there"},
+     .help = "file for all results, one row each; unfinished runs keep\n"
+             "rows in FILE.part, and the same command continues from there"},
     {"restart", 0, OPTION_FLAG, VALUE(restart),
-     .help = "drop the rows of FILE.part; without it a run with other settings, on another\n"
-             "machine or of another commit is refused"},
+     .help = "drop the rows of FILE.part; without it a run with other\n"
+             "settings, on another machine or of another commit is refused"},
     CONTEXT_OPTIONS(struct bench_values, context),
 };
 

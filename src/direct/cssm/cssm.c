@@ -20,8 +20,8 @@ static const struct option table[] = {
      .help = "terms of the Fourier series, K; raise against light at contacts"},
     {"prefilter", 0, OPTION_CHOICE, offsetof(struct cssm_settings, prefilter), PREFILTER_MIP,
      .choices = prefilters,
-     .help = "filter of the maps: MIP maps, or summed area tables, which have exact boxes and\n"
-"take 16 bytes per texel and term"},
+     .help = "filter of the maps: MIP maps, or summed area tables, which\n"
+             "have exact boxes and take 16 bytes per texel and term"},
     {NULL},
 };
 

@@ -13,17 +13,17 @@ static const struct option table[] = {
     {"light-taps", 0, OPTION_INT, offsetof(struct pcss_settings, light_taps), 48, 1, 1024,
      .help = "light samples per pixel; raise against steps in wide penumbrae"},
     {"search-taps", 0, OPTION_INT, offsetof(struct pcss_settings, search_taps), 48, 1, 1024,
-     .help = "texels of the blocker search per pixel; raise against a step at the outer rim of\n"
-"wide penumbrae"},
+     .help = "texels of the blocker search per pixel; raise\n"
+             "against a step at the outer rim of wide penumbrae"},
     {"ways", 0, OPTION_INT, offsetof(struct pcss_settings, ways), 32, 0, 1024,
-     .help = "shadow rays per pixel through the map where blockers lie at many distances\n"
-"(pcss.spread); raise against bands; 0: off"},
+     .help = "shadow rays per pixel through the map where blockers lie at\n"
+             "many distances (pcss.spread); raise against bands; 0: off"},
     {"spread", 0, OPTION_FLOAT, offsetof(struct pcss_settings, spread), .04, 0, 100,
-     .help = "standard deviation of the blockers' distances, over their mean, above which\n"
-"pcss.ways acts; lower if light leaks beside gaps"},
+     .help = "standard deviation of the blockers' distances, over their mean,\n"
+             "above which pcss.ways acts; lower if light leaks beside gaps"},
     {"nearest", 0, OPTION_FLOAT, offsetof(struct pcss_settings, nearest), .2, .01, .99,
-     .help = "end of the blocker search, as a fraction of the receiver's distance from the\n"
-"light; nearer casters have no shadow"},
+     .help = "end of the blocker search, as a fraction of the receiver's distance\n"
+             "from the light; casters nearer to the light cast no shadow"},
     {"plane-bias", 0, OPTION_FLOAT, offsetof(struct pcss_settings, plane_bias), 1e-3, 0, .5,
      .help = "receiver offset towards the light, as a fraction of its distance"},
     {NULL},

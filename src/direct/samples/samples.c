@@ -16,8 +16,8 @@ struct samples_settings {
 
 static const struct option table[] = {
     {"points", 0, OPTION_INT, offsetof(struct samples_settings, points), 64, 1, 4096,
-     .help = "light samples per light, one shadow map each; raise against steps in\n"
-             "penumbrae"},
+     .help = "light samples per light, one shadow map\n"
+             "each; raise against steps in penumbrae"},
     {NULL},
 };
 

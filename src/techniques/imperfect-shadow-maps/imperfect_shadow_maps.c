@@ -22,19 +22,22 @@ enum shape { SHAPE_DISK, SHAPE_SQUARE, SHAPE_FILLED };
 static const char *const shape_names[] = {"disk", "square", "filled", NULL};
 
 static const struct option table[] = {
-    {"size", 0, OPTION_INT, ROW(size), 64, 8, 1024, .help = "texels along each side of a VPL's map"},
-    {"map-points", 0, OPTION_INT, ROW(points), 4096, 16, 262144, .help = "surface points per map; raise for contact shadows and thin casters"},
-    {"sets", 0, OPTION_INT, ROW(sets), 64, 1, 1024, .help = "number of sets of points; VPLs use the sets in rotation"},
+    {"size", 0, OPTION_INT, ROW(size), 64, 8, 1024,
+     .help = "texels along each side of a VPL's map"},
+    {"map-points", 0, OPTION_INT, ROW(points), 4096, 16, 262144,
+     .help = "number of surface points per map; raise\n"
+             "for contact shadows and thin casters"},
+    {"sets", 0, OPTION_INT, ROW(sets), 64, 1, 1024,
+     .help = "number of sets of points; VPLs use the sets in rotation"},
     {"shape", 0, OPTION_CHOICE, ROW(shape), SHAPE_DISK, .choices = shape_names,
-     .help =
-         "shape of a point in a map: a disk in its true orientation, a square at\n"
-"one depth, or squares with their holes filled by pull and push, as\n"
-"published"},
+     .help = "shape of a point in a map: a disk in its true\n"
+             "orientation, a square at one depth, or squares with\n"
+             "their holes filled by pull and push, as published"},
     {"scale", 0, OPTION_FLOAT, ROW(scale), 1, .01, 8,
      .help = "drawn radius of a point, over the radius of the surface it represents"},
     {"set-back", 0, OPTION_FLOAT, ROW(set_back), 0, 0, 8,
-     .help = "distance by which disks are moved away from the VPL, over their radius; with\n"
-"imperfect-shadow-maps.shape=disk"},
+     .help = "distance by which disks are moved away from the VPL,\n"
+             "over their radius; with imperfect-shadow-maps.shape=disk"},
     {NULL},
 };
 

@@ -14,9 +14,9 @@ static const struct option table[] = {
     {"map-batch", 0, OPTION_INT, offsetof(struct instant_radiosity_settings, map_batch), 64, 1,
      1024, .help = "number of maps in memory at once; with traced=off"},
     {"traced", 0, OPTION_FLAG, offsetof(struct instant_radiosity_settings, traced), 0,
-     .help = "shadow rays through all triangles instead of maps; with gather.interleave=1 or\n"
-"gather.detail=0, visibility is tested for 2 of every 12 VPLs (24 at 800x800) and\n"
-"1 of every 16 near-field samples"},
+     .help = "shadow rays through all triangles instead of maps; with\n"
+             "gather.interleave=1 or gather.detail=0, visibility is tested for 2 of\n"
+             "every 12 VPLs (24 at 800x800) and 1 of every 16 near-field samples"},
     {NULL},
 };
 

@@ -17,16 +17,16 @@ struct lightcuts_settings {
 
 static const struct option table[] = {
     {"nodes", 0, OPTION_INT, ROW(nodes), 32, 1, CUT_NODES_MAX,
-     .help = "largest number of tree nodes in a block's cut; raise against faint patches near\n"
-"bright lights"},
+     .help = "largest number of tree nodes in a block's cut;\n"
+             "raise against faint patches near bright lights"},
     {"detail-nodes", 0, OPTION_INT, ROW(detail_nodes), 64, 1, CUT_NODES_MAX,
-     .help = "largest number of tree nodes at adaptive pixels; at least lightcuts.nodes; with\n"
-"gather.detail > 0"},
+     .help = "largest number of tree nodes at adaptive pixels;\n"
+             "at least lightcuts.nodes; with gather.detail > 0"},
     {"tolerance", 0, OPTION_FLOAT, ROW(tolerance), .02, 0, 1,
-     .help =
-         "error bound of a node, as a fraction of the unshadowed sum; smaller: more nodes,\n"
-"up to lightcuts.nodes"},
-    {"block", 0, OPTION_INT, ROW(block), 8, 1, 64, .help = "pixels along each side of a block that shares a cut"},
+     .help = "error bound of a node, as a fraction of the unshadowed\n"
+             "sum; smaller: more nodes, up to lightcuts.nodes"},
+    {"block", 0, OPTION_INT, ROW(block), 8, 1, 64,
+     .help = "pixels along each side of a block that shares a cut"},
     {NULL},
 };
 
