@@ -15,7 +15,7 @@ static const struct option lights_table[] = {
              "reduced for more than 4 light views or 21 point lights"},
     {"bounces", 0, OPTION_INT, ROW(lights, bounces), 1, 1, 8,
      .help = "number of indirect bounces; in a room the first has half to three\n"
-             "quarters of the light; light paths from VPLs add the others"},
+             "quarters of the indirect light; light paths from VPLs add the others"},
     {"paths", 0, OPTION_INT, ROW(lights, paths), 4096, VPL_PARTNERS_MAX, 16384,
      .help = "number of VPLs of later bounces, P; 4 P light paths are traced,\n"
              "and the VPLs share the light of all paths; with lights.bounces > 1"},
@@ -107,7 +107,7 @@ static const struct option gather_table[] = {
     {"detail-share", 0, OPTION_FLOAT, ROW(gather, detail_share), 1, 0, 1,
      .help = "fraction of the 4 neighbours half a blur radius away on the same surface, below\n"
              "which a pixel is adaptive; .75 excludes corners, .5 straight edges too; pixels\n"
-             "that no block visibility fits stay adaptive; with gather.detail > 0"},
+             "that no block visibility fits are adaptive too; with gather.detail > 0"},
     {"further-points", 0, OPTION_FLAG, ROW(gather, further_points), 1,
      .help = "edge samples: points of a pixel on a surface that no neighbouring\n"
              "pixel centre sees gather separately; with gather.detail > 0"},

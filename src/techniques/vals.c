@@ -41,14 +41,14 @@ static const struct option table[] = {
      .help = "clustering weight of the angle between normals over pi, w_alpha"},
     {"importance", 0, OPTION_CHOICE, ROW(importance), IMPORTANCE_BOUNCES,
      .choices = importance_names,
-     .help = "weight of VPLs in clustering by their unoccluded light in the picture, so\n"
-             "that VALs lie where the camera sees their light: never, with lights.bounces\n"
-             "> 1, or always; VALs are then built for each view"},
+     .help = "weight of VPLs in clustering by their unoccluded light in the picture, so that\n"
+             "VALs lie where the camera sees their light: never, with lights.bounces > 1, or\n"
+             "always; VALs are then built for each view"},
     {"visibility", 0, OPTION_CHOICE, ROW(visibility), VISIBILITY_RAY, .choices = visibility_names,
      .help =
          "visibility of a VPL by its VAL's map: convolution (cssm), hard, percentage-closer\n"
          "(pcss), or a ray through the map; traced: a ray through all triangles instead; with ray\n"
-         "or traced, visibility-block > 0 uses pcss"},
+         "or traced, blocks of pixels use pcss"},
     {"ray-tests", 0, OPTION_INT, ROW(ray_tests), 512, 0, 16384,
      .help = "ray-traced tests per VAL for the visibility correction, 4 times as many\n"
              "with lights.bounces > 1; 0: off; only for technique clustered with\n"

@@ -84,9 +84,10 @@ static const struct preset presets[] = {
      "lights.vpls=512 clustered.vals=12 map.size=128 gather.detail=0 gather.near-samples=256",
      NULL},
     MANY_LIGHTS_FAST,
-    {"high", "shadow rays instead of maps, 512 VPLs, more of them at adaptive pixels",
+    {"high", "shadow rays instead of maps, 512 VPLs, 128 of them at adaptive pixels",
      BY_RAYS " lights.vpls=512", NULL},
-    {"traced", "as high, with 1024 VPLs: the least error of one frame", BY_RAYS, "rays"},
+    {"traced", "as high, with 1024 VPLs, 256 at adaptive pixels: the least error of one frame",
+     BY_RAYS, "rays"},
     {"paper", "as published: convolution soft shadow maps at each pixel and VPL",
      "clustered.visibility=cssm clustered.visibility-block=0 "
      "clustered.importance=none " MANY_LIGHTS_AS_PUBLISHED,
