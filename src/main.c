@@ -28,14 +28,14 @@ static const struct subcommand {
     const char *name, *help;
     int (*run)(int argc, char **argv);
 } subcommands[] = {
-    {"average", "one picture of several that are means of other passes", app_average},
-    {"bench", "times of the passes, speed against accuracy", app_bench},
-    {"compare", "error metrics between two pictures", app_compare},
-    {"info", "what renders here, and what a scene holds", app_info},
-    {"render", "pictures offscreen", app_render},
-    {"tune", "measures what the choices of --max-error and --budget cost here", app_tune},
-    {"view", "a scene in a window", VIEW},
-    {"reference", "path-traced ground truth of a scene", app_reference},
+    {"average", "joins pictures of different passes", app_average},
+    {"bench", "measures times, errors and memory", app_bench},
+    {"compare", "measures the error between two pictures", app_compare},
+    {"info", "describes a scene, or the renderer of this machine", app_info},
+    {"render", "renders pictures without a window", app_render},
+    {"tune", "measures the cost of the choices of --max-error and --budget", app_tune},
+    {"view", "shows a scene in a window", VIEW},
+    {"reference", "path-traces a scene on the CPU", app_reference},
     {NULL, NULL, NULL},
 };
 
@@ -44,7 +44,7 @@ static void print_help(FILE *out) {
                  "Real-time global illumination by many lights.\n\n");
     for (const struct subcommand *s = subcommands; s->name; s++)
         fprintf(out, "  %-10s %s\n", s->name, s->help);
-    fprintf(out, "\nmanylight SUBCOMMAND --help tells more; --version prints the version.\n");
+    fprintf(out, "\nmanylight SUBCOMMAND --help lists options; --version prints the version.\n");
 }
 
 /* A picture must not get the number of a standard stream that the caller has closed: what is printed

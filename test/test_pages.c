@@ -1,4 +1,5 @@
-/* Each technique and direct method has a page, of the same shape, that names its own settings. */
+/* Each technique and direct method has a page, of the same shape, that names its own settings. The page of all settings is
+ * the one that the program's help makes. */
 #include "base/file/file.h"
 #include "direct/direct.h"
 #include "support.h"
@@ -56,10 +57,24 @@ static void test_direct_methods(void **state) {
         check_page("direct", (*d)->name, (*d)->parts);
 }
 
+/* The page of settings is written by a script from the help of the program. */
+static void test_settings_page(void **state) {
+    (void)state;
+    const char *page = "docs/user/06-settings.md", *made = scratch("settings.md");
+    char command[1024], output[8192];
+    snprintf(command, sizeof command, "docs/settings-page %s >%s", binary_path(), made);
+    check_ok(command, run_command(command, output, sizeof output) == 0 && !*output);
+    snprintf(command, sizeof command, "diff -u %s %s", page, made);
+    if (run_command(command, output, sizeof output) != 0)
+        fail_msg("%s is not what the help says; renew it: docs/settings-page ./manylight > %s\n%s",
+                 page, page, output);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_techniques),
         cmocka_unit_test(test_direct_methods),
+        cmocka_unit_test(test_settings_page),
     };
     return cmocka_run_group_tests_name("pages", tests, NULL, NULL);
 }

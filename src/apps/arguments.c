@@ -11,7 +11,8 @@
 #include <string.h>
 
 static const struct option common_options[] = {
-    {"help", 'h', OPTION_FLAG, offsetof(struct common_values, help), .help = "print this and exit"},
+    {"help", 'h', OPTION_FLAG, offsetof(struct common_values, help),
+     .help = "print this help and exit"},
     {"help-all", 0, OPTION_FLAG, offsetof(struct common_values, help_all),
      .help = "print all options and settings, and exit"},
     {"quiet", 'q', OPTION_FLAG, offsetof(struct common_values, quiet),
@@ -19,18 +20,18 @@ static const struct option common_options[] = {
     {"verbose", 'v', OPTION_FLAG, offsetof(struct common_values, verbose), .help = "more notes"},
     {"max-memory", 0, OPTION_FLOAT, offsetof(struct common_values, max_memory), 0, 0, 1e6,
      .value_name = "GIB",
-     .help = "the most memory it may take, with the OpenGL driver, which needs about half a GiB;\n"
-             "0 = what is free, but for a scene 2 GiB and 64 times the size of its files",
+     .help = "memory limit in GiB, with the OpenGL driver, which needs about half a GiB; 0: the\n"
+             "free memory, and for a scene 2 GiB plus 64 times the size of its files",
      .rare = true},
     {NULL},
 };
 
 static const struct option scene_options[] = {
     {"strict", 0, OPTION_FLAG, offsetof(struct common_values, strict),
-     .help = "refuse files with defects that are mended or replaced with a note else",
+     .help = "refuse files with defects; without it defects are repaired or replaced, with a note",
      .rare = true},
     {"root", 0, OPTION_TEXT, offsetof(struct common_values, root), .value_name = "DIR",
-     .help = "folder below which all files of a scene lie [the parent of the scene's folder]",
+     .help = "folder that must contain all files of a scene [parent of the scene's folder]",
      .rare = true},
     {NULL},
 };

@@ -22,18 +22,19 @@ enum { PICTURES_MAX = 4096 };
 
 static const struct option options[] = {
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE.exr",
-     .help = "the picture to write"},
+     .help = "picture to write"},
     FORMAT_OPTION(struct values, format),
     {NULL},
 };
 
 static const struct arguments arguments = {
     .synopsis = "A.exr B.exr ... -o FILE.exr",
-    .summary =
-        "The mean of pictures by manylight render --passes K --first-pass N, each by the weight\n"
-        "of its passes: what all passes at once make. A pass that is in two of them is an error.\n"
-        "Light that surfaces receive is weighted by albedo, depth and normal by coverage.\n"
-        "A picture - is standard input; -o - is standard output, with --format exr.",
+    .summary = "Averages pictures of manylight render --passes K --first-pass N, weighted by their "
+               "passes.\n"
+               "The result is the picture of all passes at once. A pass in two of the pictures is "
+               "an error.\n"
+               "Irradiance is weighted by albedo, depth and normal by coverage.\n"
+               "A picture - is standard input; -o - is standard output, with --format exr.",
     .options = options,
     .min_positional = 1,
     .max_positional = PICTURES_MAX,

@@ -27,22 +27,22 @@ struct values {
 
 static const struct option options[] = {
     {"layer", 'l', OPTION_TEXT, offsetof(struct values, layer), .value_name = "NAME",
-     .help = "the layer to compare, such as indirect; see below [beauty]"},
+     .help = "layer to compare, for example indirect; see below [beauty]"},
     {"reference-layer", 0, OPTION_TEXT, offsetof(struct values, reference_layer),
-     .value_name = "NAME", .help = "the layer of REFERENCE, where it has another name"},
+     .value_name = "NAME", .help = "layer of REFERENCE, if its name differs"},
     {"metric", 'm', OPTION_LIST, offsetof(struct values, metrics), .value_name = "NAME",
-     .help = "measure this, or 'all'; may be repeated [see below]"},
+     .help = "metric to measure, or \"all\"; repeatable [see below]"},
     {"max", 0, OPTION_LIST, offsetof(struct values, bounds), .value_name = "METRIC=VALUE",
-     .help = "exit with 1 when the metric, without its sign, is above, 10% is .1; may be repeated"},
+     .help = "limit of a metric's absolute value, 10% is .1; exit status 1 above it; repeatable"},
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE",
-     .help = "a picture of the error: false colours (PNG ...) or values (EXR ...)"},
+     .help = "picture of the error: false colours (PNG ...) or values (EXR ...)"},
     FORMAT_OPTION(struct values, format),
     {"top", 0, OPTION_FLOAT, offsetof(struct values, top), 0, 0, 1e9,
-     .help = "the value at the end of the picture's scale, 0 = by the values"},
+     .help = "error at the end of the picture's colour scale; 0: from the errors"},
     {"ppd", 0, OPTION_FLOAT, offsetof(struct values, pixels_per_degree), DEFAULT_PIXELS_PER_DEGREE,
      1, 1000, .help = "pixels per degree of the viewer, for FLIP"},
     {"json", 0, OPTION_FLAG, offsetof(struct values, json),
-     .help = "print JSON; what is not finite is null"},
+     .help = "print JSON; values that are not finite become null"},
     {NULL},
 };
 
@@ -72,8 +72,9 @@ static void print_metrics(FILE *out, const void *values) {
 
 static const struct arguments arguments = {
     .synopsis = "TEST REFERENCE [OPTION ...]",
-    .summary = "Measures how much picture TEST differs from picture REFERENCE. One of them may be\n"
-               "-, standard input. With -o - the table goes to standard error.",
+    .summary =
+        "Measures the difference of picture TEST from picture REFERENCE. One of them may be -,\n"
+        "standard input. With -o - the table goes to standard error.",
     .options = options,
     .min_positional = 2,
     .max_positional = 2,

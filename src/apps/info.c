@@ -16,7 +16,7 @@ struct values {
 
 static const struct option options[] = {
     {"gl", 0, OPTION_FLAG, offsetof(struct values, gl),
-     .help = "the OpenGL implementation, its limits, and the EGL devices"},
+     .help = "print the OpenGL implementation, its limits, and the EGL devices"},
     CONTEXT_OPTIONS(struct values, context),
     {NULL},
 };
@@ -77,8 +77,9 @@ static bool print_gl(const struct values *values) {
 
 static const struct arguments arguments = {
     .synopsis = "[OPTION ...] [SCENE]",
-    .summary = "Tells what a scene holds; without SCENE, or with --gl, what renders here.\n"
-               "SCENE - is standard input.",
+    .summary =
+        "Describes a scene; without SCENE, or with --gl, describes the renderer of this machine.\n"
+        "SCENE - is standard input.",
     .options = options,
     .opens_scenes = true,
     .max_positional = 1,

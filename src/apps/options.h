@@ -26,58 +26,60 @@ struct technique_values {
 /* How full-screen passes run: the member is an int. */
 #define SCREEN_OPTION(type, member)                                                                \
     {"screen-passes", 0, OPTION_CHOICE, offsetof(type, member), .choices = screen_way_names,       \
-     .help = "full-screen passes run as fragment shaders or as compute shaders; auto times both.\n" \
-             "The picture is the same",                                                            \
+     .help = "shader type of full-screen passes, same picture; auto times both on a GPU and is\n"  \
+             "fragment on software OpenGL",                                                        \
      .rare = true}
 
 /* Where OpenGL comes from: the member is a struct context_desc. */
 #define CONTEXT_OPTIONS(type, member)                                                              \
     {"context", 0, OPTION_CHOICE, offsetof(type, member.kind), .choices = context_kind_names,      \
-     .help = "where OpenGL comes from", .rare = true},                                                           \
+     .help = "source of the OpenGL context", .rare = true},                                        \
     {"device", 0, OPTION_TEXT, offsetof(type, member.device), .check = context_check_device,       \
      .value_name = "N|cuda:N|hardware",                                                            \
-     .help = "EGL device by its number (manylight info lists them) or CUDA's; hardware refuses\n"   \
-             "software [the first that works]",                                                    \
-     .rare = true},                                                   \
+     .help = "EGL device by number (manylight info --gl lists them) or CUDA device; hardware:\n"   \
+             "refuses software OpenGL [the first that works]",                                     \
+     .rare = true},                                                                                \
     SCREEN_OPTION(type, member.screen),                                                            \
     {"gl-debug", 0, OPTION_FLAG, offsetof(type, member.debug),                                     \
-     .help = "a debug context: OpenGL's messages go to stderr", .rare = true}
+     .help = "debug context, which prints messages of OpenGL to standard error", .rare = true}
 
 /* Of a size that may be 0. */
 #define SIZE_HELP                                                                                  \
-    "of the picture, pixels [800x800; of a camera with an aspect ratio 800 along the\n"            \
-    "longer side]; the vertical field of view is the camera's at any size"
+    "size of the picture, pixels [800x800; 800 along the longer side for a camera with an\n"       \
+    "aspect ratio]; the vertical field of view stays the camera's"
 
 /* What of a scene is shown: the member has camera, light, environment, clip and time, as a struct
  * stage_desc. */
 #define STAGE_OPTIONS(type, member)                                                                \
     {"camera", 0, OPTION_TEXT, offsetof(type, member.camera), .value_name = "NAME|N",              \
-     .help = "camera of the scene [the first], or changed: \"0 eye=0,1,3 forward=0,0,-1\""},       \
+     .help = "camera by name or number [the first], with changes:\n"                               \
+             "\"0 eye=0,1,3 forward=0,0,-1\""},                                                    \
     {"light", 0, OPTION_TEXT, offsetof(type, member.light), .value_name = "NAME|N,...",            \
-     .help = "lights of the scene that shine [all], or changed: \"lamp,2\",\n"                     \
-             "\"0 position=0,2,0 intensity=9,9,9; 1\"; emitters: all area lights; sky;\n"              \
-             "a name that has , ; or = stands alone, or by its number in manylight info;\n"             \
-             "a new one: \"+area size=1,1 position=0,2,0 direction=0,-1,0 intensity=9,9,9\""},                  \
+     .help = "lights that shine [all]: \"lamp,2\"; emitters: all area lights; "                    \
+             "sky: the environment;\n"                                                             \
+             "changed: \"0 position=0,2,0 intensity=9,9,9; 1\"; new: \"+area "                     \
+             "size=1,1 position=0,2,0\n"                                                           \
+             "direction=0,-1,0 intensity=9,9,9\"; a name with , ; or = by "                        \
+             "its number (manylight info)"},                                                       \
     {"environment", 0, OPTION_TEXT, offsetof(type, member.environment.path), .value_name = "FILE", \
-     .help = "a sky in place of the scene's own: a panorama, .hdr or .exr, in W/(sr m2)"},         \
+     .help = "environment map in place of the scene's: panorama, .hdr or .exr, in W/(sr m2)"},     \
     {"environment-turn", 0, OPTION_FLOAT, offsetof(type, member.environment.turn), 0, -360, 360,   \
-     .help = "of it about +Y, degrees: from +Z towards +X", .rare = true},                                       \
+     .help = "rotation of the environment about +Y, degrees, from +Z towards +X", .rare = true},   \
     {"environment-strength", 0, OPTION_FLOAT, offsetof(type, member.environment.strength), 1,      \
-     1e-9, 1e9, .help = "factor of its radiance", .rare = true},                                                 \
+     1e-9, 1e9, .help = "factor of the environment's radiance", .rare = true},                     \
     {"clip", 0, OPTION_TEXT, offsetof(type, member.clip), .value_name = "NAME|N,...",              \
-     .help = "animations of the scene that play [all; of those that move the same thing the\n"     \
-             "first]"},                                                                            \
+     .help = "animations that play [all; the first of those that move the same object]"},          \
     {"time", 0, OPTION_FLOAT, offsetof(type, member.time), 0, 0, 1e6,                              \
-     .help = "of the animation, seconds"}
+     .help = "time of the animation, seconds"}
 
 /* How a picture is made: the member is a struct technique_values. */
 #define TECHNIQUE_OPTIONS(type, member)                                                            \
     {"technique", 0, OPTION_TEXT, offsetof(type, member.technique), .value_name = "NAME",          \
-     .help = "how indirect light is made, of the list below"},                                     \
+     .help = "technique for indirect light, listed below"},                                        \
     {"direct", 0, OPTION_TEXT, offsetof(type, member.direct), .value_name = "NAME",                \
-     .help = "how direct light is made, of the list below"},                                       \
+     .help = "method for direct light, listed below"},                                             \
     {"set", 0, OPTION_LIST, offsetof(type, member.settings), .value_name = "KEY=VALUE",            \
-     .help = "a setting of the list below; repeatable"}
+     .help = "setting to change, listed below; repeatable"}
 /* clang-format on */
 
 /* What they name, with all settings; direct is NULL where none is named. Error: of a name or a value. */

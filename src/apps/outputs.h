@@ -18,8 +18,8 @@
 /* clang-format off */
 #define FORMAT_OPTION(type, member)                                                                \
     {"format", 0, OPTION_TEXT, offsetof(type, member), .value_name = "png|exr|...",                \
-     .help = "of outputs whose names have no known extension: -, which is standard output,\n"      \
-             "and names such as /dev/fd/63"}
+     .help = "format of outputs whose names have no known extension, for example - (standard\n"    \
+             "output) or /dev/fd/63"}
 /* clang-format on */
 
 /* Call it before outputs are asked for their format; format is NULL without --format. Error: it is not known,

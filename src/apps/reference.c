@@ -42,52 +42,52 @@ OPTION_ASSERT_SIZE(struct path_tracer_desc, width, height);
 
 static const struct option options[] = {
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE.exr",
-     .help = "the picture to write"},
+     .help = "picture to write"},
     FORMAT_OPTION(struct values, format),
     {"size", 0, OPTION_SIZE, offsetof(struct values, tracer.width), 0, 1, 16384, .help = SIZE_HELP},
     {"technique", 0, OPTION_CHOICE, offsetof(struct values, technique),
      .choices = reference_techniques,
-     .help = "path tracing; or the one-bounce sum over the VPLs that the GPU makes, with\n"
-             "visibility by ray tracing: over all of them, or over cuts through a tree of them"},
+     .help = "path tracing, or the one-bounce sum over the VPLs of\n"
+             "render with ray-traced visibility: over all VPLs, or\n"
+             "over cuts through a tree of VPLs"},
     {"tolerance", 0, OPTION_FLOAT, offsetof(struct values, tolerance), .02, 0, 1,
      .value_name = "X%",
-     .help = "lightcuts: no node of a cut is off by more than this share of a pixel's sum; 0 = all "
-             "VPLs"},
+     .help = "error bound of a tree node, as a fraction of a\n"
+             "pixel's sum; 0: all VPLs; with --technique lightcuts"},
     {"compensation", 0, OPTION_INT, offsetof(struct values, compensation), 0, 0, 1e6,
-     .help = "vpl-raytraced and lightcuts with --set clamp=value: so many rays of each pixel find "
-             "what\n"
-             "the bound takes, which makes the sum exact on average; 0 = none"},
+     .help = "rays per pixel that add the light cut off by the bound, exact on average;\n"
+             "0: none; with vpl-raytraced or lightcuts and --set clamp=value"},
     {"set", 0, OPTION_LIST, offsetof(struct values, settings), .value_name = "KEY=VALUE",
-     .help = "a setting of the VPLs (manylight render --help): vpls, seed, clamp ...; repeatable"},
+     .help = "setting of the VPLs, for example vpls, seed or clamp (manylight render --help);\n"
+             "repeatable"},
     {"bounces", 0, OPTION_INT, offsetof(struct values, tracer.bounces), 1, 0, 1000,
-     .help = "of indirect light; 0 = direct light only"},
+     .help = "number of indirect bounces; 0: direct light only"},
     {"spp", 0, OPTION_INT, offsetof(struct values, tracer.samples), 0, 0, 1e6,
-     .help = "samples per pixel; 0 = by --noise"},
+     .help = "samples per pixel; 0: by --noise"},
     {"paths", 0, OPTION_INT, offsetof(struct values, tracer.paths), 0, 0, 1024,
-     .help = "of indirect light from each sample; 0 = 1 below 16 samples per pixel, else 4"},
+     .help = "paths of indirect light per sample; 0: 1\n"
+             "below 16 samples per pixel, else 4"},
     {"noise", 0, OPTION_FLOAT, offsetof(struct values, noise), 0, 0, 1, .value_name = "X%",
-     .help = "samples until the standard error (RMS over mean) of indirect light, of the direct "
-             "light\n"
-             "of lights with a size, and of specular light (over the beauty's mean) is below; 0 = "
-             "1%"},
+     .help =
+         "limit of the standard error over the mean, for indirect light, direct light of lights\n"
+         "with a size, and specular light (over the mean of all light); 0: 1%"},
     {"centers", 0, OPTION_FLAG, offsetof(struct values, tracer.centers),
-     .help = "through pixels' centres alone, as a rasteriser has them: edges are not smooth"},
+     .help = "samples at pixel centres only, as a rasteriser has them: no antialiasing"},
     {"background", 0, OPTION_TEXT, offsetof(struct values, background), .value_name = "none",
-     .help = "none: the sky is not seen behind surfaces, and still lights them; A tells what they "
-             "cover"},
+     .help =
+         "none: hides the environment behind surfaces; it still lights them, and A is coverage"},
     {"seen", 0, OPTION_FLAG, offsetof(struct values, tracer.seen),
-     .help = "the layers unshadowed, direct light if nothing hid the lights, and visibility, the "
-             "share\n"
-             "of them that is seen; standard_error.direct and standard_error.visibility, of means\n"
-             "over the colours"},
+     .help = "adds the layers unshadowed (direct light without occluders) and visibility (visible\n"
+             "fraction of the lights), and their standard errors: means over the colours"},
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
-     .help = "filter the indirect light along surfaces, by as much as it is noisy: for few\n"
-             "samples. standard_error stays that of the light before"},
+     .help = "filters indirect light along surfaces by its noise, for few\n"
+             "samples; standard_error is that of the unfiltered light"},
     {"materials", 0, OPTION_CHOICE, offsetof(struct values, tracer.materials),
      .choices = materials_names,
-     .help = "metals, gloss and normal maps; or every surface matt, of its base colour"},
+     .help = "materials of surfaces: metals, roughness and\n"
+             "normal maps, or diffuse in their base colour"},
     {"seed", 0, OPTION_INT, offsetof(struct values, tracer.seed), 0, 0, 2147483647,
-     .help = "another seed, another noise"},
+     .help = "seed of the random numbers; another seed has other noise"},
     STAGE_OPTIONS(struct values, stage),
     CONTEXT_OPTIONS(struct values, context),
     {NULL},
@@ -96,14 +96,13 @@ static const struct option options[] = {
 static const struct arguments arguments = {
     .synopsis = "SCENE -o FILE.exr [OPTION ...]",
     .summary =
-        "Traces the scene on all cores. The layers are those of render: beauty, Z,\n"
-        "direct, indirect (irradiance / pi, without albedo), albedo, normal; and\n"
-        "where it is path-traced standard_error, that of the indirect layer, 0 for a single\n"
-        "sample, which does not tell; and emitted, what sky and lamps themselves show. Where a\n"
-        "surface is glossy there are specular, which is direct.specular and indirect.specular,\n"
-        "and its standard_error.specular; the other layers are those of diffuse reflection.\n"
-        "Lightcuts have bound, above which the indirect layer is not off the sum of all VPLs,\n"
-        "and nodes, how many lights a pixel took.\n"
+        "Path-traces a scene on all CPU cores. Layers are those of render: beauty, Z, direct,\n"
+        "indirect (irradiance / pi, without albedo), albedo, normal. Path tracing adds\n"
+        "standard_error of the indirect layer (0 with one sample, which gives no estimate) and\n"
+        "emitted, the radiance of environment and lamps. Specular surfaces add specular, the sum\n"
+        "of direct.specular and indirect.specular, and standard_error.specular; the other layers\n"
+        "are diffuse. Lightcuts add bound, the largest error against the sum of all VPLs, and\n"
+        "nodes, the number of lights of a pixel.\n"
         "SCENE - is standard input; -o - is standard output, with --format exr.",
     .options = options,
     .opens_scenes = true,

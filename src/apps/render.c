@@ -48,67 +48,61 @@ struct values {
 
 static const struct option options[] = {
     {"output", 'o', OPTION_LIST, offsetof(struct values, outputs), .value_name = "FILE",
-     .help = "picture to write; the extension picks the format; repeatable"},
+     .help = "picture to write, in the format of its extension; repeatable"},
     FORMAT_OPTION(struct values, format),
     {"size", 0, OPTION_SIZE, offsetof(struct values, size), 0, 1, 16384, .help = SIZE_HELP},
     {"quality", 0, OPTION_CHOICE, offsetof(struct values, quality), QUALITY_NORMAL,
      .choices = quality_names,
-     .help = "of the picture: settings and passes by one word; --set and --passes win"},
+     .help = "choice of settings and passes by name;\n"
+             "--set and --passes override it"},
     {"max-error", 0, OPTION_FLOAT, offsetof(struct values, max_error), 0, 0, 1, .value_name = "X%",
-     .help =
-         "the cheapest quality or number of passes that errs no more: relative RMSE of indirect\n"
-         "light, told from some 9,000 pixels that are path-traced first, at --time; cheapest by\n"
-         "the costs of manylight tune, or those that the program comes with; 0 = by --quality"},
+     .help = "limit of the relative RMSE of indirect light; path-traces about\n"
+             "9000 pixels at --time, then uses the cheapest setting within\n"
+             "the limit, by costs of manylight tune or shipped costs; 0: off"},
     {"budget", 0, OPTION_FLOAT, offsetof(struct values, budget), 0, 0, 1e6, .value_name = "Xms",
      .unit = "ms",
      .help =
-         "what a frame may take, milliseconds of this machine: settings that are not given are\n"
-         "chosen anew for each frame by how long those before it took, the first by trying.\n"
-         "Frames then depend on the machine and on the frames before them; 0 = they do not"},
+         "time per frame, ms: adapts settings not given by --set, from the times of the frames\n"
+         "before; frames then depend on the machine and on each other; 0: off"},
     {"shipped-costs", 0, OPTION_FLAG, offsetof(struct values, shipped_costs),
-     .help =
-         "choose for --max-error and --budget by the costs that the program comes with, not by\n"
-         "those that manylight tune has measured here: for frames split between machines",
+     .help = "use the costs that come with the program for --max-error and --budget,\n"
+             "not the table of manylight tune, if several machines share frames",
      .rare = true},
     TECHNIQUE_OPTIONS(struct values, technique),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, layer), .choices = shown_layer_names,
-     .help = "light that PNG, JPEG and the like show; EXR has all layers"},
+     .help = "light that PNG, JPEG and similar formats\n"
+             "show; EXR has all layers"},
     {"background", 0, OPTION_TEXT, offsetof(struct values, background), .value_name = "none|COLOUR",
-     .help =
-         "seen behind all surfaces in place of black or the sky, which still lights them. none:\n"
-         "alpha tells what surfaces cover (PNG, TGA). A colour, blended at edges as light:\n"
-         "#rrggbb, or r,g,b from 0 to 1, the display's light. EXR and TIFF hold no colour, and no\n"
-         "sky then; their A tells the coverage",
+     .help = "background in place of black or the environment, which still lights the scene:\n"
+             "\"none\" makes PNG and TGA transparent; a display colour, #rrggbb or r,g,b from\n"
+             "0 to 1, fills them; EXR and TIFF then have surfaces alone, with coverage in A",
      .rare = true},
     {"aov", 0, OPTION_TEXT, offsetof(struct values, aov), .value_name = "NAME[,NAME ...]",
-     .help =
-         "more layers in EXR, outputs of the technique, such as gathered (before the blur), val\n"
-         "(the strongest VAL's colour), visibility (the share of the VALs' light that arrives),\n"
-         "vpl (flux of VPLs)",
+     .help = "more layers of an EXR: outputs of the technique, for example gathered\n"
+             "(before the blur), val (colour of the strongest VAL), visibility\n"
+             "(fraction of the VALs' light that arrives), vpl (flux of VPLs)",
      .rare = true},
     STAGE_OPTIONS(struct values, stage),
     {"frames", 0, OPTION_TEXT, offsetof(struct values, frames), .value_name = "A..B|A,B,C",
-     .help = "a sequence, whose frame 0 is at --time; #### in the output's name becomes the\n"
-             "frame's number"},
+     .help = "frames of a sequence; frame 0 is at --time; #### in\n"
+             "the output's name becomes the number of the frame"},
     {"fps", 0, OPTION_FLOAT, offsetof(struct values, fps), 25, .001, 1e6,
-     .help = "frames per second", .rare = true},
+     .help = "frames per second of a sequence", .rare = true},
     {"passes", 0, OPTION_INT, offsetof(struct values, passes), 0, 0, 1000000,
-     .help =
-         "the mean of so many passes, each with lights and places in the pixels of its own: it\n"
-         "goes on converging. Those after the first have settings of their own, over which --set\n"
-         "wins; 0 = by --quality: 64 of final, else 1"},
+     .help = "number of passes, each with its own VPLs and pixel positions; the\n"
+             "picture is their mean and converges; passes after the first have own\n"
+             "settings, which --set overrides; 0: by --quality, 64 for final, else 1"},
     {"first-pass", 0, OPTION_INT, offsetof(struct values, first_pass), 0, 0, 1000000,
-     .help = "the number of the first of them: passes split between processes, as EXR, and put\n"
-             "together by manylight average, make the same mean",
+     .help = "number of the first pass, for passes shared by processes;\n"
+             "manylight average joins their EXR files to the same mean",
      .rare = true},
     {"skip-existing", 0, OPTION_FLAG, offsetof(struct values, skip_existing),
-     .help = "leave out frames whose outputs are all there and whole: each is opened, decoded to\n"
-             "its last pixel and ends as its format does",
+     .help = "leave out frames whose files exist and are whole: each is decoded to its last pixel",
      .rare = true},
     {"stats", 0, OPTION_FLAG, offsetof(struct values, stats),
      .help = "print faces, lights, memory and time per pass"},
     {"glsl", 0, OPTION_TEXT, offsetof(struct values, glsl), .value_name = "DIR",
-     .help = "read the shaders from this folder, a glsl/ with src/ beside it, not from the binary",
+     .help = "folder of shaders, a glsl/ with src/ beside it, in place of the built-in shaders",
      .rare = true},
     CONTEXT_OPTIONS(struct values, context),
     {NULL},
@@ -134,11 +128,13 @@ static void print_more(FILE *out, const void *values) {
 static const struct arguments arguments = {
     .synopsis = "SCENE -o FILE [OPTION ...]",
     .summary =
-        "Renders a glTF scene offscreen. EXR and PFM get linear radiance, EXR with all layers;\n"
-        "PNG, JPEG and the like get the picture as a display shows it. Each frame depends on its\n"
-        "time alone (but with --budget), and its files appear when they are whole, synced and\n"
-        "read back: a sequence may be split between processes, killed, and taken up again.\n"
-        "Ctrl-C ends it after the frame at hand, Ctrl-\\ at once.\n"
+        "Renders a glTF scene without a window. EXR and PFM hold linear radiance, EXR all layers;\n"
+        "PNG, JPEG and similar formats hold the picture as a display shows it. A frame depends "
+        "only\n"
+        "on its time, so processes can share a sequence; --budget is the exception. A file "
+        "appears\n"
+        "when it is whole, synced and read back, so a killed sequence can be resumed.\n"
+        "Ctrl-C ends after the current frame, Ctrl-\\ at once.\n"
         "SCENE - is standard input; -o - is standard output, in the format of --format.",
     .options = options,
     .opens_scenes = true,

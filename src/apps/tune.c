@@ -29,11 +29,12 @@ struct values {
 
 static const struct option options[] = {
     {"size", 0, OPTION_SIZE, offsetof(struct values, size), 400, 1, 16384,
-     .help = "of the frames, pixels"},
+     .help = "size of the frames, pixels"},
     {"frames", 0, OPTION_INT, offsetof(struct values, frames), 3, 1, 1000,
-     .help = "of each choice, after one that compiles; the fastest counts"},
+     .help = "number of frames per choice after one\n"
+             "warm-up frame; the fastest counts"},
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE",
-     .help = "where the table goes [a file of this machine in $XDG_CACHE_HOME/manylight]"},
+     .help = "file of the table [one per machine in $XDG_CACHE_HOME/manylight]"},
     CONTEXT_OPTIONS(struct values, context),
     {NULL},
 };
@@ -43,15 +44,14 @@ static const struct arguments arguments = {
     .summary =
         "Times all choices of --max-error, --budget and the viewer's presets on this machine, "
         "prints\n"
-        "them, and keeps them for its OpenGL driver, cores and the program's version. From then "
-        "on\n"
-        "--max-error tries the cheapest first, --budget takes its first steps by them, and the\n"
-        "viewer tells prices by them. --quality means the same settings everywhere. Nothing else\n"
-        "measures: without a table the costs that the program comes with serve, and "
-        "--shipped-costs\n"
-        "of render goes by them, too. Without SCENE: cornell-box and atrium. Of several scenes "
+        "the times and stores them for its OpenGL driver, its cores and the version of the "
+        "program.\n"
+        "--max-error then tries the cheapest choice first, --budget starts from the times, and "
         "the\n"
-        "mean counts, by ratio. Run it on a machine that does nothing else.",
+        "viewer shows them. --quality keeps its settings. Without a table, and with\n"
+        "--shipped-costs, the costs that come with the program are used. Without SCENE: "
+        "cornell-box\n"
+        "and atrium; of several scenes the mean of ratios counts. Keep the machine idle meanwhile.",
     .options = options,
     .opens_scenes = true,
     .max_positional = SCENES_MAX,

@@ -21,45 +21,44 @@ OPTION_ASSERT_SIZE(struct viewer_desc, width, height);
 
 static const struct option options[] = {
     {"size", 0, OPTION_SIZE, offsetof(struct values, viewer.width), 800, 16, 16384,
-     .help = "of the picture, pixels"},
+     .help = "size of the picture, pixels"},
     {"budget", 0, OPTION_FLOAT, offsetof(struct values, viewer.budget), 0, 0, 1e6,
      .value_name = "Xms", .unit = "ms",
-     .help =
-         "what a frame may take, milliseconds of this machine: settings that --set leaves alone\n"
-         "follow from how long frames took; 0 = they stay"},
+     .help = "time per frame, ms: adapts settings not given by\n"
+             "--set, from the times of the frames before; 0: off"},
     TECHNIQUE_OPTIONS(struct values, technique),
     STAGE_OPTIONS(struct values, viewer),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, viewer.layer), .choices = shown_layer_names,
      .help = "light to show"},
     {"passes", 0, OPTION_INT, offsetof(struct values, viewer.passes), 0, 0, 1000000,
-     .help = "at rest the picture becomes the mean of so many, as manylight render --passes makes\n"
-             "it; 1 = it stays a frame; 0 = 1024, on software OpenGL 1"},
+     .help =
+         "number of passes whose mean the picture becomes while nothing moves, as in manylight\n"
+         "render --passes; 1: a single frame; 0: 1024, on software OpenGL 1"},
     {"reference", 0, OPTION_TEXT, offsetof(struct values, viewer.reference), .value_name = "FILE",
      .help = "picture of the same view to compare with"},
     {"frames", 0, OPTION_INT, offsetof(struct values, viewer.frames), 0, 0, 1e9,
-     .help = "render so many frames at the full size and end; 0 = until closed"},
+     .help = "number of frames to render at full size before exit; 0: until closed"},
     {"screenshot", 0, OPTION_TEXT, offsetof(struct values, viewer.screenshot), .value_name = "FILE",
-     .help = "write the picture after --frames (or the first) and end"},
+     .help = "file for the picture after --frames (or the first frame), before exit"},
     FORMAT_OPTION(struct values, format),
     {"settings", 0, OPTION_TEXT, offsetof(struct values, viewer.session), .value_name = "FILE",
-     .help =
-         "settings, camera and lights that the panel has saved; they replace --set and the like"},
+     .help = "file of settings, camera and lights saved by\n"
+             "the panel; replaces --set, --camera, --light"},
     {"scale", 0, OPTION_FLOAT, offsetof(struct values, viewer.scale), 0, 0, 4,
-     .help = "of text and widgets; 0 = the monitor's"},
+     .help = "scale of text and widgets; 0: the monitor's"},
     {"full-screen", 0, OPTION_FLAG, offsetof(struct values, viewer.full_screen),
-     .help = "F11 goes back to a window"},
+     .help = "start in full screen; F11 returns to a window"},
     {"no-panel", 0, OPTION_FLAG, offsetof(struct values, viewer.no_panel),
-     .help = "the picture alone; F2 brings the panel"},
+     .help = "show only the picture; F2 brings the panel"},
     {"places", 0, OPTION_TEXT, offsetof(struct values, viewer.places), .value_name = "FILE",
-     .help = "keep there where the panel's widgets are, \"x y width height name\", for scripts;\n"
-             "the last line counts how often F9 was pressed and all before it has been shown"},
+     .help = "file that gets the rectangle of each widget as \"x y width height name\", for\n"
+             "scripts; its last line counts the F9 presses after which everything was drawn"},
     {"glsl", 0, OPTION_TEXT, offsetof(struct values, viewer.glsl), .value_name = "DIR",
-     .help =
-         "read the shaders from this folder, a glsl/ with src/ beside it, not from the binary; F5\n"
-         "reads them again"},
+     .help = "folder of shaders, a glsl/ with src/ beside it, in\n"
+             "place of the built-in shaders; F5 reads them again"},
     SCREEN_OPTION(struct values, viewer.screen),
     {"gl-debug", 0, OPTION_FLAG, offsetof(struct values, viewer.debug),
-     .help = "a debug context: OpenGL's messages go to stderr"},
+     .help = "debug context, which prints messages of OpenGL to standard error"},
     {NULL},
 };
 
@@ -70,7 +69,7 @@ static void print_techniques(FILE *out, const void *values) {
 
 static const struct arguments arguments = {
     .synopsis = "[SCENE] [OPTION ...]",
-    .summary = "Shows a glTF scene in a window, rendered live. F1 lists keys and mouse.\n"
+    .summary = "Shows a glTF scene in a window, rendered live. F1 lists keys and mouse actions.\n"
                "SCENE - is standard input.",
     .options = options,
     .opens_scenes = true,

@@ -11,18 +11,19 @@ struct prefilter_settings {
 
 static const struct option table[] = {
     {"texels", 0, OPTION_INT, offsetof(struct prefilter_settings, size), 1024, 16, 4096,
-     .help = "a light's own map, so many a side; of a half space its middle half has 90 degrees;\n"
-             "less of more than 24 maps, of which a point has six"},
+     .help = "texels along each side of a light's own map; a point\n"
+             "light has 6 maps, a light of a half space 1, whose middle\n"
+             "half covers 90 degrees; reduced for more than 24 maps"},
     {"depth-bias", 0, OPTION_FLOAT, offsetof(struct prefilter_settings, bias), 2e-3, 0, .5,
-     .help = "receiver offset towards the light, of its distance"},
+     .help = "receiver offset towards the light, as a fraction of its distance"},
     {"contact", 0, OPTION_FLOAT, offsetof(struct prefilter_settings, contact), .01, 0, 1,
-     .help =
-         "casters nearer to a surface than so much of its distance from the light are compared\n"
-         "one by one"},
+     .help = "distance between caster and receiver below which texels are compared\n"
+             "one by one, as a fraction of the receiver's distance from the light"},
     {NULL},
 };
 
-const struct settings_part prefilter_part = {"prefilter", "prefiltered maps of lights", table,
+const struct settings_part prefilter_part = {"prefilter",
+                                             "prefiltered maps of lights (cssm, msm, vssm)", table,
                                              sizeof(struct prefilter_settings)};
 
 struct window_settings {
@@ -31,15 +32,16 @@ struct window_settings {
 
 static const struct option window_table[] = {
     {"search-parts", 0, OPTION_INT, offsetof(struct window_settings, search_parts), 0, 0, 16,
-     .help = "parts a side of the window in which it seeks what hides the light; 0: as the method\n"
-             "has it, 5 of vssm and 3 of msm"},
+     .help = "cells along each side of the blocker search\n"
+             "window; 0: by method, 5 for vssm, 3 for msm"},
     {"shadow-parts", 0, OPTION_INT, offsetof(struct window_settings, shadow_parts), 0, 0, 16,
-     .help = "and of the window of the penumbra; 0: 8 and 3"},
+     .help = "cells along each side of the penumbra\n"
+             "window; 0: by method, 8 for vssm, 3 for msm"},
     {NULL},
 };
 
-static const struct settings_part window_part = {"window", "windows of moments", window_table,
-                                                 sizeof(struct window_settings)};
+static const struct settings_part window_part = {"window", "windows of moments (msm, vssm)",
+                                                 window_table, sizeof(struct window_settings)};
 
 const struct settings_part *const window_parts[] = {&window_part, &prefilter_part, &shadow_part,
                                                     NULL};

@@ -4,9 +4,11 @@
 
 static const struct option table[] = {
     {"shadow-size", 0, OPTION_INT, offsetof(struct shadow_settings, size), 2048, 16, 16384,
-     .help = "shadow map of a light, texels a side; less of more than 32 lights, 21 points"},
+     .help = "texels along each side of a light's shadow map;\n"
+             "reduced for more than 32 lights or 21 point lights"},
     {"shadow-bias", 0, OPTION_FLOAT, offsetof(struct shadow_settings, bias), 1.5, 0, 100,
-     .help = "receiver offset along its normal, in shadow texels"},
+     .help = "receiver offset along its normal, in\n"
+             "shadow map texels; pcss uses a sixth of it"},
     {NULL},
 };
 

@@ -8,24 +8,27 @@ static const char *const fit_names[] = {"rectangles", "even", NULL};
 
 static const struct option table[] = {
     {"lights", 0, OPTION_INT, ROW(lights), 120, SKY_LIGHTS_MIN, SKY_LIGHTS_MAX,
-     .help = "area lights that stand for an environment, at most"},
+     .help = "largest number of area lights that\n"
+             "approximate an environment map; fewer: faster"},
     {"fit", 0, OPTION_CHOICE, ROW(fit), SKY_FIT_EVEN, .choices = fit_names,
-     .help =
-         "how they are found: rectangles that grow from the brightest texel, or parts that are\n"
-         "as even as may be"},
+     .help = "fit of the area lights: rectangles grown from the\n"
+             "brightest texel, or cells of nearly even radiance"},
     {"sky-size", 0, OPTION_INT, ROW(map_size), 256, 16, 4096,
-     .help = "shadow map of such a light, texels a side"},
+     .help = "texels along each side of the shadow map of an environment light"},
     {"sun-maps", 0, OPTION_INT, ROW(sun_maps), 4, 1, 8,
-     .help = "of a narrow light that is a good share of all, so many a side"},
+     .help = "shadow maps across a sun, n of n x n; a sun is an environment light below .01 sr\n"
+             "with at least 1/40 of the light; raise against steps along its shadows"},
     {"sky-block", 0, OPTION_INT, ROW(block), 7, 1, 64,
-     .help = "pixels a side of a block that shares its visibility"},
+     .help = "pixels along each side of a block that shares its visibility"},
     {"sky-ways", 0, OPTION_INT, ROW(ways), 3, 1, 256,
-     .help = "ways to points of a light that a lookup follows; of a sun at least 16"},
+     .help = "shadow rays per lookup of an environment light; at least 16 for a sun"},
     {"sky-bias", 0, OPTION_FLOAT, ROW(bias), .1, 0, 100,
-     .help = "what is lower above a receiver's plane hides nothing, in texels"},
+     .help = "height above the receiver's plane up to\n"
+             "which nothing casts a shadow, in map texels"},
     {"disagree", 0, OPTION_FLOAT, ROW(disagree), .02, 0, 2,
-     .help = "pixels between blocks that disagree about more than this share of the sky's light\n"
-             "look themselves up; of many lights, each of which has little, a smaller share"},
+     .help = "difference between blocks, as a fraction of the\n"
+             "environment's light, above which pixels between them use\n"
+             "their own lookups; above 60 lights divided by lights / 60"},
     {NULL},
 };
 

@@ -15,12 +15,14 @@ static const char *const tone_map_names[] = {"clamp", "filmic", NULL};
 
 static const struct option table[] = {
     {"exposure", 0, OPTION_FLOAT, offsetof(struct picture_settings, exposure), 0, -EXPOSURE_MOST,
-     EXPOSURE_MOST, .help = "EV"},
+     EXPOSURE_MOST, .help = "exposure of the picture, EV; 1 more doubles the brightness"},
     {"samples", 0, OPTION_INT, offsetof(struct picture_settings, samples), 12, 1, 16,
-     .help = "places of a pixel at which edges are told: antialiasing; 1 = its centre alone,\n"
-             "more count in fours"},
+     .help = "samples per pixel for antialiasing of edges, rounded\n"
+             "up to a multiple of 4; 1: the pixel centre alone"},
     {"tone-map", 0, OPTION_CHOICE, offsetof(struct picture_settings, tone_map), TONE_MAP_CLAMP,
-     .choices = tone_map_names, .help = "how bright light is shown"},
+     .choices = tone_map_names,
+     .help = "tone curve of bright light in PNG, JPEG\n"
+             "and on the screen: cut off, or filmic"},
     {NULL},
 };
 
@@ -29,16 +31,20 @@ const struct settings_part picture_part = {"picture", "picture", table,
 
 static const struct option start_table[] = {
     {"places", 0, OPTION_INT, offsetof(struct start_settings, places), 4, 1, LIGHTS_MAX,
-     .help = "of wide lights, from which their reflected light starts, all together"},
+     .help = "number of light samples of all wide lights\n"
+             "together, from which their reflected light starts"},
     {"wide", 0, OPTION_FLOAT, offsetof(struct start_settings, wide), .3, 0, 100,
-     .help = "wide are lights of this width over the scene's radius; of a sun, radians"},
+     .help = "width from which a light has several light samples,\n"
+             "over the scene's radius; for a sun in radians"},
     {"directions", 0, OPTION_INT, offsetof(struct start_settings, directions), 12, SKY_LIGHTS_MIN,
-     LIGHTS_MAX, .help = "directions from which an environment's reflected light starts, at most"},
+     LIGHTS_MAX,
+     .help = "largest number of directions from which an environment's reflected\n"
+             "light starts; raise, with lights.vpls, where it comes through windows"},
     {NULL},
 };
 
-const struct settings_part start_part = {"start", "where reflected light starts", start_table,
-                                         sizeof(struct start_settings)};
+const struct settings_part start_part = {"start", "light samples that reflected light starts from",
+                                         start_table, sizeof(struct start_settings)};
 
 static void add_parts(struct settings *settings, const struct settings_part *const *parts) {
     for (; *parts; parts++)
@@ -138,7 +144,7 @@ static void print_direct_parts(FILE *out) {
 
 static void print_presets(FILE *out, const struct technique *technique) {
     if (technique->presets && technique->presets->name)
-        fprintf(out, "\n  presets, by either word, set before all else:\n");
+        fprintf(out, "\n  presets, by either name; other settings override them:\n");
     for (const struct preset *p = technique->presets; p && p->name; p++)
         fprintf(out, "  path=%-8s %-12s %s\n", p->name, p->word ? p->word : "", p->help);
 }
@@ -173,7 +179,7 @@ static void print_main(FILE *out, const struct technique *technique) {
     };
     struct settings settings;
     renderer_settings_init(&settings);
-    fprintf(out, "\n  the main settings:\n");
+    fprintf(out, "\n  main settings:\n");
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         struct setting setting;
         char prefix[SETTING_NAME_SIZE];
@@ -190,8 +196,9 @@ static void print_main(FILE *out, const struct technique *technique) {
 
 void renderer_settings_print_help(FILE *out, const struct technique *technique, bool all) {
     fprintf(out,
-            "\nsettings of %s, for --set; the last name does where it is the only one, and a dash\n"
-            "for the dot (--technique NAME --help: those of another technique):\n",
+            "\nsettings of %s, for --set NAME=VALUE; a name's last word suffices if no other name "
+            "has it\n"
+            "(--technique NAME --help lists the settings of another technique):\n",
             technique->name);
     print_presets(out, technique);
     (all ? print_all : print_main)(out, technique);

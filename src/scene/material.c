@@ -9,7 +9,8 @@ const char *const materials_names[] = {"full", "diffuse", NULL};
 static const struct option table[] = {
     {"materials", 0, OPTION_CHOICE, offsetof(struct material_settings, materials), MATERIALS_FULL,
      .choices = materials_names,
-     .help = "metals, gloss and normal maps; or every surface matt, of its base colour"},
+     .help = "materials of surfaces: metals, roughness and\n"
+             "normal maps, or diffuse in their base colour"},
     {NULL},
 };
 

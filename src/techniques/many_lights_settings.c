@@ -6,53 +6,61 @@
 
 /* Columns: name, letter, type, field, default, minimum, maximum. */
 static const struct option lights_table[] = {
-    {"vpls", 0, OPTION_INT, ROW(lights, vpls), 1024, 1, 65536, .help = "virtual point lights, N"},
+    {"vpls", 0, OPTION_INT, ROW(lights, vpls), 1024, 1, 65536,
+     .help = "number of virtual point lights (VPLs), N; more: smoother and slower"},
     {"seed", 0, OPTION_INT, ROW(lights, seed), 0, 0, 1e9,
-     .help = "another set of VPLs, and of paths; 0 = Halton's as they are"},
+     .help = "seed of VPLs and light paths; 0: unshifted Halton sequence"},
     {"rsm-size", 0, OPTION_INT, ROW(lights, rsm_size), 512, RSM_SIZE_MIN, 8192,
-     .help =
-         "reflective shadow map, texels a side; more than four of them have the texels of four"},
+     .help = "texels along each side of a reflective shadow map;\n"
+             "reduced for more than 4 light views or 21 point lights"},
     {"bounces", 0, OPTION_INT, ROW(lights, bounces), 1, 1, 8,
-     .help = "of indirect light; those after the first by paths of light from VPLs"},
+     .help = "number of indirect bounces; in a room the first has half to three\n"
+             "quarters of the indirect light; light paths from VPLs add the others"},
     {"paths", 0, OPTION_INT, ROW(lights, paths), 4096, VPL_PARTNERS_MAX, 16384,
-     .help = "of light that each leave a VPL of further bounces, P; three more each share\n"
-             "their light out to these"},
+     .help = "number of VPLs of later bounces, P; 4 P light paths are traced,\n"
+             "and the VPLs share the light of all paths; with lights.bounces > 1"},
     {"facets", 0, OPTION_FLAG, ROW(lights, facets), 0,
-     .help =
-         "where nothing is glossy VPLs and near field send light as triangles do, and not as the\n"
-         "smooth surface that their normals tell of; right on the mean, and less even"},
+     .help = "emits from flat triangles instead of smooth normals, for VPLs and near\n"
+             "field; unbiased but noisier; only in scenes without specular surfaces"},
     {NULL},
 };
 
 static const struct option map_table[] = {
-    {"size", 0, OPTION_INT, ROW(map, size), 256, 16, 4096, .help = "paraboloid map, texels a side"},
+    {"size", 0, OPTION_INT, ROW(map, size), 256, 16, 4096,
+     .help = "texels along each side of a paraboloid\n"
+             "map; raise for finer contact shadows"},
     {"near-clip", 0, OPTION_FLOAT, ROW(map, near_clip), .025, 0, 1,
-     .help =
-         "casters nearer to a light's centre are ignored, over the spread of the VPLs; at most\n"
-         "their spacing there"},
+     .help = "near distance of a map, over the spread of the VPLs; nearer\n"
+             "casters are ignored; at most the spacing of the VPLs"},
     {NULL},
 };
 
 static const struct option lookup_table[] = {
     {"terms", 0, OPTION_INT, ROW(lookup, terms), 4, 1, 16,
-     .help = "terms of the Fourier series, K"},
+     .help = "terms of the Fourier series, K; with clustered.visibility=cssm"},
     {"bias", 0, OPTION_FLOAT, ROW(lookup, bias), .25, 0, 100,
-     .help = "receiver offset along its normal, in texels of the map at its distance; of rays two\n"
-             "fifths of it"},
+     .help = "receiver offset along its normal, in map texels at its\n"
+             "distance; clustered.visibility=ray uses 40 % of it"},
     {"map-bias", 0, OPTION_FLOAT, ROW(lookup, map_bias), .005, 0, 1,
-     .help = "depth bias of hard lookups, of the distance"},
+     .help = "depth bias, as a fraction of the receiver's\n"
+             "distance; not with clustered.visibility=cssm"},
     {"shift", 0, OPTION_FLOAT, ROW(lookup, shift), .25, 0, 2,
-     .help = "ringing suppression: shift of the receiver depth, over 1/(2K)"},
+     .help = "ringing suppression: shift of the receiver's depth,\n"
+             "in units of 1/(2K); with clustered.visibility=cssm"},
     {"gain", 0, OPTION_FLOAT, ROW(lookup, gain), 2, .1, 16,
-     .help = "ringing suppression: scale about one half"},
+     .help = "ringing suppression: scale of the blocked fraction\n"
+             "about one half; with clustered.visibility=cssm"},
     {"sharpen-a", 0, OPTION_FLOAT, ROW(lookup, sharpen_a), 0, 0, 1000,
-     .help = "contact sharpening A [Dong 2011, eq. 5.9]; 0 = off"},
+     .help = "contact sharpening, A [Dong 2011, eq. 5.9];\n"
+             "0: off; with clustered.visibility=cssm"},
     {"sharpen-b", 0, OPTION_FLOAT, ROW(lookup, sharpen_b), 10, 0, 1000,
-     .help = "contact sharpening B"},
+     .help = "contact sharpening, B [Dong 2011, eq. 5.9]; with lookup.sharpen-a > 0"},
     {"taps", 0, OPTION_INT, ROW(lookup, taps), 16, 1, 256,
-     .help = "percentage-closer: texels of a filter"},
+     .help = "texels of the percentage-closer filter; the blocker search\n"
+             "takes half as many; with clustered.visibility=pcss or ray"},
     {"filter-jacobian", 0, OPTION_FLAG, ROW(lookup, filter_jacobian), 0,
-     .help = "filter width by the paraboloid's Jacobian, not alpha/pi"},
+     .help = "filter width by the paraboloid's Jacobian instead\n"
+             "of alpha/pi; with clustered.visibility=cssm"},
     {NULL},
 };
 
@@ -62,66 +70,72 @@ static const char *const gloss_names[] = {"point", "sphere", "rays", NULL};
 
 static const struct option gather_table[] = {
     {"interleave", 0, OPTION_INT, ROW(gather, interleave), 8, 1, 16,
-     .help = "n: each pixel of n x n takes its share of the VPLs; 1 = all"},
+     .help = "interleave n: each pixel of an n x n pattern takes 1/n^2 of the VPLs,\n"
+             "and a blur removes the pattern; 1: all VPLs at each pixel, slowest"},
     {"clamp", 0, OPTION_CHOICE, ROW(gather, clamp), GATHER_CLAMP_NEAR, .choices = clamp_names,
-     .help = "bound of the geometry term near a VPL"},
+     .help = "bound of the geometry term near a VPL: none, gather.clamp-value,\n"
+             "a disk's form factor, the near field from the reflective shadow\n"
+             "map, or a virtual spherical light"},
     {"clamp-value", 0, OPTION_FLOAT, ROW(gather, clamp_value), 25, 0, 1e9,
-     .help = "the bound for clamp=value, times the squared scene radius"},
+     .help = "bound of the geometry term, times the squared\n"
+             "scene radius; with gather.clamp=value"},
     {"sphere", 0, OPTION_FLOAT, ROW(gather, sphere), .25, 0, 10,
-     .help = "clamp=sphere and gloss=sphere: radius, over the distance within which ten VPLs lie"},
+     .help = "radius of virtual spherical lights, over the distance within which\n"
+             "10 VPLs lie; with gather.clamp=sphere or gather.gloss=sphere"},
     {"near-reach", 0, OPTION_FLOAT, ROW(gather, near_reach), 5, .1, 100,
-     .help = "clamp=near: reach of the near field, in spacings of VPLs"},
+     .help = "radius of the near field, in VPL spacings; with gather.clamp=near"},
     {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 1024, 1, 1024,
-     .help =
-         "clamp=near: samples of the near field that n x n pixels share out; in pictures of more\n"
-         "than 400x400 those where detail is take fewer, down to half"},
+     .help = "near-field samples per n x n pixels of the interleave pattern; adaptive\n"
+             "pixels take fewer above 400x400, down to half; with gather.clamp=near"},
     {"gloss", 0, OPTION_CHOICE, ROW(gather, gloss), SPECULAR_RAYS - 1, .choices = gloss_names,
-     .help =
-         "as what VPLs are reflected: points, whose images are spots, the balls that hold what\n"
-         "they stand for, or points as far as rays through the lights' maps do not find the same\n"
-         "light better"},
+     .help = "specular reflection of indirect light: VPLs as points\n"
+             "(visible as spots), VPLs as balls, or points and rays\n"
+             "through the reflective shadow maps (least error)"},
     {"gloss-rays", 0, OPTION_INT, ROW(gather, gloss_rays), 4, 1, 256,
-     .help = "gloss=rays: of each pixel"},
+     .help = "specular rays per pixel; with gather.gloss=rays"},
     {"gloss-interleave", 0, OPTION_INT, ROW(gather, gloss_interleave), 2, 1, 16,
-     .help = "n of what is reflected as by a mirror; at most that of interleave"},
+     .help = "interleave of the VPLs in specular reflection, at\n"
+             "most gather.interleave; 1: sharper, 4: cheaper"},
     {"detail", 0, OPTION_INT, ROW(gather, detail), 4, 0, 8,
-     .help =
-         "n, less than interleave, of pixels that the blur finds few neighbours for: they take\n"
-         "more VPLs each, their own lookups and a smaller blur; with interleave=1 1 = their own\n"
-         "lookups alone; 0 = as all others"},
+     .help = "interleave for adaptive pixels, which have too few similar neighbours\n"
+             "to blur; smaller than gather.interleave: more VPLs each, own lookups,\n"
+             "less blur; 0: off; with gather.interleave=1 use 1 (own lookups) or 0"},
     {"detail-times", 0, OPTION_INT, ROW(gather, detail_times), 4, 1, 64,
-     .help =
-         "as many times as many VPLs again for those of whose neighbours fewer than two are like,\n"
-         "or turned by less than 8 degrees; in pictures of more than 400x400 as many fewer"},
+     .help = "factor of VPLs for adaptive pixels of fine detail, with fewer\n"
+             "than 2 of 4 neighbours on their surface within 8 degrees; above\n"
+             "400x400 divided by pixels / 160000; with gather.detail > 0"},
     {"detail-share", 0, OPTION_FLOAT, ROW(gather, detail_share), 1, 0, 1,
-     .help =
-         "such are pixels of whose four neighbours, half the blur's radius away, fewer than this\n"
-         "share lie on the same surface, .75 leaves out corners, .5 straight edges too; and those\n"
-         "that no block of shared visibility speaks for"},
+     .help = "fraction of the 4 neighbours half a blur radius away on the same surface, below\n"
+             "which a pixel is adaptive; .75 excludes corners, .5 straight edges too; pixels\n"
+             "that no block visibility fits are adaptive too; with gather.detail > 0"},
     {"further-points", 0, OPTION_FLAG, ROW(gather, further_points), 1,
-     .help = "with detail: a pixel that shows what no pixel near sees at its centre gathers there, "
-             "too"},
+     .help = "edge samples: points of a pixel on a surface that no neighbouring\n"
+             "pixel centre sees gather separately; with gather.detail > 0"},
     {NULL},
 };
 
 static const struct option blur_table[] = {
     {"radius", 0, OPTION_INT, ROW(blur, radius), -1, -1, 64,
-     .help = "taps to each side; -1 = half the interleave"},
+     .help = "radius of the blur, in pixels; -1: half\n"
+             "of gather.interleave; 0: no blur"},
     {"separable", 0, OPTION_FLAG, ROW(blur, separable), 1,
-     .help = "along x, then y, not over the whole square at once"},
+     .help = "blurs along x, then along y; off: over the whole square at once, slower"},
     {"distance", 0, OPTION_FLOAT, ROW(blur, distance), .1, 0, 10,
-     .help = "within this distance, over the picture's height at the pixel's depth, alpha"},
+     .help = "largest distance of neighbours in the blur, over\n"
+             "the picture's height at the pixel's depth, alpha"},
     {"cosine", 0, OPTION_FLOAT, ROW(blur, cosine), .995, -1, 1,
-     .help = "within this cosine of the normals, beta"},
+     .help = "smallest cosine between normals of neighbours\n"
+             "in the blur, beta; .995: 6 degrees"},
     {NULL},
 };
 
 static const struct option caster_table[] = {
     {"error", 0, OPTION_FLOAT, ROW(caster, error), .00055, 0, 1,
-     .help = "casters in VALs' maps may stray so far, over the root of the surfaces' area;\n"
-             "0 = not at all"},
+     .help = "largest deviation of simplified casters in the maps, over the\n"
+             "square root of the scene's surface area; 0: no simplification"},
     {"long", 0, OPTION_INT, ROW(caster, long_count), 500, 0, 10000000,
-     .help = "casters whose edges bend as a map bends them: the triangles with the longest edges"},
+     .help = "number of triangles, those with the longest edges, whose edges a map\n"
+             "bends exactly; raise against bent shadow edges of large triangles"},
     {NULL},
 };
 
@@ -129,11 +143,11 @@ static const struct option caster_table[] = {
     const struct settings_part name##_part = {#name, heading, name##_table,                        \
                                               sizeof(struct name##_settings)}
 
-PART(lights, "virtual lights");
-PART(map, "maps of the virtual lights");
-PART(lookup, "looking a map up");
-PART(gather, "gathering light");
-PART(blur, "blurring it");
+PART(lights, "virtual point lights");
+PART(map, "maps of virtual lights");
+PART(lookup, "visibility lookups in the maps");
+PART(gather, "gather of the light");
+PART(blur, "geometry-aware blur");
 PART(caster, "casters in the maps");
 
 const struct refinement many_lights_refinement = {

@@ -24,40 +24,38 @@ static const char *const visibility_names[] = {"cssm", "hard", "pcss", "ray", "t
 static const char *const importance_names[] = {"none", "bounces", "always", NULL};
 
 static const struct option table[] = {
-    {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024, .help = "virtual area lights (clusters), M"},
+    {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024,
+     .help = "number of virtual area lights (VALs), M: clusters of VPLs with\n"
+             "one shadow map each; more: finer indirect shadows, slower"},
     {"bounce-vals", 0, OPTION_INT, ROW(bounce_vals), 60, 1, 1024,
-     .help = "and of those of further bounces (lights.bounces)"},
-    {"iterations", 0, OPTION_INT, ROW(iterations), 5, 1, 64, .help = "k-means iterations"},
+     .help = "number of VALs for the VPLs of later bounces; with lights.bounces > 1"},
+    {"iterations", 0, OPTION_INT, ROW(iterations), 5, 1, 64,
+     .help = "k-means iterations of the clustering"},
     {"start", 0, OPTION_CHOICE, ROW(start), 0, .choices = start_names,
-     .help = "where k-means begins: the same seeds each frame, the last frame's centres, or those "
-             "with empty\nclusters seeded again; frames then depend on the ones before"},
+     .help = "initial centres of k-means: fixed seeds, the last frame's centres (warm),\n"
+             "or the last frame's with new seeds for empty clusters (reseed); with warm\n"
+             "and reseed a frame depends on the frames before"},
     {"weight-position", 0, OPTION_FLOAT, ROW(weight_position), .25, 0, 1000,
-     .help = "clustering weight of distance, w_x"},
+     .help = "clustering weight of distance over the spread of the VPLs, w_x"},
     {"weight-normal", 0, OPTION_FLOAT, ROW(weight_normal), .3, 0, 1000,
-     .help = "clustering weight of the angle between normals, w_alpha"},
+     .help = "clustering weight of the angle between normals over pi, w_alpha"},
     {"importance", 0, OPTION_CHOICE, ROW(importance), IMPORTANCE_BOUNCES,
      .choices = importance_names,
-     .help = "VPLs count there by what they would give to the picture, so that VALs lie where the "
-             "camera\n"
-             "sees their light: never, where there are further bounces (lights.bounces), or "
-             "always; VALs\n"
-             "are then made anew for each view"},
+     .help = "weight of VPLs in clustering by their unoccluded light in the picture, so that\n"
+             "VALs lie where the camera sees their light: never, with lights.bounces > 1, or\n"
+             "always; VALs are then built for each view"},
     {"visibility", 0, OPTION_CHOICE, ROW(visibility), VISIBILITY_RAY, .choices = visibility_names,
      .help =
-         "lookup in a VAL's map: soft by convolution, hard, percentage-closer soft, or along "
-         "the ray\n"
-         "to each VPL, where blocks of pixels take percentage-closer soft; or traced through the "
-         "scene's\n"
-         "triangles to each VPL, where blocks do the same: with visibility-block=0 there are none"},
+         "visibility of a VPL by its VAL's map: convolution (cssm), hard, percentage-closer\n"
+         "(pcss), or a ray through the map; traced: a ray through all triangles instead; with ray\n"
+         "or traced, blocks of pixels use pcss"},
     {"ray-tests", 0, OPTION_INT, ROW(ray_tests), 512, 0, 16384,
-     .help = "of each VAL: rays through the scene's triangles that say how much of its light "
-             "arrives in sum,\n"
-             "by which lookups are corrected: of visibility=ray alone, and up to a million "
-             "triangles, or\n"
-             "20000 where something moves; of several bounces four times as many; 0 = none"},
+     .help = "ray-traced tests per VAL for the visibility correction, 4 times as many\n"
+             "with lights.bounces > 1; 0: off; only for technique clustered with\n"
+             "visibility=ray, up to 1048576 triangles (20000 in an animated scene)"},
     {"visibility-block", 0, OPTION_INT, ROW(visibility_block), 7, 0, 64,
-     .help = "pixels a side of a block that shares its visibility; 0 = each looks itself up;\n"
-             "blocks that are no multiple of interleave blur better"},
+     .help = "pixels along each side of a block that shares its visibility; 0: a lookup per\n"
+             "pixel; blocks that are no multiple of gather.interleave blur better"},
     {NULL},
 };
 

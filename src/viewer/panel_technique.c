@@ -104,7 +104,7 @@ static const struct plain {
     {"direct.shadow-size", "shadow texels",
      "a side of the map of each lamp's direct shadow: more are sharper"},
     {"picture.samples", "edge samples",
-     "places of a pixel at which edges are told: 1 leaves them rough"},
+     "samples of a pixel for antialiasing: 1 leaves edges rough"},
 };
 
 static bool is_plain(const struct setting *setting) {

@@ -22,7 +22,7 @@ static bool measure_curves(struct bench *bench, const struct measure_list *subje
 
 const struct bench_mode bench_budget = {
     .name = "budget",
-    .help = "the error of the frame, step by step on the way from the truth\n"
+    .help = "errors of a frame, approximation by approximation, from the reference on\n"
             "Each step changes one thing. Without SCENE: the paper's four scenes.",
     .options = "size set tracer noise cache" BENCH_CONTEXT,
     .measure = measure_budget,
@@ -35,8 +35,8 @@ const struct bench_mode bench_budget = {
 const struct bench_mode bench_curves = {
     .name = "curves",
     .help =
-        "errors against M, K, N and the size of maps, as in the paper's Fig. 10\n"
-        "N against the path-traced truth, the others against ray-traced visibility from the same\n"
+        "errors over M, K, N and the map size, as in the paper's Fig. 10\n"
+        "N is compared with the path tracer, the others with ray-traced visibility of the same\n"
         "VPLs. Without SCENE: the paper's four scenes.",
     .options = "size set noise cache" BENCH_CONTEXT,
     .measure = measure_curves,

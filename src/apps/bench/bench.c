@@ -74,56 +74,54 @@ bool bench_time(struct bench *bench, const struct measure_list *subjects, enum t
 /* Of all modes. */
 static const struct option options[] = {
     {"vary", 0, OPTION_LIST, VALUE(axes), .value_name = "KEY=A,B..C",
-     .help = "a setting, technique or size; vals=2..128 is powers of two; N, M and K are vpls,\n"
-             "vals and terms; repeatable: a grid over all"},
-    {"size", 's', OPTION_SIZE, VALUE(size), 800, 1, 16384, .help = "of the picture, pixels"},
+     .help = "setting, technique or size to vary; vals=2..128: powers of\n"
+             "two; N, M, K: vpls, vals, terms; repeatable, for a grid"},
+    {"size", 's', OPTION_SIZE, VALUE(size), 800, 1, 16384, .help = "size of the picture, pixels"},
     {"variant", 0, OPTION_LIST, VALUE(variants),
-     .help = "what to compare, of the list below; repeatable"},
+     .help = "variant to measure, listed below; repeatable"},
     {"set", 0, OPTION_LIST, VALUE(settings), .value_name = "KEY=VALUE",
-     .help = "a setting of all (manylight render --help); repeatable"},
+     .help = "setting of all variants (manylight render --help); repeatable"},
     {"frames", 0, OPTION_INT, VALUE(frames), 0, 0, 100000,
-     .help = "measured of each, 0 = 5 on software OpenGL, else 100; or of a clip, 0 = 50"},
+     .help = "number of measured frames; 0: 5 on\n"
+             "software OpenGL, else 100; for a clip 50"},
     {"warm-up", 0, OPTION_INT, VALUE(warm_up), 0, 0, 100000,
-     .help = "frames before; 0 = 1 on software OpenGL, else 10"},
+     .help = "number of frames before the measured\n"
+             "ones; 0: 1 on software OpenGL, else 10"},
     {"passes", 0, OPTION_INT, VALUE(passes), 256, 1, 65536,
-     .help = "as many, and each power of two"},
+     .help = "largest number of passes; also measures each power of two below"},
     {"reference", 0, OPTION_CHOICE, VALUE(reference), .choices = truth_names,
-     .help = "what holds the truth, of as many bounces: path-traced (centers: through pixels'\n"
-             "centres), or all VPLs with a map each, as for a clip where there is none; seen: of\n"
-             "direct light, the share of the lights that is seen"},
+     .help = "reference with as many bounces: path-traced, path-traced at pixel centres\n"
+             "(centers), all VPLs with a map each (vpls; the default for a clip), or\n"
+             "the visible fraction of direct light (seen)"},
     {"tracer", 0, OPTION_FLAG, VALUE(tracer),
      .help =
-         "also the denoised path tracer at 1 to 16 samples a pixel, against --reference path\n"
-         "where none is named; of a sweep on software OpenGL, how much more of the CPU it takes\n"
-         "to err as each variant (< curve: less than for 1 sample; > curve: more than for 16)"},
+         "also measure the denoised path tracer with 1 to 16 samples per pixel, by default\n"
+         "against --reference path; sweep on software OpenGL: its CPU time at each\n"
+         "variant's error (\"< curve\": below that of 1 sample, \"> curve\": above that of 16)"},
     {"tables", 0, OPTION_FLAG, VALUE(tables),
-     .help = "also, of a lamp: what a further light costs with MIP maps and with summed area\n"
-             "tables, and the share of each step of a frame with soft shadows"},
+     .help = "also print, for a lamp: the cost of one more light with MIP maps and with\n"
+             "summed area tables; time of each step of a frame with soft shadows, in percent"},
     {"told", 0, OPTION_FLAG, VALUE(told),
-     .help =
-         "only the errors that are told of all choices: nothing is timed, nothing set beside it"},
+     .help = "only estimate the error of each choice: no times, no fixed settings for comparison"},
     {"camera", 0, OPTION_TEXT, VALUE(stage.camera), .value_name = "NAME|N",
-     .help = "camera of the scenes [the first], or changed: \"0 eye=0,1,3 forward=0,0,-1\""},
+     .help = "camera by name or number [the first], with changes: \"0 eye=0,1,3 forward=0,0,-1\""},
     {"light", 0, OPTION_TEXT, VALUE(stage.light), .value_name = "NAME|N,...",
-     .help = "lights of the scenes that shine [all]: \"emitters\", \"sky\", \"lamp,2\""},
+     .help = "lights that shine [all]: \"emitters\", \"sky\", \"lamp,2\""},
     {"environment", 0, OPTION_TEXT, VALUE(stage.environment.path), .value_name = "FILE",
-     .help = "a sky in place of the scene's own: a panorama, .hdr or .exr, in W/(sr m2)"},
+     .help = "environment map in place of the scene's: panorama, .hdr or .exr, in W/(sr m2)"},
     {"noise", 0, OPTION_FLOAT, VALUE(noise), .01, 1e-4, 1, .value_name = "X%",
-     .help = "of a path-traced reference: standard error over mean"},
+     .help = "noise of a path-traced reference: standard error over mean"},
     {"cache", 0, OPTION_TEXT, VALUE(cache), .value_name = "DIR",
-     .help = "where references are kept [$XDG_CACHE_HOME/manylight]"},
+     .help = "folder of the references [$XDG_CACHE_HOME/manylight]"},
     {"truth", 0, OPTION_TEXT, VALUE(truth), .value_name = "FILE",
-     .help =
-         "a reference to measure against, of the scene in this size, in place of one of the cache"},
-    {"output", 'o', OPTION_TEXT, VALUE(output), .value_name = "DIR", .help = "where pictures go"},
+     .help = "file of a reference for the scene in this size, in place of the cache"},
+    {"output", 'o', OPTION_TEXT, VALUE(output), .value_name = "DIR", .help = "folder for pictures"},
     {"csv", 0, OPTION_TEXT, VALUE(csv), .value_name = "FILE",
-     .help = "write all figures, a row each. Until all are there they are in FILE.part, each as "
-             "soon as it\n"
-             "is measured: the same command goes on from there after a run that was ended"},
+     .help = "file for all results, one row each; unfinished runs keep\n"
+             "rows in FILE.part, and the same command continues from there"},
     {"restart", 0, OPTION_FLAG, VALUE(restart),
-     .help =
-         "drop the rows of FILE.part. Without it a run of other settings, of another machine or\n"
-         "another commit refuses to go on there"},
+     .help = "drop the rows of FILE.part; without it a run with other\n"
+             "settings, on another machine or of another commit is refused"},
     CONTEXT_OPTIONS(struct bench_values, context),
 };
 
@@ -205,7 +203,7 @@ static int run_mode(const struct bench_mode *mode, int argc, char **argv) {
 
 static void print_help(FILE *out) {
     fprintf(out, "usage: manylight bench MODE [SCENE ...] [OPTION ...]\n\n"
-                 "Measures what frames cost, and how true they are.\n\n");
+                 "Measures times and errors of frames.\n\n");
     for (int i = 0; i < MODES; i++)
         fprintf(out, "  %-10s %.*s\n", modes[i]->name, (int)strcspn(modes[i]->help, "\n"),
                 modes[i]->help);

@@ -111,10 +111,9 @@ const struct bench_mode bench_chart = {
     .name = "chart",
     .help =
         "draws the CSV files of sweep, curves, passes and temporal, with gnuplot\n"
-        "Each scene as SVG and PNG: of a sweep with a reference time against error and the Pareto\n"
-        "front, of curves errors against each setting, of passes errors against their number, of "
-        "a\n"
-        "clip flicker and VALs in use.",
+        "Writes SVG and PNG per scene: time against error with the Pareto front (sweep), error\n"
+        "against each setting (curves) or number of passes (passes), flicker and VALs in use\n"
+        "(temporal).",
     .arguments = "FILE.csv [FILE.csv ...]",
     .options = "output",
     .check = check,

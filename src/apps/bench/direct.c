@@ -70,15 +70,13 @@ static const char *const scenes[] = {"scenes/table.glb", "scenes/plant.glb", NUL
 
 const struct bench_mode bench_direct = {
     .name = "direct",
-    .help =
-        "the share of the lights that is seen, by each method of direct light\n"
-        "Each along its main setting, against the path tracer; of a sky, along what its lights\n"
-        "have to set. Errors are over the pixels to which the lights could give a hundredth of "
-        "the\n"
-        "most, or of faint ones too, over all to which they could give anything. The truth's "
-        "noise\n"
-        "is taken off as squares. Frames have next to no indirect light. Without SCENE: our two\n"
-        "with a lamp.",
+    .help = "visible fraction of the lights by each method of direct light\n"
+            "Varies the main setting of each method, or for an environment the settings of its\n"
+            "lights, and compares with the path tracer. Errors are over the pixels where the\n"
+            "unoccluded lights reach 1 % of their maximum; the column \"faint too\" has all "
+            "pixels. The\n"
+            "squared noise of the reference is subtracted. Frames have next to no indirect light.\n"
+            "Without SCENE: table and plant.",
     .options =
         "vary size variant set frames warm-up noise cache light environment tables" BENCH_CONTEXT,
     .scenes = scenes,

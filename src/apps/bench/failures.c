@@ -58,9 +58,9 @@ static bool judge(struct bench *bench) {
 const struct bench_mode bench_failures = {
     .name = "failures",
     .help =
-        "errors where such methods break, held to what is promised\n"
-        "Each is a small scene or a setting; pictures show the reference and all columns, with\n"
-        "differences below. What is promised is at 160x120 and --noise .02. Without NAME: all.",
+        "errors in known difficult cases, checked against bounds\n"
+        "Each case is a small scene or a setting. Pictures show the reference and all columns,\n"
+        "with differences below. The bounds are for 160x120 and --noise .02. Without NAME: all.",
     .arguments = "[NAME ...]",
     .options = "size set noise cache output" BENCH_CONTEXT,
     .check = check,

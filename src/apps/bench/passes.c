@@ -15,10 +15,9 @@ static bool measure(struct bench *bench, const struct measure_list *subjects) {
 
 const struct bench_mode bench_passes = {
     .name = "passes",
-    .help =
-        "the error of the mean of 1, 2, 4 ... passes, as render --passes makes it\n"
-        "Against the path-traced truth, whose noise is taken off, as squares, in the last column.\n"
-        "Without SCENE: the paper's four scenes.",
+    .help = "error of the mean of 1, 2, 4 ... passes of render --passes\n"
+            "Errors are against the path-traced reference; the last column subtracts its squared\n"
+            "noise. Without SCENE: the paper's four scenes.",
     .options = "size set variant noise cache light environment passes" BENCH_CONTEXT,
     .measure = measure,
     .tables = {{"the mean of passes", {ERROR_COLUMNS(NULL), {"without noise %", "error", NULL}}}},

@@ -33,12 +33,11 @@ static bool measure(struct bench *bench, const struct measure_list *subjects) {
 const struct bench_mode bench_quality = {
     .name = "quality",
     .help =
-        "render --max-error: errors told against measured, times against the fastest's\n"
-        "Draws all that --max-error may choose, and fixed settings beside it; then, for 2, 4, 8,\n"
-        "16 and 30 %, what is chosen, which error was told of it and which it has without the\n"
-        "truth's noise; that over the error asked for, and its CPU time over that of the\n"
-        "fastest of all that errs no more. Of each choice, what is told of it.\n"
-        "Without SCENE: the paper's four scenes.",
+        "render --max-error: estimated against measured errors, times against the fastest\n"
+        "Draws each choice of --max-error, and fixed settings for comparison. Then prints for 2,\n"
+        "4, 8, 16 and 30 %: the choice, its estimated error, its error without the noise of the\n"
+        "reference, that error over the limit, and its CPU time over that of the fastest choice\n"
+        "within the limit. Without SCENE: the paper's four scenes.",
     .options = "size set camera light noise cache passes told truth tracer" BENCH_CONTEXT,
     .measure = measure,
     .tables = {{"--max-error",

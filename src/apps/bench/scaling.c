@@ -70,9 +70,10 @@ static bool finish(struct bench *bench) {
 
 const struct bench_mode bench_scaling = {
     .name = "scaling",
-    .help = "how the time of a frame grows with pixels, N, M and faces\n"
-            "Slopes of log time over log size; faces over all scenes. Without SCENE: the paper's\n"
-            "four scenes.",
+    .help =
+        "growth of a frame's time with pixels, N, M and faces\n"
+        "Prints slopes of log time over log size; for faces over all scenes. Without SCENE: the\n"
+        "paper's four scenes.",
     .options = "size variant set frames warm-up" BENCH_CONTEXT,
     .variants = bench_variants,
     .measure = measure,

@@ -21,9 +21,10 @@ static bool measure(struct bench *bench, const struct measure_list *subjects) {
 
 const struct bench_mode bench_sweep = {
     .name = "sweep",
-    .help = "times and errors over a grid of settings\n"
-            "Each variant at each point of the grid, its errors against the reference, if any.\n"
-            "Without SCENE: the paper's four scenes, from scenes/ here or those installed.",
+    .help =
+        "times and errors over a grid of settings\n"
+        "Measures each variant at each point of the grid, and its errors against the reference,\n"
+        "if any. Without SCENE: the paper's four scenes, from scenes/ here or the installed ones.",
     .options =
         "vary size variant set light frames warm-up reference tracer noise cache" BENCH_CONTEXT,
     .variants = bench_variants,

@@ -32,8 +32,8 @@ const struct bench_mode bench_temporal = {
     .name = "temporal",
     .help =
         "flicker over a clip, VALs in use, and memory\n"
-        "Flicker is what changes from frame to frame beyond what changes in the reference, over\n"
-        "its mean. Without SCENE: moving-spot, metaballs and door.",
+        "Flicker is the change from frame to frame beyond the change of the reference, over its\n"
+        "mean. Without SCENE: moving-spot, metaballs and door.",
     .options = "size variant set frames reference noise" BENCH_CONTEXT,
     .variants = variants,
     .scenes = scenes,

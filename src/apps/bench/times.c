@@ -124,8 +124,8 @@ static bool finish(struct bench *bench) {
 
 const struct bench_mode bench_times = {
     .name = "times",
-    .help = "time of a frame, pass by pass, as in the paper's Tables 1 and 2\n"
-            "Without SCENE: the paper's four scenes, from scenes/ here or those installed.",
+    .help = "time of each pass of a frame, as in the paper's Tables 1 and 2\n"
+            "Without SCENE: the paper's four scenes, from scenes/ here or the installed ones.",
     .options = "size variant set frames warm-up light environment" BENCH_CONTEXT,
     .variants = bench_variants,
     .measure = measure,

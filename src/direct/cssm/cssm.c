@@ -17,10 +17,11 @@ static const char *const prefilters[] = {"mip", "sat", NULL};
 
 static const struct option table[] = {
     {"harmonics", 0, OPTION_INT, offsetof(struct cssm_settings, terms), 8, 1, 16,
-     .help = "terms of the Fourier series, K"},
+     .help = "terms of the Fourier series, K; raise against light at contacts"},
     {"prefilter", 0, OPTION_CHOICE, offsetof(struct cssm_settings, prefilter), PREFILTER_MIP,
      .choices = prefilters,
-     .help = "MIP maps, or summed area tables: exact boxes, at 16 bytes a texel for each term"},
+     .help = "filter of the maps: MIP maps, or summed area tables, which\n"
+             "have exact boxes and take 16 bytes per texel and term"},
     {NULL},
 };
 
@@ -105,7 +106,7 @@ static const struct settings_part *const parts[] = {&own_part, &prefilter_part, 
 extern const struct direct_method cssm_direct;
 const struct direct_method cssm_direct = {
     .name = "cssm",
-    .help = "soft shadows from Fourier series of depth, filtered",
+    .help = "soft shadows from filtered Fourier series of depth",
     .parts = parts,
     .init = init,
     .free = free_state,

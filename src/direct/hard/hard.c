@@ -24,7 +24,7 @@ static const struct settings_part *const parts[] = {&shadow_part, NULL};
 extern const struct direct_method hard_direct;
 const struct direct_method hard_direct = {
     .name = "hard",
-    .help = "a shadow map for each light, hard shadows",
+    .help = "hard shadows, one shadow map per light",
     .parts = parts,
     .init = init,
     .free = shadow_free,

@@ -12,7 +12,7 @@ static bool init(void **state, const struct direct_desc *desc) {
 extern const struct direct_method msm_direct;
 const struct direct_method msm_direct = {
     .name = "msm",
-    .help = "soft shadows from four moments of depth in windows",
+    .help = "soft shadows from four moments of depth in windows of the map",
     .parts = window_parts,
     .init = init,
     .free = prefiltered_free,

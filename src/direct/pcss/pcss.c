@@ -11,17 +11,21 @@ struct pcss_settings {
 
 static const struct option table[] = {
     {"light-taps", 0, OPTION_INT, offsetof(struct pcss_settings, light_taps), 48, 1, 1024,
-     .help = "points of a light that each pixel asks for"},
+     .help = "light samples per pixel; raise against steps in wide penumbrae"},
     {"search-taps", 0, OPTION_INT, offsetof(struct pcss_settings, search_taps), 48, 1, 1024,
-     .help = "texels that it looks at to find what hides the light"},
+     .help = "texels of the blocker search per pixel; raise\n"
+             "against a step at the outer rim of wide penumbrae"},
     {"ways", 0, OPTION_INT, offsetof(struct pcss_settings, ways), 32, 0, 1024,
-     .help = "points of a light to which it follows a way where casters lie at many distances"},
+     .help = "shadow rays per pixel through the map where blockers lie at\n"
+             "many distances (pcss.spread); raise against bands; 0: off"},
     {"spread", 0, OPTION_FLOAT, offsetof(struct pcss_settings, spread), .04, 0, 100,
-     .help = "these do: the standard deviation of their distances, over the mean"},
+     .help = "standard deviation of the blockers' distances, over their mean,\n"
+             "above which pcss.ways acts; lower if light leaks beside gaps"},
     {"nearest", 0, OPTION_FLOAT, offsetof(struct pcss_settings, nearest), .2, .01, .99,
-     .help = "where the search ends, of the receiver's distance from the light"},
+     .help = "end of the blocker search, as a fraction of the receiver's distance\n"
+             "from the light; casters nearer to the light cast no shadow"},
     {"plane-bias", 0, OPTION_FLOAT, offsetof(struct pcss_settings, plane_bias), 1e-3, 0, .5,
-     .help = "receiver offset towards the light, of its distance"},
+     .help = "receiver offset towards the light, as a fraction of its distance"},
     {NULL},
 };
 
@@ -47,7 +51,7 @@ static const struct settings_part *const parts[] = {&own_part, &shadow_part, NUL
 extern const struct direct_method pcss_direct;
 const struct direct_method pcss_direct = {
     .name = "pcss",
-    .help = "a shadow map for each light, soft shadows by its size",
+    .help = "soft shadows by the light's size, one shadow map per light",
     .parts = parts,
     .init = init,
     .free = shadow_free,

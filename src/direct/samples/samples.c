@@ -16,11 +16,12 @@ struct samples_settings {
 
 static const struct option table[] = {
     {"points", 0, OPTION_INT, offsetof(struct samples_settings, points), 64, 1, 4096,
-     .help = "of each light, one shadow map after another"},
+     .help = "light samples per light, one shadow map\n"
+             "each; raise against steps in penumbrae"},
     {NULL},
 };
 
-static const struct settings_part own_part = {"samples", "direct light by points of lights", table,
+static const struct settings_part own_part = {"samples", "direct light by light samples", table,
                                               sizeof(struct samples_settings)};
 
 struct samples {
@@ -91,7 +92,7 @@ static const struct settings_part *const parts[] = {&own_part, &shadow_part, NUL
 extern const struct direct_method samples_direct;
 const struct direct_method samples_direct = {
     .name = "samples",
-    .help = "shadow maps of many points of each light: the truth, slowly",
+    .help = "the reference: shadow maps of many samples of each light, slow",
     .parts = parts,
     .init = init,
     .free = free_state,

@@ -12,7 +12,7 @@ static bool init(void **state, const struct direct_desc *desc) {
 extern const struct direct_method vssm_direct;
 const struct direct_method vssm_direct = {
     .name = "vssm",
-    .help = "soft shadows from mean and variance of depth in windows",
+    .help = "soft shadows from mean and variance of depth in windows of the map",
     .parts = window_parts,
     .init = init,
     .free = prefiltered_free,

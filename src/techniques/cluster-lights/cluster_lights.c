@@ -35,19 +35,21 @@ static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
 
 static const struct option table[] = {
     {"area-lights", 0, OPTION_INT, ROW(lights), 128, 1, LIGHT_RECTANGLES_MAX,
-     .help = "area lights (clusters of VPLs), J"},
+     .help = "number of area lights (clusters of VPLs), J"},
     {"form", 0, OPTION_CHOICE, ROW(form), LIGHT_FORM_RECTANGLE, .choices = form_names,
-     .help = "of their shapes: of the same second moments, or as published"},
+     .help = "shape of an area light: a rectangle of the\n"
+             "cluster's second moments, or a disk as published"},
     {"shadows", 0, OPTION_CHOICE, ROW(visibility), LIGHT_VISIBILITY_VALS,
      .choices = visibility_names,
-     .help = "what says which light arrives: virtual area lights (clustered.vals of them), or "
-             "nothing,\nas published"},
-    {"steps", 0, OPTION_INT, ROW(iterations), 5, 1, 64, .help = "k-means iterations"},
+     .help = "visibility of the area lights: from virtual area\n"
+             "lights (clustered.vals), or none as published"},
+    {"steps", 0, OPTION_INT, ROW(iterations), 5, 1, 64,
+     .help = "k-means iterations of the clustering"},
     {"begin", 0, OPTION_CHOICE, ROW(start), 0, .choices = start_names,
-     .help = "where k-means begins, as clustered.start"},
+     .help = "initial centres of k-means, as clustered.start"},
     {"seeds", 0, OPTION_CHOICE, ROW(seeds), LIGHT_SEEDS_EVEN, .choices = seed_names,
-     .help = "the VPLs where clusters begin: even, or by what they would give to the picture, "
-             "unoccluded"},
+     .help = "VPLs where clusters begin: the first J, or\n"
+             "chosen by their unoccluded light in the picture"},
     {"weight-distance", 0, OPTION_FLOAT, ROW(weight_position), 1, 0, 1000,
      .help = "clustering weight of squared distance, w_d"},
     {"weight-facing", 0, OPTION_FLOAT, ROW(weight_normal), .1f, 0, 1000,
@@ -55,10 +57,11 @@ static const struct option table[] = {
     {"weight-hue", 0, OPTION_FLOAT, ROW(weight_flux), 0, 0, 1000,
      .help = "clustering weight of hues, w_Phi"},
     {"near", 0, OPTION_INT, ROW(near), 256, 0, NEAR_SAMPLES_MAX,
-     .help = "samples of the near field at each pixel, which takes the place of what is near of "
-             "rectangles;\n0 = none"},
+     .help = "near-field samples per pixel, which replace the near part of\n"
+             "the rectangles; 0: off; with cluster-lights.form=rectangle"},
     {"pattern", 0, OPTION_INT, ROW(interleave), 1, 1, 16,
-     .help = "each pixel of n x n takes its share of the lights; 1 = all, and no blur"},
+     .help = "interleave n: each pixel of an n x n pattern takes 1/n^2 of the area lights,\n"
+             "and a blur removes the pattern; 1: all lights at each pixel, no blur"},
     {NULL},
 };
 
@@ -258,7 +261,7 @@ static const struct settings_part *const parts[] = {&lights_part, &own_part,    
 
 static const struct preset presets[] = {
     MANY_LIGHTS_FAST,
-    {"paper", "as published: disks, one iteration a frame from seeds by importance, no visibility",
+    {"paper", "as published: disks, one iteration per frame, importance seeds, no visibility",
      "cluster-lights.form=disk cluster-lights.area-lights=256 cluster-lights.steps=1 "
      "cluster-lights.begin=reseed cluster-lights.seeds=importance cluster-lights.shadows=none "
      "cluster-lights.weight-facing=10 cluster-lights.near=0 lights.vpls=16384",

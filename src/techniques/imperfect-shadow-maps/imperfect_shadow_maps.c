@@ -22,17 +22,22 @@ enum shape { SHAPE_DISK, SHAPE_SQUARE, SHAPE_FILLED };
 static const char *const shape_names[] = {"disk", "square", "filled", NULL};
 
 static const struct option table[] = {
-    {"size", 0, OPTION_INT, ROW(size), 64, 8, 1024, .help = "of a VPL's map, texels a side"},
-    {"map-points", 0, OPTION_INT, ROW(points), 4096, 16, 262144, .help = "that a map is made of"},
-    {"sets", 0, OPTION_INT, ROW(sets), 64, 1, 1024, .help = "of points, which VPLs take in turn"},
+    {"size", 0, OPTION_INT, ROW(size), 64, 8, 1024,
+     .help = "texels along each side of a VPL's map"},
+    {"map-points", 0, OPTION_INT, ROW(points), 4096, 16, 262144,
+     .help = "number of surface points per map; raise\n"
+             "for contact shadows and thin casters"},
+    {"sets", 0, OPTION_INT, ROW(sets), 64, 1, 1024,
+     .help = "number of sets of points; VPLs use the sets in rotation"},
     {"shape", 0, OPTION_CHOICE, ROW(shape), SHAPE_DISK, .choices = shape_names,
-     .help =
-         "of a point in a map: the disk that it stands for, seen aslant; a square at one depth;\n"
-         "or such with the holes between them closed by pull and push, as published"},
+     .help = "shape of a point in a map: a disk in its true\n"
+             "orientation, a square at one depth, or squares with\n"
+             "their holes filled by pull and push, as published"},
     {"scale", 0, OPTION_FLOAT, ROW(scale), 1, .01, 8,
-     .help = "radius of what is drawn, over that of what a point stands for"},
+     .help = "drawn radius of a point, over the radius of the surface it represents"},
     {"set-back", 0, OPTION_FLOAT, ROW(set_back), 0, 0, 8,
-     .help = "how far disks are set back, over their radius"},
+     .help = "distance by which disks are moved away from the VPL,\n"
+             "over their radius; with imperfect-shadow-maps.shape=disk"},
     {NULL},
 };
 
@@ -120,7 +125,7 @@ static const struct settings_part *const parts[] = {
 
 static const struct preset presets[] = {
     MANY_LIGHTS_FAST,
-    {"paper", "holes closed, and gather and blur, as published",
+    {"paper", "holes filled; gather and blur as published",
      MANY_LIGHTS_AS_PUBLISHED " imperfect-shadow-maps.shape=filled imperfect-shadow-maps.scale=.5",
      NULL},
     {NULL}};
@@ -128,7 +133,7 @@ static const struct preset presets[] = {
 extern const struct technique imperfect_shadow_maps_technique;
 const struct technique imperfect_shadow_maps_technique = {
     .name = "imperfect-shadow-maps",
-    .help = "a small map of points per VPL",
+    .help = "a small map of surface points per VPL",
     .parts = parts,
     .unused = "map.size",
     .presets = presets,

@@ -12,12 +12,11 @@ struct instant_radiosity_settings {
 
 static const struct option table[] = {
     {"map-batch", 0, OPTION_INT, offsetof(struct instant_radiosity_settings, map_batch), 64, 1,
-     1024, .help = "maps in memory at once"},
+     1024, .help = "number of maps in memory at once; with traced=off"},
     {"traced", 0, OPTION_FLAG, offsetof(struct instant_radiosity_settings, traced), 0,
-     .help = "rays through the scene's triangles in place of maps; where all pixels gather alike "
-             "of 12\n"
-             "VPLs (of up to 24 in large pictures) two ask for all, and of 16 samples of the near "
-             "field one"},
+     .help = "shadow rays through all triangles instead of maps; with\n"
+             "gather.interleave=1 or gather.detail=0, visibility is tested for 2 of\n"
+             "every 12 VPLs (24 at 800x800) and 1 of every 16 near-field samples"},
     {NULL},
 };
 

@@ -17,13 +17,16 @@ struct lightcuts_settings {
 
 static const struct option table[] = {
     {"nodes", 0, OPTION_INT, ROW(nodes), 32, 1, CUT_NODES_MAX,
-     .help = "of the tree of VPLs in a block's cut, at most"},
+     .help = "largest number of tree nodes in a block's cut;\n"
+             "raise against faint patches near bright lights"},
     {"detail-nodes", 0, OPTION_INT, ROW(detail_nodes), 64, 1, CUT_NODES_MAX,
-     .help = "the same of pixels of detail (gather.detail), not below the others"},
+     .help = "largest number of tree nodes at adaptive pixels;\n"
+             "at least lightcuts.nodes; with gather.detail > 0"},
     {"tolerance", 0, OPTION_FLOAT, ROW(tolerance), .02, 0, 1,
-     .help =
-         "none is off by more than this share of the unshadowed sum, as far as they are enough"},
-    {"block", 0, OPTION_INT, ROW(block), 8, 1, 64, .help = "pixels a side of a block"},
+     .help = "error bound of a node, as a fraction of the unshadowed\n"
+             "sum; smaller: more nodes, up to lightcuts.nodes"},
+    {"block", 0, OPTION_INT, ROW(block), 8, 1, 64,
+     .help = "pixels along each side of a block that shares a cut"},
     {NULL},
 };
 
@@ -154,7 +157,7 @@ static const struct preset presets[] = {MANY_LIGHTS_FAST, {NULL}};
 extern const struct technique lightcuts_technique;
 const struct technique lightcuts_technique = {
     .name = "lightcuts",
-    .help = "cuts through a tree of VPLs, a block of pixels each",
+    .help = "a cut through a tree of VPLs for each block of pixels",
     .parts = parts,
     .unused = "clustered.importance",
     .presets = presets,

@@ -26,13 +26,17 @@ struct row_column_settings {
 #define ROW(name) offsetof(struct row_column_settings, name)
 
 static const struct option table[] = {
-    {"rows", 0, OPTION_INT, ROW(rows), 100, 1, 16384, .help = "pixels that all VPLs are tried at"},
+    {"rows", 0, OPTION_INT, ROW(rows), 100, 1, 16384,
+     .help = "number of rows: pixels that test all VPLs;\n"
+             "raise if small regions are too dark or bright"},
     {"columns", 0, OPTION_INT, ROW(columns), 200, 1, 16384,
-     .help = "VPLs that are drawn for all, at most"},
+     .help = "largest number of columns: VPLs drawn for\n"
+             "all pixels; raise against hard shadow edges"},
     {"column-interleave", 0, OPTION_INT, ROW(interleave), 2, 1, 16,
-     .help = "n of the gather, at most that of interleave: chosen VPLs are fewer"},
+     .help = "interleave of the chosen VPLs, which are\n"
+             "fewer; at most gather.interleave"},
     {"choice", 0, OPTION_INT, ROW(choice), 0, 0, 1e6,
-     .help = "another choice of pixels and VPLs by other random numbers"},
+     .help = "seed of the random choice of pixels and VPLs"},
     {NULL},
 };
 
@@ -266,16 +270,16 @@ static void outputs(const void *state, struct output_list *outputs) {
 static const struct settings_part *const parts[] = {
     &lights_part, &own_part, &map_part, &lookup_part, &caster_part, &gather_part, &blur_part, NULL};
 
-static const struct preset presets[] = {
-    MANY_LIGHTS_FAST,
-    {"paper", "each pixel takes all columns, and nothing is blurred",
-     "gather.interleave=1 gather.near-samples=64 blur.radius=0", NULL},
-    {NULL}};
+static const struct preset presets[] = {MANY_LIGHTS_FAST,
+                                        {"paper", "all columns at each pixel, no blur",
+                                         "gather.interleave=1 gather.near-samples=64 blur.radius=0",
+                                         NULL},
+                                        {NULL}};
 
 extern const struct technique row_column_technique;
 const struct technique row_column_technique = {
     .name = "row-column",
-    .help = "some VPLs for all, by rows and columns of their matrix",
+    .help = "VPLs chosen by rows and columns of the matrix of pixels and VPLs",
     .parts = parts,
     .unused = "caster.error",
     .presets = presets,

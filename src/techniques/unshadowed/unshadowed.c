@@ -43,7 +43,7 @@ static const struct refinement refinement = {"unshadowed", MANY_LIGHTS_REFINED, 
 extern const struct technique unshadowed_technique;
 const struct technique unshadowed_technique = {
     .name = "unshadowed",
-    .help = "all VPLs, no visibility",
+    .help = "all VPLs, without visibility",
     .parts = parts,
     .presets = presets,
     .refinement = &refinement,
