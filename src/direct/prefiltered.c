@@ -6,7 +6,7 @@
 
 struct prefilter_settings {
     int size;
-    float bias, contact;
+    float contact;
 };
 
 static const struct option table[] = {
@@ -14,8 +14,6 @@ static const struct option table[] = {
      .help = "texels along each side of a light's own map; a point\n"
              "light has 6 maps, a light of a half space 1, whose middle\n"
              "half covers 90 degrees; reduced for more than 24 maps"},
-    {"depth-bias", 0, OPTION_FLOAT, offsetof(struct prefilter_settings, bias), 2e-3, 0, .5,
-     .help = "receiver offset towards the light, as a fraction of its distance"},
     {"contact", 0, OPTION_FLOAT, offsetof(struct prefilter_settings, contact), .01, 0, 1,
      .help = "distance between caster and receiver below which texels are compared\n"
              "one by one, as a fraction of the receiver's distance from the light"},
@@ -70,6 +68,9 @@ static int size_of(const struct direct_desc *desc) {
     return light_map_share(set->size, desc->lights->maps, full_maps);
 }
 
+/* Of the receiver towards the light, over its distance. */
+static const float depth_bias = 2e-3F;
+
 bool prefiltered_begin(struct prefiltered *own, const struct direct_desc *desc,
                        const struct prefiltered_desc *method) {
     const struct prefilter_settings *set = settings_of(desc->settings, &prefilter_part);
@@ -79,7 +80,7 @@ bool prefiltered_begin(struct prefiltered *own, const struct direct_desc *desc,
     bool ok = shadow_begin(&own->shadow, desc,
                            &(struct direct_light_desc){.map_size = size_of(desc),
                                                        .own_maps = true,
-                                                       .map_bias = set->bias,
+                                                       .map_bias = depth_bias,
                                                        .contact = set->contact,
                                                        .shift = method->shift,
                                                        .gain = method->gain,

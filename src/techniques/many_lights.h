@@ -36,7 +36,7 @@ struct map_settings {
 
 struct lookup_settings {
     int terms; /* K */
-    float bias, map_bias, shift, gain, sharpen_a, sharpen_b;
+    float bias, map_bias, shift, gain, sharpen_a;
     int taps;
     bool filter_jacobian;
 };
@@ -49,7 +49,7 @@ struct gather_settings {
     int detail_times;
     float detail_share;
     bool further_points;
-    int gloss, gloss_interleave, gloss_rays; /* SPECULAR_... - 1 */
+    int gloss, gloss_interleave; /* SPECULAR_... - 1 */
 };
 
 struct blur_settings {

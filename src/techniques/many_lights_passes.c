@@ -8,6 +8,11 @@
 #include <math.h>
 #include <string.h>
 
+/* B of contact sharpening [Dong 2011, eq. 5.9]. */
+static const float sharpen_b = 10;
+
+enum { GLOSS_RAYS = 4 }; /* specular rays of a pixel */
+
 struct visibility_desc many_lights_lookup(const struct settings *settings,
                                           enum visibility_lookup lookup, int map_count) {
     const struct map_settings *map = settings_of(settings, &map_part);
@@ -22,7 +27,7 @@ struct visibility_desc many_lights_lookup(const struct settings *settings,
         .shift = own->shift,
         .gain = own->gain,
         .sharpen_a = own->sharpen_a,
-        .sharpen_b = own->sharpen_b,
+        .sharpen_b = sharpen_b,
         .taps = own->taps,
         .filter_jacobian = own->filter_jacobian,
     };
@@ -219,10 +224,10 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
     gather.receivers = RECEIVERS_ALL;
     gather.cuts = false;
     gather.specular = own->gloss + 1;
-    gather.gloss_rays = own->gloss_rays;
+    gather.gloss_rays = GLOSS_RAYS;
     bool rays = gather.specular == SPECULAR_RAYS;
     const struct gloss_rays_desc of_rays = {
-        .rays = own->gloss_rays,
+        .rays = GLOSS_RAYS,
         .has_maps = !visibility->map_per_vpl && gather.visibility.lookup != VISIBILITY_LOOKUP_NONE,
         .visibility = gather.visibility,
         .lights = *desc->lights,

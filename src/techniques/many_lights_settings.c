@@ -53,8 +53,6 @@ static const struct option lookup_table[] = {
     {"sharpen-a", 0, OPTION_FLOAT, ROW(lookup, sharpen_a), 0, 0, 1000,
      .help = "contact sharpening, A [Dong 2011, eq. 5.9];\n"
              "0: off; with clustered.visibility=cssm"},
-    {"sharpen-b", 0, OPTION_FLOAT, ROW(lookup, sharpen_b), 10, 0, 1000,
-     .help = "contact sharpening, B [Dong 2011, eq. 5.9]; with lookup.sharpen-a > 0"},
     {"taps", 0, OPTION_INT, ROW(lookup, taps), 16, 1, 256,
      .help = "texels of the percentage-closer filter; the blocker search\n"
              "takes half as many; with clustered.visibility=pcss or ray"},
@@ -91,8 +89,6 @@ static const struct option gather_table[] = {
      .help = "specular reflection of indirect light: VPLs as points\n"
              "(visible as spots), VPLs as balls, or points and rays\n"
              "through the reflective shadow maps (least error)"},
-    {"gloss-rays", 0, OPTION_INT, ROW(gather, gloss_rays), 4, 1, 256,
-     .help = "specular rays per pixel; with gather.gloss=rays"},
     {"gloss-interleave", 0, OPTION_INT, ROW(gather, gloss_interleave), 2, 1, 16,
      .help = "interleave of the VPLs in specular reflection, at\n"
              "most gather.interleave; 1: sharper, 4: cheaper"},

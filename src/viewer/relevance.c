@@ -17,8 +17,6 @@ static const struct relevance of_all[] = {
     {"lookup.shift", "clustered.visibility=cssm"},
     {"lookup.gain", "clustered.visibility=cssm"},
     {"lookup.sharpen-a", "clustered.visibility=cssm"},
-    {"lookup.sharpen-b", "clustered.visibility=cssm"},
-    {"lookup.sharpen-b", "lookup.sharpen-a>0"},
     {"lookup.filter-jacobian", "clustered.visibility=cssm"},
     {"lookup.taps", "clustered.visibility=pcss|ray"},
     {"gather.clamp-value", "gather.clamp=value"},
@@ -31,8 +29,6 @@ static const struct relevance of_all[] = {
     {"gather.detail-share", "gather.detail>0"},
     {"gather.further-points", "blur.radius!=0"},
     {"gather.further-points", "gather.detail>0"},
-    {"lightcuts.detail-nodes", "blur.radius!=0"},
-    {"lightcuts.detail-nodes", "gather.detail>0"},
     {"blur.separable", "blur.radius!=0"},
     {"blur.distance", "blur.radius!=0"},
 };

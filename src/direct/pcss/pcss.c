@@ -6,7 +6,7 @@
 
 struct pcss_settings {
     int light_taps, search_taps, ways;
-    float spread, nearest, plane_bias;
+    float spread;
 };
 
 static const struct option table[] = {
@@ -21,25 +21,25 @@ static const struct option table[] = {
     {"spread", 0, OPTION_FLOAT, offsetof(struct pcss_settings, spread), .04, 0, 100,
      .help = "standard deviation of the blockers' distances, over their mean,\n"
              "above which pcss.ways acts; lower if light leaks beside gaps"},
-    {"nearest", 0, OPTION_FLOAT, offsetof(struct pcss_settings, nearest), .2, .01, .99,
-     .help = "end of the blocker search, as a fraction of the receiver's distance\n"
-             "from the light; casters nearer to the light cast no shadow"},
-    {"plane-bias", 0, OPTION_FLOAT, offsetof(struct pcss_settings, plane_bias), 1e-3, 0, .5,
-     .help = "receiver offset towards the light, as a fraction of its distance"},
     {NULL},
 };
 
 static const struct settings_part own_part = {"pcss", "direct light with soft shadows", table,
                                               sizeof(struct pcss_settings)};
 
+/* Where the search for blockers ends, over the receiver's distance from the light; and the receiver's offset towards the
+ * light, over the same. */
+static const double nearest = .2;
+static const float plane_bias = 1e-3F;
+
 static bool init(void **state, const struct direct_desc *desc) {
     const struct pcss_settings *own = settings_of(desc->settings, &own_part);
     struct shadow *shadow = *state = mem_alloc(1, sizeof *shadow);
-    char *defines = mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;WAYS %d;SPREAD %.6f;NEAREST %.6f;",
-                               own->light_taps, own->search_taps, own->ways, (double)own->spread,
-                               (double)own->nearest);
+    char *defines =
+        mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;WAYS %d;SPREAD %.6f;NEAREST %.6f;",
+                   own->light_taps, own->search_taps, own->ways, (double)own->spread, nearest);
     bool ok = shadow_begin(shadow, desc,
-                           &(struct direct_light_desc){.map_bias = own->plane_bias,
+                           &(struct direct_light_desc){.map_bias = plane_bias,
                                                        .fragment = "direct/pcss/pcss.frag",
                                                        .defines = defines});
     free(defines);

@@ -273,7 +273,8 @@ const struct technique cluster_lights_technique = {
     .name = "cluster-lights",
     .help = "clusters of VPLs as area lights, all at each pixel",
     .parts = parts,
-    .unused = "clustered.importance gather.interleave gather.clamp gather.near-samples "
+    .unused = "clustered.importance clustered.ray-tests gather.interleave gather.clamp "
+              "gather.near-samples "
               "gather.detail-times blur.radius",
     .presets = presets,
     .refinement = &many_lights_refinement,

@@ -9,9 +9,11 @@
 #include <stdlib.h>
 
 struct lightcuts_settings {
-    int nodes, detail_nodes, block;
+    int nodes;
     float tolerance;
 };
+
+enum { BLOCK = 8 }; /* pixels a side that share a cut */
 
 #define ROW(name) offsetof(struct lightcuts_settings, name)
 
@@ -19,14 +21,9 @@ static const struct option table[] = {
     {"nodes", 0, OPTION_INT, ROW(nodes), 32, 1, CUT_NODES_MAX,
      .help = "largest number of tree nodes in a block's cut;\n"
              "raise against faint patches near bright lights"},
-    {"detail-nodes", 0, OPTION_INT, ROW(detail_nodes), 64, 1, CUT_NODES_MAX,
-     .help = "largest number of tree nodes at adaptive pixels;\n"
-             "at least lightcuts.nodes; with gather.detail > 0"},
     {"tolerance", 0, OPTION_FLOAT, ROW(tolerance), .02, 0, 1,
      .help = "error bound of a node, as a fraction of the unshadowed\n"
              "sum; smaller: more nodes, up to lightcuts.nodes"},
-    {"block", 0, OPTION_INT, ROW(block), 8, 1, 64,
-     .help = "pixels along each side of a block that shares a cut"},
     {NULL},
 };
 
@@ -65,20 +62,18 @@ static bool init_cut(struct lightcuts *technique, const struct technique_desc *d
     const struct lightcuts_settings *own = settings_of(desc->settings, &own_part);
     const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
     const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
-    return vpl_cut_pass_init(
-        &technique->cut,
-        &(struct vpl_cut_desc){
-            .width = desc->width,
-            .height = desc->height,
-            .block = own->block,
-            .nodes = own->nodes,
-            .detail_nodes = own->nodes > own->detail_nodes ? own->nodes : own->detail_nodes,
-            .tolerance = own->tolerance,
-            .clamp = gather->clamp,
-            .clamp_value = gather->clamp_value,
-            .further = lights->bounces > 1,
-            .further_clamp = GATHER_CLAMP_PATCH,
-        });
+    return vpl_cut_pass_init(&technique->cut, &(struct vpl_cut_desc){
+                                                  .width = desc->width,
+                                                  .height = desc->height,
+                                                  .block = BLOCK,
+                                                  .nodes = own->nodes,
+                                                  .detail_nodes = CUT_NODES_MAX,
+                                                  .tolerance = own->tolerance,
+                                                  .clamp = gather->clamp,
+                                                  .clamp_value = gather->clamp_value,
+                                                  .further = lights->bounces > 1,
+                                                  .further_clamp = GATHER_CLAMP_PATCH,
+                                              });
 }
 
 static bool init(void **state, const struct technique_desc *desc) {
@@ -159,7 +154,7 @@ const struct technique lightcuts_technique = {
     .name = "lightcuts",
     .help = "a cut through a tree of VPLs for each block of pixels",
     .parts = parts,
-    .unused = "clustered.importance",
+    .unused = "clustered.importance clustered.ray-tests",
     .presets = presets,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,
