@@ -345,6 +345,30 @@ static void test_sky_is_gone(void **state) {
         0);
 }
 
+/* Of another version's settings all is kept but what is unknown here, and its file stays until something changes. */
+static void test_unknown_lines(void **state) {
+    (void)state;
+    begin("scenes/sphere.glb");
+    check_ok("camera", viewer_place_camera(&viewer, "eye=0,1,5 forward=0,0,-1"));
+    rest();
+    finish_viewer();
+    assert_int_equal(
+        shell("sed -i '1a clustered.distortion = 0.085\\ntechnique = radiosity\\nnonsense' "
+              "%s/manylight/scenes/*.settings",
+              stage.folder),
+        0);
+    for (int i = 0; i < 2; i++) {
+        begin("scenes/sphere.glb");
+        printf("    restored %d, not all %d, camera moved %d\n", viewer.kept.was_restored,
+               viewer.kept.is_incomplete, viewer.placed.camera_moved);
+        assert_true(viewer.kept.was_restored && viewer.kept.is_incomplete);
+        assert_true(viewer.placed.camera_moved);
+        assert_true(is_message_told("3 lines", UI_WARNING));
+        finish_viewer();
+    }
+    assert_int_equal(shell("grep -q distortion %s/manylight/scenes/*.settings", stage.folder), 0);
+}
+
 /* An option means the scene that it came with, and no other. */
 static void test_options_mean_first_scene(void **state) {
     (void)state;
@@ -418,6 +442,7 @@ int main(void) {
         cmocka_unit_test(test_second_scene),
         cmocka_unit_test(test_settings_name_no_clip),
         cmocka_unit_test(test_sky_is_gone),
+        cmocka_unit_test(test_unknown_lines),
         cmocka_unit_test(test_options_mean_first_scene),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);

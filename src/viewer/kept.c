@@ -126,8 +126,14 @@ static void show_left(struct viewer *viewer, struct session *session) {
 static void restore(struct viewer *viewer, const char *path) {
     struct session session = session_copy(&viewer->kept.fresh);
     session.scene = viewer->document.scene.path;
-    if (session_load(&session, path)) {
+    int left_out = 0;
+    if (session_load(&session, path, &left_out)) {
+        if (left_out > 0)
+            messages_add(&viewer->host.messages, UI_WARNING,
+                         "%d lines of how you left the scene are left out: %s", left_out,
+                         error_get());
         show_left(viewer, &session);
+        viewer->kept.is_incomplete |= left_out > 0;
     } else {
         viewer->kept.is_incomplete = true;
         messages_add(&viewer->host.messages, UI_WARNING, "The scene is not as you left it: %s",

@@ -149,7 +149,7 @@ bool viewer_load_session(struct viewer *viewer, const char *path) {
         return false;
     }
     struct session session = viewer_session(viewer);
-    bool ok = session_load(&session, path) && viewer_show_session(viewer, &session);
+    bool ok = session_load(&session, path, NULL) && viewer_show_session(viewer, &session);
     if (ok && path != viewer->panel.session_path)
         snprintf(viewer->panel.session_path, sizeof viewer->panel.session_path, "%s", path);
     if (!ok)

@@ -227,7 +227,7 @@ static bool read_line(struct session *session, char *line, bool *sky) {
            setting_parse(&setting, &session->settings, value);
 }
 
-bool session_load(struct session *session, const char *path) {
+bool session_load(struct session *session, const char *path, int *left_out) {
     FILE *file = fopen(path, "r");
     if (!file)
         return error_set("cannot read %s: %s", path, strerror(errno));
@@ -243,8 +243,15 @@ bool session_load(struct session *session, const char *path) {
     char *line = NULL;
     size_t room = 0;
     bool ok = true, has_sky = false;
+    int skipped = 0;
     for (int number = 1; ok && getline(&line, &room, file) >= 0; number++)
-        ok = read_line(&read, line, &has_sky) || error_prefix("%s:%d", path, number);
+        if (!read_line(&read, line, &has_sky)) {
+            error_prefix("%s:%d", path, number);
+            ok = left_out;
+            skipped++;
+        }
+    if (left_out)
+        *left_out = skipped;
     free(line);
     fclose(file);
     if (!has_sky) { /* the scene's stays as it is */

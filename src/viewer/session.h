@@ -52,8 +52,9 @@ char *session_command(const struct session *session);
  * not at their defaults. */
 bool session_save(const struct session *session, const char *path);
 
-/* Sets what the file has; settings it does not name get their defaults. Error: names file and line;
- * nothing is changed. */
-bool session_load(struct session *session, const char *path);
+/* Sets what the file has; settings it does not name get their defaults. A line that cannot be read, as one of a setting
+ * of another version, is left out and counted, and the error names file and line of the last. left_out NULL: nothing is
+ * changed then, and that is an error. Error, too: the file cannot be read. */
+bool session_load(struct session *session, const char *path, int *left_out);
 
 #endif

@@ -54,8 +54,11 @@ static void fuzz_session(const char *text) {
                               .camera = "0",
                               .lights = mem_strdup("0")};
     renderer_settings_init(&session.settings);
-    if (session_load(&session, fuzz_file(text, strlen(text))))
+    int left_out = 0;
+    if (session_load(&session, fuzz_file(text, strlen(text)), NULL))
         free(session_command(&session));
+    require(session_load(&session, fuzz_file(text, strlen(text)), &left_out));
+    free(session_command(&session));
     session_free(&session);
 }
 
