@@ -203,6 +203,25 @@ static void test_clip(void **state) {
     check_at_most("another scene: frames off by more than a tenth", 1 - sudden.within, .08);
 }
 
+/* However fast the machine is, without rays the last level is one by maps; a level above it is left. */
+static void test_without_rays(void **state) {
+    (void)state;
+    struct time_budget budget;
+    time_budget_init(&budget, 1000, NULL);
+    for (int i = 0; i < 60; i++)
+        time_budget_add(&budget, 1);
+    printf("    with rays level %d, ", budget.level);
+    assert_int_equal(budget.level, LAST);
+    time_budget_allow_rays(&budget, false);
+    for (int i = 0; i < 3; i++)
+        time_budget_add(&budget, 1);
+    char *text = time_budget_settings(budget.level);
+    printf("without %d: %s\n", budget.level, text);
+    assert_int_equal(budget.level, 52);
+    assert_non_null(strstr(text, "clustered.visibility=ray "));
+    free(text);
+}
+
 /* Dearer levels have no less of anything that is a number of things; frames by rays, which come last, begin anew. */
 static void test_levels(void **state) {
     (void)state;
@@ -259,7 +278,8 @@ int main(void) {
         cmocka_unit_test(test_search),        cmocka_unit_test(test_costs),
         cmocka_unit_test(test_part_of_costs), cmocka_unit_test(test_ends),
         cmocka_unit_test(test_noise),         cmocka_unit_test(test_clip),
-        cmocka_unit_test(test_levels),        cmocka_unit_test(test_program),
+        cmocka_unit_test(test_without_rays),  cmocka_unit_test(test_levels),
+        cmocka_unit_test(test_program),
     };
     return cmocka_run_group_tests_name("time budget", tests, NULL, NULL);
 }

@@ -8,7 +8,7 @@
 /* --- levels --- */
 
 /* Between two rows, numbers go from one to the other by ratio; grades are the lower row's. First come frames by maps,
- * then frames by rays, where they are on the front (bench/FRONTS.md). */
+ * then frames by rays (bench/FRONTS.md). */
 static const struct row {
     int level;
     struct {
@@ -25,11 +25,10 @@ static const struct row {
     {26, {512, 12, 128, 256, 7, 384}, {8, 0, 1, 8, .5, false}}, /* draft */
     {36, {768, 20, 192, 512, 7, 512}, {8, 4, 1, 8, .5, false}},
     {44, {1024, 30, 256, 1024, 7, 512}, {8, 4, 4, 12, 1, false}}, /* the defaults */
-    {47, {1024, 40, 256, 1024, 7, 512}, {8, 4, 4, 12, 1, false}},
-    {48, {256, 40, 256, 1024, 7, 512}, {8, 2, 1, 12, 1, true}},
-    {54, {512, 40, 256, 1024, 7, 512}, {8, 2, 1, 12, 1, true}}, /* high */
-    {62, {1024, 40, 256, 1024, 7, 512}, {8, 2, 1, 16, 1, true}},
-    {TIME_BUDGET_LEVELS - 1, {1024, 40, 256, 1024, 7, 512}, {2, 1, 1, 16, 1, true}},
+    {52, {1024, 60, 256, 1024, 7, 512}, {8, 4, 4, 12, 1, false}},
+    {53, {512, 60, 256, 1024, 7, 512}, {8, 2, 1, 12, 1, true}}, /* high */
+    {62, {1024, 60, 256, 1024, 7, 512}, {8, 2, 1, 16, 1, true}},
+    {TIME_BUDGET_LEVELS - 1, {1024, 60, 256, 1024, 7, 512}, {2, 1, 1, 16, 1, true}},
 };
 
 /* The last row that begins at the level or before, but the very last. */
@@ -38,6 +37,13 @@ static const struct row *row_of(int level) {
     while (row < last && row[1].level <= level)
         row++;
     return row;
+}
+
+void time_budget_allow_rays(struct time_budget *budget, bool allowed) {
+    const struct row *row = rows;
+    while (!row->grades.by_rays)
+        row++;
+    budget->most = allowed ? TIME_BUDGET_LEVELS - 1 : row->level - 1;
 }
 
 int time_budget_level_of_row(int row) {
@@ -125,6 +131,7 @@ static bool fill_costs(struct time_budget *budget, const struct costs *costs) {
 void time_budget_init(struct time_budget *budget, double target, const struct costs *costs) {
     *budget = (struct time_budget){.target = target,
                                    .level = LEVEL_FIRST,
+                                   .most = TIME_BUDGET_LEVELS - 1,
                                    .before = -1,
                                    .growth = growth_usual,
                                    .too_slow = TIME_BUDGET_LEVELS,
@@ -181,14 +188,14 @@ static void wait_for_slow(struct time_budget *budget) {
 static int wanted_level(const struct time_budget *budget) {
     int most = budget->settled ? STEP_SETTLED : STEP_MOST;
     double may_grow = (aim - off_target(budget)) / budget->growth;
-    int level = budget->level, last = TIME_BUDGET_LEVELS - 1;
+    int level = budget->level, last = budget->most;
     while (level < last && level - budget->level < most &&
            apart(budget, level + 1, budget->level) <= may_grow)
         level++;
     while (level > 0 && budget->level - level < most &&
            apart(budget, level, budget->level) > may_grow)
         level--;
-    int top = budget->wait > 0 ? budget->too_slow - 1 : TIME_BUDGET_LEVELS - 1;
+    int top = budget->wait > 0 && budget->too_slow <= last ? budget->too_slow - 1 : last;
     level = level < top ? level : top;
     return level > 0 ? level : 0;
 }

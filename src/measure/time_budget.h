@@ -1,6 +1,6 @@
 /* Settings that take the time there is: from how long frames took, those of the next.
  *
- * Between fewest and most lie levels, each a few percent dearer than the one before: interpolations between rows
+ * Between fewest and most lie levels, each a few percent dearer than the one before, but for the step from maps to rays: interpolations between rows
  * of settings that are on the front of error against time (bench/PARSIMONY.md, bench/FRONTS.md). Frames are drawn at one of
  * them, and their times choose the next: the machine decides, not the scene alone.
  */
@@ -10,11 +10,12 @@
 #include "measure/costs.h"
 #include "renderer/settings.h"
 
-enum { TIME_BUDGET_LEVELS = 73, TIME_BUDGET_SAMPLES = 3, TIME_BUDGET_ROWS = 10 };
+enum { TIME_BUDGET_LEVELS = 73, TIME_BUDGET_SAMPLES = 3, TIME_BUDGET_ROWS = 9 };
 
 struct time_budget {
     double target;                       /* ms */
     int level;                           /* of the next frame */
+    int most;                            /* the last one that may be chosen */
     double samples[TIME_BUDGET_SAMPLES]; /* of this level, ms: the last ones, in a ring */
     int count;                           /* of them, ever */
     int before;                          /* the level before; -1: there was none */
@@ -33,6 +34,10 @@ struct time_budget {
 
 /* Costs that have all rows of settings say how far the first steps go; NULL: all levels grow alike. */
 void time_budget_init(struct time_budget *budget, double target, const struct costs *costs);
+
+/* Whether levels by rays may be chosen, as they may at first: not where a large BVH would be built for each pose, whose
+ * time is no frame's. */
+void time_budget_allow_rays(struct time_budget *budget, bool allowed);
 
 /* After a frame of the level, which took so long. Whether the level is another one now. */
 bool time_budget_add(struct time_budget *budget, double ms);

@@ -127,11 +127,10 @@ static bool init_blocks(struct block_visibility_pass *blocks, const struct val_s
                                                                  });
 }
 
-/* Rays need a tree of all triangles, which is planted at load, and anew for each pose: a second for each 150,000. */
-static bool has_few_triangles(const struct technique_desc *desc) {
+bool vals_may_trace(const struct scene *scene, const struct geometry *geometry) {
     static const uint32_t most_that_move = 20000, most = 1 << 20;
-    bool moves = scene_duration(desc->scene) > 0;
-    return geometry_triangle_count(desc->geometry) <= (moves ? most_that_move : most);
+    bool moves = scene_duration(scene) > 0;
+    return geometry_triangle_count(geometry) <= (moves ? most_that_move : most);
 }
 
 /* What bounds light by parameters counts as disks do: this says no more than how much a test counts. */
@@ -189,7 +188,7 @@ static bool init_set(struct val_set *set, const struct technique_desc *desc,
         many_lights_lookup(desc->settings, lookup_of_val(lookup, set->block > 0), of->val_count);
     set->casters = desc->casters;
     set->calibrated = of->follow && lookup == VISIBILITY_LOOKUP_RAY && own->ray_tests > 0 &&
-                      has_few_triangles(desc);
+                      vals_may_trace(desc->scene, desc->geometry);
     return init_cluster(set, desc->settings, of) && (!has_maps(set) || init_maps(set, desc)) &&
            ((lookup != VISIBILITY_LOOKUP_TRACED && !set->calibrated) ||
             caster_pool_acquire_tree(set->casters, &set->tree)) &&

@@ -48,6 +48,10 @@ struct vals {
     struct val_output output;      /* of the first */
 };
 
+/* Whether the scene has so few triangles that rays are traced though nobody asked for them: their BVH is built at load,
+ * and for each pose anew. */
+bool vals_may_trace(const struct scene *scene, const struct geometry *geometry);
+
 /* How a pixel asks for a VPL's visibility. */
 enum visibility_lookup vals_lookup(const struct settings *settings);
 

@@ -1,4 +1,5 @@
 /* Frames in the time that they may take: settings that are wanted follow the budget's level (measure/time_budget.h). */
+#include "techniques/vals.h"
 #include "viewer/viewer.h"
 
 #include <stdlib.h>
@@ -33,6 +34,8 @@ void viewer_follow_budget(struct viewer *viewer) {
         shown->dirty = true;
         return;
     }
+    time_budget_allow_rays(&shown->budget,
+                           vals_may_trace(&viewer->document.scene, &viewer->document.geometry));
     if (time_budget_add(&shown->budget, ms))
         take_level(viewer);
     shown->dirty |= !time_budget_holds(&shown->budget); /* at rest, too */
