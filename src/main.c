@@ -73,7 +73,8 @@ static int run(int argc, char **argv) {
         print_help(stderr);
         return 2;
     }
-    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "--help-all") == 0 ||
+        strcmp(argv[1], "-h") == 0) {
         print_help(stdout);
         return 0;
     }

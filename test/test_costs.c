@@ -266,7 +266,7 @@ static void test_presets(void **state) {
     costs_add(&costs, "technique=clustered path=traced", 34);
     static const char *const says[][2] = {
         {"draft", "x0.25 the time of Normal on this machine, and 1.4 to 2.7 times its error."},
-        {"high", "x1.1 to x2.5 the time of Normal, and up to a quarter less error."},
+        {"high", "x1.1 to x2.4 the time of Normal, and up to a quarter less error."},
         {"traced", "x3.4 the time of Normal on this machine, and up to a third"},
         {"fast", "For most scenes: the defaults."},
     };

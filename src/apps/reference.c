@@ -58,7 +58,7 @@ static const struct option options[] = {
      .help = "rays per pixel that add the light cut off by the bound, exact on average;\n"
              "0: none; with vpl-raytraced or lightcuts and --set clamp=value"},
     {"set", 0, OPTION_LIST, offsetof(struct values, settings), .value_name = "KEY=VALUE",
-     .help = "setting of the VPLs, for example vpls, seed or clamp (manylight render --help);\n"
+     .help = "setting of the VPLs, for example vpls, seed or clamp (render --help-all);\n"
              "repeatable"},
     {"bounces", 0, OPTION_INT, offsetof(struct values, tracer.bounces), 1, 0, 1000,
      .help = "number of indirect bounces; 0: direct light only"},

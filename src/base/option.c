@@ -260,7 +260,7 @@ bool options_parse_arguments(const struct option *table, void *values, int argc,
         } else {
             const struct option *option = find_argument(table, argument, &value);
             if (!option)
-                return error_set("unknown option '%s' (--help lists them)", argument);
+                return error_set("unknown option '%s' (--help-all lists them)", argument);
             if (!value && option->type == OPTION_FLAG)
                 value = "on";
             else if (!value && i + 1 < argc)

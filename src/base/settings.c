@@ -123,7 +123,7 @@ bool settings_find(const struct settings *settings, const char *name, struct set
         }
     }
     if (count == 0)
-        return error_set("no setting is called '%s' (--help lists them)", name);
+        return error_set("no setting is called '%s' (--help-all lists them)", name);
     return count == 1 || refuse_ambiguous(settings, name);
 }
 

@@ -25,8 +25,8 @@ static const struct price {
      "1.4 to 2.7 times its error"},
     {"normal", "For most scenes: the defaults", NULL, NULL},
     {"high", "Shadows by rays through the triangles, for halls and rooms",
-     "x1.1 to x2.5 the time of Normal", "up to a quarter less error"},
-    {"rays", "The least error of a frame: High with 1024 VPLs", "x1.5 to x4 the time of Normal",
+     "x1.1 to x2.4 the time of Normal", "up to a quarter less error"},
+    {"rays", "The least error of a frame: High with 1024 VPLs", "x1.4 to x4 the time of Normal",
      "up to a third less error"},
 };
 

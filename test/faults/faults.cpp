@@ -23,6 +23,7 @@
 #include <fcntl.h>
 #include <link.h>
 #include <pthread.h>
+#include <semaphore.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -333,12 +334,21 @@ int fclose(FILE *file) {
     return bad ? EOF : result;
 }
 
-static void *do_nothing(void *) {
-    return nullptr;
+struct turn {
+    void *(*start)(void *);
+    void *argument;
+    sem_t done;
+};
+
+static void *take_turn(void *context) {
+    turn *own = static_cast<turn *>(context);
+    void *result = own->start(own->argument);
+    sem_post(&own->done);
+    return result;
 }
 
-/* The program's threads take turns: a thread's work is done before it begins. Else chance would decide which
- * thread makes a call, and so from where. */
+/* The program's threads take turns: who begins one waits until its work is done. Else chance would decide which thread
+ * makes a call, and so from where. */
 int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*start)(void *),
                    void *argument) {
     REAL(pthread_create);
@@ -346,8 +356,13 @@ int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*
         return EAGAIN;
     if (!running || !in_program(__builtin_return_address(0)))
         return real_pthread_create(thread, attributes, start, argument);
-    start(argument);
-    return real_pthread_create(thread, attributes, do_nothing, nullptr);
+    turn own = {start, argument, {}};
+    sem_init(&own.done, 0, 0);
+    int error = real_pthread_create(thread, attributes, take_turn, &own);
+    while (!error && sem_wait(&own.done) != 0)
+        ;
+    sem_destroy(&own.done);
+    return error;
 }
 
 typedef int main_function(int, char **, char **);

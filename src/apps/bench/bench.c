@@ -80,7 +80,7 @@ static const struct option options[] = {
     {"variant", 0, OPTION_LIST, VALUE(variants),
      .help = "variant to measure, listed below; repeatable"},
     {"set", 0, OPTION_LIST, VALUE(settings), .value_name = "KEY=VALUE",
-     .help = "setting of all variants (manylight render --help); repeatable"},
+     .help = "setting of all variants (manylight render --help-all); repeatable"},
     {"frames", 0, OPTION_INT, VALUE(frames), 0, 0, 100000,
      .help = "number of measured frames; 0: 5 on\n"
              "software OpenGL, else 100; for a clip 50"},
@@ -214,7 +214,8 @@ int app_bench(int argc, char **argv) {
     for (int i = 0; argc > 1 && i < MODES; i++)
         if (strcmp(argv[1], modes[i]->name) == 0)
             return run_mode(modes[i], argc - 1, argv + 1);
-    if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)) {
+    if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "--help-all") == 0 ||
+                     strcmp(argv[1], "-h") == 0)) {
         print_help(stdout);
         return STATUS_OK;
     }
