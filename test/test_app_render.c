@@ -302,6 +302,11 @@ static void test_stats(void **state) {
                                         " ms"};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         expect_text(texts[i]);
+    int lines = 0;
+    for (const char *at = output; (at = strstr(at, " MiB\n")); at++)
+        lines++;
+    printf("    %d lines of GPU memory: the eight largest, the others, all\n", lines);
+    assert_int_equal(lines, 10);
     expect_box(0, "--technique unshadowed --stats -o %s", scratch("stats.png"));
     assert_null(strstr(output, "VALs   4"));
     expect_box(0, "--technique cluster-lights --set area-lights=16 --stats -o %s",

@@ -65,14 +65,27 @@ static int larger_first(const void *a, const void *b) {
     return (x->bytes < y->bytes) - (x->bytes > y->bytes);
 }
 
+static void print_bytes(FILE *out, const char *label, size_t bytes) {
+    fprintf(out, "  %-28s %9.2f MiB\n", label, (double)bytes / (1 << 20));
+}
+
 void gpu_memory_print(FILE *out) {
-    const double mib = 1 << 20;
+    enum { LARGEST = 8 };
+    int shown = 0, others = 0;
+    size_t rest = 0;
+    char label[32];
     pthread_mutex_lock(&mutex);
     qsort(ledger.entries, (size_t)ledger.count, sizeof *ledger.entries, larger_first);
     for (int i = 0; i < ledger.count; i++)
-        if (ledger.entries[i].count > 0)
-            fprintf(out, "  %-28s %9.2f MiB\n", ledger.entries[i].label,
-                    (double)ledger.entries[i].bytes / mib);
+        if (ledger.entries[i].count > 0 && shown < LARGEST) {
+            print_bytes(out, ledger.entries[i].label, ledger.entries[i].bytes);
+            shown++;
+        } else if (ledger.entries[i].count > 0) {
+            rest += ledger.entries[i].bytes;
+            others++;
+        }
     pthread_mutex_unlock(&mutex);
-    fprintf(out, "  %-28s %9.2f MiB\n", "all GPU memory", (double)gpu_memory_total() / mib);
+    snprintf(label, sizeof label, "%d others", others);
+    print_bytes(out, label, rest);
+    print_bytes(out, "all GPU memory", gpu_memory_total());
 }

@@ -14,7 +14,7 @@ size_t gpu_memory_total(void);
 /* Live textures and buffers. */
 int gpu_memory_object_count(void);
 
-/* A line per label, largest first, and the total, in MiB. */
+/* A line for each of the eight largest labels, one for all others, and the total, in MiB. */
 void gpu_memory_print(FILE *out);
 
 #endif
