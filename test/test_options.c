@@ -82,7 +82,8 @@ static void test_option_help(void **state) {
         {"hue", 'h', OPTION_CHOICE, offsetof(struct values, choice), 1, .choices = names,
          .help = "four"},
         {"size", 0, OPTION_SIZE, offsetof(struct values, size), 8, 1, 64, .help = "five"},
-        {"file", 0, OPTION_TEXT, offsetof(struct values, text), .value_name = "F", .help = "six"},
+        {"file", 0, OPTION_TEXT, offsetof(struct values, text), .value_name = "F", .help = "six",
+         .rare = true},
         {NULL},
     };
     static const char expected[] =
@@ -90,16 +91,20 @@ static void test_option_help(void **state) {
         "  --off                      two\n                             lines\n"
         "  --count N                  three [5; 1 to 9]\n"
         "  -h, --hue NAME             four [green; one of red, green, blue]\n"
-        "  --size WxH                 five [8x8]\n"
-        "  --file F                   six\n";
+        "  --size WxH                 five [8x8]\n";
+    static const char rest[] = "  --file F                   six\n";
     char *text = NULL;
     size_t size;
     struct values values;
     FILE *out = open_memstream(&text, &size);
-    options_print_help(out, all, "--");
+    assert_int_equal(options_print_help(out, all, "--", false), 1);
+    assert_int_equal(options_print_help(out, all, "--", true), 0);
     fclose(out);
     printf("%s", text);
-    assert_string_equal(text, expected);
+    const size_t once = strlen(expected);
+    assert_memory_equal(text, expected, once);
+    assert_memory_equal(text + once, expected, once);
+    assert_string_equal(text + 2 * once, rest);
     free(text);
     options_set_defaults(all, &values);
     assert_false(option_parse(&all[3], &values, "grey"));
