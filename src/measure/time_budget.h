@@ -10,7 +10,7 @@
 #include "measure/costs.h"
 #include "renderer/settings.h"
 
-enum { TIME_BUDGET_LEVELS = 73, TIME_BUDGET_SAMPLES = 3, TIME_BUDGET_ROWS = 9 };
+enum { TIME_BUDGET_LEVELS = 73, TIME_BUDGET_SAMPLES = 3, TIME_BUDGET_ROWS = 13 };
 
 struct time_budget {
     double target;                       /* ms */
