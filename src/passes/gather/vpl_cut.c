@@ -26,12 +26,12 @@ static bool init_cuts(struct vpl_cuts *cuts, const struct vpl_cut_desc *desc) {
                             .format = GL_R32UI,
                             .width = (desc->width + desc->block - 1) / desc->block,
                             .height = (desc->height + desc->block - 1) / desc->block,
-                            .layers = 2 + desc->nodes + desc->detail_nodes,
+                            .layers = 2 + desc->nodes + CUT_NODES_MAX,
                         });
 }
 
 bool vpl_cut_pass_init(struct vpl_cut_pass *pass, const struct vpl_cut_desc *desc) {
-    assert(desc->nodes <= desc->detail_nodes && desc->detail_nodes <= CUT_NODES_MAX);
+    assert(desc->nodes <= CUT_NODES_MAX);
     *pass = (struct vpl_cut_pass){.desc = *desc};
     if (init_program(&pass->program, desc->clamp) &&
         (!desc->further || init_program(&pass->further_program, desc->further_clamp)) &&
@@ -57,7 +57,7 @@ static void write_params(const struct vpl_cut_pass *pass, const struct frame *fr
         .block = desc->block,
         .leaves = pass->cuts.tree->leaves,
         .nodes = desc->nodes,
-        .more_nodes = desc->detail_nodes,
+        .more_nodes = CUT_NODES_MAX,
         .tolerance = desc->tolerance,
         .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
     };

@@ -12,8 +12,7 @@
 struct vpl_cut_desc {
     int width, height; /* of the picture */
     int block;         /* pixels a side */
-    int nodes;         /* at most */
-    int detail_nodes;  /* at most, of pixels of lists; not below the others */
+    int nodes;         /* at most; of pixels of lists CUT_NODES_MAX */
     float tolerance;   /* of a node's error, over the sum that is not shadowed */
     int clamp;         /* enum gather_clamp; balls count as disks */
     float clamp_value; /* as in struct gather_desc */

@@ -67,7 +67,7 @@ static bool init_cut(struct lightcuts *technique, const struct technique_desc *d
                                                   .height = desc->height,
                                                   .block = BLOCK,
                                                   .nodes = own->nodes,
-                                                  .detail_nodes = CUT_NODES_MAX,
+
                                                   .tolerance = own->tolerance,
                                                   .clamp = gather->clamp,
                                                   .clamp_value = gather->clamp_value,
