@@ -1,6 +1,7 @@
 /* Picks the subcommand. */
 #define _POSIX_C_SOURCE 200809L
 #include "apps/apps.h"
+#include "apps/arguments.h"
 #include "base/error.h"
 #include "base/file/output_file.h"
 
@@ -73,8 +74,7 @@ static int run(int argc, char **argv) {
         print_help(stderr);
         return 2;
     }
-    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "--help-all") == 0 ||
-        strcmp(argv[1], "-h") == 0) {
+    if (arguments_is_help(argv[1])) {
         print_help(stdout);
         return 0;
     }

@@ -65,13 +65,18 @@ static struct option *join_tables(const struct arguments *arguments) {
     return table;
 }
 
+bool arguments_is_help(const char *argument) {
+    return strcmp(argument, "--help") == 0 || strcmp(argument, "--help-all") == 0 ||
+           strcmp(argument, "-h") == 0;
+}
+
 /* Help wins over any mistake beside it: who asks for it may have made one. */
 static bool asks_for_help(int argc, char **argv, struct common_values *common) {
     for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
         common->help_all |= strcmp(argv[i], "--help-all") == 0;
-        common->help |= strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0;
+        common->help |= arguments_is_help(argv[i]);
     }
-    return common->help || common->help_all;
+    return common->help;
 }
 
 static void print_help(const struct arguments *arguments, const struct option *table,

@@ -47,6 +47,9 @@ struct arguments {
 bool arguments_parse(const struct arguments *arguments, void *values, int argc, char **argv,
                      const char **positional, int *positional_count, int *status);
 
+/* --help, --help-all or -h. */
+bool arguments_is_help(const char *argument);
+
 /* Prints the present error as "manylight NAME: MESSAGE" on stderr; returns STATUS_FAILED, or
  * STATUS_USAGE where the arguments are at fault. */
 int arguments_fail(const char *name);

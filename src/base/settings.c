@@ -220,11 +220,17 @@ bool settings_assign(struct settings *settings, const char *assignments) {
     return true;
 }
 
-void settings_print_help(FILE *out, const struct settings_part *part, const char *unused) {
+void setting_print_help(FILE *out, const struct setting *setting) {
     char prefix[SETTING_NAME_SIZE];
-    snprintf(prefix, sizeof prefix, "%s.", part->owner);
+    snprintf(prefix, sizeof prefix, "%s.", setting->part->owner);
+    option_print_help(out, setting->option, prefix);
+}
+
+void settings_print_help(FILE *out, const struct settings_part *part, const char *unused) {
     fprintf(out, "\n  %s:\n", part->title);
-    for (const struct option *option = part->table; option->name; option++)
-        if (!setting_is_among(&(struct setting){part, option}, unused))
-            option_print_help(out, option, prefix);
+    for (const struct option *option = part->table; option->name; option++) {
+        struct setting setting = {part, option};
+        if (!setting_is_among(&setting, unused))
+            setting_print_help(out, &setting);
+    }
 }

@@ -87,6 +87,9 @@ bool settings_give_word(struct settings *settings, const struct word *word);
 void settings_forget_given(struct settings *settings);
 void settings_copy_given(struct settings *to, const struct settings *from);
 
+/* A line or two of a setting, for --help. */
+void setting_print_help(FILE *out, const struct setting *setting);
+
 /* A line or two per setting of a part but the unused, under its title, for --help. */
 void settings_print_help(FILE *out, const struct settings_part *part, const char *unused);
 

@@ -123,11 +123,10 @@ void renderer_settings_copy_but_samples(struct settings *to, const struct settin
 
 /* --- help --- */
 
-static bool has_part(const struct direct_method *method, const struct settings_part *part) {
-    const struct settings_part *const *p = method->parts;
-    while (*p && *p != part)
-        p++;
-    return *p;
+static bool has_part(const struct settings_part *const *parts, const struct settings_part *part) {
+    while (*parts && *parts != part)
+        parts++;
+    return *parts;
 }
 
 /* Those that methods share with the first of them. */
@@ -135,7 +134,7 @@ static void print_direct_parts(FILE *out) {
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         for (const struct settings_part *const *p = (*d)->parts; *p; p++) {
             const struct direct_method *const *first = direct_methods;
-            while (!has_part(*first, *p))
+            while (!has_part((*first)->parts, *p))
                 first++;
             if (first == d)
                 settings_print_help(out, *p, NULL);
@@ -160,10 +159,8 @@ static void print_all(FILE *out, const struct technique *technique) {
 }
 
 static bool technique_has(const struct technique *technique, const struct setting *setting) {
-    const struct settings_part *const *part = technique->parts;
-    while (*part && *part != setting->part)
-        part++;
-    return *part && !setting_is_among(setting, technique->unused);
+    return has_part(technique->parts, setting->part) &&
+           !setting_is_among(setting, technique->unused);
 }
 
 static bool is_picture(const struct setting *setting) {
@@ -182,12 +179,9 @@ static void print_main(FILE *out, const struct technique *technique) {
     fprintf(out, "\n  main settings:\n");
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         struct setting setting;
-        char prefix[SETTING_NAME_SIZE];
-        if (!settings_find(&settings, names[i], &setting) ||
-            (!technique_has(technique, &setting) && !is_picture(&setting)))
-            continue;
-        snprintf(prefix, sizeof prefix, "%s.", setting.part->owner);
-        option_print_help(out, setting.option, prefix);
+        if (settings_find(&settings, names[i], &setting) &&
+            (technique_has(technique, &setting) || is_picture(&setting)))
+            setting_print_help(out, &setting);
     }
     for (const struct settings_part *const *part = technique->parts; *part; part++)
         if (technique != technique_default && strcmp((*part)->owner, technique->name) == 0)

@@ -214,8 +214,7 @@ int app_bench(int argc, char **argv) {
     for (int i = 0; argc > 1 && i < MODES; i++)
         if (strcmp(argv[1], modes[i]->name) == 0)
             return run_mode(modes[i], argc - 1, argv + 1);
-    if (argc > 1 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "--help-all") == 0 ||
-                     strcmp(argv[1], "-h") == 0)) {
+    if (argc > 1 && arguments_is_help(argv[1])) {
         print_help(stdout);
         return STATUS_OK;
     }
