@@ -315,19 +315,19 @@ FRONTS_WITHOUT := --vary N=1024 $(addprefix --variant ,maps:technique=clustered,
     no-correction:technique=clustered,clustered.ray-tests=0 no-arcs:technique=clustered,caster.long=0 \
     no-edge-samples:technique=clustered,gather.further-points=off no-blocks:technique=clustered,clustered.visibility-block=0 \
     cluster-lights) --tracer
-FRONTS_RUN = sweep --reference path --cache $(REFERENCE_CACHE) --size 400x400
-FRONTS_ROOMS := $(wildcard ../shared/scenes/public/*.glb)
-FRONTS_ROOMS += $(if $(FRONTS_ROOMS),--noise .05 --light spot --set materials=diffuse --frames 2)
+FRONTS_SMALL := $(CHART_SMALL) --frames 5
+FRONTS_LARGE := $(CHART_LARGE) --frames 2
+FRONTS_ROOMS := $(METHODS_ROOMS) $(if $(strip $(METHODS_ROOMS)),--frames 2)
 FRONTS_ROWS := $(BENCH_RESULTS)/fronts.csv
 
 fronts: all
 	@mkdir -p $(BENCH_RESULTS)
-	$(call BENCH_ROWS,$(FRONTS_ROWS).1,$(FRONTS_RUN) $(filter-out ../%/cornell-box.glb,$(SMALL_SCENES)) $(NOISE_OF_SMALL) --frames 5 $(FRONTS_GRID))
-	$(call BENCH_ROWS,$(FRONTS_ROWS).2,$(FRONTS_RUN) $(filter-out ../%/cornell-box.glb,$(SMALL_SCENES)) $(NOISE_OF_SMALL) --frames 5 $(FRONTS_WITHOUT))
-	$(call BENCH_ROWS,$(FRONTS_ROWS).3,$(FRONTS_RUN) $(LARGE_SCENES) $(NOISE_OF_LARGE) --frames 2 $(FRONTS_GRID))
-	$(call BENCH_ROWS,$(FRONTS_ROWS).4,$(FRONTS_RUN) $(LARGE_SCENES) $(NOISE_OF_LARGE) --frames 2 $(FRONTS_WITHOUT))
-	$(if $(strip $(FRONTS_ROOMS)),$(call BENCH_ROWS,$(FRONTS_ROWS).5,$(FRONTS_RUN) $(FRONTS_ROOMS) $(FRONTS_GRID)))
-	$(if $(strip $(FRONTS_ROOMS)),$(call BENCH_ROWS,$(FRONTS_ROWS).6,$(FRONTS_RUN) $(FRONTS_ROOMS) $(FRONTS_WITHOUT)))
+	$(call BENCH_ROWS,$(FRONTS_ROWS).1,$(CHART_RUN) $(FRONTS_SMALL) $(FRONTS_GRID))
+	$(call BENCH_ROWS,$(FRONTS_ROWS).2,$(CHART_RUN) $(FRONTS_SMALL) $(FRONTS_WITHOUT))
+	$(call BENCH_ROWS,$(FRONTS_ROWS).3,$(CHART_RUN) $(FRONTS_LARGE) $(FRONTS_GRID))
+	$(call BENCH_ROWS,$(FRONTS_ROWS).4,$(CHART_RUN) $(FRONTS_LARGE) $(FRONTS_WITHOUT))
+	$(if $(strip $(FRONTS_ROOMS)),$(call BENCH_ROWS,$(FRONTS_ROWS).5,$(CHART_RUN) $(FRONTS_ROOMS) $(FRONTS_GRID)))
+	$(if $(strip $(FRONTS_ROOMS)),$(call BENCH_ROWS,$(FRONTS_ROWS).6,$(CHART_RUN) $(FRONTS_ROOMS) $(FRONTS_WITHOUT)))
 	$(call JOIN_ROWS,$(FRONTS_ROWS))
 	./manylight bench chart $(FRONTS_ROWS) -o $(BENCH_PLOTS)/fronts
 
