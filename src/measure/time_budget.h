@@ -1,8 +1,9 @@
 /* Settings that take the time there is: from how long frames took, those of the next.
  *
- * Between fewest and most lie levels, each a few percent dearer than the one before, but for the step from maps to rays: interpolations between rows
- * of settings that are on the front of error against time (bench/PARSIMONY.md, bench/FRONTS.md). Frames are drawn at one of
- * them, and their times choose the next: the machine decides, not the scene alone.
+ * Between fewest and most lie levels. Each is a few percent dearer than the one before, but for the step from maps to
+ * rays. Levels are interpolated between rows of settings on the front of error against time (bench/PARSIMONY.md,
+ * bench/FRONTS.md). Frames are drawn at one of them, and their times choose the next: the machine decides, not the
+ * scene alone.
  */
 #ifndef MEASURE_TIME_BUDGET_H
 #define MEASURE_TIME_BUDGET_H
