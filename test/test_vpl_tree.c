@@ -342,7 +342,6 @@ static void find_cuts(struct bench *bench, int nodes, float tolerance,
                                                   .height = SIZE,
                                                   .block = BLOCK,
                                                   .nodes = nodes,
-                                                  .detail_nodes = nodes,
                                                   .tolerance = tolerance,
                                                   .clamp = GATHER_CLAMP_DISK,
                                               }));

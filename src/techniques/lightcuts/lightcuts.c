@@ -67,7 +67,6 @@ static bool init_cut(struct lightcuts *technique, const struct technique_desc *d
                                                   .height = desc->height,
                                                   .block = BLOCK,
                                                   .nodes = own->nodes,
-
                                                   .tolerance = own->tolerance,
                                                   .clamp = gather->clamp,
                                                   .clamp_value = gather->clamp_value,
