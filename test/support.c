@@ -30,6 +30,15 @@ void check_ok(const char *what, bool ok) {
         fail_msg("%s: %s", what, error_get());
 }
 
+bool is_long_run(void) {
+    const char *text = getenv("MANYLIGHT_LONG");
+    return text && strcmp(text, "1") == 0;
+}
+
+bool is_tried_here(size_t index, size_t step) {
+    return is_long_run() || index % step == 0;
+}
+
 int run_command(const char *command, char *output, size_t output_size) {
     char line[4096];
     snprintf(line, sizeof line, "%s 2>&1 </dev/null", command);

@@ -18,6 +18,12 @@ void check_at_most(const char *what, double value, double bound);
 /* Fails unless call returned true; prints the error message. */
 void check_ok(const char *what, bool ok);
 
+/* Whether `make test-long` runs, which tries all rows of each test; `make test` tries a few of each kind. */
+bool is_long_run(void);
+
+/* Whether this run tries the row of that index: one in step of them, or all. */
+bool is_tried_here(size_t index, size_t step);
+
 /* Runs a shell command; its exit status, its stdout and stderr together in output (truncated). */
 int run_command(const char *command, char *output, size_t output_size);
 

@@ -1,4 +1,5 @@
 /* manylight render: exit statuses, messages and files, as a shell sees them; and --aov's layers. */
+#include "command_support.h"
 #include "gltf_parts.h"
 #include "render_support.h"
 
@@ -15,23 +16,6 @@
 #include <string.h>
 #include <unistd.h>
 
-static char output[16384];
-
-/* Runs `manylight render ARGUMENTS`; the output is kept. */
-static void expect(int status, const char *arguments) {
-    char command[2048];
-    snprintf(command, sizeof command, "%s render %s", binary_path(), arguments);
-    int actual = run_command(command, output, sizeof output);
-    printf("    %s\n    -> %d %.300s\n", arguments, actual, output);
-    if (actual != status)
-        fail_msg("exit status %d, expected %d: %s", actual, status, output);
-}
-
-static void expect_text(const char *text) {
-    if (!strstr(output, text))
-        fail_msg("'%s' is not in: %s", text, output);
-}
-
 /* A quick frame of the Cornell box with more arguments. */
 static void expect_box(int status, const char *format, ...) {
     char arguments[1600] = "scenes/cornell-box.glb --size 40x30 --set vpls=64 --set vals=4"
@@ -42,7 +26,7 @@ static void expect_box(int status, const char *format, ...) {
     va_start(more, format);
     vsnprintf(arguments + used, sizeof arguments - used, format, more);
     va_end(more);
-    expect(status, arguments);
+    expect_command(status, "render", arguments);
 }
 
 /* --- refusals --------------------------------------------------------------------------------- */
@@ -74,7 +58,7 @@ static void test_usage_errors(void **state) {
         {"a.glb -o b.png --aov val", "aov: no output that holds layers"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        expect(2, cases[i].arguments);
+        expect_command(2, "render", cases[i].arguments);
         expect_text(cases[i].message);
     }
 }
@@ -120,7 +104,7 @@ static void test_preset_first(void **state) {
 
 static void test_failures(void **state) {
     (void)state;
-    expect(1, "nowhere.glb -o a.png");
+    expect_command(1, "render", "nowhere.glb -o a.png");
     expect_text("manylight render: cannot open nowhere.glb: No such file");
     expect_box(1, "--camera nobody -o a.png");
     expect_text("nobody");
@@ -172,7 +156,7 @@ static void test_own_texture(void **state) {
         snprintf(images, sizeof images, "\"images\": [{\"uri\": \"%s\"}],", names[i]);
         snprintf(arguments, sizeof arguments, "%s --size 8x8 -o %s",
                  write_parts("own.glb", &(struct gltf_parts){.more = images}), scratch("own.png"));
-        expect(1, arguments);
+        expect_command(1, "render", arguments);
         expect_text("own.png: it is the input");
     }
     check_ok("read again", file_read(&after, scratch("own.png")));
@@ -354,7 +338,7 @@ static void test_strips(void **state) {
         char arguments[256];
         snprintf(arguments, sizeof arguments, "scenes/moving-spot.glb --size %s -o %s", sizes[i],
                  scratch("strip.png"));
-        expect(0, arguments);
+        expect_command(0, "render", arguments);
     }
 }
 

@@ -1,5 +1,6 @@
 /* --background: what is seen behind all surfaces. A square of one colour, whose left and right edges cover a quarter
  * of a pixel each, by render and reference. */
+#include "command_support.h"
 #include "gltf_parts.h"
 
 #include "base/file/file.h"
@@ -20,24 +21,11 @@ enum {
 
 static const float colour[3] = {.5F, .25F, .8F}; /* of the square */
 
-static char output[8192];
-
-/* With the test's folder for each @. */
-static void expect(int status, const char *arguments) {
-    char command[4096], with_folder[3000];
-    in_scratch(with_folder, sizeof with_folder, arguments);
-    snprintf(command, sizeof command, "%s %s", binary_path(), with_folder);
-    int actual = run_command(command, output, sizeof output);
-    printf("    %s\n    -> %d %.300s\n", arguments, actual, output);
-    if (actual != status)
-        fail_msg("exit status %d, expected %d: %s", actual, status, output);
-}
-
 /* Renders the square with more arguments: back.exr and back.EXTENSION. */
 static void render(const char *scene, const char *extension, const char *more) {
     char arguments[1024];
     snprintf(arguments, sizeof arguments,
-             "render @/%s -o @/back.exr -o @/back.%s --size 20x20 -q "
+             "%% render @/%s -o @/back.exr -o @/back.%s --size 20x20 -q "
              "--set vpls=16,vals=2,map-size=32,rsm-size=32,shadow-size=64,interleave=1 %s",
              scene, extension, more);
     expect(0, arguments);
@@ -230,12 +218,14 @@ static void test_sky(void **state) {
 static void test_reference(void **state) {
     (void)state;
     float seen[4], hidden[4], lit[2][4];
-    expect(0,
-           "reference @/white.glb -o @/back.exr --size 20x20 --spp 16 -q --environment @/sky.exr");
+    expect(
+        0,
+        "% reference @/white.glb -o @/back.exr --size 20x20 --spp 16 -q --environment @/sky.exr");
     read_pixel(OUTSIDE, seen);
     read_pixel(MIDDLE, lit[0]);
-    expect(0, "reference @/white.glb -o @/back.exr --size 20x20 --spp 16 -q --environment @/sky.exr"
-              " --background none");
+    expect(0,
+           "% reference @/white.glb -o @/back.exr --size 20x20 --spp 16 -q --environment @/sky.exr"
+           " --background none");
     read_pixel(OUTSIDE, hidden);
     read_pixel(MIDDLE, lit[1]);
     check_near("sky", (double)seen[1], .5, .001);
@@ -252,24 +242,25 @@ static void test_refusals(void **state) {
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
         if (!knows_format(formats[i]))
             continue;
-        snprintf(arguments, sizeof arguments, "render a.glb -o a.png -o b.%s --background none",
+        snprintf(arguments, sizeof arguments, "%% render a.glb -o a.png -o b.%s --background none",
                  formats[i]);
         expect(2, arguments);
         snprintf(message, sizeof message, "--background none: b.%s: %s is written without alpha",
                  formats[i], formats[i]);
-        assert_non_null(strstr(output, message));
+        expect_text(message);
     }
     static const char *const wrong[] = {"red", "#12345",  "#1234567", "1,2,3",
                                         "1,0", "0,0,0,0", "nan,0,0",  "\"\""};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        snprintf(arguments, sizeof arguments, "render a.glb -o a.png --background '%s'", wrong[i]);
+        snprintf(arguments, sizeof arguments, "%% render a.glb -o a.png --background '%s'",
+                 wrong[i]);
         expect(2, arguments);
-        assert_non_null(strstr(output, "is neither none, #rrggbb nor r,g,b from 0 to 1"));
+        expect_text("is neither none, #rrggbb nor r,g,b from 0 to 1");
     }
-    expect(2, "render a.glb -o a.exr --background 1,1,1");
-    assert_non_null(strstr(output, "--background COLOUR is for PNG"));
-    expect(2, "reference a.glb -o a.exr --background 1,1,1");
-    assert_non_null(strstr(output, "--background COLOUR is for PNG"));
+    expect(2, "% render a.glb -o a.exr --background 1,1,1");
+    expect_text("--background COLOUR is for PNG");
+    expect(2, "% reference a.glb -o a.exr --background 1,1,1");
+    expect_text("--background COLOUR is for PNG");
 }
 
 int main(void) {

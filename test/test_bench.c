@@ -1,24 +1,15 @@
 /* manylight bench: its modes, its tables and its files, as a shell sees them. Times are never
  * compared: only that they are there. */
 #define _POSIX_C_SOURCE 200809L
-#include "support.h"
+#include "command_support.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-static char output[65536];
-
 static int bench(const char *arguments) {
-    char command[2048];
-    snprintf(command, sizeof command, "%s bench %s", binary_path(), arguments);
-    return run_command(command, output, sizeof output);
-}
-
-static void check_says(const char *text) {
-    if (!strstr(output, text))
-        fail_msg("'%s' is not in:\n%s", text, output);
+    return run_program("bench %s", arguments);
 }
 
 static void check_runs(const char *arguments) {
@@ -88,7 +79,7 @@ static void test_times(void **state) {
         "ns/pixel",
     };
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
-        check_says(parts[i]);
+        expect_text(parts[i]);
     if (strstr(output, "  other "))
         fail_msg("a pass belongs to no step:\n%s", output);
     char *text = read_text(csv);
@@ -131,10 +122,10 @@ static void test_sweep_and_cache(void **state) {
              "--cache %s --csv %s",
              cache, csv);
     check_runs(arguments);
-    check_says("making reference");
-    check_says("  fast hard                vals=8 ");
-    check_says("  denoised tracer          spp=16 ");
-    check_says("by rRMSE");
+    expect_text("making reference");
+    expect_text("  fast hard                vals=8 ");
+    expect_text("  denoised tracer          spp=16 ");
+    expect_text("by rRMSE");
     check_runs(arguments);
     assert_null(strstr(output, "making reference"));
     char *text = read_text(csv);
@@ -167,7 +158,7 @@ static void test_chart(void **state) {
     remove(svg);
     remove(png);
     draw("sweep.csv", "charts");
-    check_says("cornell-box.svg");
+    expect_text("cornell-box.svg");
     char *text = read_text(svg);
     assert_non_null(strstr(text, "faces), 24x16"));
     assert_non_null(strstr(text, "Pareto front"));
@@ -178,7 +169,7 @@ static void test_chart(void **state) {
     assert_memory_equal(text + 1, "PNG", 3);
     free(text);
     assert_int_equal(bench("chart no-such-file.csv"), 1);
-    check_says("cannot open no-such-file.csv");
+    expect_text("cannot open no-such-file.csv");
     assert_int_equal(bench("chart README.md -o build/scratch"), 1);
 }
 
@@ -203,8 +194,8 @@ static void test_front(void **state) {
                     cases[i][1], cases[i][0]);
     fclose(file);
     draw("front.csv", "front");
-    check_says("box.svg");
-    check_says("box-36.svg");
+    expect_text("box.svg");
+    expect_text("box-36.svg");
     char *text = read_text(scratch("front/box-36.svg"));
     assert_non_null(strstr(text, "box (36 faces)"));
     /* gnuplot's sixth mark is the ring's, with which the seventh is made. */
@@ -231,7 +222,7 @@ static void test_other_charts(void **state) {
     draw("others.csv", "others");
     static const char *const files[] = {"box-vals.svg", "box-flicker.svg", "box-vals-in-use.svg"};
     for (int i = 0; i < 3; i++)
-        check_says(files[i]);
+        expect_text(files[i]);
     char *text = read_text(scratch("others/box-vals.svg"));
     assert_non_null(strstr(text, "a curve's name, RMSE"));
     free(text);
@@ -255,7 +246,7 @@ static void test_odd_names(void **state) {
         "/box--..-..-out.svg",
     };
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
-        check_says(files[i]);
+        expect_text(files[i]);
     assert_int_equal(count_of(output, ".svg"), (int)(sizeof files / sizeof *files));
     assert_int_equal(access("x", F_OK), -1);
 }
@@ -266,13 +257,13 @@ static void test_scaling(void **state) {
     (void)state;
     check_runs("scaling scenes/cornell-box.glb --size 24x16 --frames 1 --variant fast "
                "--set map-size=16 --set rsm-size=64 --set shadow-size=64 -q");
-    check_says("  cornell-box      fast               pixels   slope ");
-    check_says("  24: ");
-    check_says("  384: ");
-    check_says("  cornell-box      fast               N        slope ");
-    check_says("  4096: ");
-    check_says("  cornell-box      fast               M        slope ");
-    check_says("  all scenes       fast               faces    slope  0.00 :  36: ");
+    expect_text("  cornell-box      fast               pixels   slope ");
+    expect_text("  24: ");
+    expect_text("  384: ");
+    expect_text("  cornell-box      fast               N        slope ");
+    expect_text("  4096: ");
+    expect_text("  cornell-box      fast               M        slope ");
+    expect_text("  all scenes       fast               faces    slope  0.00 :  36: ");
 }
 
 /* The number in a column of the row that begins so, in a text; columns count from 0. */
@@ -338,7 +329,7 @@ static void test_quality(void **state) {
     snprintf(command, sizeof command, "awk -f bench/leave-one-out.awk %s", csv);
     assert_int_equal(run_command(command, output, sizeof output), 0);
     printf("%s", output);
-    assert_non_null(strstr(output, "| cornell-box | nothing to learn from | (1.0"));
+    expect_text("| cornell-box | nothing to learn from | (1.0");
     snprintf(arguments, sizeof arguments,
              "quality scenes/cornell-box.glb --size 32x32 --noise .1 --cache %s -q --passes 1 "
              "--set vpls=64,map.size=32,vals=4 --told --camera \"0 fov=.5\"",
@@ -362,7 +353,7 @@ static void test_direct(void **state) {
              "pcss:direct=pcss,technique=unshadowed --cache %s --csv %s -q",
              scratch("bench-cache"), csv);
     check_runs(arguments);
-    check_says("share of the lights that is seen: table");
+    expect_text("share of the lights that is seen: table");
     check_at_most("pcss, %", number_of(output, "  pcss                    ", 2), 5);
     check_at_most("msm, %", number_of(output, "  msm                     ", 2), 7);
     check_at_most("-hard, %", -number_of(output, "  hard                    ", 2), -9);
@@ -371,24 +362,22 @@ static void test_direct(void **state) {
     assert_non_null(strstr(text, "visible-share-all,seen,%,"));
     free(text);
     draw("direct.csv", "charts");
-    check_says("table-direct.svg");
+    expect_text("table-direct.svg");
 }
 
 /* manylight reference --technique vpl-raytraced: rays and maps see the same from the same VPLs. Maps that do not
  * know their casters' planes have 2.0 %, in corners and at edges of the blocks. */
 static void test_vpl_raytraced(void **state) {
     (void)state;
-    char command[2048];
     const char *traced = scratch("traced.exr"), *mapped = scratch("mapped.exr");
-    snprintf(command, sizeof command,
-             "%s reference scenes/cornell-box.glb --technique vpl-raytraced --set vpls=64 "
-             "--set clamp=disk --size 96x96 -o %s -q && %s render scenes/cornell-box.glb "
-             "--technique instant-radiosity --set vpls=64 --set clamp=disk --set interleave=1 "
-             "--set samples=1 --set detail=0 --set blur.radius=0 "
-             "--size 96x96 -o %s && %s compare %s %s -l indirect -m relative-rmse --max "
-             "relative-rmse=.013",
-             binary_path(), traced, binary_path(), mapped, binary_path(), mapped, traced);
-    if (run_command(command, output, sizeof output) != 0)
+    if (run_program(
+            "reference scenes/cornell-box.glb --technique vpl-raytraced --set vpls=64 "
+            "--set clamp=disk --size 96x96 -o %s -q && %s render scenes/cornell-box.glb "
+            "--technique instant-radiosity --set vpls=64 --set clamp=disk --set interleave=1 "
+            "--set samples=1 --set detail=0 --set blur.radius=0 "
+            "--size 96x96 -o %s && %s compare %s %s -l indirect -m relative-rmse --max "
+            "relative-rmse=.013",
+            traced, binary_path(), mapped, binary_path(), mapped, traced) != 0)
         fail_msg("%s", output);
 }
 
@@ -401,13 +390,13 @@ static void test_help(void **state) {
     check_runs("--help");
     enum { MODES = sizeof modes / sizeof *modes };
     for (int i = 0; i < MODES; i++)
-        check_says(modes[i]);
+        expect_text(modes[i]);
     for (int i = 0; i < MODES; i++) {
         char arguments[64];
         snprintf(arguments, sizeof arguments, "%s --help", modes[i]);
         check_runs(arguments);
         snprintf(arguments, sizeof arguments, "usage: manylight bench %s ", modes[i]);
-        check_says(arguments);
+        expect_text(arguments);
     }
 }
 
@@ -437,7 +426,7 @@ static void test_refusals(void **state) {
         int status = bench(cases[i].arguments);
         printf("    %d %s", status, output);
         assert_int_equal(status, cases[i].status);
-        check_says(cases[i].message);
+        expect_text(cases[i].message);
     }
 }
 

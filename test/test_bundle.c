@@ -1,7 +1,7 @@
 /* What `make bundle` has packed: libraries of its own, few enough bytes, and a check that answers. Skipped where it was not
  * built. */
 #define _POSIX_C_SOURCE 200809L
-#include "support.h"
+#include "command_support.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,23 +10,6 @@
 
 #define BUNDLE "build/bundle"
 
-static char output[1 << 16];
-
-/* In a subshell, all of whose commands' output is read. */
-static void expect_status(int status, const char *command) {
-    char line[2048];
-    snprintf(line, sizeof line, "(%s)", command);
-    int actual = run_command(line, output, sizeof output);
-    printf("    %s -> %d\n", command, actual);
-    if (actual != status)
-        fail_msg("status %d, expected %d: %s", actual, status, output);
-}
-
-static void expect_text(const char *text) {
-    if (!strstr(output, text))
-        fail_msg("'%s' is not in: %s", text, output);
-}
-
 /* Each line of ldd names a file of the bundle, or the C library. */
 static void test_libraries(void **state) {
     (void)state;
@@ -34,10 +17,9 @@ static void test_libraries(void **state) {
                                              "libm.so.6",     "libdl.so.2", "libpthread.so.0"};
     int ours = 0, others = 0;
     need_file(BUNDLE);
-    expect_status(0, "for f in " BUNDLE "/bin/* " BUNDLE "/lib/*.so* " BUNDLE
-                     "/build/test/test_gl " BUNDLE "/build/test/guests/manylight " BUNDLE
-                     "/build/scenes/make_scenes; do "
-                     "ldd $f | grep -v statically || exit; done | sed 's/ (0x.*//' | sort -u");
+    expect(0, "for f in " BUNDLE "/bin/* " BUNDLE "/lib/*.so* " BUNDLE "/build/test/test_gl " BUNDLE
+              "/build/test/guests/manylight " BUNDLE "/build/scenes/make_scenes; do "
+              "ldd $f | grep -v statically || exit; done | sed 's/ (0x.*//' | sort -u");
     for (char *rest = NULL, *line = strtok_r(output, "\n", &rest); line;
          line = strtok_r(NULL, "\n", &rest)) {
         bool is_ours = strstr(line, BUNDLE "/"), is_machine = false;
@@ -58,7 +40,7 @@ static void test_size(void **state) {
     need_file(BUNDLE ".tar.gz");
     assert_int_equal(stat(BUNDLE ".tar.gz", &archive), 0);
     check_at_most("MB packed", (double)archive.st_size / 1e6, 60);
-    expect_status(0, "tar tzf " BUNDLE ".tar.gz");
+    expect(0, "tar tzf " BUNDLE ".tar.gz");
     static const char *const files[] = {
         "bundle/manylight\n",         "bundle/check\n",
         "bundle/bin/manylight\n",     "bundle/build/test/test_gl\n",
@@ -76,18 +58,18 @@ static void test_check_options(void **state) {
     const char *folder = scratch("not-a-report");
     char command[700];
     need_file("bundle/check");
-    expect_status(0, "bundle/check --help");
+    expect(0, "bundle/check --help");
     expect_text("--minutes N");
-    expect_status(2, "bundle/check --minutes x");
+    expect(2, "bundle/check --minutes x");
     expect_text("'x' is no number of minutes");
-    expect_status(2, "bundle/check --parts tests,all");
+    expect(2, "bundle/check --parts tests,all");
     expect_text("there is no part 'all'");
-    expect_status(2, "bundle/check --device");
+    expect(2, "bundle/check --device");
     expect_text("--device needs a value");
     snprintf(command, sizeof command,
              "mkdir -p %s && touch %s/mine && bundle/check -o %s; s=$?; ls %s; exit $s", folder,
              folder, folder, folder);
-    expect_status(2, command);
+    expect(2, command);
     expect_text("is not empty, and no earlier report");
     expect_text("mine");
 }
@@ -101,11 +83,11 @@ static void test_check_report(void **state) {
     snprintf(command, sizeof command,
              "rm -rf %s && " BUNDLE "/check --minutes 2 --tests test_options,test_nothing -o %s",
              folder, folder);
-    expect_status(0, command);
+    expect(0, command);
     expect_text("test_options passed");
     expect_text("test_nothing cannot start");
     snprintf(command, sizeof command, "cat %s/tests.csv && tar tzf %s.tar.gz", folder, folder);
-    expect_status(0, command);
+    expect(0, command);
     expect_text("\ntest_options,passed,");
     expect_text("\ntest_nothing,cannot start,0,0,0,");
     expect_text("report/summary.txt\n");
@@ -115,7 +97,7 @@ static void test_check_report(void **state) {
 static void test_view(void **state) {
     (void)state;
     need_file(BUNDLE);
-    expect_status(1, BUNDLE "/manylight view scenes/sphere.glb");
+    expect(1, BUNDLE "/manylight view scenes/sphere.glb");
     expect_text("this build has no viewer");
 }
 

@@ -1,5 +1,6 @@
 /* Which clips of a file play: all that go together, the first of alternatives, or those that are chosen. */
 #define _XOPEN_SOURCE 700
+#include "command_support.h"
 #include "gltf_parts.h"
 
 #include "base/error.h"
@@ -150,20 +151,17 @@ static void test_choice(void **state) {
 /* A note names what is left out, info marks it, and --clip is heard. */
 static void test_commands(void **state) {
     (void)state;
-    char command[512], output[8192];
-    snprintf(command, sizeof command, "%s info %s", binary_path(),
-             write_clips(WALK "," RUN "," BLINK));
-    assert_int_equal(run_command(command, output, sizeof output), 0);
-    assert_non_null(strstr(output, "do not play: 1=run;"));
-    assert_non_null(strstr(output, "channels 2, only by --clip"));
-    snprintf(command, sizeof command, "%s render %s -o %s --size 8x8 --clip run,blink --time 1",
-             binary_path(), write_clips(WALK "," RUN "," BLINK), scratch("run.exr"));
-    assert_int_equal(run_command(command, output, sizeof output), 0);
+    assert_int_equal(run_program("info %s", write_clips(WALK "," RUN "," BLINK)), 0);
+    expect_text("do not play: 1=run;");
+    expect_text("channels 2, only by --clip");
+    assert_int_equal(run_program("render %s -o %s --size 8x8 --clip run,blink --time 1",
+                                 write_clips(WALK "," RUN "," BLINK), scratch("run.exr")),
+                     0);
     assert_null(strstr(output, "do not play"));
-    snprintf(command, sizeof command, "%s render %s -o %s --size 8x8 --clip jump", binary_path(),
-             write_clips(WALK "," RUN "," BLINK), scratch("run.exr"));
-    assert_int_equal(run_command(command, output, sizeof output), 1);
-    assert_non_null(strstr(output, "no clip 'jump' (there is: 0=walk 1=run 2=blink)"));
+    assert_int_equal(run_program("render %s -o %s --size 8x8 --clip jump",
+                                 write_clips(WALK "," RUN "," BLINK), scratch("run.exr")),
+                     1);
+    expect_text("no clip 'jump' (there is: 0=walk 1=run 2=blink)");
 }
 
 static void test_case(void **state) {

@@ -1,5 +1,5 @@
 /* manylight compare: exit statuses, messages and outputs, as a shell sees them. */
-#include "support.h"
+#include "command_support.h"
 
 #include "base/file/image_file.h"
 #include "base/image.h"
@@ -10,23 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-static char output[8192];
-
-/* Runs `manylight compare ARGUMENTS`; the output is kept. */
-static void expect(int status, const char *arguments) {
-    char command[4096];
-    snprintf(command, sizeof command, "%s compare %s", binary_path(), arguments);
-    int actual = run_command(command, output, sizeof output);
-    printf("    %s\n    -> %d %s", arguments, actual, output);
-    if (actual != status)
-        fail_msg("exit status %d, expected %d", actual, status);
-}
-
-static void expect_text(const char *text) {
-    if (!strstr(output, text))
-        fail_msg("'%s' is not in: %s", text, output);
-}
 
 /* The value that the table or the JSON has after the name. */
 static double value_of(const char *name) {
@@ -67,11 +50,11 @@ static const char *with_pictures(const char *more) {
 
 static void test_help(void **state) {
     (void)state;
-    expect(0, "--help");
+    expect_command(0, "compare", "--help");
     expect_text("usage: manylight compare TEST REFERENCE");
     expect_text("--max METRIC=VALUE");
     expect_text("hdr-flip");
-    expect(0, "--nonsense --help");
+    expect_command(0, "compare", "--nonsense --help");
 }
 
 static void test_usage_errors(void **state) {
@@ -91,14 +74,14 @@ static void test_usage_errors(void **state) {
         {"a.exr b.exr -m psnr -o heat.png", "psnr has no picture"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        expect(2, cases[i].arguments);
+        expect_command(2, "compare", cases[i].arguments);
         expect_text(cases[i].message);
     }
 }
 
 static void test_table(void **state) {
     (void)state;
-    expect(0, with_pictures(""));
+    expect_command(0, "compare", with_pictures(""));
     check_near("rmse", value_of("rmse"), .125, 1e-6);
     check_near("relative-bias", value_of("relative-bias"), .25, 1e-6);
     check_near("gradient", value_of("gradient"), 0, 1e-6);
@@ -109,39 +92,39 @@ static void test_table(void **state) {
     check_near("worst-share", value_of("worst-share"), 2. / 128, 1e-6);
     check_at_most("some psnr", value_of("psnr"), 30);
     assert_null(strstr(output, "ldr-flip"));
-    expect(0, with_pictures("--layer indirect --metric bias"));
+    expect_command(0, "compare", with_pictures("--layer indirect --metric bias"));
     check_near("bias of a layer", value_of("bias"), .25, 1e-6);
     assert_null(strstr(output, "rmse"));
-    expect(0, with_pictures("--metric all"));
+    expect_command(0, "compare", with_pictures("--metric all"));
     expect_text("ldr-flip");
 }
 
 static void test_json(void **state) {
     (void)state;
-    expect(0, with_pictures("--json -m mae -m rmse"));
+    expect_command(0, "compare", with_pictures("--json -m mae -m rmse"));
     assert_int_equal(output[0], '{');
     expect_text("\"layer\": \"beauty\", \"width\": 16, \"height\": 8");
     check_near("mae", value_of("mae"), .125, 1e-6);
     char same[1200];
     snprintf(same, sizeof same, "%s %s --json -m psnr", test_exr, test_exr);
-    expect(0, same);
+    expect_command(0, "compare", same);
     expect_text("\"psnr\": null}}\n");
 }
 
 static void test_bounds(void **state) {
     (void)state;
-    expect(0, with_pictures("-m rmse --max rmse=0.13"));
-    expect(1, with_pictures("-m rmse --max rmse=0.12 --max mae=1"));
+    expect_command(0, "compare", with_pictures("-m rmse --max rmse=0.13"));
+    expect_command(1, "compare", with_pictures("-m rmse --max rmse=0.12 --max mae=1"));
     expect_text("manylight compare: rmse is 0.125, above 0.12");
     assert_null(strstr(output, "mae is"));
-    expect(0, with_pictures("--max rmse=13%"));
+    expect_command(0, "compare", with_pictures("--max rmse=13%"));
     expect_text("(at most 0.13)");
-    expect(1, with_pictures("--max relative-rmse=24%")); /* it is a quarter */
-    expect(0, with_pictures("--max relative-rmse=25.1%"));
+    expect_command(1, "compare", with_pictures("--max relative-rmse=24%")); /* it is a quarter */
+    expect_command(0, "compare", with_pictures("--max relative-rmse=25.1%"));
     /* The bound of a signed metric holds on both sides. */
     char swapped[1200];
     snprintf(swapped, sizeof swapped, "%s %s -m bias --max bias=0.1", reference_exr, test_exr);
-    expect(1, swapped);
+    expect_command(1, "compare", swapped);
     expect_text("bias is -0.125, above 0.1");
 }
 
@@ -158,7 +141,7 @@ static void test_foreign_channels(void **state) {
     image_free(&image);
     snprintf(arguments, sizeof arguments, "%s %s -m mae --max mae=0 -m rmse",
              scratch("compare-masked.exr"), reference_exr);
-    expect(0, arguments);
+    expect_command(0, "compare", arguments);
     check_near("mae", value_of("mae"), 0, 0);
     check_near("rmse", value_of("rmse"), 0, 0);
 }
@@ -168,23 +151,23 @@ static void test_pictures_of_the_error(void **state) {
     char more[600];
     const char *path = scratch("heat.png");
     snprintf(more, sizeof more, "-m rmse -o %s", path);
-    expect(0, with_pictures(more));
+    expect_command(0, "compare", with_pictures(more));
     struct image heat;
     check_ok("read", image_read(&heat, path));
     assert_int_equal(heat.width, 256);
     image_free(&heat);
     path = scratch("heat.exr");
     snprintf(more, sizeof more, "-m bias -o %s", path);
-    expect(0, with_pictures(more));
+    expect_command(0, "compare", with_pictures(more));
     check_ok("read", image_read(&heat, path));
     assert_int_equal(heat.width, 16);
     check_near("a bare value", (double)heat.pixels[0], .125, 1e-6);
     image_free(&heat);
     snprintf(more, sizeof more, "-m rmse -o %s", reference_exr);
-    expect(1, with_pictures(more));
+    expect_command(1, "compare", with_pictures(more));
     expect_text("it is the input");
-    expect(0, with_pictures("-m rmse"));
-    expect(1, with_pictures("-m rmse -o no/such/folder/heat.png"));
+    expect_command(0, "compare", with_pictures("-m rmse"));
+    expect_command(1, "compare", with_pictures("-m rmse -o no/such/folder/heat.png"));
     expect_text("manylight compare: cannot write no/such/folder/heat.png: No such file");
 }
 
@@ -199,7 +182,7 @@ static void test_encoded_files(void **state) {
         check_ok("write", bitmap_write(&bitmap, paths[i]));
     }
     snprintf(arguments, sizeof arguments, "%s %s", paths[0], paths[1]);
-    expect(0, arguments);
+    expect_command(0, "compare", arguments);
     check_near("rmse in linear light", value_of("rmse"), 1 - .502886, 1e-5);
     check_near("psnr as encoded", value_of("psnr"), -20 * log10((255 - 188) / 255.), 1e-3);
     expect_text("ldr-flip");
@@ -208,15 +191,15 @@ static void test_encoded_files(void **state) {
 
 static void test_files_that_do_not_compare(void **state) {
     (void)state;
-    expect(1, with_pictures("--layer albedo"));
+    expect_command(1, "compare", with_pictures("--layer albedo"));
     expect_text("compare-test.exr: no layer 'albedo' (there is: beauty, indirect)");
 
     char arguments[1200];
     snprintf(arguments, sizeof arguments, "%s no-such-file.exr", test_exr);
-    expect(1, arguments);
+    expect_command(1, "compare", arguments);
     expect_text("manylight compare: cannot open no-such-file.exr: No such file or directory");
     snprintf(arguments, sizeof arguments, "%s /dev/zero", test_exr);
-    expect(1, arguments);
+    expect_command(1, "compare", arguments);
     expect_text("manylight compare: cannot read /dev/zero: not a file"); /* and without an end */
 
     struct image image;
@@ -225,7 +208,7 @@ static void test_files_that_do_not_compare(void **state) {
     for (int narrow = 0; narrow < 2; narrow++) {
         image_init(&image, narrow ? 15 : 16, narrow ? 8 : 9, "R G B");
         check_ok("write", image_write(&image, path));
-        expect(1, arguments);
+        expect_command(1, "compare", arguments);
         expect_text(narrow ? "compare-odd.exr is 15x8, but " : "compare-odd.exr is 16x9, but ");
         expect_text("compare-reference.exr is 16x8");
         image_free(&image);
@@ -234,7 +217,7 @@ static void test_files_that_do_not_compare(void **state) {
     image_init(&image, 16, 8, "R G B");
     image_at(&image, 5, 3)[2] = NAN;
     check_ok("write", image_write(&image, path));
-    expect(1, arguments);
+    expect_command(1, "compare", arguments);
     expect_text("compare-odd.exr: B is nan at pixel 5,3");
     image_free(&image);
 }
@@ -246,10 +229,10 @@ static void test_shared_references(void **state) {
     const char *box = "../shared/reference/cornell-box.exr";
     char arguments[1200];
     snprintf(arguments, sizeof arguments, "%s %s --ppd 10 --max hdr-flip=0 --max mae=0", box, box);
-    expect(0, arguments);
+    expect_command(0, "compare", arguments);
     snprintf(arguments, sizeof arguments,
              "../shared/reference/cornell-horse.exr %s -l indirect -m rmse -m bias", box);
-    expect(0, arguments);
+    expect_command(0, "compare", arguments);
     check_at_most("the horse shows", .1, value_of("rmse"));
 }
 

@@ -1,6 +1,7 @@
 /* Costs of this machine, by tables that are written here: what is chosen by them, and which files are refused. No time decides
  * anything. */
 #define _POSIX_C_SOURCE 200809L
+#include "command_support.h"
 #include "render_support.h"
 
 #include "base/file/file.h"
@@ -202,8 +203,6 @@ static void test_refused(void **state) {
 
 /* --- what goes by them ------------------------------------------------------------------------ */
 
-static char output[16384];
-
 static int run(const char *arguments, const char *picture) {
     char command[2048];
     snprintf(command, sizeof command,
@@ -212,11 +211,6 @@ static int run(const char *arguments, const char *picture) {
     int status = run_command(command, output, sizeof output);
     printf("    %s\n    -> %d %s", arguments, status, output);
     return status;
-}
-
-static void check_says(const char *text) {
-    if (!strstr(output, text))
-        fail_msg("'%s' is not in:\n%s", text, output);
 }
 
 /* What --max-error chooses follows the table, unless it is told not to; and pictures of a named quality do not. */
@@ -230,14 +224,14 @@ static void test_render(void **state) {
     remove(path);
     assert_int_equal(run("--quality draft", draft), 0);
     assert_int_equal(run(error, other), 0);
-    check_says("path=draft clustered.vals=4, which errs");
+    expect_text("path=draft clustered.vals=4, which errs");
     free(path);
     path = write_table(&costs);
     assert_int_equal(run(error, other), 0);
-    check_says("path=traced gather.interleave=2 gather.detail=1 picture.samples=16, which errs");
+    expect_text("path=traced gather.interleave=2 gather.detail=1 picture.samples=16, which errs");
     snprintf(shipped, sizeof shipped, "%s --shipped-costs", error);
     assert_int_equal(run(shipped, other), 0);
-    check_says("path=draft clustered.vals=4, which errs");
+    expect_text("path=draft clustered.vals=4, which errs");
     assert_int_equal(run("--quality draft", other), 0);
     struct file_bytes bytes[2];
     check_ok("read", file_read(&bytes[0], draft));
@@ -246,8 +240,8 @@ static void test_render(void **state) {
     assert_memory_equal(bytes[0].data, bytes[1].data, bytes[0].size);
     check_ok("write", output_file_write(path, "woof\n", 5));
     assert_int_equal(run(error, other), 0);
-    check_says("is ignored: it is no table of costs; manylight tune measures anew");
-    check_says("path=draft clustered.vals=4, which errs");
+    expect_text("is ignored: it is no table of costs; manylight tune measures anew");
+    expect_text("path=draft clustered.vals=4, which errs");
     remove(path);
     free(bytes[0].data);
     free(bytes[1].data);
@@ -292,9 +286,9 @@ static void test_tune(void **state) {
     snprintf(command, sizeof command, "XDG_CACHE_HOME=%s %s %s", scratch("cache"), binary_path(),
              small);
     assert_int_equal(run_command(command, output, sizeof output), 0);
-    check_says("of normal  choice");
-    check_says("written to ");
-    check_says(path);
+    expect_text("of normal  choice");
+    expect_text("written to ");
+    expect_text(path);
     *note = '\0';
     costs_load(&read);
     assert_string_equal(note, "");
@@ -314,9 +308,8 @@ static void test_tune(void **state) {
         {"tune --help", "--max-error", 0},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        snprintf(command, sizeof command, "%s %s", binary_path(), cases[i].arguments);
-        assert_int_equal(run_command(command, output, sizeof output), cases[i].status);
-        check_says(cases[i].says);
+        assert_int_equal(run_program("%s", cases[i].arguments), cases[i].status);
+        expect_text(cases[i].says);
     }
     free(path);
 }

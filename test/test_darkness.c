@@ -1,6 +1,7 @@
 /* Models with faint lamps get the light that models without any get; lamps that make a picture are left alone.
  * Little scenes of cubes and emissive squares. */
 #define _XOPEN_SOURCE 700
+#include "command_support.h"
 #include "cube_parts.h"
 
 #include "base/log.h"
@@ -132,14 +133,11 @@ static void test_far_and_large(void **state) {
 /* A note says what was done. */
 static void test_notes(void **state) {
     (void)state;
-    char command[512], output[8192];
-    snprintf(command, sizeof command, "%s info %s", binary_path(), write_row(&rows[0]));
-    assert_int_equal(run_command(command, output, sizeof output), 0);
-    assert_non_null(strstr(output, "its own lights leave the picture dark"));
-    snprintf(command, sizeof command, "%s info %s", binary_path(), write_row(&rows[12]));
-    assert_int_equal(run_command(command, output, sizeof output), 0);
-    assert_non_null(strstr(output, "its lights are dim"));
-    assert_non_null(strstr(output, "--set exposure="));
+    assert_int_equal(run_program("info %s", write_row(&rows[0])), 0);
+    expect_text("its own lights leave the picture dark");
+    assert_int_equal(run_program("info %s", write_row(&rows[12])), 0);
+    expect_text("its lights are dim");
+    expect_text("--set exposure=");
 }
 
 /* Nothing is added where the user names the lights, and the note tells the truth. */
@@ -189,10 +187,9 @@ static void test_notes_of_named_lights(void **state) {
                  {&without, "+point position=0,3,3", false},
                  {&without, "framed spot", true}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        char command[1024], output[8192];
-        snprintf(command, sizeof command, "%s reference %s -o %s --size 16x16 --spp 1 --light '%s'",
-                 binary_path(), write_row(cases[i].row), scratch("named.exr"), cases[i].light);
-        assert_int_equal(run_command(command, output, sizeof output), 0);
+        assert_int_equal(run_program("reference %s -o %s --size 16x16 --spp 1 --light '%s'",
+                                     write_row(cases[i].row), scratch("named.exr"), cases[i].light),
+                         0);
         bool is_noted = strstr(output, "so a spot from above") != NULL;
         check_near(cases[i].light, is_noted, cases[i].is_added, 0);
     }

@@ -1,5 +1,5 @@
 /* The a-trous filter on pictures made by hand, and `manylight reference --denoise`. */
-#include "support.h"
+#include "command_support.h"
 
 #include "base/file/image_file.h"
 #include "base/image.h"
@@ -154,11 +154,9 @@ static void test_lonely(void **state) {
 /* --- the command --- */
 
 static void trace(const char *arguments, struct image *image) {
-    char command[1024], output[2048];
     const char *path = scratch("denoise.exr");
-    snprintf(command, sizeof command, "%s reference scenes/cornell-box.glb -o %s --size 80x80 %s",
-             binary_path(), path, arguments);
-    assert_int_equal(run_command(command, output, sizeof output), 0);
+    assert_int_equal(
+        run_program("reference scenes/cornell-box.glb -o %s --size 80x80 %s", path, arguments), 0);
     printf("    %s -> %s", arguments, output);
     check_ok("read", image_read(image, path));
 }

@@ -23,6 +23,13 @@ static struct failure_desc small_desc(const struct context *context,
     };
 }
 
+enum { FAST = 0, UNSHADOWED = 3, FRAME = 4 };
+
+/* The columns of a row: in a short run two, and the others in turn. */
+static unsigned columns_of(size_t row) {
+    return is_long_run() ? 0 : 1U << FAST | 1U << FRAME | 1U << row % FAILURE_COLUMNS;
+}
+
 static int count_broken(const struct results *results) {
     int broken = 0;
     for (int i = 0; i < results->subject_count; i++) {
@@ -42,10 +49,13 @@ static void test_rows(void **state) {
     static const struct text_list settings = {{SMALL}, 1};
     struct failure_desc desc = small_desc(*state, &settings);
     int broken = 0;
-    for (const struct failure_row *row = failure_rows; row->name; row++) {
+    for (size_t i = 0; failure_rows[i].name; i++) {
+        struct failure_row row = failure_rows[i];
         struct results results = {0};
-        check_ok(row->name, failure_measure(&results, row, &desc));
-        assert_int_equal(results.subject_count, FAILURE_COLUMNS);
+        desc.columns = columns_of(i);
+        row.height = is_long_run() || row.height < 512 ? row.height : 512;
+        check_ok(row.name, failure_measure(&results, &row, &desc));
+        assert_in_range(results.subject_count, 2, FAILURE_COLUMNS);
         broken += count_broken(&results);
         results_free(&results);
     }
@@ -58,10 +68,11 @@ static void test_bounds_break(void **state) {
                                        "corner"};
     static const struct text_list settings = {{SMALL, "technique=unshadowed"}, 2};
     struct failure_desc desc = small_desc(*state, &settings);
+    desc.columns = is_long_run() ? 0 : 1U << FAST | 1U << UNSHADOWED;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct results results = {0};
         check_ok(rows[i], failure_measure(&results, failure_row_find(rows[i]), &desc));
-        assert_int_equal(count_broken(&results), FAILURE_COLUMNS - 1);
+        assert_int_equal(count_broken(&results), results.subject_count - 1);
         results_free(&results);
     }
 }

@@ -1,6 +1,6 @@
 /* What the programs say, and leave, when a disk or stdout takes no more: exit 1, one message, no
  * file that is not whole. */
-#include "support.h"
+#include "command_support.h"
 
 #include "base/error.h"
 #include "base/file/image_file.h"
@@ -9,8 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static char output[16384];
 
 /* Small enough for a frame in no time. */
 #define QUICK                                                                                      \
@@ -189,7 +187,7 @@ static void check_real_disk(const char *before) {
         refused++;
     assert_int_equal(refused, count);
     assert_null(strstr(output, "\n0\n"));
-    assert_non_null(strstr(output, "\n1\nother\n"));
+    expect_text("\n1\nother\n");
 }
 
 /* Without /proc a file must have a name from the start, as on file systems that know no other. */

@@ -1,4 +1,5 @@
 /* manylight info. */
+#include "command_support.h"
 #include "gltf_parts.h"
 
 #include "base/file/image_file.h"
@@ -6,20 +7,11 @@
 #include <stdio.h>
 #include <string.h>
 
-static char output[8192];
-
 #define EYE(more)                                                                                  \
     "{\"type\": \"perspective\", \"perspective\": {\"yfov\": 1, \"znear\": 1" more "}}"
 
 static int info(const char *arguments) {
-    char command[1024];
-    snprintf(command, sizeof command, "%s info %s", binary_path(), arguments);
-    return run_command(command, output, sizeof output);
-}
-
-static void check_says(const char *text) {
-    if (!strstr(output, text))
-        fail_msg("'%s' is not in:\n%s", text, output);
+    return run_program("info %s", arguments);
 }
 
 static void test_gl(void **state) {
@@ -28,35 +20,34 @@ static void test_gl(void **state) {
         printf("    skipped: %s\n", output);
         skip();
     }
-    check_says("context   ");
-    check_says("renderer  ");
-    check_says("uniform block bytes");
+    expect_text("context   ");
+    expect_text("renderer  ");
+    expect_text("uniform block bytes");
 }
 
 static void test_scene(void **state) {
     (void)state;
     assert_int_equal(info("scenes/cornell-box.glb"), 0);
-    check_says("72 vertices, 36 triangles (36 without alpha mask)");
-    check_says("(-2.78, 0, -2.796) to (2.78, 5.488, 2.796) m");
-    check_says(
+    expect_text("72 vertices, 36 triangles (36 without alpha mask)");
+    expect_text("(-2.78, 0, -2.796) to (2.78, 5.488, 2.796) m");
+    expect_text(
         "  0  white                base colour (0.725, 0.71, 0.68), metalness 0, roughness 1");
-    check_says("lights     1\n");
-    check_says("spot (500, 500, 500) W/sr at (1.1, 2.3, 1.9)");
-    check_says("cameras    1\n");
-    check_says("perspective, 39.31 degrees high, at (0, 2.73, 10.8) towards (0, 0, -1)");
+    expect_text("lights     1\n");
+    expect_text("spot (500, 500, 500) W/sr at (1.1, 2.3, 1.9)");
+    expect_text("cameras    1\n");
+    expect_text("perspective, 39.31 degrees high, at (0, 2.73, 10.8) towards (0, 0, -1)");
     assert_null(strstr(output, "renderer"));
 }
 
 static void test_point_light(void **state) {
     (void)state;
     assert_int_equal(info("scenes/sphere.glb"), 0);
-    check_says("point (3.142, 3.142, 3.142) W/sr at (0, 0, 0)\n");
+    expect_text("point (3.142, 3.142, 3.142) W/sr at (0, 0, 0)\n");
 }
 
 /* Names are those of nodes, as in messages; of what a node without a name carries. */
 static void test_names(void **state) {
     (void)state;
-    char arguments[1024];
     const char *path = write_parts(
         "names.glb",
         &(struct gltf_parts){
@@ -69,18 +60,14 @@ static void test_names(void **state) {
                     " {\"KHR_lights_punctual\": {\"lights\": [{\"name\": \"Lamp data\","
                     " \"type\": \"point\"}]}},"});
     assert_int_equal(info(path), 0);
-    check_says("  0  Eye node             perspective");
-    check_says("  1  Eye data             perspective");
-    check_says("  0  Lamp node            point");
-    check_says("  1  Lamp data            point");
-    snprintf(arguments, sizeof arguments, "%s reference %s -o %s --camera none", binary_path(),
-             path, scratch("none.exr"));
-    assert_int_equal(run_command(arguments, output, sizeof output), 1);
-    check_says("(there is: 0=Eye node 1=Eye data)");
-    snprintf(arguments, sizeof arguments, "%s reference %s -o %s --light none", binary_path(), path,
-             scratch("none.exr"));
-    assert_int_equal(run_command(arguments, output, sizeof output), 1);
-    check_says("(there is: 0=Lamp node 1=Lamp data)");
+    expect_text("  0  Eye node             perspective");
+    expect_text("  1  Eye data             perspective");
+    expect_text("  0  Lamp node            point");
+    expect_text("  1  Lamp data            point");
+    assert_int_equal(run_program("reference %s -o %s --camera none", path, scratch("none.exr")), 1);
+    expect_text("(there is: 0=Eye node 1=Eye data)");
+    assert_int_equal(run_program("reference %s -o %s --light none", path, scratch("none.exr")), 1);
+    expect_text("(there is: 0=Lamp node 1=Lamp data)");
 }
 
 /* Without --size a picture has the aspect ratio of its camera. */
@@ -113,16 +100,15 @@ static void test_aspect(void **state) {
                                                                     "1e9") "],"}));
     assert_int_equal(info(path), 0);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
-        check_says(rows[i].says);
-    check_says("  4                       perspective, 57.3 degrees high, at");
-    check_says("  5                       perspective, 57.3 degrees high, at");
+        expect_text(rows[i].says);
+    expect_text("  4                       perspective, 57.3 degrees high, at");
+    expect_text("  5                       perspective, 57.3 degrees high, at");
     for (size_t i = 0; i < 2 * sizeof rows / sizeof *rows; i++) {
         char command[1024], size[32];
         int pixels[2];
-        snprintf(command, sizeof command, "%s %s %s -q -o %s %s", binary_path(),
-                 i % 2 ? "reference --spp 1" : "render --set vpls=16,vals=2,interleave=1", path,
-                 scratch("aspect.exr"), rows[i / 2].camera);
-        if (run_command(command, output, sizeof output) != 0)
+        if (run_program("%s %s -q -o %s %s",
+                        i % 2 ? "reference --spp 1" : "render --set vpls=16,vals=2,interleave=1",
+                        path, scratch("aspect.exr"), rows[i / 2].camera) != 0)
             fail_msg("%s: %s", command, output);
         check_ok("aspect.exr", image_size(scratch("aspect.exr"), pixels));
         snprintf(size, sizeof size, "%dx%d", pixels[0], pixels[1]);
@@ -138,9 +124,9 @@ static void test_refusals(void **state) {
         output, "manylight info: cannot open no-such-scene.glb: No such file or directory\n");
     assert_int_equal(info("one.glb two.glb"), 2);
     assert_int_equal(info("--context glx"), 2);
-    check_says("one of auto, egl, osmesa");
+    expect_text("one of auto, egl, osmesa");
     assert_int_equal(info("--context osmesa --device 0"), 1);
-    check_says("no EGL device 0 (there are 0, counted from 0)");
+    expect_text("no EGL device 0 (there are 0, counted from 0)");
 }
 
 int main(void) {

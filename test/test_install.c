@@ -1,37 +1,11 @@
 /* make install and uninstall into a folder of the test's, and the installed program from another working folder. */
 #define _XOPEN_SOURCE 700
-#include "support.h"
+#include "command_support.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-static char output[32768];
-
-/* Copies a line of the shell with the test's folder, from the root, for each @. */
-static void in_folder(char *to, size_t size, const char *line) {
-    char *folder = realpath(scratch(""), NULL);
-    size_t used = 0;
-    for (; *line && used + 1 < size; line++)
-        used += (size_t)snprintf(to + used, size - used, *line == '@' ? "%s" : "%.1s",
-                                 *line == '@' ? folder : line);
-    free(folder);
-}
-
-static void expect(int status, const char *line) {
-    char command[4096];
-    in_folder(command, sizeof command, line);
-    int actual = run_command(command, output, sizeof output);
-    printf("    %s\n    -> %d %.600s\n", line, actual, output);
-    if (actual != status)
-        fail_msg("exit status %d, expected %d", actual, status);
-}
-
-static void expect_text(const char *text) {
-    if (!strstr(output, text))
-        fail_msg("'%s' is not in: %s", text, output);
-}
 
 /* All but what is built: the program that lies there is installed. Other builds' tests leave it alone. */
 #define MAKE "make -s -o all DESTDIR=@/dest PREFIX=/opt/here"
@@ -39,18 +13,14 @@ static void expect_text(const char *text) {
 
 static int install_beside_others(void **state) {
     (void)state;
-    char command[2048];
     if (strcmp(binary_path(), "./manylight") != 0)
         return 0;
-    in_folder(
-        command, sizeof command,
-        "rm -rf @/dest @/else && mkdir -p @/else @/dest/opt/here/bin @/dest/opt/here/share/doc"
-        " @/dest/opt/here/share/manylight/scenes && cd @/dest/opt/here && touch bin/other"
-        " share/manylight/scenes/mine.glb");
-    if (run_command(command, output, sizeof output) != 0)
+    if (run_line(
+            "rm -rf @/dest @/else && mkdir -p @/else @/dest/opt/here/bin @/dest/opt/here/share/doc"
+            " @/dest/opt/here/share/manylight/scenes && cd @/dest/opt/here && touch bin/other"
+            " share/manylight/scenes/mine.glb") != 0)
         return -1;
-    in_folder(command, sizeof command, MAKE " install");
-    return run_command(command, output, sizeof output);
+    return run_line(MAKE " install");
 }
 
 static void skip_other_builds(void) {

@@ -1,7 +1,7 @@
 /* Sequences that are interrupted, killed, or rendered by two processes at once: every file that has
  * its name is whole, nothing else is left, and what comes after equals one run. */
 #define _GNU_SOURCE
-#include "support.h"
+#include "command_support.h"
 
 #include "base/error.h"
 #include "base/file/file.h"
@@ -22,8 +22,6 @@
 #include <unistd.h>
 
 enum { FRAMES = 12 };
-
-static char output[4096];
 
 static void make_folder(const char *folder) {
     char command[600];

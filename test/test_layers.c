@@ -1,5 +1,6 @@
 /* EXR files of other programs: windows in place, parts and layers by name, as read and as `compare`
  * tells. */
+#include "command_support.h"
 #include "exr_parts.h"
 
 #include "base/error.h"
@@ -11,7 +12,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static char output[8192], heard[2048];
+static char heard[2048];
 
 static void hear(void *context, bool is_warning, const char *message) {
     (void)context;
@@ -30,15 +31,8 @@ static bool read_layer(struct image *layer, const char *path, const char *name) 
     return ok;
 }
 
-static void expect_text(const char *where, const char *text) {
-    if (!strstr(where, text))
-        fail_msg("'%s' is not in: %s", text, where);
-}
-
 static void compare(int status, const char *arguments) {
-    char command[2000];
-    snprintf(command, sizeof command, "%s compare %s", binary_path(), arguments);
-    int actual = run_command(command, output, sizeof output);
+    int actual = run_program("compare %s", arguments);
     printf("    compare %s\n    -> %d %s", arguments, actual, output);
     assert_int_equal(actual, status);
 }
@@ -93,7 +87,7 @@ static void test_windows(void **state) {
         if (cases[i].note) {
             check_ok(path, ok);
             check_part(&layer, &cases[i].part);
-            expect_text(heard, cases[i].note);
+            expect_in(heard, cases[i].note);
             assert_int_equal(!*cases[i].note, !*heard);
         }
         image_free(&layer);
@@ -123,8 +117,8 @@ static void test_compared_windows(void **state) {
     const struct exr_part small = {0, "B G R", {3, 2, 3, 2}, {3, 2, 3, 2}, 1};
     snprintf(arguments, sizeof arguments, "%s %s", test, exr_write("small.exr", &small, 1));
     compare(1, arguments);
-    expect_text(output, "part.exr is 6x4 (data window 3x2 at 3,2, display window at 0,0), but ");
-    expect_text(output, "small.exr is 3x2\n");
+    expect_text("part.exr is 6x4 (data window 3x2 at 3,2, display window at 0,0), but ");
+    expect_text("small.exr is 3x2\n");
 }
 
 /* Little files that claim much: refused at once. */
@@ -142,9 +136,8 @@ static void test_hostile_windows(void **state) {
         memcpy(part.display, displays[i], sizeof part.display);
         assert_false(read_layer(&layer, exr_write("huge.exr", &part, 1), ""));
     }
-    expect_text(error_get(),
-                "too large: a display window of 16384x4097 at 0,0 around a data window "
-                "of 2x2 at 0,0");
+    expect_in(error_get(), "too large: a display window of 16384x4097 at 0,0 around a data window "
+                           "of 2x2 at 0,0");
 }
 
 /* --- names ------------------------------------------------------------------------------------ */
@@ -178,7 +171,7 @@ static void check_name(const struct name_case *c) {
     assert_string_equal(text, c->taken);
     assert_int_equal(note != NULL, c->note != NULL);
     if (note)
-        expect_text(note, c->note);
+        expect_in(note, c->note);
     free(note);
     image_free(&image);
 }
@@ -256,7 +249,7 @@ static void test_many_names(void **state) {
     assert_false(image_find_layer(&image, "none", channels));
     printf("    %s\n", error_get());
     assert_true(strlen(error_get()) < 1600);
-    expect_text(error_get(), ", ...)");
+    expect_in(error_get(), ", ...)");
     image_free(&image);
     for (int i = 0; i < 500; i++)
         free(names[i]);
@@ -275,8 +268,8 @@ static void test_parts(void **state) {
     struct image layer, all;
     check_ok("beauty", read_layer(&layer, path, ""));
     check_part(&layer, &parts[2]);
-    expect_text(heard, "layer 'rgba' is taken (there is: depth, N, rgba, rgba.spec)");
-    expect_text(heard, "its data window, 3x2 at 2,1");
+    expect_in(heard, "layer 'rgba' is taken (there is: depth, N, rgba, rgba.spec)");
+    expect_in(heard, "its data window, 3x2 at 2,1");
     image_free(&layer);
     check_ok("N", read_layer(&layer, path, "N"));
     check_part(&layer, &parts[1]);
@@ -290,7 +283,7 @@ static void test_parts(void **state) {
     assert_true(image_at(&layer, 5, 1)[0] == 0);
     image_free(&layer);
     assert_false(read_layer(&layer, path, "nothing"));
-    expect_text(error_get(), "parts.exr: no layer 'nothing' (there is: depth, N, rgba, rgba.spec)");
+    expect_in(error_get(), "parts.exr: no layer 'nothing' (there is: depth, N, rgba, rgba.spec)");
     check_ok("all", image_read(&all, path));
     assert_int_equal(all.channel_count, 10);
     assert_int_equal(all.part_count, 3);
@@ -311,13 +304,13 @@ static void test_two_names(void **state) {
     snprintf(arguments, sizeof arguments, "%s -l L.x --reference-layer beauty --json", paths);
     compare(0, arguments);
     check_near("rmse", strtod(strstr(output, "rmse\": ") + 7, NULL), .5, 1e-6);
-    expect_text(output, "\"layer\": \"L.x\", \"reference-layer\": \"beauty\"");
+    expect_text("\"layer\": \"L.x\", \"reference-layer\": \"beauty\"");
     snprintf(arguments, sizeof arguments, "%s -l L.x.R --reference-layer Z", paths);
     compare(0, arguments); /* the third channel against the fourth */
     check_near("rmse", strtod(strstr(output, "rmse") + 4, NULL), .625, 1e-6);
     snprintf(arguments, sizeof arguments, "%s -l L.x", paths);
     compare(1, arguments);
-    expect_text(output, "two.exr: no layer 'L.x' (there is: beauty, Z)");
+    expect_text("two.exr: no layer 'L.x' (there is: beauty, Z)");
 }
 
 /* --- inputs of others ------------------------------------------------------------------------- */

@@ -1,5 +1,6 @@
 /* Lightcuts: what a tree and its cuts promise, over lights made at random, and the bound of a
  * picture's error at every pixel. */
+#include "command_support.h"
 #include "hand_made.h"
 
 #include "base/file/image_file.h"
@@ -380,11 +381,8 @@ static void test_picture(void **state) {
 }
 
 static void reference(const char *arguments, const char *path, struct image *image) {
-    char command[1024], output[4096];
-    snprintf(command, sizeof command,
-             "%s reference scenes/cornell-box.glb --size 32x32 --set vpls=1024 -q -o %s %s",
-             binary_path(), path, arguments);
-    if (run_command(command, output, sizeof output) != 0)
+    if (run_program("reference scenes/cornell-box.glb --size 32x32 --set vpls=1024 -q -o %s %s",
+                    path, arguments) != 0)
         fail_msg("%s", output);
     check_ok("read", image_read(image, path));
 }

@@ -1,6 +1,6 @@
 /* --max-memory: every run works, or ends with one message and status 1, whatever the driver does. */
 #define _GNU_SOURCE
-#include "support.h"
+#include "command_support.h"
 
 #include "base/memory.h"
 
@@ -11,8 +11,6 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
-
-static char output[1 << 14];
 
 /* Lines that are no notes. */
 static int count_messages(const char *text) {
@@ -62,16 +60,12 @@ static void test_passes_on(void **state) {
 #ifdef __SANITIZE_ADDRESS__
     return;
 #endif
-    char command[512];
-    snprintf(command, sizeof command, "%s info scenes/sphere.glb --max-memory 1", binary_path());
-    assert_int_equal(run_command(command, output, sizeof output), 0);
-    assert_non_null(strstr(output, "materials  "));
-    snprintf(command, sizeof command, "%s info no-such.glb --max-memory 1", binary_path());
-    assert_int_equal(run_command(command, output, sizeof output), 1);
-    assert_non_null(strstr(output, "no-such.glb"));
+    assert_int_equal(run_program("info scenes/sphere.glb --max-memory 1"), 0);
+    expect_text("materials  ");
+    assert_int_equal(run_program("info no-such.glb --max-memory 1"), 1);
+    expect_text("no-such.glb");
     assert_int_equal(count_messages(output), 1);
-    snprintf(command, sizeof command, "%s info --max-memory 1 --no-such", binary_path());
-    assert_int_equal(run_command(command, output, sizeof output), 2);
+    assert_int_equal(run_program("info --max-memory 1 --no-such"), 2);
 }
 
 /* Who ends the parent ends the work: a signal that asks is passed on. */
@@ -98,7 +92,7 @@ static void test_signal(void **state) {
     output[fread(output, 1, sizeof output - 1, log)] = '\0';
     fclose(log);
     printf("%s", output);
-    assert_non_null(strstr(output, "stopped before frame"));
+    expect_text("stopped before frame");
 }
 
 int main(void) {

@@ -1,6 +1,7 @@
 /* What a machine lacks or takes away: homes, folders, locales, OpenGL, its context, the display. The
  * program goes on, or ends with 1 and one message. */
 #define _GNU_SOURCE
+#include "command_support.h"
 #include "view_stage.h"
 
 #include "base/error.h"
@@ -18,8 +19,6 @@
 #define RENDER                                                                                     \
     "render scenes/cornell-box.glb --size 32x24 --set vpls=64 --set map-size=32 --set vals=4 "     \
     "--set rsm-size=64 --set shadow-size=128 --set exposure=.5 -q -o "
-
-static char output[8192];
 
 /* Renders behind a shell's preamble, in which @ is the scratch folder; the picture is the file. */
 static int render(const char *before, const char *options, const char *picture) {
@@ -50,7 +49,7 @@ static void check_picture(const char *name) {
 /* One line, which says so; no file. */
 static void check_refusal(int status, const char *message) {
     assert_int_equal(status, 1);
-    assert_non_null(strstr(output, message));
+    expect_text(message);
     assert_ptr_equal(strchr(output, '\n'), output + strlen(output) - 1);
     assert_int_not_equal(access(scratch("got.exr"), F_OK), 0);
 }
@@ -181,7 +180,7 @@ static void test_no_display(void **state) {
              binary_path());
     assert_int_equal(run_command(command, output, sizeof output), 1);
     printf("    %s", output);
-    assert_non_null(strstr(output, "no window"));
+    expect_text("no window");
     assert_ptr_equal(strchr(output, '\n'), output + strlen(output) - 1);
 }
 

@@ -1,5 +1,6 @@
 /* Files that a scene names, and data in its URIs: where they may lie, and how they may be written. */
 #define _GNU_SOURCE
+#include "command_support.h"
 #include "hostile_numbers.h"
 
 #include "base/error.h"
@@ -380,36 +381,27 @@ static void test_pointers(void **state) {
 
 /* --- the command line ------------------------------------------------------------------------- */
 
-static char output[8192];
-
 static int run(const char *arguments, const char *scene) {
-    char command[8192];
-    snprintf(command, sizeof command, "%s %.2000s %.2000s", binary_path(), arguments, scene);
-    return run_command(command, output, sizeof output);
-}
-
-static void check_says(const char *text) {
-    if (!strstr(output, text))
-        fail_msg("'%s' is not in:\n%s", text, output);
+    return run_program("%.2000s %.2000s", arguments, scene);
 }
 
 static void test_options(void **state) {
     (void)state;
     const char *none = write_textured("none.png");
     assert_int_equal(run("info", none), 0);
-    check_says("colours by a magenta checker: image 0: cannot open");
+    expect_text("colours by a magenta checker: image 0: cannot open");
     assert_int_equal(run("info --strict", none), 1);
-    check_says("but for --strict");
+    expect_text("but for --strict");
     assert_int_equal(run("render --strict --size 8x8 -o none.exr", none), 1);
     assert_int_equal(run("reference --strict --size 8x8 -o none.exr", none), 1);
     assert_int_equal(run("bench times --strict --size 8x8", none), 1);
     assert_int_equal(run("info --root /no-such-folder", none), 1);
-    check_says("--root: /no-such-folder: No such file or directory");
+    expect_text("--root: /no-such-folder: No such file or directory");
     char arguments[4096];
     make_folders();
     snprintf(arguments, sizeof arguments, "info --root %s", scratch("model"));
     assert_int_equal(run(arguments, write_textured("../textures/x.png")), 1);
-    check_says(" allows it)");
+    expect_text(" allows it)");
     assert_int_equal(run("compare --strict a.exr", "b.exr"), 2);
 }
 
@@ -423,11 +415,11 @@ static void test_empty_scenes(void **state) {
                                     " 1}, {\"attributes\": {\"POSITION\": 0}, \"mode\": 3}]}]",
                           .more = SPOT("", "")});
     assert_int_equal(run("info", points), 0);
-    check_says("points     primitives 1, not drawn");
-    check_says("lines      primitives 2, not drawn");
-    check_says("drawn      0 vertices, 0 triangles");
+    expect_text("points     primitives 1, not drawn");
+    expect_text("lines      primitives 2, not drawn");
+    expect_text("drawn      0 vertices, 0 triangles");
     assert_int_equal(run("render --size 8x8 -o none.exr", points), 1);
-    check_says("there is no triangle, and points and lines are not drawn");
+    expect_text("there is no triangle, and points and lines are not drawn");
     const char *camera = write_parts(
         "camera.glb",
         &(struct gltf_parts){
@@ -436,10 +428,10 @@ static void test_empty_scenes(void **state) {
             .more = "\"cameras\": [{\"type\": \"perspective\", \"perspective\": {\"yfov\": 1,"
                     " \"znear\": 1}}]," SPOT("", "")});
     assert_int_equal(run("info", camera), 0);
-    check_says("lights     1");
-    check_says("cameras    1");
+    expect_text("lights     1");
+    expect_text("cameras    1");
     assert_int_equal(run("render --size 8x8 -o none.exr", camera), 1);
-    check_says("there is no triangle");
+    expect_text("there is no triangle");
     assert_int_equal(access("none.exr", F_OK), -1);
 }
 

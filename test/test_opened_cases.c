@@ -1,5 +1,5 @@
 /* Files of public reports that other readers open: the picture that is right, where they are there. */
-#include "support.h"
+#include "command_support.h"
 
 #include "base/error.h"
 #include "base/image.h"
@@ -10,8 +10,6 @@
 #include <string.h>
 #include <unistd.h>
 
-static char output[8192];
-
 /* Whether the case is there; its path. */
 static bool find_case(const char *name, char path[512]) {
     snprintf(path, 512, "../shared/cases/%s", name);
@@ -19,12 +17,9 @@ static bool find_case(const char *name, char path[512]) {
 }
 
 static void render(const char *path, const char *options, struct image *image) {
-    char command[2048];
     const char *picture = scratch("case.exr");
     remove(picture);
-    snprintf(command, sizeof command, "%s render %s %s --size 32x32 -o %s", binary_path(), path,
-             options, picture);
-    if (run_command(command, output, sizeof output) != 0)
+    if (run_program("render %s %s --size 32x32 -o %s", path, options, picture) != 0)
         fail_msg("%s: %s", path, output);
     check_ok(picture, image_read(image, picture));
 }
@@ -123,11 +118,10 @@ static void test_messages(void **state) {
         {"messages/points.gltf", 0, "points     primitives 1"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        char path[512], command[1024];
+        char path[512];
         if (!find_case(cases[i].name, path))
             continue;
-        snprintf(command, sizeof command, "%s info %s", binary_path(), path);
-        int status = run_command(command, output, sizeof output);
+        int status = run_program("info %s", path);
         printf("    %-36s %d %s\n", cases[i].name, status, cases[i].text);
         if (status != cases[i].status || !strstr(output, cases[i].text))
             fail_msg("%s: %d, %s", cases[i].name, status, output);

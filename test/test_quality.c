@@ -1,5 +1,6 @@
 /* How good a picture has to be: errors told from some of its pixels, and what is chosen by them. */
 #define _POSIX_C_SOURCE 200809L
+#include "command_support.h"
 #include "render_support.h"
 
 #include "base/error.h"
@@ -321,13 +322,11 @@ static void test_words(void **state) {
         {"--max-error 2% --passes 1 --set vpls=64,vals=4,detail=0", 0, "nothing errs much less"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        char command[1024], output[4096];
-        snprintf(command, sizeof command, "%s render scenes/cornell-box.glb -o %s --size 40x40 %s",
-                 binary_path(), scratch("q.png"), cases[i].arguments);
-        int status = run_command(command, output, sizeof output);
+        int status = run_program("render scenes/cornell-box.glb -o %s --size 40x40 %s",
+                                 scratch("q.png"), cases[i].arguments);
         printf("    %s\n    -> %d %s", cases[i].arguments, status, output);
         assert_int_equal(status, cases[i].status);
-        assert_non_null(strstr(output, cases[i].says));
+        expect_text(cases[i].says);
     }
 }
 

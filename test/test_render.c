@@ -1,6 +1,7 @@
 /* What may change without changing the picture: the context, the frame, the neighbours,
  * the threads, the order of VPLs, the place of the scene, how meshes are cut. */
 #define _POSIX_C_SOURCE 200809L
+#include "command_support.h"
 #include "render_support.h"
 
 #include "base/file/image_file.h"
@@ -148,11 +149,9 @@ static void test_threads(void **state) {
 
 static void test_contexts_of_binary(void **state) {
     (void)state;
-    char command[512], output[4096];
     for (int k = 0; k < 2; k++) {
-        snprintf(command, sizeof command, "%s info --context %s", binary_path(),
-                 k ? "osmesa" : "egl");
-        if (run_command(command, output, sizeof output) != 0 || !strstr(output, "llvmpipe"))
+        if (run_program("info --context %s", k ? "osmesa" : "egl") != 0 ||
+            !strstr(output, "llvmpipe"))
             skip();
     }
     struct image egl = run_binary("", &recipes[0], "--context egl --gl-debug");

@@ -1,7 +1,7 @@
 /* manylight bench, ended in the midst: the rows that were measured are on disk, the same command goes on from there, and what
  * comes out is what one run makes. Times are never compared. */
 #define _GNU_SOURCE
-#include "support.h"
+#include "command_support.h"
 
 #include "base/file/file.h"
 #include "base/file/output_file.h"
@@ -16,8 +16,6 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
-
-static char output[65536];
 
 /* --- a run ------------------------------------------------------------------------------------ */
 
@@ -56,11 +54,6 @@ static int run(const struct mode *mode, const char *csv, const char *more) {
     char command[2048];
     command_of(mode, csv, more, command);
     return run_command(command, output, sizeof output);
-}
-
-static void check_says(const char *text) {
-    if (!strstr(output, text))
-        fail_msg("'%s' is not in:\n%s", text, output);
 }
 
 /* --- files ------------------------------------------------------------------------------------ */
@@ -206,7 +199,7 @@ static void check_mode(const struct mode *mode, int number) {
     run_until(mode, csv, mode->blocks, number);
     cut(part, mode->blocks);
     run(mode, csv, ""); /* fails where pictures do not hold what is promised of larger ones */
-    check_says(" subjects of a run that was broken off");
+    expect_text(" subjects of a run that was broken off");
     int rows = check_same(csv, whole);
     printf("    %s after %d blocks by %s: %d rows as in one run\n", mode->name, mode->blocks,
            strsignal(number), rows);
@@ -260,7 +253,7 @@ static void test_not_measured_again(void **state) {
     char *marked = mem_printf("%.*s4321.5%s", (int)(row - text), text, row + strcspn(row, ","));
     write_text(part, marked);
     assert_int_equal(run(&modes[0], csv, ""), 0);
-    check_says("4321.50");
+    expect_text("4321.50");
     char *rows = file_read_text(csv);
     assert_non_null(strstr(rows, ",relative-rmse,path,%,4321.5,"));
     free(rows);
@@ -286,7 +279,7 @@ static void check_refused(const char *csv, const char *more, const char *message
     const char *error = strstr(output, "manylight bench sweep: ");
     printf("    %d %s", status, error ? error : output);
     assert_int_equal(status, 1);
-    check_says(message);
+    expect_text(message);
     char *after = file_read_text(part);
     /* But for the half row. */
     assert_memory_equal(before, after, strlen(after));
@@ -332,7 +325,7 @@ static void test_screen_passes(void **state) {
         char *to = mem_printf("# screen passes %s\n", ways[i]);
         change(csv, from, to);
         assert_int_equal(run(&modes[0], csv, ""), 0);
-        check_says("broken off");
+        expect_text("broken off");
         free(from);
         free(to);
         free(text);
@@ -375,7 +368,7 @@ static void test_failing(void **state) {
     assert_int_equal(run(&first, csv, ""), 1);
     assert_int_equal(access(part, F_OK), -1);
     assert_int_equal(run(&second, csv, ""), 1);
-    check_says("keeps what is measured");
+    expect_text("keeps what is measured");
     assert_true(has_blocks(part, 1));
     assert_int_equal(access(csv, F_OK), -1);
     remove_both(csv);

@@ -123,9 +123,10 @@ static void test_extremes(void **state) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
-        check_picture("", &stage, "clustered", settings[i], 40, 40);
+        if (is_tried_here(i, 2))
+            check_picture("", &stage, "clustered", settings[i], 40, 40);
         /* All that maps of VPLs do differently; not 65536 of them. */
-        if (strstr(settings[i], "65536") == NULL)
+        if (is_tried_here(i + 1, 4) && strstr(settings[i], "65536") == NULL)
             check_picture("", &stage, "instant-radiosity", settings[i], 40, 40);
     }
     stage_free(&stage);

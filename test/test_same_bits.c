@@ -4,7 +4,7 @@
  *
  *     MANYLIGHT_EXPECT=1 build/test/test_same_bits
  */
-#include "support.h"
+#include "command_support.h"
 
 #include "base/file/file.h"
 #include "base/file/image_file.h"
@@ -16,8 +16,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static char output[4096];
 
 /* The bytes of the scene's picture, rendered or traced, with these variables of the environment. */
 static struct file_bytes picture(const char *arguments, const char *environment) {
@@ -32,9 +30,7 @@ static struct file_bytes picture(const char *arguments, const char *environment)
 
 /* What a driver's variables do is known of llvmpipe. */
 static void skip_without_llvmpipe(void) {
-    char command[512];
-    snprintf(command, sizeof command, "%s info --gl", binary_path());
-    assert_int_equal(run_command(command, output, sizeof output), 0);
+    assert_int_equal(run_program("info --gl"), 0);
     if (!strstr(output, "llvmpipe"))
         skip();
 }
@@ -81,7 +77,6 @@ static void test_traced(void **state) {
 
 static void test_without_avx(void **state) {
     (void)state;
-    char command[1024];
     double error = NAN;
     skip_without_llvmpipe();
     struct file_bytes bytes = picture("render scenes/cornell-box.glb", "");
@@ -89,9 +84,9 @@ static void test_without_avx(void **state) {
     rename(scratch("bits.exr"), scratch("bits-avx.exr"));
     bytes = picture("render scenes/cornell-box.glb", "GALLIUM_OVERRIDE_CPU_CAPS=sse4.1");
     free(bytes.data);
-    snprintf(command, sizeof command, "%s compare %s %s -l indirect -m relative-rmse",
-             binary_path(), scratch("bits.exr"), scratch("bits-avx.exr"));
-    assert_int_equal(run_command(command, output, sizeof output), 0);
+    assert_int_equal(run_program("compare %s %s -l indirect -m relative-rmse", scratch("bits.exr"),
+                                 scratch("bits-avx.exr")),
+                     0);
     assert_int_equal(sscanf(output, "relative-rmse %lf", &error), 1);
     /* Measured: .0175; of it all but .0035 are other lights that answer for others where detail is. */
     check_at_most("relative RMSE without AVX", error, .03);

@@ -1,5 +1,6 @@
 /* Sequences: every frame depends on its time alone, is written whole, and costs no memory. */
 #define _POSIX_C_SOURCE 200809L
+#include "command_support.h"
 #include "render_support.h"
 
 #include "apps/frames.h"
@@ -53,15 +54,10 @@ static void test_names(void **state) {
 
 /* --- the program ------------------------------------------------------------------------------ */
 
-static char output[8192];
-
 static int render(const char *more) {
-    char command[1024];
-    snprintf(command, sizeof command,
-             "%s render %s --size 24x16 --set vpls=64 --set map-size=32 --set rsm-size=64 "
-             "--set shadow-size=128 %s",
-             binary_path(), scene_path, more);
-    return run_command(command, output, sizeof output);
+    return run_program("render %s --size 24x16 --set vpls=64 --set map-size=32 --set rsm-size=64 "
+                       "--set shadow-size=128 %s",
+                       scene_path, more);
 }
 
 /* The program's pictures of some frames as scratch files PREFIX.N.exr; true where GL is there. */
@@ -131,16 +127,16 @@ static void test_resume(void **state) {
     if (render(more) != 0)
         skip();
     printf("    %s", output);
-    assert_non_null(strstr(output, "2 frames in"));
-    assert_non_null(strstr(output, "resumed.0.png is 16x24, not 24x16; it is rendered again"));
+    expect_text("2 frames in");
+    expect_text("resumed.0.png is 16x24, not 24x16; it is rendered again");
     assert_int_equal(size_of(scratch("resumed.1.png")), kept);
     long whole = size_of(scratch("resumed.2.png"));
     assert_true(whole > 100);
     assert_int_equal(truncate(scratch("resumed.2.png"), whole - 1), 0);
     assert_int_equal(render(more), 0);
     printf("    %s", output);
-    assert_non_null(strstr(output, "resumed.2.png: ends too soon; it is rendered again"));
-    assert_non_null(strstr(output, "1 frames in"));
+    expect_text("resumed.2.png: ends too soon; it is rendered again");
+    expect_text("1 frames in");
     assert_int_equal(size_of(scratch("resumed.2.png")), whole);
     assert_int_equal(size_of(scratch("resumed.1.png")), kept);
 }
@@ -160,7 +156,7 @@ static void test_misuse(void **state) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         assert_int_equal(render(cases[i].arguments), cases[i].status);
         printf("    %s", output);
-        assert_non_null(strstr(output, cases[i].message));
+        expect_text(cases[i].message);
     }
 }
 

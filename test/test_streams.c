@@ -1,5 +1,6 @@
 /* Standard input, standard output and pipes in place of files, as a shell sees them. */
 #define _XOPEN_SOURCE 700
+#include "command_support.h"
 #include "gltf_parts.h"
 
 #include "base/file/image_file.h"
@@ -12,32 +13,16 @@
 #define QUICK                                                                                      \
     "--size 24x16 --set vpls=16,vals=2,map-size=32,rsm-size=32,shadow-size=64,interleave=1"
 
-static char output[16384];
-static char *binary; /* from the root: lines change the folder */
-
-/* Runs the line in bash, with the program for each % and the test's folder for each @. */
-static void expect(int status, const char *line) {
-    char command[6000], with_folder[3000];
-    in_scratch(with_folder, sizeof with_folder, line);
-    size_t used = (size_t)snprintf(command, sizeof command, "bash -c 'set -o pipefail; ");
-    for (const char *c = with_folder; *c && used + 512 < sizeof command; c++)
-        used += *c == '%' ? (size_t)snprintf(command + used, sizeof command - used, "%s", binary)
-                          : (size_t)snprintf(command + used, sizeof command - used, "%c", *c);
-    snprintf(command + used, sizeof command - used, "'");
-    int actual = run_command(command, output, sizeof output);
-    printf("    %s\n    -> %d %.200s\n", line, actual, output);
-    if (actual != status)
-        fail_msg("exit status %d, expected %d: %s", actual, status, output);
+/* Runs the line in bash, where each part of a pipe must end well. */
+static void in_bash(int status, const char *line) {
+    char command[4096];
+    snprintf(command, sizeof command, "bash -c 'set -o pipefail; %s'", line);
+    expect(status, command);
 }
 
 /* Whether script can make a terminal. */
 static bool has_terminals(void) {
     return run_command("script -qec true /dev/null", output, sizeof output) == 0;
-}
-
-static void expect_text(const char *text) {
-    if (!strstr(output, text))
-        fail_msg("'%s' is not in: %s", text, output);
 }
 
 /* A glTF of the quad with the buffer in a data URI, or named. */
@@ -73,7 +58,6 @@ static int make_files(void **state) {
     (void)state;
     struct gltf_parts quad = {0};
     unsigned char bin[PARTS_BIN];
-    binary = realpath(binary_path(), NULL);
     write_parts("quad.glb", &quad);
     write_gltf("quad.gltf", NULL);
     write_gltf("names.gltf", "names.bin");
@@ -89,57 +73,58 @@ static int make_files(void **state) {
 /* The same bits, however the scene comes. */
 static void test_scene_from_pipe(void **state) {
     (void)state;
-    expect(0, "% render @/quad.glb -o @/file.exr -q " QUICK);
-    expect(0, "% render - -o @/in.exr -q " QUICK " < @/quad.glb && cmp @/in.exr @/file.exr");
-    expect(0,
-           "cat @/quad.gltf | % render - -o @/gltf.exr -q " QUICK " && cmp @/gltf.exr @/file.exr");
-    expect(0, "% render <(cat @/quad.glb) -o @/fifo.exr -q " QUICK " && cmp @/fifo.exr @/file.exr");
-    expect(0, "cat @/quad.glb | % render /dev/stdin -o @/dev.exr -q " QUICK
-              " && cmp @/dev.exr @/file.exr");
+    in_bash(0, "% render @/quad.glb -o @/file.exr -q " QUICK);
+    in_bash(0, "% render - -o @/in.exr -q " QUICK " < @/quad.glb && cmp @/in.exr @/file.exr");
+    in_bash(0,
+            "cat @/quad.gltf | % render - -o @/gltf.exr -q " QUICK " && cmp @/gltf.exr @/file.exr");
+    in_bash(0,
+            "% render <(cat @/quad.glb) -o @/fifo.exr -q " QUICK " && cmp @/fifo.exr @/file.exr");
+    in_bash(0, "cat @/quad.glb | % render /dev/stdin -o @/dev.exr -q " QUICK
+               " && cmp @/dev.exr @/file.exr");
 }
 
 static void test_other_commands_from_pipe(void **state) {
     (void)state;
-    expect(0, "cat @/quad.glb | % info -");
+    in_bash(0, "cat @/quad.glb | % info -");
     expect_text("scene      -\n");
     expect_text("2 triangles");
-    expect(0, "% info <(cat @/quad.gltf)");
+    in_bash(0, "% info <(cat @/quad.gltf)");
     expect_text("2 triangles");
-    expect(0, "% reference @/quad.glb -o @/traced.exr -q --size 8x8 --spp 1");
-    expect(0, "% reference - -o - --format exr -q --size 8x8 --spp 1 < @/quad.glb > @/piped.exr"
-              " && cmp @/piped.exr @/traced.exr");
+    in_bash(0, "% reference @/quad.glb -o @/traced.exr -q --size 8x8 --spp 1");
+    in_bash(0, "% reference - -o - --format exr -q --size 8x8 --spp 1 < @/quad.glb > @/piped.exr"
+               " && cmp @/piped.exr @/traced.exr");
 }
 
 static void test_pictures_from_pipe(void **state) {
     (void)state;
-    expect(0, "% render @/quad.glb -o @/a.exr -o @/a.png -q --passes 1 " QUICK);
-    expect(0, "% compare - @/a.exr -m rmse --max rmse=0 < @/a.exr");
-    expect(0, "% compare @/a.exr - -m rmse --max rmse=0 < @/a.exr");
-    expect(0, "% compare <(cat @/a.png) @/a.png -m rmse --max rmse=0");
-    expect(0, "% compare <(cat @/a.exr) <(cat @/a.exr) -m rmse --max rmse=0");
-    expect(0, "cat @/a.exr | % average - -o - --format exr > @/mean.exr && "
-              "% compare @/mean.exr @/a.exr -m rmse --max rmse=1e-6");
-    expect(2, "% compare - - < @/a.exr");
+    in_bash(0, "% render @/quad.glb -o @/a.exr -o @/a.png -q --passes 1 " QUICK);
+    in_bash(0, "% compare - @/a.exr -m rmse --max rmse=0 < @/a.exr");
+    in_bash(0, "% compare @/a.exr - -m rmse --max rmse=0 < @/a.exr");
+    in_bash(0, "% compare <(cat @/a.png) @/a.png -m rmse --max rmse=0");
+    in_bash(0, "% compare <(cat @/a.exr) <(cat @/a.exr) -m rmse --max rmse=0");
+    in_bash(0, "cat @/a.exr | % average - -o - --format exr > @/mean.exr && "
+               "% compare @/mean.exr @/a.exr -m rmse --max rmse=1e-6");
+    in_bash(2, "% compare - - < @/a.exr");
     expect_text("-: standard input can be only one of the pictures");
-    expect(2, "% average - - -o @/mean.exr < @/a.exr");
+    in_bash(2, "% average - - -o @/mean.exr < @/a.exr");
 }
 
 static void test_pipes_refused(void **state) {
     (void)state;
-    expect(1, "% info - < /dev/null");
+    in_bash(1, "% info - < /dev/null");
     expect_text("manylight info: -: the file is empty");
-    expect(1, "% info - <&-");
+    in_bash(1, "% info - <&-");
     expect_text("manylight info: cannot read -: ");
-    expect(1, "head -c 100 @/quad.glb | % info -");
+    in_bash(1, "head -c 100 @/quad.glb | % info -");
     expect_text("manylight info: -: truncated");
-    expect(1, "echo x | % compare - @/quad.glb");
+    in_bash(1, "echo x | % compare - @/quad.glb");
     expect_text("manylight compare: -: ");
     if (has_terminals()) {
-        expect(1, "script -qec \"% info -\" /dev/null");
+        in_bash(1, "script -qec \"% info -\" /dev/null");
         expect_text("standard input is a terminal");
     }
 #ifndef __SANITIZE_ADDRESS__ /* which reserves more */
-    expect(1, "head -c 1G /dev/zero 2>/dev/null | % info - --max-memory .3");
+    in_bash(1, "head -c 1G /dev/zero 2>/dev/null | % info - --max-memory .3");
     expect_text("manylight info: cannot read -: it has more than ");
 #endif
 }
@@ -147,15 +132,15 @@ static void test_pipes_refused(void **state) {
 /* A scene from a pipe reads no files of the working folder, and no scene reads standard input or a pipe. */
 static void test_names_inside_scenes(void **state) {
     (void)state;
-    expect(0, "% info @/names.gltf");
-    expect(1, "cd @ && cat names.gltf | % info -");
+    in_bash(0, "% info @/names.gltf");
+    in_bash(1, "cd @ && cat names.gltf | % info -");
     expect_text("buffer 0: cannot find 'names.bin': the scene came through a pipe");
-    expect(1, "cd @ && % info <(cat names.gltf)");
+    in_bash(1, "cd @ && % info <(cat names.gltf)");
     expect_text("the scene came through a pipe");
-    expect(1, "% info @/fifo.gltf");
+    in_bash(1, "% info @/fifo.gltf");
     expect_text("not a file");
     write_gltf("dash.gltf", "-");
-    expect(1, "cd @ && % info dash.gltf < quad.glb");
+    in_bash(1, "cd @ && % info dash.gltf < quad.glb");
     expect_text("buffer 0: cannot open -: No such file");
 }
 
@@ -163,10 +148,10 @@ static void test_names_inside_scenes(void **state) {
 
 static void test_picture_to_stdout(void **state) {
     (void)state;
-    expect(0, "% render @/quad.glb -o @/one.png -o @/one.exr -q " QUICK);
+    in_bash(0, "% render @/quad.glb -o @/one.png -o @/one.exr -q " QUICK);
     static const char *const formats[] = {"png", "exr", "webp"};
     if (knows_format("webp"))
-        expect(0, "% render @/quad.glb -o @/one.webp -q " QUICK);
+        in_bash(0, "% render @/quad.glb -o @/one.webp -q " QUICK);
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
         char line[1024];
         if (!knows_format(formats[i]))
@@ -175,26 +160,26 @@ static void test_picture_to_stdout(void **state) {
                  "%% render @/quad.glb -o - --format %s --stats " QUICK
                  " 2>@/said | cmp - @/one.%s",
                  formats[i], formats[i]);
-        expect(0, line);
-        expect(0, "grep -c \"time per pass\" @/said");
+        in_bash(0, line);
+        in_bash(0, "grep -c \"time per pass\" @/said");
     }
-    expect(0, "% render @/quad.glb -o >(cat > @/sub.png) --format png -q " QUICK
-              " && sleep .2 && cmp @/sub.png @/one.png");
+    in_bash(0, "% render @/quad.glb -o >(cat > @/sub.png) --format png -q " QUICK
+               " && sleep .2 && cmp @/sub.png @/one.png");
     /* A named file keeps its extension's format. */
-    expect(0, "% render @/quad.glb -o @/both.png -o - --format exr -q " QUICK
-              " | cmp - @/one.exr && cmp @/both.png @/one.png");
-    expect(0, "% render @/quad.glb -o @/odd.name --format png -q " QUICK
-              " && cmp @/odd.name @/one.png");
+    in_bash(0, "% render @/quad.glb -o @/both.png -o - --format exr -q " QUICK
+               " | cmp - @/one.exr && cmp @/both.png @/one.png");
+    in_bash(0, "% render @/quad.glb -o @/odd.name --format png -q " QUICK
+               " && cmp @/odd.name @/one.png");
 }
 
 static void test_table_leaves_stdout(void **state) {
     (void)state;
-    expect(0, "% render @/quad.glb -o @/a.exr -q " QUICK);
-    expect(0, "% compare @/a.exr @/a.exr -m rmse -o @/heat.png");
-    expect(0, "% compare @/a.exr @/a.exr -m rmse -o - --format png 2>@/said | cmp - @/heat.png");
-    expect(0, "grep -c ^rmse @/said");
-    expect(0, "% compare @/a.exr @/a.exr -m rmse --json -o - --format png 2>@/said >/dev/null");
-    expect(0, "grep -c \"\\\"rmse\\\": 0\" @/said");
+    in_bash(0, "% render @/quad.glb -o @/a.exr -q " QUICK);
+    in_bash(0, "% compare @/a.exr @/a.exr -m rmse -o @/heat.png");
+    in_bash(0, "% compare @/a.exr @/a.exr -m rmse -o - --format png 2>@/said | cmp - @/heat.png");
+    in_bash(0, "grep -c ^rmse @/said");
+    in_bash(0, "% compare @/a.exr @/a.exr -m rmse --json -o - --format png 2>@/said >/dev/null");
+    in_bash(0, "grep -c \"\\\"rmse\\\": 0\" @/said");
 }
 
 static void test_outputs_refused(void **state) {
@@ -227,7 +212,7 @@ static void test_outputs_refused(void **state) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         if (strncmp(cases[i].line, "script", 6) == 0 && !has_terminals())
             continue;
-        expect(cases[i].status, cases[i].line);
+        in_bash(cases[i].status, cases[i].line);
         expect_text(cases[i].message);
     }
 }

@@ -1,5 +1,6 @@
 /* Frames in the time that they may take: the choice of levels by simulated machines, which is a pure function of
  * frames' times, and what the levels are. */
+#include "command_support.h"
 #include "render_support.h"
 
 #include "base/option.h"
@@ -255,13 +256,11 @@ static void test_levels(void **state) {
 }
 
 static void run_box(int status, const char *arguments, const char *says) {
-    char command[1024], output[8192];
-    snprintf(command, sizeof command, "%s render scenes/cornell-box.glb -o %s --size 40x40 %s 2>&1",
-             binary_path(), scratch("budget-##.png"), arguments);
-    int got = run_command(command, output, sizeof output);
+    int got = run_program("render scenes/cornell-box.glb -o %s --size 40x40 %s 2>&1",
+                          scratch("budget-##.png"), arguments);
     printf("    %s\n    -> %d %s", arguments, got, output);
     assert_int_equal(got, status);
-    assert_non_null(strstr(output, says));
+    expect_text(says);
 }
 
 /* In a shell. Nobody's frames take a minute at the last level, or nothing at the first. */
