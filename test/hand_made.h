@@ -26,6 +26,10 @@ struct world {
     struct emitter light;
 };
 
+static inline vec3s at(float x, float y, float z) {
+    return (vec3s){{x, y, z}};
+}
+
 static inline void world_init(struct world *world) {
     struct geometry *geometry = &world->geometry;
     memset(world, 0, sizeof *world);

@@ -3,10 +3,12 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "gl/glsl.h"
 #include "gl/memory.h"
 #include "gl/program.h"
 #include "inspect/lights.h"
 #include "reference/channels.h"
+#include "measure/picture.h"
 #include "reference/path_tracer.h"
 #include "scene/node.h"
 #include "scene/placing.h"
@@ -72,6 +74,16 @@ int close_group_context(void **state) {
     if (messages != 0 || objects != 0 || named != 0 || programs != 0)
         exit(EXIT_FAILURE); /* of what fails here cmocka's status does not tell */
     return 0;
+}
+
+int open_group_shaders(void **state) {
+    glsl_set_folder("glsl");
+    return open_group_context(state);
+}
+
+int close_group_shaders(void **state) {
+    glsl_set_folder(NULL);
+    return close_group_context(state);
 }
 
 void open_stage(struct stage *stage, const char *path) {
@@ -288,17 +300,10 @@ struct image common_layers(const struct image *traced) {
 }
 
 struct image trace_stage(const struct stage *stage, int size, int samples) {
-    const struct path_tracer_desc desc = {.scene = &stage->scene,
-                                          .geometry = &stage->geometry,
-                                          .camera = &stage->camera,
-                                          .emitters = stage->emitters,
-                                          .width = size,
-                                          .height = size,
-                                          .bounces = 1,
-                                          .samples = samples,
-                                          .centers = true};
+    const struct path_tracer_desc desc = {
+        .width = size, .height = size, .bounces = 1, .samples = samples, .centers = true};
     struct image traced;
-    check_ok("truth", path_tracer_render(&desc, &traced, NULL));
+    check_ok("truth", picture_trace_paths(stage, &desc, &traced, NULL));
     struct image truth = common_layers(&traced);
     image_free(&traced);
     return truth;

@@ -17,6 +17,10 @@ struct context *open_context(enum context_kind kind);
 int open_group_context(void **state);
 int close_group_context(void **state);
 
+/* The same for groups whose own shaders lie beside the tests. */
+int open_group_shaders(void **state);
+int close_group_shaders(void **state);
+
 /* A stage that the test may change; fails the test on an error. */
 void open_stage(struct stage *stage, const char *path);
 

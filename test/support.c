@@ -3,7 +3,10 @@
 
 #include "base/error.h"
 #include "base/file/image_file.h"
+#include "base/file/output_file.h"
+#include "base/log.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -28,6 +31,20 @@ void check_at_most(const char *what, double value, double bound) {
 void check_ok(const char *what, bool ok) {
     if (!ok)
         fail_msg("%s: %s", what, error_get());
+}
+
+void check_vector(const char *what, const float value[3], double x, double y, double z,
+                  double tolerance) {
+    check_near(what, value[0], x, tolerance);
+    check_near(what, value[1], y, tolerance);
+    check_near(what, value[2], z, tolerance);
+}
+
+void check_refused(bool done, const char *message) {
+    assert_false(done);
+    printf("    %s\n", error_get());
+    if (!strstr(error_get(), message))
+        fail_msg("expected '%s'", message);
 }
 
 bool is_long_run(void) {
@@ -56,6 +73,23 @@ int run_command(const char *command, char *output, size_t output_size) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+char notes[4096];
+
+static void hear(void *context, bool is_warning, const char *message) {
+    (void)context, (void)is_warning;
+    size_t used = strlen(notes);
+    snprintf(notes + used, sizeof notes - used, "%s\n", message);
+}
+
+void hear_notes(void) {
+    *notes = '\0';
+    log_set_listener(hear, NULL);
+}
+
+void end_notes(void) {
+    log_set_listener(NULL, NULL);
+}
+
 const char *scratch(const char *file_name) {
     static char paths[8][512];
     static int next;
@@ -69,6 +103,23 @@ const char *scratch(const char *file_name) {
     char *path = paths[next++ % 8];
     snprintf(path, sizeof paths[0], "%s/%s", folder, file_name);
     return path;
+}
+
+void write_text(const char *path, const char *text) {
+    check_ok(path, output_file_write(path, text, strlen(text)));
+}
+
+int count_files(const char *folder) {
+    DIR *directory = opendir(folder);
+    assert_non_null(directory);
+    int count = 0;
+    for (struct dirent *entry; (entry = readdir(directory));)
+        if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0) {
+            printf("    %s/%s\n", folder, entry->d_name);
+            count++;
+        }
+    closedir(directory);
+    return count;
 }
 
 void in_scratch(char *to, size_t size, const char *text) {

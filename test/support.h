@@ -18,6 +18,13 @@ void check_at_most(const char *what, double value, double bound);
 /* Fails unless call returned true; prints the error message. */
 void check_ok(const char *what, bool ok);
 
+/* Fails unless all three coordinates are near; prints them. */
+void check_vector(const char *what, const float value[3], double x, double y, double z,
+                  double tolerance);
+
+/* Fails where it was done, or the error message has not that text; prints the message. */
+void check_refused(bool done, const char *message);
+
 /* Whether `make test-long` runs, which tries all rows of each test; `make test` tries a few of each kind. */
 bool is_long_run(void);
 
@@ -27,9 +34,19 @@ bool is_tried_here(size_t index, size_t step);
 /* Runs a shell command; its exit status, its stdout and stderr together in output (truncated). */
 int run_command(const char *command, char *output, size_t output_size);
 
+/* Notes and warnings of the program between the two calls, a line each. */
+extern char notes[4096];
+void hear_notes(void);
+void end_notes(void);
+
 /* A file of the test's own folder below the build folder; the folder is made. Static buffer ring
  * of 8. */
 const char *scratch(const char *file_name);
+
+void write_text(const char *path, const char *text);
+
+/* Files and folders in it. */
+int count_files(const char *folder);
 
 /* Copies text, with the test's own folder for each @. */
 void in_scratch(char *to, size_t size, const char *text);

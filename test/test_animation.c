@@ -4,7 +4,6 @@
 #include "gltf_parts.h"
 
 #include "base/error.h"
-#include "base/log.h"
 #include "scene/animation.h"
 #include "scene/camera.h"
 #include "scene/clips.h"
@@ -399,25 +398,19 @@ static void test_bounds_of_pose(void **state) {
 
 /* --- what is left out -------------------------------------------------------------------------- */
 
-static void keep_note(void *context, bool is_warning, const char *message) {
-    (void)is_warning;
-    snprintf(context, 512, "%s", message);
-}
-
 /* Channels of nobody, or of what no node has, and joints beyond four are dropped; the rest moves. */
 static void test_left_out(void **state) {
     (void)state;
-    char note[512] = "";
     struct scene scene;
-    log_set_listener(keep_note, note);
+    hear_notes();
     load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
               CLIPS("{\"channels\": [{\"sampler\": 0, \"target\": {\"path\": \"scale\"}},"
                     " {\"sampler\": 0, \"target\": {\"node\": 0, \"path\": \"pointer\"}},"
                     " {\"sampler\": 0, \"target\": {\"node\": 0, \"path\": \"translation\"}}],"
                     " \"samplers\": [{\"input\": 2, \"output\": 3}]}"),
               (float[]){10, 0, 0, 20, 0, 0, 40, 0, 0}, 9);
-    printf("    %s\n", note);
-    assert_non_null(strstr(note, "animation of 'pointer'"));
+    printf("    %s\n", notes);
+    assert_non_null(strstr(notes, "animation of 'pointer'"));
     assert_int_equal(scene.clips[0].channel_count, 1);
     check_near("x", (double)translation_x(&scene, 1.5), 15, 1e-5);
     scene_free(&scene);
@@ -444,9 +437,9 @@ static void test_left_out(void **state) {
                 .more = "\"skins\": [{\"joints\": [0]}],",
                 .extra = &extra,
                 .extra_size = sizeof extra}));
-    log_set_listener(NULL, NULL);
-    printf("    %s\n", note);
-    assert_non_null(strstr(note, "more than four joints a vertex"));
+    end_notes();
+    printf("    %s\n", notes);
+    assert_non_null(strstr(notes, "more than four joints a vertex"));
     assert_int_equal(scene.meshes[0].primitives[0].joint_bound, 1);
     scene_free(&scene);
 }

@@ -256,7 +256,7 @@ static void open_parts(struct scene *scene, const struct gltf_parts *parts) {
     check_ok("load", scene_load(scene, scratch("area.glb")));
 }
 
-static void check_vector(const char *what, const float *got, double x, double y, double z) {
+static void check_place(const char *what, const float *got, double x, double y, double z) {
     printf("    %s:\n", what);
     check_near("x", (double)got[0], x, 1e-4);
     check_near("y", (double)got[1], y, 1e-4);
@@ -291,8 +291,8 @@ static void test_extension(void **state) {
     emitter_place(&light, &scene, emitter_find(&scene, "panel"), 0);
     assert_int_equal(light.type, EMITTER_AREA);
     check_size(&light, EMITTER_IS_RECTANGLE, 3, 1);
-    check_vector("intensity", light.intensity, 12, 6, 3);
-    check_vector("place", light.position, 1, 2, 3);
+    check_place("intensity", light.intensity, 12, 6, 3);
+    check_place("place", light.position, 1, 2, 3);
     check_near("flux, pi L A", emitter_flux(&light, 1), GLM_PI * 3 * (4 + 2 + 1) / 3, 1e-4);
     emitter_place(&light, &scene, 1, 0);
     check_size(&light, EMITTER_IS_DISK, 1, 0);
@@ -352,10 +352,10 @@ static void test_emissive_quad(void **state) {
     emitter_place(&front, &scene, 0, 0);
     emitter_place(&back, &scene, 1, 0);
     check_near("area", emitter_extent(&front), 6, 1e-4);
-    check_vector("intensity", front.intensity, 48, 24, 0);
-    check_vector("front, which the node turns", front.direction, 0, 0, -1);
-    check_vector("back", back.direction, 0, 0, 1);
-    check_vector("place", front.position, 1, 1.5, 0);
+    check_place("intensity", front.intensity, 48, 24, 0);
+    check_place("front, which the node turns", front.direction, 0, 0, -1);
+    check_place("back", back.direction, 0, 0, 1);
+    check_place("place", front.position, 1, 1.5, 0);
     assert_true(front.position[2] < 0 && back.position[2] > 0);
     scene_free(&scene);
 }
@@ -407,8 +407,8 @@ static void test_shapes(void **state) {
     assert_true(flat_shape_of(&shape, &fan.primitive));
     check_near("longer side", fmax((double)shape.size[0], (double)shape.size[1]), 4, 1e-4);
     check_near("shorter side", fmin((double)shape.size[0], (double)shape.size[1]), 2, 1e-4);
-    check_vector("centre", shape.center, 10, -4, 7);
-    check_vector("normal", shape.normal, .8, 0, .6);
+    check_place("centre", shape.center, 10, -4, 7);
+    check_place("normal", shape.normal, .8, 0, .6);
     for (int corners = 8; corners <= CORNERS_MAX; corners *= 2) {
         make_polygon(&fan, corners, 1);
         assert_true(flat_shape_of(&shape, &fan.primitive));

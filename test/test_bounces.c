@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "passes/lights/bounce.h"
+#include "measure/picture.h"
 #include "reference/path_tracer.h"
 #include "scene/mesh/triangle_albedos.h"
 #include "shared/bounce.h"
@@ -426,15 +427,11 @@ static void test_truth(void **state) {
     struct stage stage;
     struct image truth;
     open_stage(&stage, "scenes/cornell-box.glb");
-    check_ok("truth", path_tracer_render(&(struct path_tracer_desc){.scene = &stage.scene,
-                                                                    .geometry = &stage.geometry,
-                                                                    .camera = &stage.camera,
-                                                                    .emitters = stage.emitters,
-                                                                    .width = 64,
-                                                                    .height = 64,
-                                                                    .bounces = 8,
-                                                                    .samples = 16},
-                                         &truth, NULL));
+    check_ok("truth",
+             picture_trace_paths(
+                 &stage,
+                 &(struct path_tracer_desc){.width = 64, .height = 64, .bounces = 8, .samples = 16},
+                 &truth, NULL));
     double whole = layer_mean(&truth, "indirect");
     printf("  one bounce: %.3f of eight\n", mean_indirect(&stage, "clustered", "") / whole);
     check_near("clustered, over the truth", mean_indirect(&stage, "clustered", "bounces=8") / whole,

@@ -160,13 +160,6 @@ static void check_still_works(struct renderer *renderer, const struct bitmap *be
     bitmap_free(&after);
 }
 
-static void write_text(const char *path, const char *text) {
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    fclose(file);
-}
-
 /* Where pixels share more in large pictures, a picture that became large has nothing left of a small one's. */
 static void test_sizes(void **state) {
     struct fixture *fixture = need_context(state);

@@ -18,23 +18,16 @@
 #include <string.h>
 #include <unistd.h>
 
-static char note[512];
-
-static void keep_note(void *context, bool is_warning, const char *message) {
-    (void)context, (void)is_warning;
-    snprintf(note, sizeof note, "%s", message);
-}
-
 static int open_gl(void **state) {
     setenv("XDG_CACHE_HOME", scratch("cache"), 1);
     *state = open_context(CONTEXT_AUTO);
     log_set_level(LOG_QUIET); /* the listener hears all the same */
-    log_set_listener(keep_note, NULL);
+    hear_notes();
     return 0;
 }
 
 static int close_gl(void **state) {
-    log_set_listener(NULL, NULL);
+    end_notes();
     context_free(*state);
     return 0;
 }
@@ -125,14 +118,14 @@ static void test_round_trip(void **state) {
     struct costs costs = reversed(), read;
     char *path = costs_path();
     remove(path);
-    *note = '\0';
+    *notes = '\0';
     costs_load(&read);
     assert_int_equal(read.count, 0);
-    assert_string_equal(note, "");
+    assert_string_equal(notes, "");
     free(path);
     path = write_table(&costs);
     costs_load(&read);
-    assert_string_equal(note, "");
+    assert_string_equal(notes, "");
     assert_int_equal(read.count, costs.count);
     for (int i = 0; i < costs.count; i++) {
         assert_string_equal(read.items[i].choice, costs.items[i].choice);
@@ -176,12 +169,12 @@ static void test_refused(void **state) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char *text = replace(whole, cases[i].part, cases[i].by);
         check_ok("write", output_file_write(path, text, strlen(text)));
-        *note = '\0';
+        *notes = '\0';
         costs_load(&read);
-        printf("    %s\n", note);
+        printf("    %s\n", notes);
         assert_int_equal(read.count, 0);
-        assert_non_null(strstr(note, cases[i].says));
-        assert_non_null(strstr(note, "manylight tune measures anew"));
+        assert_non_null(strstr(notes, cases[i].says));
+        assert_non_null(strstr(notes, "manylight tune measures anew"));
         free(text);
     }
     /* Torn, at any byte. */
@@ -289,9 +282,9 @@ static void test_tune(void **state) {
     expect_text("of normal  choice");
     expect_text("written to ");
     expect_text(path);
-    *note = '\0';
+    *notes = '\0';
     costs_load(&read);
-    assert_string_equal(note, "");
+    assert_string_equal(notes, "");
     assert_true(read.count > 20);
     for (int i = 1; i < read.count; i++)
         assert_true(read.items[i].ms >= read.items[i - 1].ms);

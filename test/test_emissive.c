@@ -3,6 +3,8 @@
 #include "hand_made.h"
 #include "render_support.h"
 
+#include "measure/picture.h"
+
 #include "gltf_parts.h"
 
 #include "base/file/image_file.h"
@@ -11,10 +13,6 @@
 #include "scene/node.h"
 
 #include <stdio.h>
-
-static vec3s at(float x, float y, float z) {
-    return (vec3s){{x, y, z}};
-}
 
 /* --- the path tracer -------------------------------------------------------------------------- */
 
@@ -405,15 +403,9 @@ static void test_glow(void **state) {
         };
         check_ok("stage", stage_init(&stage, &desc));
         struct image shown = render_stage(&stage, "unshadowed", "", SIZE);
-        const struct path_tracer_desc tracer = {.scene = &stage.scene,
-                                                .geometry = &stage.geometry,
-                                                .camera = &stage.camera,
-                                                .emitters = stage.emitters,
-                                                .width = SIZE,
-                                                .height = SIZE,
-                                                .samples = 1,
-                                                .centers = true};
-        check_ok("trace", path_tracer_render(&tracer, &traced, NULL));
+        const struct path_tracer_desc tracer = {
+            .width = SIZE, .height = SIZE, .samples = 1, .centers = true};
+        check_ok("trace", picture_trace_paths(&stage, &tracer, &traced, NULL));
         double share = mean_of(&traced, CHANNEL_ALPHA);
         check_near("emitted, traced", mean_of(&traced, CHANNEL_EMITTED), on ? 100 * share : 0,
                    1e-3);

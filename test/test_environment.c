@@ -5,9 +5,9 @@
 #include "gltf_parts.h"
 
 #include "base/error.h"
-#include "base/log.h"
 #include "base/file/image_file.h"
 #include "reference/channels.h"
+#include "measure/picture.h"
 #include "reference/path_tracer.h"
 #include "scene/environment.h"
 #include "scene/open.h"
@@ -109,19 +109,12 @@ static void test_texels(void **state) {
 
 /* --- files ------------------------------------------------------------------------------------ */
 
-static void check_refused(const char *path, const char *message) {
+static void check_sky_refused(const char *path, const char *message) {
     struct environment sky;
     assert_false(environment_load(&sky, path));
     printf("    %s\n", error_get());
     if (!strstr(error_get(), path) || !strstr(error_get(), message) || strchr(error_get(), '\n'))
         fail_msg("expected '%s'", message);
-}
-
-static char heard[1024];
-
-static void hear(void *context, bool is_warning, const char *message) {
-    (void)context, (void)is_warning;
-    snprintf(heard, sizeof heard, "%s", message);
 }
 
 /* A number that is no radiance is replaced with a note, and refused under --strict. */
@@ -130,36 +123,35 @@ static void check_texel_replaced(float value, float expected, const char *note) 
     struct image image = numbered_picture(8, 4);
     image_at(&image, 5, 2)[1] = value;
     const char *path = write_picture("odd.exr", &image);
-    *heard = '\0';
-    log_set_listener(hear, NULL);
+    hear_notes();
     check_ok(path, environment_load(&sky, path));
-    log_set_listener(NULL, NULL);
+    end_notes();
     check_near("instead", (double)sky.texels[2 * 8 + 5][1], (double)expected, 0);
     check_near("beside it", (double)sky.texels[2 * 8 + 5][0], 6, 0);
-    if (!strstr(heard, path) || !strstr(heard, note))
-        fail_msg("'%s' is not in '%s'", note, heard);
+    if (!strstr(notes, path) || !strstr(notes, note))
+        fail_msg("'%s' is not in '%s'", note, notes);
     free(sky.texels);
     free(sky.path);
     check_ok("strict", read_rules_set(true, NULL));
-    check_refused(path, note);
+    check_sky_refused(path, note);
     check_ok("not strict", read_rules_set(false, NULL));
 }
 
 static void test_refusals(void **state) {
     (void)state;
     remove(scratch("none.exr"));
-    check_refused(scratch("none.exr"), "");
-    check_refused(write_numbered("square.exr", 8, 8),
-                  "8 x 8 pixels are no panorama, which is twice as wide as high");
+    check_sky_refused(scratch("none.exr"), "");
+    check_sky_refused(write_numbered("square.exr", 8, 8),
+                      "8 x 8 pixels are no panorama, which is twice as wide as high");
     check_texel_replaced(NAN, 0, "1 no numbers (0 instead); first in column 5, row 2");
     check_texel_replaced(-.5F, 0, "1 negative (0 instead); first in column 5, row 2");
     check_texel_replaced(-INFINITY, 0, "1 negative (0 instead); first in column 5, row 2");
     check_texel_replaced(INFINITY, 65504, "1 infinite (65504 instead); first in column 5, row 2");
     struct bitmap bitmap = {2, 1, (unsigned char[8]){0}};
     check_ok("png", bitmap_write(&bitmap, scratch("sky.png")));
-    check_refused(scratch("sky.png"), "its format is for displays");
+    check_sky_refused(scratch("sky.png"), "its format is for displays");
     write_bytes(scratch("cut.hdr"), "#?RADIANCE\n", 11);
-    check_refused(scratch("cut.hdr"), "");
+    check_sky_refused(scratch("cut.hdr"), "");
 }
 
 /* --- scenes ----------------------------------------------------------------------------------- */
@@ -282,15 +274,9 @@ static void test_background(void **state) {
     };
     check_ok("stage", stage_init(&stage, &desc));
     struct image shown = render_stage(&stage, "unshadowed", "", SIZE);
-    const struct path_tracer_desc tracer = {.scene = &stage.scene,
-                                            .geometry = &stage.geometry,
-                                            .camera = &stage.camera,
-                                            .emitters = stage.emitters,
-                                            .width = SIZE,
-                                            .height = SIZE,
-                                            .samples = 1,
-                                            .centers = true};
-    check_ok("trace", path_tracer_render(&tracer, &traced, NULL));
+    const struct path_tracer_desc tracer = {
+        .width = SIZE, .height = SIZE, .samples = 1, .centers = true};
+    check_ok("trace", picture_trace_paths(&stage, &tracer, &traced, NULL));
     int sky = 0, other = 0;
     for (int y = 0; y < SIZE; y++)
         for (int x = 0; x < SIZE; x++) {

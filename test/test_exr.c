@@ -247,7 +247,7 @@ static void test_bright(void **state) {
 /* --- refusals ------------------------------------------------------------------------------------- */
 
 /* `compare` with itself, with 5 s of the CPU and 2 GiB. */
-static void check_refused(const char *name, const struct exr *exr, const char *message) {
+static void check_exr_refused(const char *name, const struct exr *exr, const char *message) {
     char command[1400];
     const char *path = write_exr(name, exr), *limit = "ulimit -v 2097152;";
 #ifdef __SANITIZE_ADDRESS__
@@ -277,7 +277,7 @@ static void test_not_finite(void **state) {
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const uint32_t values[6] = {[4] = cases[i].bits};
-        check_refused(
+        check_exr_refused(
             cases[i].name,
             &(struct exr){.type = cases[i].type, .window = {0, 0, 1, 0}, .values = values},
             cases[i].message);
@@ -303,7 +303,7 @@ static void test_shapes(void **state) {
         {"unknown.exr", "", {0, 7, {0, 0, 1, 0}, values}},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        check_refused(cases[i].name, &cases[i].exr, cases[i].message);
+        check_exr_refused(cases[i].name, &cases[i].exr, cases[i].message);
 }
 
 /* --- damage --------------------------------------------------------------------------------------- */

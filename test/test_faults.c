@@ -10,7 +10,6 @@
 
 #include "base/file/file.h"
 
-#include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -113,15 +112,6 @@ static bool output_is_good(const struct trial *trial, int i, bool may_be_missing
                 memcmp(bytes.data, trial->whole[i].data, bytes.size) == 0;
     free(bytes.data);
     return same;
-}
-
-static int count_files(const char *folder) {
-    struct dirent **entries;
-    int count = scandir(folder, &entries, NULL, alphasort);
-    for (int i = 0; i < count; i++)
-        free(entries[i]);
-    free(entries);
-    return count - 2;
 }
 
 static int output_count(const struct victim *victim) {

@@ -6,6 +6,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "reference/brdf.h"
+#include "measure/picture.h"
 #include "reference/path_tracer.h"
 #include "reference/sampler.h"
 #include "reference/scene/emission.h"
@@ -325,16 +326,9 @@ static double relative_mae(const struct image *got, const struct image *truth, c
 
 static struct image trace(const struct stage *stage, int size) {
     struct image traced;
-    const struct path_tracer_desc desc = {.scene = &stage->scene,
-                                          .geometry = &stage->geometry,
-                                          .camera = &stage->camera,
-                                          .emitters = stage->emitters,
-                                          .width = size,
-                                          .height = size,
-                                          .bounces = 1,
-                                          .samples = 64,
-                                          .centers = true};
-    check_ok("truth", path_tracer_render(&desc, &traced, NULL));
+    const struct path_tracer_desc desc = {
+        .width = size, .height = size, .bounces = 1, .samples = 64, .centers = true};
+    check_ok("truth", picture_trace_paths(stage, &desc, &traced, NULL));
     return traced;
 }
 

@@ -22,7 +22,7 @@ static const struct primitive *first_primitive(const struct scene *scene) {
     return &scene->meshes[0].primitives[0];
 }
 
-static void check_vector(const char *what, const float *value, int n, const double *expected,
+static void check_values(const char *what, const float *value, int n, const double *expected,
                          double tolerance) {
     for (int c = 0; c < n; c++)
         check_near(what, value[c], expected[c], tolerance);
@@ -38,7 +38,7 @@ static void test_quad(void **state) {
     /* No normals in the file: flat ones, on vertices of each triangle's own. */
     assert_int_equal(quad->vertex_count, 6);
     for (int i = 0; i < 6; i++)
-        check_vector("normal", quad->normal[i], 3, (double[]){0, 0, 1}, 1e-7);
+        check_values("normal", quad->normal[i], 3, (double[]){0, 0, 1}, 1e-7);
     assert_null(quad->uv[0]);
     assert_null(quad->color);
     scene_free(&scene);
@@ -104,7 +104,7 @@ static void test_index_types(void **state) {
             (struct gltf_parts){.accessors = accessors, .extra = extras[i], .extra_size = 3u << i});
         const struct primitive *triangle = first_primitive(&scene);
         assert_int_equal(triangle->index_count, 3);
-        check_vector("corner", triangle->position[triangle->indices[2]], 3, (double[]){1, 1, 0}, 0);
+        check_values("corner", triangle->position[triangle->indices[2]], 3, (double[]){1, 1, 0}, 0);
         scene_free(&scene);
     }
 }
@@ -113,7 +113,7 @@ static void test_index_types(void **state) {
 static void check_triangle(const struct primitive *primitive, int triangle, const int corners[3]) {
     static const double quad[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     for (int i = 0; i < 3; i++)
-        check_vector("corner", primitive->position[primitive->indices[triangle * 3 + i]], 3,
+        check_values("corner", primitive->position[primitive->indices[triangle * 3 + i]], 3,
                      quad[corners[i]], 0);
 }
 
@@ -175,8 +175,8 @@ static void test_stride_and_sparse(void **state) {
             .extra_size = sizeof extra});
     const struct primitive *quad = first_primitive(&scene);
     assert_int_equal(quad->vertex_count, 4);
-    check_vector("normal", quad->normal[0], 3, (double[]){0, 0, 1}, 1e-7);
-    check_vector("normal", quad->normal[2], 3, (double[]){.6, 0, .8}, 1e-7);
+    check_values("normal", quad->normal[0], 3, (double[]){0, 0, 1}, 1e-7);
+    check_values("normal", quad->normal[2], 3, (double[]){.6, 0, .8}, 1e-7);
     scene_free(&scene);
 }
 
@@ -200,7 +200,7 @@ static void test_hopeless_normals(void **state) {
         struct scene scene = load("normals.glb", parts[i]);
         const struct primitive *primitive = first_primitive(&scene);
         for (int v = 0; v < primitive->vertex_count; v++)
-            check_vector("normal", primitive->normal[v], 3,
+            check_values("normal", primitive->normal[v], 3,
                          i == 0 ? (double[]){0, 0, 1} : (double[]){0, 1, 0}, 1e-7);
         scene_free(&scene);
     }
@@ -249,7 +249,7 @@ static void test_texture(void **state) {
             .extra = uvs,
             .extra_size = sizeof uvs});
     const struct material *material = &scene.materials[0];
-    check_vector("base colour", material->base_color, 4, (double[]){.5, .25, 1, .75}, 0);
+    check_values("base colour", material->base_color, 4, (double[]){.5, .25, 1, .75}, 0);
     assert_true(material->alpha_mask && material->double_sided &&
                 material->base_color_texture == 0);
     check_near("cutoff", material->alpha_cutoff, .25, 0);
@@ -265,7 +265,7 @@ static void test_texture(void **state) {
     /* Scaled, turned by 30 degrees counter-clockwise with v downward, and moved. */
     const struct primitive *quad = first_primitive(&scene);
     double u = 2 * .25, v = 4 * .5, c = cos(M_PI / 6), s = sin(M_PI / 6);
-    check_vector("uv", quad->uv[0][5], 2, (double[]){c * u + s * v + 10, c * v - s * u + 20}, 1e-5);
+    check_values("uv", quad->uv[0][5], 2, (double[]){c * u + s * v + 10, c * v - s * u + 20}, 1e-5);
     scene_free(&scene);
 }
 
@@ -349,8 +349,8 @@ static void test_materials(void **state) {
     const struct material *plain = &scene.materials[0], *lamp = &scene.materials[1];
     check_near("metalness", plain->metalness, .25, 0);
     check_near("roughness", plain->roughness, .75, 0);
-    check_vector("emission of none", plain->emission, 3, (double[]){0, 0, 0}, 0);
-    check_vector("emission", lamp->emission, 3, (double[]){20, 10, 5}, 0);
+    check_values("emission of none", plain->emission, 3, (double[]){0, 0, 0}, 0);
+    check_values("emission", lamp->emission, 3, (double[]){20, 10, 5}, 0);
     assert_int_equal(plain->base_color_texture, 0);
     assert_int_equal(plain->metal_roughness_texture, 1);
     assert_int_equal(plain->emission_texture, 0);
@@ -363,7 +363,7 @@ static void test_materials(void **state) {
     assert_int_equal(lamp->emission_texture, 0);
     assert_int_equal(lamp->normal_texture, 1);
     check_near("scale of normals", lamp->normal_scale, .5, 0);
-    check_vector("reflectance", lamp->specular_f0, 3, (double[]){.05, .5, 0}, 1e-7);
+    check_values("reflectance", lamp->specular_f0, 3, (double[]){.05, .5, 0}, 1e-7);
     check_near("grazing", lamp->specular_f90, .5, 0);
     assert_true(lamp->unlit && !plain->unlit);
     assert_int_equal(plain->normal_texture, -1);
@@ -382,21 +382,12 @@ static void test_materials(void **state) {
     scene_free(&scene);
 }
 
-/* Keeps notes and warnings, one a line. */
-static void keep_note(void *context, bool is_warning, const char *message) {
-    (void)is_warning;
-    char *text = context;
-    size_t length = strlen(text);
-    snprintf(text + length, 1024 - length, "%s\n", message);
-}
-
 /* All that is dropped is said in one note, each thing once; and nothing of what is read. */
 static void test_lacks(void **state) {
     (void)state;
-    char notes[1024] = "";
     unsigned char png[4096];
     make_png(png, sizeof png);
-    log_set_listener(keep_note, notes);
+    hear_notes();
     struct scene scene = load(
         "lacks.glb",
         (struct gltf_parts){
@@ -428,7 +419,7 @@ static void test_lacks(void **state) {
         (struct gltf_parts){.materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]"});
     assert_string_equal(notes, "");
     assert_true(material_is_matt(&scene.materials[0]) && !material_is_matt(&scene.materials[1]));
-    log_set_listener(NULL, NULL);
+    end_notes();
     scene_free(&scene);
 }
 
@@ -450,19 +441,19 @@ static void test_specular_glossiness(void **state) {
                 " {\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\":"
                 " {\"specularGlossinessTexture\": {\"index\": 0, \"texCoord\": 1}}}}]"});
     const struct material *material = &scene.materials[0], *textured = &scene.materials[1];
-    check_vector("base colour", material->base_color, 4, (double[]){.5, .25, 1, .75}, 0);
+    check_values("base colour", material->base_color, 4, (double[]){.5, .25, 1, .75}, 0);
     assert_int_equal(material->base_color_texture, 0);
     check_near("metalness", material->metalness, 0, 0);
     check_near("roughness", material->roughness, .75, 0);
-    check_vector("reflectance", material->specular_f0, 3, (double[]){0, .01, .005}, 1e-8);
+    check_values("reflectance", material->specular_f0, 3, (double[]){0, .01, .005}, 1e-8);
     check_near("grazing", material->specular_f90, .5, 1e-6);
     assert_false(material_is_matt(material));
-    check_vector("reflectance by default", textured->specular_f0, 3, (double[]){1, 1, 1}, 0);
+    check_values("reflectance by default", textured->specular_f0, 3, (double[]){1, 1, 1}, 0);
     check_near("roughness by default", textured->roughness, 0, 0);
     assert_true(textured->specular_glossiness);
     assert_false(scene.textures[textured->metal_roughness_texture].linear);
     struct reflectance at = material_reflectance_at(textured, (vec4s){{.5F, .25F, 0, .25F}});
-    check_vector("reflectance there", at.f0.raw, 3, (double[]){.5, .25, 0}, 0);
+    check_values("reflectance there", at.f0.raw, 3, (double[]){.5, .25, 0}, 0);
     check_near("roughness there", at.roughness, .75, 0);
     check_near("metalness there", at.metalness, 0, 0);
     scene_free(&scene);
@@ -504,7 +495,7 @@ static void test_nodes(void **state) {
     for (int i = 0; i < 16; i++)
         check_near("trs against matrix", worlds[0][i], worlds[2][i], 1e-6);
     /* (5, 6, 7) scaled, turned, moved. */
-    check_vector("child", &worlds[1][12], 3, (double[]){1 - 6, 2 + 10, 3 + 7}, 1e-5);
+    check_values("child", &worlds[1][12], 3, (double[]){1 - 6, 2 + 10, 3 + 7}, 1e-5);
     scene_free(&scene);
 }
 
@@ -542,8 +533,8 @@ static void test_instances(void **state) {
     check_ok("geometry", geometry_init(&geometry, &scene, 0));
     assert_int_equal(scene.node_count, 5);
     assert_int_equal(geometry.part_count, 4);
-    check_vector("least", geometry.bounds_min, 3, (double[]){-1, 0, 5}, 1e-4);
-    check_vector("greatest", geometry.bounds_max, 3, (double[]){12, 21, 5}, 1e-4);
+    check_values("least", geometry.bounds_min, 3, (double[]){-1, 0, 5}, 1e-4);
+    check_values("greatest", geometry.bounds_max, 3, (double[]){12, 21, 5}, 1e-4);
     geometry_free(&geometry);
     scene_free(&scene);
 }

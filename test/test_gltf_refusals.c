@@ -16,29 +16,21 @@
 #include <unistd.h>
 
 /* The message is one line, names the file, and says what is expected. */
-static void check_refused(const char *what, const char *path, bool loaded, const char *message) {
+static void check_file_refused(const char *what, const char *path, bool loaded,
+                               const char *message) {
     assert_false(loaded);
     printf("    %-28s %s\n", what, error_get());
     if (!strstr(error_get(), path) || strchr(error_get(), '\n') || !strstr(error_get(), message))
         fail_msg("%s: expected '%s' and '%s'", what, path, message);
 }
 
-static char notes[4096];
-
-static void hear(void *context, bool is_warning, const char *message) {
-    (void)context, (void)is_warning;
-    size_t used = strlen(notes);
-    snprintf(notes + used, sizeof notes - used, "%s\n", message);
-}
-
 /* Opens it with the note, and under --strict not. */
 static void check_mended(const char *what, const char *path, const char *note) {
     struct scene scene;
     struct geometry geometry;
-    *notes = '\0';
-    log_set_listener(hear, NULL);
+    hear_notes();
     check_ok(what, scene_open(&scene, &geometry, path, NULL));
-    log_set_listener(NULL, NULL);
+    end_notes();
     geometry_free(&geometry);
     scene_free(&scene);
     if (!*note)
@@ -49,7 +41,7 @@ static void check_mended(const char *what, const char *path, const char *note) {
     check_ok("strict", read_rules_set(true, NULL));
     bool opened = scene_open(&scene, &geometry, path, NULL);
     check_ok("not strict", read_rules_set(false, NULL));
-    check_refused(what, path, opened, "");
+    check_file_refused(what, path, opened, "");
 }
 
 static void check_hostile(const struct hostile *files, size_t count) {
@@ -65,7 +57,7 @@ static void check_hostile(const struct hostile *files, size_t count) {
         bool opened = scene_open(&scene, &geometry, path, NULL);
         if (opened)
             fail_msg("%s: loaded", file->name);
-        check_refused(file->name, path, opened, file->message);
+        check_file_refused(file->name, path, opened, file->message);
         assert_null(scene.path);
         assert_null(geometry.position);
     }
@@ -113,7 +105,7 @@ static void check_bytes_refused(const char *what, size_t size, const char *messa
     const char *path = scratch("container.glb");
     write_bytes(path, glb, size);
     struct scene scene;
-    check_refused(what, path, scene_load(&scene, path), message);
+    check_file_refused(what, path, scene_load(&scene, path), message);
 }
 
 static void check_bytes_mended(const char *what, size_t size, const char *note) {
@@ -227,7 +219,7 @@ static void test_texts(void **state) {
     struct scene scene;
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         write_bytes(path, texts[i].text, strlen(texts[i].text));
-        check_refused("text", path, scene_load(&scene, path), texts[i].message);
+        check_file_refused("text", path, scene_load(&scene, path), texts[i].message);
     }
     /* Brackets that would overflow the stack of a recursive reader. */
     enum { DEPTH = 200000 };
@@ -235,11 +227,12 @@ static void test_texts(void **state) {
     size_t size = (size_t)sprintf(deep, "{\"asset\": {\"version\": \"2.0\"}, \"extras\": ");
     memset(deep + size, '[', DEPTH);
     write_bytes(path, deep, size + DEPTH);
-    check_refused("deep", path, scene_load(&scene, path), "the JSON is nested too deep");
+    check_file_refused("deep", path, scene_load(&scene, path), "the JSON is nested too deep");
     free(deep);
-    check_refused("folder", scratch("folder"), scene_load(&scene, scratch("folder")), "not a file");
-    check_refused("nothing", scratch("none.glb"), scene_load(&scene, scratch("none.glb")),
-                  "No such");
+    check_file_refused("folder", scratch("folder"), scene_load(&scene, scratch("folder")),
+                       "not a file");
+    check_file_refused("nothing", scratch("none.glb"), scene_load(&scene, scratch("none.glb")),
+                       "No such");
 }
 
 /* xorshift64 [Marsaglia 2003]. */

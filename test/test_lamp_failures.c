@@ -4,6 +4,7 @@
 #include "render_support.h"
 
 #include "reference/channels.h"
+#include "measure/picture.h"
 #include "reference/path_tracer.h"
 #include "scene/environment.h"
 
@@ -63,16 +64,13 @@ static void open_row(struct stage *stage, const struct row *row) {
 
 static struct image trace(const struct stage *stage) {
     struct image image;
-    check_ok("trace", path_tracer_render(&(struct path_tracer_desc){.scene = &stage->scene,
-                                                                    .geometry = &stage->geometry,
-                                                                    .camera = &stage->camera,
-                                                                    .emitters = stage->emitters,
-                                                                    .width = WIDTH,
-                                                                    .height = HEIGHT,
-                                                                    .samples = 64,
-                                                                    .bounces = 1,
-                                                                    .centers = true},
-                                         &image, NULL));
+    check_ok(
+        "trace",
+        picture_trace_paths(
+            stage,
+            &(struct path_tracer_desc){
+                .width = WIDTH, .height = HEIGHT, .samples = 64, .bounces = 1, .centers = true},
+            &image, NULL));
     check_finite("traced", &image);
     return image;
 }

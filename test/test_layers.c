@@ -5,29 +5,19 @@
 
 #include "base/error.h"
 #include "base/file/image_file.h"
-#include "base/log.h"
 #include "base/memory.h"
 #include "metrics/layer.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-static char heard[2048];
-
-static void hear(void *context, bool is_warning, const char *message) {
-    (void)context;
-    (void)is_warning;
-    snprintf(heard + strlen(heard), sizeof heard - strlen(heard), "%s\n", message);
-}
-
 static bool read_layer(struct image *layer, const char *path, const char *name) {
     bool encoded;
-    heard[0] = '\0';
-    log_set_listener(hear, NULL);
+    hear_notes();
     bool ok = layer_read(layer, path, name, &encoded);
-    log_set_listener(NULL, NULL);
+    end_notes();
     printf("    '%s' of %s: %s\n    %s", name, path, ok ? "read" : error_get(),
-           *heard ? heard : "\n");
+           *notes ? notes : "\n");
     return ok;
 }
 
@@ -87,8 +77,8 @@ static void test_windows(void **state) {
         if (cases[i].note) {
             check_ok(path, ok);
             check_part(&layer, &cases[i].part);
-            expect_in(heard, cases[i].note);
-            assert_int_equal(!*cases[i].note, !*heard);
+            expect_in(notes, cases[i].note);
+            assert_int_equal(!*cases[i].note, !*notes);
         }
         image_free(&layer);
     }
@@ -268,12 +258,12 @@ static void test_parts(void **state) {
     struct image layer, all;
     check_ok("beauty", read_layer(&layer, path, ""));
     check_part(&layer, &parts[2]);
-    expect_in(heard, "layer 'rgba' is taken (there is: depth, N, rgba, rgba.spec)");
-    expect_in(heard, "its data window, 3x2 at 2,1");
+    expect_in(notes, "layer 'rgba' is taken (there is: depth, N, rgba, rgba.spec)");
+    expect_in(notes, "its data window, 3x2 at 2,1");
     image_free(&layer);
     check_ok("N", read_layer(&layer, path, "N"));
     check_part(&layer, &parts[1]);
-    assert_string_equal(heard, "");
+    assert_string_equal(notes, "");
     image_free(&layer);
     check_ok("depth", read_layer(&layer, path, "depth"));
     assert_true(image_at(&layer, 5, 3)[1] == exr_value(&parts[0], 0, 5, 3));

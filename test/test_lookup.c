@@ -422,16 +422,6 @@ static void test_map_in_front(void **state) {
     program_free(&program);
 }
 
-static int open_tests(void **state) {
-    glsl_set_folder("glsl"); /* the test's own shader lies beside the test */
-    return open_group_context(state);
-}
-
-static int close_tests(void **state) {
-    glsl_set_folder(NULL);
-    return close_group_context(state);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_paraboloid),   cmocka_unit_test(test_perspective),
@@ -440,5 +430,5 @@ int main(void) {
         cmocka_unit_test(test_cssm),         cmocka_unit_test(test_step),
         cmocka_unit_test(test_map_in_front),
     };
-    return cmocka_run_group_tests_name("lookup", tests, open_tests, close_tests);
+    return cmocka_run_group_tests_name("lookup", tests, open_group_shaders, close_group_shaders);
 }

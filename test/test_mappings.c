@@ -4,7 +4,6 @@
 #include "render_support.h"
 #include "tiny_png.h"
 
-#include "base/log.h"
 #include "measure/picture.h"
 #include "scene/hash.h"
 #include "scene/material.h"
@@ -304,14 +303,6 @@ static void test_glossiness(void **state) {
 
 /* --- what is left out ------------------------------------------------------------------------- */
 
-static char notes[1024];
-
-static void keep_note(void *context, bool is_warning, const char *message) {
-    (void)context, (void)is_warning;
-    size_t length = strlen(notes);
-    snprintf(notes + length, sizeof notes - length, "%s\n", message);
-}
-
 #define SPECULAR(of) "{" BASE ", \"extensions\": {\"KHR_materials_specular\": {" of "}}}"
 
 /* Of a texture of which a quarter is white, f0 and f90 are a quarter, or f0 alone is. Scenes do not keep it. */
@@ -331,10 +322,9 @@ static void test_means(void **state) {
         {SPECULAR(""), .04, 1}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct scene scene;
-        *notes = '\0';
-        log_set_listener(keep_note, NULL);
+        hear_notes();
         check_ok("load", scene_load(&scene, write_square(rows[i].material)));
-        log_set_listener(NULL, NULL);
+        end_notes();
         check_near("from straight on", (double)scene.materials[0].specular_f0[1], rows[i].f0, 1e-6);
         check_near("grazing", (double)scene.materials[0].specular_f90, rows[i].f90, 1e-6);
         assert_int_equal(scene.texture_count, 1);
@@ -347,10 +337,9 @@ static void test_means(void **state) {
 static void test_no_such_set(void **state) {
     (void)state;
     struct pictures pictures;
-    *notes = '\0';
-    log_set_listener(keep_note, NULL);
+    hear_notes();
     make_pictures(write_square(GLOW "\"index\": 1, \"texCoord\": 5}}"), &pictures);
-    log_set_listener(NULL, NULL);
+    end_notes();
     check_quarters("set 5", &pictures, "R", (double[]){1.5, 1.5, 1.5, 1.5});
     assert_non_null(strstr(notes, "texture coordinates"));
     free_pictures(&pictures);

@@ -242,12 +242,6 @@ static struct contribution nothing(const void *state) {
     return (struct contribution){0};
 }
 
-static void check_refused(bool ok, const char *message) {
-    assert_false(ok);
-    printf("    %s\n", error_get());
-    assert_non_null(strstr(error_get(), message));
-}
-
 /* Without VPLs, VALs and anything gathered: what needs them says so. */
 static void test_without_vpls(void **state) {
     (void)state;

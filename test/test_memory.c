@@ -13,10 +13,6 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-static void write_text(const char *path, const char *text) {
-    check_ok(path, output_file_write(path, text, strlen(text)));
-}
-
 /* Heads of pictures of 2^28 pixels; no reader comes to what follows. */
 static void write_pictures(void) {
     static const unsigned char tga[64] = {[2] = 2, [13] = 64, [15] = 64, [16] = 24};

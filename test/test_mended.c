@@ -13,21 +13,12 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-static char notes[4096];
-
-static void hear(void *context, bool is_warning, const char *message) {
-    (void)context, (void)is_warning;
-    size_t used = strlen(notes);
-    snprintf(notes + used, sizeof notes - used, "%s\n", message);
-}
-
 /* Opens the file, and hears its notes. */
 static bool open_file(struct scene *scene, const char *path) {
     struct geometry geometry;
-    *notes = '\0';
-    log_set_listener(hear, NULL);
+    hear_notes();
     bool ok = scene_open(scene, &geometry, path, NULL);
-    log_set_listener(NULL, NULL);
+    end_notes();
     if (ok)
         geometry_free(&geometry);
     return ok;

@@ -84,21 +84,12 @@ static void check_outside(const char *uri, const char *folder) {
     check_hint(error_get(), folder);
 }
 
-static char notes[4096];
-
-static void hear(void *context, bool is_warning, const char *message) {
-    (void)context, (void)is_warning;
-    size_t used = strlen(notes);
-    snprintf(notes + used, sizeof notes - used, "%s\n", message);
-}
-
 /* A name of another machine: the file is not opened, whether it is there or not. */
 static void check_elsewhere(const char *uri, const char *hint) {
     struct scene scene;
-    *notes = '\0';
-    log_set_listener(hear, NULL);
+    hear_notes();
     check_ok(uri, scene_load(&scene, write_textured(uri)));
-    log_set_listener(NULL, NULL);
+    end_notes();
     const unsigned char *rgba = scene.textures[scene.materials[0].base_color_texture].bitmap.rgba;
     bool is_magenta = rgba[0] == 255 && rgba[1] == 0 && rgba[2] == 255;
     int files = scene.file_count;

@@ -9,7 +9,6 @@
 #include "base/memory.h"
 #include "viewer/session.h"
 
-#include <dirent.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,16 +31,6 @@ static const char *fresh_folder(const char *name) {
     snprintf(command, sizeof command, "rm -rf '%s' && mkdir '%s'", folder, folder);
     assert_int_equal(run_command(command, output, sizeof output), 0);
     return folder;
-}
-
-static int count_files(const char *folder) {
-    DIR *directory = opendir(folder);
-    assert_non_null(directory);
-    int count = 0;
-    for (struct dirent *entry; (entry = readdir(directory));)
-        count += strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0;
-    closedir(directory);
-    return count;
 }
 
 /* From here on no file can grow beyond so many bytes; the test's own output neither. */

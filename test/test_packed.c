@@ -93,12 +93,6 @@ static void test_meshopt(void **state) {
     }
 }
 
-static void check_refused(bool loaded, const char *message) {
-    assert_false(loaded);
-    printf("    %s\n", error_get());
-    assert_non_null(strstr(error_get(), message));
-}
-
 static void test_bad_meshopt(void **state) {
     (void)state;
     struct scene scene;

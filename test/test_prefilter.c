@@ -348,21 +348,11 @@ static void test_steps(void **state) {
     }
 }
 
-static int open_tests(void **state) {
-    glsl_set_folder("glsl"); /* the test's own shader lies beside the test */
-    return open_group_context(state);
-}
-
-static int close_tests(void **state) {
-    glsl_set_folder(NULL);
-    return close_group_context(state);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_sums),     cmocka_unit_test(test_basis_sums),
         cmocka_unit_test(test_bounds),   cmocka_unit_test(test_two_depths),
         cmocka_unit_test(test_bleeding), cmocka_unit_test(test_steps),
     };
-    return cmocka_run_group_tests_name("prefilter", tests, open_tests, close_tests);
+    return cmocka_run_group_tests_name("prefilter", tests, open_group_shaders, close_group_shaders);
 }

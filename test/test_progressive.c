@@ -3,6 +3,7 @@
 
 #include "base/file/image_file.h"
 #include "gl/pass.h"
+#include "measure/picture.h"
 #include "reference/path_tracer.h"
 
 #include <math.h>
@@ -134,15 +135,11 @@ static void test_beginning_anew(void **state) {
 static struct image trace(const struct stage *stage, double noise) {
     struct path_tracer_progress reached;
     struct image truth;
-    check_ok("tracer", path_tracer_render(&(struct path_tracer_desc){.scene = &stage->scene,
-                                                                     .geometry = &stage->geometry,
-                                                                     .camera = &stage->camera,
-                                                                     .emitters = stage->emitters,
-                                                                     .width = SIZE,
-                                                                     .height = SIZE,
-                                                                     .bounces = 1,
-                                                                     .noise = noise},
-                                          &truth, &reached));
+    check_ok("tracer",
+             picture_trace_paths(stage,
+                                 &(struct path_tracer_desc){
+                                     .width = SIZE, .height = SIZE, .bounces = 1, .noise = noise},
+                                 &truth, &reached));
     return truth;
 }
 

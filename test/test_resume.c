@@ -87,10 +87,6 @@ static bool has_blocks(const char *part, int blocks) {
     return has;
 }
 
-static void write_text(const char *path, const char *text) {
-    check_ok(path, output_file_write(path, text, strlen(text)));
-}
-
 /* Leaves so many blocks, and half a row as a crash may. */
 static void cut(const char *part, int blocks) {
     char *text = file_read_text(part);
@@ -273,7 +269,7 @@ static void change(const char *csv, const char *from, const char *to) {
     free(part);
 }
 
-static void check_refused(const char *csv, const char *more, const char *message) {
+static void check_not_resumed(const char *csv, const char *more, const char *message) {
     char *part = part_of(csv), *before = file_read_text(part);
     int status = run(&modes[0], csv, more);
     const char *error = strstr(output, "manylight bench sweep: ");
@@ -296,17 +292,17 @@ static void test_others(void **state) {
     (void)state;
     char csv[512];
     make_part("others", csv);
-    check_refused(csv, "--frames 2", "\"frames 1\" there, \"frames 2\" here; --restart");
-    check_refused(csv, "--variant lightcuts", "\"variant lightcuts\" here");
-    check_refused(csv, "scenes/door.glb", "\"of scenes/door.glb\" here");
+    check_not_resumed(csv, "--frames 2", "\"frames 1\" there, \"frames 2\" here; --restart");
+    check_not_resumed(csv, "--variant lightcuts", "\"variant lightcuts\" here");
+    check_not_resumed(csv, "scenes/door.glb", "\"of scenes/door.glb\" here");
     change(csv, "\n# cpu ", "\n# cpu Another ");
-    check_refused(csv, "", "\"cpu Another ");
+    check_not_resumed(csv, "", "\"cpu Another ");
     change(csv, "# cpu Another ", "# cpu ");
     change(csv, "\n# commit ", "\n# commit another-");
-    check_refused(csv, "", "\"commit another-");
+    check_not_resumed(csv, "", "\"commit another-");
     change(csv, "# commit another-", "# commit ");
     change(csv, "# end\n# of scene ", "# end\n# of scene f");
-    check_refused(csv, "", "cornell-box as it was before it changed; --restart");
+    check_not_resumed(csv, "", "cornell-box as it was before it changed; --restart");
     assert_int_equal(run(&modes[0], csv, "--frames 2 --restart"), 0);
     assert_null(strstr(output, "broken off"));
     assert_int_equal(access(csv, F_OK), 0);
@@ -340,14 +336,14 @@ static void test_bad_files(void **state) {
     make_part("bad", csv);
     char *part = part_of(csv);
     change(csv, ",clock,,ms,", ",clock,,ms,much");
-    check_refused(csv, "", "no whole block of rows; --restart");
+    check_not_resumed(csv, "", "no whole block of rows; --restart");
     write_text(part, "a text of somebody's\n");
-    check_refused(csv, "", "is not of manylight bench");
-    check_refused(csv, "--restart", "is not of manylight bench");
+    check_not_resumed(csv, "", "is not of manylight bench");
+    check_not_resumed(csv, "--restart", "is not of manylight bench");
     write_text(part, "");
     struct output_journal journal;
     check_ok("open", output_journal_open(&journal, part));
-    check_refused(csv, "", "another process is writing it");
+    check_not_resumed(csv, "", "another process is writing it");
     output_journal_close(&journal);
     assert_int_equal(run(&modes[0], csv, ""), 0);
     free(part);

@@ -17,13 +17,6 @@
 #include <cglm/cglm.h>
 #include <math.h>
 
-static void check_vector(const char *what, const float value[3], double x, double y, double z,
-                         double tolerance) {
-    check_near(what, value[0], x, tolerance);
-    check_near(what, value[1], y, tolerance);
-    check_near(what, value[2], z, tolerance);
-}
-
 static void load(struct scene *scene, struct geometry *geometry, const struct gltf_parts *parts) {
     check_ok("open", scene_open(scene, geometry, write_parts("scene.glb", parts), NULL));
 }
@@ -272,21 +265,16 @@ static void test_framing(void **state) {
     unload(&scene, &geometry);
 }
 
-static void keep_last(void *text, bool is_warning, const char *message) {
-    (void)is_warning;
-    snprintf(text, 256, "%s", message);
-}
-
 /* A note says by how much to stop down, and only where it is much. */
 static void check_brightness_note(const struct scene *scene, const struct geometry *geometry,
                                   double stops) {
-    char note[256] = "", expected[32];
-    log_set_listener(keep_last, note);
+    char expected[32];
+    hear_notes();
     scene_note_brightness(scene, geometry);
-    log_set_listener(NULL, NULL);
+    end_notes();
     snprintf(expected, sizeof expected, "--set exposure=%.0f", -stops);
-    printf("    %s\n", *note ? note : "no note");
-    assert_true(stops > 6 ? strstr(note, expected) != NULL : *note == '\0');
+    printf("    %s\n", *notes ? notes : "no note");
+    assert_true(stops > 6 ? strstr(notes, expected) != NULL : *notes == '\0');
 }
 
 /* Suns and lamps in the units of photometry are told by how far to stop down; one of our own, and a

@@ -17,13 +17,6 @@
 #include <cglm/cglm.h>
 #include <math.h>
 
-static void check_vector(const char *what, const float value[3], double x, double y, double z,
-                         double tolerance) {
-    check_near(what, value[0], x, tolerance);
-    check_near(what, value[1], y, tolerance);
-    check_near(what, value[2], z, tolerance);
-}
-
 static float red_at(const struct scene_texture *texture, float u, float v) {
     static float table[256];
     texture_decode_table(table);

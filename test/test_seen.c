@@ -6,10 +6,6 @@
 
 #include <stdio.h>
 
-static vec3s at(float x, float y, float z) {
-    return (vec3s){{x, y, z}};
-}
-
 /* A floor, and at height 1/2 all of a half plane that is left of x = 0. */
 static void make_edge(struct world *world) {
     world_init(world);

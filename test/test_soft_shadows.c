@@ -5,6 +5,7 @@
 #include "gltf_parts.h"
 
 #include "direct/direct.h"
+#include "measure/picture.h"
 #include "reference/path_tracer.h"
 #include "reference/scene/emission.h"
 #include "scene/placing.h"
@@ -281,15 +282,11 @@ static void test_table(void **state) {
     struct stage stage;
     struct image truth;
     open_stage(&stage, "scenes/table.glb");
-    check_ok("truth", path_tracer_render(&(struct path_tracer_desc){.scene = &stage.scene,
-                                                                    .geometry = &stage.geometry,
-                                                                    .camera = &stage.camera,
-                                                                    .emitters = stage.emitters,
-                                                                    .width = SIZE,
-                                                                    .height = SIZE,
-                                                                    .samples = 64,
-                                                                    .centers = true},
-                                         &truth, NULL));
+    check_ok("truth",
+             picture_trace_paths(&stage,
+                                 &(struct path_tracer_desc){
+                                     .width = SIZE, .height = SIZE, .samples = 64, .centers = true},
+                                 &truth, NULL));
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
         double error = share_error(&stage, methods[i].method, "", &truth);
         check_at_most(methods[i].method, error, methods[i].most);
@@ -374,15 +371,11 @@ static void test_extremes(void **state) {
             check_finite(lights[i], &layers);
             image_free(&layers);
         }
-        check_ok("truth", path_tracer_render(&(struct path_tracer_desc){.scene = &stage.scene,
-                                                                        .geometry = &stage.geometry,
-                                                                        .camera = &stage.camera,
-                                                                        .emitters = stage.emitters,
-                                                                        .width = 16,
-                                                                        .height = 16,
-                                                                        .bounces = 1,
-                                                                        .samples = 4},
-                                             &truth, NULL));
+        check_ok("truth",
+                 picture_trace_paths(&stage,
+                                     &(struct path_tracer_desc){
+                                         .width = 16, .height = 16, .bounces = 1, .samples = 4},
+                                     &truth, NULL));
         check_finite(lights[i], &truth);
         image_free(&truth);
     }

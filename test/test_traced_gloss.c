@@ -8,10 +8,6 @@
 
 #include <stdio.h>
 
-static vec3s at(float x, float y, float z) {
-    return (vec3s){{x, y, z}};
-}
-
 static void make_metal(struct material *material, vec3s color, float roughness) {
     material->metalness = 1;
     material->roughness = roughness;
