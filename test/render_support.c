@@ -187,6 +187,17 @@ struct image render_layers(const struct renderer_desc *desc) {
     return image;
 }
 
+struct image follow_layers(struct renderer *renderer, const struct renderer_desc *desc) {
+    struct image image;
+    if (renderer->desc.width > 0)
+        check_ok("follow", renderer_follow(renderer, desc));
+    else
+        check_ok("renderer", renderer_init(renderer, desc));
+    renderer_render(renderer);
+    check_ok("layers", renderer_read_layers(renderer, &image));
+    return image;
+}
+
 struct image render_stage(const struct stage *stage, const char *technique, const char *settings,
                           int size) {
     struct renderer_desc desc = desc_of(stage, technique, settings, size, size);

@@ -58,6 +58,10 @@ void open_renderer(struct renderer *renderer, const struct renderer_desc *desc);
 /* All layers of the frame that a renderer of this desc renders. */
 struct image render_layers(const struct renderer_desc *desc);
 
+/* The same by one renderer, which follows from desc to desc of one scene in one pose; the first of a zeroed one
+ * makes it. renderer_free frees it. */
+struct image follow_layers(struct renderer *renderer, const struct renderer_desc *desc);
+
 /* The same with the desc of desc_of. */
 struct image render_stage(const struct stage *stage, const char *technique, const char *settings,
                           int size);

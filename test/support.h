@@ -31,6 +31,11 @@ bool is_long_run(void);
 /* Whether this run tries the row of that index: one in step of them, or all. */
 bool is_tried_here(size_t index, size_t step);
 
+/* Runs these tests, in a short run the first few alone. */
+#define run_some_tests(tests, few, setup, teardown)                                                \
+    _cmocka_run_group_tests(                                                                       \
+        #tests, tests, is_long_run() ? sizeof(tests) / sizeof(tests)[0] : (few), setup, teardown)
+
 /* Runs a shell command; its exit status, its stdout and stderr together in output (truncated). */
 int run_command(const char *command, char *output, size_t output_size);
 

@@ -15,6 +15,7 @@
 #define POINTS "map-points=64 sets=4 imperfect-shadow-maps.size=16 "
 
 static struct stage stage;
+static struct renderer renderer; /* follows from picture to picture */
 
 /* Some other value of the setting than it has. */
 static void set_otherwise(const struct setting *setting, struct settings *settings) {
@@ -41,9 +42,9 @@ static bool changes(const char *name, const char *technique, const char *setting
     struct renderer_desc desc = desc_of(&stage, technique, settings, 64, 64);
     struct setting setting;
     check_ok(name, settings_find(&desc.settings, name, &setting));
-    struct image before = render_layers(&desc);
+    struct image before = follow_layers(&renderer, &desc);
     set_otherwise(&setting, &desc.settings);
-    struct image after = render_layers(&desc);
+    struct image after = follow_layers(&renderer, &desc);
     bool same = same_pixels(&before, &after);
     image_free(&before);
     image_free(&after);
@@ -94,10 +95,10 @@ static void check_hidden(const char *technique, const char *settings) {
     struct renderer_desc desc = desc_of(&stage, technique, settings, 64, 64);
     struct setting hidden[HIDDEN_MAX];
     int count = list_hidden(&desc, hidden);
-    struct image before = render_layers(&desc);
+    struct image before = follow_layers(&renderer, &desc);
     for (int i = 0; i < count; i++)
         set_otherwise(&hidden[i], &desc.settings);
-    struct image after = render_layers(&desc);
+    struct image after = follow_layers(&renderer, &desc);
     bool same = same_pixels(&before, &after);
     image_free(&before);
     image_free(&after);
@@ -181,6 +182,7 @@ static int open_all(void **state) {
 }
 
 static int close_all(void **state) {
+    renderer_free(&renderer);
     stage_free(&stage);
     return close_group_context(state);
 }

@@ -11,11 +11,27 @@
 #include <string.h>
 #include <unistd.h>
 
+/* A stage, and the renderer that follows from one picture of it to the next. */
+struct scene_view {
+    struct stage stage;
+    struct renderer renderer;
+};
+
+static void open_view(struct scene_view *view, const char *path) {
+    view->renderer = (struct renderer){0};
+    open_stage(&view->stage, path);
+}
+
+static void close_view(struct scene_view *view) {
+    renderer_free(&view->renderer);
+    stage_free(&view->stage);
+}
+
 /* Finite in all channels. */
-static void check_picture(const char *what, const struct stage *stage, const char *technique,
+static void check_picture(const char *what, struct scene_view *view, const char *technique,
                           const char *settings, int width, int height) {
-    struct renderer_desc desc = desc_of(stage, technique, settings, width, height);
-    struct image image = render_layers(&desc);
+    struct renderer_desc desc = desc_of(&view->stage, technique, settings, width, height);
+    struct image image = follow_layers(&view->renderer, &desc);
     printf("  %s %s %dx%d %s\n", what, technique, width, height, settings);
     check_finite(what, &image);
     assert_int_equal(image.width, width);
@@ -27,18 +43,18 @@ static void check_picture(const char *what, const struct stage *stage, const cha
 
 /* A map per VPL of a hundred thousand faces costs: few VPLs will do. */
 static void check_scene(const char *path, int size) {
-    struct stage stage;
-    open_stage(&stage, path);
-    check_picture(path, &stage, "clustered", "vpls=256 vals=12 map-size=128", size, size);
-    check_picture(path, &stage, "clustered", "path=paper vpls=256 vals=6 map-size=64", size, size);
-    check_picture(path, &stage, "instant-radiosity", "vpls=8 map-size=128 interleave=2", size,
-                  size);
-    check_picture(path, &stage, "unshadowed", "", size, size);
-    struct image image = render_stage(&stage, "clustered", "vals=8 map-size=64", size);
+    struct scene_view view;
+    open_view(&view, path);
+    check_picture(path, &view, "clustered", "vpls=256 vals=12 map-size=128", size, size);
+    check_picture(path, &view, "clustered", "path=paper vpls=256 vals=6 map-size=64", size, size);
+    check_picture(path, &view, "instant-radiosity", "vpls=8 map-size=128 interleave=2", size, size);
+    check_picture(path, &view, "unshadowed", "", size, size);
+    struct renderer_desc desc = desc_of(&view.stage, "clustered", "vals=8 map-size=64", size, size);
+    struct image image = follow_layers(&view.renderer, &desc);
     assert_true(layer_mean(&image, "direct") > 0);
     assert_true(layer_mean(&image, "indirect") > 0);
     image_free(&image);
-    stage_free(&stage);
+    close_view(&view);
 }
 
 static void test_own_scenes(void **state) {
@@ -120,28 +136,28 @@ static void test_extremes(void **state) {
         SMALL "exposure=-32 tone-map=filmic",
         SMALL "exposure=32 tone-map=filmic seed=1000000000",
     };
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    struct scene_view view;
+    open_view(&view, "scenes/cornell-box.glb");
     for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
         if (is_tried_here(i, 2))
-            check_picture("", &stage, "clustered", settings[i], 40, 40);
+            check_picture("", &view, "clustered", settings[i], 40, 40);
         /* All that maps of VPLs do differently; not 65536 of them. */
         if (is_tried_here(i + 1, 4) && strstr(settings[i], "65536") == NULL)
-            check_picture("", &stage, "instant-radiosity", settings[i], 40, 40);
+            check_picture("", &view, "instant-radiosity", settings[i], 40, 40);
     }
-    stage_free(&stage);
+    close_view(&view);
 }
 
 static void test_sizes(void **state) {
     (void)state;
     static const int sizes[][2] = {{1, 1}, {2, 1}, {1, 7}, {16, 400}, {400, 16}, {9, 9}, {17, 31}};
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    struct scene_view view;
+    open_view(&view, "scenes/cornell-box.glb");
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         for (const struct technique *const *t = techniques; *t; t++)
-            check_picture("", &stage, (*t)->name, "vpls=64 vals=8 map-size=64 interleave=8",
+            check_picture("", &view, (*t)->name, "vpls=64 vals=8 map-size=64 interleave=8",
                           sizes[i][0], sizes[i][1]);
-    stage_free(&stage);
+    close_view(&view);
 }
 
 /* --- scale ------------------------------------------------------------------------------------ */
@@ -181,17 +197,17 @@ static void test_odd_lights(void **state) {
     (void)state;
     static const float intensities[] = {0, 1e-20f, 1e15f};
     for (int i = 0; i < 4; i++) {
-        struct stage stage;
-        open_stage(&stage, "scenes/cornell-box.glb");
+        struct scene_view view;
+        open_view(&view, "scenes/cornell-box.glb");
         for (int c = 0; c < 3 && i < 3; c++)
-            stage.emitters.items[0].intensity[c] = intensities[i];
+            view.stage.emitters.items[0].intensity[c] = intensities[i];
         if (i == 3)
-            stage.emitters.items[0].position[1] =
+            view.stage.emitters.items[0].position[1] =
                 1e3f; /* far above the ceiling, which has its back to it */
         for (const struct technique *const *t = techniques; *t; t++)
-            check_picture(i == 3 ? "light outside" : "intensity", &stage, (*t)->name,
+            check_picture(i == 3 ? "light outside" : "intensity", &view, (*t)->name,
                           "vpls=64 vals=8 map-size=64 interleave=4", 40, 40);
-        stage_free(&stage);
+        close_view(&view);
     }
 }
 

@@ -147,8 +147,10 @@ static void test_stands(void **state) {
     (void)state;
     for (size_t r = 0; r < sizeof rows / sizeof *rows; r++)
         for (size_t s = 0; s < sizeof stands / sizeof *stands; s++)
-            check_at_most(stands[s].what, stand_error(&stands[s], rows[r].method, rows[r].settings),
-                          rows[r].bounds[s]);
+            if (is_tried_here(r + s, 2))
+                check_at_most(stands[s].what,
+                              stand_error(&stands[s], rows[r].method, rows[r].settings),
+                              rows[r].bounds[s]);
 }
 
 /* What a method has more of makes it truer. */
@@ -168,6 +170,8 @@ static void test_more(void **state) {
         {"cssm", "texels=512 prefilter=sat harmonics=2", "texels=512 prefilter=sat harmonics=8"},
     };
     for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+        if (!is_tried_here(i, 2))
+            continue;
         double few = stand_error(&stands[0], steps[i].method, steps[i].few);
         check_at_most(steps[i].many, stand_error(&stands[0], steps[i].method, steps[i].many),
                       .8 * few);

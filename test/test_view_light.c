@@ -206,5 +206,8 @@ int main(void) {
         cmocka_unit_test(test_range),
         cmocka_unit_test(test_remove),
     };
-    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
+    const struct CMUnitTest few[] = {cmocka_unit_test(test_add), cmocka_unit_test(test_type),
+                                     cmocka_unit_test(test_remove)};
+    return is_long_run() ? cmocka_run_group_tests(tests, open_view_stage, close_view_stage)
+                         : cmocka_run_group_tests(few, open_view_stage, close_view_stage);
 }
