@@ -64,7 +64,8 @@ static void test_rendered(void **state) {
     for (int i = 0; i < 2; i++) {
         char arguments[256];
         snprintf(arguments, sizeof arguments, "render scenes/%s.glb", scenes[i]);
-        check_same(arguments, environments, sizeof environments / sizeof *environments);
+        check_same(arguments, environments,
+                   i == 0 || is_long_run() ? sizeof environments / sizeof *environments : 2);
     }
 }
 
