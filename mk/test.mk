@@ -9,12 +9,13 @@ TESTS_OF_VIEWER := $(filter-out %/test_output_file.c,$(shell grep -l '"view_[a-z
 TEST_PROGRAMS := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(filter-out $(if $(VIEWER),,$(TESTS_OF_VIEWER)),$(TEST_SOURCES))))
 TESTS := $(TEST_PROGRAMS)
 
-# What test programs share: the files of test/ that are no programs.
-TEST_SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out test/test_%.c $(if $(VIEWER),,test/desktop.c $(wildcard test/view_*.c)),$(sort $(wildcard test/*.c))))
+# What test programs share.
+TEST_SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(if $(VIEWER),,%/desktop.c %/view_stage.c),$(sort $(wildcard test/support/*.c))))
+$(BUILD)/test/%.o: INCLUDES += -Itest/support
 # All test programs share one library in the bundle.
 TEST_LIBRARY := $(LIBRARY)
 
-# All programs lie in one folder.
+# Sources lie in a folder for each layer, all programs in one.
 $(foreach source,$(TEST_SOURCES),$(eval $(BUILD)/test/$(basename $(notdir $(source))): $(source:%.c=$(BUILD)/%.o)))
 
 $(TEST_PROGRAMS): $(TEST_SUPPORT) $(TEST_LIBRARY)
@@ -24,7 +25,7 @@ $(TEST_PROGRAMS): $(TEST_SUPPORT) $(TEST_LIBRARY)
 # What is fed to the fuzzers and kept, read again.
 FUZZ_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/driver.c,$(sort $(wildcard test/fuzz/*.c))))
 $(BUILD)/test/test_seeds: $(FUZZ_OBJECTS)
-$(BUILD)/test/fuzz/%.o $(BUILD)/test/test_seeds.o: INCLUDES += -Itest
+$(BUILD)/test/fuzz/%.o $(BUILD)/test/scene/test_seeds.o: INCLUDES += -Itest
 
 # The sources of all programs, as drivers get them, for another compiler of GLSL to read.
 SHADER_DUMP := $(BUILD)/test/shaders/dump

@@ -148,8 +148,9 @@ static bool resume(struct results *results, const struct run *run, bool *resumed
     *resumed = true;
     for (int i = 0; ok && *resumed && i < FAILURE_COLUMNS; i++) {
         struct measure_desc subject;
-        ok = !is_asked(run, i) || (prepare(run, failure_columns[i], &subject, &bound) &&
-             results_resume(results, &subject, resumed));
+        if (is_asked(run, i))
+            ok = prepare(run, failure_columns[i], &subject, &bound) &&
+                 results_resume(results, &subject, resumed);
     }
     return ok;
 }

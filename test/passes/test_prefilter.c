@@ -273,7 +273,7 @@ static void ask(int filter, struct answer answers[CELLS]) {
     GLuint program;
     char *defines = mem_printf("FILTER %d;SEARCH_PARTS 2;SHADOW_PARTS 2", filter);
     check_ok("program",
-             program_init(&program, &(struct program_desc){.compute = "../test/cells.comp",
+             program_init(&program, &(struct program_desc){.compute = "../test/support/cells.comp",
                                                            .defines = defines}));
     check_ok("answers", buffer_init(&storage, "answers", CELLS * sizeof *answers, answers));
     struct depths depths;

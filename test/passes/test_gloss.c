@@ -19,7 +19,7 @@
 #include <string.h>
 
 struct question {
-    vec4 f0_and_alpha, normal, to_eye, to_light; /* test/gloss.comp */
+    vec4 f0_and_alpha, normal, to_eye, to_light; /* test/support/gloss.comp */
 };
 
 static void ask(const char *compute, const struct question *questions, int count,
@@ -114,7 +114,7 @@ static void test_same_as_traced(void **state) {
         put(v, questions[i].to_eye);
         put(l, questions[i].to_light);
     }
-    ask("../test/gloss.comp", questions, DIRECTIONS, NULL, answers);
+    ask("../test/support/gloss.comp", questions, DIRECTIONS, NULL, answers);
     for (uint32_t i = 0; i < DIRECTIONS; i++) {
         make_direction(i, &brdf, &v, &l);
         vec3s expected =
@@ -143,7 +143,7 @@ static void test_sampled_as_traced(void **state) {
         put(any_direction(i, 1, .02F), questions[i].to_eye);
         glm_vec2_copy(sample.raw, questions[i].to_light);
     }
-    ask("../test/gloss.comp", questions, DIRECTIONS, NULL, answers);
+    ask("../test/support/gloss.comp", questions, DIRECTIONS, NULL, answers);
     for (uint32_t i = 0; i < DIRECTIONS; i++) {
         struct brdf brdf = metal_of(.045F + .955F * (float)i / DIRECTIONS);
         vec2s sample = {{questions[i].to_light[0], questions[i].to_light[1]}};
@@ -233,7 +233,7 @@ static void test_lights(void **state) {
         put(v, questions[i].to_eye);
         questions[i].to_light[3] = (float)(i / VIEWS / ROUGHNESSES);
     }
-    ask("../test/gloss.comp", questions, CASES, &block, answers);
+    ask("../test/support/gloss.comp", questions, CASES, &block, answers);
     for (int i = 0; i < CASES; i++) {
         vec3s n, v;
         const struct emitter *light = &lights[i / VIEWS / ROUGHNESSES];
@@ -269,7 +269,7 @@ static void test_ball(void **state) {
     vec4 answers[5];
     for (int i = 0; i < 5; i++)
         make_ball(&questions[i], radii[i], 0, false);
-    ask("../test/sphere.comp", questions, 5, NULL, answers);
+    ask("../test/support/sphere.comp", questions, 5, NULL, answers);
     for (int i = 0; i < 5; i++) { /* a point gives 1 */
         double r2 = (double)(radii[i] * radii[i]), c = sqrt(1 - r2);
         double exact = i > 0 ? 2 * (1 - c * c * c) / (3 * r2) : 1;
@@ -279,7 +279,7 @@ static void test_ball(void **state) {
     static const float inside[] = {0, .5F, 1.5F, 3.1F};
     for (int i = 0; i < 4; i++)
         make_ball(&questions[i], 4, inside[i], false);
-    ask("../test/sphere.comp", questions, 4, NULL, answers);
+    ask("../test/support/sphere.comp", questions, 4, NULL, answers);
     for (int i = 0; i < 4;
          i++) { /* no more than 2 / (3 r^2), which it has where both face each other */
         double angle = (double)inside[i];
@@ -297,7 +297,7 @@ static void test_plane_of_balls(void **state) {
     vec4 answers[6];
     for (int i = 0; i < 6; i++)
         make_ball(&questions[i], radii[i / 2], tilts[i % 2], true);
-    ask("../test/sphere.comp", questions, 6, NULL, answers);
+    ask("../test/support/sphere.comp", questions, 6, NULL, answers);
     for (int i = 0; i < 6; i++) {
         double expected = GLM_PI * (1 + cos((double)tilts[i % 2])) / 2;
         printf("    balls of %.1f, %.1f aslant:", (double)radii[i / 2], (double)tilts[i % 2]);

@@ -60,8 +60,8 @@ static void shaded(const struct form_case *cases, int count, double *factors) {
         glm_vec3_copy((float *)cases[i].normal, normals[i]);
     }
     glsl_set_folder("glsl");
-    check_ok("program",
-             program_init(&program, &(struct program_desc){.compute = "../test/rectangle.comp"}));
+    check_ok("program", program_init(&program, &(struct program_desc){
+                                                   .compute = "../test/support/rectangle.comp"}));
     glsl_set_folder(NULL);
     check_ok("lights", buffer_init(&vpl_buffer, "lights", sizeof vpls, vpls));
     check_ok("shapes", buffer_init(&rectangle_buffer, "shapes", sizeof rectangles, rectangles));

@@ -178,7 +178,7 @@ static void test_picks(void **state) {
 enum { QUESTIONS = 10000 };
 
 struct question {
-    vec4 receiver[3], node[3], area_and_clamp; /* test/cut_bound.comp */
+    vec4 receiver[3], node[3], area_and_clamp; /* test/support/cut_bound.comp */
 };
 
 static void put_extent(const struct light_extent *extent, vec4 rows[3]) {
@@ -208,9 +208,9 @@ static void ask(int clamp, const struct question *questions, float *answers) {
     GLuint program;
     char *defines = mem_printf("CLAMP %d", clamp);
     glsl_set_folder("glsl");
-    check_ok("program",
-             program_init(&program, &(struct program_desc){.compute = "../test/cut_bound.comp",
-                                                           .defines = defines}));
+    check_ok("program", program_init(&program, &(struct program_desc){
+                                                   .compute = "../test/support/cut_bound.comp",
+                                                   .defines = defines}));
     check_ok("questions",
              buffer_init(&question_buffer, "questions", QUESTIONS * sizeof *questions, questions) &&
                  buffer_init(&answer_buffer, "answers", QUESTIONS * sizeof *answers, NULL));

@@ -153,7 +153,7 @@ static GLuint open_program(const struct lookups *lookups) {
                    "BASIS_GROUPS 1;FILTER_TAPS %d;SEARCH_TAPS %d",
                    lookups->projection, lookups->filter, TERMS, TAPS, SEARCH);
     check_ok("program",
-             program_init(&program, &(struct program_desc){.compute = "../test/lookup.comp",
+             program_init(&program, &(struct program_desc){.compute = "../test/support/lookup.comp",
                                                            .defines = defines}));
     free(defines);
     return program;
@@ -397,8 +397,9 @@ static void test_map_in_front(void **state) {
     struct timers untimed = {0};
     struct buffer maps, block, asked, answered;
     GLuint program;
-    check_ok("program", program_init(&program, &(struct program_desc){
-                                                   .compute = "../test/map_in_front.comp"}));
+    check_ok("program",
+             program_init(&program,
+                          &(struct program_desc){.compute = "../test/support/map_in_front.comp"}));
     check_ok("views", buffer_init(&maps, "views", sizeof views, views));
     check_ok("params", buffer_init(&block, "lookup", sizeof params, &params));
     check_ok("points", buffer_init(&asked, "points", sizeof points, points));

@@ -144,8 +144,8 @@ static void shade(struct answer *answers, int count, float *got) {
         glm_vec3_copy(answers[i].normal, points[i][1]);
     }
     views_of_emitters(&block, &(struct emitters){.items = lights, .count = count}, &geometry);
-    check_ok("program",
-             program_init(&program, &(struct program_desc){.compute = "../test/unshadowed.comp"}));
+    check_ok("program", program_init(&program, &(struct program_desc){
+                                                   .compute = "../test/support/unshadowed.comp"}));
     check_ok("lights", buffer_init(&light_buffer, "lights", sizeof block, &block));
     check_ok("points", buffer_init(&point_buffer, "points", sizeof points, points));
     check_ok("answers", buffer_init(&answer_buffer, "answers", ANSWERS * sizeof *got, NULL));

@@ -64,8 +64,8 @@ static void ask(const struct caster_tree *tree, const struct pair *pairs, uint32
     struct buffer asked, answered;
     GLuint program;
     glsl_set_folder("glsl"); /* the test's own shader lies beside the test */
-    check_ok("program",
-             program_init(&program, &(struct program_desc){.compute = "../test/traced.comp"}));
+    check_ok("program", program_init(&program, &(struct program_desc){
+                                                   .compute = "../test/support/traced.comp"}));
     glsl_set_folder(NULL);
     check_ok("pairs", buffer_init(&asked, "pairs", PAIRS * sizeof *pairs, pairs));
     check_ok("answers", buffer_init(&answered, "answers", PAIRS * sizeof *answers, NULL));
