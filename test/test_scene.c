@@ -4,9 +4,9 @@
 
 #include "base/error.h"
 #include "base/log.h"
-#include "scene/brightness.h"
 #include "scene/camera.h"
-#include "scene/emitter.h"
+#include "scene/lights/brightness.h"
+#include "scene/lights/emitter.h"
 #include "scene/material.h"
 #include "scene/mesh/geometry.h"
 #include "scene/open.h"

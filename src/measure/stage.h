@@ -5,8 +5,8 @@
 
 #include "renderer/renderer.h"
 #include "scene/camera.h"
-#include "scene/emitter.h"
-#include "scene/environment.h"
+#include "scene/lights/emitter.h"
+#include "scene/lights/environment.h"
 #include "scene/mesh/geometry.h"
 
 struct stage_desc {

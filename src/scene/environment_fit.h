@@ -13,7 +13,7 @@
 #ifndef SCENE_ENVIRONMENT_FIT_H
 #define SCENE_ENVIRONMENT_FIT_H
 
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 #include "shared/sky.h"
 
 struct sky_light {

@@ -2,8 +2,8 @@
 #ifndef SCENE_SKY_H
 #define SCENE_SKY_H
 
-#include "scene/emitter.h"
 #include "scene/environment_fit.h"
+#include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
 
 struct sky_lights {

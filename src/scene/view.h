@@ -3,7 +3,7 @@
 #define SCENE_VIEW_H
 
 #include "scene/camera.h"
-#include "scene/emitter.h"
+#include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
 #include "shared/light.h"
 

@@ -12,7 +12,7 @@
 #include "inspect/screen.h"
 #include "measure/time_budget.h"
 #include "renderer/renderer.h"
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 #include "viewer/compare.h"
 #include "viewer/compiling.h"
 #include "viewer/file_dialog.h"

@@ -4,8 +4,8 @@
  * the second moments of their area, with all their flux. It lies before the foremost of their corners,
  * so that the surface does not stand in its own light.
  */
-#ifndef SCENE_LAMP_PARTS_H
-#define SCENE_LAMP_PARTS_H
+#ifndef SCENE_LIGHTS_LAMP_PARTS_H
+#define SCENE_LIGHTS_LAMP_PARTS_H
 
 struct lamp_triangle {
     double corners[3][3];

@@ -1,4 +1,4 @@
-#include "scene/lamp_triangles.h"
+#include "scene/lights/lamp_triangles.h"
 
 #include "base/halton.h"
 #include "base/memory.h"

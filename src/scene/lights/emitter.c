@@ -1,4 +1,4 @@
-#include "scene/emitter.h"
+#include "scene/lights/emitter.h"
 
 #include "base/memory.h"
 #include "scene/node.h"

@@ -1,12 +1,12 @@
-#include "scene/emissive.h"
+#include "scene/lights/emissive.h"
 
 #include "base/deal.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/names.h"
-#include "scene/flat_shape.h"
-#include "scene/lamp_parts.h"
-#include "scene/lamp_triangles.h"
+#include "scene/lights/flat_shape.h"
+#include "scene/lights/lamp_parts.h"
+#include "scene/lights/lamp_triangles.h"
 
 #include <cglm/cglm.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /* How bright the lights of a file are, before anything is rendered. */
-#ifndef SCENE_BRIGHTNESS_H
-#define SCENE_BRIGHTNESS_H
+#ifndef SCENE_LIGHTS_BRIGHTNESS_H
+#define SCENE_LIGHTS_BRIGHTNESS_H
 
 #include "scene/mesh/geometry.h"
 

@@ -1,4 +1,4 @@
-#include "scene/flat_shape.h"
+#include "scene/lights/flat_shape.h"
 
 #include <cglm/cglm.h>
 #include <math.h>

@@ -5,8 +5,8 @@
  * atan2(z, x) goes from -pi to pi: the left edge, u = 0, lies at -X, a quarter on is -Z, the middle is
  * +X, three quarters +Z. A turn moves what lies at +Z towards +X, right-handed about +Y.
  */
-#ifndef SCENE_ENVIRONMENT_H
-#define SCENE_ENVIRONMENT_H
+#ifndef SCENE_LIGHTS_ENVIRONMENT_H
+#define SCENE_LIGHTS_ENVIRONMENT_H
 
 #include <stdbool.h>
 

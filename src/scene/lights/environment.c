@@ -1,4 +1,4 @@
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 
 #include "base/error.h"
 #include "base/file/piped_file.h"

@@ -1,8 +1,8 @@
 /* The triangles of emissive surfaces, in the world. */
-#ifndef SCENE_LAMP_TRIANGLES_H
-#define SCENE_LAMP_TRIANGLES_H
+#ifndef SCENE_LIGHTS_LAMP_TRIANGLES_H
+#define SCENE_LIGHTS_LAMP_TRIANGLES_H
 
-#include "scene/lamp_parts.h"
+#include "scene/lights/lamp_parts.h"
 #include "scene/scene.h"
 
 #include <stdint.h>

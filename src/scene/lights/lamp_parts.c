@@ -1,4 +1,4 @@
-#include "scene/lamp_parts.h"
+#include "scene/lights/lamp_parts.h"
 
 #include "base/memory.h"
 

@@ -8,8 +8,8 @@
  * all are as one in the middle. A sphere's and a rectangle's pieces are those of area lights and of
  * spots; the sun's come from a cap of directions.
  */
-#ifndef SCENE_EMITTER_H
-#define SCENE_EMITTER_H
+#ifndef SCENE_LIGHTS_EMITTER_H
+#define SCENE_LIGHTS_EMITTER_H
 
 #include "scene/scene.h"
 

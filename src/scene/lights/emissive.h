@@ -3,13 +3,13 @@
  * Blender and most others write lamps so, and no area light: a plane with an emissive material. The
  * front shines, and of a double-sided material the back too. What is one rectangle or disk of one
  * colour is a light that is just so. Any other shape, or one with a texture, is stood in for by a few
- * rectangles (scene/lamp_parts.h), and so are together the least powerful where there are many. What deforms
+ * rectangles (scene/lights/lamp_parts.h), and so are together the least powerful where there are many. What deforms
  * stays dark and is named in a note.
  *
  * A lamp is what shines as one: a surface, or those that share their stand-ins.
  */
-#ifndef SCENE_EMISSIVE_H
-#define SCENE_EMISSIVE_H
+#ifndef SCENE_LIGHTS_EMISSIVE_H
+#define SCENE_LIGHTS_EMISSIVE_H
 
 #include "scene/scene.h"
 

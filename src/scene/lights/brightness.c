@@ -1,7 +1,7 @@
-#include "scene/brightness.h"
+#include "scene/lights/brightness.h"
 
 #include "base/log.h"
-#include "scene/emitter.h"
+#include "scene/lights/emitter.h"
 
 #include <cglm/cglm.h>
 

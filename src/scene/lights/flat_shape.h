@@ -1,6 +1,6 @@
 /* Flat surfaces that are one rectangle, or one disk. */
-#ifndef SCENE_FLAT_SHAPE_H
-#define SCENE_FLAT_SHAPE_H
+#ifndef SCENE_LIGHTS_FLAT_SHAPE_H
+#define SCENE_LIGHTS_FLAT_SHAPE_H
 
 #include "scene/scene.h"
 
