@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "lights/view.h"
 #include "scene/camera.h"
 #include "scene/hash.h"
 #include "scene/lights/emitter.h"
@@ -12,7 +13,6 @@
 #include "scene/open.h"
 #include "scene/stand_in.h"
 #include "scene/texture.h"
-#include "scene/view.h"
 
 #include <cglm/cglm.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 #include "direct/skylight.h"
 
-#include "scene/environment_fit.h"
+#include "lights/environment_fit.h"
 
 #define ROW(name) offsetof(struct skylight_settings, name)
 

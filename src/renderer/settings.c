@@ -4,9 +4,9 @@
 #include "base/names.h"
 #include "direct/direct.h"
 #include "direct/skylight.h"
+#include "lights/starts.h"
 #include "passes/picture/composite.h"
 #include "scene/material.h"
-#include "scene/starts.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -5,11 +5,11 @@
  * stays whole. Each pass of a picture that converges takes other places, and those of small lights too:
  * the mean is the light's. A sky starts from a few directions, each with a view of its own.
  */
-#ifndef SCENE_STARTS_H
-#define SCENE_STARTS_H
+#ifndef LIGHTS_STARTS_H
+#define LIGHTS_STARTS_H
 
-#include "scene/sky.h"
-#include "scene/view.h"
+#include "lights/sky.h"
+#include "lights/view.h"
 
 /* What was one light, among the starts. */
 struct light_group {

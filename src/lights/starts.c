@@ -1,4 +1,4 @@
-#include "scene/starts.h"
+#include "lights/starts.h"
 
 #include "base/halton.h"
 

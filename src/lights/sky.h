@@ -1,8 +1,8 @@
 /* The lights of a sky, as shaders have them (shared/sky.h). */
-#ifndef SCENE_SKY_H
-#define SCENE_SKY_H
+#ifndef LIGHTS_SKY_H
+#define LIGHTS_SKY_H
 
-#include "scene/environment_fit.h"
+#include "lights/environment_fit.h"
 #include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
 

@@ -1,6 +1,6 @@
 /* The views that passes draw: of a camera, and from the lights (shared/view.h, shared/light.h). */
-#ifndef SCENE_VIEW_H
-#define SCENE_VIEW_H
+#ifndef LIGHTS_VIEW_H
+#define LIGHTS_VIEW_H
 
 #include "scene/camera.h"
 #include "scene/lights/emitter.h"
@@ -19,7 +19,7 @@ void view_shift(struct view *view, const float ndc[2]);
  * keep it, but for one that gets a size. */
 struct light_layout {
     int lights;
-    int groups; /* of lights that are pieces of one (scene/starts.h) */
+    int groups; /* of lights that are pieces of one (lights/starts.h) */
     int views[LIGHT_MAP_KINDS];
     int maps;   /* of the lights' own: one each, six of a point light */
     bool sized; /* one of them has a size */

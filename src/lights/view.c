@@ -1,4 +1,4 @@
-#include "scene/view.h"
+#include "lights/view.h"
 
 #include "base/error.h"
 

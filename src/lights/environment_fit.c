@@ -1,4 +1,4 @@
-#include "scene/environment_fit.h"
+#include "lights/environment_fit.h"
 
 #include "base/memory.h"
 

@@ -10,8 +10,8 @@
  * first. Edges of faces are great circles, so that the lights part the sphere: their energy is the map's,
  * channel by channel, and an even sky lights a surface as the whole sky does, exactly.
  */
-#ifndef SCENE_ENVIRONMENT_FIT_H
-#define SCENE_ENVIRONMENT_FIT_H
+#ifndef LIGHTS_ENVIRONMENT_FIT_H
+#define LIGHTS_ENVIRONMENT_FIT_H
 
 #include "scene/lights/environment.h"
 #include "shared/sky.h"

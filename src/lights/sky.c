@@ -1,7 +1,7 @@
-#include "scene/sky.h"
+#include "lights/sky.h"
 
 #include "base/memory.h"
-#include "scene/view.h"
+#include "lights/view.h"
 
 #include <cglm/cglm.h>
 
