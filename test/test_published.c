@@ -2,8 +2,8 @@
 #include "render_support.h"
 
 #include "measure/errors.h"
-#include "measure/picture.h"
 #include "measure/truth.h"
+#include "quality/picture.h"
 
 #include <stdio.h>
 

@@ -10,9 +10,9 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/progress.h"
-#include "measure/costs.h"
-#include "measure/measure.h"
 #include "measure/result_rows.h"
+#include "quality/costs.h"
+#include "quality/measure.h"
 
 #include <math.h>
 #include <stdlib.h>

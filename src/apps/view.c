@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/file/image_file.h"
 #include "base/file/output_file.h"
-#include "measure/quality.h"
+#include "quality/quality.h"
 #include "viewer/viewer.h"
 
 struct values {

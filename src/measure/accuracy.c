@@ -1,8 +1,8 @@
 #include "measure/accuracy.h"
 
 #include "measure/errors.h"
-#include "measure/picture.h"
 #include "measure/variants.h"
+#include "quality/picture.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,11 +5,11 @@
 #include "base/file/folder.h"
 #include "base/memory.h"
 #include "measure/errors.h"
-#include "measure/picture.h"
 #include "measure/variants.h"
 #include "metrics/errors.h"
 #include "metrics/layer.h"
 #include "metrics/panels.h"
+#include "quality/picture.h"
 
 #include <math.h>
 #include <stdlib.h>

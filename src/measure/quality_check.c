@@ -2,10 +2,10 @@
 
 #include "base/clock.h"
 #include "base/memory.h"
-#include "measure/estimate.h"
 #include "measure/truth.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"
+#include "quality/estimate.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,8 +2,8 @@
 #ifndef MEASURE_QUALITY_CHECK_H
 #define MEASURE_QUALITY_CHECK_H
 
-#include "measure/quality.h"
 #include "measure/results.h"
+#include "quality/quality.h"
 
 struct quality_check_desc {
     const struct measure_desc *measure; /* as quality_desc's, with settings */

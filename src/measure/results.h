@@ -2,8 +2,8 @@
 #ifndef MEASURE_RESULTS_H
 #define MEASURE_RESULTS_H
 
-#include "measure/measure.h"
 #include "metrics/summary.h"
+#include "quality/measure.h"
 
 struct result {
     int subject;

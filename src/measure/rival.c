@@ -2,7 +2,7 @@
 
 #include "base/clock.h"
 #include "measure/errors.h"
-#include "measure/picture.h"
+#include "quality/picture.h"
 #include "scene/material.h"
 
 #include <stdio.h>

@@ -7,8 +7,8 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/progress.h"
-#include "measure/picture.h"
 #include "measure/variants.h"
+#include "quality/picture.h"
 #include "scene/hash.h"
 #include "scene/material.h"
 

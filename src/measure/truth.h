@@ -8,7 +8,7 @@
 #define MEASURE_TRUTH_H
 
 #include "base/image.h"
-#include "measure/measure.h"
+#include "quality/measure.h"
 
 enum truth_kind {
     TRUTH_NONE,

@@ -2,7 +2,7 @@
 #ifndef MEASURE_VARIANTS_H
 #define MEASURE_VARIANTS_H
 
-#include "measure/measure.h"
+#include "quality/measure.h"
 
 /* Calls the desc by a variant's name and sets what that stands for:
  *

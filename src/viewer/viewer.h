@@ -10,7 +10,7 @@
 #include "inspect/inspect.h"
 #include "inspect/probe.h"
 #include "inspect/screen.h"
-#include "measure/time_budget.h"
+#include "quality/time_budget.h"
 #include "renderer/renderer.h"
 #include "scene/lights/environment.h"
 #include "viewer/compare.h"

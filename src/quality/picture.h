@@ -1,10 +1,10 @@
 /* The picture of a subject, with all layers: by the renderer, by rays from the VPLs that the
  * renderer made, or by paths. */
-#ifndef MEASURE_PICTURE_H
-#define MEASURE_PICTURE_H
+#ifndef QUALITY_PICTURE_H
+#define QUALITY_PICTURE_H
 
 #include "base/progress.h"
-#include "measure/measure.h"
+#include "quality/measure.h"
 #include "reference/path_tracer.h"
 #include "reference/vpl_sum.h"
 

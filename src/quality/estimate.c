@@ -1,8 +1,8 @@
-#include "measure/estimate.h"
+#include "quality/estimate.h"
 
 #include "base/log.h"
-#include "measure/picture.h"
 #include "metrics/layer.h"
+#include "quality/picture.h"
 #include "scene/material.h"
 
 #include <math.h>

@@ -4,11 +4,11 @@
  * from the other has the square of its error for its mean, whatever the noise of both: it averages out over the
  * pixels, so that few paths do, and more of them are traced only while they decide.
  */
-#ifndef MEASURE_ESTIMATE_H
-#define MEASURE_ESTIMATE_H
+#ifndef QUALITY_ESTIMATE_H
+#define QUALITY_ESTIMATE_H
 
 #include "base/image.h"
-#include "measure/measure.h"
+#include "quality/measure.h"
 
 struct estimate {
     struct measure_desc desc;

@@ -4,8 +4,8 @@
  * Only tune measures. All else reads the table, and goes by the costs that the program comes with where there is none: a
  * render never takes longer for it, and renders of one machine choose alike until its user asks for other figures.
  */
-#ifndef MEASURE_COSTS_H
-#define MEASURE_COSTS_H
+#ifndef QUALITY_COSTS_H
+#define QUALITY_COSTS_H
 
 #include "base/text.h"
 

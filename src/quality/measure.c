@@ -1,4 +1,4 @@
-#include "measure/measure.h"
+#include "quality/measure.h"
 
 #include "base/error.h"
 #include "base/memory.h"

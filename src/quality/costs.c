@@ -1,4 +1,4 @@
-#include "measure/costs.h"
+#include "quality/costs.h"
 
 #include "base/error.h"
 #include "base/file/file.h"
@@ -8,8 +8,8 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "gl/api.h"
-#include "measure/quality.h"
-#include "measure/time_budget.h"
+#include "quality/quality.h"
+#include "quality/time_budget.h"
 #include "scene/hash.h"
 
 #include "version.h"

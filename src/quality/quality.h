@@ -5,11 +5,11 @@
  * very scene and camera. The ladder's order is the one that the program comes with, or that of costs which the machine's
  * user has measured (costs.h): it depends on no clock of the run.
  */
-#ifndef MEASURE_QUALITY_H
-#define MEASURE_QUALITY_H
+#ifndef QUALITY_QUALITY_H
+#define QUALITY_QUALITY_H
 
-#include "measure/costs.h"
-#include "measure/measure.h"
+#include "quality/costs.h"
+#include "quality/measure.h"
 
 enum quality { QUALITY_DRAFT, QUALITY_NORMAL, QUALITY_HIGH, QUALITY_FINAL };
 

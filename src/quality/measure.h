@@ -2,11 +2,11 @@
  *
  * Settings are spoken of as text wherever that does: "technique=clustered,vals=8,size=400x300".
  */
-#ifndef MEASURE_MEASURE_H
-#define MEASURE_MEASURE_H
+#ifndef QUALITY_MEASURE_H
+#define QUALITY_MEASURE_H
 
-#include "measure/stage.h"
 #include "renderer/renderer.h"
+#include "renderer/stage.h"
 
 enum { MEASURE_NAME_SIZE = 128 };
 

@@ -1,4 +1,4 @@
-#include "measure/stage.h"
+#include "renderer/stage.h"
 
 #include "scene/open.h"
 #include "scene/placing.h"

@@ -1,4 +1,4 @@
-#include "measure/time_budget.h"
+#include "quality/time_budget.h"
 
 #include "base/memory.h"
 

@@ -1,9 +1,9 @@
-#include "measure/quality.h"
+#include "quality/quality.h"
 
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/words.h"
-#include "measure/estimate.h"
+#include "quality/estimate.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -5,10 +5,10 @@
  * bench/FRONTS.md). Frames are drawn at one of them, and their times choose the next: the machine decides, not the
  * scene alone.
  */
-#ifndef MEASURE_TIME_BUDGET_H
-#define MEASURE_TIME_BUDGET_H
+#ifndef QUALITY_TIME_BUDGET_H
+#define QUALITY_TIME_BUDGET_H
 
-#include "measure/costs.h"
+#include "quality/costs.h"
 #include "renderer/settings.h"
 
 enum { TIME_BUDGET_LEVELS = 73, TIME_BUDGET_SAMPLES = 3, TIME_BUDGET_ROWS = 13 };

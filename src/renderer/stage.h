@@ -1,7 +1,7 @@
 /* What a picture is taken of: a scene's triangles at one time, one of its cameras, its lights or
  * some of them. */
-#ifndef MEASURE_STAGE_H
-#define MEASURE_STAGE_H
+#ifndef RENDERER_STAGE_H
+#define RENDERER_STAGE_H
 
 #include "renderer/renderer.h"
 #include "scene/camera.h"

@@ -1,4 +1,4 @@
-#include "measure/picture.h"
+#include "quality/picture.h"
 
 #include "inspect/lights.h"
 #include "reference/vpl_sum.h"
