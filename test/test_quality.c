@@ -2,8 +2,8 @@
 #define _POSIX_C_SOURCE 200809L
 #include "render_support.h"
 
+#include "apps/bench/measure/truth.h"
 #include "base/error.h"
-#include "measure/truth.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"
 #include "quality/estimate.h"

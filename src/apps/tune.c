@@ -3,6 +3,7 @@
 #include "apps/arguments.h"
 #include "apps/options.h"
 
+#include "apps/bench/measure/result_rows.h"
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/file/folder.h"
@@ -10,7 +11,6 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/progress.h"
-#include "measure/result_rows.h"
 #include "quality/costs.h"
 #include "quality/measure.h"
 

@@ -1,13 +1,13 @@
 /* The rows of a run that is not finished, on disk as they are measured, so that another run goes on from there.
  *
  * FILE.part lies beside the file that the run will write. It begins with the run's settings and machine as comments, and
- * then is CSV as in measure/result_rows.h, with all digits: a block of rows for each results_commit, between lines that
+ * then is CSV as in result_rows.h, with all digits: a block of rows for each results_commit, between lines that
  * begin with #. A run with other settings, of another machine or another commit does not go on with it.
  */
-#ifndef MEASURE_JOURNAL_H
-#define MEASURE_JOURNAL_H
+#ifndef APPS_BENCH_MEASURE_JOURNAL_H
+#define APPS_BENCH_MEASURE_JOURNAL_H
 
-#include "measure/results.h"
+#include "apps/bench/measure/results.h"
 
 struct journal;
 

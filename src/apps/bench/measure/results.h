@@ -1,6 +1,6 @@
 /* What was measured, as long rows: one for each figure of each subject. */
-#ifndef MEASURE_RESULTS_H
-#define MEASURE_RESULTS_H
+#ifndef APPS_BENCH_MEASURE_RESULTS_H
+#define APPS_BENCH_MEASURE_RESULTS_H
 
 #include "metrics/summary.h"
 #include "quality/measure.h"
@@ -28,7 +28,7 @@ struct results {
     struct subject *subjects;
     struct result *rows;
     int subject_count, row_count;
-    struct journal *journal; /* measure/journal.h; must live on; NULL = rows are in memory alone */
+    struct journal *journal; /* journal.h; must live on; NULL = rows are in memory alone */
     uint64_t scene;          /* results_set_stage's */
     int committed;           /* subjects */
     /* Hear of what was committed or resumed, and of the work at hand. NULL: nobody. */

@@ -1,4 +1,4 @@
-#include "measure/failures.h"
+#include "apps/bench/measure/failures.h"
 
 #include "base/error.h"
 #include "base/names.h"

@@ -6,12 +6,12 @@
  * many per cent of relative RMSE and of relative bias, at 160x120 and 2 % noise, and in small, as
  * `make test` runs it.
  */
-#ifndef MEASURE_FAILURES_H
-#define MEASURE_FAILURES_H
+#ifndef APPS_BENCH_MEASURE_FAILURES_H
+#define APPS_BENCH_MEASURE_FAILURES_H
 
+#include "apps/bench/measure/results.h"
+#include "apps/bench/measure/truth.h"
 #include "gl/context/context.h"
-#include "measure/results.h"
-#include "measure/truth.h"
 
 struct failure_row {
     const char *name;

@@ -1,7 +1,7 @@
-#include "measure/shares.h"
+#include "apps/bench/measure/shares.h"
 
+#include "apps/bench/measure/truth.h"
 #include "base/error.h"
-#include "measure/truth.h"
 
 #include <math.h>
 

@@ -9,11 +9,11 @@
  *     ns_per_pixel, ns_per_pixel_vpl                                            of times
  *     gl_vendor, gl_renderer, gl_version, software, cpu, cores, commit, date    the machine
  */
-#ifndef MEASURE_RESULT_ROWS_H
-#define MEASURE_RESULT_ROWS_H
+#ifndef APPS_BENCH_MEASURE_RESULT_ROWS_H
+#define APPS_BENCH_MEASURE_RESULT_ROWS_H
 
+#include "apps/bench/measure/results.h"
 #include "base/text.h"
-#include "measure/results.h"
 
 /* The names of the columns, a line. */
 extern const char result_rows_heading[];

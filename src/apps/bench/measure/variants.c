@@ -1,4 +1,4 @@
-#include "measure/variants.h"
+#include "apps/bench/measure/variants.h"
 
 #include "base/error.h"
 #include "base/memory.h"

@@ -1,9 +1,9 @@
 /* How the mean of passes converges. */
-#ifndef MEASURE_PASSES_H
-#define MEASURE_PASSES_H
+#ifndef APPS_BENCH_MEASURE_PASSES_H
+#define APPS_BENCH_MEASURE_PASSES_H
 
-#include "measure/results.h"
-#include "measure/truth.h"
+#include "apps/bench/measure/results.h"
+#include "apps/bench/measure/truth.h"
 
 /* Adds a subject for each power of two up to `count` passes, whose point is "passes=K", with the errors
  * of the mean of K; "noise", the truth's; and "error", the relative RMSE of the indirect layer without

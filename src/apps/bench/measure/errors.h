@@ -1,9 +1,9 @@
 /* How far a picture is from the truth. */
-#ifndef MEASURE_ERRORS_H
-#define MEASURE_ERRORS_H
+#ifndef APPS_BENCH_MEASURE_ERRORS_H
+#define APPS_BENCH_MEASURE_ERRORS_H
 
+#include "apps/bench/measure/results.h"
 #include "base/image.h"
-#include "measure/results.h"
 
 /* Adds relative-rmse, relative-mae, relative-bias (% of the truth's mean) and gradient of the
  * indirect layer, and ldr-flip of the picture: few wrong pixels make the first, many the second,

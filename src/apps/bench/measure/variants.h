@@ -1,6 +1,6 @@
 /* Lists of subjects: variants of a picture, and grids of settings over them. */
-#ifndef MEASURE_VARIANTS_H
-#define MEASURE_VARIANTS_H
+#ifndef APPS_BENCH_MEASURE_VARIANTS_H
+#define APPS_BENCH_MEASURE_VARIANTS_H
 
 #include "quality/measure.h"
 

@@ -1,12 +1,12 @@
-#include "measure/timing.h"
+#include "apps/bench/measure/timing.h"
 
+#include "apps/bench/measure/errors.h"
+#include "apps/bench/measure/rival.h"
+#include "apps/bench/measure/shares.h"
 #include "base/clock.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "gl/memory.h"
-#include "measure/errors.h"
-#include "measure/rival.h"
-#include "measure/shares.h"
 
 #include <math.h>
 #include <stdlib.h>

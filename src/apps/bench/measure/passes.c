@@ -1,6 +1,6 @@
-#include "measure/passes.h"
+#include "apps/bench/measure/passes.h"
 
-#include "measure/errors.h"
+#include "apps/bench/measure/errors.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
-#include "measure/results.h"
+#include "apps/bench/measure/results.h"
 
+#include "apps/bench/measure/journal.h"
 #include "base/memory.h"
-#include "measure/journal.h"
 #include "scene/hash.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-#include "measure/errors.h"
+#include "apps/bench/measure/errors.h"
 
 #include "base/error.h"
 #include "metrics/layer.h"

@@ -4,8 +4,8 @@
  * triangles, materials, textures, camera and light as they are posed, and the sources of what makes
  * it. What has changed gets a new truth.
  */
-#ifndef MEASURE_TRUTH_H
-#define MEASURE_TRUTH_H
+#ifndef APPS_BENCH_MEASURE_TRUTH_H
+#define APPS_BENCH_MEASURE_TRUTH_H
 
 #include "base/image.h"
 #include "quality/measure.h"

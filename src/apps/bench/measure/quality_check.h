@@ -1,8 +1,8 @@
 /* Whether errors are as they are told, and what is chosen by them as cheap as it can be. */
-#ifndef MEASURE_QUALITY_CHECK_H
-#define MEASURE_QUALITY_CHECK_H
+#ifndef APPS_BENCH_MEASURE_QUALITY_CHECK_H
+#define APPS_BENCH_MEASURE_QUALITY_CHECK_H
 
-#include "measure/results.h"
+#include "apps/bench/measure/results.h"
 #include "quality/quality.h"
 
 struct quality_check_desc {

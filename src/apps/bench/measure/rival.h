@@ -1,11 +1,11 @@
 /* The rival of all techniques on a CPU: the path tracer with few samples, denoised. Its error against
  * its time is a curve, and a technique is as good as the tracer takes long to err as little.
  */
-#ifndef MEASURE_RIVAL_H
-#define MEASURE_RIVAL_H
+#ifndef APPS_BENCH_MEASURE_RIVAL_H
+#define APPS_BENCH_MEASURE_RIVAL_H
 
-#include "measure/results.h"
-#include "measure/truth.h"
+#include "apps/bench/measure/results.h"
+#include "apps/bench/measure/truth.h"
 
 /* Adds a subject without technique, "denoised tracer", in the desc's size for each of a few counts of
  * samples, whose point is "spp=4": "clock" and "cpu", from building the tree to the denoised picture,

@@ -1,7 +1,7 @@
-#include "measure/rival.h"
+#include "apps/bench/measure/rival.h"
 
+#include "apps/bench/measure/errors.h"
 #include "base/clock.h"
-#include "measure/errors.h"
 #include "quality/picture.h"
 #include "scene/material.h"
 

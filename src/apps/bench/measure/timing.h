@@ -1,11 +1,11 @@
 /* Times frames: warm-up first, then rounds in which every subject renders once with timers and once
  * without, so that A B A B see the same noise of the machine. */
-#ifndef MEASURE_TIMING_H
-#define MEASURE_TIMING_H
+#ifndef APPS_BENCH_MEASURE_TIMING_H
+#define APPS_BENCH_MEASURE_TIMING_H
 
-#include "measure/results.h"
-#include "measure/truth.h"
-#include "measure/variants.h"
+#include "apps/bench/measure/results.h"
+#include "apps/bench/measure/truth.h"
+#include "apps/bench/measure/variants.h"
 
 struct timing_desc {
     int warm_up, frames; /* of each subject; 0 = by the context: few on the CPU, many on a GPU */

@@ -1,9 +1,9 @@
 /* How far what is seen of the lights is from the truth. */
-#ifndef MEASURE_SHARES_H
-#define MEASURE_SHARES_H
+#ifndef APPS_BENCH_MEASURE_SHARES_H
+#define APPS_BENCH_MEASURE_SHARES_H
 
+#include "apps/bench/measure/results.h"
 #include "base/image.h"
-#include "measure/results.h"
 
 /* Adds "visible-share" and "visible-bias", RMS and mean, %, of the share that is seen less the truth's, over the pixels
  * to which unhidden lights would give a hundredth of what they give to the brightest, or more; and "visible-share-all",

@@ -1,9 +1,9 @@
 /* Errors of pictures that differ by one thing each. */
-#ifndef MEASURE_ACCURACY_H
-#define MEASURE_ACCURACY_H
+#ifndef APPS_BENCH_MEASURE_ACCURACY_H
+#define APPS_BENCH_MEASURE_ACCURACY_H
 
-#include "measure/results.h"
-#include "measure/truth.h"
+#include "apps/bench/measure/results.h"
+#include "apps/bench/measure/truth.h"
 
 /* What errors are against. */
 #define AGAINST_BEFORE "step before"

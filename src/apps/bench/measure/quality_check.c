@@ -1,8 +1,8 @@
-#include "measure/quality_check.h"
+#include "apps/bench/measure/quality_check.h"
 
+#include "apps/bench/measure/truth.h"
 #include "base/clock.h"
 #include "base/memory.h"
-#include "measure/truth.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"
 #include "quality/estimate.h"

@@ -1,7 +1,7 @@
-#include "measure/accuracy.h"
+#include "apps/bench/measure/accuracy.h"
 
-#include "measure/errors.h"
-#include "measure/variants.h"
+#include "apps/bench/measure/errors.h"
+#include "apps/bench/measure/variants.h"
 #include "quality/picture.h"
 
 #include <stdio.h>

@@ -1,4 +1,4 @@
-#include "measure/clip.h"
+#include "apps/bench/measure/clip.h"
 
 #include "base/error.h"
 #include "base/memory.h"

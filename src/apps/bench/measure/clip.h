@@ -7,12 +7,12 @@
  *
  * of the indirect light. A picture that is wrong, but steadily so, does not flicker.
  */
-#ifndef MEASURE_CLIP_H
-#define MEASURE_CLIP_H
+#ifndef APPS_BENCH_MEASURE_CLIP_H
+#define APPS_BENCH_MEASURE_CLIP_H
 
-#include "measure/results.h"
-#include "measure/truth.h"
-#include "measure/variants.h"
+#include "apps/bench/measure/results.h"
+#include "apps/bench/measure/truth.h"
+#include "apps/bench/measure/variants.h"
 
 struct clip_desc {
     struct stage *stage; /* of all subjects; is posed */

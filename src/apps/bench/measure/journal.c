@@ -1,11 +1,11 @@
-#include "measure/journal.h"
+#include "apps/bench/measure/journal.h"
 
+#include "apps/bench/measure/result_rows.h"
 #include "base/error.h"
 #include "base/file/file.h"
 #include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/memory.h"
-#include "measure/result_rows.h"
 
 #include <inttypes.h>
 #include <stdlib.h>

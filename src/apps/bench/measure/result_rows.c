@@ -1,4 +1,4 @@
-#include "measure/result_rows.h"
+#include "apps/bench/measure/result_rows.h"
 
 #include "base/file/output_file.h"
 #include "base/memory.h"
