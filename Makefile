@@ -64,7 +64,8 @@ PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) 2>/de
 PICTURE_LIBS := -lOpenEXRCore -lpng16 -ljpeg -lwebp
 LIBS := $(if $(filter small,$(PICTURES)),$(PICTURE_LIBS),$(shell pkg-config --libs $(PKG) 2>/dev/null)) -lembree3 -ldraco -lmeshoptimizer -lstdc++ -ldl -lpthread -lm
 
-EMBEDDED := $(BUILD)/glsl_embedded.o $(BUILD)/chart_embedded.o
+EMBEDDED := $(BUILD)/glsl_embedded.o $(BUILD)/chart_embedded.o $(BUILD)/bounds_embedded.o
+BOUNDS := $(sort $(wildcard src/techniques/*/bounds.csv))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(EMBEDDED)
 GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
@@ -141,6 +142,13 @@ $(BUILD)/chart_embedded.c: bench/chart.gp Makefile
 	@mkdir -p $(@D)
 	@{ echo 'extern const char chart_script[];'; echo 'const char chart_script[] ='; \
 	   $(quote) $<; echo ';'; } > $@
+
+# The rows of all techniques, each behind the technique's name.
+$(BUILD)/bounds_embedded.c: $(BOUNDS) Makefile
+	@mkdir -p $(@D)
+	@{ echo 'extern const char failure_bounds[];'; echo 'const char failure_bounds[] ='; \
+	   awk '{ sub(".*techniques/", "", FILENAME); sub("/.*", "", FILENAME); print FILENAME "," $$0 }' $(BOUNDS) | \
+	   $(quote); echo ';'; } > $@
 
 $(BUILD)/%_embedded.o: $(BUILD)/%_embedded.c
 	$(say) CC $@
@@ -541,7 +549,7 @@ analyze: all
 	@test/analyze
 
 # Below PREFIX lies a list of what was installed, also by versions before: uninstall removes these files, the list, and
-# folders of the program that are empty then. bounds.csv is what bench failures holds pictures to.
+# folders of the program that are empty then.
 SHARE := share/manylight
 DOC := share/doc/manylight
 INSTALLED := $(SHARE)/installed
@@ -556,7 +564,6 @@ install: all
 	put $(DOC) 644 LICENSE; \
 	put $(SHARE)/scenes 644 scenes/*.glb scenes/*.hdr; \
 	put $(SHARE)/scenes/failures 644 scenes/failures/*.glb; \
-	for bounds in src/techniques/*/bounds.csv; do put "$(SHARE)/$${bounds%/*}" 644 "$$bounds"; done; \
 	sort -u -o "$$root/$(INSTALLED)" "$$root/$(INSTALLED)"
 
 uninstall:
