@@ -55,9 +55,7 @@ PACKAGES := gcc g++ make pkg-config git libegl-dev libegl1 libgl-dev libgl1-mesa
 PKG := cglm $(if $(filter small,$(PICTURES)),OpenEXR,OpenImageIO) $(if $(VIEWER),imgui glfw3)
 INCLUDES := -Isrc -Iglsl -I$(BUILD)/include
 WARNINGS := -Wall -Wextra $(WERROR)
-# Parts of struct settings are written by their own types, and the whole is copied: by C's rules of aliasing a compiler may
-# turn the two around, as GCC did where a preset kept the exposure.
-C_FLAGS = -std=c11 -fno-strict-aliasing -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(if $(VIEWER),,-DMANYLIGHT_NO_VIEWER) $(CFLAGS)
+C_FLAGS = -std=c11 -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(if $(VIEWER),,-DMANYLIGHT_NO_VIEWER) $(CFLAGS)
 CXX_FLAGS = -std=c++17 $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
 # System headers: their warnings are not ours.
 PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) 2>/dev/null))

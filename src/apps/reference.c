@@ -198,7 +198,8 @@ static bool trace_vpls(const struct values *values, const struct stage *stage,
 }
 
 static bool check_compensation(const struct values *values, const struct measure_desc *desc) {
-    const struct gather_settings *gather = settings_of(&desc->settings, &gather_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, &desc->settings, &gather_part);
     return values->compensation == 0 ||
            (values->technique != TECHNIQUE_PATH && gather->clamp == GATHER_CLAMP_VALUE) ||
            error_set("--compensation is for --technique vpl-raytraced and lightcuts with "

@@ -43,7 +43,8 @@ static void take_sums(const struct image *picture, int samples, struct image *su
 /* Adds so many samples. Seeds that no reference has: these have 0. */
 static bool trace(const struct estimate *estimate, int samples, uint32_t seed, struct image *sums) {
     const struct measure_desc *desc = &estimate->desc;
-    const struct material_settings *surface = settings_of(&desc->settings, &material_part);
+    const struct material_settings *surface =
+        settings_of(struct material_settings, &desc->settings, &material_part);
     struct image picture;
     if (!picture_trace_paths(desc->stage,
                              &(struct path_tracer_desc){.width = desc->width,

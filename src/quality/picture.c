@@ -51,8 +51,10 @@ bool picture_trace(const struct measure_desc *desc, const struct vpl_sum_cuts *c
     *image = (struct image){0};
     if (!make_lights(desc, &lights))
         return false;
-    const struct gather_settings *gather = settings_of(&desc->settings, &gather_part);
-    const struct material_settings *surface = settings_of(&desc->settings, &material_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, &desc->settings, &gather_part);
+    const struct material_settings *surface =
+        settings_of(struct material_settings, &desc->settings, &material_part);
     float radius = stage->geometry.radius;
     bool ok = vpl_sum_render(
         &(struct vpl_sum_desc){.scene = &stage->scene,

@@ -14,7 +14,8 @@ static const int sample_counts[COUNTS] = {1, 2, 4, 8, 16};
 static bool trace(struct results *results, struct measure_desc *desc, int bounces, int samples,
                   const struct truth_desc *truth, const char *against,
                   const struct image *reference) {
-    const struct material_settings *surface = settings_of(&desc->settings, &material_part);
+    const struct material_settings *surface =
+        settings_of(struct material_settings, &desc->settings, &material_part);
     struct image image;
     struct path_tracer_desc tracer = {.width = desc->width,
                                       .height = desc->height,

@@ -23,7 +23,8 @@ const char *const truth_names[] = {"none", "path", "centers", "vpls", "seen", NU
 const char truth_vpls[] = "R:technique=instant-radiosity,interleave=1,blur-radius=0";
 
 static int materials_of(const struct measure_desc *desc) {
-    const struct material_settings *surface = settings_of(&desc->settings, &material_part);
+    const struct material_settings *surface =
+        settings_of(struct material_settings, &desc->settings, &material_part);
     return surface->materials;
 }
 
