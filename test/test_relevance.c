@@ -21,7 +21,7 @@ static void set_otherwise(const struct setting *setting, struct settings *settin
     const struct option *option = setting->option;
     struct settings before = *settings;
     char text[64];
-    double now = option_number(option, settings_of(settings, setting->part));
+    double now = setting_number(setting, settings);
     const double tries[] = {now * 2 + 1, option->maximum, option->minimum};
     for (int i = 0; i < 3 && setting_equal(setting, settings, &before); i++) {
         if (option->type == OPTION_FLAG)

@@ -4,8 +4,8 @@
 
 #include "render_support.h"
 
-#include "measure/picture.h"
 #include "metrics/layer.h"
+#include "quality/picture.h"
 
 #include <math.h>
 #include <stdio.h>

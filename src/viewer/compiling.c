@@ -16,15 +16,16 @@ static void add_light(uint64_t *sum, const struct emitter *light) {
 
 /* Settings of the display are none of it. */
 static uint64_t sum_of(const struct renderer_desc *desc) {
-    struct settings settings = desc->settings;
-    struct picture_settings *picture = settings_edit(&settings, &picture_part);
     const bool progressive = desc->progressive, sky = desc->emitters.sky;
     uint64_t sum = 0;
     hash_bytes(&sum, desc->scene->path, strlen(desc->scene->path));
-    *picture = (struct picture_settings){.samples = picture->samples};
     hash_bytes(&sum, &desc->technique, sizeof desc->technique);
     hash_bytes(&sum, &desc->direct, sizeof desc->direct);
-    hash_bytes(&sum, settings.values.bytes, sizeof settings.values.bytes);
+    for (struct setting s = {0}; settings_next(&desc->settings, &s);) {
+        double value = setting_number(&s, &desc->settings);
+        if (!setting_is_among(&s, "picture.exposure picture.tone-map"))
+            hash_bytes(&sum, &value, sizeof value);
+    }
     hash_bytes(&sum, &progressive, sizeof progressive);
     hash_bytes(&sum, &sky, sizeof sky);
     for (int i = 0; i < desc->emitters.count; i++)

@@ -7,13 +7,17 @@
 #include <math.h>
 
 static void set(struct viewer *viewer, float exposure) {
-    struct picture_settings *picture = settings_edit(&viewer->wish.settings, &picture_part);
-    picture->exposure = fminf(fmaxf(exposure, -EXPOSURE_MOST), EXPOSURE_MOST);
+    struct settings *settings = &viewer->wish.settings;
+    struct picture_settings picture =
+        *settings_of(struct picture_settings, settings, &picture_part);
+    picture.exposure = fminf(fmaxf(exposure, -EXPOSURE_MOST), EXPOSURE_MOST);
+    settings_set(settings, &picture_part, &picture);
     viewer_retone(viewer);
 }
 
 void viewer_expose(struct viewer *viewer, float by) {
-    const struct picture_settings *picture = settings_of(&viewer->wish.settings, &picture_part);
+    const struct picture_settings *picture =
+        settings_of(struct picture_settings, &viewer->wish.settings, &picture_part);
     set(viewer, picture->exposure + by);
 }
 
@@ -22,14 +26,16 @@ void viewer_reset_exposure(struct viewer *viewer) {
 }
 
 void viewer_begin_exposure(struct viewer *viewer) {
-    const struct picture_settings *picture = settings_of(&viewer->wish.settings, &picture_part);
+    const struct picture_settings *picture =
+        settings_of(struct picture_settings, &viewer->wish.settings, &picture_part);
     viewer->exposing.usual = picture->exposure;
     viewer->exposing.waits = viewer->desc.auto_exposure;
     viewer->exposing.after_frame = viewer->shown.frame_count;
 }
 
 void viewer_keep_exposure(struct viewer *viewer) {
-    const struct picture_settings *picture = settings_of(&viewer->wish.settings, &picture_part);
+    const struct picture_settings *picture =
+        settings_of(struct picture_settings, &viewer->wish.settings, &picture_part);
     viewer->exposing.usual = picture->exposure;
     viewer->exposing.waits = false;
 }

@@ -6,7 +6,7 @@
 #include "base/file/image_file.h"
 #include "base/log.h"
 #include "base/memory.h"
-#include "measure/picture.h"
+#include "quality/picture.h"
 #include "scene/animation.h"
 #include "scene/hash.h"
 #include "viewer/develop.h"

@@ -50,8 +50,10 @@ static char *state_path(const char *scene) {
 static bool is_changed(struct viewer *viewer, const struct session *since,
                        const struct session *now) {
     struct session before = session_copy(since);
-    struct picture_settings *picture = settings_edit(&before.settings, &picture_part);
-    picture->exposure = viewer->exposing.usual;
+    struct picture_settings picture =
+        *settings_of(struct picture_settings, &before.settings, &picture_part);
+    picture.exposure = viewer->exposing.usual;
+    settings_set(&before.settings, &picture_part, &picture);
     bool changed = !history_same(&before, now);
     for (int i = 0; i < SESSION_VIEWS; i++)
         changed |= strcmp(before.views[i], now->views[i]) != 0;

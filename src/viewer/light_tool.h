@@ -4,7 +4,7 @@
 
 #include "inspect/screen.h"
 #include "scene/camera.h"
-#include "scene/emitter.h"
+#include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
 #include "viewer/window/window.h"
 

@@ -191,7 +191,8 @@ static void pose_back(struct document *document, const struct viewer_desc *told)
 static void start_preview(struct viewer *viewer) {
     const struct document *arriving = &viewer->arriving;
     double time;
-    const struct picture_settings *picture = settings_of(&viewer->wish.settings, &picture_part);
+    const struct picture_settings *picture =
+        settings_of(struct picture_settings, &viewer->wish.settings, &picture_part);
     struct preview_desc desc = {
         .scene = &arriving->scene,
         .geometry = &arriving->geometry,

@@ -61,7 +61,8 @@ static bool draw_exposure(struct viewer *viewer, struct picture_settings *pictur
 
 /* It differs from the one that the viewer began with. */
 static bool draw_tone_map(struct viewer *viewer, struct picture_settings *picture) {
-    const struct picture_settings *usual = settings_of(&viewer->desc.settings, &picture_part);
+    const struct picture_settings *usual =
+        settings_of(struct picture_settings, &viewer->desc.settings, &picture_part);
     int count = 0;
     const struct option *option = option_find(picture_part.table, "tone-map");
     while (option->choices[count])
@@ -77,10 +78,14 @@ static bool draw_tone_map(struct viewer *viewer, struct picture_settings *pictur
 /* How the picture is shown: nothing is rendered for that. */
 static void draw_tone(struct viewer *viewer) {
     struct settings *settings = &viewer->wish.settings;
-    bool changed = draw_exposure(viewer, settings_edit(settings, &picture_part));
-    changed |= draw_tone_map(viewer, settings_edit(settings, &picture_part));
-    if (changed)
-        viewer_retone(viewer);
+    struct picture_settings picture =
+        *settings_of(struct picture_settings, settings, &picture_part);
+    bool changed = draw_exposure(viewer, &picture);
+    changed |= draw_tone_map(viewer, &picture);
+    if (!changed)
+        return;
+    settings_set(settings, &picture_part, &picture);
+    viewer_retone(viewer);
 }
 
 static void draw_picture(struct viewer *viewer) {

@@ -1,7 +1,7 @@
 /* The panel's section of lights: which there are, and all that one of them is. */
 #include "viewer/viewer.h"
 
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 #include "scene/node.h"
 #include "viewer/window/ui.h"
 

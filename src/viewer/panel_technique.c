@@ -22,22 +22,25 @@ static int count_names(const char *const *names) {
     return count;
 }
 
-static enum ui_result draw_widget(const struct option *option, void *at, const struct ui_row *row) {
-    switch (option->type) {
-    case OPTION_FLAG:
-        return ui_flag(row, at);
-    case OPTION_INT:
-        return ui_int(row, at, (int)option->minimum, (int)option->maximum);
-    case OPTION_FLOAT:
-        return ui_float(row, at, (float)option->minimum, (float)option->maximum);
-    case OPTION_CHOICE:
-        return ui_choice(row, at, option->choices, count_names(option->choices));
-    case OPTION_TEXT:
-    case OPTION_LIST:
-    case OPTION_SIZE:
-        break;
+static enum ui_result draw_widget(const struct option *option, double *value,
+                                  const struct ui_row *row) {
+    enum ui_result result;
+    if (option->type == OPTION_FLOAT) {
+        float real = (float)*value;
+        result = ui_float(row, &real, (float)option->minimum, (float)option->maximum);
+        *value = (double)real;
+        return result;
     }
-    return UI_NOTHING;
+    int number = (int)*value;
+    bool flag = number;
+    if (option->type == OPTION_FLAG)
+        result = ui_flag(row, &flag);
+    else if (option->type == OPTION_CHOICE)
+        result = ui_choice(row, &number, option->choices, count_names(option->choices));
+    else
+        result = ui_int(row, &number, (int)option->minimum, (int)option->maximum);
+    *value = option->type == OPTION_FLAG ? flag : number;
+    return result;
 }
 
 bool panel_draw_setting(const struct setting *setting, struct settings *settings, const char *name,
@@ -53,12 +56,10 @@ bool panel_draw_setting(const struct setting *setting, struct settings *settings
                          .help = explained,
                          .scope = setting->part->owner,
                          .differs = !setting_equal(setting, settings, &defaults)};
-    char *values = settings_edit(settings, setting->part), text[64];
-    enum ui_result result = draw_widget(option, values + option->offset, &row);
-    if (result == UI_RESET) {
-        setting_format(setting, &defaults, text, sizeof text);
-        setting_parse(setting, settings, text);
-    }
+    double value = setting_number(setting, settings);
+    enum ui_result result = draw_widget(option, &value, &row);
+    setting_set_number(setting, settings,
+                       result == UI_RESET ? setting_number(setting, &defaults) : value);
     return result != UI_NOTHING;
 }
 

@@ -71,10 +71,12 @@ void preset_explain(const struct preset *preset, const struct costs *costs,
 }
 
 void preset_keep_tone(struct settings *settings, const struct settings *now) {
-    const struct picture_settings *shown = settings_of(now, &picture_part);
-    struct picture_settings *picture = settings_edit(settings, &picture_part);
-    picture->exposure = shown->exposure;
-    picture->tone_map = shown->tone_map;
+    const struct picture_settings *shown = settings_of(struct picture_settings, now, &picture_part);
+    struct picture_settings picture =
+        *settings_of(struct picture_settings, settings, &picture_part);
+    picture.exposure = shown->exposure;
+    picture.tone_map = shown->tone_map;
+    settings_set(settings, &picture_part, &picture);
 }
 
 struct settings preset_settings(const struct preset *preset, const struct settings *now) {

@@ -2,7 +2,7 @@
 #ifndef VIEWER_PRESET_H
 #define VIEWER_PRESET_H
 
-#include "measure/costs.h"
+#include "quality/costs.h"
 #include "renderer/settings.h"
 
 enum { PRESET_TITLE_SIZE = 24, PRESET_HELP_SIZE = 320 };

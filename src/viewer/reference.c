@@ -109,7 +109,8 @@ void reference_free(struct reference *reference) {
 
 bool reference_show(struct reference *reference, const char *layer,
                     const struct settings *settings) {
-    const struct picture_settings *picture = settings_of(settings, &picture_part);
+    const struct picture_settings *picture =
+        settings_of(struct picture_settings, settings, &picture_part);
     if (strcmp(layer, reference->layer_name) != 0 && !pick_layer(reference, layer))
         return false;
     struct composite_params params = {

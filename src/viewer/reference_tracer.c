@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/parallel.h"
-#include "measure/picture.h"
+#include "quality/picture.h"
 
 #include <stdio.h>
 #include <stdlib.h>

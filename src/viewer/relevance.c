@@ -59,7 +59,7 @@ static bool has_part(const struct technique *technique, const struct settings_pa
 }
 
 static double number_of(const struct setting *setting, const struct settings *settings) {
-    return option_number(setting->option, settings_of(settings, setting->part));
+    return setting_number(setting, settings);
 }
 
 /* Whether the setting has one of the values, "pcss|ray". */

@@ -5,7 +5,7 @@
 
 #include "renderer/settings.h"
 #include "scene/clips.h"
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 #include "scene/placing.h"
 
 #include <stdbool.h>

@@ -12,7 +12,7 @@
 #include "inspect/inspect.h"
 #include "inspect/probe.h"
 #include "inspect/screen.h"
-#include "measure/stage.h"
+#include "renderer/stage.h"
 #include "scene/material.h"
 #include "viewer/reference.h"
 
