@@ -10,7 +10,7 @@
 #include "measure/costs.h"
 #include "measure/quality.h"
 #include "measure/time_budget.h"
-#include "viewer/preset.h"
+#include "viewer/picture/preset.h"
 
 #include <stdio.h>
 #include <stdlib.h>

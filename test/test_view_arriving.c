@@ -3,6 +3,7 @@
 #include "view_inside.h"
 
 #include "base/error.h"
+#include "viewer/scene/sky.h"
 
 #include <stdatomic.h>
 #include <stdio.h>

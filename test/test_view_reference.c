@@ -6,6 +6,8 @@
 
 #include "measure/picture.h"
 #include "metrics/layer.h"
+#include "viewer/reference/tracing.h"
+#include "viewer/scene/sessions.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -5,6 +5,25 @@
 #include "base/memory.h"
 #include "gl/glsl.h"
 #include "gl/screen.h"
+#include "viewer/files/kept.h"
+#include "viewer/files/opening.h"
+#include "viewer/files/recorder.h"
+#include "viewer/files/screenshot.h"
+#include "viewer/files/start.h"
+#include "viewer/panel/controls.h"
+#include "viewer/panel/inspector.h"
+#include "viewer/panel/overlay.h"
+#include "viewer/panel/panel.h"
+#include "viewer/panel/timeline.h"
+#include "viewer/picture/budget.h"
+#include "viewer/picture/look.h"
+#include "viewer/picture/picture.h"
+#include "viewer/reference/comparing.h"
+#include "viewer/reference/tracing.h"
+#include "viewer/scene/animation.h"
+#include "viewer/scene/exposure.h"
+#include "viewer/scene/sessions.h"
+#include "viewer/scene/sky.h"
 #include "viewer/window/ui.h"
 
 #include <math.h>
@@ -201,10 +220,10 @@ static void update(struct viewer *viewer) {
         !viewer->recorder.on && window_time() - viewer->shown.pace.last_motion < rest_after;
     viewer->shown.dirty |= viewer_is_scripted(viewer);
     if (!viewer_update_picture(viewer)) {
-        viewer_tell_error(viewer);
         viewer_close_scene(viewer);
         return;
     }
+    viewer_note_reference_view(viewer);
     recorder_write(viewer);
     viewer_follow_exposure(viewer);
     viewer_follow_reference(viewer);
@@ -233,7 +252,7 @@ bool viewer_turn(struct viewer *viewer) {
     overlay_draw(viewer);
     inspector_draw(viewer);
     timeline_draw(viewer);
-    recorder_draw_request(viewer);
+    timeline_draw_request(viewer);
     draw(viewer);
     return ok;
 }
