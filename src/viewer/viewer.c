@@ -109,15 +109,6 @@ static void write_places(struct viewer *viewer) {
     panel->places = places;
 }
 
-/* As large as the area has room for. */
-static struct rectangle fit(const struct texture *picture, const struct rectangle *area) {
-    double across = (double)area->width / picture->desc.width;
-    double scale = fmin(across, (double)area->height / picture->desc.height);
-    int width = (int)(scale * picture->desc.width), height = (int)(scale * picture->desc.height);
-    return (struct rectangle){area->x + (area->width - width) / 2,
-                              area->y + (area->height - height) / 2, width, height};
-}
-
 /* The coarse picture of a scene that arrives stands in for its first one. */
 static const struct texture *coarse_picture(struct viewer *viewer) {
     if (viewer->is_arriving || !viewer->shown.left)
@@ -134,7 +125,7 @@ static void draw(struct viewer *viewer) {
     const struct texture *coarse = coarse_picture(viewer);
     if (coarse) {
         pictures.left = coarse;
-        place = fit(coarse, &viewer->shown.area);
+        place = screen_fit(viewer->shown.area, coarse->desc.width, coarse->desc.height);
     } else if (viewer->shown.left)
         pictures = viewer_pictures(viewer);
     screen_draw(&viewer->host.screen, input->height, &place, &pictures);

@@ -19,40 +19,14 @@
 #include "viewer/window/ui.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 /* --- keys --- */
 
-static void show_layer(struct viewer *viewer, int layer) {
-    viewer->shown.layer = layer;
-    viewer->shown.choice.output = NULL;
-    viewer->shown.compare.measured = false;
-    viewer->shown.recompose = true;
-}
-
-static void key_full(struct viewer *viewer) {
-    show_layer(viewer, LAYER_BEAUTY);
-}
-static void key_indirect(struct viewer *viewer) {
-    show_layer(viewer, LAYER_INDIRECT);
-}
-static void key_direct(struct viewer *viewer) {
-    show_layer(viewer, LAYER_DIRECT);
-}
-static void key_next(struct viewer *viewer) {
-    if (viewer->has_scene)
-        viewer_step_output(viewer, 1);
-}
-static void key_previous(struct viewer *viewer) {
-    if (viewer->has_scene)
-        viewer_step_output(viewer, -1);
-}
 static void key_home(struct viewer *viewer) {
     if (viewer->has_scene)
         viewer_pick_camera(viewer, viewer->placed.camera_number);
-}
-static void key_light(struct viewer *viewer) {
-    viewer->hand.light_tool.shown = !viewer->hand.light_tool.shown;
 }
 static void key_wipe(struct viewer *viewer) {
     struct compare *compare = &viewer->shown.compare;
@@ -62,24 +36,6 @@ static void key_wipe(struct viewer *viewer) {
     if (compare->mode == COMPARE_REFERENCE)
         viewer_compare_reference(viewer);
     viewer->shown.dirty = true;
-}
-static void key_toggle(struct viewer *viewer) {
-    viewer->shown.compare.only_right = !viewer->shown.compare.only_right;
-}
-static void key_inspect(struct viewer *viewer) {
-    viewer->look.inspects = !viewer->look.inspects;
-}
-static void key_frame_back(struct viewer *viewer) {
-    timeline_step(viewer, -1);
-}
-static void key_frame_on(struct viewer *viewer) {
-    timeline_step(viewer, 1);
-}
-static void key_help(struct viewer *viewer) {
-    viewer->panel.help = !viewer->panel.help;
-}
-static void key_panel(struct viewer *viewer) {
-    viewer->panel.is_open = !viewer->panel.is_open;
 }
 static void key_overlay(struct viewer *viewer) {
     viewer->panel.overlay = (enum overlay_kind)((viewer->panel.overlay + 1) % OVERLAY_KINDS);
@@ -116,87 +72,76 @@ static void key_screenshot(struct viewer *viewer) {
 static void key_quit(struct viewer *viewer) {
     viewer->done = true;
 }
-static void key_brighter(struct viewer *viewer) {
-    viewer_expose(viewer, .5F);
-}
-static void key_darker(struct viewer *viewer) {
-    viewer_expose(viewer, -.5F);
-}
-static void key_undo(struct viewer *viewer) {
-    viewer_undo(viewer, -1);
-}
-static void key_redo(struct viewer *viewer) {
-    viewer_undo(viewer, 1);
-}
 
-static void scale_widgets(struct viewer *viewer, float by) {
-    float scale = viewer->host.input->scale * by;
+static void scale_widgets(struct viewer *viewer, int by) {
+    float scale = viewer->host.input->scale * powf(1.125F, (float)by);
     window_set_scale(viewer->host.window, fminf(fmaxf(scale, .5F), 4));
 }
-static void key_larger(struct viewer *viewer) {
-    scale_widgets(viewer, 1.125F);
-}
-static void key_smaller(struct viewer *viewer) {
-    scale_widgets(viewer, 1 / 1.125F);
+static void expose(struct viewer *viewer, int by) {
+    viewer_expose(viewer, .5F * (float)by);
 }
 static void key_usual_scale(struct viewer *viewer) {
     window_set_scale(viewer->host.window, viewer->desc.scale);
 }
 
-static void key_open(struct viewer *viewer) {
-    viewer_ask_file(viewer);
-}
-
 /* The help's two columns are about as long where the second begins there. */
 static const char second_column[] = "Window and files";
 
+#define TOGGLES(member) .toggles = offsetof(struct viewer, member)
+
 static const struct key {
     int key;
-    const char *name, *help; /* NULL: the row before tells it; a name alone: a heading */
+    const char *name, *help; /* NULL: the row before tells it; KEY_NONE: a heading */
     void (*run)(struct viewer *viewer);
+    void (*step)(struct viewer *viewer, int by);
+    int by;
+    size_t toggles; /* a bool of struct viewer */
 } keys[] = {
-    {KEY_NONE, "Picture", NULL, NULL},
-    {'1', "1", "all light", key_full},
-    {'2', "2", "indirect light alone", key_indirect},
-    {'3', "3", "direct light alone", key_direct},
-    {KEY_LEFT_BRACKET, "[", "previous output of the technique", key_previous},
-    {KEY_RIGHT_BRACKET, "]", "next output", key_next},
-    {'=', "+", "brighter by half a stop; so does Ctrl wheel", key_brighter},
-    {'-', "-", "darker", key_darker},
-    {'0', "0", "the exposure that the scene began with", viewer_reset_exposure},
-    {'Z', "Z", "1:1, or as large as fits", look_toggle},
-    {'I', "I", "inspector: the pixel under the mouse", key_inspect},
-    {KEY_NONE, "Compare", NULL, NULL},
-    {'C', "C", "a technique, the reference, off", key_wipe},
-    {'M', "M", "right picture alone, or the wipe", key_toggle},
-    {'V', "V", "wipe, side by side, difference", look_step_layout},
-    {KEY_NONE, "Camera and light", NULL, NULL},
-    {'F', "F", "frame what is under the mouse, or all", camera_hand_frame},
-    {'R', "R", "back to the scene's camera", key_home},
-    {'L', "L", "handles to move, turn and size lights", key_light},
-    {KEY_NONE, "Animation", NULL, NULL},
-    {KEY_SPACE, "Space", "play and pause the animation", viewer_toggle_play},
-    {',', ", .", "a frame back, a frame on", key_frame_back},
-    {'.', NULL, NULL, key_frame_on},
-    {KEY_NONE, second_column, NULL, NULL},
-    {KEY_F1, "F1", "this help", key_help},
-    {KEY_F2, "F2", "panel", key_panel},
-    {KEY_F3, "F3", "times: a line, a table, none", key_overlay},
-    {KEY_F5, "F5", "read the shaders again (--glsl)", viewer_reload_shaders},
-    {KEY_F11, "F11", "full screen", key_full_screen},
-    {KEY_F12, "F12", "screenshot: PNG, and EXR with all layers", key_screenshot},
-    {KEY_ESCAPE, "Esc", "close what is open; twice: quit", key_escape},
-    {'O' + KEY_WITH_CONTROL, "Ctrl O", "open a file", key_open},
-    {'S' + KEY_WITH_CONTROL, "Ctrl S", "save settings, camera and lights", viewer_save_session},
-    {'Z' + KEY_WITH_CONTROL, "Ctrl Z", "undo: camera, light or settings", key_undo},
-    {'Z' + KEY_WITH_CONTROL + KEY_WITH_SHIFT, "Ctrl Shift Z", "redo", key_redo},
-    {'Y' + KEY_WITH_CONTROL, "Ctrl Y", "redo", key_redo},
+    {KEY_NONE, .name = "Picture"},
+    {'1', "1", "all light", .step = viewer_show_layer, .by = LAYER_BEAUTY},
+    {'2', "2", "indirect light alone", .step = viewer_show_layer, .by = LAYER_INDIRECT},
+    {'3', "3", "direct light alone", .step = viewer_show_layer, .by = LAYER_DIRECT},
+    {KEY_LEFT_BRACKET, "[", "previous output of the technique", .step = viewer_step_output,
+     .by = -1},
+    {KEY_RIGHT_BRACKET, "]", "next output", .step = viewer_step_output, .by = 1},
+    {'=', "+", "brighter by half a stop; so does Ctrl wheel", .step = expose, .by = 1},
+    {'-', "-", "darker", .step = expose, .by = -1},
+    {'0', "0", "the exposure that the scene began with", .run = viewer_reset_exposure},
+    {'Z', "Z", "1:1, or as large as fits", .run = look_toggle},
+    {'I', "I", "inspector: the pixel under the mouse", TOGGLES(look.inspects)},
+    {KEY_NONE, .name = "Compare"},
+    {'C', "C", "a technique, the reference, off", .run = key_wipe},
+    {'M', "M", "right picture alone, or the wipe", TOGGLES(shown.compare.only_right)},
+    {'V', "V", "wipe, side by side, difference", .run = look_step_layout},
+    {KEY_NONE, .name = "Camera and light"},
+    {'F', "F", "frame what is under the mouse, or all", .run = camera_hand_frame},
+    {'R', "R", "back to the scene's camera", .run = key_home},
+    {'L', "L", "handles to move, turn and size lights", TOGGLES(hand.light_tool.shown)},
+    {KEY_NONE, .name = "Animation"},
+    {KEY_SPACE, "Space", "play and pause the animation", .run = viewer_toggle_play},
+    {',', ", .", "a frame back, a frame on", .step = timeline_step, .by = -1},
+    {'.', .step = timeline_step, .by = 1},
+    {KEY_NONE, .name = second_column},
+    {KEY_F1, "F1", "this help", TOGGLES(panel.help)},
+    {KEY_F2, "F2", "panel", TOGGLES(panel.is_open)},
+    {KEY_F3, "F3", "times: a line, a table, none", .run = key_overlay},
+    {KEY_F5, "F5", "read the shaders again (--glsl)", .run = viewer_reload_shaders},
+    {KEY_F11, "F11", "full screen", .run = key_full_screen},
+    {KEY_F12, "F12", "screenshot: PNG, and EXR with all layers", .run = key_screenshot},
+    {KEY_ESCAPE, "Esc", "close what is open; twice: quit", .run = key_escape},
+    {'O' + KEY_WITH_CONTROL, "Ctrl O", "open a file", .run = viewer_ask_file},
+    {'S' + KEY_WITH_CONTROL, "Ctrl S", "save settings, camera and lights",
+     .run = viewer_save_session},
+    {'Z' + KEY_WITH_CONTROL, "Ctrl Z", "undo: camera, light or settings", .step = viewer_undo,
+     .by = -1},
+    {'Z' + KEY_WITH_CONTROL + KEY_WITH_SHIFT, "Ctrl Shift Z", "redo", .step = viewer_undo, .by = 1},
+    {'Y' + KEY_WITH_CONTROL, "Ctrl Y", "redo", .step = viewer_undo, .by = 1},
     {'=' + KEY_WITH_CONTROL, "Ctrl + - 0", "larger and smaller text and widgets, as at first",
-     key_larger},
-    {'=' + KEY_WITH_CONTROL + KEY_WITH_SHIFT, NULL, NULL, key_larger},
-    {'-' + KEY_WITH_CONTROL, NULL, NULL, key_smaller},
-    {'0' + KEY_WITH_CONTROL, NULL, NULL, key_usual_scale},
-    {'Q' + KEY_WITH_CONTROL, "Ctrl Q", "quit", key_quit},
+     .step = scale_widgets, .by = 1},
+    {'=' + KEY_WITH_CONTROL + KEY_WITH_SHIFT, .step = scale_widgets, .by = 1},
+    {'-' + KEY_WITH_CONTROL, .step = scale_widgets, .by = -1},
+    {'0' + KEY_WITH_CONTROL, .run = key_usual_scale},
+    {'Q' + KEY_WITH_CONTROL, "Ctrl Q", "quit", .run = key_quit},
 };
 
 enum { KEY_ROWS = sizeof keys / sizeof *keys };
@@ -231,13 +176,24 @@ static void use_views(struct viewer *viewer, int key) {
         views_go(viewer, number);
 }
 
+static void run(struct viewer *viewer, const struct key *key) {
+    if (key->run)
+        key->run(viewer);
+    else if (key->step)
+        key->step(viewer, key->by);
+    else {
+        bool *value = (bool *)((char *)viewer + key->toggles);
+        *value = !*value;
+    }
+}
+
 static void run_keys(struct viewer *viewer) {
     for (int i = 0; i < viewer->host.input->key_count; i++)
         use_views(viewer, viewer->host.input->keys[i]);
     for (int i = 0; i < viewer->host.input->key_count; i++)
         for (int k = 0; k < KEY_ROWS; k++)
             if (keys[k].key == viewer->host.input->keys[i])
-                keys[k].run(viewer);
+                run(viewer, &keys[k]);
 }
 
 void controls_draw_help(void) {
@@ -245,7 +201,7 @@ void controls_draw_help(void) {
     for (int i = 0; i < KEY_ROWS; i++) {
         if (keys[i].name && strcmp(keys[i].name, second_column) == 0)
             ui_columns_next();
-        if (!keys[i].run)
+        if (keys[i].key == KEY_NONE)
             ui_heading(keys[i].name);
         else if (keys[i].name)
             ui_definition(keys[i].name, keys[i].help);

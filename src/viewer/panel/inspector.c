@@ -1,7 +1,6 @@
 #include "viewer/panel/inspector.h"
 
 #include "metrics/layer.h"
-#include "shared/composite.h"
 #include "viewer/panel/overlay.h"
 #include "viewer/picture/look.h"
 #include "viewer/window/ui.h"
@@ -9,16 +8,12 @@
 #include <math.h>
 #include <string.h>
 
-static const char *layer_name(int layer) {
-    return layer == LAYER_DIRECT ? "direct" : layer == LAYER_INDIRECT ? "indirect" : "";
-}
-
 static bool read_renderer(struct viewer *viewer, struct renderer *renderer, int x, int y,
                           float rgb[3]) {
     struct image all = {0}, layer = {0};
     bool ok = x < renderer->desc.width && y < renderer->desc.height &&
               renderer_read_pixel(renderer, x, y, &all) &&
-              layer_extract(&layer, &all, layer_name(viewer->shown.layer));
+              layer_extract(&layer, &all, compare_layer_name(viewer->shown.layer));
     if (ok)
         memcpy(rgb, layer.pixels, 3 * sizeof *rgb);
     image_free(&all);

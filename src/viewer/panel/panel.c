@@ -91,12 +91,8 @@ static void draw_picture(struct viewer *viewer) {
     for (int i = 0; i < 3; i++)
         if (layers[i] == viewer->shown.layer && !viewer->shown.choice.output)
             shown = i;
-    if (ui_segments("light", &shown, names, 3)) {
-        viewer->shown.layer = layers[shown];
-        viewer->shown.choice.output = NULL;
-        viewer->shown.compare.measured = false;
-        viewer->shown.recompose = true;
-    }
+    if (ui_segments("light", &shown, names, 3))
+        viewer_show_layer(viewer, layers[shown]);
     ui_space();
     draw_output_choice(viewer);
     draw_layer_choice(viewer);

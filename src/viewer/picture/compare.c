@@ -62,7 +62,7 @@ bool compare_render(struct compare *compare) {
     return true;
 }
 
-static const char *layer_name(int layer) {
+const char *compare_layer_name(int layer) {
     return layer == LAYER_DIRECT ? "direct" : layer == LAYER_INDIRECT ? "indirect" : "";
 }
 
@@ -76,7 +76,7 @@ const struct texture *compare_compose(struct compare *compare, const struct rend
         return &compare->other.composite.display;
     case COMPARE_REFERENCE:
         if (!compare->reference.framebuffer ||
-            !reference_show(&compare->reference, layer_name(layer), &renderer->desc.settings))
+            !reference_show(&compare->reference, compare_layer_name(layer), &renderer->desc.settings))
             return NULL;
         return &compare->reference.display;
     case COMPARE_OFF:
@@ -91,7 +91,7 @@ const struct texture *compare_compose(struct compare *compare, const struct rend
 static bool read_layer(struct renderer *renderer, int layer, struct image *rgb) {
     struct image all = {0};
     *rgb = (struct image){0};
-    bool ok = renderer_read_layers(renderer, &all) && layer_extract(rgb, &all, layer_name(layer));
+    bool ok = renderer_read_layers(renderer, &all) && layer_extract(rgb, &all, compare_layer_name(layer));
     image_free(&all);
     return ok;
 }

@@ -414,9 +414,18 @@ bool viewer_update_picture(struct viewer *viewer) {
     return true;
 }
 
+void viewer_show_layer(struct viewer *viewer, int layer) {
+    viewer->shown.layer = layer;
+    viewer->shown.choice.output = NULL;
+    viewer->shown.compare.measured = false;
+    viewer->shown.recompose = true;
+}
+
 void viewer_step_output(struct viewer *viewer, int step) {
     struct inspect_choice *choice = &viewer->shown.choice;
     struct output_list outputs;
+    if (!viewer->has_scene)
+        return;
     renderer_outputs(&viewer->shown.renderer, &outputs);
     const struct output *shown = output_find(&outputs, choice->output);
     int places = outputs.count + 1; /* 0: the picture */

@@ -28,6 +28,9 @@ bool viewer_is_refining(const struct viewer *viewer);
 /* Reads the shaders again, from the folder of --glsl. */
 void viewer_reload_shaders(struct viewer *viewer);
 
+/* Shows LAYER_BEAUTY, LAYER_DIRECT or LAYER_INDIRECT. */
+void viewer_show_layer(struct viewer *viewer, int layer);
+
 /* Shows the next output, or the one before; the picture stands before the first. */
 void viewer_step_output(struct viewer *viewer, int step);
 

@@ -42,6 +42,13 @@ bool viewer_init_renderer(struct viewer *viewer, struct renderer *renderer) {
     return renderer_init(renderer, &desc);
 }
 
+void viewer_take_renderer(struct viewer *viewer, const struct renderer *renderer) {
+    compare_forget(&viewer->shown.compare);
+    renderer_free(&viewer->shown.renderer);
+    viewer->shown.renderer = *renderer;
+    viewer->shown.left = viewer->shown.right = NULL;
+}
+
 /* The renderer is made anew, as one that begins with these clips would be. */
 void viewer_pick_clips(struct viewer *viewer, const char *text) {
     struct document *document = &viewer->document;
@@ -57,10 +64,7 @@ void viewer_pick_clips(struct viewer *viewer, const char *text) {
         viewer_tell_error(viewer);
         return;
     }
-    renderer_free(&viewer->shown.renderer);
-    viewer->shown.renderer = fresh;
-    compare_forget(&viewer->shown.compare);
-    viewer->shown.left = viewer->shown.right = NULL;
+    viewer_take_renderer(viewer, &fresh);
 }
 
 bool viewer_place_lights(struct viewer *viewer, const char *text) {

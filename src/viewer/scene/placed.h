@@ -16,6 +16,9 @@ struct renderer_desc viewer_first_desc(const struct viewer *viewer,
                                        const struct document *document);
 bool viewer_init_renderer(struct viewer *viewer, struct renderer *renderer);
 
+/* Takes a renderer in place of the one before. */
+void viewer_take_renderer(struct viewer *viewer, const struct renderer *renderer);
+
 /* Begins the clips of that text (scene/clips.h). */
 void viewer_pick_clips(struct viewer *viewer, const char *text);
 

@@ -63,10 +63,7 @@ static bool put(struct viewer *viewer, struct environment *sky, const char *text
         return false;
     }
     take_lights(viewer, &lights);
-    compare_forget(&viewer->shown.compare);
-    renderer_free(&viewer->shown.renderer);
-    viewer->shown.renderer = renderer;
-    viewer->shown.left = viewer->shown.right = NULL;
+    viewer_take_renderer(viewer, &renderer);
     environment_free(before);
     viewer_tell_sky(viewer);
     viewer_touch(viewer);
