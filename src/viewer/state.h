@@ -73,6 +73,8 @@ struct host {
     double last_drawn;
     int width, height; /* of the window then */
     struct screen screen;
+    bool window_shown, coarse_shown, picture_shown; /* once */
+    int timeline_room; /* pixels that the window has grown by for the timeline */
 };
 
 /* What is wanted of a picture; the renderer follows. */
@@ -200,23 +202,25 @@ struct tracing {
     int chart_samples;  /* of the reference that its errors are against */
 };
 
+/* A scene or a sky that is opened: viewer/files/opening.c, viewer/scene/sky.c. */
+struct opening {
+    struct loader loader;
+    double since;                     /* when the scene was asked for */
+    struct document arriving;         /* read, and waits for its shaders, where is_arriving */
+    struct document leaving;          /* abandoned, but its shaders are still being compiled */
+    struct environment *arriving_sky; /* waits for its shaders; NULL = none */
+    struct environment *leaving_sky;  /* abandoned, but its shaders are still being compiled */
+    struct preview preview;           /* of the scene that arrives */
+    bool is_arriving;
+    bool is_announced; /* that its renderer is made next */
+    bool is_given;     /* the command line says how the first scene is to look */
+};
+
 struct viewer {
     struct viewer_desc desc;
     struct host host;
-    struct loader loader;
-    struct document arriving; /* read, and waits for its shaders, where is_arriving */
-    bool is_arriving;
-    struct document leaving; /* not wanted any more, but its shaders are still being compiled */
-    struct opening {
-        double since;      /* when the scene was asked for */
-        bool is_announced; /* that its renderer is made next */
-        bool is_told;      /* the command line says how it is to look: it means the first scene */
-    } opening;
-    struct preview preview; /* of what arrives */
+    struct opening opening;
     struct compiling compiling;
-    struct environment *arriving_sky; /* waits for its shaders; NULL = none */
-    struct environment
-        *leaving_sky;         /* not wanted any more, but its shaders are still being compiled */
     struct document document; /* where has_scene */
     bool has_scene;
     struct wish wish;
@@ -251,9 +255,7 @@ struct viewer {
         bool waits;      /* for its first frame */
         int after_frame; /* shown.frame_count before that */
     } exposing;
-    bool window_shown, coarse_shown, picture_shown; /* once */
-    int timeline_room;                              /* pixels that the window has grown by for it */
-    bool done;                                      /* close the window */
+    bool done; /* close the window */
 };
 
 /* Whether it renders a given number of frames, always at the given size. */

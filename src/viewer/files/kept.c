@@ -149,7 +149,7 @@ void kept_begin(struct viewer *viewer) {
     struct kept *kept = &viewer->kept;
     kept_free(viewer);
     kept->was_restored = kept->is_incomplete = false;
-    kept->on = !viewer_is_scripted(viewer) && !viewer->opening.is_told;
+    kept->on = !viewer_is_scripted(viewer) && !viewer->opening.is_given;
     if (!kept->on)
         return;
     kept->fresh = copy_session(viewer);

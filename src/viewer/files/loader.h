@@ -33,7 +33,7 @@ struct loader {
  * its texts must live on. */
 void loader_start(struct loader *loader, const char *path, const struct scene_open_desc *desc);
 
-/* LOADER_DONE: *document is the caller's. LOADER_FAILED: error_get tells. Both are told once. */
+/* LOADER_DONE: *document is the caller's. LOADER_FAILED: error_get tells. Both are returned once. */
 enum loader_state loader_poll(struct loader *loader, struct document *document);
 
 /* What is being loaded is let go when it is there, and nothing is next. */

@@ -26,7 +26,7 @@ void viewer_open(struct viewer *viewer, const char *path) {
     messages_forget_errors(&viewer->host.messages);
     const struct scene_open_desc desc = {.light = viewer->desc.light,
                                          .environment = viewer->desc.environment};
-    loader_start(&viewer->loader, whole, &desc);
+    loader_start(&viewer->opening.loader, whole, &desc);
     viewer->opening.since = window_time();
     free(whole);
 }
@@ -55,7 +55,7 @@ void viewer_close_scene(struct viewer *viewer) {
 /* --- the scene takes its place --- */
 
 /* What the command line says of the first scene. */
-static bool place_as_told(struct viewer *viewer) {
+static bool place_as_given(struct viewer *viewer) {
     struct viewer_desc *desc = &viewer->desc;
     struct document *document = &viewer->document;
     bool has_clip = !desc->clip || (clips_select(&document->scene, desc->clip) &&
@@ -66,9 +66,9 @@ static bool place_as_told(struct viewer *viewer) {
     return has_camera && has_lights && has_clip;
 }
 
-static void forget_told(struct viewer *viewer) {
+static void forget_given(struct viewer *viewer) {
     struct viewer_desc *desc = &viewer->desc;
-    viewer->opening.is_told = false;
+    viewer->opening.is_given = false;
     desc->camera = desc->light = desc->clip = desc->session = NULL;
     desc->environment = (struct environment_desc){0};
     desc->time = 0;
@@ -142,7 +142,7 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     viewer->placed = (struct placed){0};
     viewer_pick_camera(viewer, 0);
     viewer_place_lights(viewer, NULL);
-    bool placed = place_as_told(viewer);
+    bool placed = place_as_given(viewer);
     if (!placed && !viewer_is_scripted(viewer))
         viewer_tell_error(viewer);
     if ((!placed && viewer_is_scripted(viewer)) || !viewer_init_renderer(viewer, &renderer)) {
@@ -160,30 +160,30 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     if (replaces)
         take_away_before(viewer, &before, &placed_before.emitters);
     begin_scene(viewer, &renderer);
-    const char *told = viewer->desc.session;
+    const char *session = viewer->desc.session;
     kept_begin(viewer);
     if (replaces)
         tell_what_stays(viewer);
-    forget_told(viewer); /* it meant the first scene */
-    return !told || viewer_load_session(viewer, told) || !viewer_is_scripted(viewer);
+    forget_given(viewer); /* it meant the first scene */
+    return !session || viewer_load_session(viewer, session) || !viewer_is_scripted(viewer);
 }
 
 /* --- what arrives --- */
 
 /* It goes when no shaders are being compiled for it. */
 static void leave_arriving(struct viewer *viewer) {
-    preview_free(&viewer->preview);
-    if (viewer->leaving.scene.path)
+    preview_free(&viewer->opening.preview);
+    if (viewer->opening.leaving.scene.path)
         compiling_wait(&viewer->compiling);
-    document_free(&viewer->leaving);
-    viewer->leaving = viewer->arriving;
-    viewer->arriving = (struct document){0};
-    viewer->is_arriving = false;
+    document_free(&viewer->opening.leaving);
+    viewer->opening.leaving = viewer->opening.arriving;
+    viewer->opening.arriving = (struct document){0};
+    viewer->opening.is_arriving = false;
 }
 
-/* The command line's clips and time. A clip that is not understood is told when the scene takes its place. */
-static bool pose_as_told(struct viewer *viewer, double *time) {
-    struct document *arriving = &viewer->arriving;
+/* The command line's clips and time. A wrong clip is reported when the scene takes its place. */
+static bool pose_as_given(struct viewer *viewer, double *time) {
+    struct document *arriving = &viewer->opening.arriving;
     const struct viewer_desc *desc = &viewer->desc;
     if (desc->clip)
         clips_select(&arriving->scene, desc->clip);
@@ -193,14 +193,14 @@ static bool pose_as_told(struct viewer *viewer, double *time) {
 }
 
 /* Casters are those of time 0. */
-static void pose_back(struct document *document, const struct viewer_desc *told) {
-    if (told->time != 0 || told->clip)
+static void pose_back(struct document *document, const struct viewer_desc *given) {
+    if (given->time != 0 || given->clip)
         geometry_pose(&document->geometry, &document->scene, 0);
 }
 
 /* As the command line places camera and lights. */
 static void start_preview(struct viewer *viewer) {
-    const struct document *arriving = &viewer->arriving;
+    const struct document *arriving = &viewer->opening.arriving;
     double time;
     const struct picture_settings *picture = settings_of(&viewer->wish.settings, &picture_part);
     struct preview_desc desc = {
@@ -210,30 +210,30 @@ static void start_preview(struct viewer *viewer) {
         .auto_exposure = viewer->desc.auto_exposure,
         .wake = window_wake,
     };
-    if (viewer_is_scripted(viewer) || !pose_as_told(viewer, &time) ||
+    if (viewer_is_scripted(viewer) || !pose_as_given(viewer, &time) ||
         !emitters_from_text(&desc.emitters, &arriving->scene, viewer->desc.light, time))
         return;
     if (!camera_from_text(&desc.camera, &arriving->scene, viewer->desc.camera, time, NULL))
         camera_place(&desc.camera, &arriving->scene, 0, time);
     viewer_full_size(viewer, &desc.width, &desc.height);
-    preview_start(&viewer->preview, &desc);
+    preview_start(&viewer->opening.preview, &desc);
     emitters_free(&desc.emitters);
 }
 
 /* The last one that was asked for. */
 static void await_document(struct viewer *viewer, const struct document *document) {
-    if (viewer->is_arriving)
+    if (viewer->opening.is_arriving)
         leave_arriving(viewer);
     log_detail("the scene is read after %.2f s", window_time());
-    viewer->arriving = *document;
-    viewer->is_arriving = true;
+    viewer->opening.arriving = *document;
+    viewer->opening.is_arriving = true;
     viewer->opening.is_announced = false;
     start_preview(viewer);
 }
 
-/* Whether the shaders of the scene that arrives are there; where it cannot be told, its renderer tells why. */
+/* Whether the shaders of the scene that arrives are there; an error of the description is left to its renderer. */
 static bool has_shaders(struct viewer *viewer) {
-    const struct document *arriving = &viewer->arriving;
+    const struct document *arriving = &viewer->opening.arriving;
     struct renderer_desc desc = viewer_first_desc(viewer, arriving);
     bool ok = viewer_is_scripted(viewer) ||
               !emitters_from_text(&desc.emitters, &arriving->scene, viewer->desc.light, 0);
@@ -244,35 +244,38 @@ static bool has_shaders(struct viewer *viewer) {
 }
 
 bool viewer_is_opening(struct viewer *viewer) {
-    return viewer->is_arriving || viewer->arriving_sky || loader_is_busy(&viewer->loader);
+    return viewer->opening.is_arriving || viewer->opening.arriving_sky ||
+           loader_is_busy(&viewer->opening.loader);
 }
 
 void viewer_stop_opening(struct viewer *viewer) {
-    const char *path = viewer->is_arriving ? viewer->arriving.scene.path : viewer->loader.path;
-    if (viewer->is_arriving || loader_is_busy(&viewer->loader))
+    const char *path = viewer->opening.is_arriving ? viewer->opening.arriving.scene.path
+                                                   : viewer->opening.loader.path;
+    if (viewer->opening.is_arriving || loader_is_busy(&viewer->opening.loader))
         messages_add(&viewer->host.messages, UI_NORMAL, "%s is not opened.", path_name(path));
-    loader_abandon(&viewer->loader);
-    if (viewer->is_arriving)
+    loader_abandon(&viewer->opening.loader);
+    if (viewer->opening.is_arriving)
         leave_arriving(viewer);
     viewer_forget_sky(viewer);
-    forget_told(viewer);
+    forget_given(viewer);
 }
 
 void viewer_tell_opening(struct viewer *viewer, char *text, size_t size) {
     int seconds = (int)(window_time() - viewer->opening.since);
     int programs = compiling_count(&viewer->compiling);
-    if (viewer->arriving_sky)
+    if (viewer->opening.arriving_sky)
         snprintf(text, size, "%s\ncompiling shaders (%d so far)",
-                 path_name(viewer->arriving_sky->path), programs);
-    else if (!viewer->is_arriving)
-        snprintf(text, size, "%s\nreading, %d s", path_name(viewer->loader.path), seconds);
+                 path_name(viewer->opening.arriving_sky->path), programs);
+    else if (!viewer->opening.is_arriving)
+        snprintf(text, size, "%s\nreading, %d s", path_name(viewer->opening.loader.path), seconds);
     else if (viewer->opening.is_announced)
-        snprintf(text, size, "%s\npreparing %u faces, %d s", path_name(viewer->arriving.scene.path),
-                 geometry_triangle_count(&viewer->arriving.geometry), seconds);
+        snprintf(text, size, "%s\npreparing %u faces, %d s",
+                 path_name(viewer->opening.arriving.scene.path),
+                 geometry_triangle_count(&viewer->opening.arriving.geometry), seconds);
     else
         snprintf(text, size, "%s\n%u faces; compiling shaders (%d), %d s",
-                 path_name(viewer->arriving.scene.path),
-                 geometry_triangle_count(&viewer->arriving.geometry), programs, seconds);
+                 path_name(viewer->opening.arriving.scene.path),
+                 geometry_triangle_count(&viewer->opening.arriving.geometry), programs, seconds);
 }
 
 /* A turn of the loop goes by that says what takes the window's time next. */
@@ -283,42 +286,42 @@ static bool is_announced(struct viewer *viewer) {
 }
 
 static void free_what_leaves(struct viewer *viewer) {
-    bool leaves = viewer->leaving.scene.path || viewer->leaving_sky;
+    bool leaves = viewer->opening.leaving.scene.path || viewer->opening.leaving_sky;
     if (!leaves || !compiling_rests(&viewer->compiling))
         return;
-    document_free(&viewer->leaving);
-    environment_free(viewer->leaving_sky);
-    viewer->leaving_sky = NULL;
+    document_free(&viewer->opening.leaving);
+    environment_free(viewer->opening.leaving_sky);
+    viewer->opening.leaving_sky = NULL;
 }
 
 bool viewer_poll_loader(struct viewer *viewer) {
     struct document document;
     free_what_leaves(viewer);
-    switch (loader_poll(&viewer->loader, &document)) {
+    switch (loader_poll(&viewer->opening.loader, &document)) {
     case LOADER_DONE:
         await_document(viewer, &document);
         break;
     case LOADER_FAILED:
         if (!viewer_is_scripted(viewer))
-            forget_told(viewer);
+            forget_given(viewer);
         return false;
     case LOADER_IDLE:
     case LOADER_BUSY:
         break;
     }
-    if (!viewer->is_arriving || !has_shaders(viewer) || !is_announced(viewer))
+    if (!viewer->opening.is_arriving || !has_shaders(viewer) || !is_announced(viewer))
         return true;
     log_detail("its shaders are there after %.2f s", window_time());
-    preview_stop(&viewer->preview);
-    document = viewer->arriving;
+    preview_stop(&viewer->opening.preview);
+    document = viewer->opening.arriving;
     pose_back(&document, &viewer->desc);
-    viewer->arriving = (struct document){0};
-    viewer->is_arriving = false;
+    viewer->opening.arriving = (struct document){0};
+    viewer->opening.is_arriving = false;
     if (show_document(viewer, &document))
         return true;
-    preview_free(&viewer->preview); /* no picture follows */
+    preview_free(&viewer->opening.preview); /* no picture follows */
     if (!viewer_is_scripted(viewer))
-        forget_told(viewer);
+        forget_given(viewer);
     return false;
 }
 

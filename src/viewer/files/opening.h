@@ -23,7 +23,7 @@ void viewer_tell_opening(struct viewer *viewer, char *text, size_t size);
 void viewer_close_scene(struct viewer *viewer);
 
 /* Opens a file that was dropped, typed or chosen: a scene, the sky of the one that is open, a reference, or settings;
- * a picture that may be either is told from how it is made. */
+ * the channels and the shape of a picture decide which it is. */
 void viewer_take_file(struct viewer *viewer, const char *path);
 
 #endif

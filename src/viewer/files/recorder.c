@@ -58,7 +58,7 @@ static bool open_pipe(struct recorder *recorder) {
         "ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgba -s %dx%d -r %d -i - -an -vf "
         "'crop=trunc(iw/2)*2:trunc(ih/2)*2' -pix_fmt yuv420p %s",
         recorder->width, recorder->height, TIMELINE_FPS, part);
-    signal(SIGPIPE, SIG_IGN); /* an ffmpeg that fails is told by fwrite */
+    signal(SIGPIPE, SIG_IGN); /* an ffmpeg that fails is noticed by fwrite */
     recorder->pipe = popen(command, "w");
     free(command);
     free(part);

@@ -69,7 +69,7 @@ static void draw_start(struct viewer *viewer) {
 
 static void draw_reading(struct viewer *viewer) {
     const struct rectangle *area = &viewer->shown.area;
-    bool over_picture = viewer->has_scene || preview_picture(&viewer->preview);
+    bool over_picture = viewer->has_scene || preview_picture(&viewer->opening.preview);
     float x = (float)area->width / 2, y = (float)area->height / 2;
     char text[600];
     viewer_tell_opening(viewer, text, sizeof text);
@@ -87,7 +87,7 @@ void viewer_ask_file(struct viewer *viewer) {
     viewer->hand.drags_picture = false;
     viewer->panel.help = false; /* it would cover the list and take its keyboard */
     file_dialog_open(&viewer->start.dialog,
-                     viewer->has_scene ? viewer->document.scene.path : viewer->loader.path);
+                     viewer->has_scene ? viewer->document.scene.path : viewer->opening.loader.path);
 }
 
 static void take(struct viewer *viewer, char *path) {

@@ -187,7 +187,7 @@ void panel_draw(struct viewer *viewer) {
         {"Look closely", false, draw_look},      {"Surface", false, draw_surface},
         {"Settings", false, panel_draw_session},
     };
-    /* What is compared is told of, however it came about. */
+    /* A comparison opens its section, however it began. */
     bool compares = viewer->shown.compare.mode != COMPARE_OFF;
     if (compares && !viewer->panel.was_comparing)
         ui_open_section("Compare", false);

@@ -176,7 +176,7 @@ static bool is_present(const struct viewer *viewer, const struct chart_dot *dot)
            renderer_settings_same(&dot->settings, &viewer->wish.settings, dot->technique->parts);
 }
 
-/* The same as rows. The name is told apart from that of a preset's button. */
+/* The same as rows. The name must differ from that of a preset's button. */
 static int draw_rows(struct viewer *viewer) {
     const struct chart *chart = &viewer->tracing.chart;
     int clicked = -1, cheapest = chart_cheapest(chart, wanted_error);

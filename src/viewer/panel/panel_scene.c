@@ -37,7 +37,7 @@ static int chosen_row(const struct scene *scene, int together) {
     return scene->playing_count == 1 ? together + scene->playing[0] : together + scene->clip_count;
 }
 
-/* Clips are few, and told apart by their names. First come all that go together, where there are several. */
+/* Clips are few, and have names. First come all that go together, where there are several. */
 static void draw_clip(struct viewer *viewer) {
     const struct scene *scene = &viewer->document.scene;
     const char *names[NAMES_MAX];

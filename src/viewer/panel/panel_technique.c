@@ -91,9 +91,9 @@ static bool draw_presets(const struct technique *technique, const struct costs *
 
 /* --- what matters to everybody --- */
 
-static const struct plain {
+static const struct main_setting {
     const char *setting, *name, *help;
-} plain[] = {
+} main_settings[] = {
     {"lights.vpls", "virtual lights",
      "VPLs: points of surfaces that shine on with the light that they reflect. More are smoother, "
      "and take longer."},
@@ -109,11 +109,11 @@ static const struct plain {
      "samples of a pixel for antialiasing: 1 leaves edges rough"},
 };
 
-static bool is_plain(const struct setting *setting) {
+static bool is_main(const struct setting *setting) {
     char name[SETTING_NAME_SIZE];
     setting_name(setting, name);
-    for (size_t i = 0; i < sizeof plain / sizeof *plain; i++)
-        if (strcmp(plain[i].setting, name) == 0)
+    for (size_t i = 0; i < sizeof main_settings / sizeof *main_settings; i++)
+        if (strcmp(main_settings[i].setting, name) == 0)
             return true;
     return false;
 }
@@ -125,15 +125,16 @@ static bool has_part(const struct settings_part *const *parts, const struct sett
 }
 
 /* Those that the technique and the direct method have. */
-static bool draw_plain(const struct technique *technique, const struct direct_method *direct,
-                       struct settings *settings) {
+static bool draw_main(const struct technique *technique, const struct direct_method *direct,
+                      struct settings *settings) {
     bool changed = false;
-    for (size_t i = 0; i < sizeof plain / sizeof *plain; i++) {
+    for (size_t i = 0; i < sizeof main_settings / sizeof *main_settings; i++) {
         struct setting setting;
-        if (settings_find(settings, plain[i].setting, &setting) &&
+        if (settings_find(settings, main_settings[i].setting, &setting) &&
             (setting.part == &picture_part || has_part(technique->parts, setting.part) ||
              has_part(direct->parts, setting.part)))
-            changed |= draw_setting(&setting, settings, plain[i].name, plain[i].help);
+            changed |=
+                draw_setting(&setting, settings, main_settings[i].name, main_settings[i].help);
     }
     return changed;
 }
@@ -162,7 +163,7 @@ static bool draw_part(const struct settings_part *part, const struct technique *
     bool changed = false, headed = false;
     for (const struct option *option = part->table; option->name; option++) {
         struct setting setting = {part, option};
-        if (is_plain(&setting) || !setting_matters(&setting, settings, technique) ||
+        if (is_main(&setting) || !setting_matters(&setting, settings, technique) ||
             !is_wanted(&setting, filter))
             continue;
         if (!headed)
@@ -286,7 +287,7 @@ void panel_draw_technique(struct viewer *viewer) {
     bool changed = draw_presets(*technique, &viewer->host.costs, settings);
     ui_space();
     changed |= draw_technique_choice(technique);
-    changed |= draw_plain(*technique, viewer->shown.renderer.desc.direct, settings);
+    changed |= draw_main(*technique, viewer->shown.renderer.desc.direct, settings);
     if (side == 0) {
         changed |= draw_direct_choice(viewer);
         draw_passes(viewer);

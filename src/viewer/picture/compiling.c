@@ -50,7 +50,7 @@ static void note_known(struct compiling *compiling) {
 
 /* --- on the thread --- */
 
-/* As it is at rest, while it moves, and as it is refined. What fails is told when the window's own fails. */
+/* As it is at rest, while it moves, and as it accumulates passes. Failures are reported when the window's own fails. */
 static void draw(const struct renderer_desc *desc) {
     struct renderer renderer;
     if (!renderer_init(&renderer, desc))

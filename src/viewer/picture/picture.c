@@ -281,7 +281,7 @@ int viewer_passes(const struct viewer *viewer) {
 }
 
 /* Outputs and comparisons are of a frame. */
-bool viewer_is_refining(const struct viewer *viewer) {
+bool viewer_is_accumulating(const struct viewer *viewer) {
     const struct shown *shown = &viewer->shown;
     int passes = viewer_passes(viewer);
     return viewer->has_scene && !viewer_is_scripted(viewer) && !shown->dirty && !shown->moving &&
@@ -304,10 +304,10 @@ static bool make_progressive(struct viewer *viewer) {
 }
 
 /* One more pass. Error: the renderer must be freed. */
-static bool refine(struct viewer *viewer) {
+static bool accumulate(struct viewer *viewer) {
     struct shown *shown = &viewer->shown;
     struct renderer *renderer = &shown->renderer;
-    if (!viewer_is_refining(viewer))
+    if (!viewer_is_accumulating(viewer))
         return true;
     if (!renderer->desc.progressive && !make_progressive(viewer))
         return false;
@@ -404,7 +404,7 @@ static void follow_pick(struct viewer *viewer) {
 }
 
 bool viewer_update_picture(struct viewer *viewer) {
-    if (!render(viewer) || !refine(viewer))
+    if (!render(viewer) || !accumulate(viewer))
         return false;
     compose(viewer);
     measure(viewer);

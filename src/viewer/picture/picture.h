@@ -23,7 +23,7 @@ void viewer_retone(struct viewer *viewer);
 
 /* How many passes a picture at rest is the mean of in the end; whether it is not yet. */
 int viewer_passes(const struct viewer *viewer);
-bool viewer_is_refining(const struct viewer *viewer);
+bool viewer_is_accumulating(const struct viewer *viewer);
 
 /* Reads the shaders again, from the folder of --glsl. */
 void viewer_reload_shaders(struct viewer *viewer);

@@ -21,7 +21,7 @@ struct chart {
     struct chart_dot dots[CHART_MAX];
     int count;
     int next;          /* to be measured; count: all are */
-    bool is_announced; /* it was told which is next: it may take a while */
+    bool is_announced; /* the panel has shown which is next: it may take a while */
 };
 
 /* All presets of the default technique, every other technique, and those of the picture, where they

@@ -58,7 +58,7 @@ bool reference_tracer_has_news(struct reference_tracer *tracer);
 void reference_tracer_pause(struct reference_tracer *tracer, bool paused);
 
 /* The newest picture is then the caller's; without pixels: there is none since the last call.
- * TRACER_DONE and TRACER_FAILED are told once; of the latter error_get tells. */
+ * TRACER_DONE and TRACER_FAILED are returned once; of the latter error_get tells. */
 enum reference_tracer_state reference_tracer_poll(struct reference_tracer *tracer,
                                                   struct traced_picture *newest);
 

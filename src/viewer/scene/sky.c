@@ -87,7 +87,7 @@ bool viewer_open_sky(struct viewer *viewer, const char *path) {
         return false;
     }
     viewer_forget_sky(viewer);
-    viewer->arriving_sky = sky;
+    viewer->opening.arriving_sky = sky;
     return true;
 }
 
@@ -113,11 +113,11 @@ static void tell_new_sky(struct viewer *viewer, int lights_before) {
 }
 
 void viewer_follow_sky(struct viewer *viewer) {
-    struct environment *sky = viewer->arriving_sky;
+    struct environment *sky = viewer->opening.arriving_sky;
     if (!sky || !has_shaders(viewer, sky))
         return;
     int lights_before = viewer->placed.emitters.count;
-    viewer->arriving_sky = NULL;
+    viewer->opening.arriving_sky = NULL;
     if (put(viewer, sky, NULL)) {
         tell_new_sky(viewer, lights_before);
         return;
@@ -127,13 +127,13 @@ void viewer_follow_sky(struct viewer *viewer) {
 }
 
 void viewer_forget_sky(struct viewer *viewer) {
-    if (!viewer->arriving_sky)
+    if (!viewer->opening.arriving_sky)
         return;
-    if (viewer->leaving_sky)
+    if (viewer->opening.leaving_sky)
         compiling_wait(&viewer->compiling);
-    environment_free(viewer->leaving_sky);
-    viewer->leaving_sky = viewer->arriving_sky;
-    viewer->arriving_sky = NULL;
+    environment_free(viewer->opening.leaving_sky);
+    viewer->opening.leaving_sky = viewer->opening.arriving_sky;
+    viewer->opening.arriving_sky = NULL;
 }
 
 void viewer_tell_sky(struct viewer *viewer) {

@@ -1,4 +1,4 @@
-/* What the user is told in the window: errors, warnings and notes, from any thread. */
+/* Messages for the user in the window: errors, warnings and notes, from any thread. */
 #ifndef VIEWER_MESSAGES_H
 #define VIEWER_MESSAGES_H
 
