@@ -221,7 +221,7 @@ static char *folder_beside(const char *file) {
 }
 
 void file_dialog_open(struct file_dialog *dialog, const char *beside) {
-    if (file_dialog_is_open(dialog))
+    if (dialog->answer || dialog->is_open)
         return;
     char *folder = folder_beside(beside);
     if (!folder || ask_desktop(dialog, folder)) {
@@ -232,10 +232,6 @@ void file_dialog_open(struct file_dialog *dialog, const char *beside) {
     go(dialog, folder);
     if (beside)
         choose_name(dialog, path_name(beside));
-}
-
-bool file_dialog_is_open(const struct file_dialog *dialog) {
-    return dialog->answer || dialog->is_open;
 }
 
 void file_dialog_close(struct file_dialog *dialog) {

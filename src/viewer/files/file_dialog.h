@@ -25,9 +25,6 @@ struct file_dialog {
 /* Begins in the folder of the file; NULL: in the working folder. */
 void file_dialog_open(struct file_dialog *dialog, const char *beside);
 
-/* Whether a dialog is there, of whatever kind. */
-bool file_dialog_is_open(const struct file_dialog *dialog);
-
 /* The file that was chosen in the desktop's dialog, to be freed; NULL = none yet, or none at all. */
 char *file_dialog_poll(struct file_dialog *dialog);
 

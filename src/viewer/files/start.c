@@ -98,31 +98,20 @@ static void take(struct viewer *viewer, char *path) {
 
 /* The file that Enter gives; NULL = none. */
 static char *draw_search(struct file_dialog *dialog) {
-    enum { PAGE = 12 };
-    switch (ui_search_field("##typed", dialog->typed, sizeof dialog->typed, "name or path")) {
-    case UI_SEARCH_EDITED:
-        file_dialog_search(dialog);
-        break;
-    case UI_SEARCH_ENTERED:
+    static const int steps[] = {[UI_SEARCH_UP] = -1,
+                                [UI_SEARCH_DOWN] = 1,
+                                [UI_SEARCH_PAGE_UP] = -12,
+                                [UI_SEARCH_PAGE_DOWN] = 12};
+    enum ui_search done =
+        ui_search_field("##typed", dialog->typed, sizeof dialog->typed, "name or path");
+    if (done == UI_SEARCH_ENTERED)
         return file_dialog_accept(dialog);
-    case UI_SEARCH_BACK:
+    if (done == UI_SEARCH_EDITED)
+        file_dialog_search(dialog);
+    else if (done == UI_SEARCH_BACK)
         file_dialog_leave(dialog);
-        break;
-    case UI_SEARCH_UP:
-        file_dialog_move(dialog, -1);
-        break;
-    case UI_SEARCH_DOWN:
-        file_dialog_move(dialog, 1);
-        break;
-    case UI_SEARCH_PAGE_UP:
-        file_dialog_move(dialog, -PAGE);
-        break;
-    case UI_SEARCH_PAGE_DOWN:
-        file_dialog_move(dialog, PAGE);
-        break;
-    case UI_SEARCH_NOTHING:
-        break;
-    }
+    else if (done != UI_SEARCH_NOTHING)
+        file_dialog_move(dialog, steps[done]);
     return NULL;
 }
 

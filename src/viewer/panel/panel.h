@@ -12,6 +12,5 @@ void panel_draw_reference(struct viewer *viewer);
 void panel_draw_compare(struct viewer *viewer);
 void panel_draw_light(struct viewer *viewer);
 void panel_draw_camera(struct viewer *viewer);
-void panel_draw_session(struct viewer *viewer);
 
 #endif

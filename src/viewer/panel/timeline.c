@@ -14,13 +14,13 @@ static int frame_of(double time) {
     return (int)lround(time * TIMELINE_FPS);
 }
 
-bool viewer_has_timeline(const struct viewer *viewer) {
+static bool is_there(const struct viewer *viewer) {
     return viewer->has_scene && viewer->panel.is_open &&
            scene_duration(&viewer->document.scene) > 0;
 }
 
 float timeline_height(const struct viewer *viewer) {
-    return viewer_has_timeline(viewer) ? 4.4F * ui_line_height() : 0;
+    return is_there(viewer) ? 4.4F * ui_line_height() : 0;
 }
 
 void timeline_step(struct viewer *viewer, int frames) {
@@ -65,7 +65,7 @@ void timeline_draw(struct viewer *viewer) {
     float height = timeline_height(viewer), line = ui_line_height();
     float time = (float)viewer->placed.time;
     double duration = scene_duration(&viewer->document.scene);
-    if (!viewer_has_timeline(viewer))
+    if (!is_there(viewer))
         return;
     ui_area_begin("timeline", UI_BAR, (float)area->x, (float)(area->y + area->height),
                   (float)area->width, height);

@@ -5,8 +5,7 @@
 
 #include "viewer/state.h"
 
-/* Whether the bar is there, below the pictures' area, and how high it is. */
-bool viewer_has_timeline(const struct viewer *viewer);
+/* Below the pictures' area; 0 = it is not there. */
 float timeline_height(const struct viewer *viewer);
 void timeline_draw(struct viewer *viewer);
 

@@ -76,7 +76,8 @@ const struct texture *compare_compose(struct compare *compare, const struct rend
         return &compare->other.composite.display;
     case COMPARE_REFERENCE:
         if (!compare->reference.framebuffer ||
-            !reference_show(&compare->reference, compare_layer_name(layer), &renderer->desc.settings))
+            !reference_show(&compare->reference, compare_layer_name(layer),
+                            &renderer->desc.settings))
             return NULL;
         return &compare->reference.display;
     case COMPARE_OFF:
@@ -91,24 +92,10 @@ const struct texture *compare_compose(struct compare *compare, const struct rend
 static bool read_layer(struct renderer *renderer, int layer, struct image *rgb) {
     struct image all = {0};
     *rgb = (struct image){0};
-    bool ok = renderer_read_layers(renderer, &all) && layer_extract(rgb, &all, compare_layer_name(layer));
+    bool ok =
+        renderer_read_layers(renderer, &all) && layer_extract(rgb, &all, compare_layer_name(layer));
     image_free(&all);
     return ok;
-}
-
-/* The texture's row 0 is the lowest. */
-static bool upload_heat_map(struct compare *compare, const struct bitmap *bitmap) {
-    texture_free(&compare->heat_map);
-    if (!texture_init(&compare->heat_map, &(struct texture_desc){.label = "heat map",
-                                                                 .format = GL_RGBA8,
-                                                                 .width = bitmap->width,
-                                                                 .height = bitmap->height}))
-        return false;
-    for (int y = 0; y < bitmap->height; y++)
-        gl.TextureSubImage2D(compare->heat_map.id, 0, 0, bitmap->height - 1 - y, bitmap->width, 1,
-                             GL_RGBA, GL_UNSIGNED_BYTE,
-                             bitmap->rgba + (size_t)y * (size_t)bitmap->width * 4);
-    return true;
 }
 
 /* By the errors of each pixel. */
@@ -128,7 +115,13 @@ static bool draw_heat_map(struct compare *compare, int width, int height, const 
     heat_map_draw_values(&map, &picture);
     map.values = NULL;
     compare->heat_scale = map;
-    bool ok = upload_heat_map(compare, &picture);
+    texture_free(&compare->heat_map);
+    bool ok = texture_init(&compare->heat_map, &(struct texture_desc){.label = "heat map",
+                                                                      .format = GL_RGBA8,
+                                                                      .width = width,
+                                                                      .height = height});
+    if (ok)
+        texture_write_bitmap(&compare->heat_map, &picture);
     bitmap_free(&picture);
     return ok;
 }

@@ -48,8 +48,8 @@ static bool trace_stage(struct reference_tracer *tracer, const struct stage *sta
     struct path_tracer_progress reached;
     struct image picture;
     const struct path_tracer_desc desc = {
-        .width = tracer->width,
-        .height = tracer->height,
+        .width = tracer->session.width,
+        .height = tracer->session.height,
         .bounces = tracer->bounces,
         .paths = 1, /* the first picture is to come soon */
         .noise = tracer->noise,
@@ -66,14 +66,17 @@ static bool trace_stage(struct reference_tracer *tracer, const struct stage *sta
 
 static bool trace(struct reference_tracer *tracer) {
     struct stage stage;
+    const struct session *session = &tracer->session;
     struct stage_desc desc = {
         .path = tracer->scene,
-        .camera = tracer->camera,
-        .light = tracer->lights,
-        .environment = {tracer->environment, tracer->turn, tracer->strength},
-        .time = tracer->time,
+        .camera = session->camera,
+        .light = session->lights,
+        .clip = *session->clip ? session->clip : NULL,
+        .time = session->time,
     };
-    desc.clip = *tracer->clip ? tracer->clip : NULL;
+    if (session->sky)
+        desc.environment =
+            (struct environment_desc){session->sky, session->sky_turn, session->sky_strength};
     if (!stage_init(&stage, &desc))
         return false;
     bool ok = trace_stage(tracer, &stage);
@@ -93,41 +96,24 @@ static void *run(void *context) {
 
 /* --- outside --- */
 
-static void tell_view(struct reference_tracer *tracer, const struct traced_view *view) {
-    const struct session *session = view->session;
-    *tracer = (struct reference_tracer){
-        .scene = mem_strdup(session->scene),
-        .camera = mem_strdup(session->camera),
-        .lights = mem_strdup(session->lights),
-        .time = session->time,
-        .width = session->width,
-        .height = session->height,
-        .bounces = view->bounces,
-        .noise = view->noise,
-        .wake = view->wake,
-    };
-    memcpy(tracer->clip, session->clip, sizeof tracer->clip);
-    if (session->sky) {
-        tracer->environment = mem_strdup(session->sky);
-        tracer->turn = session->sky_turn;
-        tracer->strength = session->sky_strength;
-    }
-}
-
 static void forget(struct reference_tracer *tracer) {
     pthread_mutex_destroy(&tracer->lock);
     pthread_cond_destroy(&tracer->resumed);
     image_free(&tracer->newest.image);
     free(tracer->scene);
-    free(tracer->camera);
-    free(tracer->lights);
-    free(tracer->environment);
+    session_free(&tracer->session);
     *tracer = (struct reference_tracer){0};
 }
 
 bool reference_tracer_start(struct reference_tracer *tracer, const struct traced_view *view) {
     reference_tracer_stop(tracer);
-    tell_view(tracer, view);
+    *tracer = (struct reference_tracer){
+        .scene = mem_strdup(view->session->scene),
+        .session = session_copy(view->session),
+        .bounces = view->bounces,
+        .noise = view->noise,
+        .wake = view->wake,
+    };
     pthread_mutex_init(&tracer->lock, NULL);
     pthread_cond_init(&tracer->resumed, NULL);
     atomic_store(&tracer->state, TRACER_TRACING);

@@ -23,10 +23,9 @@ struct reference_tracer {
     pthread_t thread;
     atomic_int state; /* enum reference_tracer_state */
     atomic_bool cancelled;
-    char *scene, *camera, *lights, *environment; /* the view */
-    float turn, strength, time;
-    char clip[CLIPS_TEXT_SIZE];
-    int bounces, width, height;
+    char *scene;
+    struct session session; /* the view */
+    int bounces;
     double noise;       /* to be reached */
     void (*wake)(void); /* called on the thread when there is something new */
 

@@ -113,7 +113,8 @@ static void show_picture(struct viewer *viewer, struct traced_picture *newest) {
     viewer->shown.recompose = true;
 }
 
-bool viewer_indirect_error(const struct viewer *viewer, const struct image *indirect,
+/* Relative RMSE of an indirect layer without the reference's noise. False: there is no reference of its size. */
+static bool indirect_error(const struct viewer *viewer, const struct image *indirect,
                            double *error) {
     const struct tracing *tracing = &viewer->tracing;
     struct image reference;
@@ -139,7 +140,7 @@ static void measure(struct viewer *viewer) {
         return;
     tracing->has_error = tracing->of_view && renderer_read_layers(&shown->renderer, &all) &&
                          layer_extract(&indirect, &all, "indirect") &&
-                         viewer_indirect_error(viewer, &indirect, &tracing->error);
+                         indirect_error(viewer, &indirect, &tracing->error);
     tracing->error_frame = shown->frame_count;
     tracing->error_samples = tracing->samples;
     shown->recompose = true; /* reading layers used the display's framebuffer state */
@@ -197,7 +198,7 @@ static void tell_errors(struct viewer *viewer) {
     for (int i = 0; i < chart->count; i++)
         chart->dots[i].has_error =
             chart->dots[i].state == DOT_MEASURED &&
-            viewer_indirect_error(viewer, &chart->dots[i].indirect, &chart->dots[i].error);
+            indirect_error(viewer, &chart->dots[i].indirect, &chart->dots[i].error);
 }
 
 /* A dot a turn: it takes its time, and the panel says so first. Times are taken while nothing is

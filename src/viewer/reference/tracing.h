@@ -12,10 +12,6 @@ void viewer_follow_reference(struct viewer *viewer);
 void viewer_forget_reference(struct viewer *viewer);
 bool viewer_is_tracing(const struct viewer *viewer);
 
-/* Relative RMSE of an indirect layer against what was traced, without its noise. False: there is none of its size. */
-bool viewer_indirect_error(const struct viewer *viewer, const struct image *indirect,
-                           double *error);
-
 /* Relative RMSE of the layer that is shown against the right picture, by the same definition: what is known of a
  * traced reference's noise, which is its indirect light's, is taken off. False: it has not been measured. */
 bool viewer_compared_error(const struct viewer *viewer, double *error);
