@@ -265,8 +265,10 @@ static void test_further_points(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_coverage),       cmocka_unit_test(test_slivers),
-        cmocka_unit_test(test_layers),         cmocka_unit_test(test_further_points),
+        cmocka_unit_test(test_coverage),
+        cmocka_unit_test(test_slivers),
+        cmocka_unit_test(test_layers),
+        cmocka_unit_test(test_further_points),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }
