@@ -5,6 +5,8 @@
 
 #include "base/settings.h"
 #include "passes/frame.h"
+#include "scene/gpu/caster_pool.h"
+#include "scene/sky.h"
 #include "scene/view.h"
 
 struct direct_desc {
@@ -12,6 +14,10 @@ struct direct_desc {
     int width, height;
     const struct light_layout *lights;
     bool gloss; /* the G-buffer has it */
+    /* For environment_direct alone: */
+    struct caster_pool *casters;
+    const struct direct_method *lamps; /* of all other lights */
+    const struct sky_lights *sky;
 };
 
 struct direct_method {

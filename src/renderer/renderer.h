@@ -8,7 +8,7 @@
 
 #include "base/image.h"
 #include "direct/direct.h"
-#include "direct/skylight.h"
+#include "direct/environment.h"
 #include "passes/picture/antialias.h"
 #include "passes/picture/composite.h"
 #include "passes/picture/geometry.h"
@@ -63,9 +63,8 @@ struct renderer {
     struct composite_pass composite;
     const struct technique *technique; /* as long as there is a state of its; and so below */
     void *technique_state;
-    const struct direct_method *direct;
+    const struct direct_method *direct; /* desc.direct, or with it environment_direct */
     void *direct_state;
-    struct skylight skylight;
     bool lights_drawn; /* what depends on no camera is that of desc */
     int pass;          /* that the last frame was: 0 = the first, or the only one */
     /* The mean of passes, where desc.progressive. */
@@ -90,7 +89,6 @@ struct renderer {
     /* What shines, for direct light; and what techniques are given for it. */
     struct light_block *light_block, *start_block;
     struct buffer light_buffer, start_buffer;
-    struct sky_block *sky_block;
     struct light_starts starts;
     struct emitters start_emitters; /* of the starts: nothing to be freed */
 };

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/names.h"
 #include "direct/direct.h"
-#include "direct/skylight.h"
+#include "direct/environment.h"
 #include "passes/picture/composite.h"
 #include "scene/material.h"
 #include "scene/starts.h"

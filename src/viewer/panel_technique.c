@@ -2,7 +2,7 @@
  * have an effect now. A setting that is added to a table is here. */
 #include "viewer/panel.h"
 
-#include "direct/skylight.h"
+#include "direct/environment.h"
 #include "viewer/preset.h"
 #include "viewer/relevance.h"
 #include "viewer/setting_label.h"
