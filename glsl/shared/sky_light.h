@@ -11,9 +11,8 @@ struct sky_light_params {
     int count;         /* of lights */
     int block;         /* pixels a side of a block that shares its visibility; 0: each pixel looks itself up */
     float bias;        /* texels: what is no higher above a receiver's plane hides nothing */
-    float apart;       /* over the picture's height: farther off its plane no block speaks for a pixel */
     float disagree;    /* of all light: where blocks do by more, a pixel looks itself up */
-    int unused0, unused1, unused2;
+    int unused0, unused1, unused2, unused3;
 };
 PASS_BLOCK(sky_light_params, 32)
 

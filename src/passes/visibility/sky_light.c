@@ -8,8 +8,6 @@
 
 #include <stdlib.h>
 
-static const float apart = .008F; /* as the gather's blocks */
-
 /* Of many lights each has so little that no pixel would ask for it: beyond so many the limit falls with what
  * one of them has. */
 static const int few = 60;
@@ -99,7 +97,6 @@ bool sky_light_pass_init(struct sky_light_pass *pass, const struct sky_light_des
     struct sky_light_params params = {.count = desc->maps.count,
                                       .block = desc->block,
                                       .bias = desc->bias,
-                                      .apart = apart,
                                       .disagree = disagree_of(desc)};
     if (init_programs(pass) && init_shares(pass) && init_targets(pass) &&
         buffer_init(&pass->params, "sky parameters", sizeof params, &params))
