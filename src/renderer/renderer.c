@@ -20,9 +20,8 @@ enum part {
     PART_COMPOSITE = 32, /* size, what the technique contributes */
     PART_MEAN = 64,      /* size, whether progressive */
     PART_REFINER = 128,  /* as technique; whether progressive */
-    PART_PLANES = 256,   /* size */
-    PART_ALL = 511,
-    PART_SIZE = PART_GBUFFER | PART_PLANES | PART_ANTIALIAS | PART_COMPOSITE | PART_MEAN,
+    PART_ALL = 255,
+    PART_SIZE = PART_GBUFFER | PART_ANTIALIAS | PART_COMPOSITE | PART_MEAN,
     PART_LIGHTS = PART_DIRECT | PART_TECHNIQUE, /* what render_lights draws with */
 };
 
@@ -143,10 +142,6 @@ static bool init_geometry(struct renderer *renderer) {
                                 .has_mappings = materials_have_mappings(desc->scene)});
 }
 
-static bool init_planes(struct renderer *renderer) {
-    return planes_pass_init(&renderer->planes, renderer->desc.width, renderer->desc.height);
-}
-
 static bool resize_direct(struct renderer *renderer, int width, int height) {
     return renderer->direct->resize(renderer->direct_state, width, height);
 }
@@ -176,7 +171,6 @@ static const struct part_row {
 } rows[] = {
     {PART_GBUFFER, MEMBERS(gbuffer, gbuffer), init_gbuffer, NULL},
     {PART_GEOMETRY, MEMBERS(geometry, geometry), init_geometry, NULL},
-    {PART_PLANES, MEMBERS(planes, planes), init_planes, NULL},
     {PART_DIRECT, MEMBERS(direct, direct_state), init_direct, resize_direct},
     {PART_ANTIALIAS, MEMBERS(antialias, antialias), init_antialias, NULL},
     {PART_TECHNIQUE, MEMBERS(technique, technique_state), init_technique, resize_technique},
@@ -322,7 +316,6 @@ static void free_parts(struct renderer *renderer) {
     struct refining *refining = &renderer->refining;
     gbuffer_free(&renderer->gbuffer);
     geometry_pass_free(&renderer->geometry);
-    planes_pass_free(&renderer->planes);
     antialias_pass_free(&renderer->antialias);
     composite_pass_free(&renderer->composite);
     if (renderer->technique)
