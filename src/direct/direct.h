@@ -14,10 +14,10 @@ struct direct_desc {
     int width, height;
     const struct light_layout *lights;
     bool gloss; /* the G-buffer has it */
-    /* For environment_direct alone: */
+    /* For environment_direct alone (direct/environment.h): */
     struct caster_pool *casters;
-    const struct direct_method *lamps; /* of all other lights */
-    const struct sky_lights *sky;
+    const struct direct_method *lamps;
+    const struct environment_lights *sky;
 };
 
 struct direct_method {

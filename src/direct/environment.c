@@ -1,7 +1,7 @@
 #include "direct/environment.h"
 
 #include "base/memory.h"
-#include "passes/visibility/sky_light.h"
+#include "passes/visibility/environment_lighting.h"
 #include "passes/visibility/sky_map.h"
 
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 static const char *const fit_names[] = {"rectangles", "even", NULL};
 
 static const struct option table[] = {
-    {"lights", 0, OPTION_INT, ROW(lights), 120, SKY_LIGHTS_MIN, SKY_LIGHTS_MAX,
+    {"lights", 0, OPTION_INT, ROW(lights), 120, ENVIRONMENT_LIGHTS_MIN, ENVIRONMENT_LIGHTS_MAX,
      .help = "largest number of area lights that\n"
              "approximate an environment map; fewer: faster"},
     {"fit", 0, OPTION_CHOICE, ROW(fit), SKY_FIT_EVEN, .choices = fit_names,
@@ -44,10 +44,10 @@ static const struct caster_desc caster = {.error = .00055F, .long_count = 500};
 
 struct lighting {
     struct sky_map_pass maps;
-    struct sky_light_pass light;
-    struct sky_lights lights; /* as the map lies, without its turn and strength */
-    struct sky_block block;   /* as it is turned */
-    struct buffer buffer;     /* the same, for BLOCK_SKY */
+    struct environment_lighting_pass light;
+    struct environment_lights lights; /* as the map lies, without its turn and strength */
+    struct sky_block block;           /* as it is turned */
+    struct buffer buffer;             /* the same, for BLOCK_SKY */
     const struct direct_method *lamps;
     void *lamps_state;
 };
@@ -56,7 +56,7 @@ static void free_state(void *state) {
     struct lighting *lighting = state;
     if (lighting) {
         sky_map_pass_free(&lighting->maps);
-        sky_light_pass_free(&lighting->light);
+        environment_lighting_pass_free(&lighting->light);
         buffer_free(&lighting->buffer);
         lighting->lamps->free(lighting->lamps_state);
     }
@@ -67,7 +67,7 @@ static bool init(void **state, const struct direct_desc *desc) {
     const struct environment_settings *own = settings_of(desc->settings, &sky_part);
     const struct sky_map_layout layout = {.size = own->map_size,
                                           .count = desc->sky->count,
-                                          .suns = sky_lights_suns(desc->sky),
+                                          .suns = environment_lights_suns(desc->sky),
                                           .sun_maps = own->sun_maps};
     struct lighting *lighting = *state = mem_alloc(1, sizeof *lighting);
     lighting->lights = *desc->sky;
@@ -76,25 +76,26 @@ static bool init(void **state, const struct direct_desc *desc) {
            sky_map_pass_init(&lighting->maps, &(struct sky_map_desc){.casters = desc->casters,
                                                                      .caster = caster,
                                                                      .layout = layout}) &&
-           sky_light_pass_init(&lighting->light, &(struct sky_light_desc){.width = desc->width,
-                                                                          .height = desc->height,
-                                                                          .maps = layout,
-                                                                          .block = own->block,
-                                                                          .ways = own->ways,
-                                                                          .bias = own->bias,
-                                                                          .disagree = own->disagree,
-                                                                          .gloss = desc->gloss}) &&
+           environment_lighting_pass_init(
+               &lighting->light, &(struct environment_lighting_desc){.width = desc->width,
+                                                                     .height = desc->height,
+                                                                     .maps = layout,
+                                                                     .block = own->block,
+                                                                     .ways = own->ways,
+                                                                     .bias = own->bias,
+                                                                     .disagree = own->disagree,
+                                                                     .gloss = desc->gloss}) &&
            buffer_init(&lighting->buffer, "lights of the sky", sizeof lighting->block, NULL);
 }
 
 static bool resize(void *state, int width, int height) {
     struct lighting *lighting = state;
-    const struct sky_light_desc old = lighting->light.desc;
-    if (!sky_light_pass_resize(&lighting->light, width, height))
+    const struct environment_lighting_desc old = lighting->light.desc;
+    if (!environment_lighting_pass_resize(&lighting->light, width, height))
         return false;
     if (lighting->lamps->resize(lighting->lamps_state, width, height))
         return true;
-    sky_light_pass_resize(&lighting->light, old.width, old.height);
+    environment_lighting_pass_resize(&lighting->light, old.width, old.height);
     return false;
 }
 
@@ -107,18 +108,18 @@ static void render_lights(void *state, const struct frame *frame) {
     buffer_write(&lighting->buffer, 0, (size_t)count * sizeof *lighting->block.sources,
                  lighting->block.sources);
     sky_map_pass_render(&lighting->maps, frame, &lighting->buffer);
-    sky_light_pass_render_lights(&lighting->light, frame, &lighting->buffer);
+    environment_lighting_pass_render_lights(&lighting->light, frame, &lighting->buffer);
 }
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct lighting *lighting = state;
     const struct direct_method *lamps = lighting->lamps;
-    struct sky_light_inputs inputs = {&lighting->buffer, &lighting->maps.maps,
-                                      lamps->light(lighting->lamps_state), NULL};
+    struct environment_lighting_inputs inputs = {&lighting->buffer, &lighting->maps.maps,
+                                                 lamps->light(lighting->lamps_state), NULL};
     if (lighting->light.desc.gloss)
         inputs.specular = lamps->specular(lighting->lamps_state);
     lamps->render_view(lighting->lamps_state, frame, gbuffer);
-    sky_light_pass_render(&lighting->light, frame, gbuffer, &inputs);
+    environment_lighting_pass_render(&lighting->light, frame, gbuffer, &inputs);
 }
 
 static const struct texture *light(const void *state) {
@@ -131,12 +132,8 @@ static const struct texture *specular(const void *state) {
     return &lighting->light.specular;
 }
 
-static const struct settings_part *const parts[] = {&sky_part, NULL};
-
 const struct direct_method environment_direct = {
     .name = "environment",
-    .help = "area lights with soft shadows, beside the lamps of another method",
-    .parts = parts,
     .init = init,
     .free = free_state,
     .resize = resize,

@@ -16,7 +16,7 @@ struct environment_settings {
 
 extern const struct settings_part sky_part;
 
-/* Not among direct_methods: for a desc with at least one light in sky, it draws desc.lamps, too. */
+/* Not among direct_methods, nor named by users: draws desc.lamps first. desc.sky has one light at least. */
 extern const struct direct_method environment_direct;
 
 #endif

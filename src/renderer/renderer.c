@@ -269,8 +269,8 @@ static void plan_sky(struct light_plan *plan, const struct light_plan *before,
         plan->sky_starts = before->sky_starts;
         return;
     }
-    sky_lights_fit(&plan->sky, environment, (enum sky_fit)wanted->fit, wanted->lights);
-    sky_lights_group(&plan->sky_starts, &plan->sky, wanted->starts);
+    environment_lights_fit(&plan->sky, environment, (enum sky_fit)wanted->fit, wanted->lights);
+    environment_lights_group(&plan->sky_starts, &plan->sky, wanted->starts);
 }
 
 /* Error: more lights than there is room for. */
@@ -280,9 +280,9 @@ static bool plan_lights(struct light_plan *plan, const struct light_plan *before
     struct light_starts starts;
     if (!light_layout_of(&plan->layout, &desc->emitters))
         return false;
-    if (desc->emitters.sky && desc->emitters.count > LIGHTS_MAX - SKY_LIGHTS_MIN)
+    if (desc->emitters.sky && desc->emitters.count > LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN)
         return error_set("%d lights and a sky: at most %d shine beside one; --light picks some",
-                         desc->emitters.count, LIGHTS_MAX - SKY_LIGHTS_MIN);
+                         desc->emitters.count, LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN);
     plan_sky(plan, before, desc);
     plan->starts = (struct starts_desc){own->places, own->wide, desc->geometry->radius};
     light_starts_place(&starts, &desc->emitters,

@@ -42,7 +42,7 @@ struct renderer_desc {
 struct light_plan {
     struct light_layout layout, start_layout;
     struct starts_desc starts;
-    struct sky_lights sky;
+    struct environment_lights sky;
     struct sky_groups sky_starts; /* from which its reflected light starts */
     struct sky_wanted {
         const struct environment *environment;

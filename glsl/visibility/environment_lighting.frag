@@ -1,7 +1,7 @@
 // Direct light with that of a sky. Visibility is that of the blocks of pixels around, between which it is
 // interpolated; a pixel on none of their surfaces, or where they disagree about much light, looks itself up.
 #define BLOCK_COSINE 0.9
-#include "shared/sky_light.h"
+#include "shared/environment_lighting.h"
 #include "gather/block.glsl"
 #include "visibility/sky_visibility.glsl"
 
