@@ -4,10 +4,10 @@
 #define DIRECT_DIRECT_H
 
 #include "base/settings.h"
+#include "lights/sky.h"
+#include "lights/view.h"
 #include "passes/frame.h"
 #include "scene/gpu/caster_pool.h"
-#include "scene/sky.h"
-#include "scene/view.h"
 
 struct direct_desc {
     const struct settings *settings;

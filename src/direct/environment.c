@@ -64,7 +64,8 @@ static void free_state(void *state) {
 }
 
 static bool init(void **state, const struct direct_desc *desc) {
-    const struct environment_settings *own = settings_of(desc->settings, &sky_part);
+    const struct environment_settings *own =
+        settings_of(struct environment_settings, desc->settings, &sky_part);
     const struct sky_map_layout layout = {.size = own->map_size,
                                           .count = desc->sky->count,
                                           .suns = environment_lights_suns(desc->sky),

@@ -9,13 +9,13 @@
 #include "base/image.h"
 #include "direct/direct.h"
 #include "direct/environment.h"
+#include "lights/starts.h"
 #include "passes/picture/antialias.h"
 #include "passes/picture/composite.h"
 #include "passes/picture/geometry.h"
 #include "passes/picture/mean.h"
 #include "renderer/settings.h"
 #include "scene/gpu/caster_pool.h"
-#include "scene/starts.h"
 #include "techniques/technique.h"
 
 /* What a picture can show, by LAYER_BEAUTY, LAYER_DIRECT and LAYER_INDIRECT; null-terminated. */

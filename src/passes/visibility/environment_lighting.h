@@ -5,8 +5,8 @@
 #ifndef PASSES_ENVIRONMENT_LIGHTING_H
 #define PASSES_ENVIRONMENT_LIGHTING_H
 
+#include "lights/sky.h"
 #include "passes/frame.h"
-#include "scene/sky.h"
 
 struct environment_lighting_desc {
     int width, height; /* of the picture */
