@@ -25,7 +25,7 @@ struct light_starts {
 
 /* Lights of the emitters' sky, in the groups that starts stand for. */
 struct starts_sky {
-    const struct sky_lights *lights;
+    const struct environment_lights *lights;
     const struct sky_groups *groups;
 };
 
