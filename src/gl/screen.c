@@ -4,6 +4,7 @@
 #include "gl/program.h"
 #include "gl/screen_glsl.h"
 #include "gl/screen_rows.h"
+#include "shared/bindings.h"
 
 #include <assert.h>
 
@@ -41,7 +42,7 @@ static void bind_targets(const struct framebuffer_targets *targets,
 
 static void set_mask(const struct pass_state *state, const struct framebuffer_targets *targets) {
     assert(state->depth == PASS_DEPTH_EQUAL || state->depth == PASS_DEPTH_UNEQUAL);
-    pass_bind_texture(SCREEN_MASK_UNIT, targets->depth);
+    pass_bind_texture(UNIT_SCREEN_MASK, targets->depth);
     gl.ProgramUniform1i(state->program, LOCATION_SCREEN_WHERE_MARKED,
                         state->depth == PASS_DEPTH_EQUAL);
 }
