@@ -4,8 +4,10 @@
 #define DIRECT_DIRECT_H
 
 #include "base/settings.h"
-#include "passes/frame.h"
 #include "scene/view.h"
+
+struct frame;
+struct gbuffer;
 
 struct direct_desc {
     const struct settings *settings;

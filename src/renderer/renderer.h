@@ -15,6 +15,7 @@
 #include "passes/picture/mean.h"
 #include "passes/picture/planes.h"
 #include "renderer/settings.h"
+#include "scene/camera_range.h"
 #include "scene/gpu/caster_pool.h"
 #include "scene/starts.h"
 #include "techniques/technique.h"

@@ -1,4 +1,5 @@
 /* How bright the picture is shown: by itself when a scene is opened, then as the user likes. */
+#include "passes/frame.h"
 #include "viewer/viewer.h"
 
 #include "scene/animation.h"

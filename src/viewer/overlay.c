@@ -4,6 +4,8 @@
 #include "base/file/folder.h"
 #include "gl/memory.h"
 #include "inspect/marks.h"
+#include "passes/maps.h"
+#include "passes/vpls.h"
 #include "viewer/window/ui.h"
 
 #include <math.h>

@@ -9,6 +9,7 @@ function sum(text,    parts, i, total) {
 }
 FNR == NR { stages[$1] = stages[$1] " " $2; next }
 {
+    found = 1
     split($0, parts, /binding = |\) *uniform |;/)
     name = parts[3]
     sub(/.* /, "", name)
@@ -31,7 +32,7 @@ END {
             }
         }
     }
-    if (!FNR)
+    if (!found)
         said["no shader has a sampler"]
     for (text in said) {
         print text

@@ -7,7 +7,10 @@
 #ifndef PASSES_PLAIN_H
 #define PASSES_PLAIN_H
 
-#include "passes/frame.h"
+#include "gl/buffer.h"
+#include "gl/texture.h"
+
+struct frame;
 
 struct plain_desc {
     int width, height;

@@ -3,6 +3,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "passes/frame.h"
 
 bool planes_pass_init(struct planes_pass *pass, int width, int height) {
     struct block_planes *planes = &pass->planes;

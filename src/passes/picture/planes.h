@@ -3,7 +3,9 @@
 #ifndef PASSES_PLANES_H
 #define PASSES_PLANES_H
 
-#include "passes/frame.h"
+#include "passes/targets.h"
+
+struct frame;
 
 struct planes_pass {
     GLuint program, framebuffer;

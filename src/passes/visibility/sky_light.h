@@ -4,8 +4,12 @@
 #ifndef PASSES_SKY_LIGHT_H
 #define PASSES_SKY_LIGHT_H
 
-#include "passes/frame.h"
+#include "gl/buffer.h"
+#include "gl/texture.h"
 #include "scene/sky.h"
+
+struct frame;
+struct gbuffer;
 
 struct sky_light_desc {
     int width, height; /* of the picture */
