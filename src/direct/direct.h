@@ -4,7 +4,7 @@
 #define DIRECT_DIRECT_H
 
 #include "base/settings.h"
-#include "scene/view.h"
+#include "lights/view.h"
 
 struct frame;
 struct gbuffer;

@@ -4,9 +4,9 @@
 #define PASSES_FRAME_H
 
 #include "gl/pass.h"
+#include "lights/view.h"
 #include "scene/camera_range.h"
 #include "scene/gpu/scene_gpu.h"
-#include "scene/view.h"
 
 struct frame {
     struct timers *timers;

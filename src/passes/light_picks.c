@@ -3,8 +3,8 @@
 #include "base/deal.h"
 #include "base/memory.h"
 #include "gl/pass.h"
+#include "lights/starts.h"
 #include "passes/frame.h"
-#include "scene/starts.h"
 
 #include <stdlib.h>
 

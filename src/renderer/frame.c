@@ -109,7 +109,7 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
         .background = renderer->desc.background,
         .samples = antialias->samples,
         .exposure = renderer_exposure(renderer),
-        .tone_map = (enum tone_map)renderer_picture(renderer)->tone_map,
+        .tone_map = (enum tone_map)renderer_picture(renderer).tone_map,
         .layer = LAYER_BEAUTY,
     };
 }
@@ -174,7 +174,7 @@ static void show_mean(struct renderer *renderer, const struct frame *frame, int 
     const struct refining *refining = &renderer->refining;
     mean_pass_render_display(&refining->mean, frame, refining->weight, layer,
                              renderer_exposure(renderer),
-                             renderer_picture(renderer)->tone_map == TONE_MAP_FILMIC,
+                             renderer_picture(renderer).tone_map == TONE_MAP_FILMIC,
                              &renderer->desc.background, renderer->composite.framebuffer);
 }
 
@@ -236,12 +236,12 @@ struct contribution renderer_contribution(const struct renderer *renderer) {
     return renderer->technique->contribution(renderer->technique_state);
 }
 
-const struct picture_settings *renderer_picture(const struct renderer *renderer) {
-    return settings_of(&renderer->desc.settings, &picture_part);
+struct picture_settings renderer_picture(const struct renderer *renderer) {
+    return *settings_of(struct picture_settings, &renderer->desc.settings, &picture_part);
 }
 
 float renderer_exposure(const struct renderer *renderer) {
-    return renderer_picture(renderer)->exposure;
+    return renderer_picture(renderer).exposure;
 }
 
 void renderer_outputs(const struct renderer *renderer, struct output_list *outputs) {

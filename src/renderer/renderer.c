@@ -29,7 +29,8 @@ enum part {
 
 /* Whether the G-buffer, and all that reads it, has gloss: else all surfaces are matt. */
 static bool has_gloss(const struct renderer_desc *desc) {
-    const struct material_settings *own = settings_of(&desc->settings, &material_part);
+    const struct material_settings *own =
+        settings_of(struct material_settings, &desc->settings, &material_part);
     return own->materials == MATERIALS_FULL && !materials_are_plain(desc->scene) &&
            desc->direct->specular;
 }
@@ -42,7 +43,7 @@ static bool init_antialias(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     return antialias_pass_init(
         &renderer->antialias,
-        &(struct antialias_desc){desc->width, desc->height, renderer_picture(renderer)->samples});
+        &(struct antialias_desc){desc->width, desc->height, renderer_picture(renderer).samples});
 }
 
 static bool init_direct(struct renderer *renderer) {
@@ -235,8 +236,10 @@ static void set_defaults(struct renderer_desc *desc) {
 /* Takes what there was before where that is as wanted: a fit takes a while. */
 static void plan_sky(struct light_plan *plan, const struct light_plan *before,
                      const struct renderer_desc *desc) {
-    const struct skylight_settings *sky = settings_of(&desc->settings, &sky_part);
-    const struct start_settings *start = settings_of(&desc->settings, &start_part);
+    const struct skylight_settings *sky =
+        settings_of(struct skylight_settings, &desc->settings, &sky_part);
+    const struct start_settings *start =
+        settings_of(struct start_settings, &desc->settings, &start_part);
     const struct environment *environment = desc->emitters.sky;
     int room = LIGHTS_MAX - desc->emitters.count;
     struct sky_wanted *wanted = &plan->wanted;
@@ -255,7 +258,8 @@ static void plan_sky(struct light_plan *plan, const struct light_plan *before,
 /* Error: more lights than there is room for. */
 static bool plan_lights(struct light_plan *plan, const struct light_plan *before,
                         const struct renderer_desc *desc) {
-    const struct start_settings *own = settings_of(&desc->settings, &start_part);
+    const struct start_settings *own =
+        settings_of(struct start_settings, &desc->settings, &start_part);
     struct light_starts starts;
     if (!light_layout_of(&plan->layout, &desc->emitters))
         return false;
@@ -439,7 +443,8 @@ bool renderer_makes_technique(const struct renderer *renderer, const struct tech
 static unsigned parts_between(const struct renderer *renderer, const struct renderer_desc *desc,
                               const struct light_plan *plan) {
     const struct renderer_desc *old = &renderer->desc;
-    const struct picture_settings *picture = settings_of(&desc->settings, &picture_part);
+    const struct picture_settings *picture =
+        settings_of(struct picture_settings, &desc->settings, &picture_part);
     unsigned parts = 0;
     if (renderer_makes_technique(renderer, desc->technique, &desc->settings))
         parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER;
@@ -454,7 +459,7 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         parts |= PART_SKY;
     if (!light_layouts_same(&plan->start_layout, &renderer->plan.start_layout))
         parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER;
-    if (picture->samples != renderer_picture(renderer)->samples)
+    if (picture->samples != renderer_picture(renderer).samples)
         parts |= PART_ANTIALIAS;
     if (desc->width != old->width || desc->height != old->height)
         parts |= PART_SIZE;

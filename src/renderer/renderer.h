@@ -9,6 +9,7 @@
 #include "base/image.h"
 #include "direct/direct.h"
 #include "direct/skylight.h"
+#include "lights/starts.h"
 #include "passes/picture/antialias.h"
 #include "passes/picture/composite.h"
 #include "passes/picture/geometry.h"
@@ -17,7 +18,6 @@
 #include "renderer/settings.h"
 #include "scene/camera_range.h"
 #include "scene/gpu/caster_pool.h"
-#include "scene/starts.h"
 #include "techniques/technique.h"
 
 /* What a picture can show, by LAYER_BEAUTY, LAYER_DIRECT and LAYER_INDIRECT; null-terminated. */

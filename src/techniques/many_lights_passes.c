@@ -15,8 +15,8 @@ enum { GLOSS_RAYS = 4 }; /* specular rays of a pixel */
 
 struct visibility_desc many_lights_lookup(const struct settings *settings,
                                           enum visibility_lookup lookup, int map_count) {
-    const struct map_settings *map = settings_of(settings, &map_part);
-    const struct lookup_settings *own = settings_of(settings, &lookup_part);
+    const struct map_settings *map = settings_of(struct map_settings, settings, &map_part);
+    const struct lookup_settings *own = settings_of(struct lookup_settings, settings, &lookup_part);
     return (struct visibility_desc){
         .lookup = lookup,
         .map_size = map->size,
@@ -34,7 +34,7 @@ struct visibility_desc many_lights_lookup(const struct settings *settings,
 }
 
 struct caster_desc many_lights_caster(const struct settings *settings) {
-    const struct caster_settings *own = settings_of(settings, &caster_part);
+    const struct caster_settings *own = settings_of(struct caster_settings, settings, &caster_part);
     return (struct caster_desc){.error = own->error, .long_count = own->long_count};
 }
 
@@ -56,8 +56,9 @@ static const float gloss_cosine = .966F;
 static const float sharp_cosine = .99F;
 
 static int blur_radius(const struct settings *settings) {
-    const struct gather_settings *gather = settings_of(settings, &gather_part);
-    const struct blur_settings *blur = settings_of(settings, &blur_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, settings, &gather_part);
+    const struct blur_settings *blur = settings_of(struct blur_settings, settings, &blur_part);
     return blur->radius < 0 ? gather->interleave / 2 : blur->radius;
 }
 
@@ -132,7 +133,8 @@ static int detail_radius(const struct settings *settings) {
 
 static bool init_plain(struct many_lights *lights, const struct technique_desc *desc,
                        const struct detail_desc *detail) {
-    const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
+    const struct blur_settings *blur =
+        settings_of(struct blur_settings, desc->settings, &blur_part);
     int radius = blur_radius(desc->settings);
     lights->has_plain = blur->separable && radius > 0;
     return !lights->has_plain ||
@@ -153,8 +155,10 @@ static const struct texture *plain_pixels(const struct many_lights *lights) {
  *
  * What is listed looks itself up: a block of pixels does not speak for it. */
 static bool init_detail(struct many_lights *lights, const struct technique_desc *desc, int block) {
-    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
-    const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
+    const struct blur_settings *blur =
+        settings_of(struct blur_settings, desc->settings, &blur_part);
     if (!lights->has_detail)
         return true;
     struct gather_desc gather_desc = lights->gather.desc;
@@ -185,7 +189,8 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
 
 static bool init_gather(struct many_lights *lights, const struct technique_desc *desc,
                         const struct many_lights_visibility *visibility) {
-    const struct gather_settings *own = settings_of(desc->settings, &gather_part);
+    const struct gather_settings *own =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
     struct gather_desc gather_desc = {
         .width = desc->width,
         .height = desc->height,
@@ -216,8 +221,10 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
  * share of light that the near field could take: near VPLs are bounded as disks. */
 static bool init_gloss(struct many_lights *lights, const struct technique_desc *desc,
                        const struct many_lights_visibility *visibility) {
-    const struct gather_settings *own = settings_of(desc->settings, &gather_part);
-    const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
+    const struct gather_settings *own =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
+    const struct blur_settings *blur =
+        settings_of(struct blur_settings, desc->settings, &blur_part);
     struct gather_desc gather = lights->gather.desc;
     int n = own->gloss_interleave < own->interleave ? own->gloss_interleave : own->interleave;
     gather.interleave = n;
@@ -255,7 +262,8 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
  * more than 21. */
 static int rsm_size(const struct technique_desc *desc) {
     static const int full_views[LIGHT_MAP_KINDS] = {4, 128};
-    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
     int size = own->rsm_size;
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++) {
         int shared = light_map_share(own->rsm_size, desc->lights->views[kind], full_views[kind]);
@@ -266,7 +274,8 @@ static int rsm_size(const struct technique_desc *desc) {
 
 /* Rays for gloss need the smooth normals of what they meet. */
 static bool sends_as_facets(const struct technique_desc *desc) {
-    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
     return own->facets && !desc->gloss;
 }
 
@@ -289,7 +298,8 @@ static int near_occlusion(const struct many_lights *lights, const struct techniq
 
 static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc,
                             const struct many_lights_visibility *visibility) {
-    const struct gather_settings *own = settings_of(desc->settings, &gather_part);
+    const struct gather_settings *own =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
     lights->has_near_field =
         own->clamp == GATHER_CLAMP_NEAR || own->clamp == GATHER_CLAMP_RECTANGLE_NEAR;
     int occlusion = near_occlusion(lights, desc, visibility);
@@ -307,7 +317,7 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
 }
 
 static bool init_blur(struct many_lights *lights, const struct technique_desc *desc) {
-    const struct blur_settings *own = settings_of(desc->settings, &blur_part);
+    const struct blur_settings *own = settings_of(struct blur_settings, desc->settings, &blur_part);
     int radius = blur_radius(desc->settings);
     int n = lights->gather.desc.interleave;
     struct blur_desc blur = {
@@ -326,7 +336,8 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
 }
 
 static bool init_bounces(struct many_lights *lights, const struct technique_desc *desc) {
-    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
     lights->bounces = own->bounces;
     return lights->bounces == 1 ||
            bounce_pass_init(&lights->bounce,
@@ -342,15 +353,18 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
 }
 
 bool many_lights_check(const struct settings *settings) {
-    const struct lights_settings *lights = settings_of(settings, &lights_part);
-    const struct gather_settings *gather = settings_of(settings, &gather_part);
+    const struct lights_settings *lights =
+        settings_of(struct lights_settings, settings, &lights_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, settings, &gather_part);
     int places = gather->interleave * gather->interleave;
     return lights->vpls >= places || error_set("interleave=%d needs at least %d VPLs, and vpls=%d",
                                                gather->interleave, places, lights->vpls);
 }
 
 static bool init_rsm(struct many_lights *lights, const struct technique_desc *desc, int size) {
-    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
     const struct light_layout *layout = desc->lights;
     bool ok = true, has_gloss = desc->gloss && gather->gloss + 1 == SPECULAR_RAYS;
     bool facets = sends_as_facets(desc);
@@ -365,8 +379,10 @@ static bool init_rsm(struct many_lights *lights, const struct technique_desc *de
 
 bool many_lights_init(struct many_lights *lights, const struct technique_desc *desc,
                       const struct many_lights_visibility *visibility) {
-    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
-    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
     *lights = (struct many_lights){.tree = visibility->tree};
     if (init_rsm(lights, desc, rsm_size(desc)) &&
         geometry_pass_init(

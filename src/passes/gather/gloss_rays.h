@@ -11,9 +11,9 @@
 #ifndef PASSES_GLOSS_RAYS_H
 #define PASSES_GLOSS_RAYS_H
 
+#include "lights/view.h"
 #include "passes/light_picks.h"
 #include "passes/visibility/visibility.h"
-#include "scene/view.h"
 
 struct frame;
 

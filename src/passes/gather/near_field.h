@@ -13,10 +13,10 @@
 #ifndef PASSES_NEAR_FIELD_H
 #define PASSES_NEAR_FIELD_H
 
+#include "lights/view.h"
 #include "passes/light_picks.h"
 #include "passes/targets.h"
 #include "scene/gpu/caster_pool.h"
-#include "scene/view.h"
 #include "shared/near_field.h"
 
 struct frame;

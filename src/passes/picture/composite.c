@@ -4,7 +4,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "passes/frame.h"
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 #include "shared/composite.h"
 
 #include <cglm/util.h>

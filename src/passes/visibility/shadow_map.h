@@ -4,7 +4,7 @@
 #define PASSES_SHADOW_MAP_H
 
 #include "gl/texture.h"
-#include "scene/view.h"
+#include "lights/view.h"
 #include "shared/light.h"
 
 struct frame;

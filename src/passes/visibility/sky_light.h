@@ -6,7 +6,7 @@
 
 #include "gl/buffer.h"
 #include "gl/texture.h"
-#include "scene/sky.h"
+#include "lights/sky.h"
 
 struct frame;
 struct gbuffer;

@@ -3,8 +3,8 @@
 #ifndef PASSES_SKY_MAP_H
 #define PASSES_SKY_MAP_H
 
+#include "lights/sky.h"
 #include "scene/gpu/caster_pool.h"
-#include "scene/sky.h"
 
 struct frame;
 
