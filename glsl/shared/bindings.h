@@ -80,10 +80,6 @@
 #define UNIT_FURTHER_POINTS 44
 #define UNIT_LISTED_PIXELS 45
 #define UNIT_LIST_TEXELS 46
-#define UNIT_BLOCK_PLANES 47
-#define UNIT_BLOCK_NORMALS 48
-#define UNIT_EVEN_BLOCKS 49
-#define UNIT_PLAIN_BLOCKS 50
 #define UNIT_OWN 64
 
 /* Attributes of the scene's vertices. UV is of a material's first mapping, the others of the further ones. */
@@ -121,8 +117,6 @@
 #define TARGET_CALIBRATION_SQUARE 1
 #define TARGET_SUM_SQUARES 0
 #define TARGET_SUM_PRODUCTS 1
-#define TARGET_BLOCK_PLANE 0
-#define TARGET_BLOCK_NORMAL 1
 #define TARGET_BOUNCE_POSITION 0
 #define TARGET_BOUNCE_NORMAL 1
 #define TARGET_BOUNCE_FLUX 2
@@ -142,7 +136,6 @@
 #define LOCATION_NEAR_SHIFT 10
 #define LOCATION_CAMERA_RANGE 11
 #define LOCATION_SCREEN_AREA 12 /* of screen passes that are dispatched */
-#define LOCATION_SCREEN_WHERE_MARKED 13
 #define LOCATION_SCREEN_ADDS 14
 #define LOCATION_SCREEN_ROW 15
 #define LOCATION_PICKS 16 /* LIGHTS_MAX of them (shared/light.h) */

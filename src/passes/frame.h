@@ -26,7 +26,6 @@ struct frame {
     /* Of the camera's pixels: which surfaces their samples see (passes/picture/antialias.h), and the further
      * points of those whose samples have one (lib/further_point.glsl). */
     const struct texture *picks, *further_points;
-    const struct block_planes *planes; /* of the camera's pixels */
     int pass; /* of those whose mean the picture is: others lights and samples in each; 0: the first, or
                  the only one */
     float irradiance_scale; /* stored irradiance = W/m2 times this: a power of two that

@@ -28,12 +28,6 @@ struct gbuffer {
     int width, height, layers;
 };
 
-/* Of each block of PLANE_BLOCK x PLANE_BLOCK pixels the plane that they lie on (lib/block_plane.glsl): RGBA32F and
- * RGBA16. */
-struct block_planes {
-    struct texture planes, normals;
-};
-
 /* Irradiance times irradiance_scale; in tiles of equal place in the n x n pattern, or plain where
  * interleave is 1. RGBA32F where many draws add up: halves would lose some of each. RGBA16F where
  * one draw writes. */
@@ -75,13 +69,6 @@ struct gbuffer_desc {
 
 bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc);
 void gbuffer_free(struct gbuffer *gbuffer);
-
-/* A texel for each block of such a picture. */
-bool block_texture_init(struct texture *texture, const char *label, GLenum format, int width,
-                        int height);
-
-/* For lib/block_plane.glsl. */
-void block_planes_add(struct pass_state *state, const struct block_planes *planes);
 
 /* Binds what lib/rsm.glsl reads. For a kind that is not there, and is not read, the other stands in:
  * drivers warn of empty units. */
