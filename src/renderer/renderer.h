@@ -15,6 +15,7 @@
 #include "passes/picture/geometry.h"
 #include "passes/picture/mean.h"
 #include "renderer/settings.h"
+#include "scene/camera_range.h"
 #include "scene/gpu/caster_pool.h"
 #include "techniques/technique.h"
 
