@@ -29,7 +29,7 @@ say = @$(if $(V),:,printf '  %-4s %s\n')
 PICTURES ?= openimageio
 VIEWER ?= yes
 # Of the viewer's files, the one that tests of files and fuzzers use.
-WITHOUT_WINDOW := src/viewer/session.c
+WITHOUT_WINDOW := src/viewer/scene/session.c
 LEFT_OUT := $(if $(filter small,$(PICTURES)),src/base/file/image_%.cpp,src/base/file/small/%) \
     $(if $(VIEWER),,src/apps/view.c $(filter-out $(WITHOUT_WINDOW),$(shell find src/viewer -name '*.c*')))
 
@@ -54,16 +54,15 @@ PACKAGES := gcc g++ make pkg-config git libegl-dev libegl1 libgl-dev libgl1-mesa
 PKG := cglm $(if $(filter small,$(PICTURES)),OpenEXR,OpenImageIO) $(if $(VIEWER),imgui glfw3)
 INCLUDES := -Isrc -Iglsl -I$(BUILD)/include
 WARNINGS := -Wall -Wextra $(WERROR)
-# Parts of struct settings are written by their own types, and the whole is copied: by C's rules of aliasing a compiler may
-# turn the two around, as GCC did where a preset kept the exposure.
-C_FLAGS = -std=c11 -fno-strict-aliasing -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(if $(VIEWER),,-DMANYLIGHT_NO_VIEWER) $(CFLAGS)
+C_FLAGS = -std=c11 -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(if $(VIEWER),,-DMANYLIGHT_NO_VIEWER) $(CFLAGS)
 CXX_FLAGS = -std=c++17 $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
 # System headers: their warnings are not ours.
 PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) 2>/dev/null))
 PICTURE_LIBS := -lOpenEXRCore -lpng16 -ljpeg -lwebp
 LIBS := $(if $(filter small,$(PICTURES)),$(PICTURE_LIBS),$(shell pkg-config --libs $(PKG) 2>/dev/null)) -lembree3 -ldraco -lmeshoptimizer -lstdc++ -ldl -lpthread -lm
 
-EMBEDDED := $(BUILD)/glsl_embedded.o $(BUILD)/chart_embedded.o
+EMBEDDED := $(BUILD)/glsl_embedded.o $(BUILD)/chart_embedded.o $(BUILD)/bounds_embedded.o
+BOUNDS := $(sort $(wildcard src/techniques/*/bounds.csv))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(EMBEDDED)
 GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
@@ -140,6 +139,13 @@ $(BUILD)/chart_embedded.c: bench/chart.gp Makefile
 	@mkdir -p $(@D)
 	@{ echo 'extern const char chart_script[];'; echo 'const char chart_script[] ='; \
 	   $(quote) $<; echo ';'; } > $@
+
+# The rows of all techniques, each behind the technique's name.
+$(BUILD)/bounds_embedded.c: $(BOUNDS) Makefile
+	@mkdir -p $(@D)
+	@{ echo 'extern const char failure_bounds[];'; echo 'const char failure_bounds[] ='; \
+	   awk '{ sub(".*techniques/", "", FILENAME); sub("/.*", "", FILENAME); print FILENAME "," $$0 }' $(BOUNDS) | \
+	   $(quote); echo ';'; } > $@
 
 $(BUILD)/%_embedded.o: $(BUILD)/%_embedded.c
 	$(say) CC $@

@@ -1,5 +1,5 @@
 # Below PREFIX lies a list of what was installed, also by versions before: uninstall removes these files, the list, and
-# folders of the program that are empty then. bounds.csv is what bench failures holds pictures to.
+# folders of the program that are empty then.
 SHARE := share/manylight
 DOC := share/doc/manylight
 INSTALLED := $(SHARE)/installed
@@ -14,7 +14,6 @@ install: all
 	put $(DOC) 644 LICENSE; \
 	put $(SHARE)/scenes 644 scenes/*.glb scenes/*.hdr; \
 	put $(SHARE)/scenes/failures 644 scenes/failures/*.glb; \
-	for bounds in src/techniques/*/bounds.csv; do put "$(SHARE)/$${bounds%/*}" 644 "$$bounds"; done; \
 	sort -u -o "$$root/$(INSTALLED)" "$$root/$(INSTALLED)"
 
 uninstall:

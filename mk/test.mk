@@ -155,7 +155,7 @@ test-all: deps
 # How much of the lower floors their tests reach, and the programs that those start, as gcovr tells it; of branches
 # without those that exceptions take. C++ is compiled with -O1: without it GCC gives the destructors of temporaries
 # in a short circuit branches of their own, a quarter of all. Without test_full_disk, whose limits cut gcov's files too.
-COVERED := base scene metrics
+COVERED := base scene lights metrics
 COVERING := base options exr gltf gltf_refusals packed scene scene_parts animation framing metrics heat_map compare output_file info emissive emitters \
     environment environment_fit memory seeds light starts robust failures reference_app several_lights bench sky \
     marching_cubes caster caster_pool sequence hostile reference imperfect area_lights faults machine

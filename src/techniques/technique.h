@@ -4,10 +4,12 @@
 #define TECHNIQUES_TECHNIQUE_H
 
 #include "base/settings.h"
-#include "passes/frame.h"
+#include "lights/view.h"
+#include "passes/targets.h"
 #include "scene/gpu/caster_pool.h"
-#include "scene/view.h"
 #include "techniques/output.h"
+
+struct frame;
 
 struct technique_desc {
     const struct settings *settings;

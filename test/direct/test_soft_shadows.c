@@ -5,7 +5,7 @@
 #include "gltf_parts.h"
 
 #include "direct/direct.h"
-#include "measure/picture.h"
+#include "quality/picture.h"
 #include "reference/path_tracer.h"
 #include "reference/scene/emission.h"
 #include "scene/placing.h"

@@ -3,7 +3,7 @@
 
 #include "base/file/image_file.h"
 #include "gl/pass.h"
-#include "measure/picture.h"
+#include "quality/picture.h"
 #include "reference/path_tracer.h"
 
 #include <math.h>

@@ -3,13 +3,13 @@
 #include "hand_made.h"
 #include "render_support.h"
 
-#include "measure/picture.h"
+#include "quality/picture.h"
 
 #include "gltf_parts.h"
 
 #include "base/file/image_file.h"
-#include "scene/emissive.h"
-#include "scene/lamp_parts.h"
+#include "scene/lights/emissive.h"
+#include "scene/lights/lamp_parts.h"
 #include "scene/node.h"
 
 #include <stdio.h>

@@ -6,13 +6,14 @@
 
 #include "base/error.h"
 #include "base/file/image_file.h"
+#include "base/log.h"
 #include "reference/channels.h"
-#include "measure/picture.h"
+#include "quality/picture.h"
 #include "reference/path_tracer.h"
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 #include "scene/open.h"
-#include "scene/read_rules.h"
 #include "scene/placing.h"
+#include "scene/read_rules.h"
 
 #include <cglm/cglm.h>
 #include <math.h>

@@ -4,9 +4,9 @@
 #include "render_support.h"
 
 #include "reference/channels.h"
-#include "measure/picture.h"
+#include "quality/picture.h"
 #include "reference/path_tracer.h"
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 
 #include <cglm/cglm.h>
 #include <stdio.h>

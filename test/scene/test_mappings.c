@@ -4,7 +4,7 @@
 #include "render_support.h"
 #include "tiny_png.h"
 
-#include "measure/picture.h"
+#include "quality/picture.h"
 #include "scene/hash.h"
 #include "scene/material.h"
 

@@ -8,7 +8,7 @@
 #include "gl/program.h"
 #include "inspect/lights.h"
 #include "reference/channels.h"
-#include "measure/picture.h"
+#include "quality/picture.h"
 #include "reference/path_tracer.h"
 #include "scene/node.h"
 #include "scene/placing.h"

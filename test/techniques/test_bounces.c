@@ -4,7 +4,7 @@
 
 #include "base/memory.h"
 #include "passes/lights/bounce.h"
-#include "measure/picture.h"
+#include "quality/picture.h"
 #include "reference/path_tracer.h"
 #include "scene/mesh/triangle_albedos.h"
 #include "shared/bounce.h"
