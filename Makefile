@@ -27,7 +27,7 @@ say = @$(if $(V),:,printf '  %-4s %s\n')
 PICTURES ?= openimageio
 VIEWER ?= yes
 # Of the viewer's files, the one that tests of files and fuzzers use.
-WITHOUT_WINDOW := src/viewer/session.c
+WITHOUT_WINDOW := src/viewer/scene/session.c
 LEFT_OUT := $(if $(filter small,$(PICTURES)),src/base/file/image_%.cpp,src/base/file/small/%) \
     $(if $(VIEWER),,src/apps/view.c $(filter-out $(WITHOUT_WINDOW),$(shell find src/viewer -name '*.c*')))
 

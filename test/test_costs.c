@@ -10,7 +10,7 @@
 #include "quality/costs.h"
 #include "quality/quality.h"
 #include "quality/time_budget.h"
-#include "viewer/preset.h"
+#include "viewer/picture/preset.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,8 +2,8 @@
  * shown beside it has one. */
 #include "render_support.h"
 
-#include "viewer/relevance.h"
-#include "viewer/setting_label.h"
+#include "viewer/panel/relevance.h"
+#include "viewer/panel/setting_label.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -157,7 +157,7 @@ static void check_labels(const struct settings *settings) {
         part = setting.part;
         assert_true(count < 64);
         if (!setting_label(&setting, before[count]))
-            fail_msg("%s has no label in viewer/setting_label.c", name);
+            fail_msg("%s has no label in viewer/panel/setting_label.c", name);
         assert_true(strlen(before[count]) <= 17);
         for (int i = 0; i < count; i++)
             assert_string_not_equal(before[i], before[count]);

@@ -6,6 +6,8 @@
 
 #include "metrics/layer.h"
 #include "quality/picture.h"
+#include "viewer/reference/tracing.h"
+#include "viewer/scene/sessions.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -63,7 +63,6 @@ struct frame renderer_frame(struct renderer *renderer) {
         .radius = desc->geometry->radius,
         .picks = &antialias_of(renderer)->picks,
         .further_points = &antialias_of(renderer)->further_points,
-        .planes = &renderer->planes.planes,
         .pass = renderer->pass,
         .irradiance_scale = renderer_irradiance_scale(renderer),
     };
@@ -137,8 +136,6 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
     struct frame direct = frame_of_direct(renderer, frame);
     render_lights(renderer, frame);
     geometry_pass_render_camera(&renderer->geometry, frame, &renderer->gbuffer);
-    if (!is_refined(renderer))
-        planes_pass_render(&renderer->planes, frame, &renderer->gbuffer);
     if (renderer->pass == 0)
         antialias_pass_render(&renderer->antialias, frame, &renderer->gbuffer);
     renderer->direct->render_view(renderer->direct_state, &direct, &renderer->gbuffer);

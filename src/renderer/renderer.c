@@ -21,9 +21,8 @@ enum part {
     PART_MEAN = 64,      /* size, whether progressive */
     PART_REFINER = 128,  /* as technique; whether progressive */
     PART_SKY = 256,      /* settings, how many lights the sky has; takes size as it is */
-    PART_PLANES = 512,   /* size */
-    PART_ALL = 1023,
-    PART_SIZE = PART_GBUFFER | PART_PLANES | PART_ANTIALIAS | PART_COMPOSITE | PART_MEAN,
+    PART_ALL = 511,
+    PART_SIZE = PART_GBUFFER | PART_ANTIALIAS | PART_COMPOSITE | PART_MEAN,
     PART_LIGHTS = PART_DIRECT | PART_SKY | PART_TECHNIQUE, /* what render_lights draws with */
 };
 
@@ -155,8 +154,6 @@ static bool init_geometry(struct renderer *renderer) {
 static bool init_parts(struct renderer *renderer, unsigned parts, unsigned contributes) {
     return (!(parts & PART_GBUFFER) || init_gbuffer(renderer)) &&
            (!(parts & PART_GEOMETRY) || init_geometry(renderer)) &&
-           (!(parts & PART_PLANES) ||
-            planes_pass_init(&renderer->planes, renderer->desc.width, renderer->desc.height)) &&
            (!(parts & PART_DIRECT) || init_direct(renderer)) &&
            (!(parts & PART_SKY) || init_sky(renderer)) &&
            (!(parts & PART_ANTIALIAS) || init_antialias(renderer)) &&
@@ -309,7 +306,6 @@ static void free_refiner(struct refining *refining) {
 static void free_parts(struct renderer *renderer) {
     gbuffer_free(&renderer->gbuffer);
     geometry_pass_free(&renderer->geometry);
-    planes_pass_free(&renderer->planes);
     antialias_pass_free(&renderer->antialias);
     composite_pass_free(&renderer->composite);
     if (renderer->technique)
@@ -354,8 +350,6 @@ static void swap_parts(struct renderer *a, struct renderer *b, unsigned parts) {
         SWAP(gbuffer);
     if (parts & PART_GEOMETRY)
         SWAP(geometry);
-    if (parts & PART_PLANES)
-        SWAP(planes);
     if (parts & PART_DIRECT) {
         SWAP(direct);
         SWAP(direct_state);

@@ -120,35 +120,9 @@ static int block_of_pixel(const struct gather_desc *gather, int block) {
     return gather->clamp >= GATHER_CLAMP_RECTANGLE ? 0 : block;
 }
 
-/* With blocks that share visibility the nearest one speaks for a plain pixel. */
-static int plain_radius(int blur, const struct detail_desc *detail) {
-    int nearest = (detail->block + 1) / 2, around = blur > detail->radius ? blur : detail->radius;
-    return around > nearest ? around : nearest;
-}
-
 static int detail_radius(const struct settings *settings) {
     int radius = blur_radius(settings);
     return radius > 0 ? (radius + 1) / 2 : 2;
-}
-
-static bool init_plain(struct many_lights *lights, const struct technique_desc *desc,
-                       const struct detail_desc *detail) {
-    const struct blur_settings *blur =
-        settings_of(struct blur_settings, desc->settings, &blur_part);
-    int radius = blur_radius(desc->settings);
-    lights->has_plain = blur->separable && radius > 0;
-    return !lights->has_plain ||
-           plain_pass_init(&lights->plain,
-                           &(struct plain_desc){.width = desc->width,
-                                                .height = desc->height,
-                                                .radius = plain_radius(radius, detail),
-                                                .distance = blur->distance,
-                                                .cosine = blur->cosine});
-}
-
-/* Those of the pass; none where there are none. */
-static const struct texture *plain_pixels(const struct many_lights *lights) {
-    return lights->has_plain ? &lights->plain.pixels : NULL;
 }
 
 /* Half the blur's radius away: farther off an edge it finds enough on one side.
@@ -180,9 +154,6 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     gather_desc.list_slots[LIST_FURTHER] = gather->further_points ? 1 : 0;
     fit_listed(&gather_desc, gather->detail_times);
     lights->detail_times = gather->detail_times;
-    if (!init_plain(lights, desc, &detail))
-        return false;
-    detail.plain = plain_pixels(lights);
     return detail_pass_init(&lights->detail, &detail) &&
            gather_pass_init(&lights->detail_gather, &gather_desc);
 }
@@ -328,7 +299,6 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
         .distance = own->distance,
         .cosine = own->cosine,
         .square = !own->separable || radius == 0,
-        .plain = plain_pixels(lights),
     };
     fit_blur(&blur, &lights->detail_gather.desc, n);
     lights->has_blur = n > 1 || radius > 0 || lights->has_detail;
@@ -408,7 +378,6 @@ void many_lights_free(struct many_lights *lights) {
     bounce_pass_free(&lights->bounce);
     gather_pass_free(&lights->gather);
     near_field_pass_free(&lights->near_field);
-    plain_pass_free(&lights->plain);
     detail_pass_free(&lights->detail);
     gather_pass_free(&lights->detail_gather);
     gather_pass_free(&lights->gloss_gather);
@@ -424,9 +393,8 @@ static bool init_sized(struct many_lights *fresh, const struct many_lights *old,
     struct detail_desc detail = old->detail.desc;
     struct gather_desc gloss_gather = old->gloss_gather.desc;
     struct blur_desc blur = old->blur.desc, gloss_blur = old->gloss_blur.desc;
-    struct plain_desc plain = old->plain.desc;
-    gather.width = listed.width = detail.width = blur.width = plain.width = width;
-    gather.height = listed.height = detail.height = blur.height = plain.height = height;
+    gather.width = listed.width = detail.width = blur.width = width;
+    gather.height = listed.height = detail.height = blur.height = height;
     gloss_gather.width = gloss_blur.width = width;
     gloss_gather.height = gloss_blur.height = height;
     if (gather.together > 0)
@@ -434,10 +402,7 @@ static bool init_sized(struct many_lights *fresh, const struct many_lights *old,
     if (old->has_detail)
         fit_listed(&listed, old->detail_times);
     fit_blur(&blur, &listed, gather.interleave);
-    fresh->has_plain = old->has_plain;
-    detail.plain = blur.plain = plain_pixels(fresh);
     return gather_pass_init(&fresh->gather, &gather) &&
-           (!old->has_plain || plain_pass_init(&fresh->plain, &plain)) &&
            (!old->has_gloss || (gather_pass_init(&fresh->gloss_gather, &gloss_gather) &&
                                 blur_pass_init(&fresh->gloss_blur, &gloss_blur))) &&
            (!old->has_blur || blur_pass_init(&fresh->blur, &blur)) &&
@@ -447,7 +412,6 @@ static bool init_sized(struct many_lights *fresh, const struct many_lights *old,
 
 static void free_sized(struct many_lights *lights) {
     gather_pass_free(&lights->gather);
-    plain_pass_free(&lights->plain);
     detail_pass_free(&lights->detail);
     gather_pass_free(&lights->detail_gather);
     gather_pass_free(&lights->gloss_gather);
@@ -464,7 +428,6 @@ bool many_lights_resize(void *state, int width, int height) {
     }
     free_sized(lights);
     lights->gather = fresh.gather;
-    lights->plain = fresh.plain;
     lights->detail = fresh.detail;
     lights->detail_gather = fresh.detail_gather;
     lights->gloss_gather = fresh.gloss_gather;

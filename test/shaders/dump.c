@@ -14,7 +14,7 @@
 #include "inspect/screen.h"
 #include "renderer/stage.h"
 #include "scene/material.h"
-#include "viewer/reference.h"
+#include "viewer/picture/reference.h"
 
 #include <math.h>
 #include <stdio.h>
