@@ -9,7 +9,7 @@
 #include "gl/pass.h"
 #include "gl/texture.h"
 #include "gl/timer.h"
-#include "lights/starts.h"
+#include "lights/light_samples.h"
 #include "lights/view.h"
 #include "scene/camera_range.h"
 #include "scene/gpu/scene_gpu.h"

@@ -9,7 +9,7 @@
 #include "base/image.h"
 #include "direct/direct.h"
 #include "direct/skylight.h"
-#include "lights/starts.h"
+#include "lights/light_samples.h"
 #include "passes/picture/antialias.h"
 #include "passes/picture/composite.h"
 #include "passes/picture/geometry.h"
@@ -41,7 +41,7 @@ struct renderer_desc {
 /* What maps and programs are made for. */
 struct light_plan {
     struct light_layout layout, start_layout;
-    struct starts_desc starts;
+    struct light_samples_desc starts;
     struct sky_lights sky;
     struct sky_groups sky_starts; /* from which its reflected light starts */
     struct sky_wanted {
@@ -89,7 +89,7 @@ struct renderer {
     struct light_block *light_block, *start_block;
     struct buffer light_buffer, start_buffer;
     struct sky_block *sky_block;
-    struct light_starts starts;
+    struct light_samples starts;
     struct emitters start_emitters; /* of the starts: nothing to be freed */
 };
 
