@@ -351,8 +351,8 @@ static void set_corner(float corner[3], const struct area *area, int x, int y) {
                             length);
 }
 
-static struct sky_light light_of(const struct cube *cube, const struct area *area) {
-    struct sky_light light = {.solid_angle = (float)solid_angle(area)};
+static struct environment_light light_of(const struct cube *cube, const struct area *area) {
+    struct environment_light light = {.solid_angle = (float)solid_angle(area)};
     double energy[3] = {0};
     for (int y = area->y; y < area->y_end; y++)
         for (int x = area->x; x < area->x_end; x++)
@@ -367,7 +367,7 @@ static struct sky_light light_of(const struct cube *cube, const struct area *are
     return light;
 }
 
-static float brightness(const struct sky_light *light) {
+static float brightness(const struct environment_light *light) {
     return .2126F * light->radiance[0] + .7152F * light->radiance[1] + .0722F * light->radiance[2];
 }
 
@@ -376,10 +376,10 @@ static int brightest_first(const void *a, const void *b) {
     return (x < y) - (x > y);
 }
 
-int environment_fit(struct sky_light *lights, const struct environment *environment,
+int environment_fit(struct environment_light *lights, const struct environment *environment,
                     enum sky_fit fit, int count) {
     struct cube *cube = mem_alloc(1, sizeof *cube);
-    struct area areas[SKY_LIGHTS_MAX];
+    struct area areas[ENVIRONMENT_LIGHTS_MAX];
     draw_map(cube, environment);
     sum_up(cube);
     int found = fit == SKY_FIT_RECTANGLES ? fit_rectangles(cube, areas, count)
@@ -394,9 +394,9 @@ int environment_fit(struct sky_light *lights, const struct environment *environm
     return kept;
 }
 
-struct sky_light sky_light_turned(const struct sky_light *light,
-                                  const struct environment *environment) {
-    struct sky_light turned = *light;
+struct environment_light environment_light_turned(const struct environment_light *light,
+                                                  const struct environment *environment) {
+    struct environment_light turned = *light;
     float turn = glm_rad(environment->turn), sine = sinf(turn), cosine = cosf(turn);
     for (int i = 0; i < 4; i++) {
         turned.corners[i][0] = cosine * light->corners[i][0] + sine * light->corners[i][2];
@@ -407,7 +407,7 @@ struct sky_light sky_light_turned(const struct sky_light *light,
     return turned;
 }
 
-void sky_light_vector(const struct sky_light *light, float vector[3]) {
+void environment_light_vector(const struct environment_light *light, float vector[3]) {
     double sum[3] = {0};
     for (int i = 0; i < 4; i++) {
         const float *a = light->corners[i], *b = light->corners[(i + 1) % 4];

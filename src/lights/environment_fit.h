@@ -16,7 +16,7 @@
 #include "scene/lights/environment.h"
 #include "shared/sky.h"
 
-struct sky_light {
+struct environment_light {
     float radiance[3];   /* even, W/(sr m2) */
     float corners[4][3]; /* unit directions; in turn, so that Lambert's sum over them is positive */
     float solid_angle;
@@ -24,19 +24,19 @@ struct sky_light {
 
 enum sky_fit { SKY_FIT_RECTANGLES, SKY_FIT_EVEN };
 
-enum { SKY_FACE_SIZE = 64, SKY_LIGHTS_MIN = 6 };
+enum { SKY_FACE_SIZE = 64, ENVIRONMENT_LIGHTS_MIN = 6 };
 
-/* At most `count` lights, SKY_LIGHTS_MIN to SKY_LIGHTS_MAX; the brightest first. What is black has none. Returned is
+/* At most `count` lights, ENVIRONMENT_LIGHTS_MIN to ENVIRONMENT_LIGHTS_MAX; the brightest first. What is black has none. Returned is
  * how many there are. As the map lies, without its turn and strength: those change no fit. */
-int environment_fit(struct sky_light *lights, const struct environment *environment,
+int environment_fit(struct environment_light *lights, const struct environment *environment,
                     enum sky_fit fit, int count);
 
 /* The light in the world, with the environment's turn and strength. */
-struct sky_light sky_light_turned(const struct sky_light *light,
-                                  const struct environment *environment);
+struct environment_light environment_light_turned(const struct environment_light *light,
+                                                  const struct environment *environment);
 
 /* What it gives a surface that faces it, as a vector: irradiance over radiance where all of the light is
  * above the horizon is the product with the normal. */
-void sky_light_vector(const struct sky_light *light, float vector[3]);
+void environment_light_vector(const struct environment_light *light, float vector[3]);
 
 #endif

@@ -25,7 +25,7 @@ struct light_samples {
 
 /* Lights of the emitters' sky, in groups of one sample each. */
 struct light_samples_sky {
-    const struct sky_lights *lights;
+    const struct environment_lights *lights;
     const struct sky_groups *groups;
 };
 

@@ -7,25 +7,25 @@
 
 #include <math.h>
 
-void sky_lights_fit(struct sky_lights *lights, const struct environment *sky, enum sky_fit fit,
-                    int count) {
+void environment_lights_fit(struct environment_lights *lights, const struct environment *sky,
+                            enum sky_fit fit, int count) {
     lights->count = sky ? environment_fit(lights->items, sky, fit, count) : 0;
 }
 
 /* --- directional lights ------------------------------------------------------------------------- */
 
 /* What it gives a surface that faces it, the mean of RGB, W/m2. */
-static float power_of(const struct sky_light *light) {
+static float power_of(const struct environment_light *light) {
     vec3 vector;
-    sky_light_vector(light, vector);
+    environment_light_vector(light, vector);
     return (light->radiance[0] + light->radiance[1] + light->radiance[2]) / 3 *
            glm_vec3_norm(vector);
 }
 
 /* The same as a vector towards it. */
-static void add_power(const struct sky_light *light, float to[3]) {
+static void add_power(const struct environment_light *light, float to[3]) {
     vec3 vector;
-    sky_light_vector(light, vector);
+    environment_light_vector(light, vector);
     float mean = (light->radiance[0] + light->radiance[1] + light->radiance[2]) / 3;
     glm_vec3_muladds(vector, mean, to);
 }
@@ -52,8 +52,9 @@ static void join(struct sky_groups *groups, float (*powers)[4], int light_count,
     }
 }
 
-void sky_lights_group(struct sky_groups *groups, const struct sky_lights *lights, int count) {
-    float powers[SKY_LIGHTS_MAX]
+void environment_lights_group(struct sky_groups *groups, const struct environment_lights *lights,
+                              int count) {
+    float powers[ENVIRONMENT_LIGHTS_MAX]
                 [4]; /* of each group: the sum of vectors, and of what they are long */
     groups->count = lights->count;
     for (int i = 0; i < lights->count; i++) {
@@ -78,7 +79,7 @@ void sky_lights_group(struct sky_groups *groups, const struct sky_lights *lights
     }
 }
 
-int sky_lights_suns(const struct sky_lights *lights) {
+int environment_lights_suns(const struct environment_lights *lights) {
     static const float widest = .01F, least_share = .025F; /* sr */
     float all = 0;
     int suns = 0;
@@ -107,18 +108,19 @@ static struct emitter towards(const float direction[3]) {
     return emitter;
 }
 
-static void add_light(const struct sky_light *light, float scale, struct emitter *emitter) {
+static void add_light(const struct environment_light *light, float scale, struct emitter *emitter) {
     vec3 vector;
-    sky_light_vector(light, vector);
+    environment_light_vector(light, vector);
     glm_vec3_muladds((float *)light->radiance, scale * glm_vec3_norm(vector), emitter->intensity);
 }
 
-struct emitter sky_group_emitter(const struct sky_lights *lights, const struct sky_groups *groups,
-                                 int group, const struct environment *sky) {
+struct emitter sky_group_emitter(const struct environment_lights *lights,
+                                 const struct sky_groups *groups, int group,
+                                 const struct environment *sky) {
     vec3 power = {0, 0, 0};
     for (int i = 0; i < lights->count; i++)
         if (groups->of[i] == group) {
-            struct sky_light light = sky_light_turned(&lights->items[i], sky);
+            struct environment_light light = environment_light_turned(&lights->items[i], sky);
             add_power(&light, power);
         }
     struct emitter emitter = towards(power);
@@ -128,7 +130,8 @@ struct emitter sky_group_emitter(const struct sky_lights *lights, const struct s
     return emitter;
 }
 
-static void direction_in(const struct sky_light *light, const float place[2], float direction[3]) {
+static void direction_in(const struct environment_light *light, const float place[2],
+                         float direction[3]) {
     vec3 from, to;
     glm_vec3_lerp((float *)light->corners[0], (float *)light->corners[1], place[0], from);
     glm_vec3_lerp((float *)light->corners[3], (float *)light->corners[2], place[0], to);
@@ -136,8 +139,9 @@ static void direction_in(const struct sky_light *light, const float place[2], fl
 }
 
 /* One of its lights, as often as it has power, stands for all. */
-struct emitter sky_group_piece(const struct sky_lights *lights, const struct sky_groups *groups,
-                               int group, const struct environment *sky, const float place[2]) {
+struct emitter sky_group_piece(const struct environment_lights *lights,
+                               const struct sky_groups *groups, int group,
+                               const struct environment *sky, const float place[2]) {
     float all = 0, before = 0;
     for (int i = 0; i < lights->count; i++)
         all += groups->of[i] == group ? power_of(&lights->items[i]) : 0;
@@ -150,7 +154,7 @@ struct emitter sky_group_piece(const struct sky_lights *lights, const struct sky
             within = (place[0] * all - before) / (share * all);
             before += share * all;
         }
-    struct sky_light light = sky_light_turned(&lights->items[chosen], sky);
+    struct environment_light light = environment_light_turned(&lights->items[chosen], sky);
     vec3 direction;
     direction_in(&light, (float[]){glm_clamp(within, 0, 1), place[1]}, direction);
     struct emitter emitter = towards(direction);
@@ -161,7 +165,7 @@ struct emitter sky_group_piece(const struct sky_lights *lights, const struct sky
 /* --- views ---------------------------------------------------------------------------------------- */
 
 /* Where the light's corners are on a plane across the axis, at distance 1, and their middle. */
-static void project_corners(const struct sky_light *light, const struct emitter *axis,
+static void project_corners(const struct environment_light *light, const struct emitter *axis,
                             float places[4][2], float middle[2]) {
     middle[0] = middle[1] = 0;
     for (int i = 0; i < 4; i++) {
@@ -175,10 +179,10 @@ static void project_corners(const struct sky_light *light, const struct emitter 
 }
 
 /* Looks along the light so that what its corners are on a plane across has its middle on the axis. */
-static struct emitter axis_of(const struct sky_light *light, float places[4][2]) {
+static struct emitter axis_of(const struct environment_light *light, float places[4][2]) {
     vec3 vector;
     float middle[2];
-    sky_light_vector(light, vector);
+    environment_light_vector(light, vector);
     struct emitter axis = towards(vector);
     for (int step = 0; step < 4; step++) {
         vec3 moved;
@@ -192,7 +196,8 @@ static struct emitter axis_of(const struct sky_light *light, float places[4][2])
     return axis;
 }
 
-static struct sky_source source_of(const struct sky_light *light, const struct geometry *geometry) {
+static struct sky_source source_of(const struct environment_light *light,
+                                   const struct geometry *geometry) {
     float places[4][2];
     struct emitter axis = axis_of(light, places);
     struct view view;
@@ -206,7 +211,7 @@ static struct sky_source source_of(const struct sky_light *light, const struct g
     };
     for (int i = 0; i < 4; i++)
         glm_vec3_copy((float *)light->corners[i], source.corners[i]);
-    sky_light_vector(light, source.vector);
+    environment_light_vector(light, source.vector);
     glm_vec3_copy((float *)light->radiance, source.radiance);
     glm_vec3_copy(axis.right, source.right);
     glm_vec3_copy(axis.up, source.up);
@@ -274,10 +279,10 @@ static void link_source(struct sky_block *block, int count, int i) {
     }
 }
 
-void sky_block_of(struct sky_block *block, const struct sky_lights *lights,
+void sky_block_of(struct sky_block *block, const struct environment_lights *lights,
                   const struct environment *sky, const struct geometry *geometry) {
     for (int i = 0; i < lights->count; i++) {
-        struct sky_light light = sky_light_turned(&lights->items[i], sky);
+        struct environment_light light = environment_light_turned(&lights->items[i], sky);
         block->sources[i] = source_of(&light, geometry);
     }
     for (int i = 0; i < lights->count; i++)

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/names.h"
 #include "direct/direct.h"
-#include "direct/skylight.h"
+#include "direct/environment.h"
 #include "lights/light_samples.h"
 #include "passes/picture/composite.h"
 #include "scene/material.h"
@@ -36,8 +36,8 @@ static const struct option start_table[] = {
     {"wide", 0, OPTION_FLOAT, offsetof(struct start_settings, wide), .3, 0, 100,
      .help = "width from which a light has several light samples,\n"
              "over the scene's radius; for a sun in radians"},
-    {"directions", 0, OPTION_INT, offsetof(struct start_settings, directions), 12, SKY_LIGHTS_MIN,
-     LIGHTS_MAX,
+    {"directions", 0, OPTION_INT, offsetof(struct start_settings, directions), 12,
+     ENVIRONMENT_LIGHTS_MIN, LIGHTS_MAX,
      .help = "largest number of directions from which an environment's reflected\n"
              "light starts; raise, with lights.vpls, where it comes through windows"},
     {NULL},

@@ -2,7 +2,7 @@
  * have an effect now. A setting that is added to a table is here. */
 #include "viewer/panel/panel.h"
 
-#include "direct/skylight.h"
+#include "direct/environment.h"
 #include "viewer/panel/relevance.h"
 #include "viewer/panel/setting_label.h"
 #include "viewer/picture/budget.h"

@@ -1,6 +1,8 @@
 // Direct light with that of a sky. Visibility is that of the blocks of pixels around, between which it is
 // interpolated; a pixel on none of their surfaces, or where they disagree about much light, looks itself up.
-#include "lib/gbuffer.glsl"
+#define BLOCK_COSINE 0.9
+#include "shared/environment_lighting.h"
+#include "gather/block.glsl"
 #include "visibility/sky_visibility.glsl"
 
 layout(binding = UNIT_BLOCK_VISIBILITY) uniform sampler2DArray block_visibilities;
@@ -25,7 +27,6 @@ float sky_shine(lobe o, int i) {
 #endif
 
 const float PI = 3.14159265358979;
-const float BLOCK_COSINE = 0.9;
 
 // The four blocks around a pixel, and how much each speaks for it.
 struct blocks {
@@ -34,21 +35,16 @@ struct blocks {
 };
 
 blocks blocks_of(surface s, ivec2 pixel) {
-    ivec2 picture = gbuffer_size(), last = textureSize(block_visibilities, 0).xy - 1;
     int size = params.block;
     vec2 place = (vec2(pixel) - float(size / 2)) / float(size);
     ivec2 base = ivec2(floor(place));
     vec2 share = place - vec2(base);
-    float plane_apart = params.apart * view_height(camera, gbuffer_depth(pixel));
+    float plane_apart = BLOCK_APART * view_height(camera, gbuffer_depth(pixel));
     blocks b;
     for (int k = 0; k < 4; k++) {
-        ivec2 corner = ivec2(k & 1, k >> 1);
-        b.block[k] = clamp(base + corner, ivec2(0), last);
-        surface c = gbuffer_surface(min(b.block[k] * size + size / 2, picture - 1));
-        bool alike = c.present && dot(c.normal, s.normal) > BLOCK_COSINE &&
-                     abs(dot(c.position - s.position, s.normal)) < plane_apart;
-        vec2 weight = mix(1.0 - share, share, vec2(corner));
-        b.weight[k] = alike ? weight.x * weight.y + 1e-4 : 0.0;
+        b.block[k] = block_around(base, k);
+        vec2 weight = mix(1.0 - share, share, vec2(k & 1, k >> 1));
+        b.weight[k] = is_alike(s, b.block[k], plane_apart) ? weight.x * weight.y + 1e-4 : 0.0;
     }
     return b;
 }

@@ -1,13 +1,14 @@
-/* Adds the direct light of a sky's lights, each with its map [Dong 2011 §5.3.2]: exact where nothing hides
- * them, and looked up once per block of pixels, as VALs are (block_visibility.h). What is below a pixel's
- * horizon is left out before. */
-#ifndef PASSES_SKY_LIGHT_H
-#define PASSES_SKY_LIGHT_H
+/* Adds environment lighting to other direct light: area lights, each with its map [Dong 2011 §5.3.2].
+ *
+ * Unoccluded light is exact. Visibility is looked up once per block of pixels, as that of VALs is
+ * (block_visibility.h). The part of a light below a pixel's horizon does not count. */
+#ifndef PASSES_ENVIRONMENT_LIGHTING_H
+#define PASSES_ENVIRONMENT_LIGHTING_H
 
 #include "lights/sky.h"
 #include "passes/frame.h"
 
-struct sky_light_desc {
+struct environment_lighting_desc {
     int width, height; /* of the picture */
     struct sky_map_layout maps;
     int block;      /* pixels a side of a block that shares its visibility */
@@ -17,8 +18,8 @@ struct sky_light_desc {
     bool gloss;     /* the G-buffer has it */
 };
 
-struct sky_light_pass {
-    struct sky_light_desc desc;
+struct environment_lighting_pass {
+    struct environment_lighting_desc desc;
     GLuint share_program, block_program, light_program;
     struct texture shares;   /* RGBA32F, a layer four lights; visibility/sky_shares.frag */
     struct texture blocks;   /* RGBA8, the same */
@@ -28,13 +29,15 @@ struct sky_light_pass {
     struct buffer params;
 };
 
-bool sky_light_pass_init(struct sky_light_pass *pass, const struct sky_light_desc *desc);
-void sky_light_pass_free(struct sky_light_pass *pass);
+bool environment_lighting_pass_init(struct environment_lighting_pass *pass,
+                                    const struct environment_lighting_desc *desc);
+void environment_lighting_pass_free(struct environment_lighting_pass *pass);
 
 /* Error: out of GPU memory; all is as it was. */
-bool sky_light_pass_resize(struct sky_light_pass *pass, int width, int height);
+bool environment_lighting_pass_resize(struct environment_lighting_pass *pass, int width,
+                                      int height);
 
-struct sky_light_inputs {
+struct environment_lighting_inputs {
     const struct buffer *lights;    /* a struct sky_block */
     const struct texture *maps;     /* passes/visibility/sky_map.h's */
     const struct texture *direct;   /* of all other lights, as pass->light */
@@ -42,11 +45,13 @@ struct sky_light_inputs {
 };
 
 /* What no camera can change, for lights in a struct sky_block. Timer "sky shares". */
-void sky_light_pass_render_lights(const struct sky_light_pass *pass, const struct frame *frame,
-                                  const struct buffer *lights);
+void environment_lighting_pass_render_lights(const struct environment_lighting_pass *pass,
+                                             const struct frame *frame,
+                                             const struct buffer *lights);
 
 /* Fills pass->light and pass->specular. Timers "sky blocks" and "sky light". */
-void sky_light_pass_render(const struct sky_light_pass *pass, const struct frame *frame,
-                           const struct gbuffer *gbuffer, const struct sky_light_inputs *inputs);
+void environment_lighting_pass_render(const struct environment_lighting_pass *pass,
+                                      const struct frame *frame, const struct gbuffer *gbuffer,
+                                      const struct environment_lighting_inputs *inputs);
 
 #endif

@@ -1,38 +1,37 @@
-#include "passes/visibility/sky_light.h"
+#include "passes/visibility/environment_lighting.h"
 
 #include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/sky_light.h"
+#include "shared/environment_lighting.h"
 
 #include <stdlib.h>
-
-static const float apart = .008F; /* as the gather's blocks */
 
 /* Of many lights each has so little that no pixel would ask for it: beyond so many the limit falls with what
  * one of them has. */
 static const int few = 60;
 
-static float disagree_of(const struct sky_light_desc *desc) {
+static float disagree_of(const struct environment_lighting_desc *desc) {
     int count = desc->maps.count;
     return count > few ? desc->disagree * (float)few / (float)count : desc->disagree;
 }
 
-static bool init_programs(struct sky_light_pass *pass) {
+static bool init_programs(struct environment_lighting_pass *pass) {
     char *maps = sky_map_defines(&pass->desc.maps);
     char *defines = mem_printf("%s;WAYS %d", maps, pass->desc.ways);
     char *light_defines = mem_printf("%s%s", defines, pass->desc.gloss ? ";HAS_GLOSS" : "");
-    bool ok = program_init(&pass->share_program,
-                           &(struct program_desc){
-                               .screen = {"visibility/sky_shares.frag", .layers = true}}) &&
-              program_init(
-                  &pass->block_program,
-                  &(struct program_desc){.screen = {"visibility/sky_blocks.frag", .layers = true},
-                                         .defines = defines}) &&
-              program_init(&pass->light_program,
-                           &(struct program_desc){.screen = {"visibility/sky_light.frag"},
-                                                  .defines = light_defines});
+    bool ok =
+        program_init(
+            &pass->share_program,
+            &(struct program_desc){.screen = {"visibility/sky_shares.frag", .layers = true}}) &&
+        program_init(
+            &pass->block_program,
+            &(struct program_desc){.screen = {"visibility/sky_blocks.frag", .layers = true},
+                                   .defines = defines}) &&
+        program_init(&pass->light_program,
+                     &(struct program_desc){.screen = {"visibility/environment_lighting.frag"},
+                                            .defines = light_defines});
     free(maps);
     free(defines);
     free(light_defines);
@@ -40,11 +39,11 @@ static bool init_programs(struct sky_light_pass *pass) {
 }
 
 /* Each layer has four. */
-static int layers(const struct sky_light_desc *desc) {
+static int layers(const struct environment_lighting_desc *desc) {
     return (desc->maps.count + 3) / 4;
 }
 
-static bool init_shares(struct sky_light_pass *pass) {
+static bool init_shares(struct environment_lighting_pass *pass) {
     return texture_init(&pass->shares, &(struct texture_desc){.label = "sky shares",
                                                               .target = GL_TEXTURE_2D_ARRAY,
                                                               .format = GL_RGBA32F,
@@ -57,7 +56,8 @@ static bool init_shares(struct sky_light_pass *pass) {
                &(struct framebuffer_desc){.label = "sky shares", .colors = {&pass->shares}});
 }
 
-static bool init_light(struct sky_light_pass *pass, struct texture *texture, const char *label) {
+static bool init_light(struct environment_lighting_pass *pass, struct texture *texture,
+                       const char *label) {
     return texture_init(texture, &(struct texture_desc){.label = label,
                                                         .format = GL_RGBA32F,
                                                         .width = pass->desc.width,
@@ -65,8 +65,8 @@ static bool init_light(struct sky_light_pass *pass, struct texture *texture, con
 }
 
 /* What is as large as the picture. */
-static bool init_targets(struct sky_light_pass *pass) {
-    const struct sky_light_desc *desc = &pass->desc;
+static bool init_targets(struct environment_lighting_pass *pass) {
+    const struct environment_lighting_desc *desc = &pass->desc;
     struct framebuffer_desc light = {.label = "sky light", .colors = {&pass->light}};
     if (desc->gloss)
         light.colors[TARGET_DIRECT_SPECULAR] = &pass->specular;
@@ -86,7 +86,7 @@ static bool init_targets(struct sky_light_pass *pass) {
            framebuffer_init(&pass->light_framebuffer, &light);
 }
 
-static void free_targets(struct sky_light_pass *pass) {
+static void free_targets(struct environment_lighting_pass *pass) {
     framebuffer_free(&pass->block_framebuffer);
     framebuffer_free(&pass->light_framebuffer);
     texture_free(&pass->blocks);
@@ -94,21 +94,21 @@ static void free_targets(struct sky_light_pass *pass) {
     texture_free(&pass->specular);
 }
 
-bool sky_light_pass_init(struct sky_light_pass *pass, const struct sky_light_desc *desc) {
-    *pass = (struct sky_light_pass){.desc = *desc};
-    struct sky_light_params params = {.count = desc->maps.count,
-                                      .block = desc->block,
-                                      .bias = desc->bias,
-                                      .apart = apart,
-                                      .disagree = disagree_of(desc)};
+bool environment_lighting_pass_init(struct environment_lighting_pass *pass,
+                                    const struct environment_lighting_desc *desc) {
+    *pass = (struct environment_lighting_pass){.desc = *desc};
+    struct environment_lighting_params params = {.count = desc->maps.count,
+                                                 .block = desc->block,
+                                                 .bias = desc->bias,
+                                                 .disagree = disagree_of(desc)};
     if (init_programs(pass) && init_shares(pass) && init_targets(pass) &&
         buffer_init(&pass->params, "sky parameters", sizeof params, &params))
         return true;
-    sky_light_pass_free(pass);
+    environment_lighting_pass_free(pass);
     return false;
 }
 
-void sky_light_pass_free(struct sky_light_pass *pass) {
+void environment_lighting_pass_free(struct environment_lighting_pass *pass) {
     program_free(&pass->share_program);
     program_free(&pass->block_program);
     program_free(&pass->light_program);
@@ -116,11 +116,12 @@ void sky_light_pass_free(struct sky_light_pass *pass) {
     framebuffer_free(&pass->share_framebuffer);
     texture_free(&pass->shares);
     buffer_free(&pass->params);
-    *pass = (struct sky_light_pass){0};
+    *pass = (struct environment_lighting_pass){0};
 }
 
-bool sky_light_pass_resize(struct sky_light_pass *pass, int width, int height) {
-    struct sky_light_pass fresh = *pass;
+bool environment_lighting_pass_resize(struct environment_lighting_pass *pass, int width,
+                                      int height) {
+    struct environment_lighting_pass fresh = *pass;
     fresh.blocks = fresh.light = fresh.specular = (struct texture){0};
     fresh.block_framebuffer = fresh.light_framebuffer = 0;
     fresh.desc.width = width;
@@ -134,8 +135,9 @@ bool sky_light_pass_resize(struct sky_light_pass *pass, int width, int height) {
     return true;
 }
 
-void sky_light_pass_render_lights(const struct sky_light_pass *pass, const struct frame *frame,
-                                  const struct buffer *lights) {
+void environment_lighting_pass_render_lights(const struct environment_lighting_pass *pass,
+                                             const struct frame *frame,
+                                             const struct buffer *lights) {
     pass_begin(frame->timers, &(struct pass_state){
                                   .name = "sky shares",
                                   .program = pass->share_program,
@@ -148,8 +150,9 @@ void sky_light_pass_render_lights(const struct sky_light_pass *pass, const struc
     pass_end(frame->timers);
 }
 
-void sky_light_pass_render(const struct sky_light_pass *pass, const struct frame *frame,
-                           const struct gbuffer *gbuffer, const struct sky_light_inputs *inputs) {
+void environment_lighting_pass_render(const struct environment_lighting_pass *pass,
+                                      const struct frame *frame, const struct gbuffer *gbuffer,
+                                      const struct environment_lighting_inputs *inputs) {
     struct pass_state state = {
         .name = "sky blocks",
         .program = pass->block_program,
