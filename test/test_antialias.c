@@ -310,7 +310,7 @@ static void test_even(void **state) {
 /* --- further points ---------------------------------------------------------------------------- */
 
 /* All VPLs at what lists have, and a quarter elsewhere, blurred over as many pixels. */
-#define DETAIL "interleave=2 blur-radius=1 detail=1 detail-share=1 clamp=disk vpls=64 samples=8 "
+#define DETAIL "interleave=2 blur-radius=1 detail=1 clamp=disk vpls=64 samples=8 "
 
 /* Things thinner than a pixel are lit as they are, not as what lies beside or behind them. */
 static void test_further_points(void **state) {

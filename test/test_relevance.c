@@ -12,7 +12,7 @@
 #define CHEAP "vpls=64 vals=4 map.size=32 rsm-size=64 direct.shadow-size=128 interleave=4 detail=2 "
 
 #define AREAS "area-lights=16 cluster-lights.near=16 "
-#define POINTS "map-points=64 sets=4 imperfect-shadow-maps.size=16 "
+#define POINTS "map-points=64 imperfect-shadow-maps.size=16 "
 
 static struct stage stage;
 
@@ -67,7 +67,6 @@ static const struct {
     {"instant-radiosity", CHEAP},
     {"lightcuts", CHEAP "detail=0"},
     {"cluster-lights", CHEAP AREAS},
-    {"cluster-lights", CHEAP AREAS "cluster-lights.pattern=2"},
     {"cluster-lights", CHEAP AREAS "cluster-lights.near=0 shadows=none detail=0"},
     {"cluster-lights", CHEAP AREAS "form=disk"},
     {"imperfect-shadow-maps", CHEAP POINTS},
@@ -120,21 +119,14 @@ static void test_shown(void **state) {
     (void)state;
     static const char *const rows[][3] = {
         {"lookup.terms", "clustered", CHEAP "visibility=cssm"},
-        {"lookup.gain", "clustered", CHEAP "visibility=cssm"},
-        {"lookup.taps", "clustered", CHEAP "visibility=pcss"},
-        {"lookup.taps", "clustered", CHEAP},
         {"gather.near-samples", "clustered", CHEAP},
-        {"gather.clamp-value", "clustered", CHEAP "clamp=value"},
-        {"gather.detail-share", "clustered", CHEAP},
         {"blur.distance", "clustered", CHEAP},
         {"clustered.bounce-vals", "clustered", CHEAP "lights.bounces=2"},
-        {"gather.near-reach", "cluster-lights", CHEAP AREAS "near-reach=.3"},
+        {"cluster-lights.near", "cluster-lights", CHEAP AREAS},
         {"gather.detail", "cluster-lights", CHEAP AREAS "detail=0"},
-        {"gather.detail-share", "cluster-lights", CHEAP AREAS},
-        {"gather.clamp-value", "cluster-lights", CHEAP AREAS "seeds=importance"},
+        {"gather.further-points", "clustered", CHEAP},
         {"clustered.vals", "cluster-lights", CHEAP AREAS},
-        {"blur.separable", "cluster-lights", CHEAP AREAS "cluster-lights.pattern=2"},
-        {"lookup.bias", "imperfect-shadow-maps", CHEAP POINTS},
+        {"clustered.iterations", "cluster-lights", CHEAP AREAS "shadows=none"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         bool effect = changes(rows[i][0], rows[i][1], rows[i][2]);
@@ -164,7 +156,7 @@ static void check_labels(const struct settings *settings) {
         count++;
     }
     printf("    %d settings have labels\n", all);
-    assert_true(all > 90);
+    assert_in_range(all, 40, 60);
 }
 
 static void test_labels(void **state) {

@@ -15,25 +15,28 @@ static const struct option table[] = {
              "brightest texel, or cells of nearly even radiance"},
     {"sky-size", 0, OPTION_INT, ROW(map_size), 256, 16, 4096,
      .help = "texels along each side of the shadow map of an environment light"},
-    {"sun-maps", 0, OPTION_INT, ROW(sun_maps), 4, 1, 8,
-     .help = "shadow maps across a sun, n of n x n; a sun is an environment light below .01 sr\n"
-             "with at least 1/40 of the light; raise against steps along its shadows"},
-    {"sky-block", 0, OPTION_INT, ROW(block), 7, 1, 64,
-     .help = "pixels along each side of a block that shares its visibility"},
     {"sky-ways", 0, OPTION_INT, ROW(ways), 3, 1, 256,
      .help = "shadow rays per lookup of an environment light; at least 16 for a sun"},
-    {"sky-bias", 0, OPTION_FLOAT, ROW(bias), .1, 0, 100,
-     .help = "height above the receiver's plane up to\n"
-             "which nothing casts a shadow, in map texels"},
-    {"disagree", 0, OPTION_FLOAT, ROW(disagree), .02, 0, 2,
-     .help = "difference between blocks, as a fraction of the\n"
-             "environment's light, above which pixels between them use\n"
-             "their own lookups; above 60 lights divided by lights / 60"},
+    {"directions", 0, OPTION_INT, ROW(directions), 12, SKY_LIGHTS_MIN, LIGHTS_MAX,
+     .help = "largest number of directions from which an environment's reflected\n"
+             "light starts; raise, with lights.vpls, where it comes through windows"},
     {NULL},
 };
 
 const struct settings_part sky_part = {"sky", "direct light of an environment", table,
                                        sizeof(struct skylight_settings)};
+
+enum {
+    SUN_MAPS = 4,  /* maps along each side of a sun: a light below .01 sr with at least 1/40 of the light */
+    BLOCK = 7,     /* pixels along each side of a block that shares its visibility */
+};
+
+/* Height above the receiver's plane up to which nothing casts a shadow, in texels of a map. */
+static const float bias = .1F;
+
+/* Blocks that differ by more, over the environment's light, leave the pixels between them their own lookups; of more than
+ * 60 lights divided by lights / 60. */
+static const float disagree = .02F;
 
 /* Those that the maps of VALs have, so that both share them. */
 static const struct caster_desc caster = {.error = .00055F, .long_count = 500};
@@ -41,7 +44,7 @@ static const struct caster_desc caster = {.error = .00055F, .long_count = 500};
 bool skylight_init(struct skylight *skylight, const struct skylight_desc *desc) {
     const struct skylight_settings *own = settings_of(desc->settings, &sky_part);
     const struct sky_map_layout layout = {
-        .size = own->map_size, .count = desc->count, .suns = desc->suns, .sun_maps = own->sun_maps};
+        .size = own->map_size, .count = desc->count, .suns = desc->suns, .sun_maps = SUN_MAPS};
     *skylight = (struct skylight){.count = desc->count};
     if (desc->count == 0 ||
         (sky_map_pass_init(&skylight->maps, &(struct sky_map_desc){.casters = desc->casters,
@@ -50,10 +53,10 @@ bool skylight_init(struct skylight *skylight, const struct skylight_desc *desc) 
          sky_light_pass_init(&skylight->light, &(struct sky_light_desc){.width = desc->width,
                                                                         .height = desc->height,
                                                                         .maps = layout,
-                                                                        .block = own->block,
+                                                                        .block = BLOCK,
                                                                         .ways = own->ways,
-                                                                        .bias = own->bias,
-                                                                        .disagree = own->disagree,
+                                                                        .bias = bias,
+                                                                        .disagree = disagree,
                                                                         .gloss = desc->gloss}) &&
          buffer_init(&skylight->lights, "lights of the sky", sizeof(struct sky_block), NULL)))
         return true;

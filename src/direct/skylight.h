@@ -10,10 +10,8 @@
 struct skylight_settings {
     int lights, fit; /* enum sky_fit */
     int map_size;    /* texels a side */
-    int sun_maps;    /* of a sun, a side */
-    int block;       /* pixels a side */
     int ways;
-    float bias, disagree;
+    int directions; /* that reflected light starts from, at most */
 };
 
 extern const struct settings_part sky_part;

@@ -236,12 +236,11 @@ static void set_defaults(struct renderer_desc *desc) {
 static void plan_sky(struct light_plan *plan, const struct light_plan *before,
                      const struct renderer_desc *desc) {
     const struct skylight_settings *sky = settings_of(&desc->settings, &sky_part);
-    const struct start_settings *start = settings_of(&desc->settings, &start_part);
     const struct environment *environment = desc->emitters.sky;
     int room = LIGHTS_MAX - desc->emitters.count;
     struct sky_wanted *wanted = &plan->wanted;
     *wanted = (struct sky_wanted){environment, sky->fit, sky->lights,
-                                  start->directions < room ? start->directions : room};
+                                  sky->directions < room ? sky->directions : room};
     if (before && before->wanted.environment == environment && before->wanted.fit == wanted->fit &&
         before->wanted.lights == wanted->lights && before->wanted.starts == wanted->starts) {
         plan->sky = before->sky;
@@ -252,10 +251,15 @@ static void plan_sky(struct light_plan *plan, const struct light_plan *before,
     sky_lights_group(&plan->sky_starts, &plan->sky, wanted->starts);
 }
 
+/* Light samples of all wide lights together, from which their reflected light starts. */
+enum { LIGHT_SAMPLES = 4 };
+
+/* A wider light has several light samples; over the scene's radius, of a sun in radians. */
+static const float wide_light = .3F;
+
 /* Error: more lights than there is room for. */
 static bool plan_lights(struct light_plan *plan, const struct light_plan *before,
                         const struct renderer_desc *desc) {
-    const struct start_settings *own = settings_of(&desc->settings, &start_part);
     struct light_starts starts;
     if (!light_layout_of(&plan->layout, &desc->emitters))
         return false;
@@ -263,7 +267,7 @@ static bool plan_lights(struct light_plan *plan, const struct light_plan *before
         return error_set("%d lights and a sky: at most %d shine beside one; --light picks some",
                          desc->emitters.count, LIGHTS_MAX - SKY_LIGHTS_MIN);
     plan_sky(plan, before, desc);
-    plan->starts = (struct starts_desc){own->places, own->wide, desc->geometry->radius};
+    plan->starts = (struct starts_desc){LIGHT_SAMPLES, wide_light, desc->geometry->radius};
     light_starts_place(&starts, &desc->emitters,
                        &(struct starts_sky){&plan->sky, &plan->sky_starts}, &plan->starts, 0);
     plan->start_layout = light_starts_layout(&starts);

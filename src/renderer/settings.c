@@ -6,7 +6,6 @@
 #include "direct/skylight.h"
 #include "passes/picture/composite.h"
 #include "scene/material.h"
-#include "scene/starts.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -29,23 +28,6 @@ static const struct option table[] = {
 const struct settings_part picture_part = {"picture", "picture", table,
                                            sizeof(struct picture_settings)};
 
-static const struct option start_table[] = {
-    {"places", 0, OPTION_INT, offsetof(struct start_settings, places), 4, 1, LIGHTS_MAX,
-     .help = "number of light samples of all wide lights\n"
-             "together, from which their reflected light starts"},
-    {"wide", 0, OPTION_FLOAT, offsetof(struct start_settings, wide), .3, 0, 100,
-     .help = "width from which a light has several light samples,\n"
-             "over the scene's radius; for a sun in radians"},
-    {"directions", 0, OPTION_INT, offsetof(struct start_settings, directions), 12, SKY_LIGHTS_MIN,
-     LIGHTS_MAX,
-     .help = "largest number of directions from which an environment's reflected\n"
-             "light starts; raise, with lights.vpls, where it comes through windows"},
-    {NULL},
-};
-
-const struct settings_part start_part = {"start", "light samples that reflected light starts from",
-                                         start_table, sizeof(struct start_settings)};
-
 static void add_parts(struct settings *settings, const struct settings_part *const *parts) {
     for (; *parts; parts++)
         settings_add(settings, *parts);
@@ -58,7 +40,6 @@ void renderer_settings_init(struct settings *settings) {
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         add_parts(settings, (*d)->parts);
     settings_add(settings, &sky_part);
-    settings_add(settings, &start_part);
     settings_add(settings, &material_part);
     settings_add(settings, &picture_part);
 }
@@ -153,7 +134,6 @@ static void print_all(FILE *out, const struct technique *technique) {
         settings_print_help(out, *part, technique->unused);
     print_direct_parts(out);
     settings_print_help(out, &sky_part, NULL);
-    settings_print_help(out, &start_part, NULL);
     settings_print_help(out, &material_part, NULL);
     settings_print_help(out, &picture_part, NULL);
 }

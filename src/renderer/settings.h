@@ -14,13 +14,7 @@ struct picture_settings {
     int tone_map;   /* enum tone_map */
 };
 
-struct start_settings {
-    int places;     /* of wide lights, where reflected light starts */
-    float wide;     /* over the scene's radius */
-    int directions; /* of a sky */
-};
-
-extern const struct settings_part picture_part, start_part;
+extern const struct settings_part picture_part;
 
 /* Every part with its defaults. */
 void renderer_settings_init(struct settings *settings);

@@ -8,10 +8,28 @@
 #include <math.h>
 #include <string.h>
 
-/* B of contact sharpening [Dong 2011, eq. 5.9]. */
-static const float sharpen_b = 10;
+enum {
+    GLOSS_RAYS = 4,       /* specular rays of a pixel */
+    GLOSS_INTERLEAVE = 2, /* of the VPLs in specular reflection; 1 is sharper, 4 is cheaper */
+    FILTER_TAPS = 16,     /* texels of a percentage-closer filter; the blocker search takes half as many */
+};
 
-enum { GLOSS_RAYS = 4 }; /* specular rays of a pixel */
+/* Receiver offset along its normal, in texels of the map at its distance; a ray uses 40 % of it. And depth bias, over the
+ * receiver's distance. */
+static const float lookup_bias = .25F, lookup_map_bias = .005F;
+
+/* Ringing suppression [Dong 2011, Fig. 5.2]: shift of the receiver's depth in units of 1/(2K), and scale of the blocked
+ * fraction about one half. */
+static const float ringing_shift = .25F, ringing_gain = 2;
+
+/* Radius of the near field in VPL spacings: less for flat triangles, whose pictures are the mean of many passes. */
+static const float near_reach = 5, near_reach_of_facets = 4;
+
+/* Radius of virtual spherical lights, over the distance within which 10 VPLs lie. */
+static const float sphere_radius = .25F;
+
+/* A pixel is adaptive unless all four neighbours half a blur's radius away are on its surface. */
+static const float adaptive_share = 1;
 
 struct visibility_desc many_lights_lookup(const struct settings *settings,
                                           enum visibility_lookup lookup, int map_count) {
@@ -22,14 +40,11 @@ struct visibility_desc many_lights_lookup(const struct settings *settings,
         .map_size = map->size,
         .map_count = map_count,
         .basis_terms = own->terms,
-        .bias = own->bias,
-        .map_bias = own->map_bias,
-        .shift = own->shift,
-        .gain = own->gain,
-        .sharpen_a = own->sharpen_a,
-        .sharpen_b = sharpen_b,
-        .taps = own->taps,
-        .filter_jacobian = own->filter_jacobian,
+        .bias = lookup_bias,
+        .map_bias = lookup_map_bias,
+        .shift = ringing_shift,
+        .gain = ringing_gain,
+        .taps = FILTER_TAPS,
     };
 }
 
@@ -166,7 +181,7 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
         .distance = blur->distance,
         .cosine = blur->cosine,
         .sharp_cosine = fminf(blur->cosine, sharp_cosine),
-        .share = gather->detail_share,
+        .share = adaptive_share,
         .block = block,
     };
     gather_desc.interleave = gather->detail;
@@ -195,8 +210,8 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
         .cuts = visibility->cuts,
         .visibility = lookup_of(desc->settings, visibility->lookup, visibility),
         .clamp = (enum gather_clamp)own->clamp,
-        .clamp_value = own->clamp_value,
-        .sphere = own->sphere,
+        .clamp_value = many_lights_clamp_value,
+        .sphere = sphere_radius,
         .further = lights->bounces > 1,
     };
     /* Where each takes all lights, those that are listed ask for their own visibility alone; else, where all
@@ -219,7 +234,7 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
     const struct gather_settings *own = settings_of(desc->settings, &gather_part);
     const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
     struct gather_desc gather = lights->gather.desc;
-    int n = own->gloss_interleave < own->interleave ? own->gloss_interleave : own->interleave;
+    int n = GLOSS_INTERLEAVE < own->interleave ? GLOSS_INTERLEAVE : own->interleave;
     gather.interleave = n;
     gather.receivers = RECEIVERS_ALL;
     gather.cuts = false;
@@ -366,7 +381,7 @@ static bool init_rsm(struct many_lights *lights, const struct technique_desc *de
 bool many_lights_init(struct many_lights *lights, const struct technique_desc *desc,
                       const struct many_lights_visibility *visibility) {
     const struct lights_settings *own = settings_of(desc->settings, &lights_part);
-    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
+    const float reach = own->facets ? near_reach_of_facets : near_reach;
     *lights = (struct many_lights){.tree = visibility->tree};
     if (init_rsm(lights, desc, rsm_size(desc)) &&
         geometry_pass_init(
@@ -374,7 +389,7 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
             &(struct geometry_desc){.has_gloss = desc->gloss,
                                     .has_mappings = materials_have_mappings(desc->scene),
                                     .facets = sends_as_facets(desc)}) &&
-        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach}) &&
+        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, reach}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) && init_bounces(lights, desc) &&
         init_gather(lights, desc, visibility) && init_gloss(lights, desc, visibility) &&
         init_near_field(lights, desc, visibility) && init_blur(lights, desc))

@@ -9,7 +9,7 @@ static const struct option lights_table[] = {
     {"vpls", 0, OPTION_INT, ROW(lights, vpls), 1024, 1, 65536,
      .help = "number of virtual point lights (VPLs), N; more: smoother and slower"},
     {"seed", 0, OPTION_INT, ROW(lights, seed), 0, 0, 1e9,
-     .help = "seed of VPLs and light paths; 0: unshifted Halton sequence"},
+     .help = "seed of VPLs, light paths and random choices; 0: unshifted Halton sequence"},
     {"rsm-size", 0, OPTION_INT, ROW(lights, rsm_size), 512, RSM_SIZE_MIN, 8192,
      .help = "texels along each side of a reflective shadow map;\n"
              "reduced for more than 4 light views or 21 point lights"},
@@ -29,36 +29,12 @@ static const struct option map_table[] = {
     {"size", 0, OPTION_INT, ROW(map, size), 256, 16, 4096,
      .help = "texels along each side of a paraboloid\n"
              "map; raise for finer contact shadows"},
-    {"near-clip", 0, OPTION_FLOAT, ROW(map, near_clip), .025, 0, 1,
-     .help = "near distance of a map, over the spread of the VPLs; nearer\n"
-             "casters are ignored; at most the spacing of the VPLs"},
     {NULL},
 };
 
 static const struct option lookup_table[] = {
     {"terms", 0, OPTION_INT, ROW(lookup, terms), 4, 1, 16,
      .help = "terms of the Fourier series, K; with clustered.visibility=cssm"},
-    {"bias", 0, OPTION_FLOAT, ROW(lookup, bias), .25, 0, 100,
-     .help = "receiver offset along its normal, in map texels at its\n"
-             "distance; clustered.visibility=ray uses 40 % of it"},
-    {"map-bias", 0, OPTION_FLOAT, ROW(lookup, map_bias), .005, 0, 1,
-     .help = "depth bias, as a fraction of the receiver's\n"
-             "distance; not with clustered.visibility=cssm"},
-    {"shift", 0, OPTION_FLOAT, ROW(lookup, shift), .25, 0, 2,
-     .help = "ringing suppression: shift of the receiver's depth,\n"
-             "in units of 1/(2K); with clustered.visibility=cssm"},
-    {"gain", 0, OPTION_FLOAT, ROW(lookup, gain), 2, .1, 16,
-     .help = "ringing suppression: scale of the blocked fraction\n"
-             "about one half; with clustered.visibility=cssm"},
-    {"sharpen-a", 0, OPTION_FLOAT, ROW(lookup, sharpen_a), 0, 0, 1000,
-     .help = "contact sharpening, A [Dong 2011, eq. 5.9];\n"
-             "0: off; with clustered.visibility=cssm"},
-    {"taps", 0, OPTION_INT, ROW(lookup, taps), 16, 1, 256,
-     .help = "texels of the percentage-closer filter; the blocker search\n"
-             "takes half as many; with clustered.visibility=pcss or ray"},
-    {"filter-jacobian", 0, OPTION_FLAG, ROW(lookup, filter_jacobian), 0,
-     .help = "filter width by the paraboloid's Jacobian instead\n"
-             "of alpha/pi; with clustered.visibility=cssm"},
     {NULL},
 };
 
@@ -71,17 +47,9 @@ static const struct option gather_table[] = {
      .help = "interleave n: each pixel of an n x n pattern takes 1/n^2 of the VPLs,\n"
              "and a blur removes the pattern; 1: all VPLs at each pixel, slowest"},
     {"clamp", 0, OPTION_CHOICE, ROW(gather, clamp), GATHER_CLAMP_NEAR, .choices = clamp_names,
-     .help = "bound of the geometry term near a VPL: none, gather.clamp-value,\n"
-             "a disk's form factor, the near field from the reflective shadow\n"
-             "map, or a virtual spherical light"},
-    {"clamp-value", 0, OPTION_FLOAT, ROW(gather, clamp_value), 25, 0, 1e9,
-     .help = "bound of the geometry term, times the squared\n"
-             "scene radius; with gather.clamp=value"},
-    {"sphere", 0, OPTION_FLOAT, ROW(gather, sphere), .25, 0, 10,
-     .help = "radius of virtual spherical lights, over the distance within which\n"
-             "10 VPLs lie; with gather.clamp=sphere or gather.gloss=sphere"},
-    {"near-reach", 0, OPTION_FLOAT, ROW(gather, near_reach), 5, .1, 100,
-     .help = "radius of the near field, in VPL spacings; with gather.clamp=near"},
+     .help = "bound of the geometry term near a VPL: none, 25 over the squared scene\n"
+             "radius (value), a disk's form factor, the near field from the\n"
+             "reflective shadow map, or a virtual spherical light"},
     {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 1024, 1, 1024,
      .help = "near-field samples per n x n pixels of the interleave pattern; adaptive\n"
              "pixels take fewer above 400x400, down to half; with gather.clamp=near"},
@@ -89,9 +57,6 @@ static const struct option gather_table[] = {
      .help = "specular reflection of indirect light: VPLs as points\n"
              "(visible as spots), VPLs as balls, or points and rays\n"
              "through the reflective shadow maps (least error)"},
-    {"gloss-interleave", 0, OPTION_INT, ROW(gather, gloss_interleave), 2, 1, 16,
-     .help = "interleave of the VPLs in specular reflection, at\n"
-             "most gather.interleave; 1: sharper, 4: cheaper"},
     {"detail", 0, OPTION_INT, ROW(gather, detail), 4, 0, 8,
      .help = "interleave for adaptive pixels, which have too few similar neighbours\n"
              "to blur; smaller than gather.interleave: more VPLs each, own lookups,\n"
@@ -100,10 +65,6 @@ static const struct option gather_table[] = {
      .help = "factor of VPLs for adaptive pixels of fine detail, with fewer\n"
              "than 2 of 4 neighbours on their surface within 8 degrees; above\n"
              "400x400 divided by pixels / 160000; with gather.detail > 0"},
-    {"detail-share", 0, OPTION_FLOAT, ROW(gather, detail_share), 1, 0, 1,
-     .help = "fraction of the 4 neighbours half a blur radius away on the same surface, below\n"
-             "which a pixel is adaptive; .75 excludes corners, .5 straight edges too; pixels\n"
-             "that no block visibility fits are adaptive too; with gather.detail > 0"},
     {"further-points", 0, OPTION_FLAG, ROW(gather, further_points), 1,
      .help = "edge samples: points of a pixel on a surface that no neighbouring\n"
              "pixel centre sees gather separately; with gather.detail > 0"},
@@ -145,6 +106,9 @@ PART(lookup, "visibility lookups in the maps");
 PART(gather, "gather of the light");
 PART(blur, "geometry-aware blur");
 PART(caster, "casters in the maps");
+
+const float many_lights_near_clip = .025F;
+const float many_lights_clamp_value = 25;
 
 const struct refinement many_lights_refinement = {
     .technique = "instant-radiosity",

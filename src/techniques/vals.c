@@ -82,7 +82,6 @@ struct set_desc {
 static bool init_cluster(struct val_set *set, const struct settings *settings,
                          const struct set_desc *of) {
     const struct vals_settings *own = settings_of(settings, &vals_part);
-    const struct map_settings *map = settings_of(settings, &map_part);
     if (of->by_importance && !vpl_weight_pass_init(&set->weight, of->vpl_count))
         return false;
     return cluster_pass_init(&set->cluster,
@@ -95,7 +94,7 @@ static bool init_cluster(struct val_set *set, const struct settings *settings,
                                  .weight_position = own->weight_position,
                                  .weight_normal = own->weight_normal,
                                  .has_views = true,
-                                 .near_clip = map->near_clip,
+                                 .near_clip = many_lights_near_clip,
                              });
 }
 

@@ -14,39 +14,28 @@ static const struct relevance of_all[] = {
     {"lights.paths", "lights.bounces>1"},
     {"clustered.bounce-vals", "lights.bounces>1"},
     {"lookup.terms", "clustered.visibility=cssm"},
-    {"lookup.shift", "clustered.visibility=cssm"},
-    {"lookup.gain", "clustered.visibility=cssm"},
-    {"lookup.sharpen-a", "clustered.visibility=cssm"},
-    {"lookup.filter-jacobian", "clustered.visibility=cssm"},
-    {"lookup.taps", "clustered.visibility=pcss|ray"},
-    {"gather.clamp-value", "gather.clamp=value"},
-    {"gather.near-reach", "gather.clamp=near"},
     {"gather.near-samples", "gather.clamp=near"},
     {"gather.detail", "blur.radius!=0"},
     {"gather.detail-times", "blur.radius!=0"},
     {"gather.detail-times", "gather.detail>0"},
-    {"gather.detail-share", "blur.radius!=0"},
-    {"gather.detail-share", "gather.detail>0"},
     {"gather.further-points", "blur.radius!=0"},
     {"gather.further-points", "gather.detail>0"},
     {"blur.separable", "blur.radius!=0"},
     {"blur.distance", "blur.radius!=0"},
 };
 
-/* Of area lights, which have a form where others have a clamp, and a pattern where others are interleaved. */
+/* Of area lights, which have a form where others have a clamp. */
 static const struct relevance of_cluster_lights[] = {
-    {"clustered", "cluster-lights.shadows=vals"},
+    {"clustered.vals", "cluster-lights.shadows=vals"},
+    {"clustered.bounce-vals", "cluster-lights.shadows=vals"},
+    {"clustered.weight-position", "cluster-lights.shadows=vals"},
+    {"clustered.weight-normal", "cluster-lights.shadows=vals"},
+    {"clustered.visibility", "cluster-lights.shadows=vals"},
+    {"clustered.visibility-block", "cluster-lights.shadows=vals"},
     {"map", "cluster-lights.shadows=vals"},
     {"lookup", "cluster-lights.shadows=vals"},
     {"caster", "cluster-lights.shadows=vals"},
     {"cluster-lights.near", "cluster-lights.form=rectangle"},
-    {"gather.clamp-value", "cluster-lights.seeds=importance"},
-    {"gather.near-reach", "cluster-lights.near>0"},
-    {"gather.near-reach", "cluster-lights.form=rectangle"},
-    {"gather.detail", "cluster-lights.pattern=1"},
-    {"gather.detail-share", "cluster-lights.pattern=1"},
-    {"gather.further-points", "cluster-lights.pattern=1"},
-    {"blur.separable", "cluster-lights.pattern>1"},
 };
 
 #define COUNT(rows) (int)(sizeof(rows) / sizeof *(rows))

@@ -26,7 +26,6 @@ static const struct series of_skies[] = {
     {"rectangles:fit=rectangles," DIRECT_ALONE, "sky.lights=30,60"},
     {"ways:" DIRECT_ALONE, "sky-ways=3,16"},
     {"maps:" DIRECT_ALONE, "sky-size=512,1024"},
-    {"no blocks:sky-block=1," DIRECT_ALONE, "sky-ways=5"},
     {NULL, NULL},
 };
 

@@ -24,9 +24,7 @@ struct visibility_desc {
     float map_bias;             /* where distances are compared, of the distance */
     float shift;                /* of the receiver's depth, over 1 / (2 K) */
     float gain;                 /* of the blocked fraction about one half */
-    float sharpen_a, sharpen_b; /* [Dong 2011, eq. 5.9]; A = 0: off */
     int taps;                   /* of a PCSS lookup: the filter's; the search has half as many */
-    bool filter_jacobian;       /* of a CSSM lookup: exact Jacobian in place of alpha / pi */
     bool calibrated;            /* a pixel's lookups are corrected (passes/gather/calibration.h) */
 };
 

@@ -69,7 +69,7 @@ static bool init_cut(struct lightcuts *technique, const struct technique_desc *d
                                                   .nodes = own->nodes,
                                                   .tolerance = own->tolerance,
                                                   .clamp = gather->clamp,
-                                                  .clamp_value = gather->clamp_value,
+                                                  .clamp_value = many_lights_clamp_value,
                                                   .further = lights->bounces > 1,
                                                   .further_clamp = GATHER_CLAMP_PATCH,
                                               });
