@@ -2,7 +2,6 @@
  * shown beside it has one. */
 #include "render_support.h"
 
-#include "viewer/relevance.h"
 #include "viewer/setting_label.h"
 
 #include <stdio.h>
@@ -65,6 +64,7 @@ static const struct {
     {"clustered", CHEAP "visibility=pcss clamp=disk blur.radius=0 caster.long=0"},
     {"clustered", CHEAP "visibility=hard detail=0"},
     {"instant-radiosity", CHEAP},
+    {"instant-radiosity", CHEAP "traced=on"},
     {"lightcuts", CHEAP "detail=0"},
     {"cluster-lights", CHEAP AREAS},
     {"cluster-lights", CHEAP AREAS "cluster-lights.near=0 shadows=none detail=0"},
@@ -124,7 +124,6 @@ static void test_shown(void **state) {
         {"clustered.bounce-vals", "clustered", CHEAP "lights.bounces=2"},
         {"cluster-lights.near", "cluster-lights", CHEAP AREAS},
         {"gather.detail", "cluster-lights", CHEAP AREAS "detail=0"},
-        {"gather.further-points", "clustered", CHEAP},
         {"clustered.vals", "cluster-lights", CHEAP AREAS},
         {"clustered.iterations", "cluster-lights", CHEAP AREAS "shadows=none"},
     };
@@ -166,6 +165,31 @@ static void test_labels(void **state) {
     check_labels(&settings);
 }
 
+/* What rows need are settings and values that there are. */
+static void test_needs(void **state) {
+    (void)state;
+    struct settings settings;
+    int count = 0;
+    renderer_settings_init(&settings);
+    for (struct setting setting = {0}; settings_next(&settings, &setting);)
+        for (struct need need = {.word.at = setting.option->needs}; need_next(&need); count++) {
+            struct setting other;
+            bool of_techniques = strcmp(need.name, "technique") == 0;
+            assert_true(strchr("=!>", need.sign));
+            if (!of_techniques) {
+                char name[SETTING_NAME_SIZE];
+                check_ok(need.name, settings_find(&settings, need.name, &other));
+                setting_name(&other, name);
+                assert_string_equal(name, need.name);
+            }
+            for (char *value = strtok(need.values, "|"); value; value = strtok(NULL, "|"))
+                check_ok(value, of_techniques ? technique_find(value) != NULL
+                                              : setting_parse(&other, &settings, value));
+        }
+    printf("    %d needs\n", count);
+    assert_true(count > 20);
+}
+
 static int open_all(void **state) {
     int status = open_group_context(state);
     open_stage(&stage, "scenes/cornell-animal.glb");
@@ -178,7 +202,7 @@ static int close_all(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_labels), cmocka_unit_test(test_hidden),
-                                       cmocka_unit_test(test_shown)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_labels), cmocka_unit_test(test_needs),
+                                       cmocka_unit_test(test_hidden), cmocka_unit_test(test_shown)};
     return cmocka_run_group_tests(tests, open_all, close_all);
 }

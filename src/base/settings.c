@@ -131,15 +131,6 @@ void setting_name(const struct setting *setting, char name[SETTING_NAME_SIZE]) {
     snprintf(name, SETTING_NAME_SIZE, "%s.%s", setting->part->owner, setting->option->name);
 }
 
-bool setting_is_among(const struct setting *setting, const char *names) {
-    char name[SETTING_NAME_SIZE];
-    setting_name(setting, name);
-    for (struct word word = {.at = names ? names : ""}; word_next(&word);)
-        if (word_is(&word, name))
-            return true;
-    return false;
-}
-
 void setting_format(const struct setting *setting, const struct settings *settings, char *text,
                     size_t size) {
     option_format(setting->option, settings_of(settings, setting->part), text, size);
@@ -220,17 +211,33 @@ bool settings_assign(struct settings *settings, const char *assignments) {
     return true;
 }
 
-void setting_print_help(FILE *out, const struct setting *setting) {
-    char prefix[SETTING_NAME_SIZE];
-    snprintf(prefix, sizeof prefix, "%s.", setting->part->owner);
-    option_print_help(out, setting->option, prefix);
+/* --- needs --- */
+
+bool need_next(struct need *need) {
+    if (!need->word.at || !word_next(&need->word))
+        return false;
+    int name = (int)strcspn(need->word.at, "=!>");
+    need->sign = need->word.at[name];
+    int values = name + (need->sign == '!' ? 2 : 1);
+    assert(values < need->word.length && need->word.length - values < SETTING_NAME_SIZE);
+    snprintf(need->name, sizeof need->name, "%.*s", name, need->word.at);
+    snprintf(need->values, sizeof need->values, "%.*s", need->word.length - values,
+             need->word.at + values);
+    return true;
 }
 
-void settings_print_help(FILE *out, const struct settings_part *part, const char *unused) {
-    fprintf(out, "\n  %s:\n", part->title);
-    for (const struct option *option = part->table; option->name; option++) {
-        struct setting setting = {part, option};
-        if (!setting_is_among(&setting, unused))
-            setting_print_help(out, &setting);
-    }
+bool need_names(const struct need *need, const char *value) {
+    size_t length = strlen(value);
+    for (const char *at = need->values; *at; at += strcspn(at, "|"), at += *at == '|')
+        if (strcspn(at, "|") == length && strncmp(at, value, length) == 0)
+            return true;
+    return false;
+}
+
+/* --- help --- */
+
+void setting_print_help(FILE *out, const struct setting *setting, const char *with) {
+    char prefix[SETTING_NAME_SIZE];
+    snprintf(prefix, sizeof prefix, "%s.", setting->part->owner);
+    option_print_help(out, setting->option, prefix, with);
 }

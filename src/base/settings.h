@@ -61,9 +61,8 @@ bool settings_next(const struct settings *settings, struct setting *setting);
 /* The setting of that name. Error: there is none, or several, which it names. */
 bool settings_find(const struct settings *settings, const char *name, struct setting *setting);
 
-/* The full name; whether it is one of those names, NULL = none. */
+/* The full name. */
 void setting_name(const struct setting *setting, char name[SETTING_NAME_SIZE]);
-bool setting_is_among(const struct setting *setting, const char *names);
 
 /* The value as text that setting_parse reads back; and back. Error: option_parse's. */
 void setting_format(const struct setting *setting, const struct settings *settings, char *text,
@@ -87,10 +86,24 @@ bool settings_give_word(struct settings *settings, const struct word *word);
 void settings_forget_given(struct settings *settings);
 void settings_copy_given(struct settings *to, const struct settings *from);
 
-/* A line or two of a setting, for --help. */
-void setting_print_help(FILE *out, const struct setting *setting);
+/* One condition of option->needs, which has spaces or commas between: a setting's full name or "technique"; "=", "!=" or
+ * ">"; and a value, or several with bars between.
+ *
+ *     for (struct need need = {.word.at = option->needs}; need_next(&need);)
+ */
+struct need {
+    struct word word; /* all of it */
+    char name[SETTING_NAME_SIZE], sign; /* '!' of "!=" */
+    char values[SETTING_NAME_SIZE];
+};
 
-/* A line or two per setting of a part but the unused, under its title, for --help. */
-void settings_print_help(FILE *out, const struct settings_part *part, const char *unused);
+/* False after the last, or of NULL. */
+bool need_next(struct need *need);
+
+/* Whether the value is one of them. */
+bool need_names(const struct need *need, const char *value);
+
+/* A line or two of a setting, for --help. with: as of option_print_help. */
+void setting_print_help(FILE *out, const struct setting *setting, const char *with);
 
 #endif

@@ -57,6 +57,9 @@ struct caster_settings {
     int long_count;
 };
 
+/* What maps and VALs need, where area lights may do without visibility. */
+#define SHADOWS "cluster-lights.shadows!=none"
+
 extern const struct settings_part lights_part, map_part, lookup_part, gather_part, blur_part,
     caster_part;
 

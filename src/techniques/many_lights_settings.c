@@ -18,7 +18,8 @@ static const struct option lights_table[] = {
              "quarters of the indirect light; light paths from VPLs add the others"},
     {"paths", 0, OPTION_INT, ROW(lights, paths), 4096, VPL_PARTNERS_MAX, 16384,
      .help = "number of VPLs of later bounces, P; 4 P light paths are traced,\n"
-             "and the VPLs share the light of all paths; with lights.bounces > 1"},
+             "and the VPLs share the light of all paths",
+     .needs = "lights.bounces>1"},
     {"facets", 0, OPTION_FLAG, ROW(lights, facets), 0,
      .help = "emits from flat triangles instead of smooth normals, for VPLs and near\n"
              "field; unbiased but noisier; only in scenes without specular surfaces"},
@@ -28,13 +29,15 @@ static const struct option lights_table[] = {
 static const struct option map_table[] = {
     {"size", 0, OPTION_INT, ROW(map, size), 256, 16, 4096,
      .help = "texels along each side of a paraboloid\n"
-             "map; raise for finer contact shadows"},
+             "map; raise for finer contact shadows",
+     .needs = "technique!=imperfect-shadow-maps, instant-radiosity.traced!=on, " SHADOWS},
     {NULL},
 };
 
 static const struct option lookup_table[] = {
     {"terms", 0, OPTION_INT, ROW(lookup, terms), 4, 1, 16,
-     .help = "terms of the Fourier series, K; with clustered.visibility=cssm"},
+     .help = "terms of the Fourier series, K",
+     .needs = SHADOWS ", clustered.visibility=cssm"},
     {NULL},
 };
 
@@ -45,14 +48,17 @@ static const char *const gloss_names[] = {"point", "sphere", "rays", NULL};
 static const struct option gather_table[] = {
     {"interleave", 0, OPTION_INT, ROW(gather, interleave), 8, 1, 16,
      .help = "interleave n: each pixel of an n x n pattern takes 1/n^2 of the VPLs,\n"
-             "and a blur removes the pattern; 1: all VPLs at each pixel, slowest"},
+             "and a blur removes the pattern; 1: all VPLs at each pixel, slowest",
+     .needs = "technique!=cluster-lights"},
     {"clamp", 0, OPTION_CHOICE, ROW(gather, clamp), GATHER_CLAMP_NEAR, .choices = clamp_names,
      .help = "bound of the geometry term near a VPL: none, 25 over the squared scene\n"
              "radius (value), a disk's form factor, the near field from the\n"
-             "reflective shadow map, or a virtual spherical light"},
+             "reflective shadow map, or a virtual spherical light",
+     .needs = "technique!=cluster-lights"},
     {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 1024, 1, 1024,
      .help = "near-field samples per n x n pixels of the interleave pattern; adaptive\n"
-             "pixels take fewer above 400x400, down to half; with gather.clamp=near"},
+             "pixels take fewer above 400x400, down to half",
+     .needs = "technique!=cluster-lights, gather.clamp=near"},
     {"gloss", 0, OPTION_CHOICE, ROW(gather, gloss), SPECULAR_RAYS - 1, .choices = gloss_names,
      .help = "specular reflection of indirect light: VPLs as points\n"
              "(visible as spots), VPLs as balls, or points and rays\n"
@@ -64,19 +70,23 @@ static const struct option gather_table[] = {
     {"detail-times", 0, OPTION_INT, ROW(gather, detail_times), 4, 1, 64,
      .help = "factor of VPLs for adaptive pixels of fine detail, with fewer\n"
              "than 2 of 4 neighbours on their surface within 8 degrees; above\n"
-             "400x400 divided by pixels / 160000; with gather.detail > 0"},
+             "400x400 divided by pixels / 160000",
+     .needs = "technique!=cluster-lights, gather.detail>0, blur.radius!=0"},
     {"further-points", 0, OPTION_FLAG, ROW(gather, further_points), 1,
      .help = "edge samples: points of a pixel on a surface that no neighbouring\n"
-             "pixel centre sees gather separately; with gather.detail > 0"},
+             "pixel centre sees gather separately",
+     .needs = "gather.detail>0"},
     {NULL},
 };
 
 static const struct option blur_table[] = {
     {"radius", 0, OPTION_INT, ROW(blur, radius), -1, -1, 64,
      .help = "radius of the blur, in pixels; -1: half\n"
-             "of gather.interleave; 0: no blur"},
+             "of gather.interleave; 0: no blur",
+     .needs = "technique!=cluster-lights"},
     {"separable", 0, OPTION_FLAG, ROW(blur, separable), 1,
-     .help = "blurs along x, then along y; off: over the whole square at once, slower"},
+     .help = "blurs along x, then along y; off: over the whole square at once, slower",
+     .needs = "technique!=cluster-lights, blur.radius!=0"},
     {"distance", 0, OPTION_FLOAT, ROW(blur, distance), .1, 0, 10,
      .help = "largest distance of neighbours in the blur, over\n"
              "the picture's height at the pixel's depth, alpha"},
@@ -89,10 +99,12 @@ static const struct option blur_table[] = {
 static const struct option caster_table[] = {
     {"error", 0, OPTION_FLOAT, ROW(caster, error), .00055, 0, 1,
      .help = "largest deviation of simplified casters in the maps, over the\n"
-             "square root of the scene's surface area; 0: no simplification"},
+             "square root of the scene's surface area; 0: no simplification",
+     .needs = "technique!=instant-radiosity|row-column, " SHADOWS},
     {"long", 0, OPTION_INT, ROW(caster, long_count), 500, 0, 10000000,
      .help = "number of triangles, those with the longest edges, whose edges a map\n"
-             "bends exactly; raise against bent shadow edges of large triangles"},
+             "bends exactly; raise against bent shadow edges of large triangles",
+     .needs = "instant-radiosity.traced!=on, " SHADOWS},
     {NULL},
 };
 

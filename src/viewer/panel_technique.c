@@ -4,7 +4,6 @@
 
 #include "direct/skylight.h"
 #include "viewer/preset.h"
-#include "viewer/relevance.h"
 #include "viewer/setting_label.h"
 
 #include <stdio.h>

@@ -44,7 +44,8 @@ static const struct option table[] = {
              "chosen by their unoccluded light in the picture"},
     {"near", 0, OPTION_INT, ROW(near), 256, 0, NEAR_SAMPLES_MAX,
      .help = "near-field samples per pixel, which replace the near part of\n"
-             "the rectangles; 0: off; with cluster-lights.form=rectangle"},
+             "the rectangles; 0: off",
+     .needs = "cluster-lights.form=rectangle"},
     {NULL},
 };
 
@@ -252,9 +253,6 @@ const struct technique cluster_lights_technique = {
     .name = "cluster-lights",
     .help = "clusters of VPLs as area lights, all at each pixel",
     .parts = parts,
-    .unused = "clustered.importance clustered.ray-tests gather.interleave gather.clamp "
-              "gather.near-samples "
-              "gather.detail-times blur.radius blur.separable",
     .presets = presets,
     .refinement = &many_lights_refinement,
     .init = init,

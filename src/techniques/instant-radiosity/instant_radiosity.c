@@ -105,7 +105,6 @@ const struct technique instant_radiosity_technique = {
     .name = "instant-radiosity",
     .help = "a hard shadow map per VPL",
     .parts = parts,
-    .unused = "caster.error",
     .presets = presets,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,

@@ -153,7 +153,6 @@ const struct technique lightcuts_technique = {
     .name = "lightcuts",
     .help = "a cut through a tree of VPLs for each block of pixels",
     .parts = parts,
-    .unused = "clustered.importance clustered.ray-tests",
     .presets = presets,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,

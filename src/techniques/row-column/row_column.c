@@ -277,7 +277,6 @@ const struct technique row_column_technique = {
     .name = "row-column",
     .help = "VPLs chosen by rows and columns of the matrix of pixels and VPLs",
     .parts = parts,
-    .unused = "caster.error",
     .presets = presets,
     .refinement = &many_lights_refinement,
     .check = check,
