@@ -378,8 +378,7 @@ static void test_blocks(void **state) {
 static void test_listed_sums(void **state) {
     (void)state;
     struct detail_bench bench;
-    open_bench(&bench, "scenes/cornell-animal.glb", "vpls=256 interleave=8 detail=1",
-               1);
+    open_bench(&bench, "scenes/cornell-animal.glb", "vpls=256 interleave=8 adaptive=1", 1);
     list_pixels(&bench, &bench.renderer.gbuffer);
     struct image mixed, plain = render_stage(&bench.stage, "unshadowed",
                                              "vpls=256 interleave=1 blur-radius=0", SIZE);
@@ -408,12 +407,12 @@ static void test_listed_sums(void **state) {
 static void test_one_asks_for_all(void **state) {
     (void)state;
     struct detail_bench bench;
-    open_bench(&bench, "scenes/cornell-animal.glb", "interleave=8 detail=1", 1);
+    open_bench(&bench, "scenes/cornell-animal.glb", "interleave=8 adaptive=1", 1);
     list_pixels(&bench, &bench.renderer.gbuffer);
     struct image each = render_stage(&bench.stage, "clustered",
                                      "interleave=1 blur-radius=0 visibility-block=0", SIZE);
     struct image together =
-        render_stage(&bench.stage, "clustered", "interleave=8 detail=1", SIZE);
+        render_stage(&bench.stage, "clustered", "interleave=8 adaptive=1", SIZE);
     int red = image_find_channel(&each, "indirect.R"), differ = 0, listed = 0;
     double sum_each = 0, sum_together = 0;
     for (int y = 0; y < SIZE; y++)
@@ -447,9 +446,9 @@ static void test_times_of_large_pictures(void **state) {
     open_stage(&stage, "scenes/cornell-animal.glb");
     for (int i = 0; i < 2; i++) {
         struct image four =
-            render_stage(&stage, "unshadowed", "vpls=256 detail-times=4", rows[i].size);
+            render_stage(&stage, "unshadowed", "vpls=256 adaptive-factor=4", rows[i].size);
         struct image five =
-            render_stage(&stage, "unshadowed", "vpls=256 detail-times=5", rows[i].size);
+            render_stage(&stage, "unshadowed", "vpls=256 adaptive-factor=5", rows[i].size);
         size_t size = (size_t)four.width * (size_t)four.height * (size_t)four.channel_count *
                       sizeof *four.pixels;
         bool same = memcmp(four.pixels, five.pixels, size) == 0;

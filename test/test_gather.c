@@ -469,8 +469,7 @@ static double share_of_unshadowed(const struct stage_desc *desc, const char *tec
 static double brightest_from(const struct stage *stage, int texels) {
     char settings[128];
     snprintf(settings, sizeof settings,
-             "vpls=64 interleave=1 samples=1 near-samples=256 facets=on rsm-size=%d",
-             texels);
+             "vpls=64 interleave=1 samples=1 near-samples=256 facets=on rsm-size=%d", texels);
     struct image frame = render_stage(stage, "unshadowed", settings, 128);
     int channel = image_find_channel(&frame, "indirect.G");
     double sum = 0, most = 0;
@@ -566,13 +565,12 @@ static void test_map_of_vpl(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surfaces),       cmocka_unit_test(test_direct),
-        cmocka_unit_test(test_vpls),           cmocka_unit_test(test_vpls_of_facets),
-        cmocka_unit_test(test_sums),           cmocka_unit_test(test_slots),
-        cmocka_unit_test(test_map_of_vpl),
-        cmocka_unit_test(test_near_samples),   cmocka_unit_test(test_near_places),
-        cmocka_unit_test(test_near_faces),     cmocka_unit_test(test_near_facets),
-        cmocka_unit_test(test_near_occlusion),
+        cmocka_unit_test(test_surfaces),    cmocka_unit_test(test_direct),
+        cmocka_unit_test(test_vpls),        cmocka_unit_test(test_vpls_of_facets),
+        cmocka_unit_test(test_sums),        cmocka_unit_test(test_slots),
+        cmocka_unit_test(test_map_of_vpl),  cmocka_unit_test(test_near_samples),
+        cmocka_unit_test(test_near_places), cmocka_unit_test(test_near_faces),
+        cmocka_unit_test(test_near_facets), cmocka_unit_test(test_near_occlusion),
     };
     return cmocka_run_group_tests_name("gather", tests, open_group_context, close_group_context);
 }

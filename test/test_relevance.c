@@ -2,13 +2,15 @@
  * shown beside it has one. */
 #include "render_support.h"
 
+#include "base/error.h"
 #include "viewer/setting_label.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define CHEAP "vpls=64 vals=4 map.size=32 rsm-size=64 direct.shadow-size=128 interleave=4 detail=2 "
+#define CHEAP                                                                                      \
+    "vpls=64 vals=4 map.size=32 rsm-size=64 direct.shadow-size=128 interleave=4 adaptive=2 "
 
 #define AREAS "area-lights=16 cluster-lights.near=16 "
 #define POINTS "map-points=64 imperfect-shadow-maps.size=16 "
@@ -62,12 +64,12 @@ static const struct {
     {"clustered", CHEAP},
     {"clustered", CHEAP "visibility=cssm clamp=value lights.bounces=2"},
     {"clustered", CHEAP "visibility=pcss clamp=disk blur.radius=0 caster.long=0"},
-    {"clustered", CHEAP "visibility=hard detail=0"},
+    {"clustered", CHEAP "visibility=hard adaptive=0"},
     {"instant-radiosity", CHEAP},
     {"instant-radiosity", CHEAP "traced=on"},
-    {"lightcuts", CHEAP "detail=0"},
+    {"lightcuts", CHEAP "adaptive=0"},
     {"cluster-lights", CHEAP AREAS},
-    {"cluster-lights", CHEAP AREAS "cluster-lights.near=0 shadows=none detail=0"},
+    {"cluster-lights", CHEAP AREAS "cluster-lights.near=0 shadows=none adaptive=0"},
     {"cluster-lights", CHEAP AREAS "form=disk"},
     {"imperfect-shadow-maps", CHEAP POINTS},
     {"row-column", CHEAP "rows=4 columns=16"},
@@ -123,7 +125,7 @@ static void test_shown(void **state) {
         {"blur.distance", "clustered", CHEAP},
         {"clustered.bounce-vals", "clustered", CHEAP "lights.bounces=2"},
         {"cluster-lights.near", "cluster-lights", CHEAP AREAS},
-        {"gather.detail", "cluster-lights", CHEAP AREAS "detail=0"},
+        {"gather.adaptive", "cluster-lights", CHEAP AREAS "adaptive=0"},
         {"clustered.vals", "cluster-lights", CHEAP AREAS},
         {"clustered.iterations", "cluster-lights", CHEAP AREAS "shadows=none"},
     };
@@ -190,6 +192,35 @@ static void test_needs(void **state) {
     assert_true(count > 20);
 }
 
+/* Former names lead to settings, with a note; those of constants are errors. */
+static void test_old_names(void **state) {
+    (void)state;
+    static const char *const old[][2] = {
+        {"gather.detail", "adaptive"},
+        {"detail-times", "adaptive-factor"},
+        {"gather-further-points", "edge-samples"},
+        {"gather.gloss", "specular"},
+        {"ways", "shadow-rays"},
+        {"sky-size", "map-size"},
+        {"sky-ways", "shadow-rays"},
+        {"start.directions", "directions"},
+        {"cluster-lights.steps", "iterations"},
+        {"cluster-lights-begin", "start"},
+        {"choice", "seed"},
+    };
+    struct settings settings;
+    struct setting setting;
+    renderer_settings_init(&settings);
+    for (size_t i = 0; i < sizeof old / sizeof *old; i++) {
+        check_ok(old[i][0], settings_find(&settings, old[i][0], &setting));
+        assert_string_equal(setting.option->name, old[i][1]);
+    }
+    assert_false(settings_find(&settings, "lookup.bias", &setting));
+    assert_non_null(strstr(error_get(), "the setting lookup.bias was removed"));
+    assert_false(settings_find(&settings, "lookup.detail", &setting));
+    assert_non_null(strstr(error_get(), "no setting is called 'lookup.detail'"));
+}
+
 static int open_all(void **state) {
     int status = open_group_context(state);
     open_stage(&stage, "scenes/cornell-animal.glb");
@@ -203,6 +234,7 @@ static int close_all(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_labels), cmocka_unit_test(test_needs),
+                                       cmocka_unit_test(test_old_names),
                                        cmocka_unit_test(test_hidden), cmocka_unit_test(test_shown)};
     return cmocka_run_group_tests(tests, open_all, close_all);
 }

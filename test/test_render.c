@@ -386,8 +386,8 @@ static void test_more_vpls(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, cornell_animal);
-    struct image many = render_stage(&stage, "unshadowed",
-                                     "vpls=16384 interleave=1 near-samples=100", 48);
+    struct image many =
+        render_stage(&stage, "unshadowed", "vpls=16384 interleave=1 near-samples=100", 48);
     double first = 0, last = 0;
     for (int n = 128; n <= 2048; n *= 2) {
         char settings[64];

@@ -114,7 +114,7 @@ static double all_of_it(const float place[3]) {
 /* --- a sky of 1: irradiance pi, as the direct layer has it 1 -------------------------------------- */
 
 static const char *const settings_tried[] = {"", "sky.lights=6", "fit=rectangles lights=60",
-                                             "sky-size=64"};
+                                             "sky.map-size=64"};
 
 static void test_floor(void **state) {
     (void)state;
@@ -168,7 +168,7 @@ static void test_wall(void **state) {
     static const struct {
         const char *settings;
         double bound;
-    } rows[] = {{"", .05}, {"lights=100 sky-size=512", .04}, {"fit=rectangles", .08}};
+    } rows[] = {{"", .05}, {"lights=100 sky.map-size=512", .04}, {"fit=rectangles", .08}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         printf("  %s\n", rows[i].settings);
         struct shares shares = measure_shares(&stage, rows[i].settings, beside_wall);
@@ -400,10 +400,9 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_floor),     cmocka_unit_test(test_convex_body),
         cmocka_unit_test(test_wall),      cmocka_unit_test(test_day),
-        cmocka_unit_test(test_courtyard), 
-        cmocka_unit_test(test_texel),     cmocka_unit_test(test_sum),
-        cmocka_unit_test(test_black),     cmocka_unit_test(test_passes),
-        cmocka_unit_test(test_room),
+        cmocka_unit_test(test_courtyard), cmocka_unit_test(test_texel),
+        cmocka_unit_test(test_sum),       cmocka_unit_test(test_black),
+        cmocka_unit_test(test_passes),    cmocka_unit_test(test_room),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -44,8 +44,9 @@ struct option {
     const char *value_name; /* in --help: "FILE"; NULL = by type */
     const char *unit;       /* may stand behind a number: "ms"; NULL = none */
     const char *help;
-    const char *needs; /* for settings: what must hold for an effect (struct need); NULL = nothing */
-    bool rare;         /* --help leaves it out, --help-all does not */
+    const char
+        *needs; /* for settings: what must hold for an effect (struct need); NULL = nothing */
+    bool rare;  /* --help leaves it out, --help-all does not */
 };
 
 /* A table ends with a row whose name is NULL. */

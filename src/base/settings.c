@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/names.h"
+#include "base/old_names.h"
 
 #include <assert.h>
 #include <stdio.h>
@@ -122,8 +123,10 @@ bool settings_find(const struct settings *settings, const char *name, struct set
             count++;
         }
     }
-    if (count == 0)
-        return error_set("no setting is called '%s' (--help-all lists them)", name);
+    if (count == 0) {
+        const char *now = old_name_follow(name);
+        return now && settings_find(settings, now, setting);
+    }
     return count == 1 || refuse_ambiguous(settings, name);
 }
 

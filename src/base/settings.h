@@ -58,7 +58,7 @@ struct setting {
 /* Steps through all settings, from {0}; false after the last. */
 bool settings_next(const struct settings *settings, struct setting *setting);
 
-/* The setting of that name. Error: there is none, or several, which it names. */
+/* The setting of that name, or of that former name. Error: there is none, or several, which it names. */
 bool settings_find(const struct settings *settings, const char *name, struct setting *setting);
 
 /* The full name. */
@@ -92,7 +92,7 @@ void settings_copy_given(struct settings *to, const struct settings *from);
  *     for (struct need need = {.word.at = option->needs}; need_next(&need);)
  */
 struct need {
-    struct word word; /* all of it */
+    struct word word;                   /* all of it */
     char name[SETTING_NAME_SIZE], sign; /* '!' of "!=" */
     char values[SETTING_NAME_SIZE];
 };

@@ -13,9 +13,9 @@ static const struct option table[] = {
     {"fit", 0, OPTION_CHOICE, ROW(fit), SKY_FIT_EVEN, .choices = fit_names,
      .help = "fit of the area lights: rectangles grown from the\n"
              "brightest texel, or cells of nearly even radiance"},
-    {"sky-size", 0, OPTION_INT, ROW(map_size), 256, 16, 4096,
+    {"map-size", 0, OPTION_INT, ROW(map_size), 256, 16, 4096,
      .help = "texels along each side of the shadow map of an environment light"},
-    {"sky-ways", 0, OPTION_INT, ROW(ways), 3, 1, 256,
+    {"shadow-rays", 0, OPTION_INT, ROW(shadow_rays), 3, 1, 256,
      .help = "shadow rays per lookup of an environment light; at least 16 for a sun"},
     {"directions", 0, OPTION_INT, ROW(directions), 12, SKY_LIGHTS_MIN, LIGHTS_MAX,
      .help = "largest number of directions from which an environment's reflected\n"
@@ -27,8 +27,9 @@ const struct settings_part sky_part = {"sky", "direct light of an environment", 
                                        sizeof(struct skylight_settings)};
 
 enum {
-    SUN_MAPS = 4,  /* maps along each side of a sun: a light below .01 sr with at least 1/40 of the light */
-    BLOCK = 7,     /* pixels along each side of a block that shares its visibility */
+    SUN_MAPS =
+        4, /* maps along each side of a sun: a light below .01 sr with at least 1/40 of the light */
+    BLOCK = 7, /* pixels along each side of a block that shares its visibility */
 };
 
 /* Height above the receiver's plane up to which nothing casts a shadow, in texels of a map. */
@@ -54,7 +55,7 @@ bool skylight_init(struct skylight *skylight, const struct skylight_desc *desc) 
                                                                         .height = desc->height,
                                                                         .maps = layout,
                                                                         .block = BLOCK,
-                                                                        .ways = own->ways,
+                                                                        .ways = own->shadow_rays,
                                                                         .bias = bias,
                                                                         .disagree = disagree,
                                                                         .gloss = desc->gloss}) &&

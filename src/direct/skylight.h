@@ -10,7 +10,7 @@
 struct skylight_settings {
     int lights, fit; /* enum sky_fit */
     int map_size;    /* texels a side */
-    int ways;
+    int shadow_rays;
     int directions; /* that reflected light starts from, at most */
 };
 

@@ -65,7 +65,7 @@ char *time_budget_settings(int level) {
     return mem_printf(
         "lights.vpls=%d lights.rsm-size=%d clustered.vals=%d map.size=%d gather.near-samples=%d "
         "clustered.visibility=%s clustered.visibility-block=%d gather.interleave=%d "
-        "gather.detail=%d gather.detail-times=%d picture.samples=%d",
+        "gather.adaptive=%d gather.adaptive-factor=%d picture.samples=%d",
         between(a->numbers.vpls, b->numbers.vpls, share),
         between(a->numbers.rsm, b->numbers.rsm, share),
         between(a->numbers.vals, b->numbers.vals, share),

@@ -218,7 +218,7 @@ static bool is_picture(const struct setting *setting) {
 static void print_main(FILE *out, const struct technique *technique) {
     static const char *const names[] = {
         "lights.vpls",      "lights.bounces",    "clustered.vals",   "clustered.visibility",
-        "map.size",         "gather.interleave", "gather.detail",    "surface.materials",
+        "map.size",         "gather.interleave", "gather.adaptive",  "surface.materials",
         "picture.exposure", "picture.samples",   "picture.tone-map",
     };
     struct settings settings;

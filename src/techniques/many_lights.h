@@ -40,10 +40,10 @@ struct lookup_settings {
 struct gather_settings {
     int interleave, clamp; /* enum gather_clamp */
     int near_samples;
-    int detail; /* n of pixels with few like neighbours; 0: as all others */
-    int detail_times;
-    bool further_points;
-    int gloss; /* SPECULAR_... - 1 */
+    int adaptive; /* n of pixels with few like neighbours; 0: as all others */
+    int adaptive_factor;
+    bool edge_samples;
+    int specular; /* SPECULAR_... - 1 */
 };
 
 struct blur_settings {
@@ -74,7 +74,8 @@ extern const float many_lights_clamp_value;
 #define MANY_LIGHTS_FAST                                                                           \
     { "fast", "the defaults", "", "normal" }
 
-#define MANY_LIGHTS_AS_PUBLISHED "gather.detail=0 caster.error=0 blur.separable=off blur.cosine=.8"
+#define MANY_LIGHTS_AS_PUBLISHED                                                                   \
+    "gather.adaptive=0 caster.error=0 blur.separable=off blur.cosine=.8"
 
 /* Passes after the first: few VPLs, nothing interleaved or blurred. Where rays say what light arrives the mean of many
  * passes is unbiased, but for what patches take from further bounces, and for gloss. */
@@ -105,7 +106,7 @@ struct many_lights {
     struct gather_pass detail_gather;
     bool has_gloss; /* materials are not all plain: what reflects as by a mirror is gathered, too */
     struct gather_pass gloss_gather;
-    struct gloss_rays_pass gloss_rays; /* gloss=rays */
+    struct gloss_rays_pass gloss_rays; /* specular=rays */
     struct blur_pass gloss_blur;
     bool has_blur; /* what is gathered in tiles is put in order by it, too; else it is the result */
     struct blur_pass blur;

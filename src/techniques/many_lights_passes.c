@@ -11,7 +11,8 @@
 enum {
     GLOSS_RAYS = 4,       /* specular rays of a pixel */
     GLOSS_INTERLEAVE = 2, /* of the VPLs in specular reflection; 1 is sharper, 4 is cheaper */
-    FILTER_TAPS = 16,     /* texels of a percentage-closer filter; the blocker search takes half as many */
+    FILTER_TAPS =
+        16, /* texels of a percentage-closer filter; the blocker search takes half as many */
 };
 
 /* Receiver offset along its normal, in texels of the map at its distance; a ray uses 40 % of it. And depth bias, over the
@@ -176,7 +177,7 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     struct detail_desc detail = {
         .width = desc->width,
         .height = desc->height,
-        .interleave = gather->detail,
+        .interleave = gather->adaptive,
         .radius = detail_radius(desc->settings),
         .distance = blur->distance,
         .cosine = blur->cosine,
@@ -184,13 +185,13 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
         .share = adaptive_share,
         .block = block,
     };
-    gather_desc.interleave = gather->detail;
+    gather_desc.interleave = gather->adaptive;
     gather_desc.receivers = RECEIVERS_LISTED;
     gather_desc.share = false;
     gather_desc.list_slots[PIXEL_GRADE_EDGE] = 1;
-    gather_desc.list_slots[LIST_FURTHER] = gather->further_points ? 1 : 0;
-    fit_listed(&gather_desc, gather->detail_times);
-    lights->detail_times = gather->detail_times;
+    gather_desc.list_slots[LIST_FURTHER] = gather->edge_samples ? 1 : 0;
+    fit_listed(&gather_desc, gather->adaptive_factor);
+    lights->detail_times = gather->adaptive_factor;
     if (!init_plain(lights, desc, &detail))
         return false;
     detail.plain = plain_pixels(lights);
@@ -217,9 +218,9 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
     /* Where each takes all lights, those that are listed ask for their own visibility alone; else, where all
      * gather as much, or none is blurred, none needs more. */
     lights->has_detail =
-        own->detail > 0 &&
-        (own->interleave == 1 ? own->detail == 1
-                              : own->detail < own->interleave && blur_radius(desc->settings) > 0);
+        own->adaptive > 0 &&
+        (own->interleave == 1 ? own->adaptive == 1
+                              : own->adaptive < own->interleave && blur_radius(desc->settings) > 0);
     gather_desc.receivers = lights->has_detail ? RECEIVERS_OTHERS : RECEIVERS_ALL;
     if (visibility->tree && !lights->has_detail)
         gather_desc.together = asked_together(&gather_desc);
@@ -238,7 +239,7 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
     gather.interleave = n;
     gather.receivers = RECEIVERS_ALL;
     gather.cuts = false;
-    gather.specular = own->gloss + 1;
+    gather.specular = own->specular + 1;
     gather.gloss_rays = GLOSS_RAYS;
     bool rays = gather.specular == SPECULAR_RAYS;
     const struct gloss_rays_desc of_rays = {
@@ -367,7 +368,7 @@ bool many_lights_check(const struct settings *settings) {
 static bool init_rsm(struct many_lights *lights, const struct technique_desc *desc, int size) {
     const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
     const struct light_layout *layout = desc->lights;
-    bool ok = true, has_gloss = desc->gloss && gather->gloss + 1 == SPECULAR_RAYS;
+    bool ok = true, has_gloss = desc->gloss && gather->specular + 1 == SPECULAR_RAYS;
     bool facets = sends_as_facets(desc);
     for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++) {
         int texels = light_map_size(kind, size), layers = layout->views[kind];

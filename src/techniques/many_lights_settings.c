@@ -35,8 +35,7 @@ static const struct option map_table[] = {
 };
 
 static const struct option lookup_table[] = {
-    {"terms", 0, OPTION_INT, ROW(lookup, terms), 4, 1, 16,
-     .help = "terms of the Fourier series, K",
+    {"terms", 0, OPTION_INT, ROW(lookup, terms), 4, 1, 16, .help = "terms of the Fourier series, K",
      .needs = SHADOWS ", clustered.visibility=cssm"},
     {NULL},
 };
@@ -51,31 +50,31 @@ static const struct option gather_table[] = {
              "and a blur removes the pattern; 1: all VPLs at each pixel, slowest",
      .needs = "technique!=cluster-lights"},
     {"clamp", 0, OPTION_CHOICE, ROW(gather, clamp), GATHER_CLAMP_NEAR, .choices = clamp_names,
-     .help = "bound of the geometry term near a VPL: none, 25 over the squared scene\n"
-             "radius (value), a disk's form factor, the near field from the\n"
-             "reflective shadow map, or a virtual spherical light",
+     .help = "bound of the geometry term near a VPL: none, 25 over the squared scene radius\n"
+             "(value), a disk's form factor, the near field from the reflective shadow map,\n"
+             "or a virtual spherical light",
      .needs = "technique!=cluster-lights"},
     {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 1024, 1, 1024,
      .help = "near-field samples per n x n pixels of the interleave pattern; adaptive\n"
              "pixels take fewer above 400x400, down to half",
      .needs = "technique!=cluster-lights, gather.clamp=near"},
-    {"gloss", 0, OPTION_CHOICE, ROW(gather, gloss), SPECULAR_RAYS - 1, .choices = gloss_names,
+    {"specular", 0, OPTION_CHOICE, ROW(gather, specular), SPECULAR_RAYS - 1, .choices = gloss_names,
      .help = "specular reflection of indirect light: VPLs as points\n"
              "(visible as spots), VPLs as balls, or points and rays\n"
              "through the reflective shadow maps (least error)"},
-    {"detail", 0, OPTION_INT, ROW(gather, detail), 4, 0, 8,
+    {"adaptive", 0, OPTION_INT, ROW(gather, adaptive), 4, 0, 8,
      .help = "interleave for adaptive pixels, which have too few similar neighbours\n"
              "to blur; smaller than gather.interleave: more VPLs each, own lookups,\n"
-             "less blur; 0: off; with gather.interleave=1 use 1 (own lookups) or 0"},
-    {"detail-times", 0, OPTION_INT, ROW(gather, detail_times), 4, 1, 64,
+             "less blur; 0: off; if gather.interleave=1, use 1 (own lookups) or 0"},
+    {"adaptive-factor", 0, OPTION_INT, ROW(gather, adaptive_factor), 4, 1, 64,
      .help = "factor of VPLs for adaptive pixels of fine detail, with fewer\n"
              "than 2 of 4 neighbours on their surface within 8 degrees; above\n"
              "400x400 divided by pixels / 160000",
-     .needs = "technique!=cluster-lights, gather.detail>0, blur.radius!=0"},
-    {"further-points", 0, OPTION_FLAG, ROW(gather, further_points), 1,
+     .needs = "technique!=cluster-lights, gather.adaptive>0, blur.radius!=0"},
+    {"edge-samples", 0, OPTION_FLAG, ROW(gather, edge_samples), 1,
      .help = "edge samples: points of a pixel on a surface that no neighbouring\n"
              "pixel centre sees gather separately",
-     .needs = "gather.detail>0"},
+     .needs = "gather.adaptive>0"},
     {NULL},
 };
 

@@ -29,8 +29,7 @@ static const struct option table[] = {
              "one shadow map each; more: finer indirect shadows, slower",
      .needs = SHADOWS},
     {"bounce-vals", 0, OPTION_INT, ROW(bounce_vals), 60, 1, 1024,
-     .help = "number of VALs for the VPLs of later bounces",
-     .needs = SHADOWS ", lights.bounces>1"},
+     .help = "number of VALs for the VPLs of later bounces", .needs = SHADOWS ", lights.bounces>1"},
     {"iterations", 0, OPTION_INT, ROW(iterations), 5, 1, 64,
      .help = "k-means iterations of the clustering"},
     {"start", 0, OPTION_CHOICE, ROW(start), 0, .choices = start_names,
@@ -38,11 +37,9 @@ static const struct option table[] = {
              "or the last frame's with new seeds for empty clusters (reseed); with warm\n"
              "and reseed a frame depends on the frames before"},
     {"weight-position", 0, OPTION_FLOAT, ROW(weight_position), .25, 0, 1000,
-     .help = "clustering weight of distance over the spread of the VPLs, w_x",
-     .needs = SHADOWS},
+     .help = "clustering weight of distance over the spread of the VPLs, w_x", .needs = SHADOWS},
     {"weight-normal", 0, OPTION_FLOAT, ROW(weight_normal), .3, 0, 1000,
-     .help = "clustering weight of the angle between normals over pi, w_alpha",
-     .needs = SHADOWS},
+     .help = "clustering weight of the angle between normals over pi, w_alpha", .needs = SHADOWS},
     {"importance", 0, OPTION_CHOICE, ROW(importance), IMPORTANCE_BOUNCES,
      .choices = importance_names,
      .help = "weight of VPLs in clustering by their unoccluded light in the picture, so that\n"
@@ -56,9 +53,8 @@ static const struct option table[] = {
          "or traced, blocks of pixels use pcss",
      .needs = SHADOWS},
     {"ray-tests", 0, OPTION_INT, ROW(ray_tests), 512, 0, 16384,
-     .help = "ray-traced tests per VAL for the visibility correction, 4 times as many\n"
-             "with lights.bounces > 1; 0: off; up to\n"
-             "1048576 triangles (20000 in an animated scene)",
+     .help = "ray-traced tests per VAL for the visibility correction, 4 times as many for later\n"
+             "bounces; 0: off; up to 1048576 triangles (20000 in an animated scene)",
      .needs = "technique=clustered, clustered.visibility=ray"},
     {"visibility-block", 0, OPTION_INT, ROW(visibility_block), 7, 0, 64,
      .help = "pixels along each side of a block that shares its visibility; 0: a lookup per\n"

@@ -5,13 +5,13 @@
 #include <stdlib.h>
 
 struct pcss_settings {
-    int light_taps, ways;
+    int light_taps, shadow_rays;
 };
 
 static const struct option table[] = {
     {"light-taps", 0, OPTION_INT, offsetof(struct pcss_settings, light_taps), 48, 1, 1024,
      .help = "light samples per pixel; raise against steps in wide penumbrae"},
-    {"ways", 0, OPTION_INT, offsetof(struct pcss_settings, ways), 32, 0, 1024,
+    {"shadow-rays", 0, OPTION_INT, offsetof(struct pcss_settings, shadow_rays), 32, 0, 1024,
      .help = "shadow rays per pixel through the map where blockers lie at\n"
              "many distances; raise against bands; 0: off"},
     {NULL},
@@ -33,9 +33,8 @@ static const double spread = .04;
 static bool init(void **state, const struct direct_desc *desc) {
     const struct pcss_settings *own = settings_of(desc->settings, &own_part);
     struct shadow *shadow = *state = mem_alloc(1, sizeof *shadow);
-    char *defines =
-        mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;WAYS %d;SPREAD %.6f;NEAREST %.6f;",
-                   own->light_taps, SEARCH_TAPS, own->ways, spread, nearest);
+    char *defines = mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;WAYS %d;SPREAD %.6f;NEAREST %.6f;",
+                               own->light_taps, SEARCH_TAPS, own->shadow_rays, spread, nearest);
     bool ok = shadow_begin(shadow, desc,
                            &(struct direct_light_desc){.map_bias = plane_bias,
                                                        .fragment = "direct/pcss/pcss.frag",

@@ -33,8 +33,9 @@ static const struct option table[] = {
     {"area-lights", 0, OPTION_INT, ROW(lights), 128, 1, LIGHT_RECTANGLES_MAX,
      .help = "number of area lights (clusters of VPLs), J"},
     {"form", 0, OPTION_CHOICE, ROW(form), LIGHT_FORM_RECTANGLE, .choices = form_names,
-     .help = "shape of an area light: a rectangle of the cluster's second moments; or as\n"
-             "published a disk, whose clusters weigh normals by 10 instead of .1"},
+     .help = "shape of an area light: a rectangle of the cluster's second moments; or,\n"
+             "as published, a disk (its clusters weigh normals by\n"
+             "10 instead of .1)"},
     {"shadows", 0, OPTION_CHOICE, ROW(visibility), LIGHT_VISIBILITY_VALS,
      .choices = visibility_names,
      .help = "visibility of the area lights: from virtual area\n"
@@ -122,7 +123,7 @@ static struct settings gather_settings(const struct settings *settings) {
     struct settings changed = *settings;
     struct gather_settings *gather = settings_edit(&changed, &gather_part);
     gather->interleave = 1;
-    gather->detail = gather->detail > 0 ? 1 : 0;
+    gather->adaptive = gather->adaptive > 0 ? 1 : 0;
     gather->clamp = clamp_of(own);
     gather->near_samples = own->near;
     struct blur_settings *blur = settings_edit(&changed, &blur_part);

@@ -27,9 +27,9 @@ static const struct option table[] = {
      .help = "number of surface points per map; raise\n"
              "for contact shadows and thin casters"},
     {"shape", 0, OPTION_CHOICE, ROW(shape), SHAPE_DISK, .choices = shape_names,
-     .help = "shape of a point in a map: a disk in its true\n"
-             "orientation, a square at one depth, or squares\n"
-             "half as large, whose holes pull and push fill, as published"},
+     .help = "shape of a point in a map: a disk in its true orientation,\n"
+             "a square at one depth, or squares half as large whose\n"
+             "holes pull and push fill, as published"},
     {NULL},
 };
 

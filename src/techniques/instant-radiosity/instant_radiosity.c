@@ -15,7 +15,7 @@ enum { MAP_BATCH = 64 };
 static const struct option table[] = {
     {"traced", 0, OPTION_FLAG, offsetof(struct instant_radiosity_settings, traced), 0,
      .help = "shadow rays through all triangles instead of maps; with\n"
-             "gather.interleave=1 or gather.detail=0, visibility is tested for 2 of\n"
+             "gather.interleave=1 or gather.adaptive=0, visibility is tested for 2 of\n"
              "every 12 VPLs (24 at 800x800) and 1 of every 16 near-field samples"},
     {NULL},
 };
