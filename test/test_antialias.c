@@ -236,77 +236,6 @@ static void test_layers(void **state) {
     check_layers("scenes/atrium.glb", .75, .9);
 }
 
-/* --- even blocks ------------------------------------------------------------------------------- */
-
-/* No whole number of blocks. */
-enum { WIDTH = 203, HEIGHT = 145, BLOCKS = 51 * 37 };
-
-static void read_picks(struct renderer *renderer, GLuint picks[WIDTH * HEIGHT][2]) {
-    const struct frame frame = renderer_frame(renderer);
-    antialias_pass_render(&renderer->antialias, &frame, &renderer->gbuffer);
-    gl.GetTextureImage(renderer->antialias.picks.id, 0, GL_RG_INTEGER, GL_UNSIGNED_INT,
-                       WIDTH * HEIGHT * sizeof *picks, picks);
-}
-
-/* Samples are the same where even blocks are asked like all others. */
-static void check_even(const struct stage *stage, int fewest, int most) {
-    static const float uneven[4] = {1, 1, 1, 1};
-    static GLuint spared[WIDTH * HEIGHT][2], asked[WIDTH * HEIGHT][2];
-    static GLubyte even[BLOCKS][4];
-    struct renderer renderer;
-    int count = 0, edges = 0, differing = 0;
-    struct renderer_desc desc = desc_of(stage, "unshadowed", "vpls=64 samples=8", WIDTH, HEIGHT);
-    open_renderer(&renderer, &desc);
-    renderer_render(&renderer);
-    read_picks(&renderer, spared);
-    gl.GetTextureImage(renderer.antialias.even.id, 0, GL_RGBA, GL_UNSIGNED_BYTE, sizeof even, even);
-    gl.ClearTexImage(renderer.planes.planes.normals.id, 0, GL_RGBA, GL_FLOAT, uneven);
-    read_picks(&renderer, asked);
-    for (int i = 0; i < BLOCKS; i++)
-        count += even[i][0] > 0;
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        edges += asked[i][0] || asked[i][1];
-        differing += asked[i][0] != spared[i][0] || asked[i][1] != spared[i][1];
-    }
-    printf("    %s: %d of %d blocks are even; %d pixels have edges\n", stage->name, count, BLOCKS,
-           edges);
-    assert_int_equal(differing, 0);
-    assert_in_range(count, fewest, most);
-    assert_true(edges >= HEIGHT);
-    renderer_free(&renderer);
-}
-
-static void check_even_file(const char *path, int fewest, int most) {
-    struct stage stage;
-    open_stage(&stage, path);
-    check_even(&stage, fewest, most);
-    stage_free(&stage);
-}
-
-/* A fin on a wall, a fiftieth of a pixel high and wide, which the centres of a column of pixels see and hardly a sample. */
-static void check_even_seam(void) {
-    static const float eye[3] = {.5F, .5F, .5F}, forward[3] = {0, 0, -1}, up[3] = {0, 1, 0};
-    static const double wall = .8, fin = .02 * .8 / HEIGHT;
-    char *nodes = mem_printf("[{\"mesh\": 0}, {\"mesh\": 0, \"translation\": [%.9f, 0, 0],"
-                             " \"rotation\": [0, %.9f, 0, %.9f], \"scale\": [%.9f, 1, 1]}]",
-                             .5 - fin / 2, -sin(GLM_PI_4 / 2), cos(GLM_PI_4 / 2), fin * GLM_SQRT2);
-    struct stage stage;
-    open_stage(&stage, write_parts("seam.glb", &(struct gltf_parts){.nodes = nodes}));
-    camera_look(&stage.camera, eye, forward, up);
-    stage.camera.fov_y = 2 * atanf((float)wall);
-    check_even(&stage, BLOCKS / 4, BLOCKS - 1);
-    free(nodes);
-    stage_free(&stage);
-}
-
-static void test_even(void **state) {
-    (void)state;
-    check_even_file("scenes/cornell-box.glb", BLOCKS / 4, BLOCKS - 1);
-    check_even_file("scenes/cornell-animal.glb", BLOCKS / 4, BLOCKS - 1);
-    check_even_file("scenes/atrium.glb", 1, BLOCKS / 4);
-    check_even_seam();
-}
-
 /* --- further points ---------------------------------------------------------------------------- */
 
 /* All VPLs at what lists have, and a quarter elsewhere, blurred over as many pixels. */
@@ -336,8 +265,9 @@ static void test_further_points(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_coverage),       cmocka_unit_test(test_slivers),
-        cmocka_unit_test(test_layers),         cmocka_unit_test(test_even),
+        cmocka_unit_test(test_coverage),
+        cmocka_unit_test(test_slivers),
+        cmocka_unit_test(test_layers),
         cmocka_unit_test(test_further_points),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);

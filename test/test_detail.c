@@ -4,8 +4,6 @@
 #include "base/memory.h"
 #include "passes/gather/blur.h"
 #include "passes/gather/detail.h"
-#include "passes/gather/plain.h"
-#include "passes/picture/planes.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -211,101 +209,6 @@ static void test_blur_conserves(void **state) {
     close_bench(&bench);
 }
 
-static void read_texels(struct detail_bench *bench, const struct texture *plain,
-                        const struct gbuffer *gbuffer, GLuint texels[SIZE * SIZE]) {
-    struct frame frame = renderer_frame(&bench->renderer);
-    struct detail_desc desc = bench->detail.desc;
-    struct detail_pass pass;
-    desc.plain = plain;
-    check_ok("detail", detail_pass_init(&pass, &desc));
-    detail_pass_render(&pass, &frame, gbuffer);
-    gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
-    gl.GetTextureImage(pass.lists.texels.id, 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                       SIZE * SIZE * sizeof *texels, texels);
-    detail_pass_free(&pass);
-}
-
-static int count_plain(const struct plain_pass *pass, int from_x, int to_x) {
-    static float depths[SIZE * SIZE];
-    int count = 0;
-    gl.GetTextureImage(pass->pixels.id, 0, GL_DEPTH_COMPONENT, GL_FLOAT, sizeof depths, depths);
-    for (int i = 0; i < SIZE * SIZE; i++)
-        count += depths[i] == 0 && i % SIZE >= from_x && i % SIZE < to_x;
-    return count;
-}
-
-/* Stripes of one normal that lie one behind the other, the plane as before. */
-static void step_stripes(struct gbuffer *gbuffer) {
-    static float depths[SIZE * SIZE];
-    const float facing[2] = {.5f, .5f};
-    for (int i = 0; i < SIZE * SIZE; i++)
-        depths[i] = i % SIZE >= SIZE / 2 && i % SIZE / RADIUS % 2 ? .4f : .5f;
-    gl.TextureSubImage3D(gbuffer->depth.id, 0, 0, 0, 0, SIZE, SIZE, 1, GL_DEPTH_COMPONENT, GL_FLOAT,
-                         depths);
-    gl.ClearTexImage(gbuffer->normal.id, 0, GL_RG, GL_FLOAT, facing);
-}
-
-/* What is plain needs no care: which pixels are listed, and what noise is blurred to, are the same with it and
- * without. Near stripes, of normals or of depths, nothing is plain. */
-static void test_plain(void **state) {
-    (void)state;
-    for (int steps = 0; steps < 2; steps++) {
-        struct detail_bench bench;
-        struct plain_pass plain;
-        struct planes_pass planes;
-        struct gbuffer gbuffer;
-        struct irradiance source, detail;
-        open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", 1);
-        make_stripes(&gbuffer);
-        if (steps)
-            step_stripes(&gbuffer);
-        struct frame frame = renderer_frame(&bench.renderer);
-        list_pixels(&bench, &gbuffer);
-        check_ok("planes", planes_pass_init(&planes, SIZE, SIZE));
-        planes_pass_render(&planes, &frame, &gbuffer);
-        frame.planes = &planes.planes;
-        check_ok("plain", plain_pass_init(&plain, &(struct plain_desc){.width = SIZE,
-                                                                       .height = SIZE,
-                                                                       .radius = BLUR,
-                                                                       .distance = .1f,
-                                                                       .cosine = .995f}));
-        plain_pass_render(&plain, &frame);
-        static float noise[2 * SIZE * SIZE][4], all[SIZE * SIZE], others[SIZE * SIZE];
-        static GLuint texels[SIZE * SIZE];
-        for (int i = 0; i < 2 * SIZE * SIZE; i++)
-            noise[i][0] = (float)(i * 7919 % 1021) / 1021;
-        fill(&source, SIZE, 8, 0);
-        fill(&detail, lists_height(), LISTS, 0);
-        gl.TextureSubImage2D(source.texture.id, 0, 0, 0, SIZE, SIZE, GL_RGBA, GL_FLOAT, noise);
-        gl.TextureSubImage2D(detail.texture.id, 0, 0, 0, SIZE, 2 * SIZE, GL_RGBA, GL_FLOAT, noise);
-        read_texels(&bench, &plain.pixels, &gbuffer, texels);
-        struct blur_inputs inputs = {&source, &bench.detail.lists, &detail};
-        struct blur_desc sparing = blur_of_lists;
-        sparing.plain = &plain.pixels;
-        read_blurred(&bench, &blur_of_lists, &gbuffer, &inputs, all);
-        read_blurred(&bench, &sparing, &gbuffer, &inputs, others);
-        int count = count_plain(&plain, 0, SIZE), relisted = 0, listed = 0;
-        double worst = 0;
-        for (int i = 0; i < SIZE * SIZE; i++) {
-            relisted += (texels[i] & 1) != (bench.texels[i] & 1);
-            listed += (texels[i] & 1) != 0;
-            worst = fmax(worst, fabs((double)all[i] - (double)others[i]));
-        }
-        printf("    plain %d, listed %d, otherwise listed %d, blurred otherwise by %g\n", count,
-               listed, relisted, worst);
-        assert_true(count > 256 && listed > 256);
-        assert_int_equal(relisted, 0);
-        assert_true(worst < 1e-6);
-        assert_int_equal(count_plain(&plain, SIZE / 2 - BLUR, SIZE), 0);
-        irradiance_free(&source);
-        irradiance_free(&detail);
-        plain_pass_free(&plain);
-        planes_pass_free(&planes);
-        gbuffer_free(&gbuffer);
-        close_bench(&bench);
-    }
-}
-
 /* A plane with an island that has no block's centre, and around one centre another normal. */
 static void make_island(struct gbuffer *gbuffer, int block, int normal_of[SIZE * SIZE]) {
     check_ok(
@@ -469,7 +372,6 @@ int main(void) {
         cmocka_unit_test(test_blur_conserves),
         cmocka_unit_test(test_listed_sums),
         cmocka_unit_test(test_one_asks_for_all),
-        cmocka_unit_test(test_plain),
         cmocka_unit_test(test_blocks),
     };
     return cmocka_run_group_tests_name("detail", tests, open_group_context, close_group_context);

@@ -2,7 +2,7 @@
 #include "support.h"
 
 #include "base/memory.h"
-#include "scene/environment_fit.h"
+#include "lights/environment_fit.h"
 
 #include <cglm/cglm.h>
 #include <math.h>

@@ -5,11 +5,6 @@
 #include "lib/camera.glsl"
 #include "shared/blur.h"
 
-#if OF_PLAIN
-// Before the shader, or it would run everywhere.
-layout(early_fragment_tests) in;
-#endif
-
 layout(binding = UNIT_BLUR_TAPS) uniform usampler2D taps;
 
 #if PACK
@@ -36,20 +31,6 @@ float window(int away, float radius) {
     return clamp(radius - float(away) + 0.5, 0.0, 1.0);
 }
 
-#if OF_PLAIN
-// What passes/gather/plain.h has found: all taps are alike, and of no list.
-void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy), last = textureSize(taps, 0) - 1;
-    int radius = params.radius;
-    vec4 sum = vec4(0.0);
-    for (int i = -radius; i <= radius; i++) {
-        ivec2 at = pixel + i * params.along, inside = clamp(at, ivec2(0), last);
-        float weight = at == inside ? window(abs(i), float(radius)) : 0.0;
-        sum += weight * vec4(blur_tap_irradiance(texelFetch(taps, inside, 0)), 1.0);
-    }
-    write(texelFetch(taps, pixel, 0), sum.rgb / sum.a);
-}
-#else
 float of_grade(vec4 values, int grade) {
     vec2 pair = grade < 2 ? values.xy : values.zw;
     return (grade & 1) == 0 ? pair.x : pair.y;
@@ -89,4 +70,3 @@ void main() {
         }
     write(center, depth > 0.0 ? sum.rgb / max(sum.a, 0.25) : vec3(0.0));
 }
-#endif

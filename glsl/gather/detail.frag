@@ -15,8 +15,6 @@
 #include "gather/block.glsl"
 #endif
 
-// Before the shader, or it would run everywhere.
-layout(early_fragment_tests) in;
 layout(r32ui, binding = IMAGE_LISTED_PIXELS) writeonly uniform uimage2D listed_pixels;
 layout(r32ui, binding = IMAGE_FURTHER_TEXELS) writeonly uniform uimage2D further_texels;
 layout(binding = UNIT_SAMPLE_PICKS) uniform usampler2D sample_picks;

@@ -4,8 +4,8 @@
 #define DIRECT_DIRECT_H
 
 #include "base/settings.h"
+#include "lights/view.h"
 #include "passes/frame.h"
-#include "scene/view.h"
 
 struct direct_desc {
     const struct settings *settings;

@@ -41,7 +41,8 @@ static void show_maps(struct prefiltered *own) {
 
 /* Three quarters of a GiB at most, of maps of 1024 texels with sums of four moments. */
 static int size_of(const struct direct_desc *desc) {
-    const struct prefilter_settings *set = settings_of(desc->settings, &prefilter_part);
+    const struct prefilter_settings *set =
+        settings_of(struct prefilter_settings, desc->settings, &prefilter_part);
     const int full_maps = 24;
     return light_map_share(set->size, desc->lights->maps, full_maps);
 }

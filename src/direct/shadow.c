@@ -17,7 +17,8 @@ static const float receiver_bias = 1.5F;
 
 /* Half a GiB at most, of maps of 2048 texels. */
 static int size_of(const struct direct_desc *desc) {
-    const struct shadow_settings *own = settings_of(desc->settings, &shadow_part);
+    const struct shadow_settings *own =
+        settings_of(struct shadow_settings, desc->settings, &shadow_part);
     const int full_views = 32, faces_of_view = 4; /* which are half as large */
     const int *views = desc->lights->views;
     int count = views[LIGHT_MAP_SINGLE] + views[LIGHT_MAP_FACE] / faces_of_view;

@@ -1,6 +1,6 @@
 #include "direct/skylight.h"
 
-#include "scene/environment_fit.h"
+#include "lights/environment_fit.h"
 
 #define ROW(name) offsetof(struct skylight_settings, name)
 
@@ -43,7 +43,8 @@ static const float disagree = .02F;
 static const struct caster_desc caster = {.error = .00055F, .long_count = 500};
 
 bool skylight_init(struct skylight *skylight, const struct skylight_desc *desc) {
-    const struct skylight_settings *own = settings_of(desc->settings, &sky_part);
+    const struct skylight_settings *own =
+        settings_of(struct skylight_settings, desc->settings, &sky_part);
     const struct sky_map_layout layout = {
         .size = own->map_size, .count = desc->count, .suns = desc->suns, .sun_maps = SUN_MAPS};
     *skylight = (struct skylight){.count = desc->count};

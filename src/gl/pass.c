@@ -32,9 +32,10 @@ static void bind_target(const struct pass_state *state) {
 }
 
 static const GLenum depth_functions[] = {
-    [PASS_DEPTH_OFF] = GL_ALWAYS,       [PASS_DEPTH_LESS] = GL_LESS,
-    [PASS_DEPTH_GREATER] = GL_GREATER,  [PASS_DEPTH_EQUAL] = GL_EQUAL,
-    [PASS_DEPTH_UNEQUAL] = GL_NOTEQUAL,
+    [PASS_DEPTH_OFF] = GL_ALWAYS,
+    [PASS_DEPTH_LESS] = GL_LESS,
+    [PASS_DEPTH_GREATER] = GL_GREATER,
+    [PASS_DEPTH_EQUAL] = GL_EQUAL,
 };
 
 static void set_fragments(const struct pass_state *state) {

@@ -12,7 +12,6 @@ enum pass_depth {
     PASS_DEPTH_LESS,    /* test and write; 1 is far */
     PASS_DEPTH_GREATER, /* test and write; 0 is far: reversed depth */
     PASS_DEPTH_EQUAL,   /* test alone */
-    PASS_DEPTH_UNEQUAL, /* likewise */
 };
 
 enum pass_blend {

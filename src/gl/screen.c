@@ -39,13 +39,6 @@ static void bind_targets(const struct framebuffer_targets *targets,
     }
 }
 
-static void set_mask(const struct pass_state *state, const struct framebuffer_targets *targets) {
-    assert(state->depth == PASS_DEPTH_EQUAL || state->depth == PASS_DEPTH_UNEQUAL);
-    pass_bind_texture(SCREEN_MASK_UNIT, targets->depth);
-    gl.ProgramUniform1i(state->program, LOCATION_SCREEN_WHERE_MARKED,
-                        state->depth == PASS_DEPTH_EQUAL);
-}
-
 void screen_begin(const struct pass_state *state) {
     const struct screen_desc *desc = program_dispatched(state->program);
     assert(screen_rows_empty());
@@ -57,8 +50,8 @@ void screen_begin(const struct pass_state *state) {
     assert(!state->window && !state->kept_colors);
     bind_targets(targets, desc);
     if (desc->masked)
-        set_mask(state, targets);
-    assert(desc->masked || state->depth == PASS_DEPTH_OFF);
+        pass_bind_texture(SCREEN_MASK_UNIT, targets->depth);
+    assert(state->depth == (desc->masked ? PASS_DEPTH_EQUAL : PASS_DEPTH_OFF));
     if (desc->blended)
         gl.ProgramUniform1i(state->program, LOCATION_SCREEN_ADDS, state->blend == PASS_BLEND_ADD);
     assert(state->blend == PASS_BLEND_OFF || (state->blend == PASS_BLEND_ADD && desc->blended));

@@ -17,8 +17,8 @@
  * A body therefore has its outputs, inputs and main each on a line of this form. It discards nothing, sets no
  * depth, and takes no derivatives. It may use `#ifdef SCREEN_COMPUTE`.
  *
- * The framebuffer of a pass tells the textures (gl/framebuffer.h). PASS_DEPTH_EQUAL and PASS_DEPTH_UNEQUAL look at the
- * texel of its depth texture; PASS_BLEND_ADD loads and adds. No other depth test, blending or colour mask is possible.
+ * The framebuffer of a pass tells the textures (gl/framebuffer.h). PASS_DEPTH_EQUAL takes pixels whose
+ * texel of its depth texture is 0; PASS_BLEND_ADD loads and adds. No other depth test, blending or colour mask is possible.
  *
  * A `tiled` pass draws many rectangles, each with its own uniforms, which pass_set_int and the like set. Its body
  * declares them as `layout(location = L) uniform T name;`. Dispatched, they are variables, and the rectangles are rows

@@ -43,8 +43,7 @@ static const char row_header[] =
     "void screen_take(uvec4 row, out ivec4 value) { value = ivec4(row); }\n"
     "void screen_take(uvec4 row, out vec4 value) { value = uintBitsToFloat(row); }\n";
 
-static const char mask_header[] = "layout(binding = %d) uniform sampler2D screen_mask;\n"
-                                  "layout(location = %d) uniform bool screen_where_marked;\n";
+static const char mask_header[] = "layout(binding = %d) uniform sampler2D screen_mask;\n";
 
 static const char blend_header[] = "layout(location = %d) uniform bool screen_adds;\n";
 
@@ -57,7 +56,7 @@ static void write_header(struct rewriting *to) {
     else
         text_print(&to->text, area_header, LOCATION_SCREEN_AREA);
     if (to->desc->masked)
-        text_print(&to->text, mask_header, SCREEN_MASK_UNIT, LOCATION_SCREEN_WHERE_MARKED);
+        text_print(&to->text, mask_header, SCREEN_MASK_UNIT);
     if (to->desc->blended)
         text_print(&to->text, blend_header, LOCATION_SCREEN_ADDS);
     if (to->desc->layers)
@@ -174,8 +173,7 @@ static void write_main(struct rewriting *to) {
                           "    pixel += screen_area.xy;\n"
                           "    screen_coord = vec4(vec2(pixel) + 0.5, 0.0, 1.0);\n");
     if (to->desc->masked)
-        text_print(&to->text, "    if ((texelFetch(screen_mask, pixel, 0).r == 0.0) != "
-                              "screen_where_marked)\n"
+        text_print(&to->text, "    if (texelFetch(screen_mask, pixel, 0).r != 0.0)\n"
                               "        return;\n");
     if (layers)
         text_print(&to->text, "    instance = int(gl_WorkGroupID.z);\n");

@@ -4,7 +4,6 @@
 #include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/vertex_array.h"
-#include "shared/planes.h"
 #include "shared/vpl.h"
 
 #include <math.h>
@@ -67,23 +66,6 @@ void gbuffer_free(struct gbuffer *gbuffer) {
     texture_free(&gbuffer->emission);
     texture_free(&gbuffer->gloss);
     *gbuffer = (struct gbuffer){0};
-}
-
-static int blocks_of(int pixels) {
-    return (pixels + PLANE_BLOCK - 1) / PLANE_BLOCK;
-}
-
-bool block_texture_init(struct texture *texture, const char *label, GLenum format, int width,
-                        int height) {
-    return texture_init(texture, &(struct texture_desc){.label = label,
-                                                        .format = format,
-                                                        .width = blocks_of(width),
-                                                        .height = blocks_of(height)});
-}
-
-void block_planes_add(struct pass_state *state, const struct block_planes *planes) {
-    pass_add_texture(state, UNIT_BLOCK_PLANES, planes->planes.id);
-    pass_add_texture(state, UNIT_BLOCK_NORMALS, planes->normals.id);
 }
 
 void rsm_add(struct pass_state *state, const struct gbuffer rsm[LIGHT_MAP_KINDS]) {

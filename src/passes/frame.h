@@ -9,10 +9,10 @@
 #include "gl/pass.h"
 #include "gl/texture.h"
 #include "gl/timer.h"
+#include "lights/starts.h"
+#include "lights/view.h"
 #include "scene/camera_range.h"
 #include "scene/gpu/scene_gpu.h"
-#include "scene/starts.h"
-#include "scene/view.h"
 #include "shared/interleaving.h"
 
 /* What every pass of one frame may use. */
@@ -34,7 +34,6 @@ struct frame {
     /* Of the camera's pixels: which surfaces their samples see (passes/picture/antialias.h), and the further
      * points of those whose samples have one (lib/further_point.glsl). */
     const struct texture *picks, *further_points;
-    const struct block_planes *planes; /* of the camera's pixels */
     int pass; /* of those whose mean the picture is: others lights and samples in each; 0: the first, or
                  the only one */
     float irradiance_scale; /* stored irradiance = W/m2 times this: a power of two that
@@ -68,12 +67,6 @@ struct gbuffer {
     struct texture normal, albedo, depth, emission, gloss;
     GLuint framebuffer;
     int width, height, layers;
-};
-
-/* Of each block of PLANE_BLOCK x PLANE_BLOCK pixels the plane that they lie on (lib/block_plane.glsl): RGBA32F and
- * RGBA16. */
-struct block_planes {
-    struct texture planes, normals;
 };
 
 /* N virtual point lights: struct vpl (shared/vpl.h), at least as many as a uniform block has room for; and sums
@@ -230,13 +223,6 @@ struct gbuffer_desc {
 
 bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc);
 void gbuffer_free(struct gbuffer *gbuffer);
-
-/* A texel for each block of such a picture. */
-bool block_texture_init(struct texture *texture, const char *label, GLenum format, int width,
-                        int height);
-
-/* For lib/block_plane.glsl. */
-void block_planes_add(struct pass_state *state, const struct block_planes *planes);
 
 struct depth_maps_desc {
     const char *label;

@@ -63,7 +63,6 @@ struct frame renderer_frame(struct renderer *renderer) {
         .radius = desc->geometry->radius,
         .picks = &antialias_of(renderer)->picks,
         .further_points = &antialias_of(renderer)->further_points,
-        .planes = &renderer->planes.planes,
         .pass = renderer->pass,
         .irradiance_scale = renderer_irradiance_scale(renderer),
     };
@@ -108,7 +107,7 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
         .background = renderer->desc.background,
         .samples = antialias->samples,
         .exposure = renderer_exposure(renderer),
-        .tone_map = (enum tone_map)renderer_picture(renderer)->tone_map,
+        .tone_map = (enum tone_map)renderer_picture(renderer).tone_map,
         .layer = LAYER_BEAUTY,
     };
 }
@@ -137,8 +136,6 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
     struct frame direct = frame_of_direct(renderer, frame);
     render_lights(renderer, frame);
     geometry_pass_render_camera(&renderer->geometry, frame, &renderer->gbuffer);
-    if (!is_refined(renderer))
-        planes_pass_render(&renderer->planes, frame, &renderer->gbuffer);
     if (renderer->pass == 0)
         antialias_pass_render(&renderer->antialias, frame, &renderer->gbuffer);
     renderer->direct->render_view(renderer->direct_state, &direct, &renderer->gbuffer);
@@ -173,7 +170,7 @@ static void show_mean(struct renderer *renderer, const struct frame *frame, int 
     const struct refining *refining = &renderer->refining;
     mean_pass_render_display(&refining->mean, frame, refining->weight, layer,
                              renderer_exposure(renderer),
-                             renderer_picture(renderer)->tone_map == TONE_MAP_FILMIC,
+                             renderer_picture(renderer).tone_map == TONE_MAP_FILMIC,
                              &renderer->desc.background, renderer->composite.framebuffer);
 }
 
@@ -235,12 +232,12 @@ struct contribution renderer_contribution(const struct renderer *renderer) {
     return renderer->technique->contribution(renderer->technique_state);
 }
 
-const struct picture_settings *renderer_picture(const struct renderer *renderer) {
-    return settings_of(&renderer->desc.settings, &picture_part);
+struct picture_settings renderer_picture(const struct renderer *renderer) {
+    return *settings_of(struct picture_settings, &renderer->desc.settings, &picture_part);
 }
 
 float renderer_exposure(const struct renderer *renderer) {
-    return renderer_picture(renderer)->exposure;
+    return renderer_picture(renderer).exposure;
 }
 
 void renderer_outputs(const struct renderer *renderer, struct output_list *outputs) {

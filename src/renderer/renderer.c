@@ -21,15 +21,15 @@ enum part {
     PART_MEAN = 64,      /* size, whether progressive */
     PART_REFINER = 128,  /* as technique; whether progressive */
     PART_SKY = 256,      /* settings, how many lights the sky has; takes size as it is */
-    PART_PLANES = 512,   /* size */
-    PART_ALL = 1023,
-    PART_SIZE = PART_GBUFFER | PART_PLANES | PART_ANTIALIAS | PART_COMPOSITE | PART_MEAN,
+    PART_ALL = 511,
+    PART_SIZE = PART_GBUFFER | PART_ANTIALIAS | PART_COMPOSITE | PART_MEAN,
     PART_LIGHTS = PART_DIRECT | PART_SKY | PART_TECHNIQUE, /* what render_lights draws with */
 };
 
 /* Whether the G-buffer, and all that reads it, has gloss: else all surfaces are matt. */
 static bool has_gloss(const struct renderer_desc *desc) {
-    const struct material_settings *own = settings_of(&desc->settings, &material_part);
+    const struct material_settings *own =
+        settings_of(struct material_settings, &desc->settings, &material_part);
     return own->materials == MATERIALS_FULL && !materials_are_plain(desc->scene) &&
            desc->direct->specular;
 }
@@ -42,7 +42,7 @@ static bool init_antialias(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     return antialias_pass_init(
         &renderer->antialias,
-        &(struct antialias_desc){desc->width, desc->height, renderer_picture(renderer)->samples});
+        &(struct antialias_desc){desc->width, desc->height, renderer_picture(renderer).samples});
 }
 
 static bool init_direct(struct renderer *renderer) {
@@ -154,8 +154,6 @@ static bool init_geometry(struct renderer *renderer) {
 static bool init_parts(struct renderer *renderer, unsigned parts, unsigned contributes) {
     return (!(parts & PART_GBUFFER) || init_gbuffer(renderer)) &&
            (!(parts & PART_GEOMETRY) || init_geometry(renderer)) &&
-           (!(parts & PART_PLANES) ||
-            planes_pass_init(&renderer->planes, renderer->desc.width, renderer->desc.height)) &&
            (!(parts & PART_DIRECT) || init_direct(renderer)) &&
            (!(parts & PART_SKY) || init_sky(renderer)) &&
            (!(parts & PART_ANTIALIAS) || init_antialias(renderer)) &&
@@ -235,7 +233,8 @@ static void set_defaults(struct renderer_desc *desc) {
 /* Takes what there was before where that is as wanted: a fit takes a while. */
 static void plan_sky(struct light_plan *plan, const struct light_plan *before,
                      const struct renderer_desc *desc) {
-    const struct skylight_settings *sky = settings_of(&desc->settings, &sky_part);
+    const struct skylight_settings *sky =
+        settings_of(struct skylight_settings, &desc->settings, &sky_part);
     const struct environment *environment = desc->emitters.sky;
     int room = LIGHTS_MAX - desc->emitters.count;
     struct sky_wanted *wanted = &plan->wanted;
@@ -309,7 +308,6 @@ static void free_refiner(struct refining *refining) {
 static void free_parts(struct renderer *renderer) {
     gbuffer_free(&renderer->gbuffer);
     geometry_pass_free(&renderer->geometry);
-    planes_pass_free(&renderer->planes);
     antialias_pass_free(&renderer->antialias);
     composite_pass_free(&renderer->composite);
     if (renderer->technique)
@@ -354,8 +352,6 @@ static void swap_parts(struct renderer *a, struct renderer *b, unsigned parts) {
         SWAP(gbuffer);
     if (parts & PART_GEOMETRY)
         SWAP(geometry);
-    if (parts & PART_PLANES)
-        SWAP(planes);
     if (parts & PART_DIRECT) {
         SWAP(direct);
         SWAP(direct_state);
@@ -443,7 +439,8 @@ bool renderer_makes_technique(const struct renderer *renderer, const struct tech
 static unsigned parts_between(const struct renderer *renderer, const struct renderer_desc *desc,
                               const struct light_plan *plan) {
     const struct renderer_desc *old = &renderer->desc;
-    const struct picture_settings *picture = settings_of(&desc->settings, &picture_part);
+    const struct picture_settings *picture =
+        settings_of(struct picture_settings, &desc->settings, &picture_part);
     unsigned parts = 0;
     if (renderer_makes_technique(renderer, desc->technique, &desc->settings))
         parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER;
@@ -458,7 +455,7 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         parts |= PART_SKY;
     if (!light_layouts_same(&plan->start_layout, &renderer->plan.start_layout))
         parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER;
-    if (picture->samples != renderer_picture(renderer)->samples)
+    if (picture->samples != renderer_picture(renderer).samples)
         parts |= PART_ANTIALIAS;
     if (desc->width != old->width || desc->height != old->height)
         parts |= PART_SIZE;

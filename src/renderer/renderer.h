@@ -9,14 +9,13 @@
 #include "base/image.h"
 #include "direct/direct.h"
 #include "direct/skylight.h"
+#include "lights/starts.h"
 #include "passes/picture/antialias.h"
 #include "passes/picture/composite.h"
 #include "passes/picture/geometry.h"
 #include "passes/picture/mean.h"
-#include "passes/picture/planes.h"
 #include "renderer/settings.h"
 #include "scene/gpu/caster_pool.h"
-#include "scene/starts.h"
 #include "techniques/technique.h"
 
 /* What a picture can show, by LAYER_BEAUTY, LAYER_DIRECT and LAYER_INDIRECT; null-terminated. */
@@ -58,7 +57,6 @@ struct renderer {
     struct caster_pool *casters;
     struct gbuffer gbuffer;
     struct geometry_pass geometry;
-    struct planes_pass planes;
     struct antialias_pass antialias;
     struct composite_pass composite;
     const struct technique *technique; /* as long as there is a state of its; and so below */

@@ -4,6 +4,7 @@
 #include "base/names.h"
 #include "direct/direct.h"
 #include "direct/skylight.h"
+#include "lights/starts.h"
 #include "passes/picture/composite.h"
 #include "scene/material.h"
 
@@ -91,17 +92,21 @@ bool renderer_settings_same(const struct settings *a, const struct settings *b,
     return true;
 }
 
+static void set_samples(struct settings *settings, int samples) {
+    struct picture_settings picture =
+        *settings_of(struct picture_settings, settings, &picture_part);
+    picture.samples = samples;
+    settings_set(settings, &picture_part, &picture);
+}
+
 void renderer_settings_roughen(struct settings *settings) {
-    struct picture_settings *picture = settings_edit(settings, &picture_part);
-    picture->samples = 1;
+    set_samples(settings, 1);
 }
 
 void renderer_settings_copy_but_samples(struct settings *to, const struct settings *from) {
-    const struct picture_settings *before = settings_of(to, &picture_part);
-    int samples = before->samples;
+    int samples = settings_of(struct picture_settings, to, &picture_part)->samples;
     *to = *from;
-    struct picture_settings *picture = settings_edit(to, &picture_part);
-    picture->samples = samples;
+    set_samples(to, samples);
 }
 
 /* --- needs --- */

@@ -21,8 +21,6 @@ void many_lights_begin(const struct many_lights *lights, const struct frame *fra
         gather_pass_clear(&lights->gloss_gather);
     if (!lights->has_detail)
         return;
-    if (lights->has_plain)
-        plain_pass_render(&lights->plain, frame);
     detail_pass_render(&lights->detail, frame, gbuffer);
     gather_pass_clear(&lights->detail_gather);
 }

@@ -8,7 +8,6 @@
 #include "passes/gather/gather.h"
 #include "passes/gather/gloss_rays.h"
 #include "passes/gather/near_field.h"
-#include "passes/gather/plain.h"
 #include "passes/lights/bounce.h"
 #include "passes/lights/vpl.h"
 #include "passes/picture/geometry.h"
@@ -100,8 +99,6 @@ struct many_lights {
     struct near_field_pass near_field;
     bool has_detail;  /* pixels with few like neighbours gather more */
     int detail_times; /* as the settings have it: of a picture that is not large */
-    bool has_plain;   /* and with a blur along x and y, what needs no care */
-    struct plain_pass plain;
     struct detail_pass detail;
     struct gather_pass detail_gather;
     bool has_gloss; /* materials are not all plain: what reflects as by a mirror is gathered, too */

@@ -34,8 +34,8 @@ static const float adaptive_share = 1;
 
 struct visibility_desc many_lights_lookup(const struct settings *settings,
                                           enum visibility_lookup lookup, int map_count) {
-    const struct map_settings *map = settings_of(settings, &map_part);
-    const struct lookup_settings *own = settings_of(settings, &lookup_part);
+    const struct map_settings *map = settings_of(struct map_settings, settings, &map_part);
+    const struct lookup_settings *own = settings_of(struct lookup_settings, settings, &lookup_part);
     return (struct visibility_desc){
         .lookup = lookup,
         .map_size = map->size,
@@ -50,7 +50,7 @@ struct visibility_desc many_lights_lookup(const struct settings *settings,
 }
 
 struct caster_desc many_lights_caster(const struct settings *settings) {
-    const struct caster_settings *own = settings_of(settings, &caster_part);
+    const struct caster_settings *own = settings_of(struct caster_settings, settings, &caster_part);
     return (struct caster_desc){.error = own->error, .long_count = own->long_count};
 }
 
@@ -72,8 +72,9 @@ static const float gloss_cosine = .966F;
 static const float sharp_cosine = .99F;
 
 static int blur_radius(const struct settings *settings) {
-    const struct gather_settings *gather = settings_of(settings, &gather_part);
-    const struct blur_settings *blur = settings_of(settings, &blur_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, settings, &gather_part);
+    const struct blur_settings *blur = settings_of(struct blur_settings, settings, &blur_part);
     return blur->radius < 0 ? gather->interleave / 2 : blur->radius;
 }
 
@@ -135,42 +136,19 @@ static int block_of_pixel(const struct gather_desc *gather, int block) {
     return gather->clamp >= GATHER_CLAMP_RECTANGLE ? 0 : block;
 }
 
-/* With blocks that share visibility the nearest one speaks for a plain pixel. */
-static int plain_radius(int blur, const struct detail_desc *detail) {
-    int nearest = (detail->block + 1) / 2, around = blur > detail->radius ? blur : detail->radius;
-    return around > nearest ? around : nearest;
-}
-
 static int detail_radius(const struct settings *settings) {
     int radius = blur_radius(settings);
     return radius > 0 ? (radius + 1) / 2 : 2;
-}
-
-static bool init_plain(struct many_lights *lights, const struct technique_desc *desc,
-                       const struct detail_desc *detail) {
-    const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
-    int radius = blur_radius(desc->settings);
-    lights->has_plain = blur->separable && radius > 0;
-    return !lights->has_plain ||
-           plain_pass_init(&lights->plain,
-                           &(struct plain_desc){.width = desc->width,
-                                                .height = desc->height,
-                                                .radius = plain_radius(radius, detail),
-                                                .distance = blur->distance,
-                                                .cosine = blur->cosine});
-}
-
-/* Those of the pass; none where there are none. */
-static const struct texture *plain_pixels(const struct many_lights *lights) {
-    return lights->has_plain ? &lights->plain.pixels : NULL;
 }
 
 /* Half the blur's radius away: farther off an edge it finds enough on one side.
  *
  * What is listed looks itself up: a block of pixels does not speak for it. */
 static bool init_detail(struct many_lights *lights, const struct technique_desc *desc, int block) {
-    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
-    const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
+    const struct blur_settings *blur =
+        settings_of(struct blur_settings, desc->settings, &blur_part);
     if (!lights->has_detail)
         return true;
     struct gather_desc gather_desc = lights->gather.desc;
@@ -192,16 +170,14 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     gather_desc.list_slots[LIST_FURTHER] = gather->edge_samples ? 1 : 0;
     fit_listed(&gather_desc, gather->adaptive_factor);
     lights->detail_times = gather->adaptive_factor;
-    if (!init_plain(lights, desc, &detail))
-        return false;
-    detail.plain = plain_pixels(lights);
     return detail_pass_init(&lights->detail, &detail) &&
            gather_pass_init(&lights->detail_gather, &gather_desc);
 }
 
 static bool init_gather(struct many_lights *lights, const struct technique_desc *desc,
                         const struct many_lights_visibility *visibility) {
-    const struct gather_settings *own = settings_of(desc->settings, &gather_part);
+    const struct gather_settings *own =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
     struct gather_desc gather_desc = {
         .width = desc->width,
         .height = desc->height,
@@ -232,8 +208,10 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
  * share of light that the near field could take: near VPLs are bounded as disks. */
 static bool init_gloss(struct many_lights *lights, const struct technique_desc *desc,
                        const struct many_lights_visibility *visibility) {
-    const struct gather_settings *own = settings_of(desc->settings, &gather_part);
-    const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
+    const struct gather_settings *own =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
+    const struct blur_settings *blur =
+        settings_of(struct blur_settings, desc->settings, &blur_part);
     struct gather_desc gather = lights->gather.desc;
     int n = GLOSS_INTERLEAVE < own->interleave ? GLOSS_INTERLEAVE : own->interleave;
     gather.interleave = n;
@@ -271,7 +249,8 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
  * more than 21. */
 static int rsm_size(const struct technique_desc *desc) {
     static const int full_views[LIGHT_MAP_KINDS] = {4, 128};
-    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
     int size = own->rsm_size;
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++) {
         int shared = light_map_share(own->rsm_size, desc->lights->views[kind], full_views[kind]);
@@ -282,7 +261,8 @@ static int rsm_size(const struct technique_desc *desc) {
 
 /* Rays for gloss need the smooth normals of what they meet. */
 static bool sends_as_facets(const struct technique_desc *desc) {
-    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
     return own->facets && !desc->gloss;
 }
 
@@ -305,7 +285,8 @@ static int near_occlusion(const struct many_lights *lights, const struct techniq
 
 static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc,
                             const struct many_lights_visibility *visibility) {
-    const struct gather_settings *own = settings_of(desc->settings, &gather_part);
+    const struct gather_settings *own =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
     lights->has_near_field =
         own->clamp == GATHER_CLAMP_NEAR || own->clamp == GATHER_CLAMP_RECTANGLE_NEAR;
     int occlusion = near_occlusion(lights, desc, visibility);
@@ -323,7 +304,7 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
 }
 
 static bool init_blur(struct many_lights *lights, const struct technique_desc *desc) {
-    const struct blur_settings *own = settings_of(desc->settings, &blur_part);
+    const struct blur_settings *own = settings_of(struct blur_settings, desc->settings, &blur_part);
     int radius = blur_radius(desc->settings);
     int n = lights->gather.desc.interleave;
     struct blur_desc blur = {
@@ -334,7 +315,6 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
         .distance = own->distance,
         .cosine = own->cosine,
         .square = !own->separable || radius == 0,
-        .plain = plain_pixels(lights),
     };
     fit_blur(&blur, &lights->detail_gather.desc, n);
     lights->has_blur = n > 1 || radius > 0 || lights->has_detail;
@@ -342,7 +322,8 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
 }
 
 static bool init_bounces(struct many_lights *lights, const struct technique_desc *desc) {
-    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
     lights->bounces = own->bounces;
     return lights->bounces == 1 ||
            bounce_pass_init(&lights->bounce,
@@ -358,15 +339,18 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
 }
 
 bool many_lights_check(const struct settings *settings) {
-    const struct lights_settings *lights = settings_of(settings, &lights_part);
-    const struct gather_settings *gather = settings_of(settings, &gather_part);
+    const struct lights_settings *lights =
+        settings_of(struct lights_settings, settings, &lights_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, settings, &gather_part);
     int places = gather->interleave * gather->interleave;
     return lights->vpls >= places || error_set("interleave=%d needs at least %d VPLs, and vpls=%d",
                                                gather->interleave, places, lights->vpls);
 }
 
 static bool init_rsm(struct many_lights *lights, const struct technique_desc *desc, int size) {
-    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
     const struct light_layout *layout = desc->lights;
     bool ok = true, has_gloss = desc->gloss && gather->specular + 1 == SPECULAR_RAYS;
     bool facets = sends_as_facets(desc);
@@ -381,7 +365,8 @@ static bool init_rsm(struct many_lights *lights, const struct technique_desc *de
 
 bool many_lights_init(struct many_lights *lights, const struct technique_desc *desc,
                       const struct many_lights_visibility *visibility) {
-    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
     const float reach = own->facets ? near_reach_of_facets : near_reach;
     *lights = (struct many_lights){.tree = visibility->tree};
     if (init_rsm(lights, desc, rsm_size(desc)) &&
@@ -408,7 +393,6 @@ void many_lights_free(struct many_lights *lights) {
     bounce_pass_free(&lights->bounce);
     gather_pass_free(&lights->gather);
     near_field_pass_free(&lights->near_field);
-    plain_pass_free(&lights->plain);
     detail_pass_free(&lights->detail);
     gather_pass_free(&lights->detail_gather);
     gather_pass_free(&lights->gloss_gather);
@@ -424,9 +408,8 @@ static bool init_sized(struct many_lights *fresh, const struct many_lights *old,
     struct detail_desc detail = old->detail.desc;
     struct gather_desc gloss_gather = old->gloss_gather.desc;
     struct blur_desc blur = old->blur.desc, gloss_blur = old->gloss_blur.desc;
-    struct plain_desc plain = old->plain.desc;
-    gather.width = listed.width = detail.width = blur.width = plain.width = width;
-    gather.height = listed.height = detail.height = blur.height = plain.height = height;
+    gather.width = listed.width = detail.width = blur.width = width;
+    gather.height = listed.height = detail.height = blur.height = height;
     gloss_gather.width = gloss_blur.width = width;
     gloss_gather.height = gloss_blur.height = height;
     if (gather.together > 0)
@@ -434,10 +417,7 @@ static bool init_sized(struct many_lights *fresh, const struct many_lights *old,
     if (old->has_detail)
         fit_listed(&listed, old->detail_times);
     fit_blur(&blur, &listed, gather.interleave);
-    fresh->has_plain = old->has_plain;
-    detail.plain = blur.plain = plain_pixels(fresh);
     return gather_pass_init(&fresh->gather, &gather) &&
-           (!old->has_plain || plain_pass_init(&fresh->plain, &plain)) &&
            (!old->has_gloss || (gather_pass_init(&fresh->gloss_gather, &gloss_gather) &&
                                 blur_pass_init(&fresh->gloss_blur, &gloss_blur))) &&
            (!old->has_blur || blur_pass_init(&fresh->blur, &blur)) &&
@@ -447,7 +427,6 @@ static bool init_sized(struct many_lights *fresh, const struct many_lights *old,
 
 static void free_sized(struct many_lights *lights) {
     gather_pass_free(&lights->gather);
-    plain_pass_free(&lights->plain);
     detail_pass_free(&lights->detail);
     gather_pass_free(&lights->detail_gather);
     gather_pass_free(&lights->gloss_gather);
@@ -464,7 +443,6 @@ bool many_lights_resize(void *state, int width, int height) {
     }
     free_sized(lights);
     lights->gather = fresh.gather;
-    lights->plain = fresh.plain;
     lights->detail = fresh.detail;
     lights->detail_gather = fresh.detail_gather;
     lights->gloss_gather = fresh.gloss_gather;

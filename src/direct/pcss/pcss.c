@@ -31,7 +31,7 @@ enum { SEARCH_TAPS = 48 }; /* texels of the blocker search per pixel */
 static const double spread = .04;
 
 static bool init(void **state, const struct direct_desc *desc) {
-    const struct pcss_settings *own = settings_of(desc->settings, &own_part);
+    const struct pcss_settings *own = settings_of(struct pcss_settings, desc->settings, &own_part);
     struct shadow *shadow = *state = mem_alloc(1, sizeof *shadow);
     char *defines = mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;WAYS %d;SPREAD %.6f;NEAREST %.6f;",
                                own->light_taps, SEARCH_TAPS, own->shadow_rays, spread, nearest);

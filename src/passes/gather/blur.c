@@ -7,33 +7,12 @@
 
 #include <math.h>
 
-static bool init_program(GLuint *program, bool pack, bool of_plain, bool masked) {
-    const struct program_desc desc = {
-        .screen = {"gather/blur.frag", .masked = masked},
-        .defines = pack       ? of_plain ? "PACK 1;OF_PLAIN 1" : "PACK 1;OF_PLAIN 0"
-                   : of_plain ? "PACK 0;OF_PLAIN 1"
-                              : "PACK 0;OF_PLAIN 0",
-    };
-    return program_init(program, &desc);
-}
-
-/* The target's own framebuffer has no depth to test. */
-static bool init_axis(struct blur_axis *axis, bool pack, const struct irradiance *target,
-                      const struct texture *plain) {
-    return init_program(&axis->program, pack, false, plain) &&
-           (!plain || init_program(&axis->plain_program, pack, true, plain)) &&
-           framebuffer_init(&axis->framebuffer,
-                            &(struct framebuffer_desc){.label = target->texture.desc.label,
-                                                       .colors = {&target->texture},
-                                                       .depth = plain}) &&
+/* Packed, a result is what the next axis takes. */
+static bool init_axis(struct blur_axis *axis, bool pack) {
+    return program_init(&axis->program,
+                        &(struct program_desc){.screen = {"gather/blur.frag"},
+                                               .defines = pack ? "PACK 1" : "PACK 0"}) &&
            buffer_init(&axis->params, "blur parameters", sizeof(struct blur_params), NULL);
-}
-
-static bool init_axes(struct blur_pass *pass) {
-    const struct texture *plain = pass->desc.plain;
-    pass->has_plain = plain;
-    return (pass->desc.square || init_axis(&pass->along_x, true, &pass->half, plain)) &&
-           init_axis(&pass->along_y, false, &pass->blurred, plain);
 }
 
 static bool init_pack(struct blur_pass *pass) {
@@ -55,7 +34,8 @@ bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc) {
     *pass = (struct blur_pass){.desc = *desc};
     if (init_pack(pass) && init_target(&pass->taps, "blur taps", GL_RGBA32UI, desc) &&
         (desc->square || init_target(&pass->half, "blur taps", GL_RGBA32UI, desc)) &&
-        init_target(&pass->blurred, "blurred irradiance", GL_RGBA16F, desc) && init_axes(pass))
+        init_target(&pass->blurred, "blurred irradiance", GL_RGBA16F, desc) &&
+        (desc->square || init_axis(&pass->along_x, true)) && init_axis(&pass->along_y, false))
         return true;
     blur_pass_free(pass);
     return false;
@@ -63,8 +43,6 @@ bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc) {
 
 static void free_axis(struct blur_axis *axis) {
     program_free(&axis->program);
-    program_free(&axis->plain_program);
-    framebuffer_free(&axis->framebuffer);
     buffer_free(&axis->params);
 }
 
@@ -149,24 +127,17 @@ static void pack(const struct blur_pass *pass, const struct frame *frame,
 }
 
 static void blur_along(const struct blur_pass *pass, const struct frame *frame,
-                       const struct blur_axis *axis, const struct irradiance *from) {
-    struct pass_state state = {
+                       const struct blur_axis *axis, const struct irradiance *from,
+                       const struct irradiance *to) {
+    pass_set_state(&(struct pass_state){
         .name = "blur",
         .program = axis->program,
-        .framebuffer = axis->framebuffer,
+        .framebuffer = to->framebuffer,
         .width = pass->desc.width,
         .height = pass->desc.height,
-        .depth = pass->has_plain ? PASS_DEPTH_UNEQUAL : PASS_DEPTH_OFF,
         .textures = {{UNIT_BLUR_TAPS, from->texture.id}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &axis->params}},
-    };
-    pass_set_state(&state);
-    pass_draw_fullscreen(1);
-    if (!pass->has_plain)
-        return;
-    state.program = axis->plain_program;
-    state.depth = PASS_DEPTH_EQUAL;
-    pass_set_state(&state);
+    });
     pass_draw_fullscreen(1);
 }
 
@@ -176,7 +147,8 @@ void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
     write_params(pass, frame, inputs->source);
     pack(pass, frame, gbuffer, inputs);
     if (!pass->desc.square)
-        blur_along(pass, frame, &pass->along_x, &pass->taps);
-    blur_along(pass, frame, &pass->along_y, pass->desc.square ? &pass->taps : &pass->half);
+        blur_along(pass, frame, &pass->along_x, &pass->taps, &pass->half);
+    blur_along(pass, frame, &pass->along_y, pass->desc.square ? &pass->taps : &pass->half,
+               &pass->blurred);
     timer_end(frame->timers);
 }

@@ -18,18 +18,15 @@ struct blur_desc {
     bool detail;                      /* there are pixels of lists */
     float grade_radius[PIXEL_GRADES]; /* theirs, smaller; half an edge's where light is steep */
     float grade_weight[PIXEL_GRADES]; /* how many times as many lights as others they have */
-    bool gloss; /* what is smooth, of a G-buffer with gloss, is of the first grade */
-    const struct texture
-        *plain;  /* passes/gather/plain.h; or NULL, as where square. Read at init alone */
+    bool gloss;  /* what is smooth, of a G-buffer with gloss, is of the first grade */
     bool square; /* over all taps of the square at once, as published; else along x, then y */
 };
 
 struct blur_pass {
     struct blur_desc desc;
     GLuint pack_program;
-    bool has_plain;
     struct blur_axis {
-        GLuint program, plain_program, framebuffer;
+        GLuint program;
         struct buffer params;
     } along_x, along_y;           /* where square, along_y alone, of all rows */
     struct irradiance taps, half; /* RGBA32UI, glsl/gather/blur_tap.glsl; half: not where square */

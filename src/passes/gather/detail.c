@@ -4,9 +4,11 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/detail.h"
-#include "shared/plain.h"
 
 #include <assert.h>
+
+/* A pixel this far off another's plane, over the picture's height there, is another surface. */
+static const float plane_apart = .008F;
 
 static bool init_picture(struct texture *texture, const char *label, int width, int height) {
     return texture_init(texture,
@@ -29,17 +31,15 @@ static bool init_lists(struct pixel_lists *lists, const struct detail_desc *desc
 
 bool detail_pass_init(struct detail_pass *pass, const struct detail_desc *desc) {
     *pass = (struct detail_pass){.desc = *desc};
-    pass->has_plain = desc->plain;
     if (program_init(&pass->program,
                      &(struct program_desc){
-                         .screen = {"gather/detail.frag", .masked = desc->plain},
+                         .screen = {"gather/detail.frag"},
                          .defines = desc->block ? "SHARE_VISIBILITY 1" : "SHARE_VISIBILITY 0",
                      }) &&
         init_lists(&pass->lists, desc) &&
-        framebuffer_init(&pass->framebuffer,
-                         &(struct framebuffer_desc){.label = "list texels",
-                                                    .colors = {&pass->lists.texels},
-                                                    .depth = desc->plain}) &&
+        framebuffer_init(
+            &pass->framebuffer,
+            &(struct framebuffer_desc){.label = "list texels", .colors = {&pass->lists.texels}}) &&
         buffer_init(&pass->params, "detail parameters", sizeof(struct detail_params), NULL))
         return true;
     detail_pass_free(pass);
@@ -65,7 +65,7 @@ static void write_params(const struct detail_pass *pass) {
                     .n = desc->interleave},
         .distance = desc->distance,
         .cosine = desc->cosine,
-        .apart = PLANE_APART,
+        .apart = plane_apart,
         .fewest = desc->share * 4,
         .radius = desc->radius,
         .block = desc->block,
@@ -87,7 +87,6 @@ void detail_pass_render(const struct detail_pass *pass, const struct frame *fram
             .framebuffer = pass->framebuffer,
             .width = pass->desc.width,
             .height = pass->desc.height,
-            .depth = pass->has_plain ? PASS_DEPTH_UNEQUAL : PASS_DEPTH_OFF,
             .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                          {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
                          {UNIT_SAMPLE_PICKS, frame->picks->id}},

@@ -20,14 +20,11 @@ struct detail_desc {
      * no more than an edge does: it makes no PIXEL_GRADE_DETAIL. */
     float sharp_cosine;
     int block; /* pixels a side of a block that shares its visibility; pixels without one are listed; 0: none does */
-    const struct texture
-        *plain; /* passes/gather/plain.h: such are not asked; NULL: all are. Read at init alone */
 };
 
 struct detail_pass {
     struct detail_desc desc;
     GLuint program;
-    bool has_plain;
     GLuint framebuffer; /* of list texels */
     struct pixel_lists lists;
     struct buffer params;

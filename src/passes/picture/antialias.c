@@ -17,10 +17,8 @@ static bool init_programs(struct antialias_pass *pass) {
                         &(struct program_desc){.vertex = "picture/samples.vert",
                                                .fragment = "picture/samples.frag",
                                                .defines = "MASKED"}) &&
-           program_init(&pass->even_program,
-                        &(struct program_desc){.screen = {"picture/even.frag"}}) &&
            program_init(&pass->edge_program,
-                        &(struct program_desc){.vertex = "picture/edges.vert",
+                        &(struct program_desc){.vertex = "fullscreen.vert",
                                                .fragment = "picture/edges.frag",
                                                .defines = samples}) &&
            program_init(&pass->pick_program,
@@ -115,20 +113,12 @@ static bool init_params(struct antialias_pass *pass) {
     return buffer_init(&pass->params, "antialias parameters", sizeof params, &params);
 }
 
-static bool init_even(struct antialias_pass *pass) {
-    const struct antialias_desc *desc = &pass->desc;
-    return block_texture_init(&pass->even, "even blocks", GL_R8, desc->width, desc->height) &&
-           framebuffer_init(
-               &pass->even_framebuffer,
-               &(struct framebuffer_desc){.label = "even blocks", .colors = {&pass->even}});
-}
-
 bool antialias_pass_init(struct antialias_pass *pass, const struct antialias_desc *desc) {
     *pass = (struct antialias_pass){.desc = *desc};
     pass->layers = (desc->samples + SAMPLES_PER_LAYER - 1) / SAMPLES_PER_LAYER;
     pass->samples = desc->samples > 1 ? pass->layers * SAMPLES_PER_LAYER : 1;
-    if (init_picks(pass) && (pass->samples == 1 || (init_programs(pass) && init_samples(pass) &&
-                                                    init_even(pass) && init_params(pass))))
+    if (init_picks(pass) &&
+        (pass->samples == 1 || (init_programs(pass) && init_samples(pass) && init_params(pass))))
         return true;
     antialias_pass_free(pass);
     return false;
@@ -137,16 +127,13 @@ bool antialias_pass_init(struct antialias_pass *pass, const struct antialias_des
 void antialias_pass_free(struct antialias_pass *pass) {
     program_free(&pass->solid_program);
     program_free(&pass->masked_program);
-    program_free(&pass->even_program);
     program_free(&pass->edge_program);
     program_free(&pass->pick_program);
     framebuffer_free(&pass->sample_framebuffer);
-    framebuffer_free(&pass->even_framebuffer);
     framebuffer_free(&pass->edge_framebuffer);
     framebuffer_free(&pass->pick_framebuffer);
     texture_free(&pass->depths);
     texture_free(&pass->normals);
-    texture_free(&pass->even);
     texture_free(&pass->edges);
     texture_free(&pass->picks);
     texture_free(&pass->further_points);
@@ -188,19 +175,6 @@ static void render_samples(const struct antialias_pass *pass, const struct frame
     pass_end(frame->timers);
 }
 
-static void compare_blocks(const struct antialias_pass *pass, const struct frame *frame) {
-    struct pass_state state = {
-        .name = "picks",
-        .program = pass->even_program,
-        .framebuffer = pass->even_framebuffer,
-        .width = pass->even.desc.width,
-        .height = pass->even.desc.height,
-    };
-    block_planes_add(&state, frame->planes);
-    pass_set_state(&state);
-    pass_draw_fullscreen(1);
-}
-
 /* Most pixels have no edge. A depth test leaves them out of the picks, as a branch in a shader would not: a software
  * rasteriser executes both sides. */
 static void render_picks(const struct antialias_pass *pass, const struct frame *frame,
@@ -212,9 +186,7 @@ static void render_picks(const struct antialias_pass *pass, const struct frame *
         .width = pass->desc.width,
         .height = pass->desc.height,
         .depth = PASS_DEPTH_LESS,
-        .point_size = true,
-        .textures = {{UNIT_EVEN_BLOCKS, pass->even.id},
-                     {UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
                      {UNIT_SAMPLE_DEPTH, pass->depths.id},
                      {UNIT_SAMPLE_NORMAL, pass->normals.id}},
@@ -222,15 +194,13 @@ static void render_picks(const struct antialias_pass *pass, const struct frame *
         .images = {{IMAGE_FURTHER_POINTS, &pass->further_points, 0, GL_WRITE_ONLY}},
     };
     timer_begin(frame->timers, "picks");
-    compare_blocks(pass, frame);
     framebuffer_clear_integers(pass->pick_framebuffer, TARGET_RESULT, itself);
     framebuffer_clear_depth(pass->edge_framebuffer, 1);
     pass_set_state(&state);
-    pass_draw(GL_POINTS, pass->even.desc.width * pass->even.desc.height, 1);
+    pass_draw_fullscreen(1);
     state.program = pass->pick_program;
     state.framebuffer = pass->pick_framebuffer;
     state.depth = PASS_DEPTH_EQUAL;
-    state.point_size = false;
     pass_set_state(&state);
     pass_draw_fullscreen(1);
     gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);

@@ -18,16 +18,14 @@ struct antialias_desc {
 
 struct antialias_pass {
     struct antialias_desc desc;
-    GLuint solid_program, masked_program, even_program, edge_program, pick_program;
+    GLuint solid_program, masked_program, edge_program, pick_program;
     int layers, samples; /* drawn: whole layers, or the one centre */
     struct texture depths,
-        normals; /* D32F; RGBA8, 0.5 + 0.5 n: a layer of four samples after another */
-    struct texture
-        even; /* R8, a texel a block: 1 where one plane, or nothing, is all that is seen there and around */
+        normals;          /* D32F; RGBA8, 0.5 + 0.5 n: a layer of four samples after another */
     struct texture edges; /* D16, 0 where there is one, else 1: picks are tested against it */
     struct texture picks; /* RG32UI, picture/picks.glsl; 0 = itself; 1 x 1 if samples is 1 */
     struct texture further_points; /* RGBA32UI, lib/further_point.glsl; likewise */
-    GLuint sample_framebuffer, even_framebuffer, edge_framebuffer, pick_framebuffer;
+    GLuint sample_framebuffer, edge_framebuffer, pick_framebuffer;
     struct buffer params;
 };
 

@@ -4,8 +4,8 @@
 #ifndef PASSES_SKY_LIGHT_H
 #define PASSES_SKY_LIGHT_H
 
+#include "lights/sky.h"
 #include "passes/frame.h"
-#include "scene/sky.h"
 
 struct sky_light_desc {
     int width, height; /* of the picture */

@@ -92,8 +92,10 @@ static void free_state(void *state) {
 
 static bool init_set(struct light_set *set, const struct settings *settings, int vpl_count,
                      const struct texture *seeds) {
-    const struct cluster_lights_settings *own = settings_of(settings, &own_part);
-    const struct vals_settings *clustering = settings_of(settings, &vals_part);
+    const struct cluster_lights_settings *own =
+        settings_of(struct cluster_lights_settings, settings, &own_part);
+    const struct vals_settings *clustering =
+        settings_of(struct vals_settings, settings, &vals_part);
     return cluster_pass_init(&set->cluster,
                              &(struct cluster_desc){
                                  .vpl_count = vpl_count,
@@ -119,21 +121,26 @@ static enum gather_clamp clamp_of(const struct cluster_lights_settings *own) {
 
 /* The gather of many lights, but each pixel takes all of them; those that are listed look themselves up. */
 static struct settings gather_settings(const struct settings *settings) {
-    const struct cluster_lights_settings *own = settings_of(settings, &own_part);
+    const struct cluster_lights_settings *own =
+        settings_of(struct cluster_lights_settings, settings, &own_part);
     struct settings changed = *settings;
-    struct gather_settings *gather = settings_edit(&changed, &gather_part);
-    gather->interleave = 1;
-    gather->adaptive = gather->adaptive > 0 ? 1 : 0;
-    gather->clamp = clamp_of(own);
-    gather->near_samples = own->near;
-    struct blur_settings *blur = settings_edit(&changed, &blur_part);
-    blur->radius = 0;
+    struct gather_settings gather = *settings_of(struct gather_settings, settings, &gather_part);
+    gather.interleave = 1;
+    gather.adaptive = gather.adaptive > 0 ? 1 : 0;
+    gather.clamp = clamp_of(own);
+    gather.near_samples = own->near;
+    settings_set(&changed, &gather_part, &gather);
+    struct blur_settings blur = *settings_of(struct blur_settings, settings, &blur_part);
+    blur.radius = 0;
+    settings_set(&changed, &blur_part, &blur);
     return changed;
 }
 
 static bool init_first(struct cluster_lights *technique, const struct technique_desc *desc) {
-    const struct cluster_lights_settings *own = settings_of(desc->settings, &own_part);
-    const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
+    const struct cluster_lights_settings *own =
+        settings_of(struct cluster_lights_settings, desc->settings, &own_part);
+    const struct lights_settings *lights =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
     technique->by_importance = own->seeds == LIGHT_SEEDS_IMPORTANCE;
     struct importance_desc importance = {.count = own->lights,
                                          .clamp_value = many_lights_clamp_value};
@@ -144,8 +151,10 @@ static bool init_first(struct cluster_lights *technique, const struct technique_
 }
 
 static bool init(void **state, const struct technique_desc *desc) {
-    const struct cluster_lights_settings *own = settings_of(desc->settings, &own_part);
-    const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
+    const struct cluster_lights_settings *own =
+        settings_of(struct cluster_lights_settings, desc->settings, &own_part);
+    const struct lights_settings *lights =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
     struct cluster_lights *technique = *state = mem_alloc(1, sizeof *technique);
     struct settings settings = gather_settings(desc->settings);
     struct technique_desc with_settings = *desc;

@@ -1,0 +1,81 @@
+#include "viewer/panel/setting_label.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const struct row {
+    const char *setting, *label;
+} rows[] = {
+    {"lights.vpls", "virtual lights"},
+    {"lights.seed", "random seed"},
+    {"lights.rsm-size", "light map texels"},
+    {"lights.bounces", "light bounces"},
+    {"lights.paths", "paths of bounces"},
+    {"lights.facets", "flat triangles"},
+    {"clustered.vals", "shadow groups"},
+    {"clustered.bounce-vals", "groups of bounces"},
+    {"clustered.iterations", "grouping steps"},
+    {"clustered.start", "grouping begins"},
+    {"clustered.weight-position", "weight of place"},
+    {"clustered.weight-normal", "weight of normal"},
+    {"clustered.importance", "picture weight"},
+    {"clustered.visibility", "shadow lookup"},
+    {"clustered.ray-tests", "test rays a group"},
+    {"clustered.visibility-block", "shadow block"},
+    {"map.size", "map texels"},
+    {"lookup.terms", "Fourier terms"},
+    {"caster.error", "simplification"},
+    {"caster.long", "bent triangles"},
+    {"gather.interleave", "pixel pattern"},
+    {"gather.clamp", "near lights"},
+    {"gather.near-samples", "near samples"},
+    {"gather.specular", "specular light"},
+    {"gather.adaptive", "adaptive pattern"},
+    {"gather.adaptive-factor", "adaptive factor"},
+    {"gather.edge-samples", "edge samples"},
+    {"blur.radius", "blur radius"},
+    {"blur.separable", "in two steps"},
+    {"blur.distance", "distance limit"},
+    {"blur.cosine", "normal limit"},
+    {"direct.shadow-size", "shadow texels"},
+    {"pcss.light-taps", "shadow samples"},
+    {"pcss.shadow-rays", "shadow rays"},
+    {"samples.points", "light samples"},
+    {"prefilter.texels", "map texels"},
+    {"cssm.harmonics", "Fourier terms"},
+    {"cssm.prefilter", "filter"},
+    {"sky.lights", "area lights"},
+    {"sky.fit", "fit"},
+    {"sky.directions", "directions"},
+    {"sky.map-size", "map texels"},
+    {"sky.shadow-rays", "shadow rays"},
+    {"surface.materials", "materials"},
+    {"picture.exposure", "exposure, EV"},
+    {"picture.samples", "edge samples"},
+    {"picture.tone-map", "tone map"},
+    {"imperfect-shadow-maps.size", "map texels"},
+    {"imperfect-shadow-maps.map-points", "points a map"},
+    {"imperfect-shadow-maps.shape", "point shape"},
+    {"instant-radiosity.traced", "traced shadows"},
+    {"cluster-lights.area-lights", "area lights"},
+    {"cluster-lights.form", "shape"},
+    {"cluster-lights.shadows", "shadows"},
+    {"cluster-lights.seeds", "first groups"},
+    {"cluster-lights.near", "near samples"},
+    {"lightcuts.nodes", "nodes of a cut"},
+    {"lightcuts.tolerance", "tolerance"},
+    {"row-column.rows", "rows (pixels)"},
+    {"row-column.columns", "columns (lights)"},
+};
+
+bool setting_label(const struct setting *setting, char label[SETTING_LABEL_SIZE]) {
+    char name[SETTING_NAME_SIZE];
+    setting_name(setting, name);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (strcmp(rows[i].setting, name) == 0)
+            return snprintf(label, SETTING_LABEL_SIZE, "%s", rows[i].label) > 0;
+    snprintf(label, SETTING_LABEL_SIZE, "%s", setting->option->name);
+    for (char *dash = label; (dash = strchr(dash, '-'));)
+        *dash = ' ';
+    return false;
+}
