@@ -41,7 +41,7 @@ struct lookup_settings {
 };
 
 struct gather_settings {
-    int interleave, clamp; /* enum gather_clamp */
+    int interleave, clamp; /* GATHER_CLAMP_... */
     float clamp_value, sphere, near_reach;
     int near_samples;
     int detail; /* n of pixels with few like neighbours; 0: as all others */

@@ -166,7 +166,7 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
         .share = visibility->block > 0,
         .cuts = visibility->cuts,
         .visibility = lookup_of(desc->settings, visibility->lookup, visibility),
-        .clamp = (enum gather_clamp)own->clamp,
+        .clamp = own->clamp,
         .clamp_value = own->clamp_value,
         .sphere = own->sphere,
         .further = lights->bounces > 1,

@@ -75,7 +75,7 @@ static void free_set(struct val_set *set) {
 /* What the first bounce's set and that of further ones differ in. */
 struct set_desc {
     int vpl_count, val_count;
-    enum gather_clamp clamp;
+    int clamp;
     bool follow, by_importance;
 };
 
@@ -134,7 +134,7 @@ bool vals_may_trace(const struct scene *scene, const struct geometry *geometry) 
 }
 
 /* What bounds light by parameters counts as disks do: this says no more than how much a test counts. */
-static enum gather_clamp clamp_of_tests(enum gather_clamp clamp) {
+static int clamp_of_tests(int clamp) {
     return clamp == GATHER_CLAMP_NEAR || clamp == GATHER_CLAMP_PATCH ? clamp : GATHER_CLAMP_DISK;
 }
 
@@ -230,7 +230,7 @@ bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow
     struct set_desc first = {
         .vpl_count = lights->vpls,
         .val_count = own->vals,
-        .clamp = (enum gather_clamp)gather->clamp,
+        .clamp = gather->clamp,
         .follow = follow,
         .by_importance = vals->by_importance,
     };

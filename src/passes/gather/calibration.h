@@ -17,7 +17,7 @@
 
 struct calibration_desc {
     int vpl_count, tests;
-    int clamp; /* CLAMP of gather/geometry_term.glsl: one without parameters */
+    int clamp;                         /* GATHER_CLAMP_..., one without parameters */
     struct visibility_desc visibility; /* of pixels that look themselves up */
 };
 
